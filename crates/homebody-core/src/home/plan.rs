@@ -1,0 +1,166 @@
+//! The floor plan resolved: walls with their doors cut out, as solids that stop bodies and beams.
+
+use crate::geometry::{self, Point, point};
+use crate::scenario::home::{FurnitureFile, HomeFile};
+use crate::scenario::path::Spot;
+
+/// A room of the plan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Room {
+    pub name: String,
+    pub outline: Vec<Point>,
+}
+
+/// What a solid was in the home's file: the index into that list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    Wall(usize),
+    Door(usize),
+    Furniture(usize),
+}
+
+/// A convex thing that stands in the home.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solid {
+    pub origin: Origin,
+    /// Convex, corners counter-clockwise.
+    pub outline: Vec<Point>,
+    /// Beams that pass lower are stopped; infinite for walls and closed doors.
+    pub height_m: f64,
+    /// Whether it stops bodies.
+    pub stops_bodies: bool,
+}
+
+/// The floor plan of a home.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    pub rooms: Vec<Room>,
+    pub solids: Vec<Solid>,
+    /// The openings of doors that stand open, as rectangles through the wall.
+    pub openings: Vec<Vec<Point>>,
+    /// Points with a name: places, then enterable furniture, then rooms.
+    pub places: Vec<(String, Point)>,
+}
+
+/// How far off a wall's middle line a door's jamb may be, in metres.
+pub const JAMB_TOLERANCE_M: f64 = 0.01;
+
+impl Plan {
+    /// Resolves a home that has passed its checks.
+    pub fn new(home: &HomeFile) -> Plan {
+        let mut solids = Vec::new();
+        let mut openings = Vec::new();
+        for (index, wall) in home.walls.iter().enumerate() {
+            let (from, to) = (point(wall.from), point(wall.to));
+            let length = from.distance(to);
+            let along = (to - from) / length;
+            let mut gaps: Vec<(f64, f64)> = Vec::new();
+            for (door_index, door) in home.doors.iter().enumerate() {
+                let Some((start, end)) = span_on_wall(from, to, point(door.from), point(door.to)) else { continue };
+                gaps.push((start, end));
+                let outline =
+                    geometry::thick_segment(from + along * start, from + along * end, wall.thickness_m);
+                if door.open {
+                    openings.push(outline);
+                } else {
+                    let origin = Origin::Door(door_index);
+                    solids.push(Solid { origin, outline, height_m: f64::INFINITY, stops_bodies: true });
+                }
+            }
+            gaps.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let mut start = 0.0;
+            for (gap_start, gap_end) in gaps.into_iter().chain([(length, length)]) {
+                if gap_start > start {
+                    let outline =
+                        geometry::thick_segment(from + along * start, from + along * gap_start, wall.thickness_m);
+                    let origin = Origin::Wall(index);
+                    solids.push(Solid { origin, outline, height_m: f64::INFINITY, stops_bodies: true });
+                }
+                start = start.max(gap_end);
+            }
+        }
+        for (index, piece) in home.furniture.iter().enumerate() {
+            let mut outline = furniture_outline(piece);
+            if geometry::signed_area(&outline) < 0.0 {
+                outline.reverse();
+            }
+            let origin = Origin::Furniture(index);
+            solids.push(Solid { origin, outline, height_m: piece.height_m, stops_bodies: !piece.enterable });
+        }
+        let rooms: Vec<Room> = home
+            .rooms
+            .iter()
+            .map(|room| Room { name: room.name.clone(), outline: room.outline.iter().map(|&at| point(at)).collect() })
+            .collect();
+        let places = home.places.iter().map(|place| (place.name.clone(), point(place.at)));
+        let seats = home.furniture.iter().filter(|piece| piece.enterable);
+        let seats = seats.map(|piece| (piece.name.clone(), geometry::inner_point(&furniture_outline(piece))));
+        let named_rooms = rooms.iter().map(|room| (room.name.clone(), geometry::inner_point(&room.outline)));
+        let places = places.chain(seats).chain(named_rooms).collect();
+        Plan { rooms, solids, openings, places }
+    }
+
+    /// The room a point lies in; the first of the file where outlines share a border.
+    pub fn room_at(&self, p: Point) -> Option<usize> {
+        self.rooms.iter().position(|room| geometry::contains(&room.outline, p))
+    }
+
+    /// Whether the point is inside the home: in a room or in the opening of a door.
+    pub fn is_inside(&self, p: Point) -> bool {
+        self.room_at(p).is_some() || self.openings.iter().any(|opening| geometry::contains(opening, p))
+    }
+
+    /// Whether a body of this radius can stand at the point.
+    pub fn is_walkable(&self, p: Point, radius: f64) -> bool {
+        self.is_inside(p)
+            && !self.solids.iter().any(|solid| {
+                solid.stops_bodies && geometry::distance_to_area(&solid.outline, p) < radius
+            })
+    }
+
+    /// The first solid that stops a point moving from `a` to `b`.
+    pub fn first_stop(&self, a: Point, b: Point) -> Option<&Solid> {
+        self.solids
+            .iter()
+            .filter(|solid| solid.stops_bodies)
+            .filter_map(|solid| Some((geometry::segment_inside_convex(&solid.outline, a, b)?.0, solid)))
+            .min_by(|(a, _), (b, _)| a.total_cmp(b))
+            .map(|(_, solid)| solid)
+    }
+
+    /// Where a spot of a path is; nothing if the home has no place of that name.
+    pub fn spot(&self, spot: &Spot) -> Option<Point> {
+        match spot {
+            Spot::At(at) => Some(point(*at)),
+            Spot::Place(name) => self.places.iter().find(|(place, _)| place == name).map(|(_, at)| *at),
+        }
+    }
+
+    /// The least and the greatest corner of the plan, walls included.
+    pub fn bounds(&self) -> (Point, Point) {
+        let rooms = self.rooms.iter().flat_map(|room| room.outline.iter());
+        geometry::bounds(rooms.chain(self.solids.iter().flat_map(|solid| solid.outline.iter())).copied())
+    }
+}
+
+/// Where on a wall a door lies, as distances from the wall's start; nothing if it is on another wall.
+pub fn span_on_wall(from: Point, to: Point, jamb: Point, other: Point) -> Option<(f64, f64)> {
+    let on_wall = |p: Point| geometry::distance_to_segment(p, from, to) <= JAMB_TOLERANCE_M;
+    if !on_wall(jamb) || !on_wall(other) {
+        return None;
+    }
+    let along = (to - from).normalize_or_zero();
+    let (a, b) = ((jamb - from).dot(along), (other - from).dot(along));
+    Some((a.min(b).max(0.0), a.max(b)))
+}
+
+/// The corners of a piece of furniture, as its file gives them; empty if the file gives neither form.
+pub fn furniture_outline(piece: &FurnitureFile) -> Vec<Point> {
+    if let Some(outline) = &piece.outline {
+        return outline.iter().map(|&at| point(at)).collect();
+    }
+    let (Some(at), Some([width, depth])) = (piece.at, piece.size_m) else { return Vec::new() };
+    let (x, y) = (geometry::direction(piece.turn_deg) * (width / 2.0), geometry::direction(piece.turn_deg + 90.0) * (depth / 2.0));
+    let middle = point(at);
+    vec![middle - x - y, middle + x - y, middle + x + y, middle - x + y]
+}

@@ -1,0 +1,95 @@
+//! `logger.json`: where the log goes, and which table, columns, ids and time format it has there.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// `logger.json`: maps the log onto a real network's database.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Default)]
+#[serde(deny_unknown_fields, default)]
+pub struct LoggerFile {
+    /// Where the JSON Schema of this file is, for editors.
+    #[serde(rename = "$schema", skip_serializing_if = "Option::is_none")]
+    pub schema: Option<String>,
+    /// Where to write: `sqlite:FILE`, `csv:FILE`, `casas:FILE`; relative to the run's folder. Default `sqlite:log.db`.
+    pub to: Vec<String>,
+    /// The table's name. Default `firing`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub table: Option<String>,
+    pub columns: ColumnsFile,
+    /// The network's own id of a sensor, such as an X10 code, by the sensor's name. Others keep their name.
+    pub ids: BTreeMap<String, String>,
+    pub messages: MessagesFile,
+    pub time: TimeFormat,
+}
+
+/// Column names; `run` and `seq` make the key under which a row is stored once only.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct ColumnsFile {
+    pub run: String,
+    pub seq: String,
+    pub time: String,
+    pub sensor: String,
+    pub value: String,
+}
+
+impl Default for ColumnsFile {
+    fn default() -> Self {
+        ColumnsFile {
+            run: "run_id".into(),
+            seq: "seq".into(),
+            time: "fired_at".into(),
+            sensor: "sensor".into(),
+            value: "value".into(),
+        }
+    }
+}
+
+/// What of a firing is stored.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Default)]
+#[serde(rename_all = "snake_case")]
+pub enum MessagesFile {
+    /// Each firing is one row, as at TigerPlace.
+    #[default]
+    FireOnly,
+    /// `ON` at a firing, `OFF` once no firing has come for the hold, as in CASAS homes; firings meanwhile only prolong it.
+    OnOff(OnOffFile),
+    /// `true` at a firing, `false` once no firing has come for the timeout, as Zigbee sensors report occupancy.
+    Occupancy(OccupancyFile),
+}
+
+/// ON and OFF with a hold.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OnOffFile {
+    /// From the last firing to OFF. A Bosch unit's ON lasts 4 s, an X10 one's a minute.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 86_400))]
+    pub hold_s: f64,
+}
+
+/// Occupancy with a timeout.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OccupancyFile {
+    /// From the last firing to `false`. 90 s is Zigbee2MQTT's default for the Aqara RTCGQ11LM.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 86_400))]
+    pub timeout_s: f64,
+}
+
+/// How an instant is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Default)]
+#[serde(rename_all = "snake_case")]
+pub enum TimeFormat {
+    /// Local time without a zone, `2009-03-02 07:12:03.250000`.
+    #[default]
+    Local,
+    /// Local time with its offset, `2009-03-02T07:12:03.250000-06:00`.
+    LocalOffset,
+    /// UTC, `2009-03-02T13:12:03.250000Z`.
+    Utc,
+    /// Seconds since 1970 with a fraction.
+    EpochS,
+    /// Whole milliseconds since 1970.
+    EpochMs,
+}

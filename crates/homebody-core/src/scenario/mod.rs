@@ -1,0 +1,52 @@
+//! The scenario as its author wrote it: the JSON files of a scenario folder, as plain data.
+//!
+//! `scenario.json` links the home, the logger and the residents; a resident links a driver.
+//! Reading order: this file, [`home`], [`resident`], [`path`], [`input`], [`logger`], then how the
+//! text becomes data ([`load`]) and what is refused ([`check`]).
+
+pub mod calendar;
+pub mod home;
+pub mod input;
+pub mod logger;
+pub mod path;
+pub mod resident;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// `scenario.json`: what to run.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ScenarioFile {
+    /// Where the JSON Schema of this file is, for editors.
+    #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
+    pub schema: Option<String>,
+    /// What people call this scenario.
+    #[schemars(length(min = 1))]
+    pub name: String,
+    /// What it shows, in a sentence or two.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub about: String,
+    /// Local date and time at which the run begins, such as `2009-03-02T00:00:00`.
+    pub start: String,
+    /// IANA time zone of the home, such as `America/Chicago`.
+    #[serde(default = "utc")]
+    pub time_zone: String,
+    /// How many days a run lasts unless `--for` says otherwise.
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 36_525))]
+    pub days: f64,
+    /// The number all randomness of the run comes from.
+    #[serde(default)]
+    pub seed: u64,
+    /// The file that describes the home.
+    pub home: String,
+    /// The file that says where the log goes and how it looks; without it, the defaults apply.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub logger: Option<String>,
+    /// The files that describe who lives there.
+    pub residents: Vec<String>,
+}
+
+fn utc() -> String {
+    "UTC".into()
+}

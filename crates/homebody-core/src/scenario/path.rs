@@ -1,0 +1,138 @@
+//! A path description: where to walk, how fast, where to wait, and what to repeat.
+
+use super::home::At;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A path description file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PathFile {
+    /// Where the JSON Schema of this file is, for editors.
+    #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
+    pub schema: Option<String>,
+    /// Where the resident is at the start.
+    pub start: Spot,
+    /// The posture at the start.
+    #[serde(default)]
+    pub posture: Posture,
+    pub steps: Vec<Step>,
+}
+
+/// A point in metres, or the name of a place of the home.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Spot {
+    At(At),
+    Place(String),
+}
+
+/// One step of a path.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Step {
+    /// Walk in straight lines through one or more waypoints.
+    Go(Go),
+    /// Stay where you are, for a time or until a time of day.
+    Wait(Wait),
+    /// Do the steps several times, or for ever.
+    Repeat(Repeat),
+    /// Give what follows a name in the ground truth, such as `breakfast`; an empty name ends it.
+    Activity(String),
+    /// Be out of the home, for a time or until a time of day; the resident comes back where they left.
+    Away(Span),
+}
+
+/// Walking through waypoints: at the resident's pace unless `pace_mps`, `in_s` or `arrive_at` says otherwise.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Go {
+    /// The waypoints, in order.
+    #[schemars(length(min = 1))]
+    pub to: Vec<Spot>,
+    /// Walking speed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 5))]
+    pub pace_mps: Option<f64>,
+    /// How long the whole walk takes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub in_s: Option<f64>,
+    /// The time of day at which the walk ends, such as `07:30` or `07:30:15.5`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub arrive_at: Option<String>,
+}
+
+/// Staying in one place.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Wait {
+    /// How long.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub for_s: Option<f64>,
+    /// Until when: the next such time of day, `07:30` or `07:30:15.5`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub until: Option<String>,
+    #[serde(default)]
+    pub posture: Posture,
+    /// Small movements meanwhile; without it, the resident keeps still.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stir: Option<StirFile>,
+}
+
+/// Small movements on the spot: reading, cooking, turning in bed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StirFile {
+    /// From the start of one movement to the start of the next.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub every_s: f64,
+    /// How long each movement lasts.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub for_s: f64,
+    /// How far what moves moves.
+    #[serde(default = "amplitude")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 2))]
+    pub amplitude_m: f64,
+}
+
+/// A stretch of time: `for_s` or `until`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Span {
+    /// How long.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub for_s: Option<f64>,
+    /// Until when: the next such time of day, `07:30` or `07:30:15.5`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub until: Option<String>,
+}
+
+/// Steps that are done more than once.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Repeat {
+    /// How many times; without it, for ever.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1))]
+    pub times: Option<u32>,
+    #[schemars(length(min = 1))]
+    pub steps: Vec<Step>,
+}
+
+/// How a body holds itself: it decides how high the body reaches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema, Default)]
+#[serde(rename_all = "snake_case")]
+pub enum Posture {
+    #[default]
+    Standing,
+    Sitting,
+    Lying,
+}
+
+/// Ours: the reach of a hand that turns a page or stirs a pot.
+fn amplitude() -> f64 {
+    0.2
+}

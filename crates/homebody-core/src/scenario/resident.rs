@@ -1,0 +1,61 @@
+//! A resident's file: body, pace and who decides what the resident does.
+
+use super::home::At;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A person (or visitor, or pet) with a body, a pace and a driver.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ResidentFile {
+    /// Where the JSON Schema of this file is, for editors.
+    #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
+    pub schema: Option<String>,
+    #[schemars(length(min = 1))]
+    pub name: String,
+    /// Radius of the body seen from above.
+    #[serde(default = "radius")]
+    #[schemars(range(min = 0.05, max = 1))]
+    pub radius_m: f64,
+    /// Height of the body when it stands.
+    #[serde(default = "height")]
+    #[schemars(range(min = 0.1, max = 2.5))]
+    pub height_m: f64,
+    /// Usual walking speed.
+    #[serde(default = "pace")]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 5))]
+    pub pace_mps: f64,
+    pub driver: DriverFile,
+}
+
+/// Who decides what a resident does.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum DriverFile {
+    /// A path description file to act out.
+    Path(String),
+    /// A file of key states over time that drives the body through the physics.
+    Live(LiveFile),
+}
+
+/// Live input read from a file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LiveFile {
+    /// The file of key states over time.
+    pub keys: String,
+    /// Where the body stands at the start.
+    pub start: At,
+}
+
+/// Ours: half the shoulder breadth of an adult, arms at the sides.
+fn radius() -> f64 {
+    0.22
+}
+fn height() -> f64 {
+    1.65
+}
+/// In-home walking speed of people aged 86 on average: 0.61 m/s (SD 0.17), Kaye 2012.
+fn pace() -> f64 {
+    0.65
+}
