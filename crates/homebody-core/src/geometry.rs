@@ -34,7 +34,8 @@ pub fn segments_meet(a: Point, b: Point, c: Point, d: Point) -> bool {
     let side = |p: Point, q: Point, r: Point| (q - p).perp_dot(r - p);
     let (abc, abd) = (side(a, b, c), side(a, b, d));
     let (cda, cdb) = (side(c, d, a), side(c, d, b));
-    if ((abc > 0.0 && abd < 0.0) || (abc < 0.0 && abd > 0.0)) && ((cda > 0.0 && cdb < 0.0) || (cda < 0.0 && cdb > 0.0)) {
+    if ((abc > 0.0 && abd < 0.0) || (abc < 0.0 && abd > 0.0)) && ((cda > 0.0 && cdb < 0.0) || (cda < 0.0 && cdb > 0.0))
+    {
         return true;
     }
     let on = |p: Point, q: Point, r: Point, turn: f64| {
@@ -125,9 +126,7 @@ pub fn segment_inside_convex(outline: &[Point], a: Point, b: Point) -> Option<(f
 
 /// The smallest rectangle with sides along the axes that holds all points: its least and greatest corner.
 pub fn bounds(points: impl IntoIterator<Item = Point>) -> (Point, Point) {
-    points
-        .into_iter()
-        .fold((Point::INFINITY, Point::NEG_INFINITY), |(least, most), p| (least.min(p), most.max(p)))
+    points.into_iter().fold((Point::INFINITY, Point::NEG_INFINITY), |(least, most), p| (least.min(p), most.max(p)))
 }
 
 /// A point well inside the outline, for a label or as a goal: the centroid where that is inside,

@@ -2,9 +2,9 @@
 //!
 //! The core is pure: no I/O, no clock, no threads, no hash maps. Reading order:
 
-pub mod time;
+pub mod event;
 pub mod geometry;
+pub mod home;
 pub mod problem;
 pub mod scenario;
-pub mod home;
-pub mod event;
+pub mod time;

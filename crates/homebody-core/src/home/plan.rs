@@ -58,8 +58,7 @@ impl Plan {
             for (door_index, door) in home.doors.iter().enumerate() {
                 let Some((start, end)) = span_on_wall(from, to, point(door.from), point(door.to)) else { continue };
                 gaps.push((start, end));
-                let outline =
-                    geometry::thick_segment(from + along * start, from + along * end, wall.thickness_m);
+                let outline = geometry::thick_segment(from + along * start, from + along * end, wall.thickness_m);
                 if door.open {
                     openings.push(outline);
                 } else {
@@ -113,9 +112,10 @@ impl Plan {
     /// Whether a body of this radius can stand at the point.
     pub fn is_walkable(&self, p: Point, radius: f64) -> bool {
         self.is_inside(p)
-            && !self.solids.iter().any(|solid| {
-                solid.stops_bodies && geometry::distance_to_area(&solid.outline, p) < radius
-            })
+            && !self
+                .solids
+                .iter()
+                .any(|solid| solid.stops_bodies && geometry::distance_to_area(&solid.outline, p) < radius)
     }
 
     /// The first solid that stops a point moving from `a` to `b`.
@@ -160,7 +160,10 @@ pub fn furniture_outline(piece: &FurnitureFile) -> Vec<Point> {
         return outline.iter().map(|&at| point(at)).collect();
     }
     let (Some(at), Some([width, depth])) = (piece.at, piece.size_m) else { return Vec::new() };
-    let (x, y) = (geometry::direction(piece.turn_deg) * (width / 2.0), geometry::direction(piece.turn_deg + 90.0) * (depth / 2.0));
+    let (x, y) = (
+        geometry::direction(piece.turn_deg) * (width / 2.0),
+        geometry::direction(piece.turn_deg + 90.0) * (depth / 2.0),
+    );
     let middle = point(at);
     vec![middle - x - y, middle + x - y, middle + x + y, middle - x + y]
 }

@@ -15,9 +15,8 @@ impl Calendar {
     /// The calendar of a scenario's `start` and `time_zone`, or the reason why there is none.
     pub fn new(start: &str, time_zone: &str) -> Result<Calendar, String> {
         let zone = Calendar::zone(time_zone)?;
-        let start: DateTime = start.parse().map_err(|_| {
-            format!("{start:?} is no date and time; write it as 2009-03-02T00:00:00")
-        })?;
+        let start: DateTime =
+            start.parse().map_err(|_| format!("{start:?} is no date and time; write it as 2009-03-02T00:00:00"))?;
         let start = start.to_zoned(zone).map_err(|error| error.to_string())?;
         Ok(Calendar { start })
     }

@@ -269,14 +269,8 @@ pub struct Timing {
 
 impl Preset {
     /// Every preset, in the order in which documents list them.
-    pub const ALL: [Preset; 6] = [
-        Preset::Paper,
-        Preset::X10Ms16a,
-        Preset::CasasPulse,
-        Preset::CasasFollow,
-        Preset::Aqara,
-        Preset::Hue,
-    ];
+    pub const ALL: [Preset; 6] =
+        [Preset::Paper, Preset::X10Ms16a, Preset::CasasPulse, Preset::CasasFollow, Preset::Aqara, Preset::Hue];
 
     /// The timing of the device. Where a maker states one number, the range collapses to it.
     pub fn timing(self) -> Timing {
