@@ -1,10 +1,17 @@
 //! The simulated home: a scenario goes in, a resident moves, sensors see it, firings come out.
 //!
-//! The core is pure: no I/O, no clock, no threads, no hash maps. Reading order:
+//! The core is pure: no I/O, no clock, no threads, no hash maps. In reading order:
 
-pub mod event;
-pub mod geometry;
-pub mod home;
-pub mod problem;
-pub mod scenario;
 pub mod time;
+pub mod geometry;
+/// What a user wrote, what is wrong with it.
+pub mod scenario;
+pub mod problem;
+pub mod home;
+pub mod sensors;
+pub mod random;
+pub mod stride;
+pub mod event;
+//D pub mod drivers;
+pub mod world;
+//D pub mod run;
