@@ -2,6 +2,7 @@
 //!
 //! The core is pure: no I/O, no clock, no threads, no hash maps. Reading order:
 
+pub mod drivers;
 pub mod event;
 pub mod geometry;
 pub mod home;
