@@ -12,6 +12,6 @@ pub mod sensors;
 pub mod random;
 pub mod stride;
 pub mod event;
-//D pub mod drivers;
+pub mod drivers;
 pub mod world;
 //D pub mod run;
