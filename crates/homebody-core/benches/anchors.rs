@@ -20,9 +20,9 @@ fn main() {
             let mut events = Events::default();
             let start = Instant::now();
             let mut firings = 0;
-            for &(end, doing, posture) in &schedule {
-                world.begin(0, doing, posture, end);
-                world.advance(end, &mut events);
+            for next in &schedule {
+                world.begin(0, next);
+                world.advance(next.end, &mut events);
                 firings += events.firings.len();
                 events.clear();
             }

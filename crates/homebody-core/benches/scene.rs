@@ -1,6 +1,7 @@
 //! The bench scene: 10 x 9 m, 30 walls, 20 pieces of furniture, 12 wall sensors of 32 beams, 4 ceiling
 //! areas; and the two schedules of one resident, `walk` and `day`.
 
+use homebody_core::drivers::Move;
 use homebody_core::event::Doing;
 use homebody_core::geometry::Point;
 use homebody_core::random::{Range, Stream};
@@ -100,8 +101,8 @@ fn piece(index: usize, at: [f64; 2], size_m: [f64; 2], height_m: f64) -> Furnitu
     }
 }
 
-/// What the resident does, with the end of each act.
-pub type Schedule = Vec<(Micros, Doing, Posture)>;
+/// What the resident does.
+pub type Schedule = Vec<Move>;
 
 /// Always walking, through the doors from room to room, for `length`.
 pub fn walk(length: Micros) -> Schedule {
@@ -173,23 +174,25 @@ impl Walker {
     fn stride(&mut self, to: Point) {
         let pace = 0.5 + self.below(500) as f64 / 1000.0;
         let end = self.now + (self.at.distance(to) / pace * SECOND as f64) as Micros + 1;
-        self.schedule.push((end, Doing::Stride { from: self.at, to }, Posture::Standing));
-        (self.now, self.at) = (end, to);
+        self.push(end, Doing::Stride { from: self.at, to }, Posture::Standing);
+        self.at = to;
     }
 
     fn stay(&mut self, span: Micros, amplitude_m: Option<f64>) {
         let (end, at) = (self.now + span, self.at);
         if let Some(amplitude_m) = amplitude_m {
             while self.now + 20 * SECOND <= end {
-                self.now += 18 * SECOND;
-                self.schedule.push((self.now, Doing::Rest { at }, Posture::Sitting));
-                self.now += 2 * SECOND;
-                self.schedule.push((self.now, Doing::Stir { at, amplitude_m }, Posture::Sitting));
+                self.push(self.now + 18 * SECOND, Doing::Rest { at }, Posture::Sitting);
+                self.push(self.now + 2 * SECOND, Doing::Stir { at, amplitude_m }, Posture::Sitting);
             }
         }
         if self.now < end {
-            self.now = end;
-            self.schedule.push((end, Doing::Rest { at }, Posture::Sitting));
+            self.push(end, Doing::Rest { at }, Posture::Sitting);
         }
+    }
+
+    fn push(&mut self, end: Micros, doing: Doing, posture: Posture) {
+        self.schedule.push(Move { begin: self.now, end, doing, posture });
+        self.now = end;
     }
 }

@@ -89,7 +89,7 @@ impl Run {
         };
         self.residents[resident].until = next.end;
         self.tell_rooms(resident, &next, events);
-        self.world.begin(resident, next.doing, next.posture, next.end);
+        self.world.begin(resident, &next);
         events.facts.push(Fact::Movement {
             resident: resident as u32,
             begin: now,
@@ -111,8 +111,8 @@ impl Run {
 
     /// Staying as one is, for ever.
     fn rest(&self, resident: usize) -> Move {
-        let doing = self.world.position(resident).map_or(Doing::Away, |at| Doing::Rest { at });
-        Move { begin: self.world.now(), end: Micros::MAX, doing, posture: self.world.posture(resident) }
+        let (at, posture) = self.residents[resident].driver.pose();
+        Move { begin: self.world.now(), end: Micros::MAX, doing: Doing::Rest { at }, posture }
     }
 
     /// Tells the truth which rooms the resident comes through.

@@ -8,6 +8,7 @@
 //! Times are compared as whole microseconds, never as floats. A slice is half-open: what happens at
 //! its end belongs to the next. At one instant, touching comes before timers.
 
+use crate::drivers::Move;
 use crate::event::{Doing, Events, Fact, Firing};
 use crate::geometry::Point;
 use crate::home::Home;
@@ -106,11 +107,12 @@ impl World {
         &self.home
     }
 
-    /// From now until `end`, the resident does this. The caller advances no further than `end`
-    /// before it says what comes next.
-    pub fn begin(&mut self, resident: usize, doing: Doing, posture: Posture, end: Micros) {
-        let act = match doing {
-            Doing::Stride { from, to } => Act::Stride(Stride::new(from, to, self.now, end)),
+    /// From now until the move's end, the resident does this; the move may have begun before now. The
+    /// caller advances no further than its end before it says what comes next.
+    pub fn begin(&mut self, resident: usize, next: &Move) {
+        let posture = next.posture;
+        let act = match next.doing {
+            Doing::Stride { from, to } => Act::Stride(Stride::new(from, to, next.begin, next.end)),
             Doing::Stir { at, amplitude_m } => Act::Stir { at, amplitude_m },
             Doing::Rest { at } => Act::Rest { at },
             Doing::Away => Act::Away,
