@@ -15,3 +15,5 @@ pub mod event;
 pub mod drivers;
 pub mod world;
 //D pub mod run;
+/// The naive way, as oracle and baseline.
+pub mod naive;
