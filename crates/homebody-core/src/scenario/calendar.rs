@@ -1,6 +1,6 @@
 //! Local time at the edges: the world itself knows only microseconds since the start.
 
-use crate::time::Micros;
+use crate::time::{Micros, SECOND};
 use jiff::civil::DateTime;
 use jiff::tz::{TimeZone, TimeZoneDatabase};
 use jiff::{SignedDuration, Timestamp, Zoned};
@@ -42,4 +42,22 @@ impl Calendar {
     pub fn micros(&self, at: Timestamp) -> Micros {
         at.as_microsecond() - self.start.timestamp().as_microsecond()
     }
+}
+
+/// A time of day as files write it, `07:30`, `07:30:15` or `07:30:15.5`, since midnight.
+pub fn time_of_day(text: &str) -> Option<Micros> {
+    let mut parts = text.split(':');
+    let (hours, minutes, seconds) = (parts.next()?, parts.next()?, parts.next().unwrap_or("00"));
+    let (seconds, fraction) = seconds.split_once('.').unwrap_or((seconds, "0"));
+    let two_digits = |part: &str, most: Micros| -> Option<Micros> {
+        let is_number = part.len() == 2 && part.bytes().all(|byte| byte.is_ascii_digit());
+        part.parse().ok().filter(|&number| is_number && number <= most)
+    };
+    let is_fraction = (1..=6).contains(&fraction.len()) && fraction.bytes().all(|byte| byte.is_ascii_digit());
+    if parts.next().is_some() || !is_fraction {
+        return None;
+    }
+    let fraction: Micros = format!("{fraction:0<6}").parse().ok()?;
+    let minutes = two_digits(hours, 23)? * 60 + two_digits(minutes, 59)?;
+    Some((minutes * 60 + two_digits(seconds, 59)?) * SECOND + fraction)
 }
