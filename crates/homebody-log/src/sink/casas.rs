@@ -63,7 +63,7 @@ impl Sink for Casas {
     }
 }
 
-/// A name without blanks, each further word begun with a capital.
+/// A name without blanks; where it has some, each word begins with a capital.
 fn one_word(name: &str) -> String {
     let words: Vec<&str> =
         name.split(|c: char| c.is_whitespace() || c.is_control()).filter(|w| !w.is_empty()).collect();

@@ -184,3 +184,37 @@ fn remove_companions(path: &Path) {
         let _ = fs::remove_file(name);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_full_disk_keeps_what_was_stored() {
+        let path = std::env::temp_dir().join(format!("homebody-full-{}.db", std::process::id()));
+        let mut database =
+            Database::create(&path, true, &["CREATE TABLE line (run INTEGER, text TEXT)"], |_| Ok(())).unwrap();
+        database.change(|connection| connection.pragma_update(None, "max_page_count", 50)).unwrap();
+        let insert = Insert::new("line", ("run", 1), &["text"]);
+        let lines = vec!["some words to fill pages with"; 100];
+        let mut store = || {
+            database.change(|connection| insert.rows(connection, &lines, |line, row| row.put(line)))?;
+            database.settle()
+        };
+        let mut stored = 0;
+        let error = loop {
+            match store() {
+                Ok(()) => stored += 100,
+                Err(error) => break error,
+            }
+        };
+        assert!(matches!(error, LogError::Full { .. }), "{error}");
+        drop(database);
+        let connection = Connection::open(&path).unwrap();
+        let kept: i64 = connection.query_row("SELECT count(*) FROM line", [], |row| row.get(0)).unwrap();
+        drop(connection);
+        assert!(stored > 0 && kept == stored, "{kept} of {stored}");
+        fs::remove_file(&path).unwrap();
+        remove_companions(&path);
+    }
+}
