@@ -28,12 +28,16 @@ pub enum LogError {
     SameName { what: &'static str, name: String },
     #[error("the sensors {first:?} and {second:?} would both be {shown:?} in the log\n  hint: give each its own id")]
     SameSensor { first: String, second: String, shown: String },
+    #[error("{0} does not exist\n  hint: correct the path", .path.display())]
+    Missing { path: PathBuf },
     #[error("{0} cannot be read as a log: {why}", .path.display())]
     NoLog { path: PathBuf, why: String },
     #[error("{0}: {source}", .path.display())]
     File { path: PathBuf, source: io::Error },
     #[error("{0}: {source}", .path.display())]
     Database { path: PathBuf, source: rusqlite::Error },
+    #[error("{0}")]
+    Zone(String),
     #[error("{0} takes no more rows after its error", .path.display())]
     Stopped { path: PathBuf },
 }

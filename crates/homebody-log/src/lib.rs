@@ -26,7 +26,12 @@ mod writer;
 pub mod logger;
 pub mod truth;
 
+pub mod convert;
+pub mod source;
+
+pub use convert::convert;
 pub use error::LogError;
 pub use logger::{Logger, RunInfo, Stored};
+pub use source::{Event, Log, read};
 pub use truth::TruthLog;
 pub use url::Url;
