@@ -1,19 +1,28 @@
 //! The simulated home: a scenario goes in, a resident moves, sensors see it, firings come out.
 //!
-//! The core is pure: no I/O, no clock, no threads, no hash maps. In reading order:
+//! The core is pure: it does no I/O, reads no clock, knows no thread and iterates no hash map. In reading
+//! order:
 
+/// Spans and instants in whole microseconds, plane geometry, named random streams.
 pub mod time;
 pub mod geometry;
-/// What a user wrote, what is wrong with it.
+pub mod random;
+
+/// What the user wrote, and what is wrong with it.
 pub mod scenario;
 pub mod problem;
+
+/// The home, what its sensors are, and what they see in it.
 pub mod home;
 pub mod sensors;
-pub mod random;
+
+/// Movement: strides, who decides on them, the world they happen in.
 pub mod stride;
 pub mod event;
 pub mod drivers;
 pub mod world;
-//D pub mod run;
-/// The naive way, as oracle and baseline.
+pub mod run;
+pub mod recording;
+
+/// The naive way, as oracle and as baseline.
 pub mod naive;

@@ -1,9 +1,12 @@
 //! A run: residents with their drivers in a world, and the one loop of the program.
 
+use crate::drivers::live::{KeyTrack, LiveDriver};
+use crate::drivers::path::PathDriver;
 use crate::drivers::{Body, Driver, Move, Next};
 use crate::event::{Doing, Events, Fact};
+use crate::home::plan::Plan;
 use crate::home::{Build, Home};
-use crate::scenario::load::Scenario;
+use crate::scenario::load::{self, Scenario};
 use crate::stride::Stride;
 use crate::time::Micros;
 use crate::world::World;
@@ -31,9 +34,10 @@ struct Resident {
 impl Run {
     /// A run of a scenario from its start, `length` long.
     pub fn new(scenario: &Scenario, seed: u64, length: Micros) -> Run {
-        let builds: Vec<Build> = scenario.residents.iter().map(|resident| resident.build()).collect();
+        let builds: Vec<Build> = scenario.residents.iter().map(|resident| Build::of(&resident.file)).collect();
         let home = Arc::new(Home::bake(&scenario.home, &builds));
-        let drivers = scenario.residents.iter().map(|resident| Driver::new(resident, &home.plan, &scenario.calendar));
+        let start_of_day = scenario.calendar.start_of_day();
+        let drivers = scenario.residents.iter().map(|resident| driver(resident, &home.plan, start_of_day));
         let drivers = drivers.collect();
         Run::of(home, builds, drivers, seed, length)
     }
@@ -130,6 +134,18 @@ impl Run {
                 (*located, *room) = (true, new);
                 events.facts.push(Fact::Room { resident: resident as u32, at, room: new });
             }
+        }
+    }
+}
+
+/// The driver that a resident's files ask for.
+fn driver(resident: &load::Resident, plan: &Plan, start_of_day: Micros) -> Driver {
+    let load::Resident { file, driver } = resident;
+    match driver {
+        load::Driver::Path(path) => Driver::Path(PathDriver::new(path, plan, file.pace_mps, start_of_day)),
+        load::Driver::Live { input, start } => {
+            let keys = KeyTrack::written(input);
+            Driver::Live(Box::new(LiveDriver::new(plan, *start, file.radius_m, file.pace_mps, keys)))
         }
     }
 }

@@ -6,6 +6,7 @@ pub mod plan;
 
 use crate::scenario::home::HomeFile;
 use crate::scenario::path::Posture;
+use crate::scenario::resident::ResidentFile;
 use crate::sensors::Sensor;
 use field::{Field, Size};
 use plan::Plan;
@@ -29,6 +30,11 @@ pub struct Build {
 }
 
 impl Build {
+    /// The body that a resident's file describes.
+    pub fn of(file: &ResidentFile) -> Build {
+        Build { radius_m: file.radius_m, height_m: file.height_m }
+    }
+
     /// The body as sensors see it in a posture. A seated adult reaches to about 0.8 of the standing
     /// height on a common chair, one who lies on a bed to about 0.4 (ours).
     pub fn size(&self, posture: Posture) -> Size {

@@ -38,6 +38,13 @@ impl Calendar {
         self.timestamp(at).to_zoned(self.start.time_zone().clone())
     }
 
+    /// The time of day at the start, since midnight.
+    pub fn start_of_day(&self) -> Micros {
+        let time = self.start.time();
+        let seconds = (i64::from(time.hour()) * 60 + i64::from(time.minute())) * 60 + i64::from(time.second());
+        seconds * SECOND + i64::from(time.subsec_nanosecond()) / 1000
+    }
+
     /// The run's microseconds at an instant of the world's clock.
     pub fn micros(&self, at: Timestamp) -> Micros {
         at.as_microsecond() - self.start.timestamp().as_microsecond()
