@@ -35,13 +35,6 @@ pub struct Excerpt {
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Problems(pub Vec<Problem>);
 
-impl Problem {
-    /// A problem with a file as a whole.
-    pub fn of_file(file: &str, what: impl Into<String>, hint: Option<String>) -> Problem {
-        Problem { file: file.into(), line: 0, column: 0, what: what.into(), hint, excerpt: None }
-    }
-}
-
 impl Problems {
     /// All problems as plain text, each with its source line and a caret under the place.
     pub fn render(&self) -> String {
@@ -50,6 +43,11 @@ impl Problems {
 }
 
 impl Problem {
+    /// A problem with a file as a whole.
+    pub fn of_file(file: &str, what: impl Into<String>, hint: Option<String>) -> Problem {
+        Problem { file: file.into(), line: 0, column: 0, what: what.into(), hint, excerpt: None }
+    }
+
     fn render(&self) -> String {
         let mut text = format!("{}\n", self.headline());
         if let Some(excerpt) = &self.excerpt {

@@ -68,3 +68,25 @@ pub fn time_of_day(text: &str) -> Option<Micros> {
     let minutes = two_digits(hours, 23)? * 60 + two_digits(minutes, 59)?;
     Some((minutes * 60 + two_digits(seconds, 59)?) * SECOND + fraction)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_of_day_are_read_as_written() {
+        let minute = 60 * SECOND;
+        assert_eq!(time_of_day("00:00"), Some(0));
+        assert_eq!(time_of_day("07:30"), Some(450 * minute));
+        assert_eq!(time_of_day("07:30:15.5"), Some(450 * minute + 15_500_000));
+        assert_eq!(time_of_day("23:59:59.999999"), Some(24 * 60 * minute - 1));
+    }
+
+    #[test]
+    fn what_is_no_time_of_day_is_refused() {
+        let wrong = ["", "7:30", "07", "07:3", "24:00", "07:60", "07:30:60", "07:30:15.", "07:30:15.1234567", "+7:30"];
+        for text in wrong.into_iter().chain(["07:30:15:00", " 07:30", "07:30 ", "07:30:1٣", "07.30", "07:30:.5"]) {
+            assert_eq!(time_of_day(text), None, "{text:?}");
+        }
+    }
+}

@@ -36,7 +36,6 @@ pub struct HomeFile {
     #[serde(default)]
     #[schemars(length(max = 1_000))]
     pub places: Vec<PlaceFile>,
-    /// At most 128.
     #[serde(default)]
     #[schemars(length(max = 128))]
     pub sensors: Vec<SensorFile>,
@@ -49,8 +48,8 @@ pub struct HomeFile {
 pub struct RoomFile {
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// The corners in order, at least three; the last is joined to the first.
-    #[schemars(length(min = 3, max = 2000), inner(inner(range(min = -10_000, max = 10_000))))]
+    /// The corners in order; the last is joined to the first.
+    #[schemars(length(min = 3, max = 500), inner(inner(range(min = -10_000, max = 10_000))))]
     pub outline: Vec<At>,
 }
 

@@ -52,6 +52,12 @@ fn ten_mistakes_in_three_files_are_reported_at_once() {
 }
 
 #[test]
+fn a_home_in_place_of_a_scenario_is_recognised() {
+    let problems = Scenario::load(&good(), "home.json").unwrap_err();
+    assert_eq!(problems.to_string(), r#"home.json: "home.json" is a home, but a scenario is needed here"#);
+}
+
+#[test]
 fn a_problem_is_shown_with_its_line_and_a_caret() {
     let files = broken(&[("home.json", r#""height_m": 2.1"#, r#""heigt_m": 2.1"#)]);
     let expected = r#"home.json:28:69: "heigt_m" is no key of a motion sensor

@@ -1,9 +1,9 @@
 //! Walls that have a length, and doors that are in them.
 
-use super::{Report, at};
+use super::{Report, TOLERANCE_M, at};
 use crate::geometry::{self, point};
 use crate::home::plan::span_on_wall;
-use crate::scenario::home::{DoorFile, HomeFile};
+use crate::scenario::home::{DoorFile, HomeFile, WallFile};
 
 /// Shorter walls and narrower doors are mistakes.
 const LEAST_LENGTH_M: f64 = 0.001;
@@ -23,34 +23,36 @@ pub fn check(report: &mut Report, home: &HomeFile) {
         if width < LEAST_DOOR_M {
             let what = format!("the door {:?} has no width: its jambs are {width} m apart", door.name);
             report.add(&format!("/doors/{index}/to"), what);
-        } else if spans(home, door).next().is_none() {
-            // The wall that it should be on may be one of those.
-            if walls_are_sound {
+        } else {
+            let spans = spans(home, door);
+            // A door on no wall may be meant for one that has no length.
+            if spans.is_empty() && walls_are_sound {
                 report_off_wall(report, home, index, door);
             }
-        } else {
-            sound.push((index, door));
+            sound.push((index, spans));
         }
     }
-    for (i, (index, door)) in sound.iter().enumerate() {
-        if let Some((_, other)) = sound[..i].iter().find(|(_, other)| overlap(home, door, other)) {
-            let what = format!("the doors {:?} and {:?} overlap", other.name, door.name);
+    for (i, (index, spans)) in sound.iter().enumerate() {
+        if let Some((other, _)) = sound[..i].iter().find(|(_, other)| overlap(spans, other)) {
+            let what = format!("the doors {:?} and {:?} overlap", home.doors[*other].name, home.doors[*index].name);
             report.add(&format!("/doors/{index}/from"), what);
         }
     }
 }
 
-/// The walls that a door is in, each with where on it.
-fn spans<'a>(home: &'a HomeFile, door: &'a DoorFile) -> impl Iterator<Item = (usize, (f64, f64))> + 'a {
-    let on = |from, to| span_on_wall(point(from), point(to), point(door.from), point(door.to));
-    home.walls.iter().enumerate().filter_map(move |(index, wall)| Some((index, on(wall.from, wall.to)?)))
+/// Where on a wall a door lies: the wall's index, and how far from its start the door begins and ends.
+type SpanOnWall = (usize, (f64, f64));
+
+/// A door may be on several walls, where they meet.
+fn spans(home: &HomeFile, door: &DoorFile) -> Vec<SpanOnWall> {
+    let on = |wall: &WallFile| span_on_wall(point(wall.from), point(wall.to), point(door.from), point(door.to));
+    home.walls.iter().enumerate().filter_map(|(index, wall)| Some((index, on(wall)?))).collect()
 }
 
-fn overlap(home: &HomeFile, a: &DoorFile, b: &DoorFile) -> bool {
-    const TOUCHING_M: f64 = 1e-6;
-    spans(home, a).any(|(wall, (start, end))| {
-        let mut same_wall = spans(home, b).filter(|(other, _)| *other == wall);
-        same_wall.any(|(_, (from, to))| end.min(to) - start.max(from) > TOUCHING_M)
+fn overlap(spans: &[SpanOnWall], others: &[SpanOnWall]) -> bool {
+    spans.iter().any(|(wall, (start, end))| {
+        let mut same_wall = others.iter().filter(|(other, _)| other == wall);
+        same_wall.any(|(_, (from, to))| end.min(*to) - start.max(*from) > TOLERANCE_M)
     })
 }
 
