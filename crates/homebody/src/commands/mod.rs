@@ -1,7 +1,6 @@
 //! The commands, one file each, all in the same shape: the arguments as a struct, with a `run`.
 
 mod check;
-mod compare;
 mod convert;
 mod live;
 mod new;
@@ -20,8 +19,6 @@ pub enum Command {
     Replay(replay::Arguments),
     /// Report everything that is wrong with a scenario
     Check(check::Arguments),
-    /// Compare the firings of two logs
-    Compare(compare::Arguments),
     /// Carry a log from one form into another
     Convert(convert::Arguments),
     /// Write the JSON Schemas of the scenario files into a folder
@@ -36,7 +33,6 @@ impl Command {
             Command::Run(arguments) => arguments.run(),
             Command::Replay(arguments) => arguments.run(),
             Command::Check(arguments) => arguments.run(),
-            Command::Compare(arguments) => arguments.run(),
             Command::Convert(arguments) => arguments.run(),
             Command::Schema(arguments) => arguments.run(),
             Command::New(arguments) => arguments.run(),
