@@ -131,7 +131,7 @@ fn a_coverage_map_stays_small() {
 #[test]
 fn the_map_shows_numbers_and_shares() {
     let svg = map(&home::furnished());
-    for words in ["no sensor: 5.", "one sensor: 8", ">0.89 m²<", "class=\"dead-zone\" data-name=\"2\"", ">1<"] {
+    for words in ["no sensor: 5.", "one sensor: 8", ">0.89\u{a0}m²<", "class=\"dead-zone\" data-name=\"2\"", ">1<"] {
         assert!(svg.contains(words), "the map lacks {words}");
     }
 }

@@ -14,14 +14,15 @@ use super::svg::{Anchor, Svg, Type, polyline, rings};
 use crate::coverage::{Coverage, Grid, LEAST_DEAD_ZONE_M2};
 
 /// Rows that a table in the legend shows.
-const MOST_ROWS: usize = 14;
+const MOST_ROWS: usize = 20;
 const HATCH: &str = "unseen";
 /// What is written on floor that one, two and more sensors see, and on pieces of what size.
 const COUNTS: [&str; 3] = ["1", "2", "3+"];
 const NUMBERED_M2: f64 = 0.4;
 const COUNT: Type = Type { halo: true, ..Type::new(13.0, INK) };
 
-/// Draws coverage over its home, as SVG. A beam is the index of its sensor, and its two ends.
+/// Draws coverage over its home, as SVG. A beam is the index of its sensor in the home's list, and its
+/// two ends on the plan.
 pub fn coverage_map(home: &HomeFile, coverage: &Coverage, beams: &[(usize, Point, Point)]) -> String {
     let plan = Plan::new(home);
     let subtitle = "Coverage: how many motion sensors see a person who moves";
@@ -41,7 +42,7 @@ pub fn coverage_map(home: &HomeFile, coverage: &Coverage, beams: &[(usize, Point
         sheet.svg.group("dead-zone", &zone.to_string(), |svg| svg.path(outline, &Paint::line(DEAD_TEXT, 1.6)));
     }
     layers::walls(&mut sheet, home, &plan);
-    sheet.dimensions();
+    sheet.dimensions(layers::ways_in_on_west(home, &plan));
     layers::doors(&mut sheet, home, &plan);
     layers::sensors(&mut sheet, home);
     dead_zone_numbers(&mut sheet, coverage);
@@ -110,14 +111,14 @@ fn beam_lines(sheet: &mut Sheet, home: &HomeFile, beams: &[(usize, Point, Point)
     }
 }
 
-/// A numbered badge on each dead zone, its area beside it.
+/// A numbered badge on each dead zone; its area beside it, if there is space, as the legend has it too.
 fn dead_zone_numbers(sheet: &mut Sheet, coverage: &Coverage) {
     for zone in &coverage.dead_zones {
         let at = sheet.at(geometry::point(zone.middle));
         let set = Type { halo: true, ..Type::new(12.0, DEAD_TEXT).strong() };
         badge(&mut sheet.svg, at, zone.number);
         sheet.labels.take(Block::around(at, Point::splat(17.0)));
-        sheet.labels.beside(&format!("{:.2} m²", zone.area_m2), at, 0.0, set);
+        sheet.labels.beside_if_free(&format!("{:.2}\u{a0}m²", zone.area_m2), at, 0.0, set);
     }
 }
 
@@ -130,6 +131,19 @@ fn badge(svg: &mut Svg, at: Point, number: usize) {
 fn legend(sheet: &mut Sheet, coverage: &Coverage, with_beams: bool) -> f64 {
     let svg = &mut sheet.svg;
     let mut legend = Legend::new();
+    explain(svg, &mut legend, coverage, with_beams);
+    tables(svg, &mut legend, coverage);
+    let note = format!(
+        "Shaded is where the middle of a body of {}\u{a0}m radius can be. The floor measures {:.1}\u{a0}m², \
+         give or take {:.1}.",
+        coverage.body_radius_m, coverage.whole.floor_m2, coverage.whole.floor_error_m2
+    );
+    legend.note(svg, &note);
+    legend.end()
+}
+
+/// What the colours and lines mean.
+fn explain(svg: &mut Svg, legend: &mut Legend, coverage: &Coverage, with_beams: bool) {
     legend.heading(svg, "Walkable floor seen by");
     let hatch = format!("url(#{HATCH})");
     let seen = &coverage.whole.seen_by;
@@ -151,44 +165,41 @@ fn legend(sheet: &mut Sheet, coverage: &Coverage, with_beams: bool) -> f64 {
             for end in [least.y, lens.y, most.y] {
                 svg.line(lens, Point::new(most.x, end), &Paint::line(INK, 0.7).faint(0.5));
             }
-            let wing = Point::new(-3.0, 6.0);
-            let triangle = [lens + Point::new(9.0, 0.0), lens + wing, lens + wing * Point::new(1.0, -1.0)];
-            svg.polygon(&triangle, &Paint::fill(SENSOR));
+            svg.polygon(&layers::dart(lens, Point::X), &Paint::fill(SENSOR));
         });
     }
+}
 
+/// Rooms, sensors and dead zones in numbers.
+fn tables(svg: &mut Svg, legend: &mut Legend, coverage: &Coverage) {
+    const COLUMN: f64 = 60.0;
     let head = Type::new(12.0, MUTED);
     let row = Type::new(12.5, INK);
     legend.heading(svg, "Rooms");
-    legend.row(svg, "", &["floor m²".into(), "unseen".into()], 66.0, head);
+    legend.row(svg, "", &["floor m²".into(), "unseen".into()], COLUMN, head);
     for floor in coverage.rooms.iter().take(MOST_ROWS).chain(&coverage.doorways).chain([&coverage.whole]) {
         let set = if std::ptr::eq(floor, &coverage.whole) { row.strong() } else { row };
         let numbers = [format!("{:.1}", floor.floor_m2), format!("{:.1} %", 100.0 * floor.seen_by.none)];
-        legend.row(svg, &floor.name, &numbers, 66.0, set);
+        legend.row(svg, &floor.name, &numbers, COLUMN, set);
     }
+    more(svg, legend, coverage.rooms.len());
     if !coverage.sensors.is_empty() {
         legend.heading(svg, "Sensors");
-        legend.row(svg, "", &["sees m²".into(), "alone m²".into()], 66.0, head);
+        legend.row(svg, "", &["sees m²".into(), "alone m²".into()], COLUMN, head);
         for sensor in coverage.sensors.iter().take(MOST_ROWS) {
             let numbers = [format!("{:.1}", sensor.seen_m2), format!("{:.1}", sensor.alone_m2)];
-            legend.row(svg, &sensor.name, &numbers, 66.0, row);
+            legend.row(svg, &sensor.name, &numbers, COLUMN, row);
         }
-        more(svg, &mut legend, coverage.sensors.len());
+        more(svg, legend, coverage.sensors.len());
     }
     if !coverage.dead_zones.is_empty() {
         legend.heading(svg, "Dead zones");
         for zone in coverage.dead_zones.iter().take(MOST_ROWS) {
             let name = format!("{}  {}", zone.number, zone.room.as_deref().unwrap_or("doorway"));
-            legend.row(svg, &name, &[format!("{:.2} m²", zone.area_m2)], 66.0, row);
+            legend.row(svg, &name, &[format!("{:.2} m²", zone.area_m2)], COLUMN, row);
         }
-        more(svg, &mut legend, coverage.dead_zones.len());
+        more(svg, legend, coverage.dead_zones.len());
     }
-    let note = format!(
-        "Shaded is where the middle of a body of {}\u{a0}m radius can be. The floor measures {:.1}\u{a0}m², give or take {:.1}.",
-        coverage.body_radius_m, coverage.whole.floor_m2, coverage.whole.floor_error_m2
-    );
-    legend.note(svg, &note);
-    legend.end()
 }
 
 fn more(svg: &mut Svg, legend: &mut Legend, rows: usize) {

@@ -23,7 +23,7 @@ pub fn floor_plan(home: &HomeFile) -> String {
     layers::furniture(&mut sheet, home, &layers::FURNITURE, &layers::ENTERABLE);
     layers::ceiling_areas(&mut sheet, home, SENSOR);
     layers::walls(&mut sheet, home, &plan);
-    sheet.dimensions();
+    sheet.dimensions(layers::ways_in_on_west(home, &plan));
     layers::doors(&mut sheet, home, &plan);
     layers::sensors(&mut sheet, home);
     layers::names(&mut sheet, home, &plan, layers::FURNITURE_NAME);

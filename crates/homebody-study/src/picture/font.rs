@@ -41,3 +41,18 @@ pub fn width(text: &str, size: f64) -> f64 {
     });
     texts.unwrap_or(0.0) * size / 100.0
 }
+
+/// The words, or as much of their beginning and end as is no wider than `room`: names of things in one
+/// home often differ in their ends only.
+pub fn shortened(words: &str, size: f64, room: f64) -> String {
+    let letters: Vec<char> = words.chars().collect();
+    let mut kept = letters.len();
+    let mut short = words.to_owned();
+    while width(&short, size) > room && kept > 2 {
+        kept -= 1;
+        let (head, tail) = (&letters[..kept.div_ceil(2)], &letters[letters.len() - kept / 2..]);
+        let (head, tail): (String, String) = (head.iter().collect(), tail.iter().collect());
+        short = format!("{}…{}", head.trim_end(), tail.trim_start());
+    }
+    short
+}

@@ -11,6 +11,7 @@ use super::svg::{Anchor, Svg, Type};
 pub struct Labels {
     /// Never covered: walls, doors and sensors, in pixels.
     pub solid: Vec<Vec<Point>>,
+    pub rooms: Vec<Vec<Point>>,
     /// What separates a mark from a text that would be about it.
     pub walls: Vec<Vec<Point>>,
     /// Covered only by what finds no other place: furniture.
@@ -32,6 +33,14 @@ struct Placed {
     set: Type,
     /// What a text too far away is tied to.
     leader: Option<Point>,
+}
+
+/// A place beside a mark, and how bad it is.
+struct Beside {
+    cost: f64,
+    lines: Vec<String>,
+    spot: Point,
+    distance: f64,
 }
 
 /// Distance between the base lines of a text of several lines, in font sizes.
@@ -106,9 +115,23 @@ impl Labels {
     /// Puts a name beside a mark, preferably towards `facing_deg` on the plan and on this side of the
     /// walls; with a line to it if that is far. Where all is taken, it covers the least.
     pub fn beside(&mut self, name: &str, mark: Point, facing_deg: f64, set: Type) {
+        if let Some(found) = self.best_beside(name, mark, facing_deg, set) {
+            let leader = (found.distance > LEADER).then_some(mark);
+            self.place(found.lines, found.spot, set, leader);
+        }
+    }
+
+    /// As `beside`, but leaves the name out where it would cover something.
+    pub fn beside_if_free(&mut self, name: &str, mark: Point, facing_deg: f64, set: Type) {
+        if self.best_beside(name, mark, facing_deg, set).is_some_and(|found| found.cost < SOLID_COST) {
+            self.beside(name, mark, facing_deg, set);
+        }
+    }
+
+    fn best_beside(&self, name: &str, mark: Point, facing_deg: f64, set: Type) -> Option<Beside> {
         let ahead = |turn_deg: f64| geometry::direction(facing_deg + turn_deg) * Point::new(1.0, -1.0);
         let front = mark + ahead(0.0) * CLEARANCE;
-        let mut best: Option<(f64, Vec<String>, Point, f64)> = None;
+        let mut best: Option<Beside> = None;
         for lines in breakings(name) {
             let half = extent(&lines, set.size) / 2.0 + Point::splat(1.0);
             for distance in [CLEARANCE, 25.0, 40.0, 55.0] {
@@ -117,22 +140,36 @@ impl Labels {
                     // Slides the text along itself, so that the mark lies off its end and not off its middle.
                     let slide = (towards * 2.5).clamp(Point::NEG_ONE, Point::ONE) * half;
                     let spot = mark + towards * distance + slide;
-                    let through_wall = self.walls.iter().any(|wall| crosses(wall, front, spot));
                     let cost = self.covered(&Block::around(spot, half * 2.0))
-                        + if through_wall { 100.0 } else { 0.0 }
+                        + self.astray(front, spot)
+                        + if distance > LEADER { self.crossed(mark, spot) } else { 0.0 }
                         + (distance - CLEARANCE)
                         + 0.3 * aside_deg.abs()
                         + 15.0 * (lines.len() - 1) as f64;
-                    if best.as_ref().is_none_or(|(least, ..)| cost < *least) {
-                        best = Some((cost, lines.clone(), spot, distance));
+                    if best.as_ref().is_none_or(|best| cost < best.cost) {
+                        best = Some(Beside { cost, lines: lines.clone(), spot, distance });
                     }
                 }
             }
         }
-        if let Some((_, lines, spot, distance)) = best {
-            let leader = (distance > 30.0).then_some(mark);
-            self.place(lines, spot, set, leader);
+        best
+    }
+
+    /// How misleading a text is on the other side of a wall: more so in a room that it is not about.
+    fn astray(&self, front: Point, spot: Point) -> f64 {
+        let through_wall = self.walls.iter().any(|wall| crosses(wall, front, spot));
+        let in_room = || self.rooms.iter().any(|room| geometry::contains(room, spot));
+        match through_wall {
+            false => 0.0,
+            true if in_room() => 110.0,
+            true => 60.0,
         }
+    }
+
+    /// How bad it is to draw a line over other texts.
+    fn crossed(&self, mark: Point, spot: Point) -> f64 {
+        let texts = self.taken.iter().filter(|taken| crosses(&taken.corners(), mark, spot)).count();
+        80.0 * texts as f64
     }
 
     /// Draws all texts, on top of what the picture has so far.
@@ -171,12 +208,15 @@ impl Labels {
         let texts = self.taken.iter().filter(|taken| block.meets(taken)).count();
         let solids = self.solid.iter().filter(|solid| block.meets_outline(solid)).count();
         let soft = self.soft.iter().filter(|soft| block.meets_outline(soft)).count();
-        400.0 * texts as f64 + 150.0 * solids as f64 + 12.0 * soft as f64
+        400.0 * texts as f64 + SOLID_COST * solids as f64 + 12.0 * soft as f64
     }
 }
 
 /// Between a mark and the text beside it, in pixels.
 const CLEARANCE: f64 = 13.0;
+/// A text farther from its mark than this is tied to it by a line.
+const LEADER: f64 = 30.0;
+const SOLID_COST: f64 = 150.0;
 /// Distance between the spots that are tried for a name, in pixels.
 const SPOT_STEP: f64 = 6.0;
 

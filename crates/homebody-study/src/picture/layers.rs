@@ -53,6 +53,7 @@ pub fn walls(sheet: &mut Sheet, home: &HomeFile, plan: &Plan) {
         .collect();
     outlines.extend(corner_posts(home).iter().map(|post| sheet.outline(post)));
     sheet.svg.path(&rings(outlines.iter().map(Vec::as_slice)), &Paint::fill(WALL).joined());
+    sheet.labels.rooms = plan.rooms.iter().map(|room| sheet.outline(&room.outline)).collect();
     sheet.labels.walls.clone_from(&outlines);
     sheet.labels.solid.extend(outlines);
 }
@@ -69,12 +70,21 @@ fn corner_posts(home: &HomeFile) -> Vec<Vec<Point>> {
         let out = (end - other).normalize_or_zero();
         for (_, &(_, far, width)) in ends.iter().enumerate().filter(meets) {
             let across = (far - end).normalize_or_zero().dot(out).abs() < 0.2;
-            if across {
-                posts.push(geometry::thick_segment(end, end + out * (width / 2.0), thickness));
-            }
+            posts.push(if across {
+                geometry::thick_segment(end, end + out * (width / 2.0), thickness)
+            } else {
+                (0..16).map(|i| end + geometry::direction(f64::from(i) * 22.5) * (thickness.min(width) / 2.0)).collect()
+            });
         }
     }
     posts
+}
+
+/// Whether people come in from the west only, so that the dimensions had better stand in the east.
+pub fn ways_in_on_west(home: &HomeFile, plan: &Plan) -> bool {
+    let (least, most) = plan.bounds();
+    let ways_in = || home.doors.iter().filter(|door| door.outside).map(|door| door.from[0]);
+    ways_in().any(|x| x - least.x < 0.5) && !ways_in().any(|x| most.x - x < 0.5)
 }
 
 /// Doors in their walls: open ones with their swing, closed ones as a bar, and arrows where one comes in.
@@ -152,7 +162,9 @@ fn way_in(sheet: &mut Sheet, door: &DoorFile, at: Point, inward: Point) {
     let arrow = [tip, back + wing, back - wing];
     sheet.svg.polygon(&arrow, &Paint::fill(INK));
     sheet.labels.solid.push(arrow.to_vec());
-    sheet.labels.beside(&door.name, (tip + back) / 2.0, 0.0, Type { halo: true, ..Type::new(12.0, INK) });
+    let outward_deg = (-inward.y).atan2(-inward.x).to_degrees();
+    let set = Type { halo: true, ..Type::new(12.0, INK) };
+    sheet.labels.beside_if_free(&door.name, (tip + back) / 2.0, outward_deg, set);
 }
 
 /// The areas that ceiling sensors look down on.
@@ -173,10 +185,7 @@ pub fn sensors(sheet: &mut Sheet, home: &HomeFile) {
         let at = sheet.at(mounting(sensor));
         let bulk = match sensor {
             SensorFile::Motion(motion) => {
-                let ahead = flipped(geometry::direction(motion.facing_deg)) * SENSOR_SIZE;
-                let back = at - ahead * 0.3;
-                let wing = ahead.perp() * 0.55;
-                let triangle = vec![at + ahead * 0.8, back + wing, back - wing];
+                let triangle = dart(at, flipped(geometry::direction(motion.facing_deg)));
                 sheet.svg.group("sensor", sensor.name(), |svg| {
                     svg.polygon(&triangle, &Paint::fill(SENSOR).outlined(WHITE, 1.5));
                 });
@@ -224,10 +233,7 @@ pub fn explain(sheet: &mut Sheet, legend: &mut super::legend::Legend, home: &Hom
     let ceiling_sensors = home.sensors.iter().any(|sensor| matches!(sensor, SensorFile::CeilingMotion(_)));
     if wall_sensors {
         legend.entry(svg, "motion sensor on the wall, points where it looks", |svg, least, most| {
-            let middle = (least + most) / 2.0;
-            let (back, wing) = (Point::new(-5.0, 0.0), Point::new(0.0, 8.0));
-            let triangle = [middle + Point::new(11.0, 0.0), middle + back + wing, middle + back - wing];
-            svg.polygon(&triangle, &Paint::fill(SENSOR).outlined(WHITE, 1.5));
+            svg.polygon(&dart((least + most) / 2.0, Point::X), &Paint::fill(SENSOR).outlined(WHITE, 1.5));
         });
     }
     if ceiling_sensors {
@@ -279,6 +285,13 @@ pub fn mounting(sensor: &SensorFile) -> Point {
         SensorFile::Motion(motion) => geometry::point(motion.at),
         SensorFile::CeilingMotion(ceiling) => geometry::inner_point(&corners(&ceiling.area)),
     }
+}
+
+/// A triangle that points ahead; its notched back tells the point from the other corners.
+pub fn dart(at: Point, ahead: Point) -> Vec<Point> {
+    let ahead = ahead * SENSOR_SIZE;
+    let (back, wing) = (at - ahead * 0.45, ahead.perp() * 0.52);
+    vec![at + ahead * 0.85, back + wing, at - ahead * 0.2, back - wing]
 }
 
 fn corners(area: &[[f64; 2]]) -> Vec<Point> {

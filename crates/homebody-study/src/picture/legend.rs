@@ -52,7 +52,7 @@ impl Legend {
     /// A row of a table: a name to the left, numbers to the right, each column `wide` pixels.
     pub fn row(&mut self, svg: &mut Svg, name: &str, numbers: &[String], wide: f64, set: Type) {
         let room = sheet::LEGEND.1 - wide * numbers.len() as f64 - 4.0;
-        svg.text(&shortened(name, set.size, room), Point::new(sheet::LEGEND.0, self.y), &set);
+        svg.text(&font::shortened(name, set.size, room), Point::new(sheet::LEGEND.0, self.y), &set);
         for (column, number) in numbers.iter().rev().enumerate() {
             let right = sheet::LEGEND.0 + sheet::LEGEND.1 - column as f64 * wide;
             svg.text(number, Point::new(right, self.y), &set.anchored(Anchor::End));
@@ -80,14 +80,4 @@ fn wrapped(words: &str, size: f64, room: f64) -> Vec<String> {
         }
     }
     lines
-}
-
-/// The words, cut with an ellipsis if they are wider than `room`.
-fn shortened(words: &str, size: f64, room: f64) -> String {
-    let mut kept: Vec<char> = words.chars().collect();
-    let mut short = words.to_owned();
-    while font::width(&short, size) > room && kept.pop().is_some() {
-        short = kept.iter().collect::<String>().trim_end().to_owned() + "…";
-    }
-    short
 }

@@ -2,6 +2,7 @@
 
 use homebody_core::geometry::Point;
 
+use super::font;
 use super::label::{Block, Labels};
 use super::paint::{HAIRLINE, INK, MUTED, Paint, WHITE};
 use super::svg::{Anchor, Px, Svg, Type};
@@ -35,14 +36,22 @@ impl Sheet {
         let extent = bounds.1 - bounds.0;
         let room = Point::new(LEGEND.0 - 2.0 * SURROUND - MARGIN, TALLEST) / extent;
         let mut svg = Svg::new(&format!("{title}: {subtitle}"), description);
-        svg.text(title, Point::new(MARGIN, 46.0), &Type::new(28.0, INK));
+        let room_for_title = WIDTH - 2.0 * MARGIN;
+        let size =
+            [28.0, 24.0, 20.0].into_iter().find(|&size| font::width(title, size) <= room_for_title).unwrap_or(18.0);
+        let shown = font::shortened(title, size, room_for_title);
+        svg.text(&shown, Point::new(MARGIN, 46.0), &Type::new(size, INK));
         svg.text(subtitle, Point::new(MARGIN, 76.0), &Type::new(15.0, MUTED));
-        let corner = Point::new(MARGIN + SURROUND, TOP + SURROUND * 0.6);
+        let px_per_m = room.min_element();
+        let spare = LEGEND.0 - 2.0 * SURROUND - MARGIN - extent.x * px_per_m;
+        let corner = Point::new(MARGIN + SURROUND + spare / 2.0, TOP + SURROUND * 0.6);
         let mut labels = Labels::default();
-        // The legend's column, and the title.
-        labels.take(Block { least: Point::new(LEGEND.0 - 20.0, 0.0), most: Point::new(WIDTH, f64::INFINITY) });
-        labels.take(Block { least: Point::ZERO, most: Point::new(WIDTH, TOP - 16.0) });
-        Sheet { svg, labels, px_per_m: room.min_element(), bounds, corner }
+        // Off the sheet, the legend's column, and the title.
+        let (left, legend) = (Point::new(-WIDTH, -WIDTH), Point::new(LEGEND.0 - 8.0, -WIDTH));
+        labels.take(Block { least: left, most: Point::new(8.0, f64::INFINITY) });
+        labels.take(Block { least: legend, most: Point::INFINITY });
+        labels.take(Block { least: left, most: Point::new(WIDTH, TOP - 16.0) });
+        Sheet { svg, labels, px_per_m, bounds, corner }
     }
 
     /// Where a point of the plan lies on the sheet.
@@ -54,8 +63,8 @@ impl Sheet {
         outline.iter().map(|&p| self.at(p)).collect()
     }
 
-    /// The dimensions of the whole along its south and west side, which texts then keep off.
-    pub fn dimensions(&mut self) {
+    /// The dimensions of the whole along its south side and its west or east side, which texts then keep off.
+    pub fn dimensions(&mut self, on_east: bool) {
         let (south_west, north_east) = (self.at(self.bounds.0), self.at(self.bounds.1));
         let extent = self.bounds.1 - self.bounds.0;
         let set = Type::new(12.0, MUTED).anchored(Anchor::Middle);
@@ -69,7 +78,7 @@ impl Sheet {
         self.svg.rectangle(middle - Point::new(28.0, 8.0), Point::new(56.0, 16.0), &Paint::fill(WHITE));
         self.svg.text(&format!("{:.2} m", extent.x), middle, &set);
 
-        let x = south_west.x - off;
+        let x = if on_east { north_east.x + off } else { south_west.x - off };
         let (south, north) = (Point::new(x, south_west.y), Point::new(x, north_east.y));
         self.dimension_line(south, north, &line);
         let middle = (south + north) / 2.0;
