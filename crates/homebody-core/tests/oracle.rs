@@ -128,7 +128,8 @@ impl Case {
         // Either a decision to fire again was taken then, or a first detection came up to `first_fire` before.
         let decisions = [(parted - timing.persist, parted)];
         let first = (parted - timing.first_fire.most - UPDATE, parted - timing.first_fire.least + UPDATE);
-        let spans = self.seen(sensor, parted - timing.persist - timing.first_fire.most - 4 * UPDATE, parted + 4 * UPDATE);
+        let spans =
+            self.seen(sensor, parted - timing.persist - timing.first_fire.most - 4 * UPDATE, parted + 4 * UPDATE);
         let near = |a: Micros, b: Micros| (a - b).abs() <= 2 * UPDATE + SAMPLE;
         spans.iter().any(|&(begin, end)| {
             let short = end - begin <= UPDATE + SAMPLE;
@@ -155,7 +156,8 @@ impl Case {
                     !inside && beam.distance(*place) < radius - 0.001
                 })
             };
-            let places = (begin..=end.min(begin + 3 * UPDATE)).step_by(SAMPLE as usize).filter_map(|at| self.moving_at(at));
+            let places =
+                (begin..=end.min(begin + 3 * UPDATE)).step_by(SAMPLE as usize).filter_map(|at| self.moving_at(at));
             places.filter(shows).count() as Micros * SAMPLE <= UPDATE
         })
     }
@@ -208,7 +210,11 @@ fn naive_way_agrees(cases: std::ops::Range<u64>, way: fn(&Case) -> Vec<Firing>) 
     }
     println!(
         "{count} homes, {} sensors, {} firings: {} sensors part at a close call, {} at an invisible movement, {} unexplained",
-        tally.sensors, tally.firings, tally.close_calls, tally.invisible, tally.unexplained.len()
+        tally.sensors,
+        tally.firings,
+        tally.close_calls,
+        tally.invisible,
+        tally.unexplained.len()
     );
     assert!(tally.firings > 3 * count as usize, "{tally:?}");
     assert!(tally.unexplained.is_empty(), "{:#?}", tally.unexplained);
@@ -242,4 +248,3 @@ fn the_naive_way_at_a_hundredfold_speed_does_not_agree() {
     }
     assert!(tally.unexplained.len() > 10, "{tally:?}");
 }
-

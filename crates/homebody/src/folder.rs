@@ -23,7 +23,9 @@ impl Files for Folder {
 /// Loads a scenario from its folder, or from its `scenario.json`; returns also the entry's name.
 pub fn load(path: &Path) -> Result<(Scenario, String), Failure> {
     let meta = fs::metadata(path).map_err(|error| match error.kind() {
-        ErrorKind::NotFound => Failure::io(path, "there is no such scenario\n  hint: name its folder, or its scenario.json"),
+        ErrorKind::NotFound => {
+            Failure::io(path, "there is no such scenario\n  hint: name its folder, or its scenario.json")
+        }
         _ => Failure::io(path, error),
     })?;
     let (folder, entry) = if meta.is_dir() {

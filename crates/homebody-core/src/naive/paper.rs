@@ -117,7 +117,9 @@ fn seeing(sensor: &Sensor, size: Size, walls: &PhysicsWorld) -> Seeing {
     let motion = match &sensor.kind {
         Kind::CeilingMotion(area) => {
             let corners = area.outline.iter().map(|&corner| vector(corner)).collect();
-            return Seeing::Area(ConvexPolygon::from_convex_polyline_unmodified(corners).expect("an area with corners"));
+            return Seeing::Area(
+                ConvexPolygon::from_convex_polyline_unmodified(corners).expect("an area with corners"),
+            );
         }
         Kind::Motion(motion) => motion,
     };

@@ -70,7 +70,13 @@ impl Live<'_> {
         self.finish(&places, &run, &seal, &stored, started)
     }
 
-    fn live_into(&self, places: &Places, run: &mut Run, speed: Speed, control: bool) -> Result<(Seal, Stored, Instant), Failure> {
+    fn live_into(
+        &self,
+        places: &Places,
+        run: &mut Run,
+        speed: Speed,
+        control: bool,
+    ) -> Result<(Seal, Stored, Instant), Failure> {
         let stop = stop_on_signal();
         let (mut logger, mut truth) = self.open(places, run)?;
         let progress = self.progress(run.length());
@@ -154,7 +160,14 @@ impl Live<'_> {
     }
 
     /// Writes the recording, and tells people and scripts what has become of the run.
-    fn finish(&mut self, places: &Places, run: &Run, seal: &Seal, stored: &Stored, started: Instant) -> Result<(), Failure> {
+    fn finish(
+        &mut self,
+        places: &Places,
+        run: &Run,
+        seal: &Seal,
+        stored: &Stored,
+        started: Instant,
+    ) -> Result<(), Failure> {
         let whole = run.now() == self.recording.length_us;
         let was = std::mem::replace(&mut self.recording.sha256, seal.hex());
         (self.recording.firings, self.recording.length_us) = (seal.firings(), run.now());

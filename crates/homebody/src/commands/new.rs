@@ -31,7 +31,10 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let folder = &self.folder;
         if folder.exists() {
-            return Err(Failure::Io(format!("{} exists already\n  hint: name a folder that does not", folder.display())));
+            return Err(Failure::Io(format!(
+                "{} exists already\n  hint: name a folder that does not",
+                folder.display()
+            )));
         }
         let written = self.write();
         if written.is_err() {
@@ -44,7 +47,10 @@ impl Arguments {
     }
 
     fn write(&self) -> Result<(), Failure> {
-        write(&self.folder.join("schemas"), schemas().into_iter().map(|(name, schema)| (name, format!("{schema:#}\n").into())))?;
+        write(
+            &self.folder.join("schemas"),
+            schemas().into_iter().map(|(name, schema)| (name, format!("{schema:#}\n").into())),
+        )?;
         let files = self.template.files().map(|file| {
             // The schemas of the repository are two folders up, ours are right here.
             let text = String::from_utf8_lossy(file.contents()).replace("\"../../schemas/", "\"./schemas/");
