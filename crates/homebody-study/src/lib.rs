@@ -1,2 +1,3 @@
 pub mod coverage;
 pub mod picture;
+pub mod godsey2009;
