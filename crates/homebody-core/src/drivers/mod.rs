@@ -4,12 +4,14 @@
 //! plan and its own resident; of the other residents it sees only where their bodies are, and of
 //! sensors it knows nothing. A copy of a driver decides as the original.
 
+pub mod live;
 pub mod path;
 
 use crate::event::Doing;
 use crate::geometry::Point;
 use crate::scenario::path::Posture;
 use crate::time::Micros;
+use live::LiveDriver;
 use path::PathDriver;
 
 /// What a body does over a span; the spans of one resident follow each other without gaps.
@@ -43,14 +45,16 @@ pub struct Body {
 #[derive(Clone, Debug)]
 pub enum Driver {
     Path(PathDriver),
+    Live(Box<LiveDriver>),
 }
 
 impl Driver {
     /// What the resident does from `now` on. `now` is the end of the last span, or 0;
     /// `others` are the bodies of the other residents who are at home.
-    pub fn next(&mut self, now: Micros, _others: &[Body]) -> Next {
+    pub fn next(&mut self, now: Micros, others: &[Body]) -> Next {
         match self {
             Driver::Path(driver) => driver.next(now),
+            Driver::Live(driver) => driver.next(now, others),
         }
     }
 
@@ -58,6 +62,7 @@ impl Driver {
     pub fn pose(&self) -> (Point, Posture) {
         match self {
             Driver::Path(driver) => driver.pose(),
+            Driver::Live(driver) => driver.pose(),
         }
     }
 }
