@@ -1,1 +1,37 @@
+//! Where a log goes and where it comes from: databases and files, ours and real networks'.
+//!
+//! A run gives its firings to a [`Logger`], which stores them in as many places as wished, and its
+//! facts to a [`TruthLog`], which keeps the ground truth in a file of its own. No firing's file ever
+//! holds a fact. Both hand their rows to writer threads, so that the simulation does not wait for disks;
+//! an error of such a thread comes out of the next call.
+//!
+//! Nothing is half written: a CSV or CASAS file has its name only once it is whole, and what an SQLite
+//! database holds is a gap-free beginning of the run, whatever killed the program. A [`Log`] is read back from
+//! all of these, and from what real homes recorded.
+//!
+//! This crate does not know how firings come about, nor what a log means. Reading order:
 
+pub mod url;
+
+pub mod error;
+
+mod clock;
+mod fresh;
+mod mapping;
+mod messages;
+
+mod sink;
+mod writer;
+
+pub mod logger;
+pub mod truth;
+
+pub mod convert;
+pub mod source;
+
+pub use convert::convert;
+pub use error::LogError;
+pub use logger::{Logger, RunInfo, Stored};
+pub use source::{Event, Log, read};
+pub use truth::TruthLog;
+pub use url::Url;

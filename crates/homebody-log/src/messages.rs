@@ -1,0 +1,185 @@
+//! What of a firing reaches the log: the firing alone, or an ON and, once the sensor has been quiet, an OFF.
+//!
+//! A held sensor is ON from a firing while it was OFF until the hold after its last firing; firings meanwhile only
+//! prolong it. At one instant OFF comes before ON, and OFFs come in the order of sensors.
+
+use homebody_core::event::Firing;
+use homebody_core::scenario::logger::MessagesFile;
+use homebody_core::time::{Micros, micros};
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// One row of a log: what was stored, of which sensor, when.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Row {
+    /// The rows of a run are numbered from 0.
+    pub seq: u64,
+    pub at: Micros,
+    pub sensor: u32,
+    /// Index into the log's values.
+    pub value: u32,
+}
+
+pub(crate) const ON: u32 = 0;
+pub(crate) const OFF: u32 = 1;
+
+/// Turns firings into rows.
+pub(crate) struct Messages {
+    hold: Option<Hold>,
+    next_seq: u64,
+}
+
+struct Hold {
+    span: Micros,
+    /// When each sensor goes OFF unless it fires again; none while it is OFF.
+    off_at: Vec<Option<Micros>>,
+    /// One entry for each sensor that is ON. A firing does not move its sensor's entry, so an entry may come up
+    /// too early; it is then put back to where it belongs.
+    due: BinaryHeap<Reverse<(Micros, u32)>>,
+}
+
+impl Messages {
+    pub fn new(messages: &MessagesFile, sensors: usize) -> Messages {
+        let span = match messages {
+            MessagesFile::FireOnly => None,
+            MessagesFile::OnOff(on_off) => Some(micros(on_off.hold_s)),
+            MessagesFile::Occupancy(occupancy) => Some(micros(occupancy.timeout_s)),
+        };
+        let hold = span.map(|span| Hold { span, off_at: vec![None; sensors], due: BinaryHeap::new() });
+        Messages { hold, next_seq: 0 }
+    }
+
+    /// The rows of a firing: what has become due by then, then its own.
+    pub fn firing(&mut self, firing: &Firing, rows: &mut Vec<Row>) {
+        let Some(hold) = &mut self.hold else {
+            return push(rows, &mut self.next_seq, firing.at, firing.sensor, ON);
+        };
+        hold.release(firing.at, |at, sensor| push(rows, &mut self.next_seq, at, sensor, OFF));
+        if hold.prolong(firing) {
+            push(rows, &mut self.next_seq, firing.at, firing.sensor, ON);
+        }
+    }
+
+    /// The rows due before `until`, given that no firing comes before it.
+    pub fn quiet(&mut self, until: Micros, rows: &mut Vec<Row>) {
+        if let Some(hold) = &mut self.hold {
+            hold.release(until - 1, |at, sensor| push(rows, &mut self.next_seq, at, sensor, OFF));
+        }
+    }
+}
+
+impl Hold {
+    /// Turns OFF what is due at `now` or earlier.
+    fn release(&mut self, now: Micros, mut off: impl FnMut(Micros, u32)) {
+        while let Some(&Reverse((at, sensor))) = self.due.peek() {
+            if at > now {
+                break;
+            }
+            self.due.pop();
+            let off_at = &mut self.off_at[sensor as usize];
+            match *off_at {
+                Some(later) if later > at => self.due.push(Reverse((later, sensor))),
+                _ => {
+                    *off_at = None;
+                    off(at, sensor);
+                }
+            }
+        }
+    }
+
+    /// Holds the sensor ON from this firing, and says whether it was OFF before.
+    fn prolong(&mut self, firing: &Firing) -> bool {
+        let off_at = firing.at + self.span;
+        let was_off = self.off_at[firing.sensor as usize].replace(off_at).is_none();
+        if was_off {
+            self.due.push(Reverse((off_at, firing.sensor)));
+        }
+        was_off
+    }
+}
+
+fn push(rows: &mut Vec<Row>, next_seq: &mut u64, at: Micros, sensor: u32, value: u32) {
+    rows.push(Row { seq: *next_seq, at, sensor, value });
+    *next_seq += 1;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homebody_core::scenario::logger::OnOffFile;
+
+    const SENSORS: u32 = 4;
+
+    fn on_off(hold: Micros) -> MessagesFile {
+        MessagesFile::OnOff(OnOffFile { hold_s: hold as f64 / 1e6 })
+    }
+
+    fn stored(firings: &[(Micros, u32)], hold: Micros, until: Micros) -> Vec<(Micros, u32, u32)> {
+        let mut messages = Messages::new(&on_off(hold), SENSORS as usize);
+        let mut rows = Vec::new();
+        for (seq, &(at, sensor)) in firings.iter().enumerate() {
+            messages.firing(&Firing { seq: seq as u64, at, sensor }, &mut rows);
+        }
+        messages.quiet(until, &mut rows);
+        assert!(rows.iter().enumerate().all(|(seq, row)| row.seq == seq as u64));
+        rows.iter().map(|row| (row.at, row.sensor, row.value)).collect()
+    }
+
+    /// Looks at each microsecond and each sensor, and asks whether it has fired within the hold.
+    fn reference(firings: &[(Micros, u32)], hold: Micros, until: Micros) -> Vec<(Micros, u32, u32)> {
+        let mut rows = Vec::new();
+        let mut on = [false; SENSORS as usize];
+        for now in 0..until {
+            let (mut offs, mut ons) = (Vec::new(), Vec::new());
+            for sensor in 0..SENSORS {
+                let held = firings.iter().any(|&(at, who)| who == sensor && at < now && now < at + hold);
+                let fires = firings.contains(&(now, sensor));
+                let was_on = on[sensor as usize];
+                if was_on && !held {
+                    offs.push((now, sensor, OFF));
+                }
+                if fires && (!was_on || !held) {
+                    ons.push((now, sensor, ON));
+                }
+                on[sensor as usize] = held || fires;
+            }
+            rows.extend(offs.into_iter().chain(ons));
+        }
+        rows
+    }
+
+    #[test]
+    fn firings_alone_are_stored_as_they_are() {
+        let mut messages = Messages::new(&MessagesFile::FireOnly, 2);
+        let mut rows = Vec::new();
+        messages.firing(&Firing { seq: 7, at: 5, sensor: 1 }, &mut rows);
+        messages.quiet(1_000_000_000, &mut rows);
+        assert_eq!(rows, [Row { seq: 0, at: 5, sensor: 1, value: ON }]);
+    }
+
+    #[test]
+    fn a_hold_is_prolonged_and_off_comes_before_on() {
+        let rows = stored(&[(0, 0), (3, 0), (8, 0), (8, 1), (9, 0)], 5, 15);
+        assert_eq!(rows, [(0, 0, ON), (8, 0, OFF), (8, 0, ON), (8, 1, ON), (13, 1, OFF), (14, 0, OFF)]);
+        assert_eq!(stored(&[(0, 0)], 5, 5), [(0, 0, ON)], "what is due at the end itself is not written");
+    }
+
+    #[test]
+    fn random_holds_agree_with_the_reference() {
+        let mut state = 7_u64;
+        let mut random = |below: u64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) % below
+        };
+        for _ in 0..300 {
+            let until = 60;
+            let mut firings: Vec<(Micros, u32)> =
+                (0..random(40)).map(|_| (random(until) as Micros, random(SENSORS.into()) as u32)).collect();
+            firings.sort();
+            firings.dedup();
+            let hold = 1 + random(12) as Micros;
+            let until = until as Micros + random(12) as Micros;
+            assert_eq!(stored(&firings, hold, until), reference(&firings, hold, until), "{firings:?} held {hold}");
+        }
+    }
+}

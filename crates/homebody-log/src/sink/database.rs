@@ -1,0 +1,220 @@
+//! An SQLite file that a run writes: the firings' and, apart from it, the truth's.
+//!
+//! It is written in place, so that a run can be watched while it goes on. Rows go in in transactions that are on
+//! the disk before they count as stored; killed at any moment, the file holds a gap-free beginning of the run.
+//! While the run goes on the database is in WAL mode, which lets others read meanwhile; after it, it is one file.
+
+use crate::error::LogError;
+use crate::fresh::Place;
+use rusqlite::{CachedStatement, Connection, OpenFlags, ToSql};
+use std::fs::{self, OpenOptions};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// How long another program may keep the database locked before that is an error.
+const BUSY: Duration = Duration::from_secs(2);
+
+/// Rows that one statement inserts: half again as fast as one by one.
+const ROWS_AT_ONCE: usize = 16;
+
+/// A new database; dropped before any row is stored, it leaves nothing behind.
+pub(crate) struct Database {
+    path: PathBuf,
+    /// None only while the database is being closed.
+    connection: Option<Connection>,
+    has_rows: bool,
+}
+
+impl Database {
+    /// Creates the file and its tables, and does what else comes before all rows.
+    pub fn create(
+        path: &Path,
+        force: bool,
+        tables: &[&str],
+        begin: impl FnOnce(&Connection) -> rusqlite::Result<()>,
+    ) -> Result<Database, LogError> {
+        match Place::at(path, force)? {
+            Place::Free => {}
+            Place::Replaced => remove(path)?,
+            Place::Device => return Err(LogError::NoFile { path: path.into() }),
+        }
+        // The database's own way to create a file does not tell why it could not.
+        OpenOptions::new().write(true).create_new(true).open(path).map_err(|error| LogError::file(path, error))?;
+        let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
+        let mut database = Database { path: path.into(), connection: None, has_rows: false };
+        let opened = Connection::open_with_flags(path, flags).and_then(|connection| {
+            connection.busy_timeout(BUSY)?;
+            // FULL: a committed transaction survives a loss of power, too. The cache is in KiB.
+            connection
+                .execute_batch("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA cache_size = -2048")?;
+            connection.execute_batch("BEGIN IMMEDIATE")?;
+            for table in tables {
+                connection.execute_batch(table)?;
+            }
+            begin(&connection)?;
+            connection.execute_batch("COMMIT")?;
+            Ok(connection)
+        });
+        database.connection = Some(opened.map_err(|error| LogError::database(path, error))?);
+        Ok(database)
+    }
+
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Does something within the transaction that the next [`Database::settle`] ends.
+    pub fn change(&mut self, change: impl FnOnce(&Connection) -> rusqlite::Result<()>) -> Result<(), LogError> {
+        let connection = self.connection.as_ref().expect("open until it is closed");
+        let begun = if connection.is_autocommit() { connection.execute_batch("BEGIN IMMEDIATE") } else { Ok(()) };
+        begun.and_then(|()| change(connection)).map_err(|error| LogError::database(&self.path, error))
+    }
+
+    /// Ends the transaction: what was changed is safe now.
+    pub fn settle(&mut self) -> Result<(), LogError> {
+        let connection = self.connection.as_ref().expect("open until it is closed");
+        if !connection.is_autocommit() {
+            connection.execute_batch("COMMIT").map_err(|error| LogError::database(&self.path, error))?;
+            self.has_rows = true;
+        }
+        Ok(())
+    }
+
+    /// Ends the transaction and leaves one file, complete in itself.
+    pub fn close(mut self) -> Result<(), LogError> {
+        self.settle()?;
+        self.has_rows = true;
+        let connection = self.connection.take().expect("open until it is closed");
+        // Fails where another program is reading; then it is that program's leaving that tidies up.
+        let _ = connection.busy_timeout(Duration::ZERO);
+        let _ = connection.execute_batch("PRAGMA journal_mode = DELETE");
+        connection.close().map_err(|(_, error)| LogError::database(&self.path, error))
+    }
+}
+
+impl Drop for Database {
+    fn drop(&mut self) {
+        self.connection = None;
+        if !self.has_rows {
+            let _ = fs::remove_file(&self.path);
+            remove_companions(&self.path);
+        }
+    }
+}
+
+/// A statement that inserts rows into a table, all of one run.
+pub(crate) struct Insert {
+    one: String,
+    many: String,
+}
+
+/// The row being bound, value by value in the order of the columns.
+pub(crate) struct Binding<'a, 'c> {
+    statement: &'a mut CachedStatement<'c>,
+    next: usize,
+}
+
+impl Insert {
+    /// Rows of `columns` and, before them, the column `run`.
+    pub fn new(table: &str, run: (&str, i64), columns: &[&str]) -> Insert {
+        let (run, id) = run;
+        let names: String = columns.iter().map(|name| format!(", \"{name}\"")).collect();
+        let row = format!("({id}{})", ", ?".repeat(columns.len()));
+        let rows = |count: usize| {
+            format!("INSERT INTO \"{table}\" (\"{run}\"{names}) VALUES {}", vec![&row[..]; count].join(", "))
+        };
+        Insert { one: rows(1), many: rows(ROWS_AT_ONCE) }
+    }
+
+    pub fn rows<Row>(
+        &self,
+        connection: &Connection,
+        rows: &[Row],
+        mut bind: impl FnMut(&Row, &mut Binding) -> rusqlite::Result<()>,
+    ) -> rusqlite::Result<()> {
+        let whole = rows.len() - rows.len() % ROWS_AT_ONCE;
+        for (sql, rows, at_once) in [(&self.many, &rows[..whole], ROWS_AT_ONCE), (&self.one, &rows[whole..], 1)] {
+            if rows.is_empty() {
+                continue;
+            }
+            let mut statement = connection.prepare_cached(sql)?;
+            for rows in rows.chunks(at_once) {
+                let mut binding = Binding { statement: &mut statement, next: 1 };
+                for row in rows {
+                    bind(row, &mut binding)?;
+                }
+                statement.raw_execute()?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Binding<'_, '_> {
+    /// Binds the next value.
+    pub fn put(&mut self, value: impl ToSql) -> rusqlite::Result<()> {
+        self.statement.raw_bind_parameter(self.next, value)?;
+        self.next += 1;
+        Ok(())
+    }
+}
+
+/// Removes a database that is to be replaced, unless another program is writing it.
+fn remove(path: &Path) -> Result<(), LogError> {
+    let probed = Connection::open_with_flags(path, OpenFlags::SQLITE_OPEN_READ_WRITE).and_then(|connection| {
+        connection.busy_timeout(BUSY)?;
+        connection.execute_batch("BEGIN EXCLUSIVE; ROLLBACK")
+    });
+    // Whatever else is wrong with it matters no more.
+    if let Err(error) = probed.map_err(|error| LogError::database(path, error))
+        && matches!(error, LogError::Locked { .. })
+    {
+        return Err(error);
+    }
+    fs::remove_file(path).map_err(|error| LogError::file(path, error))?;
+    remove_companions(path);
+    Ok(())
+}
+
+/// Removes the files a database has beside itself.
+fn remove_companions(path: &Path) {
+    for ending in ["-wal", "-shm", "-journal"] {
+        let mut name = path.as_os_str().to_owned();
+        name.push(ending);
+        let _ = fs::remove_file(name);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_full_disk_keeps_what_was_stored() {
+        let path = std::env::temp_dir().join(format!("homebody-full-{}.db", std::process::id()));
+        let mut database =
+            Database::create(&path, true, &["CREATE TABLE line (run INTEGER, text TEXT)"], |_| Ok(())).unwrap();
+        database.change(|connection| connection.pragma_update(None, "max_page_count", 50)).unwrap();
+        let insert = Insert::new("line", ("run", 1), &["text"]);
+        let lines = vec!["some words to fill pages with"; 100];
+        let mut store = || {
+            database.change(|connection| insert.rows(connection, &lines, |line, row| row.put(line)))?;
+            database.settle()
+        };
+        let mut stored = 0;
+        let error = loop {
+            match store() {
+                Ok(()) => stored += 100,
+                Err(error) => break error,
+            }
+        };
+        assert!(matches!(error, LogError::Full { .. }), "{error}");
+        drop(database);
+        let connection = Connection::open(&path).unwrap();
+        let kept: i64 = connection.query_row("SELECT count(*) FROM line", [], |row| row.get(0)).unwrap();
+        drop(connection);
+        assert!(stored > 0 && kept == stored, "{kept} of {stored}");
+        fs::remove_file(&path).unwrap();
+        remove_companions(&path);
+    }
+}

@@ -1,0 +1,92 @@
+//! The text of the CASAS smart homes: date, time, sensor and value, parted by blanks or tabs, as homes differ.
+//!
+//! Some homes repeat the sensor or tell its room and place before the value, and what kind of sensor it is after
+//! it; some note activities at a line's end. All that is passed over.
+
+use super::{Reading, open};
+use crate::error::LogError;
+use std::io::{BufRead, BufReader, Read};
+use std::path::Path;
+
+/// No line of a log is longer; what is longer is not read into memory.
+const LONGEST: u64 = 1 << 16;
+
+/// Before the kind of a sensor there is always its value.
+const KIND: &str = "Control4-";
+
+pub(crate) fn read(path: &Path, reading: &mut Reading) -> Result<(), LogError> {
+    let mut file = BufReader::new(open(path)?);
+    let mut line = Vec::new();
+    for number in 1.. {
+        line.clear();
+        let read = file.by_ref().take(LONGEST).read_until(b'\n', &mut line);
+        if read.map_err(|error| LogError::file(path, error))? == 0 {
+            break;
+        }
+        if line.len() as u64 == LONGEST && line.last() != Some(&b'\n') {
+            reading.skip(number, "the line is too long".into());
+            file.skip_until(b'\n').map_err(|error| LogError::file(path, error))?;
+            continue;
+        }
+        understand(number, &String::from_utf8_lossy(&line), reading);
+    }
+    Ok(())
+}
+
+fn understand(number: u64, line: &str, reading: &mut Reading) {
+    let line = line.trim_start_matches('\u{feff}');
+    let mut words = line.split_whitespace();
+    let Some(date) = words.next() else { return };
+    // `2009-03-02T07:12:03` is one word, `2009-03-02 07:12:03` two.
+    let time =
+        if date.contains(':') { date.to_string() } else { format!("{date} {}", words.next().unwrap_or_default()) };
+    let words: Vec<&str> = words.collect();
+    let Some(&sensor) = words.first() else {
+        return reading.skip(number, "there are no date, time, sensor and value".into());
+    };
+    let value = match words.iter().position(|word| word.starts_with(KIND)) {
+        Some(kind) if kind > 1 => words.get(kind - 1),
+        _ if words.len() > 2 && words[1] == sensor => words.get(2),
+        _ => words.get(1),
+    };
+    reading.row(number, &time, sensor, value.copied().unwrap_or_default());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::source::Log;
+
+    fn read(text: &str) -> Log {
+        let mut reading = Reading::default();
+        text.lines().enumerate().for_each(|(index, line)| understand(index as u64 + 1, line, &mut reading));
+        reading.log
+    }
+
+    #[test]
+    fn homes_differ() {
+        for line in [
+            "2009-03-02 07:12:03.25\tM001\tON\t",
+            "2009-03-02 07:12:03.25 M001 ON",
+            "2009-03-02\t07:12:03.250000\tM001\tON\tSleep begin\r",
+            "2009-03-02T07:12:03.25 M001 ON R1_Work end",
+            "2009-03-02 07:12:03.25 M001 M001 ON Cook",
+            "2009-03-02 07:12:03.250  M001  Kitchen Stove ON Control4-Motion",
+            "2009-03-02 07:12:03.250\tM001\tKitchen\tStove\tON\tControl4-MotionArea\tCook",
+            "\u{feff}2009-03-02 07:12:03.25 M001 ON",
+        ] {
+            let log = read(line);
+            assert_eq!((&log.sensors[..], &log.values[..]), (&["M001".into()][..], &["ON".into()][..]), "{line}");
+            assert_eq!(log.events[0].at, 1_235_977_923_250_000, "{line}");
+        }
+    }
+
+    #[test]
+    fn dirt_is_skipped_and_told() {
+        let log =
+            read("2009-03-02 07:12:03 M001 ON\n\nnonsense\n2009-03-02 07:12:04 M001\n2009-03-02 99:12:04 M1 ON\n");
+        assert_eq!((log.events.len(), log.skipped), (1, 3));
+        let lines: Vec<u64> = log.problems.iter().map(|skipped| skipped.line).collect();
+        assert_eq!(lines, [3, 4, 5]);
+    }
+}

@@ -1,0 +1,208 @@
+//! Reads instants as logs write them.
+
+use homebody_core::time::{Micros, SECOND};
+use jiff::civil::{Date, date};
+
+/// Microseconds since 1970, by a clock on some wall or by the world's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Instant {
+    Local(Micros),
+    Utc(Micros),
+}
+
+/// Reads instants; a day read once is known for the lines that follow.
+#[derive(Default)]
+pub(crate) struct Instants {
+    day: Vec<u8>,
+    midnight: Micros,
+}
+
+impl Instants {
+    /// A date and time with a fraction of any length or none, with a zone or none; or a number since 1970.
+    pub fn read(&mut self, text: &str) -> Option<Instant> {
+        let text = text.trim();
+        let bytes = text.as_bytes();
+        let Some((day, rest)) = bytes.split_at_checked(10).filter(|(day, _)| day[4] == b'-') else {
+            return number(text);
+        };
+        let rest = rest.strip_prefix(b"T").unwrap_or_else(|| rest.trim_ascii_start());
+        let midnight = self.midnight(day)?;
+        let (time, rest) = time_of_day(rest)?;
+        let at = midnight + time;
+        match rest.trim_ascii() {
+            b"" => Some(Instant::Local(at)),
+            b"Z" | b"z" => Some(Instant::Utc(at)),
+            zone => Some(Instant::Utc(at - offset(zone)?)),
+        }
+    }
+
+    fn midnight(&mut self, day: &[u8]) -> Option<Micros> {
+        if day != self.day {
+            let [year, month, of_month] = [&day[..4], &day[5..7], &day[8..]].map(digits);
+            if day[7] != b'-' {
+                return None;
+            }
+            let read = Date::new(year? as i16, month? as i8, of_month? as i8).ok()?;
+            let days = date(1970, 1, 1).until(read).ok()?.get_days();
+            self.midnight = i64::from(days) * 24 * 3600 * SECOND;
+            self.day.clear();
+            self.day.extend_from_slice(day);
+        }
+        Some(self.midnight)
+    }
+}
+
+/// A number since 1970, as a database keeps it: in seconds, milliseconds or microseconds.
+///
+/// Which of them is told by its size, for instants from 1973 to 5138. Smaller numbers are something else.
+pub(crate) fn since_1970(number: f64) -> Option<Instant> {
+    let micros = match number {
+        ..1e8 => return None,
+        ..1e11 => number * 1e6,
+        ..1e14 => number * 1e3,
+        ..1e17 => number,
+        _ => return None,
+    };
+    Some(Instant::Utc(micros.round() as Micros))
+}
+
+/// A number since 1970 as text: a fraction as floats cannot hold it is read to the digit.
+fn number(text: &str) -> Option<Instant> {
+    let fits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
+    if !fits {
+        return None;
+    }
+    match text.split_once('.') {
+        Some((seconds, decimals)) if (9..=11).contains(&seconds.len()) => {
+            Some(Instant::Utc(seconds.parse::<i64>().ok()? * SECOND + fraction(decimals.as_bytes())?))
+        }
+        _ => since_1970(text.parse().ok()?),
+    }
+}
+
+/// `07:12`, `07:12:03`, `07:12:03.25`; what follows is given back.
+fn time_of_day(text: &[u8]) -> Option<(Micros, &[u8])> {
+    let (hours, rest) = two_digits(text, 24)?;
+    let (minutes, rest) = two_digits(rest.strip_prefix(b":")?, 60)?;
+    let (seconds, rest) = match rest.strip_prefix(b":") {
+        Some(rest) => two_digits(rest, 60)?,
+        None => (0, rest),
+    };
+    let whole = ((hours * 60 + minutes) * 60 + seconds) * SECOND;
+    let Some(rest) = rest.strip_prefix(b".").or_else(|| rest.strip_prefix(b",")) else {
+        return Some((whole, rest));
+    };
+    let length = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let (decimals, rest) = rest.split_at(length);
+    Some((whole + fraction(decimals)?, rest))
+}
+
+fn two_digits(text: &[u8], below: Micros) -> Option<(Micros, &[u8])> {
+    let (two, rest) = text.split_at_checked(2)?;
+    let number = digits(two)?;
+    (number < below).then_some((number, rest))
+}
+
+/// The digits after a point as microseconds; further ones are cut off.
+fn fraction(decimals: &[u8]) -> Option<Micros> {
+    let kept = &decimals[..decimals.len().min(6)];
+    let number = if kept.is_empty() { 0 } else { digits(kept)? };
+    digits(decimals).or(decimals.is_empty().then_some(0))?;
+    Some(number * 10_i64.pow(6 - kept.len() as u32))
+}
+
+/// `-06:00`, `-0600` or `-06`.
+fn offset(zone: &[u8]) -> Option<Micros> {
+    let (sign, rest) = match zone {
+        [b'+', rest @ ..] => (1, rest),
+        [b'-', rest @ ..] => (-1, rest),
+        _ => return None,
+    };
+    let (hours, rest) = two_digits(rest, 24)?;
+    let (minutes, rest) = match rest.strip_prefix(b":").unwrap_or(rest) {
+        b"" => (0, &b""[..]),
+        rest => two_digits(rest, 60)?,
+    };
+    rest.is_empty().then_some(sign * (hours * 60 + minutes) * 60 * SECOND)
+}
+
+/// A number of digits alone; too many of them saturate.
+fn digits(text: &[u8]) -> Option<Micros> {
+    let all = !text.is_empty() && text.iter().all(u8::is_ascii_digit);
+    all.then(|| {
+        text.iter().fold(0_i64, |number, byte| number.saturating_mul(10).saturating_add(i64::from(byte - b'0')))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const AT: Micros = 1_235_977_923 * SECOND;
+
+    fn read(text: &str) -> Option<Instant> {
+        Instants::default().read(text)
+    }
+
+    #[test]
+    fn all_the_ways_to_write_an_instant() {
+        for (text, instant) in [
+            ("2009-03-02 07:12:03.250000", Instant::Local(AT + 250_000)),
+            ("2009-03-02T07:12:03.25", Instant::Local(AT + 250_000)),
+            ("2009-03-02 07:12:03.14962", Instant::Local(AT + 149_620)),
+            ("2009-03-02 07:12:03.1234567", Instant::Local(AT + 123_456)),
+            ("2009-03-02   07:12:03.", Instant::Local(AT)),
+            (" 2009-03-02 07:12:03 ", Instant::Local(AT)),
+            ("2009-03-02 07:12", Instant::Local(AT - 3 * SECOND)),
+            ("2009-03-02T07:12:03Z", Instant::Utc(AT)),
+            ("2009-03-02T07:12:03.5-06:00", Instant::Utc(AT + 6 * 3600 * SECOND + 500_000)),
+            ("2009-03-02 07:12:03+0545", Instant::Utc(AT - (5 * 60 + 45) * 60 * SECOND)),
+            ("2009-03-02 07:12:03+01", Instant::Utc(AT - 3600 * SECOND)),
+            ("1235977923", Instant::Utc(AT)),
+            ("1235977923.000001", Instant::Utc(AT + 1)),
+            ("1235977923250", Instant::Utc(AT + 250_000)),
+            ("1235977923250001", Instant::Utc(AT + 250_001)),
+        ] {
+            assert_eq!(read(text), Some(instant), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_instant() {
+        let long = "9".repeat(40);
+        for text in [
+            "",
+            "ON",
+            "2009-03-02",
+            "2009-13-02 07:12:03",
+            "2009-02-29 07:12:03",
+            "2009-03-02 24:00:00",
+            "2009-03-02 07:60:03",
+            "2009-03-02 07:12:03 x",
+            "2009-03-02 07:12:03+25:00",
+            "2009/03/02 07:12:03",
+            "-1-",
+            "2009-03-02 07:12:03.2x",
+            "é009-03-0é 07:12:03",
+            ".",
+            "1.2.3",
+            ".5",
+            "0x12",
+            "inf",
+            "12345.6e3",
+            &long,
+        ] {
+            assert_eq!(read(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_day_read_before_is_told_from_the_next() {
+        let mut instants = Instants::default();
+        for day in ["2009-03-02", "2009-03-02", "2012-02-29", "1969-12-31", "2009-03-02"] {
+            let wanted = day.parse::<Date>().unwrap().at(1, 2, 3, 0).to_zoned(jiff::tz::TimeZone::UTC).unwrap();
+            let wanted = Instant::Local(wanted.timestamp().as_microsecond());
+            assert_eq!(instants.read(&format!("{day} 01:02:03")), Some(wanted));
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! A database file: a table by the mapping's names or ours, or whichever looks like a log.
+
+use super::instant::since_1970;
+use super::{Places, Reading, open};
+use crate::error::LogError;
+use homebody_core::scenario::logger::LoggerFile;
+use rusqlite::types::ValueRef;
+use rusqlite::{Connection, OpenFlags};
+use std::path::Path;
+use std::time::Duration;
+
+/// A table and where its rows' parts are.
+struct Table {
+    name: String,
+    columns: Vec<String>,
+    places: Places,
+}
+
+pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading) -> Result<(), LogError> {
+    open(path)?;
+    let database = |error| LogError::database(path, error);
+    let connection = Connection::open_with_flags(path, OpenFlags::SQLITE_OPEN_READ_ONLY).map_err(database)?;
+    connection.busy_timeout(Duration::from_secs(2)).map_err(database)?;
+    let table = find(&connection, file, reading).map_err(|error| match error.sqlite_error_code() {
+        Some(rusqlite::ErrorCode::NotADatabase) => {
+            LogError::NoLog { path: path.into(), why: "it is no database".into() }
+        }
+        _ => LogError::database(path, error),
+    })?;
+    let why = || "no table in it has columns of time, sensor and value".to_string();
+    let table = table.ok_or_else(|| LogError::NoLog { path: path.into(), why: why() })?;
+    read_table(&connection, file, &table, reading).map_err(database)
+}
+
+/// The table named by the mapping, ours, or the first that looks like a log.
+fn find(connection: &Connection, file: &LoggerFile, reading: &mut Reading) -> rusqlite::Result<Option<Table>> {
+    let mut names: Vec<String> = connection
+        .prepare("SELECT name FROM sqlite_schema WHERE type IN ('table', 'view') ORDER BY rowid")?
+        .query_map([], |row| row.get(0))?
+        .collect::<rusqlite::Result<_>>()?;
+    let wanted = file.table.as_deref().unwrap_or("firing");
+    names.sort_by_key(|name| name != wanted);
+    for by_content in [false, true] {
+        for name in &names {
+            let columns = columns(connection, name)?;
+            let places = match by_content {
+                false => Places::by_name(&columns, file),
+                true => by_first_row(connection, name, reading)?,
+            };
+            if let Some(places) = places {
+                return Ok(Some(Table { name: name.clone(), columns, places }));
+            }
+        }
+    }
+    Ok(None)
+}
+
+fn columns(connection: &Connection, table: &str) -> rusqlite::Result<Vec<String>> {
+    let mut statement = connection.prepare("SELECT name FROM pragma_table_info(?) ORDER BY cid")?;
+    statement.query_map([table], |row| row.get(0))?.collect()
+}
+
+/// The first text that is an instant is the time, the next other texts are sensor and value.
+fn by_first_row(connection: &Connection, table: &str, reading: &mut Reading) -> rusqlite::Result<Option<Places>> {
+    let mut statement = connection.prepare(&format!("SELECT * FROM {} LIMIT 1", quoted(table)))?;
+    let columns = statement.column_count();
+    let mut rows = statement.query([])?;
+    let Some(row) = rows.next()? else { return Ok(None) };
+    let (mut time, mut texts) = (None, Vec::new());
+    for column in 0..columns {
+        let ValueRef::Text(text) = row.get_ref(column)? else { continue };
+        let text = String::from_utf8_lossy(text);
+        if time.is_none() && text.contains(':') && reading.instants.read(&text).is_some() {
+            time = Some(column);
+        } else {
+            texts.push(column);
+        }
+    }
+    Ok(match (time, &texts[..]) {
+        (Some(time), &[sensor, value, ..]) => Some(Places { time, sensor, value }),
+        _ => None,
+    })
+}
+
+fn read_table(
+    connection: &Connection,
+    file: &LoggerFile,
+    table: &Table,
+    reading: &mut Reading,
+) -> rusqlite::Result<()> {
+    let column = |place: usize| quoted(&table.columns[place]);
+    let has = |name: &str| table.columns.iter().any(|column| column == name).then(|| quoted(name));
+    let name = quoted(&table.name);
+    let mut sql = format!(
+        "SELECT {}, {}, {} FROM {name}",
+        column(table.places.time),
+        column(table.places.sensor),
+        column(table.places.value),
+    );
+    // Rows of several runs make no log; what comes first is read.
+    if let Some(run) = has(&file.columns.run) {
+        let runs: i64 =
+            connection.query_row(&format!("SELECT count(DISTINCT {run}) FROM {name}"), [], |row| row.get(0))?;
+        if runs > 1 {
+            reading.skip(0, format!("of {runs} runs in the database only the first is read"));
+            sql += &format!(" WHERE {run} = (SELECT min({run}) FROM {name})");
+        }
+    }
+    if let Some(seq) = has(&file.columns.seq) {
+        sql += &format!(" ORDER BY {seq}");
+    }
+    let mut statement = connection.prepare(&sql)?;
+    let mut rows = statement.query([])?;
+    let mut line = 0;
+    while let Some(row) = rows.next()? {
+        line += 1;
+        let (sensor, value) = (text(row.get_ref(1)?), text(row.get_ref(2)?));
+        let number = match row.get_ref(0)? {
+            ValueRef::Integer(number) => since_1970(number as f64),
+            ValueRef::Real(number) => since_1970(number),
+            other => {
+                reading.row(line, &text(other), &sensor, &value);
+                continue;
+            }
+        };
+        match number {
+            Some(instant) => reading.event(line, instant, &sensor, &value),
+            None => reading.skip(line, "the time is out of range".into()),
+        }
+    }
+    Ok(())
+}
+
+fn text(value: ValueRef) -> String {
+    match value {
+        ValueRef::Null => String::new(),
+        ValueRef::Integer(number) => number.to_string(),
+        ValueRef::Real(number) => number.to_string(),
+        ValueRef::Text(bytes) | ValueRef::Blob(bytes) => String::from_utf8_lossy(bytes).into_owned(),
+    }
+}
+
+/// A name of someone else's table, as SQL wants it.
+fn quoted(name: &str) -> String {
+    format!("\"{}\"", name.replace('"', "\"\""))
+}

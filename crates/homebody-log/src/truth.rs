@@ -1,0 +1,294 @@
+//! Keeps a run's ground truth, in a database of its own: no file of firings ever holds it.
+//!
+//! | table | a row is |
+//! |---|---|
+//! | `cause` | why a firing came: whose movement was seen, and when; `seq` is the firing's number. Only where each firing is one row of the log are these the log's numbers, so the sensor and the instant are told as well. |
+//! | `movement` | what a body did over a span; the spans of a resident follow each other without gaps |
+//! | `room` | in which room a resident is from an instant on; none between rooms or away |
+//! | `activity` | what a resident did over a span |
+//! | `run` | which run it was |
+//!
+//! Instants are written as in the log, sensors under the ids they have there.
+
+use crate::clock::Clock;
+use crate::error::LogError;
+use crate::fresh::same_file;
+use crate::logger::RunInfo;
+use crate::mapping::Shown;
+use crate::sink::database::{Database, Insert};
+use crate::sink::run;
+use crate::url::Url;
+use crate::writer::{BATCH, BATCH_WAITS, Sink, Writer};
+use homebody_core::event::{Doing, Events, Fact, Firing};
+use homebody_core::geometry::Point;
+use homebody_core::scenario::calendar::Calendar;
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::Micros;
+use rusqlite::types::Null;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// What the indices in facts mean.
+#[derive(Clone, Copy, Debug)]
+pub struct Names<'a> {
+    pub residents: &'a [String],
+    pub rooms: &'a [String],
+    pub sensors: &'a [String],
+}
+
+/// Stores facts; it is used as a [`Logger`](crate::Logger) is.
+pub struct TruthLog {
+    writer: Writer<Known>,
+    /// What does not fill a batch yet.
+    known: Vec<Known>,
+    sent_at: Instant,
+}
+
+/// What is stored of a fact.
+enum Known {
+    Cause { seq: u64, resident: u32, seen_at: Micros, firing: Option<Firing> },
+    Movement { resident: u32, begin: Micros, end: Micros, doing: Doing, posture: Posture },
+    Room { resident: u32, at: Micros, room: Option<u32> },
+    Activity { resident: u32, at: Micros, name: Option<String> },
+}
+
+impl TruthLog {
+    /// Creates the database; one that exists is replaced with `force` only, one of the log's own `places` never.
+    pub fn open(
+        path: &Path,
+        places: &[Url],
+        file: &LoggerFile,
+        names: Names,
+        calendar: &Calendar,
+        run: &RunInfo,
+        force: bool,
+    ) -> Result<TruthLog, LogError> {
+        if places.iter().any(|place| same_file(place.path(), path)) {
+            return Err(LogError::SameFile { path: path.into() });
+        }
+        let sink = TruthSink::open(path, file, names, calendar, run, force)?;
+        Ok(TruthLog { writer: Writer::spawn(Box::new(sink)), known: Vec::new(), sent_at: Instant::now() })
+    }
+
+    /// Stores the facts of an advance of the run.
+    pub fn store(&mut self, events: &Events) -> Result<(), LogError> {
+        for fact in &events.facts {
+            self.known.push(known(fact, &events.firings));
+            if self.known.len() >= BATCH {
+                self.send()?;
+            }
+        }
+        if self.sent_at.elapsed() >= BATCH_WAITS { self.send() } else { Ok(()) }
+    }
+
+    /// Makes sure of all facts; what residents are doing ends with the run.
+    pub fn finish(mut self, end: Micros) -> Result<(), LogError> {
+        self.send()?;
+        self.writer.finish(end)
+    }
+
+    fn send(&mut self) -> Result<(), LogError> {
+        self.sent_at = Instant::now();
+        match std::mem::take(&mut self.known) {
+            known if known.is_empty() => self.writer.check(),
+            known => self.writer.send(Arc::new(known)),
+        }
+    }
+}
+
+/// A fact, with the firing it is about.
+fn known(fact: &Fact, firings: &[Firing]) -> Known {
+    match *fact {
+        Fact::Cause { seq, resident, seen_at } => {
+            // Firings are numbered without gaps.
+            let place = firings.first().and_then(|first| seq.checked_sub(first.seq));
+            let firing = place.and_then(|place| firings.get(place as usize)).filter(|firing| firing.seq == seq);
+            Known::Cause { seq, resident, seen_at, firing: firing.copied() }
+        }
+        Fact::Movement { resident, begin, end, doing, posture } => {
+            Known::Movement { resident, begin, end, doing, posture }
+        }
+        Fact::Room { resident, at, room } => Known::Room { resident, at, room },
+        Fact::Activity { resident, at, ref name } => Known::Activity { resident, at, name: name.clone() },
+    }
+}
+
+/// The database of the truth.
+struct TruthSink {
+    database: Database,
+    clock: Clock,
+    residents: Vec<String>,
+    rooms: Vec<String>,
+    sensors: Vec<String>,
+    /// What each resident is doing, and since when.
+    doing: Vec<Option<(Micros, String)>>,
+    run: i64,
+    inserts: Inserts,
+}
+
+struct Inserts {
+    cause: Insert,
+    movement: Insert,
+    room: Insert,
+    activity: Insert,
+}
+
+/// An activity that is over.
+struct Done {
+    resident: u32,
+    begin: Micros,
+    end: Micros,
+    name: String,
+}
+
+impl TruthSink {
+    fn open(
+        path: &Path,
+        file: &LoggerFile,
+        names: Names,
+        calendar: &Calendar,
+        run: &RunInfo,
+        force: bool,
+    ) -> Result<TruthSink, LogError> {
+        let mut clock = Clock::new(calendar, file.time);
+        let tables = tables(run::time_type(file.time));
+        let begin = run::begin(run, file.time, &mut clock);
+        let database = Database::create(path, force, &tables.each_ref().map(String::as_str), begin)?;
+        let insert = |table, columns: &[&str]| Insert::new(table, ("run_id", run.id), columns);
+        Ok(TruthSink {
+            database,
+            clock,
+            residents: names.residents.to_vec(),
+            rooms: names.rooms.to_vec(),
+            sensors: Shown::new(file, names.sensors)?.sensors,
+            doing: vec![None; names.residents.len()],
+            run: run.id,
+            inserts: Inserts {
+                cause: insert("cause", &["seq", "resident", "seen_at", "fired_at", "sensor"]),
+                movement: insert("movement", &MOVEMENT),
+                room: insert("room", &["resident", "at", "room"]),
+                activity: insert("activity", &["resident", "begin_at", "end_at", "name"]),
+            },
+        })
+    }
+
+    /// Ends what a resident was doing and begins what is next; the activity that is over.
+    fn turn(&mut self, resident: u32, at: Micros, next: Option<String>) -> Option<Done> {
+        let next = next.map(|name| (at, name));
+        let (begin, name) = std::mem::replace(&mut self.doing[resident as usize], next)?;
+        Some(Done { resident, begin, end: at, name })
+    }
+}
+
+const MOVEMENT: [&str; 10] =
+    ["resident", "begin_at", "end_at", "kind", "from_x", "from_y", "to_x", "to_y", "amplitude_m", "posture"];
+
+/// The statements that create the tables.
+fn tables(time: &str) -> [String; 4] {
+    [
+        format!("cause (run_id INTEGER, seq INTEGER, resident TEXT, seen_at {time}, fired_at {time}, sensor TEXT)"),
+        format!(
+            "movement (run_id INTEGER, resident TEXT, begin_at {time}, end_at {time}, kind TEXT, \
+             from_x REAL, from_y REAL, to_x REAL, to_y REAL, amplitude_m REAL, posture TEXT)"
+        ),
+        format!("room (run_id INTEGER, resident TEXT, at {time}, room TEXT)"),
+        format!("activity (run_id INTEGER, resident TEXT, begin_at {time}, end_at {time}, name TEXT)"),
+    ]
+    .map(|table| format!("CREATE TABLE {table}"))
+}
+
+impl Sink for TruthSink {
+    type Row = Known;
+
+    fn path(&self) -> &Path {
+        self.database.path()
+    }
+
+    fn write(&mut self, known: &[Known]) -> Result<(), LogError> {
+        let (mut causes, mut movements, mut rooms, mut done) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        for fact in known {
+            match fact {
+                Known::Cause { seq, resident, seen_at, firing } => causes.push((*seq, *resident, *seen_at, firing)),
+                Known::Movement { resident, begin, end, doing, posture } => {
+                    movements.push((*resident, *begin, *end, doing, *posture));
+                }
+                Known::Room { resident, at, room } => rooms.push((*resident, *at, *room)),
+                Known::Activity { resident, at, name } => done.extend(self.turn(*resident, *at, name.clone())),
+            }
+        }
+        let TruthSink { database, clock, residents, rooms: room_names, sensors, inserts, .. } = self;
+        database.change(|connection| {
+            inserts.cause.rows(connection, &causes, |(seq, resident, seen_at, firing), row| {
+                row.put(*seq as i64)?;
+                row.put(&residents[*resident as usize])?;
+                row.put(clock.stamp(*seen_at))?;
+                match firing {
+                    Some(firing) => {
+                        row.put(clock.stamp(firing.at))?;
+                        row.put(&sensors[firing.sensor as usize])
+                    }
+                    None => {
+                        row.put(Null)?;
+                        row.put(Null)
+                    }
+                }
+            })?;
+            inserts.movement.rows(connection, &movements, |(resident, begin, end, doing, posture), row| {
+                row.put(&residents[*resident as usize])?;
+                row.put(clock.stamp(*begin))?;
+                row.put(clock.stamp(*end))?;
+                let (kind, from, to, amplitude) = told(doing);
+                row.put(kind)?;
+                for point in [from, to] {
+                    row.put(point.map(|point| point.x))?;
+                    row.put(point.map(|point| point.y))?;
+                }
+                row.put(amplitude)?;
+                row.put(posture_name(*posture))
+            })?;
+            inserts.room.rows(connection, &rooms, |(resident, at, room), row| {
+                row.put(&residents[*resident as usize])?;
+                row.put(clock.stamp(*at))?;
+                row.put(room.map(|room| &room_names[room as usize]))
+            })?;
+            inserts.activity.rows(connection, &done, |done, row| {
+                row.put(&residents[done.resident as usize])?;
+                row.put(clock.stamp(done.begin))?;
+                row.put(clock.stamp(done.end))?;
+                row.put(&done.name)
+            })
+        })
+    }
+
+    fn settle(&mut self) -> Result<(), LogError> {
+        self.database.settle()
+    }
+
+    fn finish(mut self: Box<Self>, end: Micros) -> Result<(), LogError> {
+        let nothing = |resident| Known::Activity { resident, at: end, name: None };
+        let last: Vec<Known> = (0..self.residents.len() as u32).map(nothing).collect();
+        self.write(&last)?;
+        run::end(&mut self.database, self.run, self.clock.stamp(end))?;
+        self.database.close()
+    }
+}
+
+fn posture_name(posture: Posture) -> &'static str {
+    match posture {
+        Posture::Standing => "standing",
+        Posture::Sitting => "sitting",
+        Posture::Lying => "lying",
+    }
+}
+
+/// What a body does, where from, where to, and how far what moves moves.
+fn told(doing: &Doing) -> (&'static str, Option<Point>, Option<Point>, Option<f64>) {
+    match *doing {
+        Doing::Stride { from, to } => ("stride", Some(from), Some(to), None),
+        Doing::Stir { at, amplitude_m } => ("stir", Some(at), Some(at), Some(amplitude_m)),
+        Doing::Rest { at } => ("rest", Some(at), Some(at), None),
+        Doing::Away => ("away", None, None, None),
+    }
+}

@@ -1,0 +1,139 @@
+//! A thread that writes rows, so that what makes them need not wait for the disk.
+//!
+//! Rows come in batches through a bounded channel: when the disk is the slower, the maker waits for it, and memory
+//! stays small. An error ends the thread; it comes out of the next call to the writer.
+
+use crate::error::LogError;
+use homebody_core::time::Micros;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant};
+
+/// Rows of one batch.
+pub(crate) const BATCH: usize = 4096;
+
+/// Batches on their way to the thread.
+const ON_THEIR_WAY: usize = 8;
+
+/// How long rows wait for a batch to fill. Whoever watches a live run sees them a little later.
+pub(crate) const BATCH_WAITS: Duration = Duration::from_millis(100);
+
+/// Rows after which a sink makes sure of them.
+const SETTLE_ROWS: usize = 50_000;
+
+/// How long the last rows may be unsure.
+const SETTLE_AFTER: Duration = Duration::from_secs(1);
+
+/// Where rows end up. One file each kind, all in this shape.
+///
+/// Its life: `open` (each kind's own), then any number of `write` and `settle`, then `finish`, or `drop` where the run
+/// is given up. After an error nothing more is called but `drop`.
+pub(crate) trait Sink: Send {
+    type Row;
+
+    /// The file that errors are about.
+    fn path(&self) -> &Path;
+
+    /// Takes rows; they may be lost until the next `settle`.
+    fn write(&mut self, rows: &[Self::Row]) -> Result<(), LogError>;
+
+    /// Makes sure of the rows taken.
+    fn settle(&mut self) -> Result<(), LogError>;
+
+    /// Makes sure of everything, and marks the run as ended at `end`.
+    fn finish(self: Box<Self>, end: Micros) -> Result<(), LogError>;
+}
+
+/// A sink in a thread of its own.
+pub(crate) struct Writer<Row> {
+    path: PathBuf,
+    messages: Option<SyncSender<Message<Row>>>,
+    thread: Option<JoinHandle<Result<(), LogError>>>,
+}
+
+enum Message<Row> {
+    Rows(Arc<Vec<Row>>),
+    Finish(Micros),
+}
+
+impl<Row: Send + Sync + 'static> Writer<Row> {
+    pub fn spawn(sink: Box<dyn Sink<Row = Row>>) -> Writer<Row> {
+        let path = sink.path().to_owned();
+        let (messages, incoming) = sync_channel(ON_THEIR_WAY);
+        let thread = thread::spawn(move || write(sink, incoming));
+        Writer { path, messages: Some(messages), thread: Some(thread) }
+    }
+
+    /// Hands over rows; the thread's error, if it has ended by one.
+    pub fn send(&mut self, rows: Arc<Vec<Row>>) -> Result<(), LogError> {
+        self.pass(Message::Rows(rows))
+    }
+
+    /// The thread's error, if it has ended by one.
+    pub fn check(&mut self) -> Result<(), LogError> {
+        match &self.thread {
+            Some(thread) if !thread.is_finished() => Ok(()),
+            _ => self.join(),
+        }
+    }
+
+    /// Waits until all rows are safe and the run is marked as ended.
+    pub fn finish(mut self, end: Micros) -> Result<(), LogError> {
+        self.pass(Message::Finish(end))?;
+        self.join()
+    }
+
+    fn pass(&mut self, message: Message<Row>) -> Result<(), LogError> {
+        match &self.messages {
+            Some(messages) if messages.send(message).is_ok() => Ok(()),
+            _ => self.join(),
+        }
+    }
+
+    fn join(&mut self) -> Result<(), LogError> {
+        self.messages = None;
+        match self.thread.take() {
+            Some(thread) => thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
+            None => Err(LogError::Stopped { path: self.path.clone() }),
+        }
+    }
+}
+
+impl<Row> Drop for Writer<Row> {
+    /// Waits for the thread, so that nothing writes on after the run has been given up.
+    fn drop(&mut self) {
+        self.messages = None;
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
+
+/// The thread's work.
+fn write<Row>(mut sink: Box<dyn Sink<Row = Row>>, incoming: Receiver<Message<Row>>) -> Result<(), LogError> {
+    let mut unsettled = 0;
+    let mut settle_at = None;
+    loop {
+        let message = match settle_at {
+            Some(at) => incoming.recv_timeout(Instant::saturating_duration_since(&at, Instant::now())),
+            None => incoming.recv().map_err(|_| RecvTimeoutError::Disconnected),
+        };
+        match message {
+            Ok(Message::Rows(rows)) => {
+                sink.write(&rows)?;
+                unsettled += rows.len();
+                settle_at.get_or_insert_with(|| Instant::now() + SETTLE_AFTER);
+            }
+            Ok(Message::Finish(end)) => return sink.finish(end),
+            Err(RecvTimeoutError::Timeout) => unsettled = SETTLE_ROWS,
+            Err(RecvTimeoutError::Disconnected) => return sink.settle(),
+        }
+        if unsettled >= SETTLE_ROWS {
+            sink.settle()?;
+            unsettled = 0;
+            settle_at = None;
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! How fast firings reach a database, against the barest loop that could put them there.
+
+mod stage;
+
+use rusqlite::{Connection, params};
+use stage::Folder;
+use std::time::{Duration, Instant};
+
+const ROWS: u64 = 1_000_000;
+const ROUNDS: usize = 5;
+
+#[test]
+#[ignore = "a measurement: cargo test --release -p homebody-log --test rate -- --ignored --nocapture"]
+fn a_database_is_filled_as_fast_as_by_a_bare_loop() {
+    let folder = Folder::new("rate");
+    let firings = stage::firings(ROWS);
+    let rows = rows(&folder, &firings);
+    let mut ratios: Vec<f64> = (0..ROUNDS)
+        .map(|_| {
+            let bare = bare_loop(&folder, &rows).as_secs_f64();
+            let urls = [folder.url("sqlite:log.db")];
+            let began = Instant::now();
+            let logger = stage::open(&urls, &Default::default(), true).unwrap();
+            stage::store(logger, &firings, 500).unwrap();
+            let ours = began.elapsed().as_secs_f64();
+            let rate = |seconds: f64| ROWS as f64 / seconds;
+            println!("bare loop {:.0} rows/s, logger {:.0} rows/s: {:.2}", rate(bare), rate(ours), bare / ours);
+            bare / ours
+        })
+        .collect();
+    ratios.sort_by(f64::total_cmp);
+    assert!(ratios[ROUNDS / 2] >= 0.95, "{ratios:?}");
+}
+
+#[test]
+#[ignore = "a measurement: cargo test --release -p homebody-log --test rate -- --ignored --nocapture"]
+fn text_files_are_written() {
+    let folder = Folder::new("rate-text");
+    let firings = stage::firings(ROWS);
+    for url in ["csv:log.csv", "casas:log.txt"] {
+        let logger = stage::open(&[folder.url(url)], &Default::default(), true).unwrap();
+        let began = Instant::now();
+        stage::store(logger, &firings, 500).unwrap();
+        println!("{url} {:.0} rows/s", ROWS as f64 / began.elapsed().as_secs_f64());
+    }
+}
+
+/// The rows as text, made beforehand: the bare loop's time is the database's alone.
+fn rows(folder: &Folder, firings: &[homebody_core::event::Firing]) -> Vec<(String, String)> {
+    let logger = stage::open(&[folder.url("csv:rows.csv")], &Default::default(), true).unwrap();
+    stage::store(logger, firings, 500).unwrap();
+    let text = folder.text("rows.csv");
+    let rows = text.lines().skip(1).map(|line| line.split(',').collect::<Vec<_>>());
+    rows.map(|fields| (fields[1].to_string(), fields[2].to_string())).collect()
+}
+
+/// One prepared statement, one transaction, the defaults of the database: a row at a time.
+fn bare_loop(folder: &Folder, rows: &[(String, String)]) -> Duration {
+    let path = folder.path().join("bare.db");
+    let _ = std::fs::remove_file(&path);
+    let began = Instant::now();
+    let mut connection = Connection::open(&path).unwrap();
+    connection
+        .execute_batch(
+            "CREATE TABLE firing (run_id INTEGER, seq INTEGER, fired_at TEXT, sensor TEXT, value TEXT, \
+             PRIMARY KEY (run_id, seq)) WITHOUT ROWID",
+        )
+        .unwrap();
+    let transaction = connection.transaction().unwrap();
+    {
+        let mut insert = transaction.prepare("INSERT INTO firing VALUES (?, ?, ?, ?, ?)").unwrap();
+        for (seq, (time, sensor)) in rows.iter().enumerate() {
+            insert.execute(params![1, seq as i64, time, sensor, "ON"]).unwrap();
+        }
+    }
+    transaction.commit().unwrap();
+    connection.close().unwrap();
+    began.elapsed()
+}

@@ -1,0 +1,245 @@
+//! Logs are read back, whoever wrote them.
+
+mod stage;
+
+use homebody_core::scenario::logger::{LoggerFile, MessagesFile, OnOffFile, TimeFormat};
+use homebody_log::source::{Clock, recognise};
+use homebody_log::{Log, LogError, Url, convert, read};
+use rusqlite::Connection;
+use stage::Folder;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+const ALL: [&str; 3] = ["sqlite:log.db", "csv:log.csv", "casas:log.txt"];
+
+fn from_text(folder: &Folder, url: &str, text: &str) -> Result<Log, LogError> {
+    let url = folder.url(url);
+    fs::write(url.path(), text).unwrap();
+    assert_eq!(recognise(url.path()).unwrap(), url);
+    read(&url, &LoggerFile::default())
+}
+
+/// Rows as time, sensor, value.
+fn told(log: &Log) -> Vec<(i64, &str, &str)> {
+    log.events.iter().map(|event| (event.at, log.sensor(event), log.value(event))).collect()
+}
+
+#[test]
+fn what_was_logged_is_read_back() {
+    let firings = stage::firings(5_000);
+    let messages = MessagesFile::OnOff(OnOffFile { hold_s: 4.0 });
+    for time in [TimeFormat::Local, TimeFormat::LocalOffset, TimeFormat::Utc, TimeFormat::EpochS] {
+        let folder = Folder::new(&format!("back-{time:?}"));
+        let file = LoggerFile { messages: messages.clone(), time, ..Default::default() };
+        let urls = ALL.map(|url| folder.url(url));
+        let stored = stage::store(stage::open(&urls, &file, false).unwrap(), &firings, 100).unwrap();
+        let [database, csv, casas] = urls.map(|url| {
+            assert_eq!(recognise(url.path()).unwrap(), url);
+            read(&url, &LoggerFile::default()).unwrap()
+        });
+        assert_eq!(database, csv);
+        assert_eq!(database.events.len() as u64, stored.rows);
+        assert_eq!(casas.clock, Clock::Local);
+        let clock = if time == TimeFormat::Local { Clock::Local } else { Clock::Utc };
+        assert_eq!(database.clock, clock);
+        if time == TimeFormat::Local {
+            assert_eq!(casas.events, database.events);
+        } else {
+            let first = stage::calendar().timestamp(firings[0].at).as_microsecond();
+            assert_eq!(database.events[0].at, first);
+        }
+    }
+}
+
+#[test]
+fn a_log_goes_from_form_to_form_and_comes_back_the_same() {
+    let folder = Folder::new("round");
+    let file = LoggerFile { messages: MessagesFile::OnOff(OnOffFile { hold_s: 4.0 }), ..Default::default() };
+    let logger = stage::open(&[folder.url("casas:first.txt")], &file, false).unwrap();
+    stage::store(logger, &stage::firings(10_000), 100).unwrap();
+    let mut from = folder.url("casas:first.txt");
+    for to in ["sqlite:second.db", "csv:third.csv", "sqlite:fourth.db", "casas:last.txt"] {
+        let to = folder.url(to);
+        let log = read(&from, &LoggerFile::default()).unwrap();
+        let rows = convert(&log, &to, &stage::run(), "UTC", false).unwrap();
+        assert_eq!(rows, log.events.len() as u64);
+        from = to;
+    }
+    assert_eq!(folder.text("first.txt"), folder.text("last.txt"));
+    let again = convert(&Log::default(), &from, &stage::run(), "UTC", false);
+    assert!(matches!(again, Err(LogError::Exists { .. })));
+}
+
+#[test]
+fn a_log_in_utc_becomes_local_for_casas_alone() {
+    let folder = Folder::new("utc");
+    let text = "entity_id,state,last_changed\nbinary_sensor.hall,on,2009-03-02T13:12:03.250000Z\n";
+    let log = from_text(&folder, "csv:ha.csv", text).unwrap();
+    convert(&log, &folder.url("casas:log.txt"), &stage::run(), "America/Chicago", false).unwrap();
+    convert(&log, &folder.url("csv:log.csv"), &stage::run(), "America/Chicago", false).unwrap();
+    assert_eq!(folder.text("log.txt"), "2009-03-02 07:12:03.250000\tbinary_sensor.hall\ton\n");
+    assert_eq!(folder.text("log.csv").lines().last(), Some("0,2009-03-02T13:12:03.250000Z,binary_sensor.hall,on"));
+    let nowhere = convert(&log, &folder.url("csv:x.csv"), &stage::run(), "Mars/Olympus", false);
+    assert!(matches!(nowhere, Err(LogError::Zone(_))));
+}
+
+#[test]
+fn other_peoples_tables_are_found() {
+    let folder = Folder::new("tables");
+    for (name, sql) in [
+        (
+            "names",
+            "CREATE TABLE sensor (id, room); INSERT INTO sensor VALUES (1, 'hall');
+             CREATE TABLE \"my events\" (device TEXT, state TEXT, timestamp TEXT);
+             INSERT INTO \"my events\" VALUES ('D1', 'OPEN', '2009-03-02 07:12:03')",
+        ),
+        (
+            "content",
+            "CREATE TABLE x (a INTEGER, b TEXT, c TEXT, d TEXT);
+             INSERT INTO x VALUES (7, '2009-03-02 07:12:03', 'D1', 'OPEN')",
+        ),
+        (
+            "seconds",
+            "CREATE TABLE log (ts REAL, sensor TEXT, value TEXT);
+             INSERT INTO log VALUES (1235977923.0, 'D1', 'OPEN')",
+        ),
+    ] {
+        let url = folder.url(&format!("sqlite:{name}.db"));
+        Connection::open(url.path()).unwrap().execute_batch(sql).unwrap();
+        let log = read(&url, &LoggerFile::default()).unwrap();
+        assert_eq!(told(&log), [(1_235_977_923_000_000, "D1", "OPEN")], "{name}");
+    }
+    let url = folder.url("sqlite:none.db");
+    Connection::open(url.path()).unwrap().execute_batch("CREATE TABLE x (a)").unwrap();
+    assert!(matches!(read(&url, &LoggerFile::default()), Err(LogError::NoLog { .. })));
+}
+
+#[test]
+fn a_mapping_leads_to_its_own_table() {
+    let folder = Folder::new("mapped");
+    let mut file = LoggerFile { table: Some("hits".into()), time: TimeFormat::EpochMs, ..Default::default() };
+    file.columns.time = "sensor".into();
+    file.columns.sensor = "time".into();
+    let url = folder.url("sqlite:log.db");
+    stage::store(stage::open(std::slice::from_ref(&url), &file, false).unwrap(), &stage::firings(10), 3).unwrap();
+    let other = "CREATE TABLE firing (run_id, seq, fired_at, sensor, value)";
+    Connection::open(url.path()).unwrap().execute_batch(other).unwrap();
+    let log = read(&url, &file).unwrap();
+    assert_eq!(log.events.len(), 10);
+    assert_eq!(log.sensor(&log.events[0]), "bedroom motion");
+}
+
+#[test]
+fn of_several_runs_one_is_read() {
+    let folder = Folder::new("runs");
+    let url = folder.url("sqlite:log.db");
+    stage::store(
+        stage::open(std::slice::from_ref(&url), &LoggerFile::default(), false).unwrap(),
+        &stage::firings(10),
+        3,
+    )
+    .unwrap();
+    let more = "INSERT INTO firing SELECT 2, seq, fired_at, sensor, value FROM firing";
+    Connection::open(url.path()).unwrap().execute_batch(more).unwrap();
+    let log = read(&url, &LoggerFile::default()).unwrap();
+    assert_eq!((log.events.len(), log.skipped), (10, 1));
+}
+
+#[test]
+fn csv_files_of_many_kinds() {
+    let folder = Folder::new("csv");
+    let one = [(1_235_977_923_250_000, "M1", "ON")];
+    for text in [
+        "time,device,value\n2009-03-02 07:12:03.25,M1,ON\n",
+        "\u{feff}Time,Sensor,Value\r\n2009-03-02 07:12:03.25,M1,ON\r\n",
+        "2009-03-02 07:12:03.25,M1,ON,Sleep\n",
+        "value,\"sensor\",note,time\nON,\"M1\",\"a, b\",2009-03-02T07:12:03.25\n",
+    ] {
+        assert_eq!(told(&from_text(&folder, "csv:log.csv", text).unwrap()), one, "{text}");
+    }
+    assert!(matches!(from_text(&folder, "csv:log.csv", "a,b,c\n1,2,3\n"), Err(LogError::NoLog { .. })));
+    let log =
+        from_text(&folder, "csv:log.csv", "time,device,value\n2009-03-02 07:12:03.25,M1,ON\nx,M1\n,,,,\n").unwrap();
+    assert_eq!((told(&log), log.skipped), (one.to_vec(), 2));
+    assert_eq!(log.problems[0].line, 3);
+}
+
+#[test]
+fn what_is_no_log_is_told() {
+    let folder = Folder::new("no-log");
+    for scheme in ["sqlite", "csv", "casas"] {
+        let missing = read(&folder.url(&format!("{scheme}:none")), &LoggerFile::default());
+        assert!(matches!(missing, Err(LogError::Missing { .. })));
+        let url = folder.url(&format!("{scheme}:text"));
+        fs::write(url.path(), "it is,\n no,\n log,").unwrap();
+        assert!(matches!(read(&url, &LoggerFile::default()), Err(LogError::NoLog { .. })), "{scheme}");
+        let is_folder = read(&folder.url(&format!("{scheme}:.")), &LoggerFile::default());
+        assert!(matches!(is_folder, Err(LogError::IsFolder { .. })));
+    }
+}
+
+#[test]
+fn dirt_never_panics() {
+    let folder = Folder::new("dirt");
+    let mut state = 3_u64;
+    let mut random = |below: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % below
+    };
+    let clean = "2009-03-02 07:12:03.250000\tM1\tON\n2009-03-02 07:12:04,M1,OFF\n\"a\",time,sensor,value\n".repeat(20);
+    for _ in 0..300 {
+        let mut bytes = clean.clone().into_bytes();
+        for _ in 0..random(60) {
+            let place = random(bytes.len());
+            match random(3) {
+                0 => bytes[place] = random(256) as u8,
+                1 => bytes.truncate(place.max(1)),
+                _ => bytes.insert(place, b"\t\n,\"\0\xff09-:."[random(11)]),
+            }
+        }
+        for scheme in ["sqlite", "csv", "casas"] {
+            let url = folder.url(&format!("{scheme}:dirt"));
+            fs::write(url.path(), &bytes).unwrap();
+            let _ = read(&url, &LoggerFile::default());
+        }
+    }
+    let long = [&b"x".repeat(200_000)[..], b"\n2009-03-02 07:12:03 M1 ON\n"].concat();
+    let url = folder.url("casas:long");
+    fs::write(url.path(), long).unwrap();
+    let log = read(&url, &LoggerFile::default()).unwrap();
+    assert_eq!((log.events.len(), log.skipped, log.problems[0].line), (1, 1, 1));
+}
+
+/// A file of the shared real data, where it is there.
+fn real(name: &str) -> Option<PathBuf> {
+    let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let found = ["../shared/data", "../../shared/data"].map(|data| repository.join(data).join(name));
+    let found = found.into_iter().find(|path| path.exists());
+    if found.is_none() {
+        eprintln!("skipped: {name} is not there");
+    }
+    found
+}
+
+#[test]
+fn a_real_home_s_text_is_read_whole() {
+    let Some(path) = real("casas_tm000/tm000.multiday_absence.txt") else { return };
+    let log = read(&recognise(&path).unwrap(), &LoggerFile::default()).unwrap();
+    assert_eq!((log.events.len(), log.sensors.len(), log.skipped), (21_968, 22, 0));
+    let folder = Folder::new("real");
+    convert(&log, &folder.url("sqlite:log.db"), &stage::run(), "UTC", false).unwrap();
+    let back = read(&folder.url("sqlite:log.db"), &LoggerFile::default()).unwrap();
+    assert_eq!(back, log);
+    convert(&back, &folder.url("casas:log.txt"), &stage::run(), "UTC", false).unwrap();
+    let ours = read(&folder.url("casas:log.txt"), &LoggerFile::default()).unwrap();
+    assert_eq!(ours, log);
+}
+
+#[test]
+fn a_real_home_s_csv_is_read_whole() {
+    let Some(path) = real("casas_hh111_week1/hh111week1.csv") else { return };
+    let url = recognise(&path).unwrap();
+    assert!(matches!(url, Url::Csv(_)));
+    let log = read(&url, &LoggerFile::default()).unwrap();
+    assert_eq!((log.events.len(), log.sensors.len(), log.skipped), (35_064, 84, 0));
+}

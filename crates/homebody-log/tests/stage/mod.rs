@@ -1,0 +1,86 @@
+//! What the tests of this folder share: a folder of their own, and a run to log.
+#![allow(dead_code, reason = "each test file uses a part of it")]
+
+use homebody_core::event::Firing;
+use homebody_core::scenario::calendar::Calendar;
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::time::{Micros, SECOND};
+use homebody_log::{LogError, Logger, RunInfo, Stored, Url};
+use std::path::{Path, PathBuf};
+
+/// A folder that vanishes with the test.
+pub struct Folder(PathBuf);
+
+impl Folder {
+    pub fn new(name: &str) -> Folder {
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}-{}", std::process::id()));
+        let _ = std::fs::remove_dir_all(&path);
+        std::fs::create_dir_all(&path).unwrap();
+        Folder(path)
+    }
+
+    pub fn path(&self) -> &Path {
+        &self.0
+    }
+
+    pub fn url(&self, url: &str) -> Url {
+        url.parse::<Url>().unwrap().within(&self.0)
+    }
+
+    /// The names of the files in it.
+    pub fn files(&self) -> Vec<String> {
+        let mut names: Vec<String> =
+            self.0.read_dir().unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    pub fn text(&self, name: &str) -> String {
+        std::fs::read_to_string(self.0.join(name)).unwrap()
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+pub fn sensors() -> Vec<String> {
+    ["bedroom motion", "kitchen motion", "fridge"].map(String::from).to_vec()
+}
+
+pub fn calendar() -> Calendar {
+    Calendar::new("2009-03-07T22:00:00", "America/Chicago").unwrap()
+}
+
+pub fn run() -> RunInfo {
+    RunInfo { id: 1, scenario: "a quiet night".into(), seed: u64::MAX, version: "0.1.0".into() }
+}
+
+/// Firings some seconds apart, over the change to daylight saving time and, if there are many, far beyond.
+pub fn firings(count: u64) -> Vec<Firing> {
+    let mut at: Micros = 0;
+    (0..count)
+        .map(|seq| {
+            at += 1 + (seq * 7_919_993 % 31) as Micros * SECOND / 4 + (seq % 1000) as Micros;
+            Firing { seq, at, sensor: (seq * 31 % 3) as u32 }
+        })
+        .collect()
+}
+
+/// Opens a logger of this stage's run.
+pub fn open(urls: &[Url], file: &LoggerFile, force: bool) -> Result<Logger, LogError> {
+    Logger::open(urls, file, &sensors(), &calendar(), &run(), force)
+}
+
+/// Stores the firings in advances of `step` firings, as a run of a certain speed does.
+pub fn store(mut logger: Logger, firings: &[Firing], step: usize) -> Result<Stored, LogError> {
+    let end = firings.last().map_or(0, |last| last.at + 1);
+    for (index, advance) in firings.chunks(step).enumerate() {
+        let until = firings.get((index + 1) * step).map_or(end, |next| next.at);
+        logger.store(advance, until)?;
+    }
+    logger.store(&[], end)?;
+    logger.finish()
+}

@@ -1,0 +1,228 @@
+//! What is stored, where, and in which form.
+
+mod stage;
+
+use homebody_core::event::{Doing, Events, Fact, Firing};
+use homebody_core::geometry::Point;
+use homebody_core::scenario::logger::{LoggerFile, MessagesFile, OccupancyFile, OnOffFile, TimeFormat};
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::SECOND;
+use homebody_log::{LogError, Logger, TruthLog, Url, truth};
+use rusqlite::Connection;
+use stage::Folder;
+
+const ALL: [&str; 3] = ["sqlite:log.db", "csv:log.csv", "casas:log.txt"];
+
+/// All rows of a query, as text.
+fn rows(folder: &Folder, file: &str, sql: &str) -> Vec<String> {
+    let connection = Connection::open(folder.path().join(file)).unwrap();
+    let mut statement = connection.prepare(sql).unwrap();
+    let columns = statement.column_count();
+    let rows = statement.query_map([], |row| {
+        let cells = (0..columns).map(|index| Ok(format!("{:?}", row.get::<_, rusqlite::types::Value>(index)?)));
+        Ok(cells.collect::<rusqlite::Result<Vec<_>>>()?.join(" "))
+    });
+    rows.unwrap().map(Result::unwrap).collect()
+}
+
+fn schema(folder: &Folder, file: &str) -> Vec<String> {
+    rows(folder, file, "SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY name")
+}
+
+#[test]
+fn a_run_reaches_all_places() {
+    let folder = Folder::new("all");
+    let urls = ALL.map(|url| folder.url(url));
+    let firings = stage::firings(20_000);
+    let stored = stage::store(stage::open(&urls, &LoggerFile::default(), false).unwrap(), &firings, 7).unwrap();
+    assert_eq!(stored.rows, 20_000);
+    assert_eq!(stored.by_sensor.iter().sum::<u64>(), 20_000);
+    assert_eq!(folder.files(), ["log.csv", "log.db", "log.txt"], "no companions, no parts");
+
+    let first = rows(&folder, "log.db", "SELECT run_id, seq, fired_at, sensor, value FROM firing ORDER BY seq LIMIT 2");
+    assert_eq!(
+        first[1],
+        r#"Integer(1) Integer(1) Text("2009-03-07 22:00:05.000003") Text("kitchen motion") Text("ON")"#
+    );
+    assert_eq!(folder.text("log.csv").lines().nth(2), Some("1,2009-03-07 22:00:05.000003,kitchen motion,ON"));
+    assert_eq!(folder.text("log.txt").lines().nth(1), Some("2009-03-07 22:00:05.000003\tKitchenMotion\tON"));
+
+    let counted = rows(&folder, "log.db", "SELECT count(*), min(seq), max(seq) FROM firing");
+    assert_eq!(counted, ["Integer(20000) Integer(0) Integer(19999)"]);
+    assert_eq!(folder.text("log.csv").lines().count(), 20_001);
+    assert_eq!(folder.text("log.txt").lines().count(), 20_000);
+    let run = rows(&folder, "log.db", "SELECT scenario, seed, started_at, ended_at IS NOT NULL FROM run");
+    assert_eq!(
+        run,
+        [r#"Text("a quiet night") Text("18446744073709551615") Text("2009-03-07 22:00:00.000000") Integer(1)"#]
+    );
+}
+
+#[test]
+fn how_a_run_advances_changes_no_byte() {
+    let firings = stage::firings(60_000);
+    let file = LoggerFile { messages: MessagesFile::OnOff(OnOffFile { hold_s: 4.0 }), ..Default::default() };
+    let mut all = Vec::new();
+    for step in [1, 13, 5_000, 100_000] {
+        let folder = Folder::new(&format!("advance-{step}"));
+        let urls = ALL.map(|url| folder.url(url));
+        stage::store(stage::open(&urls, &file, false).unwrap(), &firings, step).unwrap();
+        let database = rows(&folder, "log.db", "SELECT * FROM firing ORDER BY run_id, seq");
+        all.push((database, folder.text("log.csv"), folder.text("log.txt")));
+    }
+    assert!(all.iter().all(|log| log == &all[0]));
+}
+
+#[test]
+fn a_mapping_names_everything() {
+    let folder = Folder::new("mapping");
+    let mut file = LoggerFile {
+        table: Some("order".into()),
+        time: TimeFormat::EpochMs,
+        messages: MessagesFile::Occupancy(OccupancyFile { timeout_s: 90.0 }),
+        ..Default::default()
+    };
+    file.columns.time = "select".into();
+    file.columns.sensor = "code".into();
+    file.ids.insert("fridge".into(), "A3".into());
+    let urls = [folder.url("sqlite:log.db"), folder.url("csv:log.csv")];
+    let mut logger = stage::open(&urls, &file, false).unwrap();
+    logger.store(&[Firing { seq: 0, at: SECOND, sensor: 2 }], 100 * SECOND).unwrap();
+    logger.finish().unwrap();
+    let stored = rows(&folder, "log.db", r#"SELECT seq, "select", typeof("select"), code, value FROM "order""#);
+    assert_eq!(
+        stored,
+        [
+            r#"Integer(0) Integer(1236484801000) Text("integer") Text("A3") Text("true")"#,
+            r#"Integer(1) Integer(1236484891000) Text("integer") Text("A3") Text("false")"#,
+        ]
+    );
+    assert_eq!(folder.text("log.csv"), "seq,select,code,value\n0,1236484801000,A3,true\n1,1236484891000,A3,false\n");
+}
+
+#[test]
+fn instants_can_be_numbers() {
+    let folder = Folder::new("epoch");
+    let file = LoggerFile { time: TimeFormat::EpochS, ..Default::default() };
+    let mut logger = stage::open(&[folder.url("sqlite:log.db")], &file, false).unwrap();
+    logger.store(&[Firing { seq: 0, at: SECOND / 4, sensor: 0 }], SECOND).unwrap();
+    logger.finish().unwrap();
+    let stored = rows(&folder, "log.db", "SELECT fired_at, (SELECT started_at FROM run) FROM firing");
+    assert_eq!(stored, ["Real(1236484800.25) Real(1236484800.0)"]);
+}
+
+#[test]
+fn what_is_held_at_the_end_is_not_let_go() {
+    let folder = Folder::new("held");
+    let file = LoggerFile { messages: MessagesFile::OnOff(OnOffFile { hold_s: 4.0 }), ..Default::default() };
+    let mut logger = stage::open(&[folder.url("casas:log.txt")], &file, false).unwrap();
+    logger.store(&[Firing { seq: 0, at: 0, sensor: 0 }], 2 * SECOND).unwrap();
+    logger.store(&[Firing { seq: 1, at: 2 * SECOND, sensor: 2 }], 5 * SECOND).unwrap();
+    let stored = logger.finish().unwrap();
+    assert_eq!(stored.by_sensor, [2, 0, 1]);
+    let values: Vec<String> =
+        folder.text("log.txt").lines().map(|line| line.split_once('\t').unwrap().1.to_string()).collect();
+    assert_eq!(values, ["BedroomMotion\tON", "fridge\tON", "BedroomMotion\tOFF"]);
+}
+
+#[test]
+fn a_live_run_can_be_watched_and_goes_on_while_it_is() {
+    let folder = Folder::new("watched");
+    let mut logger = stage::open(&[folder.url("sqlite:log.db")], &LoggerFile::default(), false).unwrap();
+    let watcher = Connection::open(folder.path().join("log.db")).unwrap();
+    let count = || watcher.query_row("SELECT count(*) FROM firing", [], |row| row.get::<_, i64>(0)).unwrap();
+    assert_eq!(count(), 0);
+    logger.store(&stage::firings(3), SECOND * 100).unwrap();
+    let began = std::time::Instant::now();
+    while count() < 3 {
+        assert!(began.elapsed().as_secs() < 10, "rows reach a watcher within a second or so");
+        std::thread::sleep(std::time::Duration::from_millis(50));
+        logger.store(&[], SECOND * 100).unwrap();
+    }
+    watcher.execute_batch("BEGIN; SELECT count(*) FROM firing").unwrap();
+    logger.store(&[Firing { seq: 3, at: SECOND * 100, sensor: 0 }], SECOND * 101).unwrap();
+    logger.finish().unwrap();
+    assert_eq!(count(), 3, "a watcher's transaction stands still");
+    watcher.execute_batch("COMMIT").unwrap();
+    assert_eq!(count(), 4);
+}
+
+fn truth(folder: &Folder, places: &[Url], events: &Events) -> Result<(), LogError> {
+    let residents = ["margaret".to_string()];
+    let rooms = ["bedroom".to_string(), "kitchen".to_string()];
+    let names = truth::Names { residents: &residents, rooms: &rooms, sensors: &stage::sensors() };
+    let path = folder.path().join("truth.db");
+    let file = LoggerFile::default();
+    let mut log = TruthLog::open(&path, places, &file, names, &stage::calendar(), &stage::run(), false)?;
+    log.store(events)?;
+    log.finish(60 * SECOND)
+}
+
+fn a_short_life() -> Events {
+    let (bed, door) = (Point::new(1.0, 2.0), Point::new(4.0, 2.5));
+    let activity = |at, name: Option<&str>| Fact::Activity { resident: 0, at, name: name.map(String::from) };
+    let moving = |begin, end, doing| Fact::Movement { resident: 0, begin, end, doing, posture: Posture::Standing };
+    Events {
+        firings: vec![Firing { seq: 5, at: 2 * SECOND, sensor: 0 }, Firing { seq: 6, at: 3 * SECOND, sensor: 1 }],
+        facts: vec![
+            Fact::Room { resident: 0, at: 0, room: Some(0) },
+            activity(0, Some("sleep")),
+            moving(0, SECOND, Doing::Stir { at: bed, amplitude_m: 0.2 }),
+            Fact::Cause { seq: 6, resident: 0, seen_at: 2 * SECOND },
+            Fact::Cause { seq: 9, resident: 0, seen_at: 2 * SECOND },
+            activity(10 * SECOND, None),
+            moving(SECOND, 5 * SECOND, Doing::Stride { from: bed, to: door }),
+            moving(5 * SECOND, 60 * SECOND, Doing::Away),
+            Fact::Room { resident: 0, at: 5 * SECOND, room: None },
+            activity(20 * SECOND, Some("out")),
+        ],
+    }
+}
+
+#[test]
+fn the_truth_is_told() {
+    let folder = Folder::new("truth");
+    truth(&folder, &[], &a_short_life()).unwrap();
+    assert_eq!(
+        rows(&folder, "truth.db", "SELECT name, substr(begin_at, 12, 8), substr(end_at, 12, 8) FROM activity"),
+        [r#"Text("sleep") Text("22:00:00") Text("22:00:10")"#, r#"Text("out") Text("22:00:20") Text("22:01:00")"#]
+    );
+    assert_eq!(
+        rows(&folder, "truth.db", "SELECT seq, resident, fired_at, sensor FROM cause"),
+        [
+            r#"Integer(6) Text("margaret") Text("2009-03-07 22:00:03.000000") Text("kitchen motion")"#,
+            r#"Integer(9) Text("margaret") Null Null"#,
+        ]
+    );
+    assert_eq!(
+        rows(&folder, "truth.db", "SELECT kind, from_x, to_y, amplitude_m, posture FROM movement"),
+        [
+            r#"Text("stir") Real(1.0) Real(2.0) Real(0.2) Text("standing")"#,
+            r#"Text("stride") Real(1.0) Real(2.5) Null Text("standing")"#,
+            r#"Text("away") Null Null Null Text("standing")"#,
+        ]
+    );
+    let rooms = rows(&folder, "truth.db", "SELECT room FROM room");
+    assert_eq!(rooms, [r#"Text("bedroom")"#, "Null"]);
+}
+
+#[test]
+fn truth_and_firings_are_never_in_one_file() {
+    let folder = Folder::new("apart");
+    let log = folder.url("sqlite:log.db");
+    let logger = stage::open(std::slice::from_ref(&log), &LoggerFile::default(), false).unwrap();
+    let same = folder.url("sqlite:./truth.db");
+    let error = truth(&folder, std::slice::from_ref(&same), &a_short_life()).unwrap_err();
+    assert!(matches!(error, LogError::SameFile { .. }));
+    truth(&folder, std::slice::from_ref(&log), &a_short_life()).unwrap();
+    stage::store(logger, &stage::firings(10), 10).unwrap();
+    assert_eq!(schema(&folder, "log.db"), [r#"Text("firing")"#, r#"Text("run")"#]);
+    let truth = ["activity", "cause", "movement", "room", "run"].map(|name| format!("Text({name:?})"));
+    assert_eq!(schema(&folder, "truth.db"), truth);
+}
+
+#[test]
+fn a_logger_without_places_counts_alone() {
+    let logger = Logger::open(&[], &LoggerFile::default(), &stage::sensors(), &stage::calendar(), &stage::run(), false);
+    assert_eq!(stage::store(logger.unwrap(), &stage::firings(10), 3).unwrap().rows, 10);
+}
