@@ -76,8 +76,8 @@ impl Database {
         let opened = Connection::open_with_flags(path, flags).and_then(|connection| {
             connection.busy_timeout(BUSY)?;
             connection.execute_batch(database.flow.journal())?;
-            // FULL: a committed transaction survives a loss of power, too. The cache, in KiB, holds a transaction.
-            connection.execute_batch("PRAGMA synchronous = FULL; PRAGMA cache_size = -4096")?;
+            // FULL: a committed transaction survives a loss of power, too. The cache is in KiB.
+            connection.execute_batch("PRAGMA synchronous = FULL; PRAGMA cache_size = -2048")?;
             connection.execute_batch("BEGIN IMMEDIATE")?;
             for table in tables {
                 connection.execute_batch(table)?;
