@@ -41,7 +41,7 @@ pub enum Doing {
     Away,
 }
 
-/// What an advance of a run has brought, in order of time.
+/// What an advance of a run has brought: firings in order of time, facts in the order in which they came to be known.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Events {
     pub firings: Vec<Firing>,

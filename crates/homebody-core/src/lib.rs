@@ -1,10 +1,28 @@
 //! The simulated home: a scenario goes in, a resident moves, sensors see it, firings come out.
 //!
-//! The core is pure: no I/O, no clock, no threads, no hash maps. Reading order:
+//! The core is pure: it does no I/O, reads no clock, knows no thread and iterates no hash map. In reading
+//! order:
 
-pub mod event;
-pub mod geometry;
-pub mod home;
-pub mod problem;
-pub mod scenario;
+/// Spans and instants in whole microseconds, plane geometry, named random streams.
 pub mod time;
+pub mod geometry;
+pub mod random;
+
+/// What the user wrote, and what is wrong with it.
+pub mod scenario;
+pub mod problem;
+
+/// The home, what its sensors are, and what they see in it.
+pub mod home;
+pub mod sensors;
+
+/// Movement: strides, who decides on them, the world they happen in.
+pub mod stride;
+pub mod event;
+pub mod drivers;
+pub mod world;
+pub mod run;
+pub mod recording;
+
+/// The naive way, as oracle and as baseline.
+pub mod naive;

@@ -17,19 +17,72 @@ pub struct Problem {
     /// What to do, such as the nearest known name.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hint: Option<String>,
+    /// The line of the file, where the problem is on a line.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub excerpt: Option<Excerpt>,
+}
+
+/// The part of a source line around a problem.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Excerpt {
+    /// The text, without control characters.
+    pub text: String,
+    /// How many characters of the text come before the problem.
+    pub before: u32,
 }
 
 /// Everything that is wrong, in the order of files and places.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Problems(pub Vec<Problem>);
 
+impl Problems {
+    /// All problems as plain text, each with its source line and a caret under the place.
+    pub fn render(&self) -> String {
+        self.0.iter().map(Problem::render).collect::<Vec<_>>().join("\n")
+    }
+}
+
+impl Problem {
+    /// A problem with a file as a whole.
+    pub fn of_file(file: &str, what: impl Into<String>, hint: Option<String>) -> Problem {
+        Problem { file: file.into(), line: 0, column: 0, what: what.into(), hint, excerpt: None }
+    }
+
+    fn render(&self) -> String {
+        let mut text = format!("{}\n", self.headline());
+        if let Some(excerpt) = &self.excerpt {
+            text += &format!("{:>5} | {}\n", self.line, excerpt.text);
+            text += &format!("{:>5} | {}^\n", "", " ".repeat(excerpt.before as usize));
+        }
+        if let Some(hint) = &self.hint {
+            text += &format!("  hint: {hint}\n");
+        }
+        text
+    }
+
+    fn headline(&self) -> String {
+        match self.line {
+            0 => format!("{}: {}", self.file, self.what),
+            line => format!("{}:{line}:{}: {}", self.file, self.column, self.what),
+        }
+    }
+}
+
+impl Excerpt {
+    /// Cuts a line to what fits beside a line number, with the column (counted from 1) in sight.
+    pub fn new(line: &str, column: u32) -> Excerpt {
+        const WIDTH: usize = 120;
+        const BEFORE: usize = 80;
+        let place = (column as usize).saturating_sub(1);
+        let start = if line.chars().count() <= WIDTH { 0 } else { place.saturating_sub(BEFORE) };
+        let text = line.chars().skip(start).take(WIDTH).map(|c| if c.is_control() { ' ' } else { c }).collect();
+        Excerpt { text, before: (place - start) as u32 }
+    }
+}
+
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{}", self.file)?;
-        if self.line > 0 {
-            write!(f, ":{}:{}", self.line, self.column)?;
-        }
-        write!(f, ": {}", self.what)?;
+        f.write_str(&self.headline())?;
         match &self.hint {
             Some(hint) => write!(f, "\n  hint: {hint}"),
             None => Ok(()),

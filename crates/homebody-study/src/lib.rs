@@ -1,1 +1,3 @@
 pub mod compare;
+pub mod coverage;
+pub mod picture;

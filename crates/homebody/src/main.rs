@@ -1,1 +1,34 @@
-fn main() {}
+//! The command `homebody`: a table of contents. Each command is a file in `commands`.
+
+mod commands;
+mod failure;
+mod folder;
+mod pace;
+
+use clap::Parser;
+use commands::Command;
+use std::process::ExitCode;
+
+/// Simulates homes wired with sensors and the people who live in them.
+#[derive(Parser)]
+#[command(version, arg_required_else_help = true, after_help = EXAMPLES)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  homebody new my-home --template tigerplace   start from an apartment that works
+  homebody check my-home                       everything that is wrong with it, at once
+  homebody run my-home                         live it, into SQLite
+  homebody coverage my-home --png map.png      see what the sensors see
+
+Exit codes: 0 done, 1 a file could not be read or written, 2 what was asked or written is wrong.";
+
+fn main() -> ExitCode {
+    match Arguments::parse().command.run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}

@@ -1,3 +1,74 @@
 //! The home as a run uses it: checked, resolved, baked, and never changed.
 
+pub mod bake;
+pub mod field;
 pub mod plan;
+
+use crate::scenario::home::HomeFile;
+use crate::scenario::path::Posture;
+use crate::scenario::resident::ResidentFile;
+use crate::sensors::Sensor;
+use field::{Field, Size};
+use plan::Plan;
+
+/// A home and the bodies it was baked for.
+#[derive(Clone, Debug)]
+pub struct Home {
+    pub plan: Plan,
+    pub sensors: Vec<Sensor>,
+    /// One field for each size of body that lives here.
+    pub fields: Vec<Field>,
+    /// The resident's field in each posture, by [`Posture`].
+    postures: Vec<[usize; 3]>,
+}
+
+/// The build of a resident's body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Build {
+    pub radius_m: f64,
+    pub height_m: f64,
+}
+
+impl Build {
+    /// The body that a resident's file describes.
+    pub fn of(file: &ResidentFile) -> Build {
+        Build { radius_m: file.radius_m, height_m: file.height_m }
+    }
+
+    /// The body as sensors see it in a posture. A seated adult reaches to about 0.8 of the standing
+    /// height on a common chair, one who lies on a bed to about 0.4 (ours).
+    pub fn size(&self, posture: Posture) -> Size {
+        let share = match posture {
+            Posture::Standing => 1.0,
+            Posture::Sitting => 0.8,
+            Posture::Lying => 0.4,
+        };
+        Size { radius_m: self.radius_m, top_m: self.height_m * share }
+    }
+}
+
+impl Home {
+    /// Bakes a home that has passed its checks for the bodies that live there.
+    pub fn bake(file: &HomeFile, residents: &[Build]) -> Home {
+        let plan = Plan::new(file);
+        let sensors: Vec<Sensor> = file.sensors.iter().map(Sensor::new).collect();
+        let mut home = Home { plan, sensors, fields: Vec::new(), postures: Vec::new() };
+        for build in residents {
+            let fields = [Posture::Standing, Posture::Sitting, Posture::Lying].map(|posture| {
+                let size = build.size(posture);
+                let known = home.fields.iter().position(|field| field.size == size);
+                known.unwrap_or_else(|| {
+                    home.fields.push(Field::bake(&home.plan, &home.sensors, size));
+                    home.fields.len() - 1
+                })
+            });
+            home.postures.push(fields);
+        }
+        home
+    }
+
+    /// What the sensors see of a resident in a posture.
+    pub fn field(&self, resident: usize, posture: Posture) -> &Field {
+        &self.fields[self.postures[resident][posture as usize]]
+    }
+}

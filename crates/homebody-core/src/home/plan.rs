@@ -3,6 +3,8 @@
 use crate::geometry::{self, Point, point};
 use crate::scenario::home::{FurnitureFile, HomeFile};
 use crate::scenario::path::Spot;
+use crate::stride::Stride;
+use crate::time::Micros;
 
 /// A room of the plan.
 #[derive(Clone, Debug, PartialEq)]
@@ -116,6 +118,30 @@ impl Plan {
                 .solids
                 .iter()
                 .any(|solid| solid.stops_bodies && geometry::distance_to_area(&solid.outline, p) < radius)
+    }
+
+    /// The rooms that a stride comes through: from which instant on, and which, if any.
+    pub fn rooms_along(&self, stride: &Stride) -> Vec<(Micros, Option<usize>)> {
+        let way = stride.to - stride.from;
+        let mut cuts = vec![0.0];
+        for (a, b) in self.rooms.iter().flat_map(|room| geometry::sides(&room.outline)) {
+            let (side, turn) = (b - a, way.perp_dot(b - a));
+            let (along, across) = ((a - stride.from).perp_dot(side) / turn, (a - stride.from).perp_dot(way) / turn);
+            if turn != 0.0 && along > 0.0 && along < 1.0 && (0.0..=1.0).contains(&across) {
+                cuts.push(along);
+            }
+        }
+        cuts.sort_by(f64::total_cmp);
+        let ends = cuts.iter().skip(1).copied().chain([1.0]);
+        let mut rooms: Vec<(Micros, Option<usize>)> = Vec::new();
+        for (start, end) in cuts.iter().copied().zip(ends) {
+            let room = self.room_at(stride.from + way * ((start + end) / 2.0));
+            if rooms.last().is_none_or(|(_, last)| *last != room) {
+                let at = stride.begin + libm::ceil(start * (stride.end - stride.begin) as f64) as Micros;
+                rooms.push((at, room));
+            }
+        }
+        rooms
     }
 
     /// The first solid that stops a point moving from `a` to `b`.

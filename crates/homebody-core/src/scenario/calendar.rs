@@ -1,6 +1,6 @@
 //! Local time at the edges: the world itself knows only microseconds since the start.
 
-use crate::time::Micros;
+use crate::time::{Micros, SECOND};
 use jiff::civil::DateTime;
 use jiff::tz::{TimeZone, TimeZoneDatabase};
 use jiff::{SignedDuration, Timestamp, Zoned};
@@ -38,8 +38,55 @@ impl Calendar {
         self.timestamp(at).to_zoned(self.start.time_zone().clone())
     }
 
+    /// The time of day at the start, since midnight.
+    pub fn start_of_day(&self) -> Micros {
+        let time = self.start.time();
+        let seconds = (i64::from(time.hour()) * 60 + i64::from(time.minute())) * 60 + i64::from(time.second());
+        seconds * SECOND + i64::from(time.subsec_nanosecond()) / 1000
+    }
+
     /// The run's microseconds at an instant of the world's clock.
     pub fn micros(&self, at: Timestamp) -> Micros {
         at.as_microsecond() - self.start.timestamp().as_microsecond()
+    }
+}
+
+/// A time of day as files write it, `07:30`, `07:30:15` or `07:30:15.5`, since midnight.
+pub fn time_of_day(text: &str) -> Option<Micros> {
+    let mut parts = text.split(':');
+    let (hours, minutes, seconds) = (parts.next()?, parts.next()?, parts.next().unwrap_or("00"));
+    let (seconds, fraction) = seconds.split_once('.').unwrap_or((seconds, "0"));
+    let two_digits = |part: &str, most: Micros| -> Option<Micros> {
+        let is_number = part.len() == 2 && part.bytes().all(|byte| byte.is_ascii_digit());
+        part.parse().ok().filter(|&number| is_number && number <= most)
+    };
+    let is_fraction = (1..=6).contains(&fraction.len()) && fraction.bytes().all(|byte| byte.is_ascii_digit());
+    if parts.next().is_some() || !is_fraction {
+        return None;
+    }
+    let fraction: Micros = format!("{fraction:0<6}").parse().ok()?;
+    let minutes = two_digits(hours, 23)? * 60 + two_digits(minutes, 59)?;
+    Some((minutes * 60 + two_digits(seconds, 59)?) * SECOND + fraction)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_of_day_are_read_as_written() {
+        let minute = 60 * SECOND;
+        assert_eq!(time_of_day("00:00"), Some(0));
+        assert_eq!(time_of_day("07:30"), Some(450 * minute));
+        assert_eq!(time_of_day("07:30:15.5"), Some(450 * minute + 15_500_000));
+        assert_eq!(time_of_day("23:59:59.999999"), Some(24 * 60 * minute - 1));
+    }
+
+    #[test]
+    fn what_is_no_time_of_day_is_refused() {
+        let wrong = ["", "7:30", "07", "07:3", "24:00", "07:60", "07:30:60", "07:30:15.", "07:30:15.1234567", "+7:30"];
+        for text in wrong.into_iter().chain(["07:30:15:00", " 07:30", "07:30 ", "07:30:1٣", "07.30", "07:30:.5"]) {
+            assert_eq!(time_of_day(text), None, "{text:?}");
+        }
     }
 }

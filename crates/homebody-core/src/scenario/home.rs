@@ -9,60 +9,76 @@ pub type At = [f64; 2];
 /// `home.json`: the building and what hangs on its walls.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "home")]
 pub struct HomeFile {
     /// Where the JSON Schema of this file is, for editors.
     #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
     pub schema: Option<String>,
     /// What people call this home.
+    #[schemars(length(min = 1, max = 100))]
     pub name: String,
     /// What was measured, what was assumed.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub about: String,
     /// The rooms; their outlines do not overlap.
-    #[schemars(length(min = 1))]
+    #[schemars(length(min = 1, max = 1_000))]
     pub rooms: Vec<RoomFile>,
     /// The walls. Doors cut openings into them.
+    #[schemars(length(max = 5_000))]
     pub walls: Vec<WallFile>,
     #[serde(default)]
+    #[schemars(length(max = 1_000))]
     pub doors: Vec<DoorFile>,
     #[serde(default)]
+    #[schemars(length(max = 1_000))]
     pub furniture: Vec<FurnitureFile>,
     /// Named points that paths can go to.
     #[serde(default)]
+    #[schemars(length(max = 1_000))]
     pub places: Vec<PlaceFile>,
     #[serde(default)]
+    #[schemars(length(max = 128))]
     pub sensors: Vec<SensorFile>,
 }
 
 /// A room: a name and an outline.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "room")]
 pub struct RoomFile {
+    #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// The corners in order, at least three; the last is joined to the first.
-    #[schemars(length(min = 3))]
+    /// The corners in order; the last is joined to the first.
+    #[schemars(length(min = 3, max = 500), inner(inner(range(min = -10_000, max = 10_000))))]
     pub outline: Vec<At>,
 }
 
 /// A straight wall between two points of its middle line.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "wall")]
 pub struct WallFile {
+    #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub from: At,
+    #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub to: At,
     #[serde(default = "wall_thickness")]
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 2))]
+    #[schemars(range(min = 0.001, max = 2))]
     pub thickness_m: f64,
 }
 
 /// A door or an open passage: a span of a wall.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "door")]
 pub struct DoorFile {
+    #[schemars(length(min = 1, max = 100))]
     pub name: String,
     /// One jamb; it lies on the middle line of a wall.
+    #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub from: At,
     /// The other jamb, on the same wall.
+    #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub to: At,
     /// An open door lets people and beams through, a closed one neither.
     #[serde(default = "yes")]
@@ -75,13 +91,17 @@ pub struct DoorFile {
 /// A piece of furniture: a rectangle by `at` and `size_m`, or any `outline`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "piece of furniture")]
 pub struct FurnitureFile {
+    #[schemars(length(min = 1, max = 100))]
     pub name: String,
     /// The middle of the rectangle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub at: Option<At>,
     /// Width and depth of the rectangle before it is turned.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(inner(range(min = 0.001, max = 1_000)))]
     pub size_m: Option<[f64; 2]>,
     /// Counter-clockwise turn of the rectangle.
     #[serde(default, skip_serializing_if = "is_zero")]
@@ -89,6 +109,7 @@ pub struct FurnitureFile {
     pub turn_deg: f64,
     /// The corners, for anything that is no rectangle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(length(min = 3, max = 64), inner(inner(range(min = -10_000, max = 10_000))))]
     pub outline: Option<Vec<At>>,
     /// Beams that pass lower than this are stopped.
     #[schemars(range(min = 0, max = 10))]
@@ -101,14 +122,18 @@ pub struct FurnitureFile {
 /// A named point that a path can go to, such as `sink` or `armchair`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "place")]
 pub struct PlaceFile {
+    #[schemars(length(min = 1, max = 100))]
     pub name: String,
+    #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub at: At,
 }
 
 /// A sensor, by kind.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "kind", rename_all = "snake_case")]
+#[schemars(title = "sensor")]
 pub enum SensorFile {
     Motion(MotionFile),
     CeilingMotion(CeilingMotionFile),
@@ -140,8 +165,11 @@ impl SensorFile {
 /// A wall-mounted passive infrared sensor: a fan of beams.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "motion sensor")]
 pub struct MotionFile {
+    #[schemars(length(min = 1, max = 100))]
     pub name: String,
+    #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub at: At,
     /// Height of the lens above the floor.
     #[serde(default = "mounting_height")]
@@ -156,9 +184,10 @@ pub struct MotionFile {
     pub tilt_deg: f64,
     /// Horizontal and vertical angle of view.
     #[serde(default = "field")]
+    #[schemars(inner(range(min = 0.1, max = 360)))]
     pub field_deg: [f64; 2],
     #[serde(default = "reach")]
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 100))]
+    #[schemars(range(min = 0.01, max = 100))]
     pub reach_m: f64,
     /// How many beams make the fan.
     #[serde(default = "beams")]
@@ -170,39 +199,48 @@ pub struct MotionFile {
     pub preset: Preset,
     /// Overrides the preset: delay from the first movement to the first firing, least and most.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(inner(range(min = 0, max = 86_400)))]
     pub first_fire_s: Option<[f64; 2]>,
     /// Overrides the preset: wait between firings, least and most.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(inner(range(min = 0.01, max = 86_400)))]
     pub refire_s: Option<[f64; 2]>,
     /// Overrides the preset: how long before the end of a wait a movement still counts.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 0, max = 86_400))]
     pub persist_s: Option<f64>,
 }
 
 /// A passive infrared sensor on the ceiling that looks straight down on an area.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "ceiling motion sensor")]
 pub struct CeilingMotionFile {
+    #[schemars(length(min = 1, max = 100))]
     pub name: String,
     /// The convex area on the floor that it sees: its corners in order.
-    #[schemars(length(min = 3, max = 64))]
+    #[schemars(length(min = 3, max = 64), inner(inner(range(min = -10_000, max = 10_000))))]
     pub area: Vec<At>,
     #[serde(default)]
     pub preset: Preset,
     /// Overrides the preset: delay from the first movement to the first firing, least and most.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(inner(range(min = 0, max = 86_400)))]
     pub first_fire_s: Option<[f64; 2]>,
     /// Overrides the preset: wait between firings, least and most.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(inner(range(min = 0.01, max = 86_400)))]
     pub refire_s: Option<[f64; 2]>,
     /// Overrides the preset: how long before the end of a wait a movement still counts.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 0, max = 86_400))]
     pub persist_s: Option<f64>,
 }
 
 /// What a wall sensor takes for movement.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Default)]
 #[serde(rename_all = "snake_case")]
+#[schemars(title = "level")]
 pub enum Level {
     /// Any change in a beam, as in Godsey & Skubic 2009.
     #[default]
@@ -216,6 +254,7 @@ pub enum Level {
 /// The `sensitivity` level.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "sensitivity level")]
 pub struct SensitivityFile {
     /// A movement counts if what moves within a second spans at least this angle, seen from the lens.
     #[serde(default = "threshold")]
@@ -226,9 +265,11 @@ pub struct SensitivityFile {
 /// The `zones` level.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "zones level")]
 pub struct ZonesFile {
     /// Zones of the far, the middle and the near row.
     #[serde(default = "zone_rows")]
+    #[schemars(inner(range(max = 64)))]
     pub rows: [u32; 3],
     /// How many pulses of alternating sign make a detection.
     #[serde(default = "pulses")]
@@ -236,13 +277,14 @@ pub struct ZonesFile {
     pub pulses: u32,
     /// The span in which they have to come.
     #[serde(default = "pulse_window")]
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 60))]
+    #[schemars(range(min = 0.001, max = 60))]
     pub window_s: f64,
 }
 
 /// A device whose timing is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Default)]
 #[serde(rename_all = "snake_case")]
+#[schemars(title = "preset")]
 pub enum Preset {
     /// The sensor of Godsey & Skubic 2009: first after 1-2 s, then every 6-8 s.
     #[default]

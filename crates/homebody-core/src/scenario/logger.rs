@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 /// `logger.json`: maps the log onto a real network's database.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Default)]
 #[serde(deny_unknown_fields, default)]
+#[schemars(title = "logger")]
 pub struct LoggerFile {
     /// Where the JSON Schema of this file is, for editors.
     #[serde(rename = "$schema", skip_serializing_if = "Option::is_none")]
@@ -26,6 +27,7 @@ pub struct LoggerFile {
 /// Column names; `run` and `seq` make the key under which a row is stored once only.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
+#[schemars(title = "set of columns")]
 pub struct ColumnsFile {
     pub run: String,
     pub seq: String,
@@ -49,6 +51,7 @@ impl Default for ColumnsFile {
 /// What of a firing is stored.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Default)]
 #[serde(rename_all = "snake_case")]
+#[schemars(title = "kind of messages")]
 pub enum MessagesFile {
     /// Each firing is one row, as at TigerPlace.
     #[default]
@@ -62,24 +65,27 @@ pub enum MessagesFile {
 /// ON and OFF with a hold.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "on_off message")]
 pub struct OnOffFile {
     /// From the last firing to OFF. A Bosch unit's ON lasts 4 s, an X10 one's a minute.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 86_400))]
+    #[schemars(range(min = 0.001, max = 86_400))]
     pub hold_s: f64,
 }
 
 /// Occupancy with a timeout.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "occupancy message")]
 pub struct OccupancyFile {
     /// From the last firing to `false`. 90 s is Zigbee2MQTT's default for the Aqara RTCGQ11LM.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 86_400))]
+    #[schemars(range(min = 0.001, max = 86_400))]
     pub timeout_s: f64,
 }
 
 /// How an instant is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Default)]
 #[serde(rename_all = "snake_case")]
+#[schemars(title = "time format")]
 pub enum TimeFormat {
     /// Local time without a zone, `2009-03-02 07:12:03.250000`.
     #[default]

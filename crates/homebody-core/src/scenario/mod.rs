@@ -2,14 +2,21 @@
 //!
 //! `scenario.json` links the home, the logger and the residents; a resident links a driver.
 //! Reading order: this file, [`home`], [`resident`], [`path`], [`input`], [`logger`], then how the
-//! text becomes data ([`load`]) and what is refused ([`check`]).
+//! text becomes data ([`load`]): places in the text ([`source`]), the right shape (`shape`, by the
+//! [`schema`]), the right meaning (`check`).
 
 pub mod calendar;
+mod check;
 pub mod home;
 pub mod input;
+pub mod load;
 pub mod logger;
+mod nearest;
 pub mod path;
 pub mod resident;
+pub mod schema;
+mod shape;
+pub mod source;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -17,6 +24,7 @@ use serde::{Deserialize, Serialize};
 /// `scenario.json`: what to run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "scenario")]
 pub struct ScenarioFile {
     /// Where the JSON Schema of this file is, for editors.
     #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
@@ -33,10 +41,11 @@ pub struct ScenarioFile {
     #[serde(default = "utc")]
     pub time_zone: String,
     /// How many days a run lasts unless `--for` says otherwise.
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 36_525))]
+    #[schemars(range(min = 0.00001, max = 36_525))]
     pub days: f64,
-    /// The number all randomness of the run comes from.
+    /// The number all randomness of the run comes from; at most what every JSON reader keeps exactly.
     #[serde(default)]
+    #[schemars(range(max = 9_007_199_254_740_991_u64))]
     pub seed: u64,
     /// The file that describes the home.
     pub home: String,
@@ -44,6 +53,7 @@ pub struct ScenarioFile {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub logger: Option<String>,
     /// The files that describe who lives there.
+    #[schemars(length(max = 1_000))]
     pub residents: Vec<String>,
 }
 

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 /// A path description file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "path")]
 pub struct PathFile {
     /// Where the JSON Schema of this file is, for editors.
     #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
@@ -22,14 +23,16 @@ pub struct PathFile {
 /// A point in metres, or the name of a place of the home.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
+#[schemars(title = "spot")]
 pub enum Spot {
-    At(At),
+    At(#[schemars(inner(range(min = -10_000, max = 10_000)))] At),
     Place(String),
 }
 
 /// One step of a path.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[schemars(title = "step")]
 pub enum Step {
     /// Walk in straight lines through one or more waypoints.
     Go(Go),
@@ -46,17 +49,18 @@ pub enum Step {
 /// Walking through waypoints: at the resident's pace unless `pace_mps`, `in_s` or `arrive_at` says otherwise.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "walk")]
 pub struct Go {
     /// The waypoints, in order.
     #[schemars(length(min = 1))]
     pub to: Vec<Spot>,
     /// Walking speed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 5))]
+    #[schemars(range(min = 0.01, max = 5))]
     pub pace_mps: Option<f64>,
     /// How long the whole walk takes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[schemars(range(min = 0.000001, max = 3_200_000_000_i64))]
     pub in_s: Option<f64>,
     /// The time of day at which the walk ends, such as `07:30` or `07:30:15.5`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -66,10 +70,11 @@ pub struct Go {
 /// Staying in one place.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "wait")]
 pub struct Wait {
     /// How long.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[schemars(range(min = 0.000001, max = 3_200_000_000_i64))]
     pub for_s: Option<f64>,
     /// Until when: the next such time of day, `07:30` or `07:30:15.5`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -84,12 +89,13 @@ pub struct Wait {
 /// Small movements on the spot: reading, cooking, turning in bed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "stir")]
 pub struct StirFile {
     /// From the start of one movement to the start of the next.
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[schemars(range(min = 0.1, max = 86_400))]
     pub every_s: f64,
     /// How long each movement lasts.
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[schemars(range(min = 0.001, max = 86_400))]
     pub for_s: f64,
     /// How far what moves moves.
     #[serde(default = "amplitude")]
@@ -100,10 +106,11 @@ pub struct StirFile {
 /// A stretch of time: `for_s` or `until`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "span of time")]
 pub struct Span {
     /// How long.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[schemars(range(min = 0.000001, max = 3_200_000_000_i64))]
     pub for_s: Option<f64>,
     /// Until when: the next such time of day, `07:30` or `07:30:15.5`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -113,10 +120,11 @@ pub struct Span {
 /// Steps that are done more than once.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "repeat")]
 pub struct Repeat {
     /// How many times; without it, for ever.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(range(min = 1))]
+    #[schemars(range(min = 1, max = 1_000_000_000))]
     pub times: Option<u32>,
     #[schemars(length(min = 1))]
     pub steps: Vec<Step>,
@@ -125,6 +133,7 @@ pub struct Repeat {
 /// How a body holds itself: it decides how high the body reaches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema, Default)]
 #[serde(rename_all = "snake_case")]
+#[schemars(title = "posture")]
 pub enum Posture {
     #[default]
     Standing,

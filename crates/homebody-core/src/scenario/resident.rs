@@ -7,11 +7,12 @@ use serde::{Deserialize, Serialize};
 /// A person (or visitor, or pet) with a body, a pace and a driver.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "resident")]
 pub struct ResidentFile {
     /// Where the JSON Schema of this file is, for editors.
     #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
     pub schema: Option<String>,
-    #[schemars(length(min = 1))]
+    #[schemars(length(min = 1, max = 100))]
     pub name: String,
     /// Radius of the body seen from above.
     #[serde(default = "radius")]
@@ -23,7 +24,7 @@ pub struct ResidentFile {
     pub height_m: f64,
     /// Usual walking speed.
     #[serde(default = "pace")]
-    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 5))]
+    #[schemars(range(min = 0.01, max = 5))]
     pub pace_mps: f64,
     pub driver: DriverFile,
 }
@@ -31,6 +32,7 @@ pub struct ResidentFile {
 /// Who decides what a resident does.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[schemars(title = "driver")]
 pub enum DriverFile {
     /// A path description file to act out.
     Path(String),
@@ -41,10 +43,12 @@ pub enum DriverFile {
 /// Live input read from a file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "live driver")]
 pub struct LiveFile {
     /// The file of key states over time.
     pub keys: String,
     /// Where the body stands at the start.
+    #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub start: At,
 }
 

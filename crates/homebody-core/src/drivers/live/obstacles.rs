@@ -1,0 +1,177 @@
+//! What stands in a body's way, and how far the body gets.
+//!
+//! Nothing moves by forces here, so casting the body's shape along its way is the whole of the
+//! physics, and no physics world is stepped. The engine's own character controller is for floors
+//! seen from the side: its search for ground costs more than the casts, and in a corner it bounces
+//! from wall to wall twenty times. Sliding on a plan needs less: see [`Obstacles::slide`].
+//!
+//! The engine computes in `f32`, and once in some hundred thousand casts along a wall it misses the
+//! wall. So the end of every step is checked against the plan itself, in `f64`.
+
+use super::super::Body;
+use crate::geometry::{self, Point};
+use crate::home::plan::Plan;
+use rapier2d::dynamics::RigidBodySet;
+use rapier2d::geometry::{Aabb, Ball, BoundingVolume, Bvh, ColliderBuilder, ColliderHandle, ColliderSet, SharedShape};
+use rapier2d::math::{Pose, Vector};
+use rapier2d::parry::query::{DefaultQueryDispatcher, ShapeCastOptions};
+use rapier2d::pipeline::{QueryFilter, QueryPipeline};
+
+/// The gap that casts keep between the body and what stands around it. Where it starts out touching
+/// something, a cast is at its weakest.
+const CLEARANCE_M: f32 = 0.005;
+
+/// Enough for a way that bends round two things.
+const MOST_CASTS: usize = 4;
+
+/// What a slide leads away from the wall, as a part of its length, so that the next cast along the
+/// wall does not find the same wall again.
+const NUDGE: f32 = 1e-3;
+
+/// A slide slower than this part of the wanted speed does not happen: whoever pushes against a wall
+/// stands, and does not creep along it.
+const GRIP: f32 = 1e-2;
+
+/// What a way may lead back into the last thing touched, as a part of its length, and still be free.
+const PINNED: f32 = 1e-2;
+
+/// Everything a body of one radius runs into.
+#[derive(Clone, Debug)]
+pub struct Obstacles {
+    radius_m: f64,
+    /// The fixed ones, as in the plan; their places in the list are their numbers in the tree.
+    fixed: Vec<Vec<Point>>,
+    colliders: ColliderSet,
+    /// What takes part: everything fixed, and the others who are near.
+    tree: Bvh,
+    /// A ball for each other who has ever been near; the first `near` of them take part.
+    others: Vec<ColliderHandle>,
+    near: usize,
+}
+
+impl Obstacles {
+    pub fn new(plan: &Plan, radius_m: f64) -> Obstacles {
+        let solids = plan.solids.iter().filter(|solid| solid.stops_bodies).map(|solid| &solid.outline);
+        let ways_out = plan.openings.iter().filter(|opening| leads_out(plan, opening, radius_m));
+        let (mut fixed, mut colliders, mut tree) = (Vec::new(), ColliderSet::new(), Bvh::new());
+        for outline in solids.chain(ways_out) {
+            let corners: Vec<_> = outline.iter().map(|corner| corner.as_vec2()).collect();
+            // What has no area stops nobody.
+            let Some(collider) = ColliderBuilder::convex_hull(&corners) else { continue };
+            let handle = colliders.insert(collider);
+            tree.insert(colliders[handle].compute_aabb(), leaf(handle));
+            fixed.push(outline.clone());
+        }
+        Obstacles { radius_m, fixed, colliders, tree, others: Vec::new(), near: 0 }
+    }
+
+    /// Where a body at `from` gets that wants to move by `way`: it goes until it touches something,
+    /// and then along that; where two things leave no way, it stops.
+    pub fn slide(&mut self, from: Point, way: Point, others: &[Body]) -> Point {
+        self.place_others(from, way.length(), others);
+        let bodies = RigidBodySet::new();
+        let queries = QueryPipeline {
+            dispatcher: &DefaultQueryDispatcher,
+            bvh: &self.tree,
+            bodies: &bodies,
+            colliders: &self.colliders,
+            filter: QueryFilter::default(),
+        };
+        let ball = Ball::new(self.radius_m as f32);
+        let start = from.as_vec2();
+        let (mut moved, mut left) = (Vector::ZERO, way.as_vec2());
+        let mut touched = Vector::ZERO;
+        for _ in 0..MOST_CASTS {
+            let Some(heading) = left.try_normalize() else { break };
+            let options = ShapeCastOptions {
+                max_time_of_impact: left.length(),
+                target_distance: CLEARANCE_M,
+                stop_at_penetration: false,
+                compute_impact_geometry_on_penetration: true,
+            };
+            let Some((_, hit)) = queries.cast_shape(&Pose::from_translation(start + moved), heading, &ball, options)
+            else {
+                moved += left;
+                break;
+            };
+            moved += heading * hit.time_of_impact;
+            left -= heading * hit.time_of_impact;
+            let away = hit.normal1;
+            left -= away * left.dot(away).min(0.0);
+            if left.length() < GRIP * way.length() as f32 || left.dot(touched) < -PINNED * left.length() {
+                break;
+            }
+            left += away * (left.length() * NUDGE);
+            touched = away;
+        }
+        self.out_of_walls(from, from + moved.as_dvec2())
+    }
+
+    /// Puts balls where the others are whom the body could touch within `reach_m`.
+    fn place_others(&mut self, from: Point, reach_m: f64, others: &[Body]) {
+        for &ball in &self.others[..self.near] {
+            self.tree.remove(leaf(ball));
+        }
+        self.near = 0;
+        for other in others {
+            let touching_m = self.radius_m + other.radius_m + 2.0 * f64::from(CLEARANCE_M);
+            if from.distance(other.at) > reach_m + touching_m {
+                continue;
+            }
+            if self.near == self.others.len() {
+                self.others.push(self.colliders.insert(ColliderBuilder::ball(1.0)));
+            }
+            let handle = self.others[self.near];
+            let ball = &mut self.colliders[handle];
+            ball.set_translation(other.at.as_vec2());
+            ball.set_shape(SharedShape::ball(other.radius_m as f32));
+            self.tree.insert(ball.compute_aabb(), leaf(handle));
+            self.near += 1;
+        }
+    }
+
+    /// The end of a step, moved out of what is fixed where a cast has missed it; where there is no
+    /// getting out, the step is not taken.
+    fn out_of_walls(&self, from: Point, to: Point) -> Point {
+        let reach = Vector::splat(self.radius_m as f32 + CLEARANCE_M);
+        let around = Aabb::new((from.min(to)).as_vec2() - reach, (from.max(to)).as_vec2() + reach);
+        let near = || {
+            let leaves = self.tree.leaves(|node| node.aabb().intersects(&around));
+            leaves.filter_map(|leaf| self.fixed.get(leaf as usize))
+        };
+        if near().any(|outline| geometry::segment_inside_convex(outline, from, to).is_some()) {
+            return from;
+        }
+        let mut at = to;
+        for _ in 0..MOST_CASTS {
+            let mut nearest = near().map(|outline| nearest_on_border(outline, at));
+            let Some(nearest) = nearest.find(|nearest| nearest.distance(at) < self.radius_m) else { return at };
+            // A little more than needed, or rounding would find it too near again.
+            at = nearest + (at - nearest).normalize_or_zero() * (self.radius_m + 1e-9);
+        }
+        from
+    }
+}
+
+fn nearest_on_border(outline: &[Point], p: Point) -> Point {
+    let nearest = geometry::sides(outline).map(|(a, b)| geometry::nearest_on_segment(p, a, b));
+    nearest.fold(
+        Point::INFINITY,
+        |best, on_side| {
+            if on_side.distance_squared(p) < best.distance_squared(p) { on_side } else { best }
+        },
+    )
+}
+
+/// The number under which a collider is in the tree.
+fn leaf(collider: ColliderHandle) -> u32 {
+    collider.into_raw_parts().0
+}
+
+/// Whether on one side of the opening, a body's radius from the wall, there is no home any more.
+fn leads_out(plan: &Plan, opening: &[Point], radius_m: f64) -> bool {
+    let &[a, b, c, d] = opening else { return false };
+    let (near, far) = ((a + b) / 2.0, (c + d) / 2.0);
+    let beyond = (far - near).normalize_or_zero() * radius_m;
+    !plan.is_inside(near - beyond) || !plan.is_inside(far + beyond)
+}

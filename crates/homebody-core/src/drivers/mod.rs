@@ -1,0 +1,68 @@
+//! Drivers: who decides what a resident's body does next.
+//!
+//! A driver is asked at the instant its last span ends, and answers with the next one. It knows the
+//! plan and its own resident; of the other residents it sees only where their bodies are, and of
+//! sensors it knows nothing. A copy of a driver decides as the original.
+
+pub mod live;
+pub mod path;
+
+use crate::event::Doing;
+use crate::geometry::Point;
+use crate::scenario::path::Posture;
+use crate::time::Micros;
+use live::LiveDriver;
+use path::PathDriver;
+
+/// What a body does over a span; the spans of one resident follow each other without gaps.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Move {
+    pub begin: Micros,
+    /// Later than `begin`.
+    pub end: Micros,
+    pub doing: Doing,
+    pub posture: Posture,
+}
+
+/// A driver's answer.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Next {
+    Move(Move),
+    /// From this instant on the resident does this, or nothing that has a name. It takes no time: ask again.
+    Activity(Option<String>),
+    /// The resident rests where it is for ever.
+    Done,
+}
+
+/// The body of another resident, as something to run into.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Body {
+    pub at: Point,
+    pub radius_m: f64,
+}
+
+/// Who decides what a resident does.
+#[derive(Clone, Debug)]
+pub enum Driver {
+    Path(PathDriver),
+    Live(Box<LiveDriver>),
+}
+
+impl Driver {
+    /// What the resident does from `now` on. `now` is the end of the last span, or 0;
+    /// `others` are the bodies of the other residents who are at home.
+    pub fn next(&mut self, now: Micros, others: &[Body]) -> Next {
+        match self {
+            Driver::Path(driver) => driver.next(now),
+            Driver::Live(driver) => driver.next(now, others),
+        }
+    }
+
+    /// Where the body is, and how, at the end of the spans handed out so far.
+    pub fn pose(&self) -> (Point, Posture) {
+        match self {
+            Driver::Path(driver) => driver.pose(),
+            Driver::Live(driver) => driver.pose(),
+        }
+    }
+}

@@ -1,0 +1,567 @@
+//! Acts out a path description.
+//!
+//! What it does: walks the straight legs, waits, stirs and stays away as the file says, step by step.
+//!
+//! What we assume: the file has passed its checks, and a day lasts 24 hours from the scenario's
+//! start, so that a time of day after a change to daylight saving time is an hour off.
+//!
+//! How: the nested steps become one flat list in which the end of a repeat jumps back to its first
+//! step. The driver keeps its place in the list and one entry per open repeat, so an endless path
+//! needs no more memory than a short one. All times within a walk are counted from its beginning, so
+//! rounding to microseconds never adds up.
+//!
+//! What is left out: walls and other people. A path goes where it says.
+
+use super::{Move, Next};
+use crate::event::Doing;
+use crate::geometry::Point;
+use crate::home::plan::Plan;
+use crate::scenario::path::{self as file, PathFile, Posture};
+use crate::time::{Micros, SECOND, micros, seconds};
+use std::sync::Arc;
+
+const DAY: Micros = 24 * 60 * 60 * SECOND;
+
+/// A resident who follows a path description.
+#[derive(Clone, Debug)]
+pub struct PathDriver {
+    /// Shared, so that a copy of a run does not copy the path.
+    steps: Arc<[Step]>,
+    /// Microseconds from local midnight to the scenario's start.
+    start_of_day: Micros,
+    /// The step that is being done; past the end once all is done.
+    step: usize,
+    /// How far that step has come; nothing before it begins.
+    under_way: Option<UnderWay>,
+    /// The repeats that are open, outermost first.
+    passes: Vec<Pass>,
+    at: Point,
+    posture: Posture,
+}
+
+#[derive(Clone, Debug)]
+enum Step {
+    Go {
+        to: Vec<Point>,
+        tempo: Tempo,
+    },
+    Stay {
+        span: Span,
+        pastime: Pastime,
+    },
+    Activity(Option<String>),
+    /// The steps up to the matching `Again` are done several times, or for ever.
+    Repeat {
+        times: Option<u32>,
+    },
+    /// The end of a repeat, with the index of its first step.
+    Again {
+        first: usize,
+    },
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Tempo {
+    /// Metres a second.
+    Pace(f64),
+    /// The whole walk takes this long.
+    Within(Span),
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Span {
+    For(Micros),
+    /// Up to the next such time of day, in microseconds since midnight.
+    Until(Micros),
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Pastime {
+    Still(Posture),
+    Stirring { posture: Posture, every: Micros, lasting: Micros, amplitude_m: f64 },
+    Away,
+}
+
+/// How far a step has come.
+#[derive(Clone, Copy, Debug)]
+enum UnderWay {
+    Walk(Walk),
+    Stay { begin: Micros, end: Micros, pastime: Pastime },
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Walk {
+    begin: Micros,
+    end: Micros,
+    speed_mps: f64,
+    /// The waypoint that comes next.
+    waypoint: usize,
+    /// Length of the walk so far.
+    covered_m: f64,
+}
+
+/// One time through a repeat.
+#[derive(Clone, Copy, Debug)]
+struct Pass {
+    began: Micros,
+    /// Passes to do, this one included; nothing where they never end.
+    left: Option<u32>,
+}
+
+impl PathDriver {
+    /// The driver of a path; `start_of_day` are the microseconds from local midnight to the scenario's start.
+    ///
+    /// # Panics
+    ///
+    /// If the path names a place that the home does not have, or a time of day that is none. The
+    /// checks of a scenario refuse both.
+    pub fn new(path: &PathFile, plan: &Plan, pace_mps: f64, start_of_day: Micros) -> PathDriver {
+        let mut steps = Vec::new();
+        flatten(&path.steps, plan, pace_mps, &mut steps);
+        PathDriver {
+            steps: steps.into(),
+            start_of_day,
+            step: 0,
+            under_way: None,
+            passes: Vec::new(),
+            at: place(plan, &path.start),
+            posture: path.posture,
+        }
+    }
+
+    /// What the resident does from `now` on.
+    pub fn next(&mut self, now: Micros) -> Next {
+        let steps = Arc::clone(&self.steps);
+        while let Some(step) = steps.get(self.step) {
+            let (under_way, waypoints) = match step {
+                Step::Go { to, tempo } => (self.under_way.unwrap_or_else(|| self.set_out(to, *tempo, now)), &to[..]),
+                Step::Stay { span, pastime } => {
+                    let stay = || UnderWay::Stay { begin: now, end: self.end_of(*span, now), pastime: *pastime };
+                    (self.under_way.unwrap_or_else(stay), &[][..])
+                }
+                Step::Activity(name) => {
+                    self.step += 1;
+                    return Next::Activity(name.clone());
+                }
+                Step::Repeat { times } => {
+                    self.passes.push(Pass { began: now, left: *times });
+                    self.step += 1;
+                    continue;
+                }
+                Step::Again { first } => {
+                    self.step = self.after_pass(*first, now);
+                    continue;
+                }
+            };
+            let span = match under_way {
+                UnderWay::Walk(walk) => self.stride(walk, waypoints, now),
+                UnderWay::Stay { begin, end, pastime } => {
+                    self.under_way = Some(under_way);
+                    self.stay(begin, end, pastime, now)
+                }
+            };
+            if let Some(span) = span {
+                return Next::Move(span);
+            }
+            self.under_way = None;
+            self.step += 1;
+        }
+        Next::Done
+    }
+
+    /// Where the body is, and how, at the end of the spans handed out so far.
+    pub fn pose(&self) -> (Point, Posture) {
+        (self.at, self.posture)
+    }
+
+    /// Begins a walk. One to where the resident already is takes no time, unless the file says when
+    /// it ends: then the resident stands there until then.
+    fn set_out(&self, waypoints: &[Point], tempo: Tempo, now: Micros) -> UnderWay {
+        let (mut length_m, mut from) = (0.0, self.at);
+        for &to in waypoints {
+            length_m += from.distance(to);
+            from = to;
+        }
+        let end = match tempo {
+            Tempo::Pace(mps) => later(now, length_m / mps),
+            // Whoever sets out at 07:30 to arrive at 07:30 means tomorrow.
+            Tempo::Within(Span::Until(time)) => self.end_of(Span::Until(time), now.saturating_add(1)),
+            Tempo::Within(span) => self.end_of(span, now),
+        };
+        if length_m == 0.0 {
+            return UnderWay::Stay { begin: now, end, pastime: Pastime::Still(Posture::Standing) };
+        }
+        // However short, a walk takes time: the body is never in two places at once.
+        let end = end.max(now.saturating_add(1));
+        let speed_mps = match tempo {
+            Tempo::Pace(mps) => mps,
+            Tempo::Within(_) => length_m / seconds(end - now),
+        };
+        UnderWay::Walk(Walk { begin: now, end, speed_mps, waypoint: 0, covered_m: 0.0 })
+    }
+
+    /// The next stride of a walk; nothing once it is over.
+    fn stride(&mut self, mut walk: Walk, waypoints: &[Point], now: Micros) -> Option<Move> {
+        let (from, mut to, mut end) = (self.at, self.at, now);
+        while let Some(&waypoint) = waypoints.get(walk.waypoint) {
+            let covered_m = walk.covered_m + to.distance(waypoint);
+            let last = walk.waypoint + 1 == waypoints.len();
+            let reached = if last { walk.end } else { later(walk.begin, covered_m / walk.speed_mps).min(walk.end) };
+            // A leg without length, or shorter than a microsecond's walk, is one with its neighbour:
+            // a stride always takes time.
+            if end > now && reached > end && covered_m > walk.covered_m {
+                break;
+            }
+            (to, end) = (waypoint, reached);
+            walk.covered_m = covered_m;
+            walk.waypoint += 1;
+        }
+        if end <= now {
+            return None;
+        }
+        self.under_way = Some(UnderWay::Walk(walk));
+        (self.at, self.posture) = (to, Posture::Standing);
+        Some(Move { begin: now, end, doing: Doing::Stride { from, to }, posture: self.posture })
+    }
+
+    /// The next span of staying, all of which lasts from `begin` to `end`; nothing once it is over.
+    fn stay(&mut self, begin: Micros, end: Micros, pastime: Pastime, now: Micros) -> Option<Move> {
+        if end <= now {
+            return None;
+        }
+        let at = self.at;
+        let (until, doing, posture) = match pastime {
+            Pastime::Still(posture) => (end, Doing::Rest { at }, posture),
+            Pastime::Away => (end, Doing::Away, Posture::Standing),
+            Pastime::Stirring { every, lasting, amplitude_m, posture } => {
+                let began = now - (now - begin) % every;
+                let ended = began.saturating_add(lasting);
+                if now < ended {
+                    (ended, Doing::Stir { at, amplitude_m }, posture)
+                } else {
+                    (began.saturating_add(every), Doing::Rest { at }, posture)
+                }
+            }
+        };
+        self.posture = posture;
+        Some(Move { begin: now, end: until.min(end), doing, posture })
+    }
+
+    /// Counts a pass of the innermost repeat, and returns the step to go on with.
+    fn after_pass(&mut self, first: usize, now: Micros) -> usize {
+        let beyond = self.step + 1;
+        let Some(pass) = self.passes.last_mut() else { return beyond };
+        // A pass that took no time left everything as it was, so the ones to come would too.
+        if pass.began == now && pass.left.is_none() {
+            return self.steps.len();
+        }
+        pass.left = pass.left.map(|left| left - 1);
+        if pass.began == now || pass.left == Some(0) {
+            self.passes.pop();
+            return beyond;
+        }
+        pass.began = now;
+        first
+    }
+
+    /// When a span that begins now ends.
+    fn end_of(&self, span: Span, now: Micros) -> Micros {
+        match span {
+            Span::For(span) => now.saturating_add(span),
+            Span::Until(time) => {
+                let time_now = (now % DAY + self.start_of_day) % DAY;
+                now.saturating_add((time - time_now).rem_euclid(DAY))
+            }
+        }
+    }
+}
+
+/// Appends the steps as a flat list, in which a repeat is bracketed by `Repeat` and `Again`.
+fn flatten(steps: &[file::Step], plan: &Plan, pace_mps: f64, flat: &mut Vec<Step>) {
+    for step in steps {
+        match step {
+            file::Step::Go(go) => {
+                let to = go.to.iter().map(|spot| place(plan, spot)).collect();
+                let tempo = match (go.pace_mps, go.in_s, &go.arrive_at) {
+                    (Some(mps), _, _) => Tempo::Pace(mps),
+                    (None, None, None) => Tempo::Pace(pace_mps),
+                    (None, in_s, arrive_at) => Tempo::Within(span(in_s, arrive_at)),
+                };
+                flat.push(Step::Go { to, tempo });
+            }
+            file::Step::Wait(wait) => {
+                let posture = wait.posture;
+                let pastime = match &wait.stir {
+                    None => Pastime::Still(posture),
+                    Some(stir) => Pastime::Stirring {
+                        posture,
+                        every: micros(stir.every_s).max(1),
+                        lasting: micros(stir.for_s).min(micros(stir.every_s)),
+                        amplitude_m: stir.amplitude_m,
+                    },
+                };
+                flat.push(Step::Stay { span: span(wait.for_s, &wait.until), pastime });
+            }
+            file::Step::Repeat(repeat) => {
+                flat.push(Step::Repeat { times: repeat.times });
+                let first = flat.len();
+                flatten(&repeat.steps, plan, pace_mps, flat);
+                flat.push(Step::Again { first });
+            }
+            file::Step::Activity(name) => flat.push(Step::Activity((!name.is_empty()).then(|| name.clone()))),
+            file::Step::Away(away) => {
+                flat.push(Step::Stay { span: span(away.for_s, &away.until), pastime: Pastime::Away });
+            }
+        }
+    }
+}
+
+fn place(plan: &Plan, spot: &file::Spot) -> Point {
+    plan.spot(spot).unwrap_or_else(|| panic!("the home has no place {spot:?}"))
+}
+
+fn span(for_s: Option<f64>, until: &Option<String>) -> Span {
+    match (for_s, until) {
+        (Some(for_s), _) => Span::For(micros(for_s)),
+        (None, Some(until)) => Span::Until(time_of_day(until).unwrap_or_else(|| panic!("{until:?} is no time of day"))),
+        (None, None) => Span::For(0),
+    }
+}
+
+/// The instant so many seconds after another.
+fn later(begin: Micros, span_s: f64) -> Micros {
+    begin.saturating_add(micros(span_s))
+}
+
+/// Microseconds since midnight of `HH:MM`, `HH:MM:SS` or `HH:MM:SS.ffffff`.
+fn time_of_day(text: &str) -> Option<Micros> {
+    let digits = |text: &str| -> Option<Micros> {
+        if text.bytes().all(|byte| byte.is_ascii_digit()) { text.parse().ok() } else { None }
+    };
+    let two_digits = |text: &str, below| digits(text).filter(|&number| text.len() == 2 && number < below);
+    let (hours, rest) = text.split_once(':')?;
+    let (minutes, rest) = rest.split_once(':').unwrap_or((rest, "00"));
+    let (whole, fraction) = rest.split_once('.').unwrap_or((rest, "0"));
+    if fraction.len() > 6 {
+        return None;
+    }
+    let fraction = digits(fraction)? * Micros::pow(10, 6 - fraction.len() as u32);
+    let minutes = two_digits(hours, 24)? * 60 + two_digits(minutes, 60)?;
+    Some((minutes * 60 + two_digits(whole, 60)?) * SECOND + fraction)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::point;
+    use serde_json::{Value, json};
+
+    const HOUR: Micros = 60 * 60 * SECOND;
+
+    /// A driver that starts at (0, 0) at seven in the morning, with a pace of 0.5 m/s.
+    fn driver(steps: Value) -> PathDriver {
+        let home = json!({
+            "name": "a room", "walls": [], "rooms": [{ "name": "room", "outline": [[0, 0], [9, 0], [9, 9], [0, 9]] }],
+            "places": [{ "name": "sink", "at": [3, 4] }],
+        });
+        let path = json!({ "start": [0, 0], "steps": steps });
+        let home = serde_json::from_value(home).unwrap();
+        PathDriver::new(&serde_json::from_value(path).unwrap(), &Plan::new(&home), 0.5, 7 * HOUR)
+    }
+
+    /// What the driver does up to the first span that ends at `until` or later, checked to have no gaps.
+    fn spans(driver: &mut PathDriver, until: Micros) -> Vec<Move> {
+        let (mut now, mut at, mut spans) = (0, driver.pose().0, Vec::new());
+        while now < until {
+            match driver.next(now) {
+                Next::Move(span) => {
+                    assert_eq!(span.begin, now);
+                    assert!(span.end > span.begin);
+                    match span.doing {
+                        Doing::Stride { from, .. } => assert_eq!(from, at),
+                        Doing::Rest { at: here } | Doing::Stir { at: here, .. } => assert_eq!(here, at),
+                        Doing::Away => {}
+                    }
+                    now = span.end;
+                    at = driver.pose().0;
+                    spans.push(span);
+                }
+                Next::Activity(_) => {}
+                Next::Done => break,
+            }
+        }
+        spans
+    }
+
+    fn ends(spans: &[Move]) -> Vec<Micros> {
+        spans.iter().map(|span| span.end).collect()
+    }
+
+    #[test]
+    fn waypoints_are_reached_to_the_microsecond() {
+        let thirds = json!([{ "go": { "to": [[0.1, 0], [0.2, 0], [0.3, 0]], "pace_mps": 0.3 } }]);
+        assert_eq!(ends(&spans(&mut driver(thirds), HOUR)), [333_333, 666_667, SECOND]);
+
+        let to_the_sink = json!([{ "go": { "to": ["sink"] } }]);
+        let stride = Doing::Stride { from: Point::ZERO, to: point([3.0, 4.0]) };
+        let only = Move { begin: 0, end: 10 * SECOND, doing: stride, posture: Posture::Standing };
+        assert_eq!(spans(&mut driver(to_the_sink), HOUR), [only]);
+
+        let in_ten_seconds = json!([{ "go": { "to": [[1, 0], [4, 0]], "in_s": 10 } }]);
+        assert_eq!(ends(&spans(&mut driver(in_ten_seconds), HOUR)), [2_500_000, 10 * SECOND]);
+
+        let by_half_past = json!([{ "go": { "to": [[1, 0], [4, 0]], "arrive_at": "07:30" } }]);
+        assert_eq!(ends(&spans(&mut driver(by_half_past), HOUR)), [HOUR / 8, HOUR / 2]);
+
+        let by_now = json!([{ "go": { "to": [[4, 0]], "arrive_at": "07:00" } }]);
+        assert_eq!(ends(&spans(&mut driver(by_now), HOUR)), [DAY]);
+    }
+
+    #[test]
+    fn many_waypoints_do_not_drift() {
+        let waypoints: Vec<_> = (1..=100_000).map(|i| json!([f64::from(i % 2) * 0.125, 0])).collect();
+        let spans = spans(&mut driver(json!([{ "go": { "to": waypoints, "pace_mps": 0.3 } }])), DAY);
+        assert_eq!(spans.len(), 100_000);
+        assert_eq!(spans[99_998].end, 41_666_250_000);
+        assert_eq!(spans[99_999].end, 41_666_666_667);
+    }
+
+    #[test]
+    fn legs_without_length_are_no_strides() {
+        let here = json!([{ "go": { "to": [[0, 0], [0, 0]] } }]);
+        assert_eq!(driver(here).next(0), Next::Done);
+        let with_stops = json!([{ "go": { "to": [[0, 0], [1, 0], [1, 0], [2, 0], [2, 0]] } }]);
+        assert_eq!(ends(&spans(&mut driver(with_stops), HOUR)), [2 * SECOND, 4 * SECOND]);
+        let with_specks = json!([{ "go": { "to": [[1e-9, 0], [1, 0], [1, 1e-9], [2, 0], [2, 1e-9]], "in_s": 4 } }]);
+        let mut speck_driver = driver(with_specks);
+        assert_eq!(ends(&spans(&mut speck_driver, HOUR)), [2 * SECOND, 4 * SECOND]);
+        assert_eq!(speck_driver.pose().0, point([2.0, 1e-9]));
+        let stand = json!([{ "go": { "to": [[0, 0]], "in_s": 5 } }]);
+        let rest = Doing::Rest { at: Point::ZERO };
+        let only = Move { begin: 0, end: 5 * SECOND, doing: rest, posture: Posture::Standing };
+        assert_eq!(spans(&mut driver(stand), HOUR), [only]);
+    }
+
+    #[test]
+    fn repeats_nest() {
+        let steps = json!([
+            { "repeat": { "times": 3, "steps": [
+                { "repeat": { "times": 2, "steps": [{ "go": { "to": [[1, 0], [0, 0]], "pace_mps": 1 } }] } },
+                { "wait": { "for_s": 10, "posture": "sitting" } },
+            ] } },
+            { "away": { "for_s": 60 } },
+        ]);
+        let spans = spans(&mut driver(steps), DAY);
+        assert_eq!(spans.len(), 3 * (2 * 2 + 1) + 1);
+        assert_eq!(spans[4].posture, Posture::Sitting);
+        assert_eq!(spans[14].end, 3 * 14 * SECOND);
+        assert_eq!((spans[15].end, spans[15].doing), (102 * SECOND, Doing::Away));
+    }
+
+    #[test]
+    fn an_endless_path_takes_no_more_memory_after_ten_years() {
+        let mut driver = driver(json!([{ "repeat": { "steps": [
+            { "go": { "to": ["sink"], "arrive_at": "07:30" } },
+            { "repeat": { "times": 3, "steps": [{ "go": { "to": [[4, 4], [3, 4]] } }] } },
+            { "go": { "to": [[0, 0]] } },
+            { "wait": { "until": "22:30", "stir": { "every_s": 600, "for_s": 4 } } },
+        ] } }]));
+        let (mut now, mut most_open) = (0, 0);
+        let ten_years = 3_652 * DAY;
+        while now < ten_years {
+            let Next::Move(span) = driver.next(now) else { panic!("the path has ended at {now}") };
+            assert!(span.begin == now && span.end > now);
+            now = span.end;
+            most_open = most_open.max(driver.passes.capacity());
+        }
+        assert!(most_open <= 4);
+        assert_eq!(now, ten_years + HOUR / 2, "the last night's walk arrives at 07:30");
+    }
+
+    #[test]
+    fn a_wait_cuts_its_last_stir() {
+        let steps = json!([{ "wait": { "for_s": 62, "posture": "lying", "stir": {
+            "every_s": 30, "for_s": 4, "amplitude_m": 0.1,
+        } } }]);
+        let spans = spans(&mut driver(steps), HOUR);
+        assert_eq!(ends(&spans), [4, 30, 34, 60, 62].map(|s| s * SECOND));
+        for (index, span) in spans.iter().enumerate() {
+            let stir = Doing::Stir { at: Point::ZERO, amplitude_m: 0.1 };
+            assert_eq!(span.doing, if index % 2 == 0 { stir } else { Doing::Rest { at: Point::ZERO } });
+            assert_eq!(span.posture, Posture::Lying);
+        }
+    }
+
+    #[test]
+    fn until_is_the_next_such_time_of_day() {
+        let until = |time: &str| ends(&spans(&mut driver(json!([{ "wait": { "until": time } }])), DAY));
+        assert_eq!(until("07:30"), [HOUR / 2]);
+        assert_eq!(until("06:59:59.5"), [DAY - SECOND / 2]);
+        assert_eq!(until("00:00"), [17 * HOUR]);
+        assert!(until("07:00").is_empty());
+
+        let nights = json!([{ "repeat": { "times": 2, "steps": [
+            { "wait": { "until": "23:00" } }, { "away": { "until": "06:00" } },
+        ] } }]);
+        assert_eq!(ends(&spans(&mut driver(nights), 3 * DAY)), [16, 23, 40, 47].map(|hours| hours * HOUR));
+    }
+
+    #[test]
+    fn activities_take_no_time() {
+        let mut driver = driver(json!([{ "activity": "tea" }, { "activity": "" }, { "wait": { "for_s": 1 } }]));
+        assert_eq!(driver.next(0), Next::Activity(Some("tea".into())));
+        assert_eq!(driver.next(0), Next::Activity(None));
+        assert!(matches!(driver.next(0), Next::Move(_)));
+        assert_eq!(driver.next(SECOND), Next::Done);
+        assert_eq!(driver.next(SECOND), Next::Done);
+    }
+
+    #[test]
+    fn a_loop_that_takes_no_time_ends() {
+        let steps = json!([{ "repeat": { "steps": [{ "activity": "x" }, { "go": { "to": [[0, 0]] } }] } }]);
+        let mut endless = driver(steps);
+        assert_eq!(endless.next(0), Next::Activity(Some("x".into())));
+        assert_eq!(endless.next(0), Next::Done);
+
+        let steps = json!([
+            { "repeat": { "times": u32::MAX, "steps": [{ "wait": { "until": "07:00" } }] } },
+            { "wait": { "for_s": 1 } },
+        ]);
+        assert_eq!(ends(&spans(&mut driver(steps), HOUR)), [SECOND]);
+    }
+
+    #[test]
+    fn times_without_end_saturate() {
+        let steps = json!([{ "repeat": { "steps": [{ "wait": { "for_s": 1e300 } }] } }]);
+        let mut driver = driver(steps);
+        assert!(matches!(driver.next(0), Next::Move(Move { end: Micros::MAX, .. })));
+        assert_eq!(driver.next(Micros::MAX), Next::Done);
+    }
+
+    #[test]
+    fn a_copy_continues_as_the_original() {
+        let mut original = driver(json!([{ "repeat": { "steps": [
+            { "go": { "to": [[1, 0], [1, 1], [0, 0]] } }, { "wait": { "for_s": 7, "stir": { "every_s": 2, "for_s": 1 } } },
+        ] } }]));
+        let mut now = 0;
+        for _ in 0..100 {
+            let mut copy = original.clone();
+            let next = original.next(now);
+            assert_eq!(copy.next(now), next);
+            let Next::Move(span) = next else { panic!("the path has ended") };
+            now = span.end;
+        }
+    }
+
+    #[test]
+    fn times_of_day_are_read_exactly() {
+        assert_eq!(time_of_day("00:00"), Some(0));
+        assert_eq!(time_of_day("23:59:59.999999"), Some(DAY - 1));
+        assert_eq!(time_of_day("07:30:15.5"), Some(7 * HOUR + HOUR / 2 + 15_500_000));
+        for wrong in
+            ["", "7:30", "24:00", "07:60", "07:30:60", "07:30:1", "07:30:15.1234567", "-1:30", "+7:30", "07:30:15:2"]
+        {
+            assert_eq!(time_of_day(wrong), None, "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! Baking: what each sensor sees of a body of one height, clipped by walls, doors and furniture.
+
+use super::plan::{Plan, Solid};
+use crate::geometry::{self, Point};
+use crate::sensors::motion::Motion;
+use crate::sensors::{Kind, Sensor};
+use crate::stride::Beam;
+use rapier2d::parry::query::{Ray, RayCast};
+use rapier2d::parry::shape::Segment;
+use rapier2d::prelude::Vector;
+
+/// The beams of a sensor on bodies of this height, in the order of the sensor's own blades.
+pub fn beams(sensor: &Sensor, plan: &Plan, body_m: f64) -> Vec<Beam> {
+    match &sensor.kind {
+        Kind::Motion(motion) => blades(motion, plan, body_m),
+        Kind::CeilingMotion(area) => area.beams(),
+    }
+}
+
+/// The visible parts of a wall sensor's blades.
+fn blades(motion: &Motion, plan: &Plan, body_m: f64) -> Vec<Beam> {
+    let (tall, low): (Vec<&Solid>, Vec<&Solid>) =
+        plan.solids.iter().partition(|solid| solid.height_m >= motion.height_m);
+    let walls: Vec<Segment> = tall
+        .iter()
+        .flat_map(|solid| geometry::sides(&solid.outline))
+        .map(|(a, b)| Segment::new(vector(a), vector(b)))
+        .collect();
+    let mut beams = Vec::new();
+    for (number, blade) in motion.blades.iter().enumerate() {
+        let Some((near, far)) = motion.ranges(blade, body_m) else { continue };
+        let far = far.min(cast(&walls, motion.lens, blade.direction, far));
+        let mut shadows: Vec<(f64, f64)> = low
+            .iter()
+            .filter_map(|solid| {
+                let end = motion.lens + blade.direction * motion.reach_m;
+                let (enter, leave) = geometry::segment_inside_convex(&solid.outline, motion.lens, end)?;
+                let span = (enter * motion.reach_m, leave * motion.reach_m);
+                motion.shadow(solid.height_m, !solid.stops_bodies, span, body_m)
+            })
+            .collect();
+        shadows.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut start = near;
+        for (dark, light) in shadows.into_iter().chain([(far, far)]) {
+            let end = dark.min(far);
+            if end > start {
+                beams.push(Beam {
+                    start: motion.lens + blade.direction * start,
+                    direction: blade.direction,
+                    length: end - start,
+                    number: number as u32,
+                });
+            }
+            start = start.max(light);
+        }
+    }
+    beams
+}
+
+/// How far a ray of the physics engine gets from `from` before it meets a wall, at most `reach`.
+fn cast(walls: &[Segment], from: Point, direction: Point, reach: f64) -> f64 {
+    let ray = Ray::new(vector(from), vector(direction));
+    let hits = walls.iter().filter_map(|wall| wall.cast_local_ray(&ray, reach as f32, true));
+    hits.fold(reach, |nearest, hit| nearest.min(f64::from(hit)))
+}
+
+/// A point as the physics engine's.
+pub fn vector(p: Point) -> Vector {
+    Vector::new(p.x as f32, p.y as f32)
+}

@@ -1,0 +1,168 @@
+//! The naive way: look sixty times a second, compare, count. It lives on as the oracle that the exact
+//! way is tested against, and as the baseline that it is timed against.
+//!
+//! Two ways to look: [`paper`], where the physics engine casts every ray of every sensor, and
+//! [`brute`], plain arithmetic over the same beams.
+
+pub mod brute;
+pub mod paper;
+
+use crate::drivers::Move;
+use crate::event::{Doing, Firing};
+use crate::geometry::Point;
+use crate::home::Home;
+use crate::random::Stream;
+use crate::sensors::timing::Timing;
+use crate::time::{Micros, SECOND};
+
+/// A way to look: which sensors notice a change since the last look.
+pub trait Eye {
+    /// `bodies` is where each body is now; `changed[i]` becomes whether sensor i notices a change.
+    fn look(&mut self, bodies: &[Pose], changed: &mut [bool]);
+}
+
+/// A body at an instant. While it stirs, its outline breathes: an amplitude in, and out again.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    pub at: Point,
+    pub radius_m: f64,
+}
+
+/// The game loop of Godsey & Skubic 2009: collect input, step the physics, update all objects with the
+/// time passed.
+pub struct Loop<E> {
+    eye: E,
+    counters: Vec<Counter>,
+    changed: Vec<bool>,
+    update: i64,
+    /// Simulated time between two updates, as a multiple of 1/60 s: how much faster than real the loop runs.
+    speed: i64,
+    seq: u64,
+}
+
+impl<E: Eye> Loop<E> {
+    /// A loop at `speed` times real time: its step grows with its speed, as the paper's does.
+    pub fn new(eye: E, home: &Home, seed: u64, speed: i64) -> Loop<E> {
+        let counter = |sensor: &crate::sensors::Sensor| Counter {
+            timing: sensor.timing,
+            stream: Stream::named(seed, &format!("sensor/{}/timing", sensor.name)),
+            state: State::Idle,
+            last_seen: None,
+        };
+        let counters: Vec<Counter> = home.sensors.iter().map(counter).collect();
+        Loop { eye, changed: vec![false; counters.len()], counters, update: 0, speed, seq: 0 }
+    }
+
+    /// The instant of the next update.
+    pub fn next_update(&self) -> Micros {
+        self.update * self.speed * SECOND / 60
+    }
+
+    /// One update: looks at the bodies as they are now, and adds what fires to `firings`.
+    pub fn update(&mut self, bodies: &[Pose], firings: &mut Vec<Firing>) {
+        let now = self.next_update();
+        self.eye.look(bodies, &mut self.changed);
+        // Nothing has changed before there was anything to compare with.
+        let first = self.update == 0;
+        for (sensor, counter) in self.counters.iter_mut().enumerate() {
+            counter.update(now, self.changed[sensor] && !first, |at| {
+                firings.push(Firing { seq: self.seq, at, sensor: sensor as u32 });
+                self.seq += 1;
+            });
+        }
+        self.update += 1;
+    }
+
+    /// Runs the lives of some residents until `until`.
+    pub fn live(&mut self, lives: &mut [Player], until: Micros, firings: &mut Vec<Firing>) {
+        let mut poses = Vec::with_capacity(lives.len());
+        while self.next_update() < until {
+            let now = self.next_update();
+            poses.clear();
+            poses.extend(lives.iter_mut().map(|life| life.pose(now)));
+            self.update(&poses, firings);
+        }
+    }
+}
+
+/// One sensor's counter: the paper's timing, looked at once an update. What is left over when a counter
+/// runs out is kept, so that lateness does not add up; a firing carries the instant at which it was due.
+struct Counter {
+    timing: Timing,
+    stream: Stream,
+    state: State,
+    last_seen: Option<Micros>,
+}
+
+enum State {
+    Idle,
+    Delay { fire: Micros },
+    Wait { decide: Micros },
+}
+
+impl Counter {
+    fn update(&mut self, now: Micros, changed: bool, mut fire: impl FnMut(Micros)) {
+        loop {
+            match self.state {
+                State::Idle if changed => {
+                    self.state = State::Delay { fire: now + self.stream.span(self.timing.first_fire) };
+                }
+                State::Delay { fire: at } if now >= at => {
+                    fire(at);
+                    self.state = State::Wait { decide: at + self.stream.span(self.timing.refire) };
+                }
+                State::Wait { decide } if now >= decide => {
+                    let seen = if changed { Some(now) } else { self.last_seen };
+                    if seen.is_some_and(|seen| seen >= decide - self.timing.persist) {
+                        fire(decide);
+                        self.state = State::Wait { decide: decide + self.stream.span(self.timing.refire) };
+                    } else {
+                        self.state = State::Idle;
+                    }
+                }
+                _ => break,
+            }
+        }
+        if changed {
+            self.last_seen = Some(now);
+        }
+    }
+}
+
+/// Plays one resident's moves, and says where the body is.
+#[derive(Clone)]
+pub struct Player<'a> {
+    moves: &'a [Move],
+    next: usize,
+    /// How often the present move has been looked at.
+    looks: u32,
+    radius_m: f64,
+}
+
+impl<'a> Player<'a> {
+    pub fn new(moves: &'a [Move], radius_m: f64) -> Player<'a> {
+        Player { moves, next: 0, looks: 0, radius_m }
+    }
+
+    /// The body at an instant, which must not be earlier than at the last call. The last move stays in force.
+    fn pose(&mut self, now: Micros) -> Pose {
+        while self.next + 1 < self.moves.len() && self.moves[self.next].end <= now {
+            self.next += 1;
+            self.looks = 0;
+        }
+        self.looks += 1;
+        let Move { begin, end, doing, .. } = &self.moves[self.next];
+        match *doing {
+            Doing::Stride { from, to } => {
+                let at = from + (to - from) * ((now.min(*end) - begin) as f64 / (end - begin) as f64);
+                Pose { at, radius_m: self.radius_m }
+            }
+            Doing::Stir { at, amplitude_m } => {
+                let breath = if self.looks.is_multiple_of(2) { 0.0 } else { amplitude_m.min(self.radius_m / 2.0) };
+                Pose { at, radius_m: self.radius_m - breath }
+            }
+            Doing::Rest { at } => Pose { at, radius_m: self.radius_m },
+            Doing::Away => Pose { at: Point::splat(1e6), radius_m: self.radius_m },
+        }
+    }
+}

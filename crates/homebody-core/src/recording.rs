@@ -1,0 +1,67 @@
+//! A recording: the scenario with its live input, the seed, the length, and a sign by which a replay can
+//! be told to be the same. That is all a run depends on, so it is enough to live it again, byte for byte.
+
+use crate::event::Firing;
+use crate::problem::Problems;
+use crate::run::Run;
+use crate::scenario::load::Scenario;
+use crate::time::Micros;
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+
+/// A run that can be lived again.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Recording {
+    /// The version of the program that made it.
+    pub version: String,
+    /// The name of the scenario's own file among `files`.
+    pub entry: String,
+    /// The text of every file of the scenario, by name.
+    pub files: BTreeMap<String, String>,
+    pub seed: u64,
+    /// How long the run was, in microseconds.
+    pub length_us: Micros,
+    /// How many firings it had, and the SHA-256 of them.
+    pub firings: u64,
+    pub sha256: String,
+}
+
+impl Recording {
+    /// The scenario that was recorded.
+    pub fn scenario(&self) -> Result<Scenario, Problems> {
+        Scenario::load(&self.files, &self.entry)
+    }
+
+    /// The recorded run from its start.
+    pub fn run(&self, scenario: &Scenario) -> Run {
+        Run::new(scenario, self.seed, self.length_us)
+    }
+}
+
+/// A sign of all firings of a run: the SHA-256 of their instants and sensors.
+#[derive(Clone, Debug, Default)]
+pub struct Seal {
+    hash: Sha256,
+    firings: u64,
+}
+
+impl Seal {
+    pub fn add(&mut self, firings: &[Firing]) {
+        for firing in firings {
+            self.hash.update(firing.at.to_le_bytes());
+            self.hash.update(firing.sensor.to_le_bytes());
+        }
+        self.firings += firings.len() as u64;
+    }
+
+    pub fn firings(&self) -> u64 {
+        self.firings
+    }
+
+    /// The sign as 64 hexadecimal digits.
+    pub fn hex(&self) -> String {
+        self.hash.clone().finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+    }
+}

@@ -1,0 +1,151 @@
+//! A run: residents with their drivers in a world, and the one loop of the program.
+
+use crate::drivers::live::{KeyTrack, LiveDriver};
+use crate::drivers::path::PathDriver;
+use crate::drivers::{Body, Driver, Move, Next};
+use crate::event::{Doing, Events, Fact};
+use crate::home::plan::Plan;
+use crate::home::{Build, Home};
+use crate::scenario::load::{self, Scenario};
+use crate::stride::Stride;
+use crate::time::Micros;
+use crate::world::World;
+use std::sync::Arc;
+
+/// A scenario being lived. A clone continues exactly as the original.
+#[derive(Clone, Debug)]
+pub struct Run {
+    world: World,
+    residents: Vec<Resident>,
+    length: Micros,
+}
+
+#[derive(Clone, Debug)]
+struct Resident {
+    build: Build,
+    driver: Driver,
+    /// Until when the world knows what the resident does.
+    until: Micros,
+    room: Option<u32>,
+    /// Whether any room was told yet.
+    located: bool,
+}
+
+impl Run {
+    /// A run of a scenario from its start, `length` long.
+    pub fn new(scenario: &Scenario, seed: u64, length: Micros) -> Run {
+        let builds: Vec<Build> = scenario.residents.iter().map(|resident| Build::of(&resident.file)).collect();
+        let home = Arc::new(Home::bake(&scenario.home, &builds));
+        let start_of_day = scenario.calendar.start_of_day();
+        let drivers = scenario.residents.iter().map(|resident| driver(resident, &home.plan, start_of_day));
+        let drivers = drivers.collect();
+        Run::of(home, builds, drivers, seed, length)
+    }
+
+    /// A run of any drivers in a baked home.
+    pub fn of(home: Arc<Home>, builds: Vec<Build>, drivers: Vec<Driver>, seed: u64, length: Micros) -> Run {
+        let world = World::new(home, drivers.len(), seed);
+        let resident = |(build, driver)| Resident { build, driver, until: 0, room: None, located: false };
+        Run { world, residents: builds.into_iter().zip(drivers).map(resident).collect(), length }
+    }
+
+    pub fn home(&self) -> &Home {
+        self.world.home()
+    }
+
+    /// How far the run has come.
+    pub fn now(&self) -> Micros {
+        self.world.now()
+    }
+
+    /// How long it is in all.
+    pub fn length(&self) -> Micros {
+        self.length
+    }
+
+    /// Lives until `until` or the end of the run, whichever is first, and adds to `events` what happens
+    /// before then. In how many steps a run is advanced changes nothing.
+    pub fn advance(&mut self, until: Micros, events: &mut Events) {
+        let until = until.min(self.length);
+        while self.world.now() < until {
+            for resident in 0..self.residents.len() {
+                if self.residents[resident].until <= self.world.now() {
+                    self.begin_next(resident, events);
+                }
+            }
+            let next = self.residents.iter().map(|resident| resident.until).min();
+            self.world.advance(until.min(next.unwrap_or(until)), events);
+        }
+    }
+
+    /// Asks the resident's driver what comes next, and tells the world.
+    fn begin_next(&mut self, resident: usize, events: &mut Events) {
+        let now = self.world.now();
+        let others: Vec<Body> = self.others(resident);
+        let next = loop {
+            match self.residents[resident].driver.next(now, &others) {
+                Next::Activity(name) => {
+                    events.facts.push(Fact::Activity { resident: resident as u32, at: now, name });
+                }
+                Next::Move(next) => break next,
+                Next::Done => break self.rest(resident),
+            }
+        };
+        self.residents[resident].until = next.end;
+        self.tell_rooms(resident, &next, events);
+        self.world.begin(resident, &next);
+        events.facts.push(Fact::Movement {
+            resident: resident as u32,
+            begin: now,
+            end: next.end.min(self.length),
+            doing: next.doing,
+            posture: next.posture,
+        });
+    }
+
+    /// The bodies of the others, where they are now.
+    fn others(&self, resident: usize) -> Vec<Body> {
+        let others = (0..self.residents.len()).filter(|&other| other != resident);
+        others
+            .filter_map(|other| {
+                Some(Body { at: self.world.position(other)?, radius_m: self.residents[other].build.radius_m })
+            })
+            .collect()
+    }
+
+    /// Staying as one is, for ever.
+    fn rest(&self, resident: usize) -> Move {
+        let (at, posture) = self.residents[resident].driver.pose();
+        Move { begin: self.world.now(), end: Micros::MAX, doing: Doing::Rest { at }, posture }
+    }
+
+    /// Tells the truth which rooms the resident comes through.
+    fn tell_rooms(&mut self, resident: usize, next: &Move, events: &mut Events) {
+        let plan = &self.world.home().plan;
+        let rooms = match next.doing {
+            Doing::Stride { from, to } => plan.rooms_along(&Stride::new(from, to, next.begin, next.end)),
+            Doing::Stir { at, .. } | Doing::Rest { at } => vec![(next.begin, plan.room_at(at))],
+            Doing::Away => vec![(next.begin, None)],
+        };
+        let Resident { room, located, .. } = &mut self.residents[resident];
+        for (at, new) in rooms {
+            let new = new.map(|index| index as u32);
+            if !*located || *room != new {
+                (*located, *room) = (true, new);
+                events.facts.push(Fact::Room { resident: resident as u32, at, room: new });
+            }
+        }
+    }
+}
+
+/// The driver that a resident's files ask for.
+fn driver(resident: &load::Resident, plan: &Plan, start_of_day: Micros) -> Driver {
+    let load::Resident { file, driver } = resident;
+    match driver {
+        load::Driver::Path(path) => Driver::Path(PathDriver::new(path, plan, file.pace_mps, start_of_day)),
+        load::Driver::Live { input, start } => {
+            let keys = KeyTrack::written(input);
+            Driver::Live(Box::new(LiveDriver::new(plan, *start, file.radius_m, file.pace_mps, keys)))
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! `home.json`: names, then the building, then what hangs in it.
+
+mod furniture;
+mod names;
+mod overlap;
+mod rooms;
+mod sensors;
+mod walls;
+
+use super::{Report, TOLERANCE_M, at, blocking, distance_outside, is_within, solid_name};
+use crate::geometry::{self, Point, point};
+use crate::home::plan::Plan;
+use crate::problem::Problem;
+use crate::scenario::home::{At, HomeFile};
+use crate::scenario::source::Source;
+
+/// Larger homes are a mistake of units.
+const GREATEST_SIZE_M: f64 = 1000.0;
+
+/// How far furniture and areas may reach beyond the rooms: into the thickness of a wall.
+const REACH_OUT_M: f64 = 0.3;
+
+/// Smaller areas are none.
+const LEAST_AREA_M2: f64 = 1e-6;
+
+/// Checks the file; gives the plan if the building is sound.
+pub fn check(source: &Source, home: &HomeFile, problems: &mut Vec<Problem>) -> Option<Plan> {
+    let report = &mut Report { source, problems };
+    names::check(report, home);
+    let before = report.count();
+    check_size(report, home);
+    rooms::check(report, home);
+    walls::check(report, home);
+    let shapes = furniture::check_shapes(report, home);
+    if report.count() > before || !shapes {
+        sensors::check_alone(report, home);
+        return None;
+    }
+    let plan = Plan::new(home);
+    furniture::check_within(report, home, &plan);
+    let sound = report.count() == before;
+    check_places(report, home, &plan);
+    sensors::check_alone(report, home);
+    sensors::check_within(report, home, &plan);
+    sound.then_some(plan)
+}
+
+fn check_size(report: &mut Report, home: &HomeFile) {
+    let rooms = home.rooms.iter().enumerate().flat_map(|(room, file)| {
+        let corner = move |(corner, &at)| (format!("/rooms/{room}/outline/{corner}"), at);
+        file.outline.iter().enumerate().map(corner)
+    });
+    let walls = home.walls.iter().enumerate().flat_map(|(index, wall)| {
+        [(format!("/walls/{index}/from"), wall.from), (format!("/walls/{index}/to"), wall.to)]
+    });
+    let Some(first) = home.rooms.first().and_then(|room| room.outline.first()) else { return };
+    let far = |at: At| (point(at) - point(*first)).abs().max_element() > GREATEST_SIZE_M;
+    if let Some((pointer, _)) = rooms.chain(walls).find(|(_, at)| far(*at)) {
+        let what = format!("this is more than {GREATEST_SIZE_M} m from the first room");
+        report.hinted(&pointer, what, "lengths are in metres, not in centimetres");
+    }
+}
+
+fn check_places(report: &mut Report, home: &HomeFile, plan: &Plan) {
+    for (index, place) in home.places.iter().enumerate() {
+        let (pointer, name, p) = (format!("/places/{index}/at"), &place.name, point(place.at));
+        if distance_outside(plan, p) > TOLERANCE_M {
+            report.add(&pointer, format!("the place {name:?} at {} is outside the home", at(p)));
+        } else if let Some(solid) = blocking(plan, p) {
+            let hint = "put it beside, where a person can stand";
+            report.hinted(&pointer, format!("the place {name:?} is inside {}", solid_name(home, solid)), hint);
+        }
+    }
+}
+
+/// Whether the outline is a convex area; says what is wrong with it if not.
+fn check_convex(report: &mut Report, pointer: &str, outline: &[Point], subject: &str) -> bool {
+    let what = if is_flat(outline) {
+        "has no area"
+    } else if geometry::crosses_itself(outline) {
+        "crosses itself"
+    } else if !geometry::is_convex(outline) {
+        "must be convex"
+    } else {
+        return true;
+    };
+    let hint = (what == "must be convex").then(|| "make it of several convex pieces".to_string());
+    report.problems.push(report.source.problem(pointer, format!("{subject} {what}"), hint));
+    false
+}
+
+/// Whether all corners lie on one line.
+fn is_flat(outline: &[Point]) -> bool {
+    let from_first = |corner: Point| corner - outline[0];
+    let fan = geometry::sides(outline).map(|(a, b)| from_first(a).perp_dot(from_first(b)).abs());
+    fan.sum::<f64>() / 2.0 < LEAST_AREA_M2
+}
+
+/// Whether an area keeps to the home, up to the thickness of its walls.
+fn keeps_within(plan: &Plan, outline: &[Point]) -> bool {
+    let corners = outline.iter().all(|&corner| distance_outside(plan, corner) <= REACH_OUT_M);
+    corners && distance_outside(plan, geometry::inner_point(outline)) <= TOLERANCE_M
+}

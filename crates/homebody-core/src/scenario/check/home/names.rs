@@ -1,0 +1,54 @@
+//! Names of a home: what has the same one, and what paths could not tell apart.
+
+use super::Report;
+use crate::scenario::check::folded;
+use crate::scenario::home::HomeFile;
+use std::collections::BTreeMap;
+
+pub fn check(report: &mut Report, home: &HomeFile) {
+    report.name("/name", &home.name);
+    let rooms: Vec<_> = home.rooms.iter().map(|room| room.name.as_str()).collect();
+    let doors: Vec<_> = home.doors.iter().map(|door| door.name.as_str()).collect();
+    let furniture: Vec<_> = home.furniture.iter().map(|piece| piece.name.as_str()).collect();
+    let places: Vec<_> = home.places.iter().map(|place| place.name.as_str()).collect();
+    let sensors: Vec<_> = home.sensors.iter().map(|sensor| sensor.name()).collect();
+    check_list(report, "rooms", "room", &rooms);
+    check_list(report, "doors", "door", &doors);
+    check_list(report, "furniture", "piece of furniture", &furniture);
+    check_list(report, "places", "place", &places);
+    check_list(report, "sensors", "sensor", &sensors);
+    check_spots(report, home);
+}
+
+fn check_list(report: &mut Report, list: &str, noun: &str, names: &[&str]) {
+    let mut first = BTreeMap::new();
+    for (index, name) in names.iter().enumerate() {
+        let pointer = format!("/{list}/{index}/name");
+        report.name(&pointer, name);
+        match first.insert(folded(name), *name) {
+            Some(other) if other == *name => report.add(&pointer, format!("another {noun} is named {name:?} too")),
+            Some(other) => {
+                let hint = "upper and lower case and surrounding blanks make no difference";
+                report.hinted(&pointer, format!("another {noun} is named {other:?}, too like {name:?}"), hint);
+            }
+            None => {}
+        }
+    }
+}
+
+/// Paths go to places, enterable furniture and rooms by name, so no two of these may share one.
+fn check_spots(report: &mut Report, home: &HomeFile) {
+    let rooms = home.rooms.iter().map(|room| folded(&room.name)).map(|name| (name, "room"));
+    let mut known: BTreeMap<String, &str> = rooms.collect();
+    let seats = home.furniture.iter().enumerate().filter(|(_, piece)| piece.enterable);
+    let seats = seats.map(|(index, piece)| (format!("/furniture/{index}/name"), &piece.name, "piece of furniture"));
+    let places = home.places.iter().enumerate();
+    let places = places.map(|(index, place)| (format!("/places/{index}/name"), &place.name, "place"));
+    for (pointer, name, noun) in seats.chain(places) {
+        let other = known.insert(folded(name), noun);
+        if let Some(other) = other.filter(|other| *other != noun) {
+            let hint = "paths go to either by name: give one of them another";
+            report.hinted(&pointer, format!("a {other} is named {name:?} too"), hint);
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! Sensors: timing that can be, and a place from which they can see.
+
+use super::{Report, TOLERANCE_M, at, check_convex, distance_outside, is_flat, is_within, keeps_within, solid_name};
+use crate::geometry::{self, Point, point};
+use crate::home::plan::Plan;
+use crate::scenario::home::{HomeFile, Level, MotionFile, SensorFile};
+
+/// The beams of all sensors together that a run can follow.
+const MOST_BEAMS: u32 = 4096;
+
+/// How far in front of the lens the view must be free.
+const FREE_VIEW_M: f64 = 0.02;
+
+/// Checks what does not depend on the building.
+pub fn check_alone(report: &mut Report, home: &HomeFile) {
+    let mut beams = 0;
+    for (index, sensor) in home.sensors.iter().enumerate() {
+        let place = format!("/sensors/{index}");
+        check_timing(report, &place, sensor);
+        match sensor {
+            SensorFile::Motion(motion) => {
+                check_lens(report, &place, motion);
+                if beams <= MOST_BEAMS && beams + motion.beams > MOST_BEAMS {
+                    let what = format!("the sensors up to this one have more than {MOST_BEAMS} beams together");
+                    report.add(&place, what);
+                }
+                beams += motion.beams;
+            }
+            SensorFile::CeilingMotion(ceiling) => {
+                let area: Vec<Point> = ceiling.area.iter().map(|&at| point(at)).collect();
+                check_convex(report, &format!("{place}/area"), &area, &format!("the area of {:?}", ceiling.name));
+            }
+        }
+    }
+}
+
+fn check_timing(report: &mut Report, place: &str, sensor: &SensorFile) {
+    let (first, refire, persist) = match sensor {
+        SensorFile::Motion(s) => (s.first_fire_s, s.refire_s, s.persist_s),
+        SensorFile::CeilingMotion(s) => (s.first_fire_s, s.refire_s, s.persist_s),
+    };
+    for (key, range) in [("first_fire_s", first), ("refire_s", refire)] {
+        if let Some([least, most]) = range.filter(|[least, most]| least > most) {
+            let what = format!("the least of {key:?}, {least}, is more than its most, {most}");
+            report.hinted(&format!("{place}/{key}"), what, format!("write [{most}, {least}]"));
+        }
+    }
+    let timing = sensor.timing();
+    let least = timing.refire_s[0].min(timing.refire_s[1]);
+    if timing.persist_s > least {
+        let key = if persist.is_some() { "persist_s" } else { "refire_s" };
+        let what = format!("\"persist_s\", {}, is more than the least of \"refire_s\", {least}", timing.persist_s);
+        let hint = format!("a movement counts only within the wait: set \"persist_s\" to at most {least}");
+        report.hinted(&format!("{place}/{key}"), what, hint);
+    }
+}
+
+fn check_lens(report: &mut Report, place: &str, motion: &MotionFile) {
+    if motion.field_deg[1] > 180.0 {
+        let what = format!("the vertical angle of view must be at most 180, but is {}", motion.field_deg[1]);
+        report.add(&format!("{place}/field_deg/1"), what);
+    }
+    if let Level::Zones(zones) = &motion.level
+        && zones.rows == [0; 3]
+    {
+        report.add(&format!("{place}/level/zones/rows"), "a sensor needs at least one zone");
+    }
+}
+
+/// Checks the places of sensors in a building that is sound.
+pub fn check_within(report: &mut Report, home: &HomeFile, plan: &Plan) {
+    for (index, sensor) in home.sensors.iter().enumerate() {
+        match sensor {
+            SensorFile::Motion(motion) => check_mounting(report, index, motion, home, plan),
+            SensorFile::CeilingMotion(ceiling) => {
+                let area: Vec<Point> = ceiling.area.iter().map(|&at| point(at)).collect();
+                if !is_flat(&area) && !keeps_within(plan, &area) {
+                    let what = format!("the area of {:?} reaches out of the home", ceiling.name);
+                    report.add(&format!("/sensors/{index}/area"), what);
+                }
+            }
+        }
+    }
+}
+
+fn check_mounting(report: &mut Report, index: usize, motion: &MotionFile, home: &HomeFile, plan: &Plan) {
+    let (place, name, lens) = (format!("/sensors/{index}"), &motion.name, point(motion.at));
+    let tall = || plan.solids.iter().filter(|solid| solid.height_m > motion.height_m);
+    let hint = "mount it on the surface, on the side from which it should see";
+    if let Some(solid) = tall().find(|solid| is_within(solid, lens)) {
+        let what = format!("the sensor {name:?} is inside {}", solid_name(home, solid));
+        report.hinted(&format!("{place}/at"), what, hint);
+    } else if distance_outside(plan, lens) > TOLERANCE_M {
+        let what = format!("the sensor {name:?} at {} is outside the home", at(lens));
+        report.hinted(&format!("{place}/at"), what, hint);
+    } else {
+        let ahead = lens + geometry::direction(motion.facing_deg) * FREE_VIEW_M;
+        if let Some(solid) = tall().find(|solid| is_within(solid, ahead)) {
+            let what = format!("the sensor {name:?} faces into {}", solid_name(home, solid));
+            report.hinted(&format!("{place}/facing_deg"), what, "0 is east, 90 north, 180 west, 270 south");
+        }
+    }
+}

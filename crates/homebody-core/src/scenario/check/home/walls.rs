@@ -1,0 +1,73 @@
+//! Walls that have a length, and doors that are in them.
+
+use super::{Report, TOLERANCE_M, at};
+use crate::geometry::{self, point};
+use crate::home::plan::span_on_wall;
+use crate::scenario::home::{DoorFile, HomeFile, WallFile};
+
+/// Shorter walls and narrower doors are mistakes.
+const LEAST_LENGTH_M: f64 = 0.001;
+const LEAST_DOOR_M: f64 = 0.05;
+
+pub fn check(report: &mut Report, home: &HomeFile) {
+    let before = report.count();
+    for (index, wall) in home.walls.iter().enumerate() {
+        if point(wall.from).distance(point(wall.to)) < LEAST_LENGTH_M {
+            report.add(&format!("/walls/{index}/to"), "this wall has no length: it ends where it begins");
+        }
+    }
+    let walls_are_sound = report.count() == before;
+    let mut sound = Vec::new();
+    for (index, door) in home.doors.iter().enumerate() {
+        let width = point(door.from).distance(point(door.to));
+        if width < LEAST_DOOR_M {
+            let what = format!("the door {:?} has no width: its jambs are {width} m apart", door.name);
+            report.add(&format!("/doors/{index}/to"), what);
+        } else {
+            let spans = spans(home, door);
+            // A door on no wall may be meant for one that has no length.
+            if spans.is_empty() && walls_are_sound {
+                report_off_wall(report, home, index, door);
+            }
+            sound.push((index, spans));
+        }
+    }
+    for (i, (index, spans)) in sound.iter().enumerate() {
+        if let Some((other, _)) = sound[..i].iter().find(|(_, other)| overlap(spans, other)) {
+            let what = format!("the doors {:?} and {:?} overlap", home.doors[*other].name, home.doors[*index].name);
+            report.add(&format!("/doors/{index}/from"), what);
+        }
+    }
+}
+
+/// Where on a wall a door lies: the wall's index, and how far from its start the door begins and ends.
+type SpanOnWall = (usize, (f64, f64));
+
+/// A door may be on several walls, where they meet.
+fn spans(home: &HomeFile, door: &DoorFile) -> Vec<SpanOnWall> {
+    let on = |wall: &WallFile| span_on_wall(point(wall.from), point(wall.to), point(door.from), point(door.to));
+    home.walls.iter().enumerate().filter_map(|(index, wall)| Some((index, on(wall)?))).collect()
+}
+
+fn overlap(spans: &[SpanOnWall], others: &[SpanOnWall]) -> bool {
+    spans.iter().any(|(wall, (start, end))| {
+        let mut same_wall = others.iter().filter(|(other, _)| other == wall);
+        same_wall.any(|(_, (from, to))| end.min(*to) - start.max(*from) > TOLERANCE_M)
+    })
+}
+
+fn report_off_wall(report: &mut Report, home: &HomeFile, index: usize, door: &DoorFile) {
+    let distance = |jamb: [f64; 2], (from, to): ([f64; 2], [f64; 2])| {
+        geometry::distance_to_segment(point(jamb), point(from), point(to))
+    };
+    let walls = home.walls.iter().map(|wall| (wall.from, wall.to));
+    let near = walls.map(|wall| (distance(door.from, wall).max(distance(door.to, wall)), wall));
+    let nearest = near.min_by(|(a, _), (b, _)| a.total_cmp(b));
+    let Some((far, wall)) = nearest else {
+        return report.add(&format!("/doors/{index}"), format!("the door {:?} is on no wall", door.name));
+    };
+    let jamb = if distance(door.from, wall) >= distance(door.to, wall) { "from" } else { "to" };
+    let (from, to) = (at(point(wall.0)), at(point(wall.1)));
+    let hint = format!("the wall from {from} to {to} comes nearest; this jamb is {far:.3} m off its middle line");
+    report.hinted(&format!("/doors/{index}/{jamb}"), format!("the door {:?} is on no wall", door.name), hint);
+}

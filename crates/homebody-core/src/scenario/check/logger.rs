@@ -1,0 +1,96 @@
+//! `logger.json`: where the log goes, names that reach SQL, ids of sensors.
+
+use super::{Report, Surroundings, did_you_mean, folded};
+use crate::problem::Problem;
+use crate::scenario::logger::LoggerFile;
+use crate::scenario::source::{Source, pointer_part};
+use std::collections::BTreeMap;
+
+/// Where a log can go.
+const SCHEMES: [&str; 3] = ["sqlite", "csv", "casas"];
+
+pub fn check(source: &Source, file: &LoggerFile, surroundings: &Surroundings, problems: &mut Vec<Problem>) {
+    let report = &mut Report { source, problems };
+    check_targets(report, &file.to);
+    check_sql_names(report, file);
+    check_ids(report, &file.ids, surroundings);
+}
+
+fn check_targets(report: &mut Report, targets: &[String]) {
+    for (index, target) in targets.iter().enumerate() {
+        let pointer = format!("/to/{index}");
+        let (scheme, path) = target.split_once(':').unwrap_or((target, ""));
+        if !SCHEMES.contains(&scheme) {
+            let what = format!("{target:?} is nowhere a log can go");
+            let hint = match super::nearest(scheme, SCHEMES) {
+                Some(near) => format!("did you mean \"{near}:{path}\"?"),
+                None => "write sqlite:FILE, csv:FILE or casas:FILE".into(),
+            };
+            report.hinted(&pointer, what, hint);
+        } else if path.trim().is_empty() {
+            report.hinted(&pointer, format!("{target:?} names no file"), format!("write {scheme}:FILE"));
+        } else if path.chars().any(char::is_control) {
+            report.add(&pointer, "a file name must not hold control characters");
+        } else if targets[..index].iter().any(|other| other.split_once(':').is_some_and(|(_, other)| other == path)) {
+            report.add(&pointer, format!("two logs cannot go to the one file {path:?}"));
+        }
+    }
+}
+
+fn check_sql_names(report: &mut Report, file: &LoggerFile) {
+    if let Some(table) = &file.table {
+        check_sql_name(report, "/table", table);
+        if table.starts_with("sqlite_") {
+            report.add("/table", "SQLite keeps table names that begin with \"sqlite_\" for itself");
+        }
+    }
+    let columns = &file.columns;
+    let columns = [
+        ("run", &columns.run),
+        ("seq", &columns.seq),
+        ("time", &columns.time),
+        ("sensor", &columns.sensor),
+        ("value", &columns.value),
+    ];
+    for (index, (key, name)) in columns.iter().enumerate() {
+        let pointer = format!("/columns/{key}");
+        check_sql_name(report, &pointer, name);
+        if let Some((other, _)) = columns[..index].iter().find(|(_, other)| other == name) {
+            report.add(&pointer, format!("the columns \"{other}\" and \"{key}\" cannot both be named {name:?}"));
+        }
+    }
+}
+
+fn check_sql_name(report: &mut Report, pointer: &str, name: &str) {
+    let begins = name.starts_with(|c: char| c.is_ascii_lowercase() || c == '_');
+    let goes_on = name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
+    if !begins || !goes_on || name.len() > 63 {
+        let hint = "use a to z, 0 to 9 and _, not a digit first, at most 63 characters";
+        report.hinted(pointer, format!("{name:?} cannot be the name of a table or a column"), hint);
+    }
+}
+
+fn check_ids(report: &mut Report, ids: &BTreeMap<String, String>, surroundings: &Surroundings) {
+    let mut owners: BTreeMap<String, &str> = BTreeMap::new();
+    if let Some(home) = surroundings.home {
+        let names = home.sensors.iter().map(|sensor| sensor.name());
+        for sensor in ids.keys().filter(|id| !names.clone().any(|name| name == *id)) {
+            let hint = did_you_mean(sensor, names.clone());
+            let pointer = format!("/ids/{}", pointer_part(sensor));
+            report.problems.push(report.source.problem_with_key(
+                &pointer,
+                format!("the home has no sensor {sensor:?}"),
+                hint,
+            ));
+        }
+        // A sensor without an id of its own is logged by its name.
+        owners.extend(names.filter(|name| !ids.contains_key(*name)).map(|name| (folded(name), name)));
+    }
+    for (sensor, id) in ids {
+        let pointer = format!("/ids/{}", pointer_part(sensor));
+        report.name(&pointer, id);
+        if let Some(owner) = owners.insert(folded(id), sensor) {
+            report.add(&pointer, format!("{owner:?} and {sensor:?} would both be logged as {id:?}"));
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! What a scenario's files must not say although their shape is right, one file here for each of theirs.
+
+pub mod home;
+pub mod input;
+pub mod logger;
+pub mod path;
+pub mod resident;
+pub mod scenario;
+
+use super::home::HomeFile;
+use super::nearest::nearest;
+use super::source::Source;
+use crate::geometry::{self, Point};
+use crate::home::plan::{Origin, Plan, Solid};
+use crate::problem::Problem;
+
+/// What the checks of other files know of the home.
+pub struct Surroundings<'a> {
+    /// Nothing if its shape is wrong.
+    pub home: Option<&'a HomeFile>,
+    /// Nothing if its rooms, walls, doors or furniture are wrong: the way through them would be, too.
+    pub plan: Option<&'a Plan>,
+}
+
+/// Nearer than this counts as touching.
+const TOLERANCE_M: f64 = 1e-6;
+
+/// Collects the problems of one file.
+struct Report<'a> {
+    source: &'a Source,
+    problems: &'a mut Vec<Problem>,
+}
+
+impl Report<'_> {
+    fn add(&mut self, pointer: &str, what: impl Into<String>) {
+        self.problems.push(self.source.problem(pointer, what, None));
+    }
+
+    fn hinted(&mut self, pointer: &str, what: impl Into<String>, hint: impl Into<String>) {
+        self.problems.push(self.source.problem(pointer, what, Some(hint.into())));
+    }
+
+    fn count(&self) -> usize {
+        self.problems.len()
+    }
+
+    /// Names that are blank or hold what would break a table or a terminal.
+    fn name(&mut self, pointer: &str, name: &str) {
+        if name.trim().is_empty() {
+            self.add(pointer, "a name must not be blank");
+        } else if name.chars().any(char::is_control) {
+            self.add(pointer, format!("the name {name:?} must not hold control characters"));
+        }
+    }
+}
+
+/// Names as far as they tell things apart: case and surrounding blanks do not.
+fn folded(name: &str) -> String {
+    name.trim().to_lowercase()
+}
+
+/// A hint at the known name that was probably meant, or at those there are.
+fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str> + Clone) -> Option<String> {
+    const FEW: usize = 12;
+    if let Some(near) = nearest(name, known.clone()) {
+        return Some(format!("did you mean {near:?}?"));
+    }
+    let mut list: Vec<String> = Vec::new();
+    for name in known.map(|name| format!("{name:?}")) {
+        if list.len() == FEW {
+            list.push("...".into());
+            break;
+        }
+        if !list.contains(&name) {
+            list.push(name);
+        }
+    }
+    (!list.is_empty()).then(|| format!("there are {}", list.join(", ")))
+}
+
+/// A point as messages write it.
+fn at(p: Point) -> String {
+    let short = |value: f64| (value * 1000.0).round() / 1000.0 + 0.0;
+    format!("({}, {})", short(p.x), short(p.y))
+}
+
+/// What a solid is, in the words of the home's file.
+fn solid_name(home: &HomeFile, solid: &Solid) -> String {
+    match solid.origin {
+        Origin::Wall(index) => {
+            let wall = &home.walls[index];
+            format!("the wall from {} to {}", at(geometry::point(wall.from)), at(geometry::point(wall.to)))
+        }
+        Origin::Door(index) => format!("the closed door {:?}", home.doors[index].name),
+        Origin::Furniture(index) => format!("{:?}", home.furniture[index].name),
+    }
+}
+
+/// Whether the point is in the solid, deeper than its surface.
+fn is_within(solid: &Solid, p: Point) -> bool {
+    geometry::contains(&solid.outline, p) && geometry::distance_to_border(&solid.outline, p) > TOLERANCE_M
+}
+
+/// The first solid that stops bodies and has the point in it.
+fn blocking(plan: &Plan, p: Point) -> Option<&Solid> {
+    plan.solids.iter().find(|solid| solid.stops_bodies && is_within(solid, p))
+}
+
+/// How far the point is from the nearest room or door opening; zero inside.
+fn distance_outside(plan: &Plan, p: Point) -> f64 {
+    let rooms = plan.rooms.iter().map(|room| &room.outline);
+    rooms.chain(&plan.openings).map(|area| geometry::distance_to_area(area, p)).fold(f64::INFINITY, f64::min)
+}

@@ -1,0 +1,270 @@
+//! From the text of a scenario folder to a checked scenario, or to everything that is wrong with it.
+
+use super::ScenarioFile;
+use super::calendar::Calendar;
+use super::check;
+use super::home::HomeFile;
+use super::input::InputFile;
+use super::logger::LoggerFile;
+use super::path::PathFile;
+use super::resident::{DriverFile, ResidentFile};
+use super::schema::FileKind;
+use super::shape;
+use super::source::{Source, Value};
+use crate::geometry::{Point, point};
+use crate::problem::{Problem, Problems};
+use serde::de::DeserializeOwned;
+use std::collections::BTreeMap;
+
+/// Where the text of a scenario's files comes from: a folder, a recording, a test.
+pub trait Files {
+    /// The text of a file, by its name relative to the scenario's folder, with `/` between folders.
+    ///
+    /// The error says to people why there is none, such as `there is no such file`. The loader only
+    /// asks for names that stay inside the folder.
+    fn read(&self, name: &str) -> Result<String, String>;
+}
+
+impl Files for BTreeMap<String, String> {
+    fn read(&self, name: &str) -> Result<String, String> {
+        self.get(name).cloned().ok_or_else(|| "there is no such file".into())
+    }
+}
+
+/// A scenario that has passed every check.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scenario {
+    pub file: ScenarioFile,
+    pub home: HomeFile,
+    /// The defaults where the scenario links none.
+    pub logger: LoggerFile,
+    /// In the order in which the scenario links them.
+    pub residents: Vec<Resident>,
+    pub calendar: Calendar,
+    /// The text of every file that was read, by name: enough to load the scenario again.
+    pub sources: BTreeMap<String, String>,
+}
+
+/// Who lives there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Resident {
+    pub file: ResidentFile,
+    pub driver: Driver,
+}
+
+/// What decides for a resident, read from the file that the resident links.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Driver {
+    Path(PathFile),
+    Live { input: InputFile, start: Point },
+}
+
+impl Scenario {
+    /// Reads the entry file and whatever it links, and checks all of it.
+    ///
+    /// All problems of all files come at once, in the order in which the files are linked. The
+    /// meaning of one file is checked even where the shape of another is wrong.
+    pub fn load(files: &dyn Files, entry: &str) -> Result<Scenario, Problems> {
+        let mut loader = Loader { files, problems: Vec::new(), sources: BTreeMap::new(), order: Vec::new() };
+        let scenario = loader.scenario(entry);
+        let problems = loader.all_problems();
+        match scenario {
+            Some(scenario) if problems.0.is_empty() => Ok(scenario),
+            _ => Err(problems),
+        }
+    }
+}
+
+struct Loader<'a> {
+    files: &'a dyn Files,
+    problems: Vec<Problem>,
+    sources: BTreeMap<String, String>,
+    /// The files in the order in which they are linked, with what each of them is.
+    order: Vec<(String, FileKind)>,
+}
+
+/// A file that has the right shape, and its text for the places of problems with its meaning.
+struct Read<T> {
+    source: Source,
+    data: T,
+}
+
+impl Loader<'_> {
+    fn scenario(&mut self, entry: &str) -> Option<Scenario> {
+        let text = match self.files.read(entry) {
+            Ok(text) => text,
+            Err(why) => {
+                self.problems.push(Problem::of_file(entry, format!("cannot be read: {why}"), None));
+                return None;
+            }
+        };
+        let scenario: Read<ScenarioFile> = self.parse(entry, FileKind::Scenario, &text, None)?;
+        let (source, file) = (&scenario.source, &scenario.data);
+        let calendar = check::scenario::check(source, file, &mut self.problems);
+
+        let home: Option<Read<HomeFile>> = self.linked(source, "/home", &file.home, FileKind::Home);
+        let plan = home.as_ref().and_then(|home| check::home::check(&home.source, &home.data, &mut self.problems));
+        let surroundings = check::Surroundings { home: home.as_ref().map(|home| &home.data), plan: plan.as_ref() };
+
+        let logger = match &file.logger {
+            Some(name) => self.linked(source, "/logger", name, FileKind::Logger).map(|logger: Read<LoggerFile>| {
+                check::logger::check(&logger.source, &logger.data, &surroundings, &mut self.problems);
+                logger.data
+            }),
+            None => Some(LoggerFile::default()),
+        };
+
+        let mut names = check::resident::Names::default();
+        let residents: Vec<Option<Resident>> = (file.residents.iter().enumerate())
+            .map(|(index, name)| {
+                let link = format!("/residents/{index}");
+                let resident: Read<ResidentFile> = self.linked(source, &link, name, FileKind::Resident)?;
+                names.check(&resident.source, &resident.data, &mut self.problems);
+                self.resident(resident, &surroundings)
+            })
+            .collect();
+
+        Some(Scenario {
+            calendar: calendar?,
+            home: home?.data,
+            logger: logger?,
+            residents: residents.into_iter().collect::<Option<_>>()?,
+            sources: std::mem::take(&mut self.sources),
+            file: scenario.data,
+        })
+    }
+
+    fn resident(&mut self, resident: Read<ResidentFile>, surroundings: &check::Surroundings) -> Option<Resident> {
+        let Read { source, data: file } = resident;
+        let driver = match &file.driver {
+            DriverFile::Path(name) => {
+                let path: Read<PathFile> = self.linked(&source, "/driver/path", name, FileKind::Path)?;
+                check::path::check(&path.source, &path.data, &file, surroundings, &mut self.problems);
+                Driver::Path(path.data)
+            }
+            DriverFile::Live(live) => {
+                check::resident::check_start(&source, live, &file, surroundings, &mut self.problems);
+                let input: Read<InputFile> = self.linked(&source, "/driver/live/keys", &live.keys, FileKind::Input)?;
+                check::input::check(&input.source, &input.data, &mut self.problems);
+                Driver::Live { input: input.data, start: point(live.start) }
+            }
+        };
+        Some(Resident { file, driver })
+    }
+
+    /// Reads a file that another links; a file that is missing is a problem of the link.
+    fn linked<T: DeserializeOwned>(
+        &mut self,
+        from: &Source,
+        link: &str,
+        name: &str,
+        kind: FileKind,
+    ) -> Option<Read<T>> {
+        if let Some(what) = outside_folder(name) {
+            let hint = "name a file relative to the scenario's folder, with / between folders".to_string();
+            self.problems.push(from.problem(link, what, Some(hint)));
+            return None;
+        }
+        let used = self.order.iter().find(|(known, _)| known == name).map(|(_, used)| *used);
+        match used {
+            Some(used) if used != kind => {
+                let what = format!("{name:?} is already used as {}; it cannot be {} too", used.noun(), kind.noun());
+                self.problems.push(from.problem(link, what, None));
+                return None;
+            }
+            Some(FileKind::Resident) => {
+                let hint = "give every resident a file of their own".to_string();
+                self.problems.push(from.problem(link, format!("{name:?} is linked twice"), Some(hint)));
+                return None;
+            }
+            _ => {}
+        }
+        match self.files.read(name) {
+            Ok(text) => self.parse(name, kind, &text, Some((from, link))),
+            Err(why) => {
+                self.problems.push(from.problem(link, format!("{name:?} cannot be read: {why}"), None));
+                None
+            }
+        }
+    }
+
+    fn parse<T: DeserializeOwned>(
+        &mut self,
+        name: &str,
+        kind: FileKind,
+        text: &str,
+        link: Option<(&Source, &str)>,
+    ) -> Option<Read<T>> {
+        if !self.order.iter().any(|(known, _)| known == name) {
+            self.order.push((name.into(), kind));
+        }
+        let source = match Source::parse(name, text) {
+            Ok(source) => source,
+            Err(problem) => {
+                self.problems.push(problem);
+                return None;
+            }
+        };
+        self.sources.insert(name.into(), source.text.clone());
+        let problems = shape::check(&source, &kind.schema());
+        if !problems.is_empty() {
+            let mistaken = mistaken_for(&source, kind).map(|other| {
+                self.order.retain(|(known, _)| known != name || link.is_none());
+                let what = format!("{name:?} is {}, but {} is needed here", other.noun(), kind.noun());
+                match link {
+                    Some((from, link)) => from.problem(link, what, None),
+                    None => Problem::of_file(name, what, None),
+                }
+            });
+            self.problems.extend(mistaken.map_or(problems, |problem| vec![problem]));
+            return None;
+        }
+        match serde_json::from_value(source.root.to_json()) {
+            Ok(data) => Some(Read { source, data }),
+            Err(error) => {
+                self.problems.push(Problem::of_file(name, format!("cannot be understood: {error}"), None));
+                None
+            }
+        }
+    }
+
+    fn all_problems(self) -> Problems {
+        /// Nobody reads more, and a file that is wrong throughout would bury the others.
+        const MOST_PER_FILE: usize = 100;
+        let mut problems = self.problems;
+        let rank = |file: &str| self.order.iter().position(|(known, _)| known == file);
+        problems.sort_by_key(|problem| (rank(&problem.file), problem.line, problem.column));
+        problems.dedup();
+        let mut kept = Vec::new();
+        for of_file in problems.chunk_by(|a, b| a.file == b.file) {
+            kept.extend_from_slice(&of_file[..of_file.len().min(MOST_PER_FILE)]);
+            if of_file.len() > MOST_PER_FILE {
+                let what = format!("there are {} more problems", of_file.len() - MOST_PER_FILE);
+                kept.push(Problem::of_file(&of_file[0].file, what, None));
+            }
+        }
+        Problems(kept)
+    }
+}
+
+/// Why a file's name is refused: nothing outside the scenario's folder is ever read.
+fn outside_folder(name: &str) -> Option<String> {
+    if name.trim().is_empty() {
+        return Some("a file name must not be empty".into());
+    }
+    let leaves = name.split(['/', '\\']).any(|part| part == "..");
+    let is_absolute = name.starts_with(['/', '\\']) || name.contains(':');
+    let is_odd = name.contains('\\') || name.chars().any(char::is_control);
+    (leaves || is_absolute || is_odd).then(|| format!("{name:?} is no file name inside the scenario's folder"))
+}
+
+/// The other kind of file that this one is a faultless example of.
+fn mistaken_for(source: &Source, kind: FileKind) -> Option<FileKind> {
+    // A file that says nothing would be a faultless logger.
+    let Value::Object(entries) = &source.root.value else { return None };
+    if entries.iter().all(|(key, _)| key.name == "$schema") {
+        return None;
+    }
+    let fits = |other: &FileKind| *other != kind && shape::check(source, &other.schema()).is_empty();
+    FileKind::ALL.into_iter().find(fits)
+}

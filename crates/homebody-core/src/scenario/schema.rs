@@ -1,0 +1,74 @@
+//! The JSON Schemas of the scenario's files, generated from their types.
+//!
+//! Editors complete and check with them, and the loader checks against the very same.
+
+use super::ScenarioFile;
+use super::home::HomeFile;
+use super::input::InputFile;
+use super::logger::LoggerFile;
+use super::path::PathFile;
+use super::resident::ResidentFile;
+use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
+use serde_json::Value;
+
+/// What a file of a scenario is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FileKind {
+    Scenario,
+    Home,
+    Logger,
+    Resident,
+    Path,
+    Input,
+}
+
+impl FileKind {
+    pub const ALL: [FileKind; 6] =
+        [FileKind::Scenario, FileKind::Home, FileKind::Logger, FileKind::Resident, FileKind::Path, FileKind::Input];
+
+    /// The schema's file name in the folder `schemas`.
+    pub fn schema_name(self) -> &'static str {
+        match self {
+            FileKind::Scenario => "scenario.schema.json",
+            FileKind::Home => "home.schema.json",
+            FileKind::Logger => "logger.schema.json",
+            FileKind::Resident => "resident.schema.json",
+            FileKind::Path => "path.schema.json",
+            FileKind::Input => "input.schema.json",
+        }
+    }
+
+    /// What messages call such a file.
+    pub fn noun(self) -> &'static str {
+        match self {
+            FileKind::Scenario => "a scenario",
+            FileKind::Home => "a home",
+            FileKind::Logger => "a logger",
+            FileKind::Resident => "a resident",
+            FileKind::Path => "a path",
+            FileKind::Input => "a file of live input",
+        }
+    }
+
+    pub fn schema(self) -> Value {
+        match self {
+            FileKind::Scenario => schema::<ScenarioFile>(),
+            FileKind::Home => schema::<HomeFile>(),
+            FileKind::Logger => schema::<LoggerFile>(),
+            FileKind::Resident => schema::<ResidentFile>(),
+            FileKind::Path => schema::<PathFile>(),
+            FileKind::Input => schema::<InputFile>(),
+        }
+    }
+}
+
+/// Every schema with its file name.
+pub fn schemas() -> Vec<(&'static str, Value)> {
+    FileKind::ALL.into_iter().map(|kind| (kind.schema_name(), kind.schema())).collect()
+}
+
+/// Draft 7 is the newest that all editors understand.
+fn schema<T: JsonSchema>() -> Value {
+    SchemaSettings::draft07().into_generator().into_root_schema_for::<T>().to_value()
+}

@@ -1,0 +1,368 @@
+//! Whether a file has the shape its schema asks for, in the words of people.
+//!
+//! The walk knows those parts of JSON Schema that the scenario's types produce, no more.
+
+use super::nearest::nearest;
+use super::source::{Key, Node, Source, Value};
+use crate::problem::Problem;
+use serde_json::Value as Schema;
+
+/// Everything about the source's shape that its schema refuses.
+pub fn check(source: &Source, schema: &Schema) -> Vec<Problem> {
+    let mut walk = Walk { source, root: schema, problems: Vec::new() };
+    walk.value(&source.root, schema, "the file");
+    walk.problems
+}
+
+struct Walk<'a> {
+    source: &'a Source,
+    root: &'a Schema,
+    problems: Vec<Problem>,
+}
+
+impl<'a> Walk<'a> {
+    /// Checks a value; `subject` is what messages call it, such as `"height_m"`.
+    fn value(&mut self, node: &Node, schema: &'a Schema, subject: &str) {
+        let schema = self.resolve(schema);
+        if matches!(node.value, Value::Null) && self.is_optional(schema) {
+            return;
+        }
+        if let Some(branches) = branches(schema, "oneOf") {
+            return self.one_of(node, schema, branches, subject);
+        }
+        if let Some(branches) = branches(schema, "anyOf") {
+            let mut fitting = branches.iter().filter(|branch| self.takes(branch, node));
+            return match fitting.next() {
+                Some(branch) => self.value(node, branch, subject),
+                None => self.wrong_type(node, schema, subject),
+            };
+        }
+        if !self.takes(schema, node) {
+            return self.wrong_type(node, schema, subject);
+        }
+        match &node.value {
+            Value::Number(number, text) => {
+                self.number(node, number.as_ref().and_then(|n| n.as_f64()), text, schema, subject)
+            }
+            Value::Text(text) => self.text(node, text, schema, subject),
+            Value::List(items) => self.list(node, items, schema, subject),
+            Value::Object(entries) => self.object(node, entries, schema),
+            Value::Null | Value::Bool(_) => {}
+        }
+    }
+
+    fn number(&mut self, node: &Node, value: Option<f64>, text: &str, schema: &Schema, subject: &str) {
+        let Some(value) = value else {
+            return self.report(node.start, format!("{subject} is too large a number"), None);
+        };
+        let whole = types(schema).any(|name| name == "integer");
+        if whole && value.fract() != 0.0 {
+            return self.report(node.start, format!("{subject} must be a whole number, but is {text}"), None);
+        }
+        let bound = |name: &str| schema.get(name).and_then(Schema::as_f64);
+        let (least, above) = (bound("minimum"), bound("exclusiveMinimum"));
+        let (most, below) = (bound("maximum"), bound("exclusiveMaximum"));
+        let too_small = least.is_some_and(|least| value < least) || above.is_some_and(|above| value <= above);
+        let too_large = most.is_some_and(|most| value > most) || below.is_some_and(|below| value >= below);
+        if too_small || too_large {
+            let bounds = match (least, most) {
+                (Some(least), Some(most)) => format!("from {least} to {most}"),
+                _ => {
+                    let words = [("at least", least), ("more than", above), ("at most", most), ("less than", below)];
+                    let given = words.into_iter().filter_map(|(word, bound)| Some(format!("{word} {}", bound?)));
+                    given.collect::<Vec<_>>().join(" and ")
+                }
+            };
+            self.report(node.start, format!("{subject} must be {bounds}, but is {text}"), None);
+        }
+    }
+
+    fn text(&mut self, node: &Node, text: &str, schema: &Schema, subject: &str) {
+        let names: Vec<&str> = names_of(schema).collect();
+        if !names.is_empty() && !names.contains(&text) {
+            return self.unknown_name(node, text, &names, subject);
+        }
+        let length = text.chars().count() as u64;
+        let limit = |name: &str| schema.get(name).and_then(Schema::as_u64);
+        if length == 0 && limit("minLength").is_some() {
+            self.report(node.start, format!("{subject} must not be empty"), None);
+        } else if let Some(most) = limit("maxLength").filter(|&most| length > most) {
+            self.report(node.start, format!("{subject} must not be longer than {most} characters"), None);
+        }
+    }
+
+    fn list(&mut self, node: &Node, items: &[Node], schema: &'a Schema, subject: &str) {
+        let limit = |name: &str| schema.get(name).and_then(Schema::as_u64);
+        let (least, most) = (limit("minItems").unwrap_or(0), limit("maxItems").unwrap_or(u64::MAX));
+        let count = items.len() as u64;
+        if !(least..=most).contains(&count) {
+            let wanted = match (least, most) {
+                (least, most) if least == most => format!("exactly {least}"),
+                (least, u64::MAX) => format!("at least {least}"),
+                (0, most) => format!("at most {most}"),
+                (least, most) => format!("{least} to {most}"),
+            };
+            let items = if wanted.ends_with(" 1") { "item" } else { "items" };
+            self.report(node.start, format!("{subject} must have {wanted} {items}, but has {count}"), hint_of(schema));
+        }
+        let Some(schema) = schema.get("items") else { return };
+        for (index, item) in items.iter().enumerate() {
+            self.value(item, schema, &format!("item {} of {subject}", index + 1));
+        }
+    }
+
+    fn object(&mut self, node: &Node, entries: &[(Key, Node)], schema: &'a Schema) {
+        let name = with_article(schema.get("title").and_then(Schema::as_str).unwrap_or("object"));
+        let properties = schema.get("properties").and_then(Schema::as_object);
+        let known: Vec<&str> = properties.into_iter().flatten().map(|(key, _)| key.as_str()).collect();
+        let property = |key: &str| properties.and_then(|properties| properties.get(key));
+        let mut meant = Vec::new();
+        for (index, (key, value)) in entries.iter().enumerate() {
+            if let Some((first, _)) = entries[..index].iter().find(|(other, _)| other.name == key.name) {
+                let hint = format!("it is already given on line {}", self.source.line(first.start));
+                self.report(key.start, format!("{:?} is given twice", key.name), Some(hint));
+                continue;
+            }
+            let subject = format!("{:?}", key.name);
+            if let Some(schema) = property(&key.name) {
+                self.value(value, schema, &subject);
+            } else if let Some(schema) = schema.get("additionalProperties").filter(|schema| schema.is_object()) {
+                self.value(value, schema, &subject);
+            } else {
+                let near = nearest(&key.name, known.iter().copied());
+                meant.extend(near);
+                let hint = match near {
+                    Some(near) => format!("did you mean {near:?}?"),
+                    None => format!("its keys are {}", list_of(&known)),
+                };
+                self.report(key.start, format!("{:?} is no key of {name}", key.name), Some(hint));
+            }
+        }
+        for key in branches(schema, "required").into_iter().flatten().filter_map(Schema::as_str) {
+            let given = entries.iter().any(|(entry, _)| entry.name == key);
+            // A required key that was misspelt is one mistake, not two.
+            if !given && !meant.contains(&key) {
+                let hint = property(key).and_then(|schema| hint_of(self.resolve_keeping_hint(schema)));
+                self.report(node.start, format!("{name} needs the key {key:?}"), hint);
+            }
+        }
+    }
+
+    /// One of several forms: names, objects that a `kind` tells apart, or objects of a single key.
+    fn one_of(&mut self, node: &Node, schema: &'a Schema, branches: &'a [Schema], subject: &str) {
+        if let Some(tag) = branches.iter().find_map(tag_of) {
+            return self.tagged(node, schema, branches, tag, subject);
+        }
+        let names: Vec<&str> = branches.iter().flat_map(names_of).collect();
+        let keys: Vec<&str> = branches.iter().filter_map(single_key).collect();
+        match &node.value {
+            Value::Text(text) if names.contains(&text.as_str()) => {}
+            Value::Text(text) if keys.contains(&text.as_str()) => {
+                let hint = format!("write {{ {text:?}: ... }}");
+                self.report(node.start, format!("{text:?} needs more than its name"), Some(hint));
+            }
+            Value::Text(text) if !names.is_empty() => {
+                let all: Vec<&str> = names.iter().chain(&keys).copied().collect();
+                self.unknown_name(node, text, &all, subject);
+            }
+            Value::Object(entries) if !keys.is_empty() => {
+                let what = schema.get("title").and_then(Schema::as_str).map_or(subject.to_string(), with_article);
+                let [(key, value)] = &entries[..] else {
+                    let hint = Some(format!("its key is one of {}", list_of(&keys)));
+                    let what = format!("{what} must have exactly one key, but has {}", entries.len());
+                    return self.report(node.start, what, hint);
+                };
+                let branch = branches.iter().find(|branch| single_key(branch) == Some(&key.name));
+                match branch.and_then(|branch| branch.get("properties")?.get(&key.name)) {
+                    Some(schema) => self.value(value, schema, &format!("{:?}", key.name)),
+                    None => {
+                        let hint = did_you_mean(&key.name, &keys);
+                        self.report(key.start, format!("{:?} is no kind of {}", key.name, noun(&what)), hint);
+                    }
+                }
+            }
+            _ => self.wrong_type(node, schema, subject),
+        }
+    }
+
+    fn tagged(&mut self, node: &Node, schema: &'a Schema, branches: &'a [Schema], tag: &str, subject: &str) {
+        let Value::Object(entries) = &node.value else {
+            return self.wrong_type(node, schema, subject);
+        };
+        let what = schema.get("title").and_then(Schema::as_str).unwrap_or("object");
+        let name_of = |branch: &'a Schema| branch.get("properties")?.get(tag)?.get("const")?.as_str();
+        let names: Vec<&str> = branches.iter().filter_map(name_of).collect();
+        let Some((_, value)) = entries.iter().find(|(key, _)| key.name == tag) else {
+            let hint = Some(format!("it is one of {}", list_of(&names)));
+            return self.report(node.start, format!("{} needs the key {tag:?}", with_article(what)), hint);
+        };
+        let Value::Text(name) = &value.value else {
+            let what = format!("{tag:?} must be a text, but is {}", kind_of(value));
+            return self.report(value.start, what, Some(format!("it is one of {}", list_of(&names))));
+        };
+        match branches.iter().find(|branch| name_of(branch) == Some(name)) {
+            Some(branch) => self.value(node, branch, subject),
+            None => self.report(value.start, format!("{name:?} is no kind of {what}"), did_you_mean(name, &names)),
+        }
+    }
+
+    fn unknown_name(&mut self, node: &Node, text: &str, names: &[&str], subject: &str) {
+        self.report(node.start, format!("{subject} cannot be {text:?}"), did_you_mean(text, names));
+    }
+
+    fn wrong_type(&mut self, node: &Node, schema: &'a Schema, subject: &str) {
+        let mut wanted = Vec::new();
+        self.describe(schema, &mut wanted);
+        wanted.dedup();
+        let quoted_number = matches!(&node.value, Value::Text(text) if text.parse::<f64>().is_ok());
+        let wants_number = wanted.iter().any(|wanted| wanted.ends_with("number"));
+        let hint = match &node.value {
+            _ if quoted_number && wants_number => Some("remove the quotes".into()),
+            Value::Text(text) if wanted == ["a list"] => Some(format!("write [{text:?}]")),
+            _ => hint_of(schema),
+        };
+        let what = format!("{subject} must be {}, but is {}", wanted.join(" or "), kind_of(node));
+        self.report(node.start, what, hint);
+    }
+
+    /// What the schema takes, in words.
+    fn describe(&self, schema: &'a Schema, words: &mut Vec<String>) {
+        let schema = self.resolve(schema);
+        for branch in branches(schema, "anyOf").or(branches(schema, "oneOf")).into_iter().flatten() {
+            self.describe(branch, words);
+        }
+        for name in types(schema) {
+            let word = match name {
+                "number" => "a number".into(),
+                "integer" => "a whole number".into(),
+                "string" => "a text".into(),
+                "boolean" => "true or false".into(),
+                "array" => self.describe_list(schema),
+                "object" => "an object { ... }".into(),
+                _ => continue,
+            };
+            if !words.contains(&word) {
+                words.push(word);
+            }
+        }
+    }
+
+    fn describe_list(&self, schema: &'a Schema) -> String {
+        let item = schema.get("items").map(|items| self.resolve(items));
+        let limit = |name: &str| schema.get(name).and_then(Schema::as_u64);
+        match (item.and_then(|item| types(item).next()), limit("minItems"), limit("maxItems")) {
+            (Some("number" | "integer"), Some(least), Some(most)) if least == most => {
+                format!("a list of {least} numbers")
+            }
+            _ => "a list".into(),
+        }
+    }
+
+    /// Whether a value of this JSON type can be right at all.
+    fn takes(&self, schema: &'a Schema, node: &Node) -> bool {
+        let schema = self.resolve(schema);
+        if let Some(branches) = branches(schema, "anyOf").or(branches(schema, "oneOf")) {
+            return branches.iter().any(|branch| self.takes(branch, node));
+        }
+        types(schema).any(|name| match &node.value {
+            Value::Null => name == "null",
+            Value::Bool(_) => name == "boolean",
+            Value::Number(..) => name == "number" || name == "integer",
+            Value::Text(_) => name == "string",
+            Value::List(_) => name == "array",
+            Value::Object(_) => name == "object",
+        })
+    }
+
+    fn is_optional(&self, schema: &'a Schema) -> bool {
+        let is_null = |schema| types(schema).any(|name| name == "null");
+        is_null(schema) || branches(schema, "anyOf").is_some_and(|branches| branches.iter().any(is_null))
+    }
+
+    fn resolve(&self, schema: &'a Schema) -> &'a Schema {
+        if let Some([only]) = branches(schema, "allOf") {
+            return self.resolve(only);
+        }
+        match schema.get("$ref").and_then(Schema::as_str) {
+            Some(name) => name.strip_prefix('#').and_then(|name| self.root.pointer(name)).unwrap_or(schema),
+            None => schema,
+        }
+    }
+
+    /// A reference has the words of the key that refers; they say more than those of the type.
+    fn resolve_keeping_hint(&self, schema: &'a Schema) -> &'a Schema {
+        if schema.get("description").is_some() { schema } else { self.resolve(schema) }
+    }
+
+    fn report(&mut self, at: usize, what: String, hint: Option<String>) {
+        self.problems.push(self.source.problem_at(at, what, hint));
+    }
+}
+
+fn branches<'a>(schema: &'a Schema, keyword: &str) -> Option<&'a [Schema]> {
+    schema.get(keyword).and_then(Schema::as_array).map(Vec::as_slice)
+}
+
+fn types(schema: &Schema) -> impl Iterator<Item = &str> {
+    let (one, many) = match schema.get("type") {
+        Some(Schema::Array(names)) => (None, &names[..]),
+        Some(name) => (name.as_str(), &[][..]),
+        None => (None, &[][..]),
+    };
+    one.into_iter().chain(many.iter().filter_map(Schema::as_str))
+}
+
+/// The texts that a schema takes, where it takes only certain ones.
+fn names_of(schema: &Schema) -> impl Iterator<Item = &str> {
+    schema.get("const").into_iter().chain(branches(schema, "enum").into_iter().flatten()).filter_map(Schema::as_str)
+}
+
+/// The key whose constant tells the branch from its siblings, where it is not the only key.
+fn tag_of(branch: &Schema) -> Option<&str> {
+    let properties = branch.get("properties")?.as_object()?;
+    properties.iter().find(|(_, schema)| schema.get("const").is_some()).map(|(key, _)| key.as_str())
+}
+
+fn single_key(branch: &Schema) -> Option<&str> {
+    let properties = branch.get("properties")?.as_object()?;
+    properties.keys().next().filter(|_| properties.len() == 1).map(String::as_str)
+}
+
+/// The first sentence of a schema's description.
+fn hint_of(schema: &Schema) -> Option<String> {
+    let text = schema.get("description")?.as_str()?;
+    let sentence = text.split(". ").next()?.trim_end_matches('.');
+    Some(sentence.replace('`', "\""))
+}
+
+fn did_you_mean(name: &str, known: &[&str]) -> Option<String> {
+    Some(match nearest(name, known.iter().copied()) {
+        Some(near) => format!("did you mean {near:?}?"),
+        None => format!("it is one of {}", list_of(known)),
+    })
+}
+
+fn kind_of(node: &Node) -> String {
+    match &node.value {
+        Value::Null => "null".into(),
+        Value::Bool(value) => value.to_string(),
+        Value::Number(_, text) => format!("the number {text}"),
+        Value::Text(text) if text.chars().count() <= 40 => format!("the text {text:?}"),
+        Value::Text(_) => "a text".into(),
+        Value::List(_) => "a list".into(),
+        Value::Object(_) => "an object".into(),
+    }
+}
+
+fn with_article(noun: &str) -> String {
+    let vowel = noun.starts_with(['a', 'e', 'i', 'o', 'u']);
+    format!("{} {noun}", if vowel { "an" } else { "a" })
+}
+
+fn noun(with_article: &str) -> &str {
+    with_article.strip_prefix("a ").or(with_article.strip_prefix("an ")).unwrap_or(with_article)
+}
+
+fn list_of(names: &[&str]) -> String {
+    names.iter().filter(|name| **name != "$schema").map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,274 @@
+//! The text of a file with its places: what was written, and on which line and column.
+
+use crate::problem::{Excerpt, Problem};
+use jsonc_parser::ast;
+use jsonc_parser::common::Ranged;
+use jsonc_parser::errors::ParseErrorKind;
+use jsonc_parser::{CollectOptions, ParseOptions, ParseStringErrorKind, parse_to_ast};
+use serde_json::Number;
+
+/// Deeper nesting is refused before parsing, so that no text can overflow the stack.
+const GREATEST_DEPTH: usize = 64;
+
+/// A JSON file: its text and what the text says, with the place of everything.
+#[derive(Debug)]
+pub struct Source {
+    pub file: String,
+    pub text: String,
+    pub root: Node,
+    /// Byte offset at which each line starts.
+    lines: Vec<usize>,
+}
+
+/// A JSON value and where it starts in the text.
+#[derive(Debug)]
+pub struct Node {
+    pub start: usize,
+    pub value: Value,
+}
+
+/// What a JSON value is. Objects keep every key as written, doubles included.
+#[derive(Debug)]
+pub enum Value {
+    Null,
+    Bool(bool),
+    /// The number and, for messages, its text; nothing where it is too large for a float.
+    Number(Option<Number>, String),
+    Text(String),
+    List(Vec<Node>),
+    Object(Vec<(Key, Node)>),
+}
+
+/// A key of an object and where it starts in the text.
+#[derive(Debug)]
+pub struct Key {
+    pub start: usize,
+    pub name: String,
+}
+
+impl Source {
+    /// Reads JSON by the letter of the standard; a byte order mark is passed over.
+    pub fn parse(file: &str, text: &str) -> Result<Source, Problem> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let lines = line_starts(text);
+        let wrong = |at, what: String, hint| Err(problem(file, text, &lines, at, what, hint));
+        if let Err((at, what, hint)) = scan(text) {
+            return wrong(at, what, hint);
+        }
+        let root = match parse_to_ast(text, &CollectOptions::default(), &strict()) {
+            Ok(parsed) => parsed.value,
+            Err(error) => {
+                let at = error.range().start;
+                let (what, hint) = syntax(error.kind(), text.get(..at).unwrap_or(text), text.get(at..).unwrap_or(""));
+                return wrong(at, what, hint);
+            }
+        };
+        let Some(root) = root else {
+            return Err(Problem::of_file(file, "the file is empty", None));
+        };
+        // The first parser knows better what is meant, the second is stricter about white space and escapes.
+        if let Err(error) = serde_json::from_str::<serde::de::IgnoredAny>(text) {
+            let at = lines[error.line().clamp(1, lines.len()) - 1] + error.column().saturating_sub(1);
+            let what = error.to_string();
+            let what = what.split(" at line ").next().unwrap_or_default();
+            return wrong(at, format!("this is no JSON: {what}"), None);
+        }
+        Ok(Source { file: file.into(), text: text.into(), root: node(&root), lines })
+    }
+
+    /// A problem with the value at a JSON pointer, or with the nearest value around it that is there.
+    pub fn problem(&self, pointer: &str, what: impl Into<String>, hint: Option<String>) -> Problem {
+        self.problem_at(self.find(pointer).1, what, hint)
+    }
+
+    /// A problem with the key at a JSON pointer, rather than with its value.
+    pub fn problem_with_key(&self, pointer: &str, what: impl Into<String>, hint: Option<String>) -> Problem {
+        self.problem_at(self.find(pointer).0, what, hint)
+    }
+
+    /// A problem at a byte offset.
+    pub fn problem_at(&self, at: usize, what: impl Into<String>, hint: Option<String>) -> Problem {
+        problem(&self.file, &self.text, &self.lines, at, what.into(), hint)
+    }
+
+    /// The line of a byte offset, counted from 1.
+    pub fn line(&self, at: usize) -> usize {
+        self.lines.partition_point(|&start| start <= at)
+    }
+
+    /// Where the key and the value at a JSON pointer start.
+    fn find(&self, pointer: &str) -> (usize, usize) {
+        let (mut key_start, mut node) = (self.root.start, &self.root);
+        for part in pointer.split('/').skip(1) {
+            let part = part.replace("~1", "/").replace("~0", "~");
+            let found = match &node.value {
+                Value::Object(entries) => {
+                    entries.iter().find(|(key, _)| key.name == part).map(|(key, value)| (key.start, value))
+                }
+                Value::List(items) => {
+                    part.parse().ok().and_then(|index: usize| items.get(index)).map(|item| (item.start, item))
+                }
+                _ => None,
+            };
+            let Some(found) = found else { break };
+            (key_start, node) = found;
+        }
+        (key_start, node.start)
+    }
+}
+
+impl Node {
+    /// The value as plain JSON. A whole number becomes an integer however it is written, as JSON Schema sees it.
+    pub fn to_json(&self) -> serde_json::Value {
+        match &self.value {
+            Value::Null => serde_json::Value::Null,
+            Value::Bool(value) => (*value).into(),
+            Value::Number(number, _) => number.clone().map_or(serde_json::Value::Null, serde_json::Value::Number),
+            Value::Text(text) => text.as_str().into(),
+            Value::List(items) => items.iter().map(Node::to_json).collect(),
+            Value::Object(entries) => entries.iter().map(|(key, value)| (key.name.clone(), value.to_json())).collect(),
+        }
+    }
+}
+
+/// A part of a JSON pointer, escaped.
+pub fn pointer_part(name: &str) -> String {
+    name.replace('~', "~0").replace('/', "~1")
+}
+
+fn problem(file: &str, text: &str, lines: &[usize], at: usize, what: String, hint: Option<String>) -> Problem {
+    let at = (0..=at.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0);
+    let line = lines.partition_point(|&start| start <= at);
+    let start = lines[line - 1];
+    let end = lines.get(line).copied().unwrap_or(text.len());
+    let column = text[start..at].chars().count() as u32 + 1;
+    let excerpt = Some(Excerpt::new(text[start..end].trim_end(), column));
+    Problem { file: file.into(), line: line as u32, column, what, hint, excerpt }
+}
+
+fn line_starts(text: &str) -> Vec<usize> {
+    let bytes = text.as_bytes();
+    let ends = (0..bytes.len())
+        .filter(|&i| bytes[i] == b'\n' || bytes[i] == b'\r' && bytes.get(i + 1) != Some(&b'\n'))
+        .map(|end| end + 1);
+    std::iter::once(0).chain(ends).collect()
+}
+
+/// Looks for what the parser would not survive or would explain badly: deep nesting and quotes that are not closed.
+fn scan(text: &str) -> Result<(), (usize, String, Option<String>)> {
+    let (mut depth, mut quote, mut escaped) = (0_usize, None, false);
+    for (at, byte) in text.bytes().enumerate() {
+        match (quote, byte) {
+            (Some(start), b'\n' | b'\r') => {
+                let hint = "close it with \" on the same line".to_string();
+                return Err((start, "this text is not closed".into(), Some(hint)));
+            }
+            (Some(_), ..b' ') => {
+                let hint = "write \\t for a tab, \\u and four digits for others".to_string();
+                return Err((at, "a text must not hold a control character".into(), Some(hint)));
+            }
+            (Some(_), _) if escaped => escaped = false,
+            (Some(_), b'\\') => escaped = true,
+            (Some(_), b'"') => quote = None,
+            (Some(_), _) => {}
+            (None, b'"') => quote = Some(at),
+            (None, b'[' | b'{') if depth == GREATEST_DEPTH => {
+                return Err((at, format!("nested more than {GREATEST_DEPTH} deep"), None));
+            }
+            (None, b'[' | b'{') => depth += 1,
+            (None, b']' | b'}') => depth = depth.saturating_sub(1),
+            (None, _) => {}
+        }
+    }
+    match quote {
+        Some(start) => Err((start, "this text is not closed".into(), Some("close it with \"".into()))),
+        None => Ok(()),
+    }
+}
+
+fn strict() -> ParseOptions {
+    ParseOptions {
+        allow_comments: false,
+        allow_loose_object_property_names: false,
+        allow_trailing_commas: false,
+        allow_missing_commas: false,
+        allow_single_quoted_strings: false,
+        allow_hexadecimal_numbers: false,
+        allow_unary_plus_numbers: false,
+        allow_bare_decimal_point_numbers: false,
+        allow_non_finite_numbers: false,
+        allow_extended_string_escapes: false,
+    }
+}
+
+/// What a syntax error says to people; `before` and `rest` are the text on its two sides.
+fn syntax(kind: &ParseErrorKind, before: &str, rest: &str) -> (String, Option<String>) {
+    use ParseErrorKind as Kind;
+    let is_number = |word: &str| ["NaN", "Infinity"].iter().any(|name| word.trim_start_matches('-').starts_with(name));
+    let (what, hint) = match kind {
+        _ if is_number(rest) => ("NaN and Infinity are no numbers of JSON", ""),
+        Kind::ExpectedComma if before.ends_with('0') && rest.starts_with(|c: char| c.is_ascii_digit()) => {
+            ("a number must not begin with 0", "")
+        }
+        Kind::CommentsNotAllowed => ("JSON has no comments", "say it in \"about\" instead"),
+        Kind::ExpectedComma => ("a comma is missing here", ""),
+        Kind::TrailingCommasNotAllowed => ("this comma has nothing after it", "remove it"),
+        Kind::UnexpectedComma => ("this comma has nothing before it", "remove it"),
+        Kind::ExpectedColonAfterObjectKey => ("a key needs a colon and a value after it", "write \"key\": value"),
+        Kind::ExpectedObjectValue => ("a value is missing here", ""),
+        Kind::ExpectedStringObjectProperty => ("a key must stand in quotes", "write \"key\": value"),
+        Kind::SingleQuotedStringsNotAllowed => ("text must stand in double quotes", "write \" instead of '"),
+        Kind::HexadecimalNumbersNotAllowed => ("numbers must be decimal", ""),
+        Kind::UnaryPlusNumbersNotAllowed => ("a number must not begin with +", "remove it"),
+        Kind::BareDecimalPointNumbersNotAllowed => {
+            ("a number needs a digit on both sides of its point", "write 0.5 for .5, 5.0 for 5.")
+        }
+        Kind::ExpectedDigit
+        | Kind::ExpectedDigitFollowingNegativeSign
+        | Kind::ExpectedPlusMinusOrDigitInNumberLiteral => ("this number is not complete", ""),
+        Kind::UnterminatedObject => ("this { is never closed", "add the missing }"),
+        Kind::UnterminatedArray => ("this [ is never closed", "add the missing ]"),
+        Kind::UnexpectedCloseBrace => ("this } closes nothing here", ""),
+        Kind::UnexpectedCloseBracket => ("this ] closes nothing here", ""),
+        Kind::MultipleRootJsonValues => ("the file goes on after its end", "remove this, or a } or ] before it"),
+        Kind::UnexpectedWord => ("this word is no value", "put text in quotes"),
+        Kind::UnexpectedColon => ("this colon has no key before it", ""),
+        Kind::UnexpectedTokenInObject => ("a key in quotes must stand here", ""),
+        Kind::String(ParseStringErrorKind::UnterminatedStringLiteral) => ("this text is not closed", ""),
+        Kind::String(_) => ("this text has a \\ that means nothing", "write \\\\ for a backslash"),
+        _ => ("this is no JSON", ""),
+    };
+    (what.into(), (!hint.is_empty()).then(|| hint.into()))
+}
+
+fn node(ast: &ast::Value) -> Node {
+    let value = match ast {
+        ast::Value::NullKeyword(_) => Value::Null,
+        ast::Value::BooleanLit(literal) => Value::Bool(literal.value),
+        ast::Value::NumberLit(literal) => Value::Number(number(literal.value), literal.value.into()),
+        ast::Value::StringLit(literal) => Value::Text(literal.value.to_string()),
+        ast::Value::Array(list) => Value::List(list.elements.iter().map(node).collect()),
+        ast::Value::Object(object) => Value::Object(object.properties.iter().map(entry).collect()),
+    };
+    Node { start: ast.start(), value }
+}
+
+fn entry(property: &ast::ObjectProp) -> (Key, Node) {
+    let key = Key { start: property.start(), name: property.name.as_str().into() };
+    (key, node(&property.value))
+}
+
+fn number(text: &str) -> Option<Number> {
+    if let Ok(whole) = text.parse::<u64>() {
+        return Some(whole.into());
+    }
+    if let Ok(whole) = text.parse::<i64>() {
+        return Some(whole.into());
+    }
+    let value: f64 = text.parse().ok()?;
+    // Beyond 2^53 a float no longer says which whole number is meant.
+    if value.fract() == 0.0 && value.abs() <= 9_007_199_254_740_992.0 {
+        return Some((value as i64).into());
+    }
+    Number::from_f64(value)
+}

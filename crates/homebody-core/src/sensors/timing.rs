@@ -1,0 +1,137 @@
+//! When a motion sensor fires: the timing state machine that all motion sensors share.
+//!
+//! Idle, it waits for a first detection at t and fires at t + U(first_fire). Then it waits
+//! U(refire); at the end of the wait it fires again if movement was seen within the last `persist`,
+//! both ends of that span included, else it is idle (Godsey & Skubic 2009: first after 1-2 s, then every
+//! 6-8 s where motion is still detected).
+//!
+//! The machine only ever runs forward: it says whether it *wants* to be told of movement, and when
+//! its next *timer* is due. In between it costs nothing.
+
+use crate::random::{Range, Stream};
+use crate::scenario::home::Timing as TimingFile;
+use crate::time::{Micros, micros};
+
+/// The numbers of the machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Timing {
+    pub first_fire: Range,
+    pub refire: Range,
+    pub persist: Micros,
+}
+
+impl Timing {
+    pub fn new(file: TimingFile) -> Timing {
+        Timing {
+            first_fire: Range::of_seconds(file.first_fire_s),
+            refire: Range::of_seconds(file.refire_s),
+            persist: micros(file.persist_s),
+        }
+    }
+}
+
+/// The timer of a machine that waits for movement only.
+pub const NEVER: Micros = Micros::MAX;
+
+/// One sensor's machine.
+#[derive(Clone, Debug)]
+pub struct Machine {
+    state: State,
+    timing: Timing,
+    stream: Stream,
+    /// Whose movement was seen, and when.
+    seen: Seen,
+}
+
+/// Whose movement a sensor saw, and when.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Seen {
+    pub resident: u32,
+    pub at: Micros,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum State {
+    Idle,
+    /// Movement was seen; fires when the timer is due.
+    Delay {
+        fire: Micros,
+    },
+    /// Nothing that happens before `wake` can matter to the decision.
+    Asleep {
+        decide: Micros,
+    },
+    Watching {
+        decide: Micros,
+    },
+    /// Movement was seen while watching.
+    Sure {
+        decide: Micros,
+    },
+}
+
+/// What a due timer did.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Due {
+    /// The sensor fired, for this reason.
+    Fired(Seen),
+    /// It did not fire, and now wants to be told of movement.
+    Wakes,
+}
+
+impl Machine {
+    pub fn new(timing: Timing, stream: Stream) -> Machine {
+        Machine { state: State::Idle, timing, stream, seen: Seen { resident: 0, at: 0 } }
+    }
+
+    /// Whether movement matters to the machine now.
+    pub fn wants(&self) -> bool {
+        matches!(self.state, State::Idle | State::Watching { .. })
+    }
+
+    /// The last instant at which movement matters, if there is one.
+    pub fn wants_until(&self) -> Micros {
+        match self.state {
+            State::Watching { decide } => decide,
+            _ => NEVER,
+        }
+    }
+
+    /// When the next timer is due.
+    pub fn timer(&self) -> Micros {
+        match self.state {
+            State::Idle => NEVER,
+            State::Delay { fire } => fire,
+            State::Asleep { decide } => decide - self.timing.persist,
+            State::Watching { decide } | State::Sure { decide } => decide,
+        }
+    }
+
+    /// Movement was seen while the machine wanted to know.
+    pub fn sees(&mut self, seen: Seen) {
+        self.seen = seen;
+        self.state = match self.state {
+            State::Idle => State::Delay { fire: seen.at + self.stream.span(self.timing.first_fire) },
+            State::Watching { decide } => State::Sure { decide },
+            state => state,
+        };
+    }
+
+    /// The timer is due.
+    pub fn due(&mut self) -> Due {
+        match self.state {
+            State::Delay { fire: at } | State::Sure { decide: at } => {
+                self.state = State::Asleep { decide: at + self.stream.span(self.timing.refire) };
+                Due::Fired(self.seen)
+            }
+            State::Asleep { decide } => {
+                self.state = State::Watching { decide };
+                Due::Wakes
+            }
+            State::Watching { .. } | State::Idle => {
+                self.state = State::Idle;
+                Due::Wakes
+            }
+        }
+    }
+}

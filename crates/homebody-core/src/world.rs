@@ -1,0 +1,346 @@
+//! The world: bodies move, fields see them, machines fire.
+//!
+//! One slice of time after another: within a slice every moving body stays in one cell of its
+//! field, so masks say which sensors see it; where they cannot tell, the instant of touching is
+//! computed. Sensors do not know of each other, so within a slice each runs by itself, and only the
+//! timers bring their firings into order.
+//!
+//! Times are compared as whole microseconds, never as floats. A slice is half-open: what happens at
+//! its end belongs to the next. At one instant, touching comes before timers.
+
+use crate::drivers::Move;
+use crate::event::{Doing, Events, Fact, Firing};
+use crate::geometry::Point;
+use crate::home::Home;
+use crate::home::field::{Cell, Field, Mask, bits};
+use crate::random::Stream;
+use crate::scenario::path::Posture;
+use crate::sensors::motion::{Level, Motion};
+use crate::sensors::timing::{Due, Machine, NEVER, Seen};
+use crate::sensors::zones::Pulses;
+use crate::sensors::{Kind, Sensor};
+use crate::stride::Stride;
+use crate::time::Micros;
+use std::sync::Arc;
+
+/// The bodies and the sensors of a home at an instant.
+#[derive(Clone, Debug)]
+pub struct World {
+    home: Arc<Home>,
+    now: Micros,
+    bodies: Vec<Body>,
+    machines: Vec<Machine>,
+    /// Sensors whose machine wants to be told of movement.
+    want: Mask,
+    /// When each machine's timer is due, the least of these, and the first sensor that has it.
+    timers: Vec<Micros>,
+    next_timer: Micros,
+    next_due: usize,
+    /// Sensors that take any change in a beam for movement.
+    plain: Mask,
+    /// Sensors that count pulses, with what they have counted.
+    zoned: Mask,
+    pulses: Vec<Pulses>,
+    seq: u64,
+    /// The bodies that move in the present slice.
+    movers: Vec<Mover>,
+}
+
+/// What a body is doing.
+#[derive(Clone, Debug)]
+struct Body {
+    posture: Posture,
+    act: Act,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Act {
+    Stride(Stride),
+    Stir { at: Point, amplitude_m: f64 },
+    Rest { at: Point },
+    Away,
+}
+
+/// A body that moves in the present slice, and the cell of its field that it stays in meanwhile.
+#[derive(Clone, Copy, Debug)]
+struct Mover {
+    body: u32,
+    cell: Cell,
+}
+
+impl World {
+    /// A world at instant 0, with nobody in it until [`World::begin`] says what each resident does.
+    pub fn new(home: Arc<Home>, residents: usize, seed: u64) -> World {
+        let machine = |sensor: &Sensor| {
+            Machine::new(sensor.timing, Stream::named(seed, &format!("sensor/{}/timing", sensor.name)))
+        };
+        let machines: Vec<Machine> = home.sensors.iter().map(machine).collect();
+        let all: Mask = (0..machines.len()).fold(0, |mask, sensor| mask | 1 << sensor);
+        let of_level = |wanted: fn(&Level) -> bool| {
+            let is = |sensor: &Sensor| matches!(&sensor.kind, Kind::Motion(motion) if wanted(&motion.level));
+            (0..machines.len()).filter(|&i| is(&home.sensors[i])).fold(0, |mask: Mask, sensor| mask | 1 << sensor)
+        };
+        let zoned = of_level(|level| matches!(level, Level::Zones { .. }));
+        World {
+            now: 0,
+            bodies: vec![Body { posture: Posture::Standing, act: Act::Away }; residents],
+            want: all,
+            timers: vec![NEVER; machines.len()],
+            next_timer: NEVER,
+            next_due: 0,
+            plain: all & !zoned & !of_level(|level| matches!(level, Level::Sensitivity { .. })),
+            zoned,
+            pulses: bits(zoned).map(|sensor| Pulses::new(sensor, residents)).collect(),
+            seq: 0,
+            movers: Vec::new(),
+            machines,
+            home,
+        }
+    }
+
+    /// The instant up to which everything has happened.
+    pub fn now(&self) -> Micros {
+        self.now
+    }
+
+    pub fn home(&self) -> &Home {
+        &self.home
+    }
+
+    /// From now until the move's end, the resident does this; the move may have begun before now. The
+    /// caller advances no further than its end before it says what comes next.
+    pub fn begin(&mut self, resident: usize, next: &Move) {
+        let posture = next.posture;
+        let act = match next.doing {
+            Doing::Stride { from, to } => Act::Stride(Stride::new(from, to, next.begin, next.end)),
+            Doing::Stir { at, amplitude_m } => Act::Stir { at, amplitude_m },
+            Doing::Rest { at } => Act::Rest { at },
+            Doing::Away => Act::Away,
+        };
+        let settles = self.bodies[resident].posture != posture;
+        self.bodies[resident] = Body { posture, act };
+        if settles && self.zoned != 0 {
+            self.settle(resident);
+        }
+    }
+
+    /// A body that changes its posture touches other beams from one instant to the next; that is no pulse.
+    fn settle(&mut self, resident: usize) {
+        let field = self.home.field(resident, self.bodies[resident].posture);
+        let at = self.position(resident);
+        for pulses in &mut self.pulses {
+            let beams = &field.beams[field.range(pulses.sensor)];
+            match at {
+                Some(at) => pulses.settle(resident as u32, beams, at, field.size.radius_m),
+                None => pulses.leave(resident as u32),
+            }
+        }
+    }
+
+    /// Where a resident is; nothing while away.
+    pub fn position(&self, resident: usize) -> Option<Point> {
+        match self.bodies[resident].act {
+            Act::Stride(stride) => Some(stride.position(self.now)),
+            Act::Stir { at, .. } | Act::Rest { at } => Some(at),
+            Act::Away => None,
+        }
+    }
+
+    pub fn posture(&self, resident: usize) -> Posture {
+        self.bodies[resident].posture
+    }
+
+    /// Lets everything happen that happens before `until`.
+    pub fn advance(&mut self, until: Micros, events: &mut Events) {
+        while self.now < until {
+            self.now = self.coast(until);
+            if self.now < until {
+                let end = self.next_slice(until);
+                self.run_slice(end, events);
+                self.now = end;
+            }
+        }
+    }
+
+    /// How far the world can go without anything happening: until the next timer, or until a body
+    /// comes to a cell where a sensor that wants to know of movement may see it.
+    fn coast(&self, until: Micros) -> Micros {
+        if self.zoned != 0 {
+            return self.now;
+        }
+        let mut until = until.min(self.next_timer.max(self.now));
+        for (body, Body { posture, act }) in self.bodies.iter().enumerate() {
+            let field = self.home.field(body, *posture);
+            match act {
+                Act::Stride(stride) => until = field.unseen_until(stride, self.want, self.now, until),
+                Act::Stir { at, .. } if field.cell(*at).may & self.want != 0 => until = self.now,
+                Act::Stir { .. } | Act::Rest { .. } | Act::Away => {}
+            }
+        }
+        until
+    }
+
+    /// Finds the bodies that move in the slice that begins now, and returns the slice's end.
+    fn next_slice(&mut self, until: Micros) -> Micros {
+        self.movers.clear();
+        let mut end = until;
+        for (body, Body { posture, act }) in self.bodies.iter().enumerate() {
+            let (at, leaves) = match act {
+                Act::Stride(stride) => (stride.position(self.now), Some(stride)),
+                Act::Stir { at, .. } => (*at, None),
+                Act::Rest { .. } | Act::Away => continue,
+            };
+            let field = self.home.field(body, *posture);
+            let cell = field.cell(at);
+            if let Some(stride) = leaves {
+                let micros = field.leaves_cell(at, stride.velocity);
+                end = end.min(self.now.saturating_add(micros as Micros + 1));
+            }
+            self.movers.push(Mover { body: body as u32, cell: *cell });
+        }
+        end
+    }
+
+    /// Lets everything happen that happens between now and `end`.
+    fn run_slice(&mut self, end: Micros, events: &mut Events) {
+        let may = self.movers.iter().fold(0, |mask, mover| mask | mover.cell.may);
+        if self.zoned != 0 {
+            self.count_pulses(end);
+        }
+        for sensor in bits(self.want & may) {
+            self.look(sensor, self.now, end);
+        }
+        while self.next_timer < end {
+            let (at, sensor) = (self.next_timer, self.next_due);
+            if let Due::Fired(seen) = self.machines[sensor].due() {
+                events.firings.push(Firing { seq: self.seq, at, sensor: sensor as u32 });
+                events.facts.push(Fact::Cause { seq: self.seq, resident: seen.resident, seen_at: seen.at });
+                self.seq += 1;
+            }
+            self.note(sensor);
+            if (self.want & may) >> sensor & 1 != 0 {
+                self.look(sensor, at, end);
+            }
+        }
+    }
+
+    /// Looks for the first movement from `from` on and before `end` that `sensor`'s machine wants to
+    /// know of, and tells it.
+    fn look(&mut self, sensor: usize, from: Micros, end: Micros) {
+        let last = (end - 1).min(self.machines[sensor].wants_until());
+        let mut first: Option<Seen> = None;
+        for mover in &self.movers {
+            if mover.cell.may >> sensor & 1 == 0 {
+                continue;
+            }
+            let at = self.first_movement(mover, sensor, from);
+            if let Some(at) = at.filter(|&at| at <= last && first.is_none_or(|first| at < first.at)) {
+                first = Some(Seen { resident: mover.body, at });
+            }
+        }
+        if let Some(seen) = first {
+            self.machines[sensor].sees(seen);
+            self.note(sensor);
+        }
+    }
+
+    /// Keeps what a machine wants and when its timer is due.
+    fn note(&mut self, sensor: usize) {
+        let machine = &self.machines[sensor];
+        let bit = 1 << sensor;
+        self.want = if machine.wants() { self.want | bit } else { self.want & !bit };
+        self.timers[sensor] = machine.timer();
+        if sensor != self.next_due {
+            if (machine.timer(), sensor) < (self.next_timer, self.next_due) {
+                (self.next_timer, self.next_due) = (machine.timer(), sensor);
+            }
+            return;
+        }
+        (self.next_timer, self.next_due) = (NEVER, 0);
+        for (sensor, &timer) in self.timers.iter().enumerate() {
+            if timer < self.next_timer {
+                (self.next_timer, self.next_due) = (timer, sensor);
+            }
+        }
+    }
+
+    /// The first instant from `from` on at which the sensor sees the mover move; the slice's end
+    /// does not limit the answer.
+    fn first_movement(&self, mover: &Mover, sensor: usize, from: Micros) -> Option<Micros> {
+        let Body { posture, act } = &self.bodies[mover.body as usize];
+        let field = self.home.field(mover.body as usize, *posture);
+        if self.plain >> sensor & 1 != 0 {
+            return first_touch(field, &mover.cell, sensor, act, from);
+        }
+        let Kind::Motion(motion) = &self.home.sensors[sensor].kind else { return None };
+        match motion.level {
+            Level::Paper => None,
+            Level::Sensitivity { reach_per_m } => {
+                let (near, far) = span_of_notice(motion, act, reach_per_m)?;
+                let at = first_touch(field, &mover.cell, sensor, act, from.max(near))?;
+                (at <= far).then_some(at)
+            }
+            Level::Zones { pitch_rad, .. } => match *act {
+                Act::Stir { at, amplitude_m } if amplitude_m >= pitch_rad * at.distance(motion.lens) => {
+                    first_touch(field, &mover.cell, sensor, act, from)
+                }
+                Act::Stir { .. } => None,
+                _ => self.pulses_of(sensor).first_detection(mover.body, from),
+            },
+        }
+    }
+
+    fn pulses_of(&self, sensor: usize) -> &Pulses {
+        let before = self.zoned & ((1 << sensor) - 1);
+        &self.pulses[before.count_ones() as usize]
+    }
+
+    /// Lets the sensors that count pulses count those between now and `end`.
+    fn count_pulses(&mut self, end: Micros) {
+        for pulses in &mut self.pulses {
+            let sensor = pulses.sensor;
+            let Kind::Motion(motion) = &self.home.sensors[sensor].kind else { continue };
+            pulses.begin_slice();
+            for (index, Body { posture, act }) in self.bodies.iter().enumerate() {
+                let mover = self.movers.iter().find(|mover| mover.body as usize == index);
+                let field = self.home.field(index, *posture);
+                match act {
+                    Act::Stride(stride) if mover.is_some_and(|mover| mover.cell.may >> sensor & 1 != 0) => {
+                        let beams = &field.beams[field.range(sensor)];
+                        pulses.walk(index as u32, stride, beams, motion, field.size.radius_m, self.now, end);
+                    }
+                    Act::Stride(_) | Act::Away => pulses.leave(index as u32),
+                    Act::Stir { .. } | Act::Rest { .. } => {}
+                }
+            }
+            pulses.count(motion);
+        }
+    }
+}
+
+/// The first instant from `from` on at which the body, which is in the cell, touches what the sensor sees.
+fn first_touch(field: &Field, cell: &Cell, sensor: usize, act: &Act, from: Micros) -> Option<Micros> {
+    if cell.sure >> sensor & 1 != 0 {
+        return Some(from);
+    }
+    match act {
+        Act::Stride(stride) if field.over_area(sensor, stride.position(from)) => Some(from),
+        Act::Stride(stride) => {
+            let beams = field.to_test(cell, sensor).iter();
+            beams.filter_map(|beam| stride.first_touch(beam, field.size.radius_m, from)).min()
+        }
+        Act::Stir { at, .. } => field.sees(sensor, *at).then_some(from),
+        Act::Rest { .. } | Act::Away => None,
+    }
+}
+
+/// Between which instants, both included, the movement is large enough as seen from the lens.
+fn span_of_notice(motion: &Motion, act: &Act, reach_per_m: f64) -> Option<(Micros, Micros)> {
+    match act {
+        Act::Stride(stride) => stride.span_within(motion.lens, stride.speed_mps() * reach_per_m),
+        Act::Stir { at, amplitude_m } => {
+            (at.distance(motion.lens) <= amplitude_m * reach_per_m).then_some((Micros::MIN, Micros::MAX))
+        }
+        Act::Rest { .. } | Act::Away => None,
+    }
+}

@@ -1,0 +1,90 @@
+//! Everything that is wrong comes at once, in order, and can be shown beside its source.
+
+use crate::good::good;
+use crate::{broken, problems, said};
+use homebody_core::scenario::load::{Driver, Scenario};
+
+#[test]
+fn the_good_scenario_loads() {
+    let scenario = Scenario::load(&good(), "scenario.json").unwrap();
+    assert_eq!(scenario.sources, good());
+    assert_eq!(scenario.home.sensors.len(), 3);
+    let [ann, bob] = &scenario.residents[..] else { panic!("two residents live there") };
+    assert!(matches!(&ann.driver, Driver::Path(path) if path.steps.len() == 2));
+    assert!(matches!(&bob.driver, Driver::Live { input, start } if input.keys.len() == 2 && start.x == 5.0));
+    assert_eq!(scenario.calendar.local(0).to_string(), "2009-03-02T00:00:00-06:00[America/Chicago]");
+}
+
+#[test]
+fn what_was_read_loads_again() {
+    let scenario = Scenario::load(&good(), "scenario.json").unwrap();
+    assert_eq!(Scenario::load(&scenario.sources, "scenario.json").unwrap(), scenario);
+}
+
+#[test]
+#[rustfmt::skip] // A problem a line.
+fn ten_mistakes_in_three_files_are_reported_at_once() {
+    let files = broken(&[
+        ("home.json", r#""name": "front door", "from": [1, 0]"#, r#""name": "front door", "from": "here""#),
+        ("home.json", r#""height_m": 0.7"#, r#""heigth_m": 0.7"#),
+        ("home.json", r#""preset": "hue""#, r#""preset": "hue", "preset": "aqara""#),
+        ("logger.json", "casas:log.txt", "casis:log.txt"),
+        ("logger.json", r#""time": "at""#, r#""time": "At""#),
+        ("ann.path.json", r#""07:30""#, r#""7.30""#),
+        ("ann.path.json", r#""pace_mps": 0.5"#, r#""pace_mps": 0.5, "in_s": 20"#),
+        ("ann.path.json", r#""for_s": 2 }"#, r#""for_s": 30 }"#),
+        ("ann.path.json", r#""for_s": 60 }"#, r#""for_s": 60, "until": "08:00" }"#),
+        ("ann.path.json", r#""08:00:00.5""#, r#""08:60""#),
+    ]);
+    let expected = [
+        r#"home.json:16:37: "from" must be a list of 2 numbers, but is the text "here"; One jamb; it lies on the middle line of a wall"#,
+        r#"home.json:19:62: "heigth_m" is no key of a piece of furniture; did you mean "height_m"?"#,
+        r#"home.json:29:24: "preset" is given twice; it is already given on line 29"#,
+        r#"logger.json:2:27: "casis:log.txt" is nowhere a log can go; did you mean "casas:log.txt"?"#,
+        r#"logger.json:4:24: "At" cannot be the name of a table or a column; use a to z, 0 to 9 and _, not a digit first, at most 63 characters"#,
+        r#"ann.path.json:5:26: "7.30" is no time of day; write it as "07:30" or "07:30:15.5", from "00:00" to "23:59:59.999999""#,
+        r#"ann.path.json:7:68: a walk cannot have both "pace_mps" and "in_s"; keep the one that is meant"#,
+        r#"ann.path.json:9:67: a stir of 30 s cannot come every 20 s; "for_s" is at most "every_s""#,
+        r#"ann.path.json:11:41: "for_s" and "until" cannot both be given; keep the one that is meant"#,
+        r#"ann.path.json:12:28: "08:60" is no time of day; write it as "07:30" or "07:30:15.5", from "00:00" to "23:59:59.999999""#,
+    ];
+    assert_eq!(said(&files), expected.join("\n"));
+}
+
+#[test]
+fn a_home_in_place_of_a_scenario_is_recognised() {
+    let problems = Scenario::load(&good(), "home.json").unwrap_err();
+    assert_eq!(problems.to_string(), r#"home.json: "home.json" is a home, but a scenario is needed here"#);
+}
+
+#[test]
+fn a_problem_is_shown_with_its_line_and_a_caret() {
+    let files = broken(&[("home.json", r#""height_m": 2.1"#, r#""heigt_m": 2.1"#)]);
+    let expected = r#"home.json:28:69: "heigt_m" is no key of a motion sensor
+   28 |     { "name": "bedroom motion", "kind": "motion", "at": [7.9, 0.1], "heigt_m": 2.1, "facing_deg": 135,
+      |                                                                     ^
+  hint: did you mean "height_m"?
+"#;
+    assert_eq!(problems(&files).render(), expected);
+}
+
+#[test]
+fn a_long_line_is_cut_to_where_the_problem_is() {
+    let files = broken(&[("scenario.json", r#""days": 2"#, &format!("{}\"dais\": 2", " ".repeat(5000)))]);
+    let rendered = problems(&files).render();
+    assert!(rendered.lines().all(|line| line.len() < 140), "{rendered}");
+    let lines: Vec<&str> = rendered.lines().collect();
+    assert_eq!(lines[1].find("\"dais\""), lines[2].find('^'), "{rendered}");
+}
+
+#[test]
+fn a_file_that_is_wrong_throughout_does_not_bury_the_others() {
+    let many = "\"sink\", ".repeat(500) + "\"sink\"";
+    let files = broken(&[
+        ("ann.path.json", r#"[[5, 1.5], "sink"]"#, &format!("[{}]", many.replace("sink", "sin"))),
+        ("bob.keys.json", r#""at_s": 2.5"#, r#""at_s": 0.5"#),
+    ]);
+    let said = said(&files);
+    assert_eq!(said.lines().count(), 102);
+    assert!(said.contains("ann.path.json: there are 401 more problems\nbob.keys.json:4:15: time runs backward"));
+}

@@ -1,0 +1,205 @@
+//! The design's invariants, each as a test by its name, on random homes with every level of sensor,
+//! up to three bodies, and times that tie.
+
+mod random_home;
+
+use homebody_core::drivers::Move;
+use homebody_core::event::{Doing, Events, Fact, Firing};
+use homebody_core::home::{Build, Home};
+use homebody_core::scenario::home::HomeFile;
+use homebody_core::time::{Micros, SECOND};
+use homebody_core::world::World;
+use random_home::{Dice, Model};
+use std::sync::Arc;
+
+/// A world and what each of its residents does.
+#[derive(Clone)]
+struct Case {
+    world: World,
+    lives: Vec<Vec<Move>>,
+    length: Micros,
+}
+
+impl Case {
+    fn new(case: u64) -> Case {
+        Case::with(case, random_home::home(case, Model::Whole), random_home::builds(case, 3))
+    }
+
+    fn with(case: u64, file: HomeFile, builds: Vec<Build>) -> Case {
+        let home = Arc::new(Home::bake(&file, &builds));
+        let length = 300 * SECOND;
+        let lives = (0..builds.len()).map(|i| random_home::life(case, i, &home, length, 0.05)).collect();
+        Case { world: World::new(home, builds.len(), case), lives, length }
+    }
+
+    /// Lives until `until`, cutting time at `cuts` as well as wherever a move ends.
+    fn live(&mut self, until: Micros, cuts: &[Micros], events: &mut Events) {
+        while self.world.now() < until {
+            let now = self.world.now();
+            let mut end = until;
+            for (resident, life) in self.lives.iter().enumerate() {
+                let next = &life[life.partition_point(|next| next.end <= now)];
+                // Beginning the same move again in its middle is what cutting it means.
+                self.world.begin(resident, next);
+                end = end.min(next.end);
+            }
+            let cut = cuts.partition_point(|&cut| cut <= now);
+            self.world.advance(end.min(cuts.get(cut).copied().unwrap_or(Micros::MAX)), events);
+        }
+    }
+
+    fn events(mut self, cuts: &[Micros]) -> Events {
+        let mut events = Events::default();
+        self.live(self.length, cuts, &mut events);
+        events
+    }
+}
+
+const CASES: u64 = 300;
+
+/// The firings alone, so that a failure is readable.
+fn firings(events: &Events) -> Vec<(Micros, u32)> {
+    events.firings.iter().map(|firing| (firing.at, firing.sensor)).collect()
+}
+
+#[test]
+fn the_cases_have_something_to_say() {
+    let firings: usize = (0..CASES).map(|case| Case::new(case).events(&[]).firings.len()).sum();
+    assert!(firings > 50 * CASES as usize, "{firings} firings in all");
+}
+
+#[test]
+fn speed_changes_nothing() {
+    for case in 0..CASES {
+        let whole = Case::new(case).events(&[]);
+        for step in [16_667, 83_333, 1_666_667] {
+            let steps: Vec<Micros> = (0..300 * SECOND / step).map(|i| i * step).collect();
+            assert_eq!(whole, Case::new(case).events(&steps), "case {case}, steps of {step} microseconds");
+        }
+    }
+}
+
+#[test]
+fn cutting_a_stride_changes_nothing() {
+    for case in 0..CASES {
+        let whole = Case::new(case).events(&[]);
+        // At random, and exactly where something happens, one microsecond before and one after.
+        let dice = &mut Dice::new(case, "cuts");
+        let mut cuts: Vec<Micros> = (0..400).map(|_| dice.below(300 * SECOND)).collect();
+        for (fact, firing) in whole.facts.iter().zip(&whole.firings) {
+            let Fact::Cause { seen_at, .. } = fact else { continue };
+            cuts.extend([seen_at - 1, *seen_at, seen_at + 1, firing.at - 1, firing.at, firing.at + 1]);
+        }
+        cuts.sort_unstable();
+        assert_eq!(whole, Case::new(case).events(&cuts), "case {case}");
+    }
+}
+
+/// The negative control: a world that only looks at places, four times a second, loses and gains firings.
+#[test]
+fn looking_at_samples_does_change_something() {
+    let mut changed = 0;
+    for case in 0..40 {
+        let whole = Case::new(case);
+        let mut sampled = whole.clone();
+        for life in &mut sampled.lives {
+            *life = life.iter().flat_map(sample).collect();
+        }
+        changed += u32::from(firings(&whole.events(&[])) != firings(&sampled.events(&[])));
+    }
+    assert!(changed > 30, "only {changed} of 40 homes noticed");
+}
+
+/// A stride as somebody who looks four times a second has it: still, then elsewhere.
+fn sample(whole: &Move) -> Vec<Move> {
+    let Doing::Stride { from, to } = whole.doing else { return vec![whole.clone()] };
+    let step = SECOND / 4;
+    (whole.begin..whole.end)
+        .step_by(step as usize)
+        .map(|begin| {
+            let at = from + (to - from) * ((begin - whole.begin) as f64 / (whole.end - whole.begin) as f64);
+            Move { begin, end: whole.end.min(begin + step), doing: Doing::Stir { at, amplitude_m: 0.2 }, ..*whole }
+        })
+        .collect()
+}
+
+#[test]
+fn a_copy_of_the_world_continues_as_the_original() {
+    for case in 0..CASES {
+        let mut original = Case::new(case);
+        let mut begun = Events::default();
+        original.live(Dice::new(case, "copy").below(300 * SECOND), &[], &mut begun);
+        let copy = original.clone();
+        assert_eq!(copy.events(&[]), original.events(&[]), "case {case}");
+    }
+}
+
+#[test]
+fn adding_a_sensor_changes_no_other() {
+    for case in 0..CASES {
+        let file = random_home::home(case, Model::Whole);
+        let builds = random_home::builds(case, 3);
+        let before = Case::with(case, file.clone(), builds.clone()).events(&[]);
+        let mut more = file.clone();
+        let mut added = random_home::home(case + 1_000_000, Model::Whole).sensors.remove(0);
+        match &mut added {
+            homebody_core::scenario::home::SensorFile::Motion(sensor) => sensor.name = "added".into(),
+            homebody_core::scenario::home::SensorFile::CeilingMotion(sensor) => sensor.name = "added".into(),
+        }
+        more.sensors.insert(0, added);
+        let after = Case::with(case, more, builds).events(&[]);
+        let others: Vec<(Micros, u32)> =
+            firings(&after).into_iter().filter(|&(_, sensor)| sensor > 0).map(|(at, s)| (at, s - 1)).collect();
+        let mut before = firings(&before);
+        before.sort_unstable();
+        let mut others = others;
+        others.sort_unstable();
+        assert_eq!(before, others, "case {case}");
+    }
+}
+
+#[test]
+fn adding_a_resident_whom_no_sensor_sees_changes_nothing() {
+    for case in 0..CASES {
+        let file = random_home::home(case, Model::Whole);
+        let build = Build { radius_m: 0.2, height_m: 1.7 };
+        let alone = Case::with(case, file.clone(), vec![build]).events(&[]);
+        let mut two = Case::with(case, file, vec![build, Build { radius_m: 0.3, height_m: 1.2 }]);
+        let length = two.length;
+        let posture = two.lives[1][0].posture;
+        two.lives[1] = vec![Move { begin: 0, end: length, doing: Doing::Away, posture }];
+        assert_eq!(firings(&alone), firings(&two.events(&[])), "case {case}");
+    }
+}
+
+#[test]
+fn the_grid_changes_nothing() {
+    for case in 0..CASES {
+        let file = random_home::home(case, Model::Whole);
+        let home = Home::bake(&file, &random_home::builds(case, 3));
+        let dice = &mut Dice::new(case, "places");
+        let (least, most) = home.plan.bounds();
+        for field in &home.fields {
+            for _ in 0..300 {
+                let p = homebody_core::geometry::Point::new(
+                    dice.between(least.x - 1.0, most.x + 1.0),
+                    dice.between(least.y - 1.0, most.y + 1.0),
+                );
+                let on_plan = p.cmpge(least).all() && p.cmple(most).all();
+                let seen = (0..home.sensors.len()).filter(|&sensor| on_plan && field.sees(sensor, p));
+                let seen = seen.fold(0u128, |mask, sensor| mask | 1 << sensor);
+                assert!(!on_plan || field.seen_at(p) == seen, "case {case} at {p}");
+            }
+        }
+    }
+}
+
+#[test]
+fn firings_are_in_order_and_numbered_without_gaps() {
+    for case in 0..CASES {
+        let events = Case::new(case).events(&[]);
+        let order: Vec<Firing> = events.firings.clone();
+        assert!(order.is_sorted_by_key(|firing| (firing.at, firing.sensor)), "case {case}");
+        assert!(order.iter().enumerate().all(|(index, firing)| firing.seq == index as u64), "case {case}");
+    }
+}

@@ -1,0 +1,250 @@
+//! The naive way agrees: over random homes and walks the paper's own loop, its rays cast by the physics
+//! engine sixty times a second, fires as the world does to within one update. Any other difference is traced,
+//! and counted: to a detection that begins or ends within one update of a decision of either (whose decisions
+//! are themselves up to an update apart), or to a movement that no ray's length can show, because the visible part
+//! of the beam lies wholly inside the body or the body touches it less than a millimetre deep.
+
+mod random_home;
+
+use homebody_core::drivers::Move;
+use homebody_core::event::{Doing, Events, Fact, Firing};
+use homebody_core::geometry::Point;
+use homebody_core::home::{Build, Home};
+use homebody_core::naive::paper::PaperEye;
+use homebody_core::naive::{Loop, Player, brute::BruteEye};
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, SECOND};
+use homebody_core::world::World;
+use random_home::Model;
+use std::sync::Arc;
+
+const UPDATE: Micros = SECOND / 60 + 1;
+const LENGTH: Micros = 60 * SECOND;
+
+/// What became of all comparisons.
+#[derive(Debug, Default)]
+struct Tally {
+    firings: usize,
+    sensors: usize,
+    /// Sensors whose firings part after a detection that began or ended within an update of a decision.
+    close_calls: usize,
+    /// Sensors whose firings part after a movement that no ray's length shows.
+    invisible: usize,
+    unexplained: Vec<String>,
+}
+
+struct Case {
+    number: u64,
+    home: Arc<Home>,
+    build: Build,
+    life: Vec<Move>,
+}
+
+impl Case {
+    fn new(number: u64) -> Case {
+        let build = random_home::builds(number, 1)[0];
+        let home = Arc::new(Home::bake(&random_home::home(number, Model::Paper), &[build]));
+        let mut life = random_home::life(number, 0, &home, LENGTH, 0.3);
+        let (least, most) = home.plan.bounds();
+        let mut at = (least + most) / 2.0;
+        for next in &mut life {
+            next.posture = Posture::Standing;
+            match next.doing {
+                Doing::Stride { to, .. } => at = to,
+                Doing::Stir { at: here, .. } | Doing::Rest { at: here } => at = here,
+                // The paper's loop would take somebody who vanishes for movement.
+                Doing::Away => next.doing = Doing::Rest { at },
+            }
+        }
+        Case { number, home, build, life }
+    }
+
+    fn exact(&self) -> Events {
+        let mut world = World::new(self.home.clone(), 1, self.number);
+        let mut events = Events::default();
+        for next in &self.life {
+            world.begin(0, next);
+            world.advance(next.end.min(LENGTH), &mut events);
+        }
+        events
+    }
+
+    fn paper(&self) -> Vec<Firing> {
+        let eye = PaperEye::new(&self.home, self.build.size(Posture::Standing), 1);
+        self.looped(Loop::new(eye, &self.home, self.number, 1))
+    }
+
+    fn brute(&self) -> Vec<Firing> {
+        let eye = BruteEye::new(&self.home, self.home.field(0, Posture::Standing));
+        self.looped(Loop::new(eye, &self.home, self.number, 1))
+    }
+
+    fn looped<E: homebody_core::naive::Eye>(&self, mut naive: Loop<E>) -> Vec<Firing> {
+        let mut firings = Vec::new();
+        let mut lives = [Player::new(&self.life, self.build.radius_m)];
+        naive.live(&mut lives, LENGTH, &mut firings);
+        firings
+    }
+
+    fn compare(&self, events: &Events, naive: &[Firing], tally: &mut Tally) {
+        for sensor in 0..self.home.sensors.len() {
+            let of = |firings: &[Firing]| -> Vec<Micros> {
+                let mine = firings.iter().filter(|firing| firing.sensor as usize == sensor);
+                mine.map(|firing| firing.at).collect()
+            };
+            let (exact, naive) = (of(&events.firings), of(naive));
+            tally.sensors += 1;
+            tally.firings += exact.len();
+            let parted = (0..exact.len().max(naive.len())).find(|&i| match (exact.get(i), naive.get(i)) {
+                (Some(a), Some(b)) => (a - b).abs() > UPDATE,
+                _ => true,
+            });
+            let Some(index) = parted else { continue };
+            let first = [exact.get(index), naive.get(index)].into_iter().flatten().min();
+            // What is due within the last updates one of the two may not come to any more.
+            if first.is_some_and(|&at| at > LENGTH - 4 * UPDATE) {
+                continue;
+            }
+            if self.is_close_call(sensor, &exact, &naive, index) {
+                tally.close_calls += 1;
+            } else if self.is_invisible(sensor, seen_at(events, sensor, index)) {
+                tally.invisible += 1;
+            } else {
+                tally.unexplained.push(format!(
+                    "case {} sensor {sensor} from firing {index}: exact {:?}, naive {:?}, seen {:?}",
+                    self.number,
+                    &exact[index.saturating_sub(1)..exact.len().min(index + 2)],
+                    &naive[index.saturating_sub(1)..naive.len().min(index + 2)],
+                    self.seen(sensor, first.unwrap_or(&0) - 4 * SECOND, first.unwrap_or(&0) + SECOND),
+                ));
+            }
+        }
+    }
+
+    /// Whether a detection begins or ends within an update of the decision at which two runs part.
+    fn is_close_call(&self, sensor: usize, exact: &[Micros], naive: &[Micros], index: usize) -> bool {
+        let timing = self.home.sensors[sensor].timing;
+        let parted = [exact.get(index), naive.get(index)].into_iter().flatten().min().copied().unwrap_or(LENGTH);
+        // Either a decision to fire again was taken then, or a first detection came up to `first_fire` before.
+        let decisions = [(parted - timing.persist, parted)];
+        let first = (parted - timing.first_fire.most - UPDATE, parted - timing.first_fire.least + UPDATE);
+        let spans =
+            self.seen(sensor, parted - timing.persist - timing.first_fire.most - 4 * UPDATE, parted + 4 * UPDATE);
+        let near = |a: Micros, b: Micros| (a - b).abs() <= 2 * UPDATE + SAMPLE;
+        spans.iter().any(|&(begin, end)| {
+            let short = end - begin <= UPDATE + SAMPLE;
+            let at_decision = decisions.iter().any(|&(from, to)| {
+                [begin, end].iter().any(|&edge| near(edge, from) || near(edge, to))
+                    || (short && begin <= to && end >= from)
+            });
+            at_decision || (short && begin <= first.1 && end >= first.0)
+        })
+    }
+
+    /// Whether the movement that was seen at `from` shows in a ray's length for less than one of its first three
+    /// updates: else the beams it touches lie wholly inside the body, or are touched less than a millimetre deep.
+    fn is_invisible(&self, sensor: usize, from: Option<Micros>) -> bool {
+        let Some(from) = from else { return false };
+        let field = self.home.field(0, Posture::Standing);
+        let radius = self.build.radius_m;
+        let spans = self.seen(sensor, from, from + SECOND);
+        spans.first().is_some_and(|&(begin, end)| {
+            let shows = |place: &Point| {
+                let touched = field.beams[field.range(sensor)].iter().filter(|beam| beam.distance(*place) <= radius);
+                touched.clone().any(|beam| {
+                    let inside = beam.start.distance(*place).max(beam.end().distance(*place)) <= radius;
+                    !inside && beam.distance(*place) < radius - 0.001
+                })
+            };
+            let places =
+                (begin..=end.min(begin + 3 * UPDATE)).step_by(SAMPLE as usize).filter_map(|at| self.moving_at(at));
+            places.filter(shows).count() as Micros * SAMPLE <= UPDATE
+        })
+    }
+
+    /// Where the body is, if it moves.
+    fn moving_at(&self, at: Micros) -> Option<Point> {
+        let next = self.life.iter().find(|next| next.begin <= at && at < next.end)?;
+        match next.doing {
+            Doing::Stride { from, to } => {
+                Some(from + (to - from) * ((at - next.begin) as f64 / (next.end - next.begin) as f64))
+            }
+            Doing::Stir { at, .. } => Some(at),
+            Doing::Rest { .. } | Doing::Away => None,
+        }
+    }
+
+    /// When the sensor sees the body move, between two instants, to within [`SAMPLE`].
+    fn seen(&self, sensor: usize, from: Micros, to: Micros) -> Vec<(Micros, Micros)> {
+        let field = self.home.field(0, Posture::Standing);
+        let mut spans: Vec<(Micros, Micros)> = Vec::new();
+        for at in (from.max(0)..to).step_by(SAMPLE as usize) {
+            if self.moving_at(at).is_some_and(|place| field.sees(sensor, place)) {
+                match spans.last_mut() {
+                    Some(last) if at - last.1 <= SAMPLE => last.1 = at,
+                    _ => spans.push((at, at)),
+                }
+            }
+        }
+        spans
+    }
+}
+
+/// When the movement was seen that made the sensor's firing of this number.
+fn seen_at(events: &Events, sensor: usize, index: usize) -> Option<Micros> {
+    let seq = events.firings.iter().filter(|firing| firing.sensor as usize == sensor).nth(index)?.seq;
+    events.facts.iter().find_map(|fact| match fact {
+        Fact::Cause { seq: of, seen_at, .. } if *of == seq => Some(*seen_at),
+        _ => None,
+    })
+}
+
+const SAMPLE: Micros = 200;
+
+fn naive_way_agrees(cases: std::ops::Range<u64>, way: fn(&Case) -> Vec<Firing>) {
+    let mut tally = Tally::default();
+    let count = cases.end - cases.start;
+    for number in cases {
+        let case = Case::new(number);
+        case.compare(&case.exact(), &way(&case), &mut tally);
+    }
+    println!(
+        "{count} homes, {} sensors, {} firings: {} sensors part at a close call, {} at an invisible movement, {} unexplained",
+        tally.sensors,
+        tally.firings,
+        tally.close_calls,
+        tally.invisible,
+        tally.unexplained.len()
+    );
+    assert!(tally.firings > 3 * count as usize, "{tally:?}");
+    assert!(tally.unexplained.is_empty(), "{:#?}", tally.unexplained);
+    assert!((tally.close_calls + tally.invisible) * 20 < tally.sensors, "too many close calls to believe: {tally:?}");
+}
+
+#[test]
+fn the_naive_way_agrees_1() {
+    naive_way_agrees(0..500, Case::paper);
+}
+
+#[test]
+fn the_naive_way_agrees_2() {
+    naive_way_agrees(500..1000, Case::paper);
+}
+
+#[test]
+fn the_brute_way_agrees() {
+    naive_way_agrees(1000..2000, Case::brute);
+}
+
+/// The negative control: the paper's loop at a hundred times real time loses and gains firings.
+#[test]
+fn the_naive_way_at_a_hundredfold_speed_does_not_agree() {
+    let mut tally = Tally::default();
+    for number in 0..20 {
+        let case = Case::new(number);
+        let eye = PaperEye::new(&case.home, case.build.size(Posture::Standing), 1);
+        let naive = case.looped(Loop::new(eye, &case.home, number, 100));
+        case.compare(&case.exact(), &naive, &mut tally);
+    }
+    assert!(tally.unexplained.len() > 10, "{tally:?}");
+}

@@ -1,0 +1,147 @@
+//! Random homes and random lives in them, each from its number: the same number, the same home.
+
+use homebody_core::drivers::Move;
+use homebody_core::event::Doing;
+use homebody_core::geometry::Point;
+use homebody_core::home::{Build, Home};
+use homebody_core::random::{Range, Stream};
+use homebody_core::scenario::home::HomeFile;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, SECOND};
+use serde_json::{Value, json};
+
+/// A source of choices.
+pub struct Dice(Stream);
+
+impl Dice {
+    pub fn new(case: u64, what: &str) -> Dice {
+        Dice(Stream::named(case, what))
+    }
+
+    /// A whole number from 0 to `count` - 1.
+    pub fn below(&mut self, count: i64) -> i64 {
+        self.0.span(Range { least: 0, most: count - 1 })
+    }
+
+    /// A number between `least` and `most`, in steps of a ten-thousandth of their difference.
+    pub fn between(&mut self, least: f64, most: f64) -> f64 {
+        least + (most - least) * self.below(10_001) as f64 / 10_000.0
+    }
+
+    pub fn one_in(&mut self, count: i64) -> bool {
+        self.below(count) == 0
+    }
+}
+
+/// How much of the model a random home uses.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Model {
+    /// What the paper's own loop knows: `paper` sensors, furniture that is as high as they hang.
+    Paper,
+    /// Everything.
+    Whole,
+}
+
+/// A rectangle cut into rooms, with furniture and sensors.
+pub fn home(case: u64, model: Model) -> HomeFile {
+    let dice = &mut Dice::new(case, "home");
+    let (width, depth) = (dice.between(4.0, 12.0), dice.between(3.0, 9.0));
+    let cut = dice.between(0.3, 0.7) * width;
+    let rooms = json!([
+        { "name": "west", "outline": [[0, 0], [cut, 0], [cut, depth], [0, depth]] },
+        { "name": "east", "outline": [[cut, 0], [width, 0], [width, depth], [cut, depth]] },
+    ]);
+    let walls = json!([
+        { "from": [0, 0], "to": [width, 0] }, { "from": [width, 0], "to": [width, depth] },
+        { "from": [width, depth], "to": [0, depth] }, { "from": [0, depth], "to": [0, 0] },
+        { "from": [cut, 0], "to": [cut, depth], "thickness_m": 0.15 },
+    ]);
+    let jamb = dice.between(0.1, depth - 1.0);
+    let doors = json!([{ "name": "door", "from": [cut, jamb], "to": [cut, jamb + 0.9], "open": !dice.one_in(4) }]);
+    let furniture: Vec<Value> = (0..dice.below(6))
+        .map(|index| {
+            json!({
+                "name": format!("piece {index}"), "at": [dice.between(0.5, width - 0.5), dice.between(0.5, depth - 0.5)],
+                "size_m": [dice.between(0.2, 1.5), dice.between(0.2, 1.0)], "turn_deg": dice.between(-90.0, 90.0),
+                "height_m": if model == Model::Paper { 3.0 } else { dice.between(0.3, 2.4) },
+                "enterable": dice.one_in(3),
+            })
+        })
+        .collect();
+    let sensors: Vec<Value> = (0..1 + dice.below(6)).map(|index| sensor(dice, index, width, depth, model)).collect();
+    let home = json!({ "name": format!("home {case}"), "rooms": rooms, "walls": walls, "doors": doors,
+        "furniture": furniture, "sensors": sensors });
+    serde_json::from_value(home).expect("a home")
+}
+
+fn sensor(dice: &mut Dice, index: i64, width: f64, depth: f64, model: Model) -> Value {
+    let timing = match dice.below(3) {
+        // No randomness, and times that tie with those of strides.
+        0 => json!({ "first_fire_s": [1, 1], "refire_s": [6, 6], "persist_s": 1 }),
+        1 => json!({ "preset": (["paper", "casas_pulse", "casas_follow", "x10_ms16a"][dice.below(4) as usize]) }),
+        _ => json!({ "first_fire_s": [0, dice.between(0.0, 1.0)], "refire_s": [1.5, 1.5 + dice.between(0.0, 3.0)] }),
+    };
+    let mut sensor = if dice.one_in(4) {
+        let (x, y) = (dice.between(0.3, width - 1.5), dice.between(0.3, depth - 1.5));
+        let (dx, dy) = (dice.between(0.3, 1.2), dice.between(0.3, 1.2));
+        json!({ "kind": "ceiling_motion", "area": [[x, y], [x + dx, y], [x + dx, y + dy], [x, y + dy]] })
+    } else {
+        let level = match (model, dice.below(3)) {
+            (Model::Paper, _) | (_, 0) => json!("paper"),
+            (_, 1) => json!({ "sensitivity": { "threshold_deg": dice.between(1.0, 12.0) } }),
+            _ => json!({ "zones": { "pulses": 1 + dice.below(3) } }),
+        };
+        let (at, facing) = match dice.below(4) {
+            0 => ([0.05, dice.between(0.2, depth - 0.2)], 0.0),
+            1 => ([width - 0.05, dice.between(0.2, depth - 0.2)], 180.0),
+            2 => ([dice.between(0.2, width - 0.2), 0.05], 90.0),
+            _ => ([dice.between(0.2, width - 0.2), depth - 0.05], -90.0),
+        };
+        json!({ "kind": "motion", "at": at, "facing_deg": facing + dice.between(-15.0, 15.0), "level": level,
+            "beams": 1 + dice.below(32), "height_m": dice.between(1.5, 2.4), "reach_m": dice.between(2.0, 12.0) })
+    };
+    let fields = sensor.as_object_mut().expect("an object");
+    fields.insert("name".into(), json!(format!("sensor {index}")));
+    fields.extend(timing.as_object().expect("an object").clone());
+    sensor
+}
+
+/// The bodies of one to `most` residents.
+pub fn builds(case: u64, most: i64) -> Vec<Build> {
+    let dice = &mut Dice::new(case, "bodies");
+    let build = |dice: &mut Dice| Build { radius_m: dice.between(0.1, 0.35), height_m: dice.between(0.3, 1.9) };
+    (0..1 + dice.below(most)).map(|_| build(dice)).collect()
+}
+
+/// What one resident does for about `length`: walks, stirs, rests, absences; many on round times.
+pub fn life(case: u64, resident: usize, home: &Home, length: Micros, slowest_mps: f64) -> Vec<Move> {
+    let dice = &mut Dice::new(case, &format!("life of {resident}"));
+    let (least, most) = home.plan.bounds();
+    let mut at = (least + most) / 2.0;
+    let mut moves = Vec::new();
+    let mut now = 0;
+    while now < length {
+        let round = dice.one_in(2);
+        let span = |span: f64| -> Micros {
+            let span = (span * SECOND as f64) as Micros;
+            if round { (span / (SECOND / 2) + 1) * (SECOND / 2) } else { span + 1 }
+        };
+        let posture = [Posture::Standing, Posture::Sitting, Posture::Lying][dice.below(3) as usize];
+        let (took, doing, posture) = match dice.below(8) {
+            0 => (span(dice.between(0.0, 20.0)), Doing::Rest { at }, posture),
+            1 | 2 => (span(dice.between(0.0, 9.0)), Doing::Stir { at, amplitude_m: dice.between(0.01, 0.6) }, posture),
+            3 if dice.one_in(8) => (span(30.0), Doing::Away, Posture::Standing),
+            _ => {
+                let to = Point::new(dice.between(least.x, most.x), dice.between(least.y, most.y));
+                let pace = dice.between(slowest_mps, 2.5);
+                (span(at.distance(to) / pace), Doing::Stride { from: at, to }, Posture::Standing)
+            }
+        };
+        moves.push(Move { begin: now, end: now + took, doing, posture });
+        if let Doing::Stride { to, .. } = doing {
+            at = to;
+        }
+        now += took;
+    }
+    moves
+}

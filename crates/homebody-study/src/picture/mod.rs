@@ -1,0 +1,54 @@
+//! Pictures: floor plans, coverage and firings, as SVG text and, from the same text, as PNG bytes.
+//!
+//! A picture is right without its colours: whatever a colour says, a shape, a hatch, a number or a
+//! step of lightness says too. Colours are those of Okabe & Ito and of viridis, which colour-blind
+//! people tell apart.
+//!
+//! A picture is the same bytes for the same input, and knows no file and no machine: it is drawn
+//! with the fonts in this program. A character they lack is left blank in a PNG; SVG takes the reader's.
+
+mod chart;
+mod coverage_map;
+mod floor_plan;
+mod font;
+mod label;
+mod layers;
+mod legend;
+mod paint;
+mod shade;
+mod sheet;
+mod svg;
+
+use resvg::{tiny_skia, usvg};
+
+pub use chart::{Activity, Reference, TotalsLine, firing_chart, totals_chart};
+pub use coverage_map::coverage_map;
+pub use floor_plan::floor_plan;
+
+/// Why an SVG did not become a PNG.
+#[derive(Debug, thiserror::Error)]
+pub enum PngError {
+    #[error("this is no SVG that can be drawn: {0}")]
+    Svg(#[from] usvg::Error),
+    #[error("a picture of {width} x {height} pixels cannot be drawn")]
+    Size { width: u32, height: u32 },
+    #[error("the picture could not be written as PNG: {0}")]
+    Encoding(String),
+}
+
+/// Pixels on the longer side above which a picture is refused, rather than filling the memory.
+const MOST_PIXELS: u32 = 16_384;
+
+/// Draws an SVG as a PNG of this width; the height follows.
+pub fn png(svg: &str, width_px: u32) -> Result<Vec<u8>, PngError> {
+    let tree = usvg::Tree::from_str(svg, &font::options())?;
+    let scale = width_px as f32 / tree.size().width();
+    let (width, height) = (width_px, (tree.size().height() * scale).round() as u32);
+    let refused = PngError::Size { width, height };
+    if width.max(height) > MOST_PIXELS {
+        return Err(refused);
+    }
+    let mut pixels = tiny_skia::Pixmap::new(width, height).ok_or(refused)?;
+    resvg::render(&tree, tiny_skia::Transform::from_scale(scale, scale), &mut pixels.as_mut());
+    pixels.encode_png().map_err(|error| PngError::Encoding(error.to_string()))
+}

@@ -1,0 +1,169 @@
+//! Pictures: well-formed, escaped, of the size asked for, and with the text in them.
+
+mod home;
+
+use homebody_core::geometry::{Point, direction, point};
+use homebody_core::home::plan::Plan;
+use homebody_core::scenario::home::{HomeFile, SensorFile};
+use homebody_study::coverage::{STEP_M, coverage};
+use homebody_study::picture::{
+    Activity, PngError, Reference, TotalsLine, coverage_map, firing_chart, floor_plan, png, totals_chart,
+};
+use resvg::usvg;
+use serde_json::json;
+
+fn map(file: &HomeFile) -> String {
+    let plan = Plan::new(file);
+    let names: Vec<String> = file.sensors.iter().map(|sensor| sensor.name().to_owned()).collect();
+    let seen = coverage(&plan, 0.25, &names, STEP_M, &|p| home::sees(file, &plan, p));
+    coverage_map(file, &seen, &beams(file, &plan))
+}
+
+fn activities() -> Vec<Activity> {
+    let activity = |(index, portion): (usize, char)| Activity {
+        label: format!("{} feet & more", 5 + 5 * (index % 2)),
+        portion,
+        firings_s: (0..30 + index).map(|firing| firing as f64 * 8.0).collect(),
+    };
+    "AABBCC".chars().enumerate().map(activity).collect()
+}
+
+fn totals() -> String {
+    let line = |turning: f64| TotalsLine {
+        label: format!("turning <{turning} s>"),
+        points: (3..8).map(|length| (f64::from(length), 200.0 + 7.0 * f64::from(length) - turning)).collect(),
+    };
+    let reference = Reference { label: "published: 230".to_owned(), total: 230.0 };
+    totals_chart("Totals", ["walk in m", "firings"], &[line(0.0), line(1.0)], Some(&reference))
+}
+
+/// The beams of the wall sensors' fans.
+fn beams(home: &HomeFile, plan: &Plan) -> Vec<(usize, Point, Point)> {
+    let mut beams = Vec::new();
+    for (index, sensor) in home.sensors.iter().enumerate() {
+        if let SensorFile::Motion(motion) = sensor {
+            for beam in 0..motion.beams {
+                let off = (f64::from(beam) + 0.5) / f64::from(motion.beams) - 0.5;
+                let towards = direction(motion.facing_deg + off * motion.field_deg[0]);
+                let lens = point(motion.at) + towards * 0.02;
+                beams.push((index, lens, home::beam_end(plan, lens, lens + towards * motion.reach_m)));
+            }
+        }
+    }
+    beams
+}
+
+fn well_formed(svg: &str) {
+    let tree = usvg::Tree::from_str(svg, &usvg::Options::default());
+    assert!(tree.is_ok(), "{:?}", tree.err());
+}
+
+#[test]
+fn every_picture_is_well_formed() {
+    let file = home::furnished();
+    for svg in [floor_plan(&file), map(&file), firing_chart("A & <B>", &activities(), 300.0), totals()] {
+        well_formed(&svg);
+    }
+}
+
+#[test]
+fn names_are_escaped() {
+    let file = home::furnished();
+    for svg in [floor_plan(&file), map(&file)] {
+        assert!(svg.contains("Two rooms &amp; a &lt;door&gt;"));
+        assert!(svg.contains("bed &quot;ceiling&quot; &lt;1&gt;"));
+        assert!(!svg.contains("<door>"));
+    }
+    let mut odd = home::furnished();
+    odd.name = "bell \u{7} and null \0 and ]]>".to_owned();
+    well_formed(&floor_plan(&odd));
+}
+
+#[test]
+fn a_png_has_the_size_asked_for() {
+    let svg = floor_plan(&home::furnished());
+    let tree = usvg::Tree::from_str(&svg, &usvg::Options::default()).expect("svg");
+    for width in [300, 1200, 1777] {
+        let png = png(&svg, width).expect("png");
+        let side = |at: usize| u32::from_be_bytes(png[at..at + 4].try_into().expect("four bytes"));
+        assert_eq!(side(16), width);
+        let height = tree.size().height() / tree.size().width() * width as f32;
+        assert!((side(20) as f32 - height).abs() <= 1.0);
+    }
+}
+
+#[test]
+fn what_cannot_be_drawn_is_refused() {
+    let svg = floor_plan(&home::furnished());
+    assert!(matches!(png("<svg", 100), Err(PngError::Svg(_))));
+    assert!(matches!(png(&svg, 0), Err(PngError::Size { .. })));
+    assert!(matches!(png(&svg, 1_000_000), Err(PngError::Size { .. })));
+}
+
+#[test]
+fn text_appears_in_a_png() {
+    let page = |words: &str| {
+        format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' width='200' height='50' font-family='Nowhere'>\
+             <text x='10' y='30' font-size='20'>{words}</text></svg>"
+        )
+    };
+    let drawn = |words: &str| png(&page(words), 200).expect("png");
+    assert_ne!(drawn("bedroom"), drawn(""));
+    assert_ne!(drawn("bedroom"), drawn("kitchen"));
+    assert_ne!(drawn("m²"), drawn("m"));
+    assert_ne!(drawn("müde"), drawn("mde"));
+}
+
+#[test]
+fn a_picture_is_the_same_bytes_each_time() {
+    let file = home::furnished();
+    assert_eq!(floor_plan(&file), floor_plan(&file));
+    assert_eq!(map(&file), map(&file));
+}
+
+#[test]
+fn a_coverage_map_stays_small() {
+    let file = home::furnished();
+    assert!(map(&file).len() < 100_000, "{} bytes", map(&file).len());
+}
+
+#[test]
+fn the_map_shows_numbers_and_shares() {
+    let svg = map(&home::furnished());
+    for words in ["no sensor: 5.", "one sensor: 8", ">0.89\u{a0}m²<", "class=\"dead-zone\" data-name=\"2\"", ">1<"] {
+        assert!(svg.contains(words), "the map lacks {words}");
+    }
+}
+
+#[test]
+fn each_firing_is_a_tick() {
+    let svg = firing_chart("Walks", &activities(), 300.0);
+    let ticks: usize = svg
+        .lines()
+        .filter(|line| line.starts_with("<path"))
+        .filter_map(|line| line.split('"').nth(1))
+        .map(|d| d.matches('M').count())
+        .filter(|&moves| moves > 1)
+        .sum();
+    let firings: usize = activities().iter().map(|activity| activity.firings_s.len()).sum();
+    assert_eq!(ticks, firings);
+    assert!(svg.contains(&format!("{firings} firings")));
+}
+
+#[test]
+fn charts_bear_having_nothing_to_show() {
+    well_formed(&firing_chart("none", &[], 300.0));
+    let silent = Activity { label: "silent".to_owned(), portion: 'A', firings_s: Vec::new() };
+    well_formed(&firing_chart("silent", &[silent], 0.0));
+    well_formed(&totals_chart("none", ["x", "y"], &[], None));
+    let one = TotalsLine { label: "one".to_owned(), points: vec![(4.0, 230.0)] };
+    well_formed(&totals_chart("one", ["x", "y"], &[one], None));
+}
+
+#[test]
+fn a_bare_home_can_be_drawn() {
+    let file = home::two_rooms(json!([]), json!([]));
+    well_formed(&floor_plan(&file));
+    well_formed(&map(&file));
+}

@@ -1,0 +1,53 @@
+//! `homebody convert`: carry a log from one form into another.
+
+use crate::failure::Failure;
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_log::source::recognise;
+use homebody_log::{RunInfo, Url, convert, read};
+use std::path::PathBuf;
+
+/// Carries a log from one form into another; times and values stay exactly what they were.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  homebody convert log.db --to casas:log.txt
+  homebody convert aruba.txt --to sqlite:aruba.db")]
+pub struct Arguments {
+    /// The log: a file, or sqlite:FILE, csv:FILE or casas:FILE
+    log: String,
+    /// Where to: sqlite:FILE, csv:FILE or casas:FILE
+    #[arg(long, value_name = "URL")]
+    to: Url,
+    /// The time zone in which a log in UTC is written where only local time is known
+    #[arg(long, default_value = "UTC")]
+    time_zone: String,
+    /// Replace a file that exists
+    #[arg(long)]
+    force: bool,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let log = read(&place(&self.log)?, &LoggerFile::default())?;
+        for skipped in &log.problems {
+            eprintln!("{}:{}: left out: {}", self.log, skipped.line, skipped.why);
+        }
+        let unsaid = log.skipped.saturating_sub(log.problems.len() as u64);
+        if unsaid > 0 {
+            eprintln!("{}: {unsaid} more lines were left out", self.log);
+        }
+        let version = env!("CARGO_PKG_VERSION").into();
+        let run = RunInfo { id: 1, scenario: self.log.clone(), seed: 0, version };
+        let rows = convert(&log, &self.to, &run, &self.time_zone, self.force)?;
+        eprintln!("{}: {rows} rows of {} sensors", self.to, log.sensors.len());
+        Ok(())
+    }
+}
+
+/// A log by its URL, or by its path alone.
+pub fn place(text: &str) -> Result<Url, Failure> {
+    let path = PathBuf::from(text);
+    if path.exists() {
+        return Ok(recognise(&path)?);
+    }
+    text.parse().or_else(|_| Ok(recognise(&path)?))
+}

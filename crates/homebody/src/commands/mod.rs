@@ -1,0 +1,56 @@
+//! The commands, one file each, all in the same shape: the arguments as a struct, with a `run`.
+
+mod check;
+mod convert;
+mod live;
+mod new;
+mod replay;
+mod run;
+mod schema;
+
+use crate::failure::Failure;
+use clap::Subcommand;
+
+#[derive(Subcommand)]
+pub enum Command {
+    /// Live a scenario and store what its sensors say
+    Run(run::Arguments),
+    /// Live a recording again, byte for byte
+    Replay(replay::Arguments),
+    /// Report everything that is wrong with a scenario
+    Check(check::Arguments),
+    /// Carry a log from one form into another
+    Convert(convert::Arguments),
+    /// Write the JSON Schemas of the scenario files into a folder
+    Schema(schema::Arguments),
+    /// Begin a scenario of your own from a template
+    New(new::Arguments),
+}
+
+impl Command {
+    pub fn run(self) -> Result<(), Failure> {
+        match self {
+            Command::Run(arguments) => arguments.run(),
+            Command::Replay(arguments) => arguments.run(),
+            Command::Check(arguments) => arguments.run(),
+            Command::Convert(arguments) => arguments.run(),
+            Command::Schema(arguments) => arguments.run(),
+            Command::New(arguments) => arguments.run(),
+        }
+    }
+}
+
+/// Prints the one JSON object that `--json` promises.
+fn print_json(value: &impl serde::Serialize) -> Result<(), Failure> {
+    let text = serde_json::to_string_pretty(value).map_err(Failure::usage)?;
+    print_text(&(text + "\n"))
+}
+
+/// Prints on standard output; a reader that has gone away is no error.
+fn print_text(text: &str) -> Result<(), Failure> {
+    use std::io::{ErrorKind, Write};
+    match std::io::stdout().lock().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Io(format!("standard output: {error}"))),
+        _ => Ok(()),
+    }
+}

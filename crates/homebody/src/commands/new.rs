@@ -1,0 +1,70 @@
+//! `homebody new`: a scenario of one's own, from one that works.
+
+use crate::failure::Failure;
+use homebody_core::scenario::schema::schemas;
+use include_dir::{Dir, include_dir};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+static TEMPLATES: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../scenarios");
+
+/// Begins a scenario of your own in a new folder, from a template that works.
+#[derive(clap::Args)]
+#[command(after_help = "Example:\n  homebody new my-home --template tigerplace && homebody run my-home")]
+pub struct Arguments {
+    /// The folder to create
+    folder: PathBuf,
+    /// The scenario to start from
+    #[arg(long, default_value = "tigerplace", value_parser = template)]
+    template: &'static Dir<'static>,
+}
+
+/// A template by its name.
+fn template(name: &str) -> Result<&'static Dir<'static>, String> {
+    TEMPLATES.get_dir(name).ok_or_else(|| {
+        let names: Vec<_> = TEMPLATES.dirs().map(|dir| dir.path().display().to_string()).collect();
+        format!("there is none of that name; there are: {}", names.join(", "))
+    })
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let folder = &self.folder;
+        if folder.exists() {
+            return Err(Failure::Io(format!(
+                "{} exists already\n  hint: name a folder that does not",
+                folder.display()
+            )));
+        }
+        let written = self.write();
+        if written.is_err() {
+            // Nothing is left half made.
+            let _ = fs::remove_dir_all(folder);
+        }
+        written?;
+        eprintln!("{} is ready.\n  homebody check {0}\n  homebody run {0}", folder.display());
+        Ok(())
+    }
+
+    fn write(&self) -> Result<(), Failure> {
+        write(
+            &self.folder.join("schemas"),
+            schemas().into_iter().map(|(name, schema)| (name, format!("{schema:#}\n").into())),
+        )?;
+        let files = self.template.files().map(|file| {
+            // The schemas of the repository are two folders up, ours are right here.
+            let text = String::from_utf8_lossy(file.contents()).replace("\"../../schemas/", "\"./schemas/");
+            (file.path().file_name().and_then(|name| name.to_str()).unwrap_or_default(), text.into_bytes())
+        });
+        write(&self.folder, files)
+    }
+}
+
+fn write<'a>(folder: &Path, files: impl Iterator<Item = (&'a str, Vec<u8>)>) -> Result<(), Failure> {
+    fs::create_dir_all(folder).map_err(|error| Failure::io(folder, error))?;
+    for (name, bytes) in files {
+        let path = folder.join(name);
+        fs::write(&path, bytes).map_err(|error| Failure::io(&path, error))?;
+    }
+    Ok(())
+}

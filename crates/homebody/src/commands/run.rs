@@ -1,0 +1,94 @@
+//! `homebody run`: live a scenario.
+
+use super::live::{Live, Output};
+use crate::failure::Failure;
+use crate::folder;
+use crate::pace::Speed;
+use homebody_core::recording::Recording;
+use homebody_core::run::Run;
+use homebody_core::time::{Micros, micros};
+use std::path::PathBuf;
+
+/// Lives a scenario and stores what its sensors say.
+///
+/// Without --out, everything goes into a new folder under runs/: the log as the scenario's logger.json
+/// says, the ground truth apart from it, and the recording that replays the run.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  homebody run scenarios/tigerplace
+  homebody run scenarios/tigerplace --for 2h --speed 60
+  homebody run my-home --out sqlite:log.db --out csv:log.csv --truth truth.db --force
+  printf 'step 60\\nstop\\n' | homebody run my-home --control")]
+pub struct Arguments {
+    /// The scenario's folder, or its scenario.json
+    scenario: PathBuf,
+    /// How long to live: 90s, 15m, 2h, 7d or 52w; the scenario's days without it
+    #[arg(long = "for", value_name = "SPAN", value_parser = span)]
+    length: Option<Micros>,
+    /// The number all randomness comes from, instead of the scenario's
+    #[arg(long)]
+    seed: Option<u64>,
+    #[command(flatten)]
+    output: Output,
+    /// Record what is needed to replay the run into this file
+    #[arg(long, value_name = "FILE")]
+    record: Option<PathBuf>,
+    /// Seconds of the run in a second: 0.1 to 1000, or max. It changes no byte of the log
+    #[arg(long, default_value = "max")]
+    speed: Speed,
+    /// Take commands by lines on standard input: pause, resume, step [SECONDS], speed X, stop
+    #[arg(long)]
+    control: bool,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let (scenario, entry) = folder::load(&self.scenario)?;
+        let seed = self.seed.unwrap_or(scenario.file.seed);
+        let length = self.length.unwrap_or_else(|| micros(scenario.file.days * 86_400.0));
+        let run = Run::new(&scenario, seed, length);
+        let recording = Recording {
+            version: env!("CARGO_PKG_VERSION").into(),
+            entry,
+            files: scenario.sources.clone(),
+            seed,
+            length_us: length,
+            firings: 0,
+            sha256: String::new(),
+        };
+        let live = Live { scenario: &scenario, recording, record: self.record, output: self.output };
+        live.live(run, self.speed, self.control)
+    }
+}
+
+/// A span of time as people write it.
+fn span(text: &str) -> Result<Micros, String> {
+    let (number, unit) = text.split_at(text.trim_end_matches(|c: char| c.is_ascii_alphabetic()).len());
+    let unit = match unit {
+        "s" => 1.0,
+        "m" | "min" => 60.0,
+        "h" => 3600.0,
+        "d" => 86_400.0,
+        "w" => 604_800.0,
+        _ => return Err("write a number with its unit: 90s, 15m, 2h, 7d or 52w".into()),
+    };
+    match number.parse::<f64>() {
+        Ok(number) if number > 0.0 && number * unit <= 36_525.0 * 86_400.0 => Ok(micros(number * unit)),
+        _ => Err("a run is longer than nothing and at most 100 years long".into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spans_are_read_as_people_write_them() {
+        assert_eq!(span("90s"), Ok(90_000_000));
+        assert_eq!(span("1.5h"), Ok(5_400_000_000));
+        assert_eq!(span("7d"), Ok(604_800_000_000));
+        for wrong in ["", "7", "d", "-1d", "0s", "NaNd", "7 days", "1e9d", "infd"] {
+            assert!(span(wrong).is_err(), "{wrong}");
+        }
+    }
+}

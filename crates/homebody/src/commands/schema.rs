@@ -1,0 +1,29 @@
+//! `homebody schema`: the JSON Schemas of the scenario files.
+
+use crate::failure::Failure;
+use homebody_core::scenario::schema::schemas;
+use std::fs;
+use std::path::PathBuf;
+
+/// Writes the JSON Schemas of the scenario files into a folder, for editors that complete and check.
+#[derive(clap::Args)]
+#[command(
+    after_help = "Example:\n  homebody schema schemas\n\nName a schema in a file's \"$schema\" and most editors use it."
+)]
+pub struct Arguments {
+    /// The folder to write into; it is created if it does not exist
+    folder: PathBuf,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        fs::create_dir_all(&self.folder).map_err(|error| Failure::io(&self.folder, error))?;
+        for (name, schema) in schemas() {
+            let path = self.folder.join(name);
+            let text = serde_json::to_string_pretty(&schema).map_err(Failure::usage)? + "\n";
+            fs::write(&path, text).map_err(|error| Failure::io(&path, error))?;
+            eprintln!("{}", path.display());
+        }
+        Ok(())
+    }
+}

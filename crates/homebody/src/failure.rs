@@ -1,0 +1,65 @@
+//! How a command fails: what people read, and the exit code that scripts read.
+
+use homebody_core::problem::Problems;
+use homebody_log::LogError;
+use std::fmt::Display;
+use std::path::Path;
+use std::process::ExitCode;
+
+/// Why a command ended early.
+pub enum Failure {
+    /// What the user wrote is wrong.
+    Problems(Problems),
+    /// What the user asked is wrong.
+    Usage(String),
+    /// A file could not be read or written.
+    Io(String),
+}
+
+impl Failure {
+    /// A file that could not be read or written.
+    pub fn io(path: &Path, error: impl Display) -> Failure {
+        Failure::Io(format!("{}: {error}", path.display()))
+    }
+
+    pub fn usage(what: impl Display) -> Failure {
+        Failure::Usage(what.to_string())
+    }
+
+    /// Tells people on standard error, and scripts by the exit code.
+    pub fn report(&self) -> ExitCode {
+        match self {
+            Failure::Problems(problems) => {
+                eprint!("{}", problems.render());
+                let count = problems.0.len();
+                eprintln!("\n{count} {}", if count == 1 { "problem" } else { "problems" });
+                ExitCode::from(2)
+            }
+            Failure::Usage(what) => {
+                eprintln!("error: {what}");
+                ExitCode::from(2)
+            }
+            Failure::Io(what) => {
+                eprintln!("error: {what}");
+                ExitCode::from(1)
+            }
+        }
+    }
+}
+
+impl From<Problems> for Failure {
+    fn from(problems: Problems) -> Failure {
+        Failure::Problems(problems)
+    }
+}
+
+impl From<LogError> for Failure {
+    fn from(error: LogError) -> Failure {
+        match error {
+            LogError::Name { .. } | LogError::SameName { .. } | LogError::SameSensor { .. } | LogError::Zone(_) => {
+                Failure::Usage(error.to_string())
+            }
+            error => Failure::Io(error.to_string()),
+        }
+    }
+}

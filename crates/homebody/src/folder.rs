@@ -1,0 +1,42 @@
+//! A scenario folder on disk.
+
+use crate::failure::Failure;
+use homebody_core::scenario::load::{Files, Scenario};
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+/// The files of a folder.
+struct Folder(PathBuf);
+
+impl Files for Folder {
+    fn read(&self, name: &str) -> Result<String, String> {
+        let bytes = fs::read(self.0.join(name)).map_err(|error| match error.kind() {
+            ErrorKind::NotFound => "there is no such file".to_owned(),
+            ErrorKind::IsADirectory => "it is a folder".to_owned(),
+            _ => error.to_string(),
+        })?;
+        String::from_utf8(bytes).map_err(|_| "it is not text in UTF-8".into())
+    }
+}
+
+/// Loads a scenario from its folder, or from its `scenario.json`; returns also the entry's name.
+pub fn load(path: &Path) -> Result<(Scenario, String), Failure> {
+    let meta = fs::metadata(path).map_err(|error| match error.kind() {
+        ErrorKind::NotFound => {
+            Failure::io(path, "there is no such scenario\n  hint: name its folder, or its scenario.json")
+        }
+        _ => Failure::io(path, error),
+    })?;
+    let (folder, entry) = if meta.is_dir() {
+        (path, "scenario.json".to_owned())
+    } else {
+        let entry = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        (path.parent().unwrap_or(Path::new("")), entry)
+    };
+    let file = folder.join(&entry);
+    if !file.is_file() {
+        return Err(Failure::io(&file, "there is no such file\n  hint: a scenario folder holds a scenario.json"));
+    }
+    Ok((Scenario::load(&Folder(folder.to_owned()), &entry)?, entry))
+}

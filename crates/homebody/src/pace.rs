@@ -1,0 +1,149 @@
+//! Pace: how fast a run goes by the clock on the wall. It decides when the run is advanced, never how:
+//! the world knows nothing of it.
+
+use homebody_core::time::{Micros, SECOND};
+use std::io::BufRead;
+use std::str::FromStr;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// How many seconds of the run go by in a second.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Speed {
+    Times(f64),
+    Max,
+}
+
+impl FromStr for Speed {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Speed, String> {
+        if text == "max" {
+            return Ok(Speed::Max);
+        }
+        match text.parse() {
+            Ok(times) if (0.1..=1000.0).contains(&times) => Ok(Speed::Times(times)),
+            _ => Err("a speed is a number from 0.1 to 1000, or max".into()),
+        }
+    }
+}
+
+/// What somebody who watches a run may say, a line each.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Say {
+    Pause,
+    Resume,
+    /// Go on by so much, then pause.
+    Step(Micros),
+    Speed(Speed),
+    Stop,
+}
+
+impl FromStr for Say {
+    type Err = String;
+
+    fn from_str(line: &str) -> Result<Say, String> {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        match words[..] {
+            ["pause"] => Ok(Say::Pause),
+            ["resume"] => Ok(Say::Resume),
+            ["stop"] => Ok(Say::Stop),
+            ["step"] => Ok(Say::Step(SECOND)),
+            ["step", span] => match span.parse::<f64>() {
+                Ok(span) if span > 0.0 && span < 1e9 => Ok(Say::Step(homebody_core::time::micros(span))),
+                _ => Err(format!("{span:?} is no number of seconds")),
+            },
+            ["speed", speed] => speed.parse().map(Say::Speed),
+            _ => Err(format!("{line:?} is none of: pause, resume, step [SECONDS], speed X, stop")),
+        }
+    }
+}
+
+/// Lets a run go at its pace.
+pub struct Pace {
+    speed: Speed,
+    /// Where the run was, and when, at the last change of pace.
+    from: (Micros, Instant),
+    /// A paused run goes no further than this.
+    paused_at: Option<Micros>,
+    listener: Option<Receiver<Say>>,
+}
+
+/// How much of the run is advanced at once when nobody waits for it.
+const UNPACED_STEP: Micros = 3600 * SECOND;
+
+/// How often a paced run is advanced.
+const FRAME: Duration = Duration::from_millis(16);
+
+impl Pace {
+    /// A pace from the run's start; with `listen`, commands come by lines on standard input.
+    pub fn new(speed: Speed, listen: bool) -> Pace {
+        let listener = listen.then(|| {
+            let (tell, listener) = channel();
+            thread::spawn(move || {
+                for line in std::io::stdin().lock().lines().map_while(Result::ok) {
+                    match line.parse() {
+                        Ok(say) if tell.send(say).is_err() => break,
+                        Ok(_) => {}
+                        Err(error) => eprintln!("{error}"),
+                    }
+                }
+            });
+            listener
+        });
+        Pace { speed, from: (0, Instant::now()), paused_at: None, listener }
+    }
+
+    /// Waits until the run may go on, and says until when; nothing if it shall stop.
+    pub fn next(&mut self, now: Micros) -> Option<Micros> {
+        loop {
+            let until = self.allowed(now);
+            let wait = if until > now && self.speed == Speed::Max { Duration::ZERO } else { FRAME };
+            match self.heard(wait) {
+                Some(Say::Stop) => return None,
+                Some(say) => self.obey(say, now),
+                None if until > now => return Some(until),
+                None => {}
+            }
+        }
+    }
+
+    /// How far the run may go by now.
+    fn allowed(&self, now: Micros) -> Micros {
+        let (begin, since) = self.from;
+        let until = match self.speed {
+            Speed::Max => now + UNPACED_STEP,
+            Speed::Times(times) => begin + (since.elapsed().as_secs_f64() * times * SECOND as f64) as Micros,
+        };
+        self.paused_at.map_or(until, |paused_at| paused_at.min(until))
+    }
+
+    fn heard(&mut self, wait: Duration) -> Option<Say> {
+        let Some(listener) = &self.listener else {
+            thread::sleep(wait);
+            return None;
+        };
+        match listener.recv_timeout(wait) {
+            Ok(say) => Some(say),
+            Err(RecvTimeoutError::Timeout) => None,
+            Err(RecvTimeoutError::Disconnected) => {
+                // Nobody is left to say resume.
+                self.listener = None;
+                self.paused_at = None;
+                None
+            }
+        }
+    }
+
+    fn obey(&mut self, say: Say, now: Micros) {
+        self.from = (now, Instant::now());
+        match say {
+            Say::Pause => self.paused_at = Some(now),
+            Say::Resume => self.paused_at = None,
+            Say::Step(span) => self.paused_at = Some(now + span),
+            Say::Speed(speed) => self.speed = speed,
+            Say::Stop => {}
+        }
+    }
+}
