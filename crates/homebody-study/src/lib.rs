@@ -1,3 +1,4 @@
+pub mod compare;
 pub mod coverage;
 pub mod picture;
 pub mod godsey2009;
