@@ -8,7 +8,7 @@
 use homebody_core::event::{Events, Firing};
 use homebody_core::home::Build;
 use homebody_core::naive::paper::PaperEye;
-use homebody_core::naive::{Loop, Player};
+use homebody_core::naive::{Loop, Player, Remainder};
 use homebody_core::problem::Problems;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
@@ -121,7 +121,8 @@ impl Experiment {
             }
         }
         let by_seed = (0..20).map(|seed| total(assumptions, seed)).collect::<Result<Vec<u64>, _>>()?;
-        let bounds = |totals: &[u64]| [totals.iter().copied().min().unwrap_or(0), totals.iter().copied().max().unwrap_or(0)];
+        let bounds =
+            |totals: &[u64]| [totals.iter().copied().min().unwrap_or(0), totals.iter().copied().max().unwrap_or(0)];
         Ok(Experiment {
             assumptions,
             seed,
@@ -135,7 +136,10 @@ impl Experiment {
             },
             firings_by_seed: bounds(&by_seed),
             totals,
-            speeds: [1, 5, 10, 50, 100].into_iter().map(|speed| at_speed(speed, assumptions)).collect::<Result<_, _>>()?,
+            speeds: [1, 5, 10, 50, 100]
+                .into_iter()
+                .map(|speed| at_speed(speed, assumptions))
+                .collect::<Result<_, _>>()?,
         })
     }
 }
@@ -196,13 +200,14 @@ impl Walk {
     /// How often the sensor fires in the paper's own loop at a multiple of real time.
     fn paper_loop(&self, speed: i64) -> Result<usize, Problems> {
         let scenario = self.scenario()?;
-        let mut run = Run::new(&scenario, 0, LENGTH);
+        let run = Run::new(&scenario, 0, LENGTH);
         let moves = run.moves();
         let build = Build::of(&scenario.residents[0].file);
         let eye = PaperEye::new(run.home(), build.size(Posture::Standing), 1);
         let mut firings: Vec<Firing> = Vec::new();
         let mut players = [Player::new(&moves[0], build.radius_m)];
-        Loop::new(eye, run.home(), 0, speed).live(&mut players, LENGTH, &mut firings);
+        let mut paper = Loop::new(eye, run.home(), 0, speed, Remainder::Lost);
+        paper.live(&mut players, LENGTH, &mut firings);
         Ok(firings.len())
     }
 
@@ -230,8 +235,11 @@ impl Walk {
         }
         let path = json!({ "start": start, "steps": [{ "repeat": { "steps": steps } }] });
         let files: BTreeMap<String, String> = [
-            ("scenario.json", json!({ "name": "Godsey & Skubic 2009", "start": "2009-01-01T12:00:00", "days": 1,
-                "home": "home.json", "residents": ["person.json"] })),
+            (
+                "scenario.json",
+                json!({ "name": "Godsey & Skubic 2009", "start": "2009-01-01T12:00:00", "days": 1,
+                "home": "home.json", "residents": ["person.json"] }),
+            ),
             ("home.json", home),
             ("person.json", json!({ "name": "person", "height_m": 1.75, "driver": { "path": "path.json" } })),
             ("path.json", path),
@@ -250,13 +258,29 @@ impl fmt::Display for Experiment {
         for Activity { portion, distance_m, speed_mps, firings, .. } in &self.activities {
             writeln!(f, "  {portion}        {distance_m:.2} m     {speed_mps:.1} m/s   {firings:>6}")?;
         }
-        writeln!(f, "  all                           {:>6}   ({} to {} over 20 seeds)\n", self.firings, self.firings_by_seed[0], self.firings_by_seed[1])?;
+        writeln!(
+            f,
+            "  all                           {:>6}   ({} to {} over 20 seeds)\n",
+            self.firings, self.firings_by_seed[0], self.firings_by_seed[1]
+        )?;
         let Published { firings, difference, agreement } = &self.published;
         writeln!(f, "  the real sensor, as published  {firings:>5}")?;
-        writeln!(f, "  agreement of ours              {:>5.1} %   (1 - |{} - {firings}| / {firings})", self.agreement * 100.0, self.firings)?;
-        writeln!(f, "  agreement of the paper's       {:>5.1} %   (a difference of {difference})\n", agreement * 100.0)?;
+        writeln!(
+            f,
+            "  agreement of ours              {:>5.1} %   (1 - |{} - {firings}| / {firings})",
+            self.agreement * 100.0,
+            self.firings
+        )?;
+        writeln!(
+            f,
+            "  agreement of the paper's       {:>5.1} %   (a difference of {difference})\n",
+            agreement * 100.0
+        )?;
         let Assumptions { walk_m, turn_s } = self.assumptions;
-        writeln!(f, "The paper does not say how long the walk is, nor how the person turns. Assumed: {walk_m} m, turns of {turn_s} s.")?;
+        writeln!(
+            f,
+            "The paper does not say how long the walk is, nor how the person turns. Assumed: {walk_m} m, turns of {turn_s} s."
+        )?;
         writeln!(f, "The total under other assumptions:\n")?;
         let mut lengths: Vec<f64> = self.totals.iter().map(|total| total.assumptions.walk_m).collect();
         lengths.sort_by(f64::total_cmp);
@@ -280,7 +304,10 @@ impl fmt::Display for Experiment {
                 _ => "1 lost (slow pace), 2 gained (fast pace), on average",
             };
             let same = if *identical { "yes" } else { "no" };
-            writeln!(f, "  {speed:>4}x {lost:>11} {gained:>6} {same:>9} {paper_loop_lost:>33} {paper_loop_gained:>6}   {published}")?;
+            writeln!(
+                f,
+                "  {speed:>4}x {lost:>11} {gained:>6} {same:>9} {paper_loop_lost:>33} {paper_loop_gained:>6}   {published}"
+            )?;
         }
         Ok(())
     }
@@ -296,7 +323,13 @@ mod tests {
         assert!(experiment.speeds.iter().all(|at| at.lost == 0 && at.gained == 0 && at.identical));
         // The negative control: a loop whose step grows with its speed does lose or gain some.
         assert!(experiment.speeds.iter().any(|at| at.paper_loop_lost + at.paper_loop_gained > 0));
-        assert!(experiment.speeds.iter().filter(|at| at.speed == 1).all(|at| at.paper_loop_lost + at.paper_loop_gained == 0));
+        assert!(
+            experiment
+                .speeds
+                .iter()
+                .filter(|at| at.speed == 1)
+                .all(|at| at.paper_loop_lost + at.paper_loop_gained == 0)
+        );
     }
 
     #[test]
