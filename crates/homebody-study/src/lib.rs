@@ -1,8 +1,5 @@
-<<<<<<< HEAD
 pub mod compare;
 pub mod coverage;
-pub mod picture;
 pub mod godsey2009;
-=======
+pub mod picture;
 pub mod sphere;
->>>>>>> scenes
