@@ -1,6 +1,12 @@
 //! The anchors: how fast the kernel is beside the paper's loop, a brute-force loop and a bare database,
 //! each ratio from alternating rounds of one run.
 
+#![allow(
+    clippy::disallowed_methods,
+    clippy::disallowed_types,
+    reason = "a benchmark reads the clock; the core may not"
+)]
+
 mod scene;
 
 use homebody_core::event::Events;

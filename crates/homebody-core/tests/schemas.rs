@@ -2,6 +2,8 @@
 //!
 //! `HOMEBODY_REWRITE=1 cargo test -p homebody-core --test schemas` writes them anew.
 
+#![allow(clippy::disallowed_methods, reason = "a test may read and write files; the core may not")]
+
 use homebody_core::scenario::schema::schemas;
 use std::path::Path;
 

@@ -1,12 +1,18 @@
 //! When a motion sensor fires: the timing state machine that all motion sensors share.
 //!
-//! Idle, it waits for a first detection at t and fires at t + U(first_fire). Then it waits
-//! U(refire); at the end of the wait it fires again if movement was seen within the last `persist`,
-//! both ends of that span included, else it is idle (Godsey & Skubic 2009: first after 1-2 s, then every
-//! 6-8 s where motion is still detected).
+//! The device sends a first message soon after it notices movement, and then one every few seconds for as long
+//! as movement goes on (Godsey & Skubic 2009, section III.D: first after 1-2 s, then every 6-8 s where motion is
+//! still detected).
+//!
+//! We assume that waits are drawn evenly from their range. Idle, the machine waits for a first detection at t and
+//! fires at t + U(first_fire). Then it waits U(refire); at the end of the wait it fires again if movement
+//! was seen within the last `persist`, both ends of that span included, else it is idle.
 //!
 //! The machine only ever runs forward: it says whether it *wants* to be told of movement, and when
 //! its next *timer* is due. In between it costs nothing.
+//!
+//! Left out: warming up after power is switched on, waits that depend on temperature or battery, and what
+//! becomes of a message on its way to the logger.
 
 use crate::random::{Range, Stream};
 use crate::scenario::home::Timing as TimingFile;

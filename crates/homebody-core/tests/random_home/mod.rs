@@ -34,6 +34,7 @@ impl Dice {
 }
 
 /// How much of the model a random home uses.
+#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 #[derive(Clone, Copy, PartialEq)]
 pub enum Model {
     /// What the paper's own loop knows: `paper` sensors, furniture that is as high as they hang.
