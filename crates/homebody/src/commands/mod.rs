@@ -1,6 +1,7 @@
 //! The commands, one file each, all in the same shape: the arguments as a struct, with a `run`.
 
 mod check;
+mod completions;
 mod convert;
 mod live;
 mod new;
@@ -25,6 +26,8 @@ pub enum Command {
     Schema(schema::Arguments),
     /// Begin a scenario of your own from a template
     New(new::Arguments),
+    /// Print what makes a shell complete the command line
+    Completions(completions::Arguments),
 }
 
 impl Command {
@@ -36,6 +39,7 @@ impl Command {
             Command::Convert(arguments) => arguments.run(),
             Command::Schema(arguments) => arguments.run(),
             Command::New(arguments) => arguments.run(),
+            Command::Completions(arguments) => arguments.run(),
         }
     }
 }
@@ -53,4 +57,10 @@ fn print_text(text: &str) -> Result<(), Failure> {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Io(format!("standard output: {error}"))),
         _ => Ok(()),
     }
+}
+
+/// Tells people something on standard error; that nobody listens there is no error.
+pub fn tell(text: impl std::fmt::Display) {
+    use std::io::Write;
+    let _ = writeln!(std::io::stderr().lock(), "{text}");
 }
