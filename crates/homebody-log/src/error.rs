@@ -12,7 +12,7 @@ pub enum LogError {
     SameFile { path: PathBuf },
     #[error("{0} is a folder\n  hint: name a file in it", .path.display())]
     IsFolder { path: PathBuf },
-    #[error("{0} is no file that a database can be in", .path.display())]
+    #[error("{0} is no file that a database can be in\n  hint: name a file, or write csv: or casas: there", .path.display())]
     NoFile { path: PathBuf },
     #[error("the folder of {0} does not exist\n  hint: create it, or correct the path", .path.display())]
     NoFolder { path: PathBuf },

@@ -1,7 +1,6 @@
 //! New files: nothing that is there already is overwritten unasked, nothing new is half written.
 
 use crate::error::LogError;
-use crate::url::Url;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -42,30 +41,31 @@ impl Place {
             Err(LogError::Exists { path: path.into() })
         }
     }
+}
 
-    /// Looks at all places of a log before the first of them is touched.
-    pub fn all(urls: &[Url], force: bool) -> Result<(), LogError> {
-        for (index, path) in urls.iter().map(Url::path).enumerate() {
-            Place::at(path, force)?;
-            if urls[..index].iter().any(|other| same_file(other.path(), path)) {
-                return Err(LogError::SameFile { path: path.into() });
-            }
+/// Looks at all files that a program is going to write, before the first of them is touched: each can be
+/// written, none is there already or `force` is given, no two are one.
+pub fn all_can_be_written(paths: &[&Path], force: bool) -> Result<(), LogError> {
+    for (index, path) in paths.iter().enumerate() {
+        Place::at(path, force)?;
+        if paths[..index].iter().any(|other| same_file(other, path)) {
+            return Err(LogError::SameFile { path: path.into() });
         }
-        Ok(())
     }
+    Ok(())
 }
 
 /// Whether two paths lead to one file, be it there yet or not.
-pub(crate) fn same_file(one: &Path, other: &Path) -> bool {
+pub fn same_file(one: &Path, other: &Path) -> bool {
     let whole = |path: &Path| {
-        let folder = folder(path).canonicalize().ok()?;
-        Some(folder.join(path.file_name()?))
+        let named = || Some(folder(path).canonicalize().ok()?.join(path.file_name()?));
+        path.canonicalize().ok().or_else(named)
     };
     one == other || whole(one).is_some_and(|one| Some(one) == whole(other))
 }
 
 /// A text file that takes its name only when it is whole; dropped before, it leaves nothing behind.
-pub(crate) struct FreshFile {
+pub struct FreshFile {
     path: PathBuf,
     place: Place,
     /// Where it is until then, beside its later place so that renaming it moves no data.

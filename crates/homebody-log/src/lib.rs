@@ -15,8 +15,9 @@ pub mod url;
 
 pub mod error;
 
+pub mod fresh;
+
 mod clock;
-mod fresh;
 mod mapping;
 mod messages;
 

@@ -1,7 +1,7 @@
 //! Stores a run's firings in as many places as wished.
 
 use crate::error::LogError;
-use crate::fresh::Place;
+use crate::fresh::all_can_be_written;
 use crate::mapping::{Columns, Shown};
 use crate::messages::{Messages, Row};
 use crate::sink::Opening;
@@ -70,7 +70,7 @@ impl Logger {
     ) -> Result<Logger, LogError> {
         let columns = Columns::new(file)?;
         let shown = Shown::new(file, sensors)?;
-        Place::all(urls, force)?;
+        all_can_be_written(&urls.iter().map(Url::path).collect::<Vec<_>>(), force)?;
         let opening = Opening { columns: &columns, shown: &shown, calendar, run, force };
         let sinks = urls.iter().map(|url| opening.open(url)).collect::<Result<Vec<_>, _>>()?;
         Ok(Logger {

@@ -49,9 +49,18 @@ pub struct TruthLog {
 /// What is stored of a fact.
 enum Known {
     Cause { seq: u64, resident: u32, seen_at: Micros, firing: Option<Firing> },
-    Movement { resident: u32, begin: Micros, end: Micros, doing: Doing, posture: Posture },
+    Movement(Movement),
     Room { resident: u32, at: Micros, room: Option<u32> },
     Activity { resident: u32, at: Micros, name: Option<String> },
+}
+
+#[derive(Clone, Copy)]
+struct Movement {
+    resident: u32,
+    begin: Micros,
+    end: Micros,
+    doing: Doing,
+    posture: Posture,
 }
 
 impl TruthLog {
@@ -108,7 +117,7 @@ fn known(fact: &Fact, firings: &[Firing]) -> Known {
             Known::Cause { seq, resident, seen_at, firing: firing.copied() }
         }
         Fact::Movement { resident, begin, end, doing, posture } => {
-            Known::Movement { resident, begin, end, doing, posture }
+            Known::Movement(Movement { resident, begin, end, doing, posture })
         }
         Fact::Room { resident, at, room } => Known::Room { resident, at, room },
         Fact::Activity { resident, at, ref name } => Known::Activity { resident, at, name: name.clone() },
@@ -124,6 +133,8 @@ struct TruthSink {
     sensors: Vec<String>,
     /// What each resident is doing, and since when.
     doing: Vec<Option<(Micros, String)>>,
+    /// Each resident's last movement: where the run is stopped, it ends sooner than it was going to.
+    moving: Vec<Option<Movement>>,
     run: i64,
     inserts: Inserts,
 }
@@ -164,6 +175,7 @@ impl TruthSink {
             rooms: names.rooms.to_vec(),
             sensors: Shown::new(file, names.sensors)?.sensors,
             doing: vec![None; names.residents.len()],
+            moving: vec![None; names.residents.len()],
             run: run.id,
             inserts: Inserts {
                 cause: insert("cause", &["seq", "resident", "seen_at", "fired_at", "sensor"]),
@@ -179,6 +191,25 @@ impl TruthSink {
         let next = next.map(|name| (at, name));
         let (begin, name) = std::mem::replace(&mut self.doing[resident as usize], next)?;
         Some(Done { resident, begin, end: at, name })
+    }
+
+    fn write_movements(&mut self, movements: &[Movement]) -> Result<(), LogError> {
+        let TruthSink { database, clock, residents, inserts, .. } = self;
+        database.change(movements.len(), |connection| {
+            inserts.movement.rows(connection, movements, |movement, row| {
+                row.put(&residents[movement.resident as usize])?;
+                row.put(clock.stamp(movement.begin))?;
+                row.put(clock.stamp(movement.end))?;
+                let (kind, from, to, amplitude) = told(&movement.doing);
+                row.put(kind)?;
+                for point in [from, to] {
+                    row.put(point.map(|point| point.x))?;
+                    row.put(point.map(|point| point.y))?;
+                }
+                row.put(amplitude)?;
+                row.put(posture_name(movement.posture))
+            })
+        })
     }
 }
 
@@ -211,13 +242,14 @@ impl Sink for TruthSink {
         for fact in known {
             match fact {
                 Known::Cause { seq, resident, seen_at, firing } => causes.push((*seq, *resident, *seen_at, firing)),
-                Known::Movement { resident, begin, end, doing, posture } => {
-                    movements.push((*resident, *begin, *end, doing, *posture));
+                Known::Movement(movement) => {
+                    movements.extend(self.moving[movement.resident as usize].replace(*movement));
                 }
                 Known::Room { resident, at, room } => rooms.push((*resident, *at, *room)),
                 Known::Activity { resident, at, name } => done.extend(self.turn(*resident, *at, name.clone())),
             }
         }
+        self.write_movements(&movements)?;
         let TruthSink { database, clock, residents, rooms: room_names, sensors, inserts, .. } = self;
         database.change(known.len(), |connection| {
             inserts.cause.rows(connection, &causes, |(seq, resident, seen_at, firing), row| {
@@ -234,19 +266,6 @@ impl Sink for TruthSink {
                         row.put(Null)
                     }
                 }
-            })?;
-            inserts.movement.rows(connection, &movements, |(resident, begin, end, doing, posture), row| {
-                row.put(&residents[*resident as usize])?;
-                row.put(clock.stamp(*begin))?;
-                row.put(clock.stamp(*end))?;
-                let (kind, from, to, amplitude) = told(doing);
-                row.put(kind)?;
-                for point in [from, to] {
-                    row.put(point.map(|point| point.x))?;
-                    row.put(point.map(|point| point.y))?;
-                }
-                row.put(amplitude)?;
-                row.put(posture_name(*posture))
             })?;
             inserts.room.rows(connection, &rooms, |(resident, at, room), row| {
                 row.put(&residents[*resident as usize])?;
@@ -270,6 +289,9 @@ impl Sink for TruthSink {
         let nothing = |resident| Known::Activity { resident, at: end, name: None };
         let last: Vec<Known> = (0..self.residents.len() as u32).map(nothing).collect();
         self.write(&last)?;
+        let cut = |movement: Movement| Movement { end: movement.end.min(end), ..movement };
+        let last: Vec<Movement> = self.moving.iter_mut().filter_map(|moving| moving.take().map(cut)).collect();
+        self.write_movements(&last)?;
         run::end(&mut self.database, self.run, self.clock.stamp(end))?;
         self.database.close()
     }

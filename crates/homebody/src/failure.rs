@@ -1,5 +1,6 @@
 //! How a command fails: what people read, and the exit code that scripts read.
 
+use crate::commands::tell;
 use homebody_core::problem::Problems;
 use homebody_log::LogError;
 use std::fmt::Display;
@@ -30,17 +31,17 @@ impl Failure {
     pub fn report(&self) -> ExitCode {
         match self {
             Failure::Problems(problems) => {
-                eprint!("{}", problems.render());
                 let count = problems.0.len();
-                eprintln!("\n{count} {}", if count == 1 { "problem" } else { "problems" });
+                let problem = if count == 1 { "problem" } else { "problems" };
+                tell(format_args!("{}\n{count} {problem}", problems.render()));
                 ExitCode::from(2)
             }
             Failure::Usage(what) => {
-                eprintln!("error: {what}");
+                tell(format_args!("error: {what}"));
                 ExitCode::from(2)
             }
             Failure::Io(what) => {
-                eprintln!("error: {what}");
+                tell(format_args!("error: {what}"));
                 ExitCode::from(1)
             }
         }

@@ -4,6 +4,7 @@ mod commands;
 mod failure;
 mod folder;
 mod pace;
+mod places;
 
 use clap::Parser;
 use commands::Command;

@@ -1,9 +1,12 @@
 //! Pace: how fast a run goes by the clock on the wall. It decides when the run is advanced, never how:
 //! the world knows nothing of it.
 
+use crate::commands::tell;
 use homebody_core::time::{Micros, SECOND};
 use std::io::BufRead;
 use std::str::FromStr;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -60,9 +63,26 @@ impl FromStr for Say {
     }
 }
 
+/// How fast a run goes, and who may change that.
+#[derive(clap::Args)]
+pub struct Asked {
+    /// Seconds of the run in a second: 0.1 to 1000, or max. It changes no byte of the log
+    #[arg(long, default_value = "max")]
+    speed: Speed,
+    /// Take commands by lines on standard input: pause, resume, step [SECONDS], speed X, stop.
+    /// Each waits until a step before it is done; when the lines end, the run goes on
+    #[arg(long)]
+    control: bool,
+    /// Begin paused, and wait for commands
+    #[arg(long, requires = "control")]
+    paused: bool,
+}
+
 /// Lets a run go at its pace.
 pub struct Pace {
     speed: Speed,
+    /// Ends the run when set.
+    stop: Arc<AtomicBool>,
     /// Where the run was, and when, at the last change of pace.
     from: (Micros, Instant),
     /// A paused run goes no further than this.
@@ -70,57 +90,60 @@ pub struct Pace {
     listener: Option<Receiver<Say>>,
 }
 
-/// How much of the run is advanced at once when nobody waits for it.
-const UNPACED_STEP: Micros = 3600 * SECOND;
+/// The most of a run that is advanced at once, so that its events need little memory.
+const STEP: Micros = 3600 * SECOND;
 
 /// How often a paced run is advanced.
 const FRAME: Duration = Duration::from_millis(16);
 
 impl Pace {
-    /// A pace from the run's start; with `listen`, commands come by lines on standard input.
-    pub fn new(speed: Speed, listen: bool) -> Pace {
-        let listener = listen.then(|| {
-            let (tell, listener) = channel();
+    /// A pace from the run's start, until `stop` is set.
+    pub fn new(asked: &Asked, stop: Arc<AtomicBool>) -> Pace {
+        let listener = asked.control.then(|| {
+            let (sender, listener) = channel();
             thread::spawn(move || {
                 for line in std::io::stdin().lock().lines().map_while(Result::ok) {
                     match line.parse() {
-                        Ok(say) if tell.send(say).is_err() => break,
+                        Ok(say) if sender.send(say).is_err() => break,
                         Ok(_) => {}
-                        Err(error) => eprintln!("{error}"),
+                        Err(error) => tell(error),
                     }
                 }
             });
             listener
         });
-        Pace { speed, from: (0, Instant::now()), paused_at: None, listener }
+        let paused_at = asked.paused.then_some(0);
+        Pace { speed: asked.speed, stop, from: (0, Instant::now()), paused_at, listener }
     }
 
-    /// Waits until the run may go on, and says until when; nothing if it shall stop.
+    /// Waits a moment, and says until when the run may go on: until `now` if it is paused. Nothing if it shall stop.
     pub fn next(&mut self, now: Micros) -> Option<Micros> {
-        loop {
+        while !self.stop.load(Ordering::Relaxed) {
             let until = self.allowed(now);
             let wait = if until > now && self.speed == Speed::Max { Duration::ZERO } else { FRAME };
-            match self.heard(wait) {
-                Some(Say::Stop) => return None,
+            match self.heard(wait, now) {
+                Some(Say::Stop) => break,
                 Some(say) => self.obey(say, now),
-                None if until > now => return Some(until),
-                None => {}
+                None => return Some(until.max(now)),
             }
         }
+        None
     }
 
     /// How far the run may go by now.
     fn allowed(&self, now: Micros) -> Micros {
         let (begin, since) = self.from;
+        let most = now + STEP;
         let until = match self.speed {
-            Speed::Max => now + UNPACED_STEP,
+            Speed::Max => most,
             Speed::Times(times) => begin + (since.elapsed().as_secs_f64() * times * SECOND as f64) as Micros,
         };
-        self.paused_at.map_or(until, |paused_at| paused_at.min(until))
+        until.min(most).min(self.paused_at.unwrap_or(most))
     }
 
-    fn heard(&mut self, wait: Duration) -> Option<Say> {
-        let Some(listener) = &self.listener else {
+    fn heard(&mut self, wait: Duration, now: Micros) -> Option<Say> {
+        let stepping = self.paused_at.is_some_and(|paused_at| now < paused_at);
+        let Some(listener) = self.listener.as_ref().filter(|_| !stepping) else {
             thread::sleep(wait);
             return None;
         };
@@ -130,8 +153,7 @@ impl Pace {
             Err(RecvTimeoutError::Disconnected) => {
                 // Nobody is left to say resume.
                 self.listener = None;
-                self.paused_at = None;
-                None
+                Some(Say::Resume)
             }
         }
     }

@@ -1,6 +1,6 @@
 //! `homebody check`: everything that is wrong with a scenario, at once.
 
-use super::print_json;
+use super::{print_json, tell};
 use crate::failure::Failure;
 use crate::folder;
 use serde_json::json;
@@ -29,15 +29,19 @@ impl Arguments {
         }
         let (scenario, _) = loaded?;
         let home = &scenario.home;
-        eprintln!(
-            "{}: nothing is wrong. {} rooms, {} doors, {} pieces of furniture, {} sensors; {} residents.",
+        tell(format_args!(
+            "{}: nothing is wrong. {}, {}, {}, {}; {}.",
             scenario.file.name,
-            home.rooms.len(),
-            home.doors.len(),
-            home.furniture.len(),
-            home.sensors.len(),
-            scenario.residents.len(),
-        );
+            counted(home.rooms.len(), "room", "rooms"),
+            counted(home.doors.len(), "door", "doors"),
+            counted(home.furniture.len(), "piece of furniture", "pieces of furniture"),
+            counted(home.sensors.len(), "sensor", "sensors"),
+            counted(scenario.residents.len(), "resident", "residents"),
+        ));
         Ok(())
     }
+}
+
+fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
 }

@@ -1,7 +1,10 @@
 //! `homebody convert`: carry a log from one form into another.
 
+use super::tell;
 use crate::failure::Failure;
+use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::LoggerFile;
+use homebody_log::fresh::same_file;
 use homebody_log::source::recognise;
 use homebody_log::{RunInfo, Url, convert, read};
 use std::path::PathBuf;
@@ -27,18 +30,23 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let log = read(&place(&self.log)?, &LoggerFile::default())?;
+        Calendar::zone(&self.time_zone).map_err(Failure::usage)?;
+        let from = place(&self.log)?;
+        let log = read(&from, &LoggerFile::default())?;
+        if same_file(from.path(), self.to.path()) {
+            return Err(Failure::Io(format!("{} cannot become itself\n  hint: name another file", self.log)));
+        }
         for skipped in &log.problems {
-            eprintln!("{}:{}: left out: {}", self.log, skipped.line, skipped.why);
+            tell(format_args!("{}:{}: left out: {}", self.log, skipped.line, skipped.why));
         }
         let unsaid = log.skipped.saturating_sub(log.problems.len() as u64);
         if unsaid > 0 {
-            eprintln!("{}: {unsaid} more lines were left out", self.log);
+            tell(format_args!("{}: {unsaid} more lines were left out", self.log));
         }
         let version = env!("CARGO_PKG_VERSION").into();
         let run = RunInfo { id: 1, scenario: self.log.clone(), seed: 0, version };
         let rows = convert(&log, &self.to, &run, &self.time_zone, self.force)?;
-        eprintln!("{}: {rows} rows of {} sensors", self.to, log.sensors.len());
+        tell(format_args!("{}: {rows} rows of {} sensors", self.to, log.sensors.len()));
         Ok(())
     }
 }

@@ -76,5 +76,7 @@ impl Arguments {
 fn beams(home: &Home) -> Vec<(usize, Point, Point)> {
     let field = home.field(0, Posture::Standing);
     let walls = (0..home.sensors.len()).filter(|&sensor| home.sensors[sensor].is_on_wall());
-    walls.flat_map(|sensor| field.beams[field.range(sensor)].iter().map(move |beam| (sensor, beam.start, beam.end()))).collect()
+    walls
+        .flat_map(|sensor| field.beams[field.range(sensor)].iter().map(move |beam| (sensor, beam.start, beam.end())))
+        .collect()
 }

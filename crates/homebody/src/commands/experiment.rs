@@ -103,5 +103,10 @@ fn totals(experiment: &godsey2009::Experiment) -> String {
         })
         .collect();
     let published = Reference { label: "published".into(), total: experiment.published.firings as f64 };
-    totals_chart("Firings in all, by length of the walk", ["length of the walk, m", "firings"], &lines, Some(&published))
+    totals_chart(
+        "Firings in all, by length of the walk",
+        ["length of the walk, m", "firings"],
+        &lines,
+        Some(&published),
+    )
 }

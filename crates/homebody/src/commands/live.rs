@@ -2,22 +2,24 @@
 
 use super::{print_json, print_text};
 use crate::failure::Failure;
-use crate::pace::{Pace, Speed};
+use crate::pace::{Asked, Pace};
+use crate::places::Places;
 use homebody_core::event::Events;
 use homebody_core::recording::{Recording, Seal};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{Micros, SECOND, seconds};
+use homebody_log::fresh::FreshFile;
 use homebody_log::truth::Names;
 use homebody_log::{Logger, RunInfo, Stored, TruthLog, Url};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
-use std::fs;
-use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Instant;
+use std::time::{Duration, Instant};
+
+const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Where a run goes, and how much it says.
 #[derive(clap::Args)]
@@ -48,86 +50,56 @@ pub struct Live<'a> {
     pub output: Output,
 }
 
-/// The files of a run.
-struct Places {
-    log: Vec<Url>,
-    truth: Option<PathBuf>,
-    recording: Option<PathBuf>,
-    /// The folder made for the run.
-    folder: Option<PathBuf>,
+/// What has become of a run.
+struct Lived {
+    /// As it was lived: its length is where it was stopped.
+    recording: Recording,
+    stored: Stored,
+    took: Duration,
 }
 
 impl Live<'_> {
     /// Lives the run to its end, or until it is told to stop.
-    pub fn live(mut self, mut run: Run, speed: Speed, control: bool) -> Result<(), Failure> {
-        let places = self.places()?;
-        let lived = self.live_into(&places, &mut run, speed, control);
-        if let (Err(_), Some(folder)) = (&lived, &places.folder) {
-            // Gone if nothing is in it; what was stored before an error stays.
-            let _ = fs::remove_dir(folder);
+    pub fn live(self, mut run: Run, pace: &Asked) -> Result<(), Failure> {
+        let Output { out, truth, force, .. } = &self.output;
+        let places = Places::find(out.clone(), truth.clone(), self.record.clone(), self.scenario, *force)?;
+        match self.live_into(&places, &mut run, pace) {
+            Ok(lived) => self.report(&places, &run, &lived),
+            Err(failure) => {
+                // What was stored before the failure stays.
+                places.give_up();
+                Err(failure)
+            }
         }
-        let (seal, stored, started) = lived?;
-        self.finish(&places, &run, &seal, &stored, started)
     }
 
-    fn live_into(
-        &self,
-        places: &Places,
-        run: &mut Run,
-        speed: Speed,
-        control: bool,
-    ) -> Result<(Seal, Stored, Instant), Failure> {
+    fn live_into(&self, places: &Places, run: &mut Run, pace: &Asked) -> Result<Lived, Failure> {
         let stop = stop_on_signal();
+        let started = Instant::now();
+        let force = self.output.force;
+        let record = places.recording.as_ref().map(|path| FreshFile::create(path, force)).transpose()?;
         let (mut logger, mut truth) = self.open(places, run)?;
         let progress = self.progress(run.length());
-        let mut pace = Pace::new(speed, control);
-        let mut seal = Seal::default();
-        let mut events = Events::default();
-        let started = Instant::now();
-        while run.now() < run.length() && !stop.load(Ordering::Relaxed) {
-            let Some(until) = pace.next(run.now()) else { break };
-            run.advance(until, &mut events);
-            seal.add(&events.firings);
-            logger.store(&events.firings, run.now())?;
-            if let Some(truth) = &mut truth {
-                truth.store(&events)?;
-            }
-            events.clear();
-            progress.set_position(run.now() as u64 / SECOND as u64);
-        }
+        let seal = advance(run, Pace::new(pace, stop), &mut logger, truth.as_mut(), &progress);
         progress.finish_and_clear();
+        let seal = seal?;
         let stored = logger.finish()?;
         if let Some(truth) = truth {
             truth.finish(run.now())?;
         }
-        Ok((seal, stored, started))
-    }
-
-    /// Decides which files to write; makes the run's folder if it needs one.
-    fn places(&self) -> Result<Places, Failure> {
-        let mut places = Places {
-            log: self.output.out.clone(),
-            truth: self.output.truth.clone(),
-            recording: self.record.clone(),
-            folder: None,
+        let recording = Recording {
+            version: VERSION.into(),
+            length_us: run.now(),
+            firings: seal.firings(),
+            sha256: seal.hex(),
+            ..self.recording.clone()
         };
-        if places.log.is_empty() {
-            let folder = new_folder(Path::new("runs"), &self.scenario.file.name)?;
-            let to = &self.scenario.logger.to;
-            let default = [String::from("sqlite:log.db")];
-            for url in if to.is_empty() { &default[..] } else { to } {
-                places.log.push(url.parse::<Url>().map_err(Failure::usage)?.within(&folder));
-            }
-            places.truth.get_or_insert_with(|| folder.join("truth.db"));
-            places.recording.get_or_insert_with(|| folder.join("recording.json"));
-            places.folder = Some(folder);
+        if let Some(mut file) = record {
+            let text = serde_json::to_string_pretty(&recording).map_err(Failure::usage)? + "\n";
+            file.write(text.as_bytes())?;
+            file.finish()?;
         }
-        match &places.recording {
-            Some(path) if path.exists() && !self.output.force => {
-                Err(Failure::Io(format!("{} exists already\n  hint: --force replaces it", path.display())))
-            }
-            _ => Ok(places),
-        }
+        Ok(Lived { recording, stored, took: started.elapsed() })
     }
 
     fn open(&self, places: &Places, run: &Run) -> Result<(Logger, Option<TruthLog>), Failure> {
@@ -135,12 +107,7 @@ impl Live<'_> {
         let rooms: Vec<String> = run.home().plan.rooms.iter().map(|room| room.name.clone()).collect();
         let residents: Vec<String> = self.scenario.residents.iter().map(|one| one.file.name.clone()).collect();
         let Scenario { file, logger, calendar, .. } = self.scenario;
-        let info = RunInfo {
-            id: 1,
-            scenario: file.name.clone(),
-            seed: self.recording.seed,
-            version: self.recording.version.clone(),
-        };
+        let info = RunInfo { id: 1, scenario: file.name.clone(), seed: self.recording.seed, version: VERSION.into() };
         let force = self.output.force;
         let log = Logger::open(&places.log, logger, &sensors, calendar, &info, force)?;
         let names = Names { residents: &residents, rooms: &rooms, sensors: &sensors };
@@ -155,66 +122,57 @@ impl Live<'_> {
         let target = if hidden { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
         let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {eta} left");
         let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
-        let bar = ProgressBar::with_draw_target(Some(length as u64 / SECOND as u64), target).with_style(style);
-        bar.with_message(format!("of {}", span_in_words(length)))
+        ProgressBar::with_draw_target(Some(length as u64), target).with_style(style)
     }
 
-    /// Writes the recording, and tells people and scripts what has become of the run.
-    fn finish(
-        &mut self,
-        places: &Places,
-        run: &Run,
-        seal: &Seal,
-        stored: &Stored,
-        started: Instant,
-    ) -> Result<(), Failure> {
-        let whole = run.now() == self.recording.length_us;
-        let was = std::mem::replace(&mut self.recording.sha256, seal.hex());
-        (self.recording.firings, self.recording.length_us) = (seal.firings(), run.now());
-        if let Some(path) = &places.recording {
-            let text = serde_json::to_string_pretty(&self.recording).map_err(Failure::usage)? + "\n";
-            fs::write(path, text).map_err(|error| Failure::io(path, error))?;
-        }
-        let replayed = !was.is_empty() && whole;
+    /// Tells people and scripts what has become of the run.
+    fn report(&self, places: &Places, run: &Run, lived: &Lived) -> Result<(), Failure> {
+        let Lived { recording, stored, took } = lived;
+        let stopped = run.now() < run.length();
+        let is_replay = !self.recording.sha256.is_empty();
+        let agrees = (is_replay && !stopped).then(|| self.recording.sha256 == recording.sha256);
         if self.output.json {
             print_json(&json!({
                 "scenario": self.scenario.file.name,
-                "seed": self.recording.seed,
+                "seed": recording.seed,
                 "simulated_s": seconds(run.now()),
-                "took_s": started.elapsed().as_secs_f64(),
-                "firings": seal.firings(),
-                "sha256": seal.hex(),
+                "stopped": stopped,
+                "took_s": took.as_secs_f64(),
+                "firings": recording.firings,
+                "sha256": recording.sha256,
+                "agrees_with_recording": agrees,
                 "rows": stored.rows,
                 "rows_by_sensor": self.by_sensor(run, stored).map(|(name, rows)| (name.into(), rows.into()))
                     .collect::<serde_json::Map<String, serde_json::Value>>(),
                 "log": stored.places.iter().map(Url::to_string).collect::<Vec<_>>(),
-                "truth": places.truth,
-                "recording": places.recording,
+                "truth": places.truth.as_ref().map(|path| path.display().to_string()),
+                "recording": places.recording.as_ref().map(|path| path.display().to_string()),
             }))?;
         } else if !self.output.quiet {
-            print_text(&self.summary(places, run, seal, stored, started))?;
+            print_text(&self.summary(places, run, lived))?;
         }
-        if replayed && was != seal.hex() {
-            return Err(Failure::Usage(format!(
-                "the replay differs from the recording: it was made by version {}\n  hint: replay it with that version",
-                self.recording.version
-            )));
+        if agrees != Some(false) {
+            return Ok(());
         }
-        Ok(())
+        let (by, hint) = match self.recording.version.as_str() {
+            VERSION => (String::new(), "the recording is not as the run wrote it".to_owned()),
+            version => (format!(", which version {version} made"), "replay it with that version".to_owned()),
+        };
+        Err(Failure::Usage(format!("the replay differs from the recording{by}\n  hint: {hint}")))
     }
 
     fn by_sensor<'s>(&self, run: &'s Run, stored: &'s Stored) -> impl Iterator<Item = (&'s str, u64)> {
         run.home().sensors.iter().map(|sensor| sensor.name.as_str()).zip(stored.by_sensor.iter().copied())
     }
 
-    fn summary(&self, places: &Places, run: &Run, seal: &Seal, stored: &Stored, started: Instant) -> String {
-        let took = started.elapsed().as_secs_f64();
-        let mut text = format!(
-            "{}: {} lived in {took:.2} s, seed {}\n\n",
-            self.scenario.file.name,
-            span_in_words(run.now()),
-            self.recording.seed
-        );
+    fn summary(&self, places: &Places, run: &Run, lived: &Lived) -> String {
+        let Lived { recording, stored, took } = lived;
+        let span = match run.now() < run.length() {
+            true => format!("stopped after {} of {},", span_in_words(run.now()), span_in_words(run.length())),
+            false => span_in_words(run.now()),
+        };
+        let (name, took, seed) = (&self.scenario.file.name, took.as_secs_f64(), recording.seed);
+        let mut text = format!("{name}: {span} lived in {took:.2} s, seed {seed}\n\n");
         let most = stored.by_sensor.iter().copied().max().unwrap_or(0).max(1);
         let width = self.by_sensor(run, stored).map(|(name, _)| name.chars().count()).max().unwrap_or(0);
         for (name, rows) in self.by_sensor(run, stored) {
@@ -230,24 +188,37 @@ impl Live<'_> {
                 text += &format!("{what:10} {}\n", path.display());
             }
         }
-        text + &format!("firings    {} with SHA-256 {}\n", seal.firings(), seal.hex())
+        text + &format!("firings    {} with SHA-256 {}\n", recording.firings, recording.sha256)
     }
 }
 
-/// A new folder under `parent`, named after the scenario and numbered.
-fn new_folder(parent: &Path, name: &str) -> Result<PathBuf, Failure> {
-    fs::create_dir_all(parent).map_err(|error| Failure::io(parent, error))?;
-    let plain: String = name.chars().map(|c| if c.is_alphanumeric() { c.to_ascii_lowercase() } else { '-' }).collect();
-    let words: Vec<&str> = plain.split('-').filter(|word| !word.is_empty()).collect();
-    for number in 1.. {
-        let folder = parent.join(format!("{}-{number}", words.join("-")));
-        match fs::create_dir(&folder) {
-            Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
-            Err(error) => return Err(Failure::io(&folder, error)),
-            Ok(()) => return Ok(folder),
+/// Lets the run go at its pace, and hands what happens to the logs.
+fn advance(
+    run: &mut Run,
+    mut pace: Pace,
+    logger: &mut Logger,
+    mut truth: Option<&mut TruthLog>,
+    progress: &ProgressBar,
+) -> Result<Seal, Failure> {
+    let mut seal = Seal::default();
+    let mut events = Events::default();
+    let started = Instant::now();
+    while run.now() < run.length() {
+        let Some(until) = pace.next(run.now()) else { break };
+        run.advance(until, &mut events);
+        seal.add(&events.firings);
+        logger.store(&events.firings, run.now())?;
+        if let Some(truth) = &mut truth {
+            truth.store(&events)?;
+        }
+        events.clear();
+        if !progress.is_hidden() {
+            let (now, length) = (span_in_words(run.now()), span_in_words(run.length()));
+            progress.set_message(format!("{now} of {length}, {}", speed_in_words(run.now(), started.elapsed())));
+            progress.set_position(run.now() as u64);
         }
     }
-    unreachable!("there is always a next number")
+    Ok(seal)
 }
 
 /// A flag that the first interrupt sets; the second ends the program at once.
@@ -261,6 +232,14 @@ fn stop_on_signal() -> Arc<AtomicBool> {
         }
     });
     stop
+}
+
+/// How fast it goes: as a pace that one may ask for, or beyond those in what goes by in a second.
+fn speed_in_words(lived: Micros, took: Duration) -> String {
+    match seconds(lived) / took.as_secs_f64() {
+        times if times < 1050.0 => format!("{times:.0} times as fast as life"),
+        times => format!("{} a second", span_in_words((times * SECOND as f64) as Micros)),
+    }
 }
 
 fn span_in_words(span: Micros) -> String {

@@ -2,6 +2,7 @@
 
 mod check;
 mod compare;
+mod completions;
 mod convert;
 mod coverage;
 mod experiment;
@@ -36,6 +37,8 @@ pub enum Command {
     Schema(schema::Arguments),
     /// Begin a scenario of your own from a template
     New(new::Arguments),
+    /// Print what makes a shell complete the command line
+    Completions(completions::Arguments),
 }
 
 impl Command {
@@ -50,6 +53,7 @@ impl Command {
             Command::Convert(arguments) => arguments.run(),
             Command::Schema(arguments) => arguments.run(),
             Command::New(arguments) => arguments.run(),
+            Command::Completions(arguments) => arguments.run(),
         }
     }
 }
@@ -81,4 +85,10 @@ fn write_file(path: &Path, bytes: &[u8], force: bool) -> Result<(), Failure> {
         let _ = fs::remove_file(&part);
         Failure::io(path, error)
     })
+}
+
+/// Tells people something on standard error; that nobody listens there is no error.
+pub fn tell(text: impl std::fmt::Display) {
+    use std::io::Write;
+    let _ = writeln!(std::io::stderr().lock(), "{text}");
 }

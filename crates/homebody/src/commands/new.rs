@@ -1,5 +1,6 @@
 //! `homebody new`: a scenario of one's own, from one that works.
 
+use super::tell;
 use crate::failure::Failure;
 use homebody_core::scenario::schema::schemas;
 use include_dir::{Dir, include_dir};
@@ -30,7 +31,7 @@ fn template(name: &str) -> Result<&'static Dir<'static>, String> {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let folder = &self.folder;
-        if folder.exists() {
+        if fs::symlink_metadata(folder).is_ok() {
             return Err(Failure::Io(format!(
                 "{} exists already\n  hint: name a folder that does not",
                 folder.display()
@@ -42,7 +43,7 @@ impl Arguments {
             let _ = fs::remove_dir_all(folder);
         }
         written?;
-        eprintln!("{} is ready.\n  homebody check {0}\n  homebody run {0}", folder.display());
+        tell(format_args!("{} is ready.\n  homebody check {0}\n  homebody run {0}", folder.display()));
         Ok(())
     }
 

@@ -1,10 +1,13 @@
 //! `homebody replay`: live a recording again.
 
 use super::live::{Live, Output};
+use super::run::LONGEST;
 use crate::failure::Failure;
-use crate::pace::Speed;
+use crate::pace::Asked;
 use homebody_core::recording::Recording;
+use std::fmt::Display;
 use std::fs;
+use std::io::ErrorKind;
 use std::path::PathBuf;
 
 /// Lives a recording again, and makes sure that every firing is the same.
@@ -17,22 +20,33 @@ pub struct Arguments {
     recording: PathBuf,
     #[command(flatten)]
     output: Output,
-    /// Seconds of the run in a second: 0.1 to 1000, or max
-    #[arg(long, default_value = "max")]
-    speed: Speed,
-    /// Take commands by lines on standard input: pause, resume, step [SECONDS], speed X, stop
-    #[arg(long)]
-    control: bool,
+    #[command(flatten)]
+    pace: Asked,
 }
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let text = fs::read_to_string(&self.recording).map_err(|error| Failure::io(&self.recording, error))?;
-        let recording: Recording = serde_json::from_str(&text)
-            .map_err(|error| Failure::usage(format!("{} is no recording: {error}", self.recording.display())))?;
+        let recording = self.recording()?;
         let scenario = recording.scenario()?;
         let run = recording.run(&scenario);
         let live = Live { scenario: &scenario, recording, record: None, output: self.output };
-        live.live(run, self.speed, self.control)
+        live.live(run, &self.pace)
+    }
+
+    fn recording(&self) -> Result<Recording, Failure> {
+        let path = &self.recording;
+        let text = fs::read_to_string(path).map_err(|error| match error.kind() {
+            ErrorKind::NotFound => Failure::io(path, "there is no such recording\n  hint: homebody run makes one"),
+            ErrorKind::IsADirectory => Failure::io(path, "it is a folder\n  hint: name the recording.json in it"),
+            _ => Failure::io(path, error),
+        })?;
+        let wrong = |why: &dyn Display| {
+            Failure::usage(format!("{} is no recording: {why}\n  hint: homebody run makes one", path.display()))
+        };
+        let recording: Recording = serde_json::from_str(&text).map_err(|error| wrong(&error))?;
+        match recording.length_us {
+            0..=LONGEST => Ok(recording),
+            _ => Err(wrong(&"a run is at most 100 years long")),
+        }
     }
 }

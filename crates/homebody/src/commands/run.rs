@@ -3,10 +3,10 @@
 use super::live::{Live, Output};
 use crate::failure::Failure;
 use crate::folder;
-use crate::pace::Speed;
+use crate::pace::Asked;
 use homebody_core::recording::Recording;
 use homebody_core::run::Run;
-use homebody_core::time::{Micros, micros};
+use homebody_core::time::{Micros, SECOND, micros};
 use std::path::PathBuf;
 
 /// Lives a scenario and stores what its sensors say.
@@ -18,7 +18,7 @@ use std::path::PathBuf;
   homebody run scenarios/tigerplace
   homebody run scenarios/tigerplace --for 2h --speed 60
   homebody run my-home --out sqlite:log.db --out csv:log.csv --truth truth.db --force
-  printf 'step 60\\nstop\\n' | homebody run my-home --control")]
+  printf 'step 60\\nstop\\n' | homebody run my-home --control --paused")]
 pub struct Arguments {
     /// The scenario's folder, or its scenario.json
     scenario: PathBuf,
@@ -33,12 +33,8 @@ pub struct Arguments {
     /// Record what is needed to replay the run into this file
     #[arg(long, value_name = "FILE")]
     record: Option<PathBuf>,
-    /// Seconds of the run in a second: 0.1 to 1000, or max. It changes no byte of the log
-    #[arg(long, default_value = "max")]
-    speed: Speed,
-    /// Take commands by lines on standard input: pause, resume, step [SECONDS], speed X, stop
-    #[arg(long)]
-    control: bool,
+    #[command(flatten)]
+    pace: Asked,
 }
 
 impl Arguments {
@@ -57,9 +53,12 @@ impl Arguments {
             sha256: String::new(),
         };
         let live = Live { scenario: &scenario, recording, record: self.record, output: self.output };
-        live.live(run, self.speed, self.control)
+        live.live(run, &self.pace)
     }
 }
+
+/// A hundred years.
+pub const LONGEST: Micros = 36_525 * 86_400 * SECOND;
 
 /// A span of time as people write it.
 fn span(text: &str) -> Result<Micros, String> {
@@ -73,7 +72,7 @@ fn span(text: &str) -> Result<Micros, String> {
         _ => return Err("write a number with its unit: 90s, 15m, 2h, 7d or 52w".into()),
     };
     match number.parse::<f64>() {
-        Ok(number) if number > 0.0 && number * unit <= 36_525.0 * 86_400.0 => Ok(micros(number * unit)),
+        Ok(number) if micros(number * unit) > 0 && micros(number * unit) <= LONGEST => Ok(micros(number * unit)),
         _ => Err("a run is longer than nothing and at most 100 years long".into()),
     }
 }
@@ -87,7 +86,7 @@ mod tests {
         assert_eq!(span("90s"), Ok(90_000_000));
         assert_eq!(span("1.5h"), Ok(5_400_000_000));
         assert_eq!(span("7d"), Ok(604_800_000_000));
-        for wrong in ["", "7", "d", "-1d", "0s", "NaNd", "7 days", "1e9d", "infd"] {
+        for wrong in ["", "7", "d", "-1d", "0s", "NaNd", "7 days", "1e9d", "infd", "1e-9s"] {
             assert!(span(wrong).is_err(), "{wrong}");
         }
     }

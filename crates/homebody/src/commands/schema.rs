@@ -1,5 +1,6 @@
 //! `homebody schema`: the JSON Schemas of the scenario files.
 
+use super::tell;
 use crate::failure::Failure;
 use homebody_core::scenario::schema::schemas;
 use std::fs;
@@ -22,7 +23,7 @@ impl Arguments {
             let path = self.folder.join(name);
             let text = serde_json::to_string_pretty(&schema).map_err(Failure::usage)? + "\n";
             fs::write(&path, text).map_err(|error| Failure::io(&path, error))?;
-            eprintln!("{}", path.display());
+            tell(path.display());
         }
         Ok(())
     }

@@ -1,0 +1,24 @@
+//! `homebody completions`: what makes a shell complete the command line.
+
+use super::print_text;
+use crate::failure::Failure;
+use clap::CommandFactory;
+use clap_complete::{Shell, generate};
+
+/// Prints a script that makes a shell complete the command line.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  homebody completions bash > ~/.local/share/bash-completion/completions/homebody
+  homebody completions zsh > ~/.zfunc/_homebody
+  homebody completions fish > ~/.config/fish/completions/homebody.fish")]
+pub struct Arguments {
+    shell: Shell,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let mut script = Vec::new();
+        generate(self.shell, &mut crate::Arguments::command(), "homebody", &mut script);
+        print_text(&String::from_utf8_lossy(&script))
+    }
+}

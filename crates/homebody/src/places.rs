@@ -1,0 +1,128 @@
+//! The files of a run: where they go, and that they can, before the run begins.
+
+use crate::failure::Failure;
+use homebody_core::scenario::load::Scenario;
+use homebody_log::Url;
+use homebody_log::fresh::all_can_be_written;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+/// Where a run is written.
+pub struct Places {
+    pub log: Vec<Url>,
+    pub truth: Option<PathBuf>,
+    pub recording: Option<PathBuf>,
+    /// The folders made for the run, outer ones first.
+    made: Vec<PathBuf>,
+}
+
+impl Places {
+    /// The files that were asked for; a new folder's where no log was.
+    pub fn find(
+        log: Vec<Url>,
+        truth: Option<PathBuf>,
+        recording: Option<PathBuf>,
+        scenario: &Scenario,
+        force: bool,
+    ) -> Result<Places, Failure> {
+        let mut places = Places { log, truth, recording, made: Vec::new() };
+        let asked = if places.log.is_empty() { places.default_to_folder(scenario) } else { Ok(()) };
+        match asked.and_then(|()| places.check(force)) {
+            Ok(()) => Ok(places),
+            Err(failure) => {
+                places.give_up();
+                Err(failure)
+            }
+        }
+    }
+
+    /// Removes the folders that were made, as far as nothing is in them.
+    pub fn give_up(&self) {
+        for folder in self.made.iter().rev() {
+            let _ = fs::remove_dir(folder);
+        }
+    }
+
+    /// Makes a folder for the run, and puts everything into it that has no place yet.
+    fn default_to_folder(&mut self, scenario: &Scenario) -> Result<(), Failure> {
+        let folder = self.make_numbered(Path::new("runs"), &scenario.file.name)?;
+        let to = &scenario.logger.to;
+        let default = [String::from("sqlite:log.db")];
+        for url in if to.is_empty() { &default[..] } else { to } {
+            let url = url.parse::<Url>().map_err(Failure::usage)?.within(&folder);
+            if let Some(inner) = url.path().parent().filter(|inner| inner.starts_with(&folder)) {
+                self.make(inner)?;
+            }
+            self.log.push(url);
+        }
+        self.truth.get_or_insert_with(|| folder.join("truth.db"));
+        self.recording.get_or_insert_with(|| folder.join("recording.json"));
+        Ok(())
+    }
+
+    /// Makes a new folder in `parent`, named after the scenario and numbered.
+    fn make_numbered(&mut self, parent: &Path, name: &str) -> Result<PathBuf, Failure> {
+        self.make(parent)?;
+        let name = folder_name(name);
+        for number in 1.. {
+            let folder = parent.join(format!("{name}-{number}"));
+            match fs::create_dir(&folder) {
+                Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+                Err(error) => return Err(no_folder(&folder, error)),
+                Ok(()) => {
+                    self.made.push(folder.clone());
+                    return Ok(folder);
+                }
+            }
+        }
+        unreachable!("there is always a next number")
+    }
+
+    /// Makes a folder and those it is in, as far as they are not there.
+    fn make(&mut self, folder: &Path) -> Result<(), Failure> {
+        let is_missing = |folder: &&Path| !folder.as_os_str().is_empty() && !folder.is_dir();
+        let missing: Vec<&Path> = folder.ancestors().take_while(is_missing).collect();
+        for folder in missing.into_iter().rev() {
+            match fs::create_dir(folder) {
+                Ok(()) => self.made.push(folder.into()),
+                // Another run may be making it, too.
+                Err(_) if folder.is_dir() => {}
+                Err(error) => return Err(no_folder(folder, error)),
+            }
+        }
+        Ok(())
+    }
+
+    fn check(&self, force: bool) -> Result<(), Failure> {
+        let logs = self.log.iter().map(Url::path);
+        let all: Vec<&Path> = logs.chain(self.truth.as_deref()).chain(self.recording.as_deref()).collect();
+        Ok(all_can_be_written(&all, force)?)
+    }
+}
+
+/// A scenario's name as that of a folder.
+fn folder_name(name: &str) -> String {
+    // No file system takes more than 255 bytes.
+    let plain = name.chars().take(50).map(|c| if c.is_alphanumeric() { c.to_ascii_lowercase() } else { '-' });
+    let plain: String = plain.collect();
+    let words: Vec<&str> = plain.split('-').filter(|word| !word.is_empty()).collect();
+    if words.is_empty() { "run".into() } else { words.join("-") }
+}
+
+fn no_folder(folder: &Path, error: std::io::Error) -> Failure {
+    Failure::io(folder, format!("{error}\n  hint: a run needs a folder that may be written; --out writes elsewhere"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_is_named_after_its_scenario() {
+        assert_eq!(folder_name("tigerplace"), "tigerplace");
+        assert_eq!(folder_name("Mrs. Öz, 2nd floor"), "mrs-Öz-2nd-floor");
+        assert_eq!(folder_name("../.."), "run");
+        assert!(folder_name(&"好".repeat(300)).len() < 200);
+    }
+}
