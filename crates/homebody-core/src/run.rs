@@ -8,7 +8,7 @@ use crate::home::plan::Plan;
 use crate::home::{Build, Home};
 use crate::scenario::load::{self, Scenario};
 use crate::stride::Stride;
-use crate::time::Micros;
+use crate::time::{Micros, SECOND};
 use crate::world::World;
 use std::sync::Arc;
 
@@ -76,6 +76,23 @@ impl Run {
             let next = self.residents.iter().map(|resident| resident.until).min();
             self.world.advance(until.min(next.unwrap_or(until)), events);
         }
+    }
+
+    /// Lives the whole run and returns what each resident does, for those who want to live it in another way.
+    pub fn moves(&self) -> Vec<Vec<Move>> {
+        let mut run = self.clone();
+        let mut moves = vec![Vec::new(); run.residents.len()];
+        let mut events = Events::default();
+        while run.now() < run.length {
+            run.advance(run.now() + 3600 * SECOND, &mut events);
+            for fact in events.facts.drain(..) {
+                if let Fact::Movement { resident, begin, end, doing, posture } = fact {
+                    moves[resident as usize].push(Move { begin, end, doing, posture });
+                }
+            }
+            events.clear();
+        }
+        moves
     }
 
     /// Asks the resident's driver what comes next, and tells the world.

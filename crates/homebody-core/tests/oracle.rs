@@ -11,7 +11,7 @@ use homebody_core::event::{Doing, Events, Fact, Firing};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
 use homebody_core::naive::paper::PaperEye;
-use homebody_core::naive::{Loop, Player, brute::BruteEye};
+use homebody_core::naive::{Loop, Player, Remainder, brute::BruteEye};
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND};
 use homebody_core::world::World;
@@ -71,12 +71,12 @@ impl Case {
 
     fn paper(&self) -> Vec<Firing> {
         let eye = PaperEye::new(&self.home, self.build.size(Posture::Standing), 1);
-        self.looped(Loop::new(eye, &self.home, self.number, 1))
+        self.looped(Loop::new(eye, &self.home, self.number, 1, Remainder::Kept))
     }
 
     fn brute(&self) -> Vec<Firing> {
         let eye = BruteEye::new(&self.home, self.home.field(0, Posture::Standing));
-        self.looped(Loop::new(eye, &self.home, self.number, 1))
+        self.looped(Loop::new(eye, &self.home, self.number, 1, Remainder::Kept))
     }
 
     fn looped<E: homebody_core::naive::Eye>(&self, mut naive: Loop<E>) -> Vec<Firing> {
@@ -243,7 +243,7 @@ fn the_naive_way_at_a_hundredfold_speed_does_not_agree() {
     for number in 0..20 {
         let case = Case::new(number);
         let eye = PaperEye::new(&case.home, case.build.size(Posture::Standing), 1);
-        let naive = case.looped(Loop::new(eye, &case.home, number, 100));
+        let naive = case.looped(Loop::new(eye, &case.home, number, 100, Remainder::Kept));
         case.compare(&case.exact(), &naive, &mut tally);
     }
     assert!(tally.unexplained.len() > 10, "{tally:?}");

@@ -219,7 +219,7 @@ impl Sink for TruthSink {
             }
         }
         let TruthSink { database, clock, residents, rooms: room_names, sensors, inserts, .. } = self;
-        database.change(|connection| {
+        database.change(known.len(), |connection| {
             inserts.cause.rows(connection, &causes, |(seq, resident, seen_at, firing), row| {
                 row.put(*seq as i64)?;
                 row.put(&residents[*resident as usize])?;

@@ -15,13 +15,13 @@ use std::time::{Duration, Instant};
 pub(crate) const BATCH: usize = 4096;
 
 /// Batches on their way to the thread.
-const ON_THEIR_WAY: usize = 8;
+const ON_THEIR_WAY: usize = 16;
 
 /// How long rows wait for a batch to fill. Whoever watches a live run sees them a little later.
 pub(crate) const BATCH_WAITS: Duration = Duration::from_millis(100);
 
-/// Rows after which a sink makes sure of them.
-const SETTLE_ROWS: usize = 50_000;
+/// Rows after which a sink makes sure of them. That takes a database three waits for the disk, so not too often.
+const SETTLE_ROWS: usize = 200_000;
 
 /// How long the last rows may be unsure.
 const SETTLE_AFTER: Duration = Duration::from_secs(1);

@@ -2,6 +2,9 @@
 
 mod stage;
 
+use homebody_core::event::{Events, Fact, Firing};
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_log::{TruthLog, truth};
 use rusqlite::{Connection, params};
 use stage::Folder;
 use std::time::{Duration, Instant};
@@ -20,7 +23,7 @@ fn a_database_is_filled_as_fast_as_by_a_bare_loop() {
             let bare = bare_loop(&folder, &rows).as_secs_f64();
             let urls = [folder.url("sqlite:log.db")];
             let began = Instant::now();
-            let logger = stage::open(&urls, &Default::default(), true).unwrap();
+            let logger = stage::open(&urls, &LoggerFile::default(), true).unwrap();
             stage::store(logger, &firings, 500).unwrap();
             let ours = began.elapsed().as_secs_f64();
             let rate = |seconds: f64| ROWS as f64 / seconds;
@@ -38,16 +41,34 @@ fn text_files_are_written() {
     let folder = Folder::new("rate-text");
     let firings = stage::firings(ROWS);
     for url in ["csv:log.csv", "casas:log.txt"] {
-        let logger = stage::open(&[folder.url(url)], &Default::default(), true).unwrap();
+        let logger = stage::open(&[folder.url(url)], &LoggerFile::default(), true).unwrap();
         let began = Instant::now();
         stage::store(logger, &firings, 500).unwrap();
         println!("{url} {:.0} rows/s", ROWS as f64 / began.elapsed().as_secs_f64());
     }
 }
 
+#[test]
+#[ignore = "a measurement: cargo test --release -p homebody-log --test rate -- --ignored --nocapture"]
+fn causes_are_written() {
+    let folder = Folder::new("rate-truth");
+    let firings = stage::firings(ROWS);
+    let (residents, rooms, sensors) = (["margaret".to_string()], [], stage::sensors());
+    let names = truth::Names { residents: &residents, rooms: &rooms, sensors: &sensors };
+    let (path, file, calendar) = (folder.path().join("truth.db"), LoggerFile::default(), stage::calendar());
+    let mut log = TruthLog::open(&path, &[], &file, names, &calendar, &stage::run(), false).unwrap();
+    let began = Instant::now();
+    for step in firings.chunks(500) {
+        let cause = |firing: &Firing| Fact::Cause { seq: firing.seq, resident: 0, seen_at: firing.at - 1 };
+        log.store(&Events { firings: step.to_vec(), facts: step.iter().map(cause).collect() }).unwrap();
+    }
+    log.finish(firings[firings.len() - 1].at).unwrap();
+    println!("causes {:.0} rows/s", ROWS as f64 / began.elapsed().as_secs_f64());
+}
+
 /// The rows as text, made beforehand: the bare loop's time is the database's alone.
-fn rows(folder: &Folder, firings: &[homebody_core::event::Firing]) -> Vec<(String, String)> {
-    let logger = stage::open(&[folder.url("csv:rows.csv")], &Default::default(), true).unwrap();
+fn rows(folder: &Folder, firings: &[Firing]) -> Vec<(String, String)> {
+    let logger = stage::open(&[folder.url("csv:rows.csv")], &LoggerFile::default(), true).unwrap();
     stage::store(logger, firings, 500).unwrap();
     let text = folder.text("rows.csv");
     let rows = text.lines().skip(1).map(|line| line.split(',').collect::<Vec<_>>());

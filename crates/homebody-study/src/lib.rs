@@ -1,2 +1,5 @@
+pub mod compare;
 pub mod coverage;
+pub mod godsey2009;
 pub mod picture;
+pub mod sphere;

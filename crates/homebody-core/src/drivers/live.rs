@@ -45,7 +45,8 @@ impl LiveDriver {
         LiveDriver { keys, pace_mps, at: start, obstacles: Obstacles::new(plan, radius_m) }
     }
 
-    /// From `at` on exactly these keys are held, whatever else was to come.
+    /// From `at` on exactly these keys are held, whatever else was to come. For the keys of a [`KeyTrack::live`]:
+    /// who rests until the next line of a file is not asked before.
     pub fn hold(&mut self, at: Micros, keys: Held) {
         self.keys.hold(at, keys);
     }
@@ -160,5 +161,240 @@ impl Held {
     /// What the pace is multiplied by.
     fn haste(self) -> f64 {
         (if self.has(Key::Fast) { 2.0 } else { 1.0 }) * (if self.has(Key::Slow) { 0.5 } else { 1.0 })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{self, point};
+    use rand_chacha::ChaCha8Rng;
+    use rand_core::{Rng, SeedableRng};
+    use serde_json::json;
+    use std::collections::BTreeSet;
+
+    const RADIUS_M: f64 = 0.22;
+    const PACE_MPS: f64 = 0.6;
+
+    /// Two rooms south of a hall. The doors to the hall are open, as is the one that leads out;
+    /// the one between the rooms is closed.
+    fn plan() -> Plan {
+        let home = json!({
+            "name": "three rooms",
+            "rooms": [
+                { "name": "living room", "outline": [[0, 0], [5, 0], [5, 4], [0, 4]] },
+                { "name": "bedroom", "outline": [[5, 0], [8, 0], [8, 4], [5, 4]] },
+                { "name": "hall", "outline": [[0, 4], [8, 4], [8, 6], [0, 6]] },
+            ],
+            "walls": [
+                { "from": [0, 0], "to": [8, 0] }, { "from": [8, 0], "to": [8, 6] }, { "from": [8, 6], "to": [0, 6] },
+                { "from": [0, 6], "to": [0, 0] }, { "from": [0, 4], "to": [8, 4] }, { "from": [5, 0], "to": [5, 4] },
+            ],
+            "doors": [
+                { "name": "living room door", "from": [2, 4], "to": [2.9, 4] },
+                { "name": "bedroom door", "from": [6, 4], "to": [6.9, 4] },
+                { "name": "front door", "from": [0, 4.6], "to": [0, 5.5], "outside": true },
+                { "name": "closed door", "from": [5, 1.5], "to": [5, 2.4], "open": false },
+            ],
+            "furniture": [
+                { "name": "table", "at": [2.3, 1.8], "size_m": [1.2, 0.8], "turn_deg": 30, "height_m": 0.75 },
+                { "name": "shelf", "at": [4.75, 3.4], "size_m": [0.3, 1], "height_m": 1.8 },
+                { "name": "stool", "outline": [[4, 5], [4.3, 5.2], [4.1, 5.5]], "height_m": 0.5 },
+                { "name": "bed", "at": [7, 1], "size_m": [1.4, 2], "height_m": 0.5, "enterable": true },
+            ],
+        });
+        Plan::new(&serde_json::from_value(home).unwrap())
+    }
+
+    fn standing_at(x: f64, y: f64) -> LiveDriver {
+        LiveDriver::new(&plan(), Point::new(x, y), RADIUS_M, PACE_MPS, KeyTrack::live())
+    }
+
+    /// Holds the keys for a time, and returns what the body did.
+    fn walk(driver: &mut LiveDriver, keys: &[Key], from: Micros, to: Micros, others: &[Body]) -> Vec<Move> {
+        driver.hold(from, keys.iter().copied().collect());
+        let (mut now, mut spans) = (from, Vec::new());
+        while now < to {
+            let Next::Move(span) = driver.next(now, others) else { panic!("live movement has ended") };
+            assert!(span.begin == now && span.end > now);
+            now = span.end;
+            spans.push(span);
+        }
+        spans
+    }
+
+    /// Steps with keys changed at random every now and then.
+    fn wander(driver: &mut LiveDriver, seed: u64, steps: usize, mut each: impl FnMut(&Move)) {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mut now = 0;
+        for _ in 0..steps {
+            if random.next_u32() % 25 == 0 {
+                let bits = random.next_u32();
+                let keys = [Key::Up, Key::Down, Key::Left, Key::Right, Key::Fast, Key::Slow];
+                let held = keys.into_iter().filter(|&key| bits >> key as u32 & 1 == 1).collect();
+                driver.hold(now, held);
+            }
+            let Next::Move(span) = driver.next(now, &[]) else { panic!("live movement has ended") };
+            now = span.end;
+            each(&span);
+        }
+    }
+
+    #[test]
+    fn steps_do_not_drift() {
+        let spans = walk(&mut standing_at(1.0, 1.0), &[Key::Up], 0, SECOND, &[]);
+        assert_eq!(spans.len(), 60);
+        assert_eq!([spans[0].end, spans[1].end, spans[2].end, spans[59].end], [16_666, 33_333, 50_000, SECOND]);
+        let a_century = 36_525 * 86_400 * SECOND;
+        assert_eq!([step_from(a_century), step_from(a_century + 1)], [a_century, a_century + 16_666]);
+        assert_eq!(step_from(Micros::MAX), Micros::MAX);
+    }
+
+    #[test]
+    fn keys_set_the_way_and_the_pace() {
+        let moved_in_a_second = |keys: &[Key]| {
+            let mut driver = standing_at(1.0, 2.0);
+            walk(&mut driver, keys, 0, SECOND, &[]);
+            driver.pose().0 - point([1.0, 2.0])
+        };
+        let close = |keys: &[Key], x: f64, y: f64| assert!(moved_in_a_second(keys).distance(Point::new(x, y)) < 1e-5);
+        close(&[Key::Up], 0.0, 0.6);
+        close(&[Key::Up, Key::Fast], 0.0, 1.2);
+        close(&[Key::Down, Key::Slow], 0.0, -0.3);
+        close(&[Key::Down, Key::Slow, Key::Fast], 0.0, -0.6);
+        close(&[Key::Left, Key::Up], -0.6 / 2_f64.sqrt(), 0.6 / 2_f64.sqrt());
+        close(&[Key::Left, Key::Right], 0.0, 0.0);
+        close(&[Key::Fast], 0.0, 0.0);
+    }
+
+    #[test]
+    fn written_keys_take_effect_at_the_next_step() {
+        let input = json!({ "keys": [
+            { "at_s": 0.51, "held": ["right"] }, { "at_s": 0.56, "held": [] }, { "at_s": 3600, "held": ["up"] },
+            { "at_s": 3600.1, "held": ["up", "down"] },
+        ] });
+        let keys = KeyTrack::written(&serde_json::from_value(input).unwrap());
+        let mut driver = LiveDriver::new(&plan(), point([1.0, 1.0]), RADIUS_M, PACE_MPS, keys);
+        let (mut now, mut rests, mut strides) = (0, Vec::new(), 0);
+        while let Next::Move(span) = driver.next(now, &[]) {
+            now = span.end;
+            match span.doing {
+                Doing::Rest { .. } => rests.push((span.begin, span.end)),
+                _ => strides += 1,
+            }
+        }
+        let hour = 3600 * SECOND;
+        assert_eq!(rests, [(0, 516_666), (566_666, hour)]);
+        assert_eq!((strides, now), (3 + 6, hour + SECOND / 10), "opposite keys end the movement for good");
+    }
+
+    #[test]
+    fn a_body_stays_clear_of_what_stops_it() {
+        let plan = plan();
+        let mut driver = standing_at(1.0, 1.0);
+        let (mut rooms, mut at) = (BTreeSet::new(), driver.pose().0);
+        wander(&mut driver, 1, 100_000, |span| {
+            if let Doing::Stride { from, to } = span.doing {
+                assert_eq!(from, at);
+                at = to;
+            }
+            assert!(plan.is_inside(at), "{at} is outside");
+            for solid in plan.solids.iter().filter(|solid| solid.stops_bodies) {
+                assert!(geometry::distance_to_area(&solid.outline, at) >= RADIUS_M - 1e-6, "{at}, {:?}", solid.origin);
+            }
+            rooms.extend(plan.room_at(at));
+        });
+        assert_eq!(rooms.len(), 3);
+    }
+
+    #[test]
+    fn a_body_slides_along_a_wall() {
+        let mut driver = standing_at(1.0, 0.4);
+        walk(&mut driver, &[Key::Down, Key::Right], 0, 2 * SECOND, &[]);
+        let (at, _) = driver.pose();
+        assert!((at.y - (0.05 + RADIUS_M)).abs() < 0.01);
+        assert!((at.x - (1.0 + 2.0 * PACE_MPS / 2_f64.sqrt())).abs() < 0.01, "{at}");
+    }
+
+    #[test]
+    fn whoever_pushes_against_a_wall_or_into_a_corner_rests() {
+        let corner = [Key::Down, Key::Left, Key::Fast];
+        for keys in [&[Key::Down][..], &[Key::Left, Key::Fast], &corner, &[Key::Down, Key::Left, Key::Slow]] {
+            let mut driver = standing_at(0.4, 0.4);
+            walk(&mut driver, keys, 0, 2 * SECOND, &[]);
+            let pushes = walk(&mut driver, keys, 2 * SECOND, 10 * SECOND, &[]);
+            assert!(pushes.iter().all(|span| matches!(span.doing, Doing::Rest { .. })), "{keys:?}");
+        }
+    }
+
+    #[test]
+    fn closed_doors_stop_a_body_and_open_ones_do_not() {
+        let mut at_closed = standing_at(4.5, 1.95);
+        walk(&mut at_closed, &[Key::Right], 0, 5 * SECOND, &[]);
+        assert!((at_closed.pose().0.x - (4.95 - RADIUS_M)).abs() < 0.01);
+
+        let mut at_open = standing_at(2.45, 3.5);
+        walk(&mut at_open, &[Key::Up], 0, 3 * SECOND, &[]);
+        assert!((at_open.pose().0.y - 5.3).abs() < 0.01);
+
+        let mut at_front = standing_at(1.0, 5.05);
+        walk(&mut at_front, &[Key::Left], 0, 5 * SECOND, &[]);
+        assert!((at_front.pose().0.x - (0.05 + RADIUS_M)).abs() < 0.01, "an open door that leads out stops it too");
+    }
+
+    #[test]
+    fn others_are_run_into_and_slid_round() {
+        let other = Body { at: point([2.0, 5.0]), radius_m: 0.25 };
+        let mut head_on = standing_at(1.0, 5.0);
+        walk(&mut head_on, &[Key::Right], 0, 5 * SECOND, &[other]);
+        let gap = head_on.pose().0.distance(other.at) - RADIUS_M - other.radius_m;
+        assert!((0.0..0.01).contains(&gap), "{gap}");
+
+        let mut aside = standing_at(1.0, 5.1);
+        let spans = walk(&mut aside, &[Key::Right], 0, 5 * SECOND, &[other]);
+        let nearest = spans.iter().filter_map(|span| match span.doing {
+            Doing::Stride { to, .. } => Some(to.distance(other.at)),
+            _ => None,
+        });
+        assert!(nearest.fold(f64::INFINITY, f64::min) > RADIUS_M + other.radius_m - 0.001);
+        assert!(aside.pose().0.x > 2.6, "{}", aside.pose().0);
+
+        let mut alone = head_on.clone();
+        walk(&mut alone, &[Key::Right], 5 * SECOND, 6 * SECOND, &[]);
+        assert!(alone.pose().0.x > head_on.pose().0.x + 0.5, "who has left is in nobody's way");
+    }
+
+    #[test]
+    fn the_same_keys_move_the_body_the_same_way() {
+        let record = |driver: &mut LiveDriver| {
+            let mut spans = Vec::new();
+            wander(driver, 2, 20_000, |span| spans.push(span.clone()));
+            spans
+        };
+        assert_eq!(record(&mut standing_at(1.0, 1.0)), record(&mut standing_at(1.0, 1.0)));
+    }
+
+    #[test]
+    fn a_copy_continues_as_the_original() {
+        let mut original = standing_at(1.0, 1.0);
+        wander(&mut original, 3, 5_000, |_| {});
+        let mut copy = original.clone();
+        let mut spans = Vec::new();
+        wander(&mut original, 4, 5_000, |span| spans.push(span.clone()));
+        let mut copied = Vec::new();
+        wander(&mut copy, 4, 5_000, |span| copied.push(span.clone()));
+        assert_eq!(spans, copied);
+    }
+
+    #[test]
+    fn later_keys_replace_what_was_to_come() {
+        let mut driver = standing_at(1.0, 1.0);
+        driver.hold(10 * SECOND, Held::from_iter([Key::Up]));
+        driver.hold(SECOND, Held::from_iter([Key::Right]));
+        assert_eq!((driver.keys.held_at(0), driver.keys.next_change()), (Held::default(), Some(SECOND)));
+        assert_eq!(
+            (driver.keys.held_at(20 * SECOND), driver.keys.next_change()),
+            (Held::from_iter([Key::Right]), None)
+        );
     }
 }

@@ -16,6 +16,7 @@ use super::{Move, Next};
 use crate::event::Doing;
 use crate::geometry::Point;
 use crate::home::plan::Plan;
+use crate::scenario::calendar::time_of_day;
 use crate::scenario::path::{self as file, PathFile, Posture};
 use crate::time::{Micros, SECOND, micros, seconds};
 use std::sync::Arc;
@@ -333,23 +334,6 @@ fn later(begin: Micros, span_s: f64) -> Micros {
     begin.saturating_add(micros(span_s))
 }
 
-/// Microseconds since midnight of `HH:MM`, `HH:MM:SS` or `HH:MM:SS.ffffff`.
-fn time_of_day(text: &str) -> Option<Micros> {
-    let digits = |text: &str| -> Option<Micros> {
-        if text.bytes().all(|byte| byte.is_ascii_digit()) { text.parse().ok() } else { None }
-    };
-    let two_digits = |text: &str, below| digits(text).filter(|&number| text.len() == 2 && number < below);
-    let (hours, rest) = text.split_once(':')?;
-    let (minutes, rest) = rest.split_once(':').unwrap_or((rest, "00"));
-    let (whole, fraction) = rest.split_once('.').unwrap_or((rest, "0"));
-    if fraction.len() > 6 {
-        return None;
-    }
-    let fraction = digits(fraction)? * Micros::pow(10, 6 - fraction.len() as u32);
-    let minutes = two_digits(hours, 24)? * 60 + two_digits(minutes, 60)?;
-    Some((minutes * 60 + two_digits(whole, 60)?) * SECOND + fraction)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -550,18 +534,6 @@ mod tests {
             assert_eq!(copy.next(now), next);
             let Next::Move(span) = next else { panic!("the path has ended") };
             now = span.end;
-        }
-    }
-
-    #[test]
-    fn times_of_day_are_read_exactly() {
-        assert_eq!(time_of_day("00:00"), Some(0));
-        assert_eq!(time_of_day("23:59:59.999999"), Some(DAY - 1));
-        assert_eq!(time_of_day("07:30:15.5"), Some(7 * HOUR + HOUR / 2 + 15_500_000));
-        for wrong in
-            ["", "7:30", "24:00", "07:60", "07:30:60", "07:30:1", "07:30:15.1234567", "-1:30", "+7:30", "07:30:15:2"]
-        {
-            assert_eq!(time_of_day(wrong), None, "{wrong}");
         }
     }
 }

@@ -37,12 +37,22 @@ pub struct Loop<E> {
     update: i64,
     /// Simulated time between two updates, as a multiple of 1/60 s: how much faster than real the loop runs.
     speed: i64,
+    remainder: Remainder,
     seq: u64,
+}
+
+/// What a counter does with the time by which it ran out before the update that notices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Remainder {
+    /// The next wait is counted from when it ran out, so lateness does not add up.
+    Kept,
+    /// The next wait is counted from the update, as a plain counter does.
+    Lost,
 }
 
 impl<E: Eye> Loop<E> {
     /// A loop at `speed` times real time: its step grows with its speed, as the paper's does.
-    pub fn new(eye: E, home: &Home, seed: u64, speed: i64) -> Loop<E> {
+    pub fn new(eye: E, home: &Home, seed: u64, speed: i64, remainder: Remainder) -> Loop<E> {
         let counter = |sensor: &crate::sensors::Sensor| Counter {
             timing: sensor.timing,
             stream: Stream::named(seed, &format!("sensor/{}/timing", sensor.name)),
@@ -50,7 +60,7 @@ impl<E: Eye> Loop<E> {
             last_seen: None,
         };
         let counters: Vec<Counter> = home.sensors.iter().map(counter).collect();
-        Loop { eye, changed: vec![false; counters.len()], counters, update: 0, speed, seq: 0 }
+        Loop { eye, changed: vec![false; counters.len()], counters, update: 0, speed, remainder, seq: 0 }
     }
 
     /// The instant of the next update.
@@ -65,7 +75,7 @@ impl<E: Eye> Loop<E> {
         // Nothing has changed before there was anything to compare with.
         let first = self.update == 0;
         for (sensor, counter) in self.counters.iter_mut().enumerate() {
-            counter.update(now, self.changed[sensor] && !first, |at| {
+            counter.update(now, self.changed[sensor] && !first, self.remainder, |at| {
                 firings.push(Firing { seq: self.seq, at, sensor: sensor as u32 });
                 self.seq += 1;
             });
@@ -85,8 +95,7 @@ impl<E: Eye> Loop<E> {
     }
 }
 
-/// One sensor's counter: the paper's timing, looked at once an update. What is left over when a counter
-/// runs out is kept, so that lateness does not add up; a firing carries the instant at which it was due.
+/// One sensor's counter: the paper's timing, looked at once an update.
 struct Counter {
     timing: Timing,
     stream: Stream,
@@ -101,21 +110,24 @@ enum State {
 }
 
 impl Counter {
-    fn update(&mut self, now: Micros, changed: bool, mut fire: impl FnMut(Micros)) {
+    fn update(&mut self, now: Micros, changed: bool, remainder: Remainder, mut fire: impl FnMut(Micros)) {
+        let counted_from = |due| if remainder == Remainder::Kept { due } else { now };
         loop {
             match self.state {
                 State::Idle if changed => {
                     self.state = State::Delay { fire: now + self.stream.span(self.timing.first_fire) };
                 }
                 State::Delay { fire: at } if now >= at => {
+                    let at = counted_from(at);
                     fire(at);
                     self.state = State::Wait { decide: at + self.stream.span(self.timing.refire) };
                 }
                 State::Wait { decide } if now >= decide => {
                     let seen = if changed { Some(now) } else { self.last_seen };
                     if seen.is_some_and(|seen| seen >= decide - self.timing.persist) {
-                        fire(decide);
-                        self.state = State::Wait { decide: decide + self.stream.span(self.timing.refire) };
+                        let at = counted_from(decide);
+                        fire(at);
+                        self.state = State::Wait { decide: at + self.stream.span(self.timing.refire) };
                     } else {
                         self.state = State::Idle;
                     }

@@ -33,6 +33,11 @@ impl Sensor {
         Sensor { name: file.name().to_owned(), timing: Timing::new(file.timing()), kind }
     }
 
+    /// Whether it has a fan of beams, rather than an area below it.
+    pub fn is_on_wall(&self) -> bool {
+        matches!(self.kind, Kind::Motion(_))
+    }
+
     /// Where it hangs, seen from above.
     pub fn at(&self) -> Point {
         match &self.kind {

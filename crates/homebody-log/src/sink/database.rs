@@ -2,7 +2,10 @@
 //!
 //! It is written in place, so that a run can be watched while it goes on. Rows go in in transactions that are on
 //! the disk before they count as stored; killed at any moment, the file holds a gap-free beginning of the run.
-//! While the run goes on the database is in WAL mode, which lets others read meanwhile; after it, it is one file.
+//!
+//! Rows that pour in go through a rollback journal: it writes a new page once, a write-ahead log twice. Rows that
+//! trickle in, as those of a live run, go through a write-ahead log: it lets others read for as long as they like.
+//! After the run the database is one file.
 
 use crate::error::LogError;
 use crate::fresh::Place;
@@ -14,6 +17,9 @@ use std::time::Duration;
 /// How long another program may keep the database locked before that is an error.
 const BUSY: Duration = Duration::from_secs(2);
 
+/// Fewer rows in a transaction trickle, more pour. A transaction of a live run holds those of a second.
+const TRICKLE: usize = 10_000;
+
 /// Rows that one statement inserts: half again as fast as one by one.
 const ROWS_AT_ONCE: usize = 16;
 
@@ -22,7 +28,31 @@ pub(crate) struct Database {
     path: PathBuf,
     /// None only while the database is being closed.
     connection: Option<Connection>,
+    /// Rows of the open transaction.
+    unsettled: usize,
     has_rows: bool,
+    flow: Flow,
+}
+
+/// How rows come in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Flow {
+    Pouring,
+    Trickling,
+}
+
+impl Flow {
+    fn of(rows: usize) -> Flow {
+        if rows < TRICKLE { Flow::Trickling } else { Flow::Pouring }
+    }
+
+    /// TRUNCATE, unlike DELETE, makes sure of a transaction's end without asking the folder.
+    fn journal(self) -> &'static str {
+        match self {
+            Flow::Pouring => "PRAGMA journal_mode = TRUNCATE",
+            Flow::Trickling => "PRAGMA journal_mode = WAL",
+        }
+    }
 }
 
 impl Database {
@@ -41,12 +71,13 @@ impl Database {
         // The database's own way to create a file does not tell why it could not.
         OpenOptions::new().write(true).create_new(true).open(path).map_err(|error| LogError::file(path, error))?;
         let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
-        let mut database = Database { path: path.into(), connection: None, has_rows: false };
+        let mut database =
+            Database { path: path.into(), connection: None, unsettled: 0, has_rows: false, flow: Flow::Pouring };
         let opened = Connection::open_with_flags(path, flags).and_then(|connection| {
             connection.busy_timeout(BUSY)?;
+            connection.execute_batch(database.flow.journal())?;
             // FULL: a committed transaction survives a loss of power, too. The cache is in KiB.
-            connection
-                .execute_batch("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA cache_size = -2048")?;
+            connection.execute_batch("PRAGMA synchronous = FULL; PRAGMA cache_size = -2048")?;
             connection.execute_batch("BEGIN IMMEDIATE")?;
             for table in tables {
                 connection.execute_batch(table)?;
@@ -63,32 +94,56 @@ impl Database {
         &self.path
     }
 
-    /// Does something within the transaction that the next [`Database::settle`] ends.
-    pub fn change(&mut self, change: impl FnOnce(&Connection) -> rusqlite::Result<()>) -> Result<(), LogError> {
+    /// Changes rows within the transaction that the next [`Database::settle`] ends.
+    pub fn change(
+        &mut self,
+        rows: usize,
+        change: impl FnOnce(&Connection) -> rusqlite::Result<()>,
+    ) -> Result<(), LogError> {
         let connection = self.connection.as_ref().expect("open until it is closed");
         let begun = if connection.is_autocommit() { connection.execute_batch("BEGIN IMMEDIATE") } else { Ok(()) };
-        begun.and_then(|()| change(connection)).map_err(|error| LogError::database(&self.path, error))
+        begun.and_then(|()| change(connection)).map_err(|error| LogError::database(&self.path, error))?;
+        self.unsettled += rows;
+        Ok(())
     }
 
     /// Ends the transaction: what was changed is safe now.
     pub fn settle(&mut self) -> Result<(), LogError> {
-        let connection = self.connection.as_ref().expect("open until it is closed");
-        if !connection.is_autocommit() {
-            connection.execute_batch("COMMIT").map_err(|error| LogError::database(&self.path, error))?;
-            self.has_rows = true;
+        let flow = Flow::of(self.unsettled);
+        if self.commit()? && flow != self.flow && self.without_waiting(flow.journal()) {
+            self.flow = flow;
         }
         Ok(())
     }
 
     /// Ends the transaction and leaves one file, complete in itself.
     pub fn close(mut self) -> Result<(), LogError> {
-        self.settle()?;
+        self.commit()?;
         self.has_rows = true;
+        self.without_waiting("PRAGMA journal_mode = DELETE");
         let connection = self.connection.take().expect("open until it is closed");
-        // Fails where another program is reading; then it is that program's leaving that tidies up.
-        let _ = connection.busy_timeout(Duration::ZERO);
-        let _ = connection.execute_batch("PRAGMA journal_mode = DELETE");
         connection.close().map_err(|(_, error)| LogError::database(&self.path, error))
+    }
+
+    /// Ends the transaction if there is one.
+    fn commit(&mut self) -> Result<bool, LogError> {
+        let connection = self.connection.as_ref().expect("open until it is closed");
+        if connection.is_autocommit() {
+            return Ok(false);
+        }
+        connection.execute_batch("COMMIT").map_err(|error| LogError::database(&self.path, error))?;
+        self.unsettled = 0;
+        self.has_rows = true;
+        Ok(true)
+    }
+
+    /// Changes the journal, unless somebody is reading at this moment; whether it did.
+    fn without_waiting(&self, pragma: &str) -> bool {
+        let connection = self.connection.as_ref().expect("open until it is closed");
+        let _ = connection.busy_timeout(Duration::ZERO);
+        let changed = connection.execute_batch(pragma).is_ok();
+        let _ = connection.busy_timeout(BUSY);
+        changed
     }
 }
 
@@ -194,11 +249,11 @@ mod tests {
         let path = std::env::temp_dir().join(format!("homebody-full-{}.db", std::process::id()));
         let mut database =
             Database::create(&path, true, &["CREATE TABLE line (run INTEGER, text TEXT)"], |_| Ok(())).unwrap();
-        database.change(|connection| connection.pragma_update(None, "max_page_count", 50)).unwrap();
+        database.change(0, |connection| connection.pragma_update(None, "max_page_count", 50)).unwrap();
         let insert = Insert::new("line", ("run", 1), &["text"]);
         let lines = vec!["some words to fill pages with"; 100];
         let mut store = || {
-            database.change(|connection| insert.rows(connection, &lines, |line, row| row.put(line)))?;
+            database.change(lines.len(), |connection| insert.rows(connection, &lines, |line, row| row.put(line)))?;
             database.settle()
         };
         let mut stored = 0;

@@ -32,7 +32,7 @@ pub(crate) fn begin<'a>(
 
 /// Marks the run as complete.
 pub(crate) fn end(database: &mut Database, run: i64, end: Stamp) -> Result<(), LogError> {
-    database.change(|connection| {
+    database.change(0, |connection| {
         connection.execute("UPDATE run SET ended_at = ? WHERE run_id = ?", params![end, run]).map(|_| ())
     })
 }

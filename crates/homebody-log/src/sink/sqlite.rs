@@ -60,7 +60,7 @@ impl Sink for Sqlite {
     }
 
     fn write(&mut self, rows: &[Row]) -> Result<(), LogError> {
-        self.database.change(|connection| {
+        self.database.change(rows.len(), |connection| {
             self.insert.rows(connection, rows, |row, binding| {
                 binding.put(row.seq as i64)?;
                 binding.put(self.clock.stamp(row.at))?;

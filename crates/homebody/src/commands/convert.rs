@@ -43,9 +43,12 @@ impl Arguments {
     }
 }
 
-/// A log by its URL, or by its path alone.
+/// A log by its URL, by its path alone, or by the folder of its run.
 pub fn place(text: &str) -> Result<Url, Failure> {
-    let path = PathBuf::from(text);
+    let mut path = PathBuf::from(text);
+    if path.join("log.db").is_file() {
+        path.push("log.db");
+    }
     if path.exists() {
         return Ok(recognise(&path)?);
     }

@@ -1,7 +1,10 @@
 //! The commands, one file each, all in the same shape: the arguments as a struct, with a `run`.
 
 mod check;
+mod compare;
 mod convert;
+mod coverage;
+mod experiment;
 mod live;
 mod new;
 mod replay;
@@ -10,6 +13,8 @@ mod schema;
 
 use crate::failure::Failure;
 use clap::Subcommand;
+use std::fs;
+use std::path::Path;
 
 #[derive(Subcommand)]
 pub enum Command {
@@ -19,6 +24,12 @@ pub enum Command {
     Replay(replay::Arguments),
     /// Report everything that is wrong with a scenario
     Check(check::Arguments),
+    /// Say where in the home the sensors see, with a map
+    Coverage(coverage::Arguments),
+    /// Compare the firings of two logs
+    Compare(compare::Arguments),
+    /// Do an experiment again that was done in the real world
+    Experiment(experiment::Arguments),
     /// Carry a log from one form into another
     Convert(convert::Arguments),
     /// Write the JSON Schemas of the scenario files into a folder
@@ -33,6 +44,9 @@ impl Command {
             Command::Run(arguments) => arguments.run(),
             Command::Replay(arguments) => arguments.run(),
             Command::Check(arguments) => arguments.run(),
+            Command::Coverage(arguments) => arguments.run(),
+            Command::Compare(arguments) => arguments.run(),
+            Command::Experiment(arguments) => arguments.run(),
             Command::Convert(arguments) => arguments.run(),
             Command::Schema(arguments) => arguments.run(),
             Command::New(arguments) => arguments.run(),
@@ -53,4 +67,18 @@ fn print_text(text: &str) -> Result<(), Failure> {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Io(format!("standard output: {error}"))),
         _ => Ok(()),
     }
+}
+
+/// Writes a whole file under its name or not at all; one that exists is replaced with `force` only.
+fn write_file(path: &Path, bytes: &[u8], force: bool) -> Result<(), Failure> {
+    if path.exists() && !force {
+        return Err(Failure::Io(format!("{} exists already\n  hint: --force replaces it", path.display())));
+    }
+    let mut part = path.as_os_str().to_owned();
+    part.push(".part");
+    let written = fs::write(&part, bytes).and_then(|()| fs::rename(&part, path));
+    written.map_err(|error| {
+        let _ = fs::remove_file(&part);
+        Failure::io(path, error)
+    })
 }

@@ -8,12 +8,13 @@
 //! The engine computes in `f32`, and once in some hundred thousand casts along a wall it misses the
 //! wall. So the end of every step is checked against the plan itself, in `f64`.
 
-use super::super::Body;
+use crate::drivers::Body;
 use crate::geometry::{self, Point};
 use crate::home::plan::Plan;
 use rapier2d::dynamics::RigidBodySet;
-use rapier2d::geometry::{Aabb, Ball, BoundingVolume, Bvh, ColliderBuilder, ColliderHandle, ColliderSet, SharedShape};
+use rapier2d::geometry::{Aabb, Ball, Bvh, ColliderBuilder, ColliderHandle, ColliderSet, SharedShape};
 use rapier2d::math::{Pose, Vector};
+use rapier2d::parry::partitioning::BvhNode;
 use rapier2d::parry::query::{DefaultQueryDispatcher, ShapeCastOptions};
 use rapier2d::pipeline::{QueryFilter, QueryPipeline};
 
@@ -21,8 +22,8 @@ use rapier2d::pipeline::{QueryFilter, QueryPipeline};
 /// something, a cast is at its weakest.
 const CLEARANCE_M: f32 = 0.005;
 
-/// Enough for a way that bends round two things.
-const MOST_CASTS: usize = 4;
+/// Enough for a way that bends round two things, or a push out of both.
+const MOST_TURNS: usize = 4;
 
 /// What a slide leads away from the wall, as a part of its length, so that the next cast along the
 /// wall does not find the same wall again.
@@ -81,7 +82,7 @@ impl Obstacles {
         let start = from.as_vec2();
         let (mut moved, mut left) = (Vector::ZERO, way.as_vec2());
         let mut touched = Vector::ZERO;
-        for _ in 0..MOST_CASTS {
+        for _ in 0..MOST_TURNS {
             let Some(heading) = left.try_normalize() else { break };
             let options = ShapeCastOptions {
                 max_time_of_impact: left.length(),
@@ -133,23 +134,26 @@ impl Obstacles {
     /// The end of a step, moved out of what is fixed where a cast has missed it; where there is no
     /// getting out, the step is not taken.
     fn out_of_walls(&self, from: Point, to: Point) -> Point {
-        let reach = Vector::splat(self.radius_m as f32 + CLEARANCE_M);
-        let around = Aabb::new((from.min(to)).as_vec2() - reach, (from.max(to)).as_vec2() + reach);
-        let near = || {
-            let leaves = self.tree.leaves(|node| node.aabb().intersects(&around));
-            leaves.filter_map(|leaf| self.fixed.get(leaf as usize))
-        };
-        if near().any(|outline| geometry::segment_inside_convex(outline, from, to).is_some()) {
+        if self.near(from, to).any(|outline| geometry::segment_inside_convex(outline, from, to).is_some()) {
             return from;
         }
         let mut at = to;
-        for _ in 0..MOST_CASTS {
-            let mut nearest = near().map(|outline| nearest_on_border(outline, at));
+        for _ in 0..MOST_TURNS {
+            let mut nearest = self.near(at, at).map(|outline| nearest_on_border(outline, at));
             let Some(nearest) = nearest.find(|nearest| nearest.distance(at) < self.radius_m) else { return at };
             // A little more than needed, or rounding would find it too near again.
             at = nearest + (at - nearest).normalize_or_zero() * (self.radius_m + 1e-9);
         }
         from
+    }
+
+    /// What is fixed and may touch a body on the way between two points.
+    fn near(&self, from: Point, to: Point) -> impl Iterator<Item = &[Point]> {
+        let reach = Vector::splat(self.radius_m as f32 + CLEARANCE_M);
+        let around = Aabb::new(from.min(to).as_vec2() - reach, from.max(to).as_vec2() + reach);
+        let around = BvhNode::leaf(around, 0);
+        let leaves = self.tree.leaves(move |node| node.intersects(&around));
+        leaves.filter_map(|leaf| self.fixed.get(leaf as usize)).map(|outline| &outline[..])
     }
 }
 

@@ -1,0 +1,474 @@
+//! From an annotated recording to a path that can be acted out.
+//!
+//! What is known: in which room the person was, and what they did: walk, turn, sit, lie. So every
+//! span of the path has the annotated times and posture, and a door is passed at the instant at which the
+//! room changes.
+//!
+//! What we assume: where a walk inside a room leads. Its goal is the floor point whose way from
+//! here is as long as a usual pace makes it; a long walk goes to and fro between far ends of the room. Who
+//! sits or lies next goes to a seat or bed. An annotated posture is kept still, an annotated change of
+//! posture is one movement on the spot.
+//!
+//! How: per stay in a room, cut the annotation into pieces, find the doors before and after,
+//! give each walk a goal, and lend a hurried walk some of the standing beside it.
+//!
+//! What is left out: kneeling and squatting are as low as sitting, bending as high as standing.
+
+use super::roads::{Kind, Reach, Roads};
+use super::{AnnotatedRun, Interval};
+use homebody_core::geometry::Point;
+use homebody_core::home::plan::Plan;
+use homebody_core::scenario::path::{Go, PathFile, Posture, Spot, Step, StirFile, Wait};
+use homebody_core::time::{Micros, SECOND, micros, seconds};
+use std::fmt;
+
+/// What we take for the pace of adults who follow a script indoors, in metres a second.
+const PACE_MPS: f64 = 0.8;
+/// A walk that would have to be faster takes time from the standing before and after it.
+const HURRIED_MPS: f64 = 1.5;
+/// Who stands longer than this before leaving a room does not stand in its door.
+const LONGEST_IN_DOORWAY: Micros = 3 * SECOND;
+/// Nearer points are not worth a walk.
+const LEAST_WALK_M: f64 = 0.4;
+
+/// Why a recording cannot be placed in a home.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unplaced {
+    /// The home has no room of this name, or no point in it to stand on.
+    Room(String),
+    /// No way leads from the one room to the other.
+    Way(String, String),
+    /// An annotation of a kind we do not know.
+    Movement(String),
+}
+
+impl fmt::Display for Unplaced {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Unplaced::Room(name) => write!(f, "the home has no room {name:?} to stand in"),
+            Unplaced::Way(from, to) => write!(f, "no way leads from {from:?} to {to:?}"),
+            Unplaced::Movement(name) => write!(f, "{name:?} is no kind of movement that we know"),
+        }
+    }
+}
+
+impl std::error::Error for Unplaced {}
+
+/// The path of a recording through a home. Its second 0 is the first annotated instant, [`AnnotatedRun::begin_s`].
+pub fn path_of(run: &AnnotatedRun, plan: &Plan) -> Result<PathFile, Unplaced> {
+    let roads = Roads::new(plan);
+    let stays = stays(run, plan)?;
+    let doors = doors(&stays, &roads, plan)?;
+    let mut here = start(&stays[0], doors.first().copied(), &roads)
+        .ok_or_else(|| Unplaced::Room(plan.rooms[stays[0].room].name.clone()))?;
+    let start = spot(roads.nodes[here].at);
+    let posture = stays[0].pieces.first().map_or(Posture::Standing, |piece| piece.doing.posture());
+    let mut steps = Vec::new();
+    for (index, mut stay) in stays.into_iter().enumerate() {
+        let ways = walk(&mut stay, &mut here, doors.get(index).copied(), &roads);
+        unhurry(&mut stay.pieces, &ways);
+        let mut ways = ways.into_iter();
+        for piece in &stay.pieces {
+            let way = if piece.doing == Doing::Walk { ways.next() } else { None };
+            steps.extend(step(piece, way));
+        }
+    }
+    Ok(PathFile { schema: None, start, posture, steps })
+}
+
+/// A stretch of time in one room.
+struct Stay {
+    room: usize,
+    /// Without gaps.
+    pieces: Vec<Piece>,
+}
+
+impl Stay {
+    fn lasts(&self) -> Micros {
+        self.pieces.iter().map(|piece| piece.end - piece.begin).sum()
+    }
+}
+
+/// A stretch of time with one way to move. Microseconds since the first annotated instant.
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    begin: Micros,
+    end: Micros,
+    doing: Doing,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Doing {
+    Walk,
+    /// One movement on the spot.
+    Stir {
+        posture: Posture,
+        amplitude_m: f64,
+    },
+    Still {
+        posture: Posture,
+        /// Whether it takes a seat or a bed, rather than the floor.
+        seated: bool,
+    },
+}
+
+impl Doing {
+    /// What an annotation means; `before` is the posture before it.
+    ///
+    /// How far what moves moves is ours: the head and trunk of an adult who sits down or bends come
+    /// half a metre lower, a turn moves the shoulders.
+    fn of(name: &str, before: Posture) -> Option<Doing> {
+        let stir = |posture, amplitude_m| Doing::Stir { posture, amplitude_m };
+        let still = |posture, seated| Doing::Still { posture, seated };
+        Some(match name {
+            "a_walk" | "a_loadwalk" | "a_ascend" | "a_descend" => Doing::Walk,
+            "a_jump" => stir(Posture::Standing, 0.3),
+            "t_turn" => stir(before, 0.3),
+            "t_bend" | "t_straighten" | "t_stand_sit" | "t_sit_stand" | "t_stand_kneel" | "t_kneel_stand" => {
+                stir(Posture::Standing, 0.5)
+            }
+            "t_sit_lie" | "t_lie_sit" => stir(Posture::Sitting, 0.5),
+            "p_stand" | "p_bent" => still(Posture::Standing, false),
+            "p_kneel" | "p_squat" => still(Posture::Sitting, false),
+            "p_sit" => still(Posture::Sitting, true),
+            "p_lie" => still(Posture::Lying, true),
+            _ => return None,
+        })
+    }
+
+    fn posture(self) -> Posture {
+        match self {
+            Doing::Walk => Posture::Standing,
+            Doing::Stir { posture, .. } | Doing::Still { posture, .. } => posture,
+        }
+    }
+}
+
+/// The recording as stays, each with its pieces; a gap in the annotation keeps the posture before it.
+fn stays(run: &AnnotatedRun, plan: &Plan) -> Result<Vec<Stay>, Unplaced> {
+    let begin_s = run.begin_s();
+    let instant = |second: f64| micros(second - begin_s);
+    let mut pieces: Vec<Piece> = Vec::new();
+    let mut posture = Posture::Standing;
+    for Interval { start_s, end_s, name } in &run.movements {
+        let doing = Doing::of(name, posture).ok_or_else(|| Unplaced::Movement(name.clone()))?;
+        let end = pieces.last().map_or(0, |piece| piece.end);
+        let still = Doing::Still { posture, seated: false };
+        pieces.push(Piece { begin: end, end: instant(*start_s), doing: still });
+        pieces.push(Piece { begin: instant(*start_s), end: instant(*end_s), doing });
+        posture = doing.posture();
+    }
+    let end = pieces.last().map_or(0, |piece| piece.end);
+    pieces.push(Piece { begin: end, end: instant(run.end_s()), doing: Doing::Still { posture, seated: false } });
+
+    let mut stays: Vec<Stay> = Vec::new();
+    for (index, Interval { start_s, name, .. }) in run.rooms.iter().enumerate() {
+        let room = plan.rooms.iter().position(|room| room.name == *name).ok_or_else(|| Unplaced::Room(name.clone()))?;
+        let begin = if index == 0 { 0 } else { instant(*start_s) };
+        let end = run.rooms.get(index + 1).map_or(instant(run.end_s()), |next| instant(next.start_s));
+        let cut = |piece: &Piece| Piece { begin: piece.begin.max(begin), end: piece.end.min(end), ..*piece };
+        let within = pieces.iter().map(cut).filter(|piece| piece.end > piece.begin);
+        match stays.last_mut().filter(|last| last.room == room) {
+            Some(last) => last.pieces.extend(within),
+            None => stays.push(Stay { room, pieces: within.collect() }),
+        }
+    }
+    Ok(stays)
+}
+
+/// The door in which the person is as each stay but the last ends.
+///
+/// Where rooms are not next to each other, the one in between was walked through but not annotated.
+/// We count it to the shorter of the two stays, which is a passage too.
+fn doors(stays: &[Stay], roads: &Roads, plan: &Plan) -> Result<Vec<usize>, Unplaced> {
+    let pairs = stays.windows(2).map(|pair| {
+        let way = roads.doors_between(pair[0].room, pair[1].room);
+        let door = if pair[0].lasts() < pair[1].lasts() { way.last() } else { way.first() };
+        let name = |stay: &Stay| plan.rooms[stay.room].name.clone();
+        door.copied().ok_or_else(|| Unplaced::Way(name(&pair[0]), name(&pair[1])))
+    });
+    pairs.collect()
+}
+
+/// A point of the first room as far from its exit as the walking in it lasts.
+fn start(stay: &Stay, exit: Option<usize>, roads: &Roads) -> Option<usize> {
+    let walks = stay.pieces.iter().filter(|piece| piece.doing == Doing::Walk);
+    let length_m = PACE_MPS * seconds(walks.map(|piece| piece.end - piece.begin).sum());
+    match exit {
+        Some(exit) => nearest_to(&roads.reach(exit).distance_m, length_m, stay.room, roads),
+        None => (0..roads.nodes.len()).find(|&node| is_floor(roads, node, stay.room)),
+    }
+}
+
+/// A walk's waypoints and length.
+#[derive(Debug, Default)]
+struct Way {
+    to: Vec<Point>,
+    length_m: f64,
+}
+
+/// Gives every walk of a stay its way, and moves `here` to where the last one ends.
+fn walk(stay: &mut Stay, here: &mut usize, exit: Option<usize>, roads: &Roads) -> Vec<Way> {
+    let last_walk = stay.pieces.iter().rposition(|piece| piece.doing == Doing::Walk);
+    let pause = stay.pieces.iter().skip(last_walk.map_or(0, |index| index + 1));
+    let pause: Micros = pause.map(|piece| piece.end - piece.begin).sum();
+    if let Some(end) = stay.pieces.last().map(|piece| piece.end)
+        && exit.is_some_and(|exit| exit != *here)
+        && (last_walk.is_none() || pause > LONGEST_IN_DOORWAY)
+    {
+        // They left, but no walk to the door is annotated: one without length, to be lengthened.
+        stay.pieces.push(Piece { begin: end, end, doing: Doing::Walk });
+    }
+    let walks: Vec<usize> = (0..stay.pieces.len()).filter(|&index| stay.pieces[index].doing == Doing::Walk).collect();
+    let mut ways = Vec::new();
+    for (nth, &index) in walks.iter().enumerate() {
+        let next = walks.get(nth + 1).copied();
+        let length_m = PACE_MPS * seconds(stay.pieces[index].end - stay.pieces[index].begin);
+        let pause = &stay.pieces[index + 1..next.unwrap_or(stay.pieces.len())];
+        let goal = match (next, exit) {
+            (None, Some(exit)) => Some(exit),
+            _ => seat(pause, stay.room, *here, roads),
+        };
+        ways.push(tour(here, goal, stay.room, length_m, roads));
+    }
+    ways
+}
+
+/// Where the pause after a walk is spent, if not on the floor: the largest bed or the nearest seat.
+fn seat(pause: &[Piece], room: usize, here: usize, roads: &Roads) -> Option<usize> {
+    let postures = pause.iter().filter_map(|piece| match piece.doing {
+        Doing::Still { posture, seated: true } => Some(posture),
+        _ => None,
+    });
+    let lowest = postures.max()?;
+    let reach = roads.reach(here);
+    let seats = roads.nodes.iter().enumerate().filter_map(|(node, place)| match place.kind {
+        Kind::Seat { room: of, extent_m } if of == room => {
+            Some((node, if lowest == Posture::Lying { -extent_m } else { reach.distance_m[node] }))
+        }
+        _ => None,
+    });
+    seats.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(node, _)| node)
+}
+
+/// A walk from `here` about so long, to the goal or to any floor point of the room: as often as there is
+/// time for it, first to the far end of the room.
+fn tour(here: &mut usize, goal: Option<usize>, room: usize, length_m: f64, roads: &Roads) -> Way {
+    let to_goal = goal.map(|goal| roads.reach(goal).distance_m);
+    let (mut way, mut left_m) = (Way::default(), length_m);
+    loop {
+        let reach = roads.reach(*here);
+        let farthest = nearest_to(&reach.distance_m, f64::INFINITY, room, roads);
+        let detour = farthest.filter(|&far| {
+            let rest_m = to_goal.as_ref().map_or(0.0, |to_goal| to_goal[far]);
+            reach.distance_m[far] > LEAST_WALK_M && reach.distance_m[far] + rest_m < left_m
+        });
+        if let Some(far) = detour {
+            extend(&mut way, here, far, &reach, roads);
+            left_m -= reach.distance_m[far];
+            continue;
+        }
+        let end = goal.or_else(|| nearest_to(&reach.distance_m, left_m.max(LEAST_WALK_M), room, roads));
+        if let Some(end) = end {
+            extend(&mut way, here, end, &reach, roads);
+        }
+        return way;
+    }
+}
+
+fn extend(way: &mut Way, here: &mut usize, to: usize, reach: &Reach, roads: &Roads) {
+    way.to.extend(roads.way(reach, to));
+    way.length_m += reach.distance_m[to];
+    *here = to;
+}
+
+/// The floor point of a room whose distance comes nearest to a length; where that is infinite, the farthest.
+fn nearest_to(distance_m: &[f64], length_m: f64, room: usize, roads: &Roads) -> Option<usize> {
+    let reachable = (0..distance_m.len()).filter(|&node| is_floor(roads, node, room) && distance_m[node].is_finite());
+    let off_m =
+        |node: usize| if length_m.is_finite() { (distance_m[node] - length_m).abs() } else { -distance_m[node] };
+    reachable.min_by(|&a, &b| off_m(a).total_cmp(&off_m(b)))
+}
+
+fn is_floor(roads: &Roads, node: usize, room: usize) -> bool {
+    roads.nodes[node].kind == Kind::Floor { room }
+}
+
+/// Lengthens each walk that would be hurried, first into what comes before it, then into what follows.
+fn unhurry(pieces: &mut [Piece], ways: &[Way]) {
+    let walks: Vec<usize> = (0..pieces.len()).filter(|&index| pieces[index].doing == Doing::Walk).collect();
+    for (&walk, way) in walks.iter().zip(ways) {
+        let needed = micros(way.length_m / HURRIED_MPS);
+        let mut index = walk;
+        while index > 0 && pieces[index - 1].doing != Doing::Walk {
+            index -= 1;
+            let begin = pieces[index].begin.max(pieces[walk].end - needed).min(pieces[walk].begin);
+            pieces[walk].begin = begin;
+            pieces[index].end = pieces[index].end.min(begin);
+        }
+        let mut index = walk;
+        while index + 1 < pieces.len() && pieces[index + 1].doing != Doing::Walk {
+            index += 1;
+            let end = pieces[index].end.min(pieces[walk].begin + needed).max(pieces[walk].end);
+            pieces[walk].end = end;
+            pieces[index].begin = pieces[index].begin.max(end);
+        }
+    }
+}
+
+fn step(piece: &Piece, way: Option<Way>) -> Option<Step> {
+    let span_s = seconds(piece.end - piece.begin);
+    let wait = |posture, stir| Step::Wait(Wait { for_s: Some(span_s), until: None, posture, stir });
+    // A stir is one movement that fills the span; the format wants a tenth of a second between two.
+    let stir = |amplitude_m| Some(StirFile { every_s: span_s.max(0.1), for_s: span_s, amplitude_m });
+    let step = match (piece.doing, way) {
+        (Doing::Walk, Some(way)) if !way.to.is_empty() => Step::Go(Go {
+            to: way.to.into_iter().map(spot).collect(),
+            pace_mps: None,
+            in_s: Some(span_s),
+            arrive_at: None,
+        }),
+        (Doing::Walk, _) => wait(Posture::Standing, stir(0.3)),
+        (Doing::Stir { posture, amplitude_m }, _) => wait(posture, stir(amplitude_m)),
+        (Doing::Still { posture, .. }, _) => wait(posture, None),
+    };
+    (piece.end > piece.begin).then_some(step)
+}
+
+/// A point to the millimetre, as a file would have it.
+fn spot(at: Point) -> Spot {
+    let rounded = |metres: f64| (metres * 1000.0).round() / 1000.0;
+    Spot::At([rounded(at.x), rounded(at.y)])
+}
+
+#[cfg(test)]
+pub mod tests {
+    use super::super::parse::{Texts, parse};
+    use super::*;
+    use homebody_core::geometry::point;
+    use serde_json::json;
+
+    /// Kitchen, hall and bedroom in a row from west to east, and a shed that no door leads to.
+    pub fn house() -> Plan {
+        let wall = |from: [f64; 2], to: [f64; 2]| json!({ "from": from, "to": to });
+        let room = |name: &str, west: f64, east: f64| json!({ "name": name, "outline": [[west, 0.0], [east, 0.0], [east, 3.0], [west, 3.0]] });
+        let home = json!({
+            "name": "three rooms and a shed",
+            "rooms": [room("kitchen", 0.0, 3.0), room("hall", 3.0, 5.0), room("bedroom", 5.0, 9.0), room("shed", 9.0, 11.0)],
+            "walls": [
+                wall([0.0, 0.0], [11.0, 0.0]), wall([11.0, 0.0], [11.0, 3.0]), wall([11.0, 3.0], [0.0, 3.0]),
+                wall([0.0, 3.0], [0.0, 0.0]), wall([3.0, 0.0], [3.0, 3.0]), wall([5.0, 0.0], [5.0, 3.0]),
+                wall([9.0, 0.0], [9.0, 3.0])
+            ],
+            "doors": [
+                { "name": "kitchen door", "from": [3.0, 0.4], "to": [3.0, 1.2] },
+                { "name": "bedroom door", "from": [5.0, 1.8], "to": [5.0, 2.6] }
+            ],
+            "furniture": [
+                { "name": "bed", "at": [8.2, 1.0], "size_m": [1.4, 1.8], "height_m": 0.5, "enterable": true },
+                { "name": "chair", "at": [5.4, 0.4], "size_m": [0.4, 0.4], "height_m": 0.9, "enterable": true },
+                { "name": "table", "at": [1.0, 2.5], "size_m": [1.0, 0.8], "height_m": 0.8 }
+            ]
+        });
+        Plan::new(&serde_json::from_value(home).unwrap())
+    }
+
+    pub fn room(plan: &Plan, name: &str) -> usize {
+        plan.rooms.iter().position(|room| room.name == name).unwrap()
+    }
+
+    fn recording(rooms: &str, movements: &str) -> AnnotatedRun {
+        let (location, annotations) = (rows(rooms), rows(movements));
+        parse(&Texts { location: &location, annotations: &annotations, pir: &rows(""), second_location: None }).unwrap()
+    }
+
+    /// Rows of `start-end name`, separated by commas, as a file.
+    fn rows(rows: &str) -> String {
+        let row = |row: &str| {
+            let (span, name) = row.trim().split_once(' ').unwrap();
+            let (start, end) = span.split_once('-').unwrap();
+            format!("{start},{end},{name},0\n")
+        };
+        let rows: String = rows.split(',').filter(|text| !text.trim().is_empty()).map(row).collect();
+        format!("start,end,name,index\n{rows}")
+    }
+
+    /// When each step ends and where.
+    fn ends(path: &PathFile) -> Vec<(f64, Point)> {
+        let at = |spot: &Spot| match spot {
+            Spot::At(at) => point(*at),
+            Spot::Place(name) => panic!("{name:?} is a name"),
+        };
+        let (mut now, mut here) = (0.0, at(&path.start));
+        let step = |step: &Step| {
+            match step {
+                Step::Go(go) => (now, here) = (now + go.in_s.unwrap(), at(&go.to[go.to.len() - 1])),
+                Step::Wait(wait) => now += wait.for_s.unwrap(),
+                step => panic!("unexpected {step:?}"),
+            }
+            (now, here)
+        };
+        path.steps.iter().map(step).collect()
+    }
+
+    #[test]
+    fn rooms_change_in_doors_at_the_annotated_time() {
+        let rooms = "10-16 kitchen, 16.2-19 hall, 19-60 bedroom";
+        let movements =
+            "10-12 p_stand, 12-22 a_walk, 22-24 t_turn, 24-26 t_stand_sit, 26-40 p_sit, 40-42 t_sit_lie, 42-60 p_lie";
+        let plan = house();
+        let path = path_of(&recording(rooms, movements), &plan).unwrap();
+        let ends = ends(&path);
+        assert_eq!(ends[ends.len() - 1].0, 50.0);
+        let at = |second: f64| ends.iter().find(|(end, _)| (end - second).abs() < 1e-9).map(|(_, at)| *at);
+        assert_eq!(at(6.2), Some(point([3.0, 0.8])));
+        assert_eq!(at(9.0), Some(point([5.0, 2.2])));
+        assert_eq!(ends[ends.len() - 1].1, point([8.2, 1.0]), "who lies down does so in the bed");
+        let postures = path.steps.iter().filter_map(|step| match step {
+            Step::Wait(wait) => Some((wait.posture, wait.stir.is_some())),
+            _ => None,
+        });
+        use Posture::{Lying, Sitting, Standing};
+        let expected =
+            [(Standing, false), (Standing, true), (Standing, true), (Sitting, false), (Sitting, true), (Lying, false)];
+        assert_eq!(postures.collect::<Vec<_>>(), expected);
+    }
+
+    #[test]
+    fn a_room_nobody_annotated_is_walked_through_in_the_shorter_stay() {
+        let path = path_of(&recording("0-8 kitchen, 8-40 bedroom", "0-40 a_walk"), &house()).unwrap();
+        let ends = ends(&path);
+        assert!(ends.contains(&(8.0, point([5.0, 2.2]))), "{ends:?}");
+        let path = path_of(&recording("0-30 kitchen, 30-38 bedroom", "0-38 a_walk"), &house()).unwrap();
+        let ends = self::ends(&path);
+        assert!(ends.contains(&(30.0, point([3.0, 0.8]))), "{ends:?}");
+    }
+
+    #[test]
+    fn who_leaves_without_a_walk_leaves_in_time_and_unhurried() {
+        let path = path_of(&recording("0-20 kitchen, 20-30 hall", "0-4 a_walk, 4-20 p_stand, 20-30 p_stand"), &house());
+        let path = path.unwrap();
+        let ends = ends(&path);
+        let door = point([3.0, 0.8]);
+        let arrival = ends.iter().position(|&(end, at)| (end - 20.0).abs() < 1e-9 && at == door).expect("in time");
+        let (set_out, from) = ends[arrival - 1];
+        assert!(from.distance(door) > 0.3, "not in the door all the while");
+        assert!(from.distance(door) / (20.0 - set_out) < HURRIED_MPS + 0.01);
+    }
+
+    #[test]
+    fn a_long_walk_goes_to_and_fro_at_the_usual_pace() {
+        let path = path_of(&recording("0-60 bedroom", "0-60 a_walk"), &house()).unwrap();
+        let [Step::Go(go)] = &path.steps[..] else { panic!("{:?}", path.steps) };
+        assert!(go.to.len() > 10, "{} waypoints", go.to.len());
+    }
+
+    #[test]
+    fn what_cannot_be_placed_is_named() {
+        let plan = house();
+        let why = |rooms, movements| path_of(&recording(rooms, movements), &plan).unwrap_err().to_string();
+        assert_eq!(why("0-9 attic", "0-9 a_walk"), "the home has no room \"attic\" to stand in");
+        assert_eq!(why("0-9 hall, 9-12 shed", "0-9 a_walk"), "no way leads from \"hall\" to \"shed\"");
+        assert_eq!(why("0-9 hall", "0-9 a_fly"), "\"a_fly\" is no kind of movement that we know");
+    }
+}

@@ -1,0 +1,39 @@
+//! `homebody compare`: how alike two logs are.
+
+use super::convert::place;
+use super::{print_json, print_text};
+use crate::failure::Failure;
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_log::{Log, read};
+use homebody_study::compare::compare;
+
+/// Compares the firings of two logs: by sensor and in all, agreement as Godsey & Skubic have it, and how their
+/// times between firings are spread. The second is the reference.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  homebody compare runs/tigerplace-2 runs/tigerplace-1
+  homebody compare simulated.db casas:real.txt --json")]
+pub struct Arguments {
+    /// A log: a file, a run's folder, or sqlite:FILE, csv:FILE or casas:FILE
+    a: String,
+    /// The log to compare with
+    b: String,
+    /// Print the comparison as one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let comparison = compare(&log(&self.a)?, &log(&self.b)?);
+        if self.json { print_json(&comparison) } else { print_text(&comparison.to_string()) }
+    }
+}
+
+fn log(text: &str) -> Result<Log, Failure> {
+    let log = read(&place(text)?, &LoggerFile::default())?;
+    if log.skipped > 0 {
+        eprintln!("{text}: {} lines were left out; homebody convert says which", log.skipped);
+    }
+    Ok(log)
+}
