@@ -10,10 +10,9 @@ const EXTENSIONS: [&str; 16] = [
 ];
 
 /// Names that look like files of the repository and are none, and what they are.
-const ELSEWHERE: [(&str, &str); 3] = [
+const ELSEWHERE: [(&str, &str); 2] = [
     ("recording.json", "a run writes it into its own folder"),
     ("my-home", "what examples call the reader's own scenario"),
-    ("crates.io", "where crates come from"),
 ];
 
 #[test]

@@ -4,10 +4,10 @@
 //! nothing; another, the negative control, gives it a piece that breaks the rule and expects that to be found.
 
 mod arrows;
+mod commands;
 mod documents;
 mod markdown;
 mod purity;
-mod readme;
 mod scenarios;
 mod source;
 mod words;
