@@ -7,9 +7,10 @@ use homebody_core::geometry::Point;
 use homebody_core::home::plan::Plan;
 use homebody_core::home::{Build, Home};
 use homebody_core::scenario::path::Posture;
+use homebody_log::fresh::all_can_be_written;
 use homebody_study::coverage::{Coverage, STEP_M, coverage};
 use homebody_study::picture;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Says which share of the floor is seen by no, one, two, three or more sensors, where the dead zones are, and how
 /// sensors overlap; from the very fields that a run senses with.
@@ -20,8 +21,8 @@ use std::path::PathBuf;
 pub struct Arguments {
     /// The scenario's folder, or its scenario.json
     scenario: PathBuf,
-    /// Write all figures as JSON into this file; - is standard output
-    #[arg(long, value_name = "FILE")]
+    /// Write all figures as one JSON object into this file, or on standard output without one
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
     json: Option<PathBuf>,
     /// Draw the map as SVG
     #[arg(long, value_name = "FILE")]
@@ -39,6 +40,9 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
+        let json = self.json.as_deref().filter(|path| path.as_os_str() != "-");
+        let files: Vec<&Path> = [json, self.svg.as_deref(), self.png.as_deref()].into_iter().flatten().collect();
+        all_can_be_written(&files, self.force)?;
         let (scenario, _) = folder::load(&self.scenario)?;
         // Without residents, an adult: the defaults of a resident's file.
         let adult = || Build { radius_m: 0.22, height_m: 1.65 };

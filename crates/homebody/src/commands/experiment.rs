@@ -2,6 +2,7 @@
 
 use super::{print_json, print_text, write_file};
 use crate::failure::Failure;
+use homebody_log::fresh::all_can_be_written;
 use homebody_study::godsey2009;
 use homebody_study::picture::{Activity, Reference, TotalsLine, firing_chart, totals_chart};
 use std::path::PathBuf;
@@ -33,8 +34,8 @@ struct Godsey2009 {
 
 #[derive(clap::Args)]
 struct Output {
-    /// Write all figures as JSON into this file; - is standard output
-    #[arg(long, value_name = "FILE")]
+    /// Write all figures as one JSON object into this file, or on standard output without one
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
     json: Option<PathBuf>,
     /// Draw the figure as SVG
     #[arg(long, value_name = "FILE")]
@@ -54,11 +55,14 @@ impl Arguments {
 
 impl Godsey2009 {
     fn run(self) -> Result<(), Failure> {
+        let svg = self.output.svg.as_ref().map(|path| (path, path.with_extension("totals.svg")));
+        let json = self.output.json.as_deref().filter(|path| path.as_os_str() != "-");
+        let figures = svg.iter().flat_map(|(path, totals_path)| [path.as_path(), totals_path]);
+        all_can_be_written(&figures.chain(json).collect::<Vec<_>>(), self.output.force)?;
         let experiment = godsey2009::Experiment::run(self.seed)?;
-        if let Some(path) = &self.output.svg {
+        if let Some((path, totals_path)) = &svg {
             write_file(path, firings(&experiment).as_bytes(), self.output.force)?;
-            let totals_path = path.with_extension("totals.svg");
-            write_file(&totals_path, totals(&experiment).as_bytes(), self.output.force)?;
+            write_file(totals_path, totals(&experiment).as_bytes(), self.output.force)?;
         }
         self.output.tell(&experiment)
     }

@@ -14,7 +14,7 @@ mod schema;
 
 use crate::failure::Failure;
 use clap::Subcommand;
-use std::fs;
+use homebody_log::fresh::FreshFile;
 use std::path::Path;
 
 #[derive(Subcommand)]
@@ -75,16 +75,9 @@ fn print_text(text: &str) -> Result<(), Failure> {
 
 /// Writes a whole file under its name or not at all; one that exists is replaced with `force` only.
 fn write_file(path: &Path, bytes: &[u8], force: bool) -> Result<(), Failure> {
-    if path.exists() && !force {
-        return Err(Failure::Io(format!("{} exists already\n  hint: --force replaces it", path.display())));
-    }
-    let mut part = path.as_os_str().to_owned();
-    part.push(".part");
-    let written = fs::write(&part, bytes).and_then(|()| fs::rename(&part, path));
-    written.map_err(|error| {
-        let _ = fs::remove_file(&part);
-        Failure::io(path, error)
-    })
+    let mut file = FreshFile::create(path, force)?;
+    file.write(bytes)?;
+    Ok(file.finish()?)
 }
 
 /// Tells people something on standard error; that nobody listens there is no error.
