@@ -153,11 +153,14 @@ fn csv_files_of_many_kinds() {
         "time,device,value\n2009-03-02 07:12:03.25,M1,ON\n",
         "\u{feff}Time,Sensor,Value\r\n2009-03-02 07:12:03.25,M1,ON\r\n",
         "2009-03-02 07:12:03.25,M1,ON,Sleep\n",
+        "seq,ts_local,sensor_id,event_code\n0,2009-03-02 07:12:03.25,M1,ON\n",
         "value,\"sensor\",note,time\nON,\"M1\",\"a, b\",2009-03-02T07:12:03.25\n",
     ] {
         assert_eq!(told(&from_text(&folder, "csv:log.csv", text).unwrap()), one, "{text}");
     }
-    assert!(matches!(from_text(&folder, "csv:log.csv", "a,b,c\n1,2,3\n"), Err(LogError::NoLog { .. })));
+    for text in ["a,b,c\n1,2,3\n", "a,b,c\n", "a,b,c\n2009-03-02 07:12:03.25,M1\n"] {
+        assert!(matches!(from_text(&folder, "csv:log.csv", text), Err(LogError::NoLog { .. })), "{text}");
+    }
     let log =
         from_text(&folder, "csv:log.csv", "time,device,value\n2009-03-02 07:12:03.25,M1,ON\nx,M1\n,,,,\n").unwrap();
     assert_eq!((told(&log), log.skipped), (one.to_vec(), 2));

@@ -57,9 +57,11 @@ impl From<Problems> for Failure {
 impl From<LogError> for Failure {
     fn from(error: LogError) -> Failure {
         match error {
-            LogError::Name { .. } | LogError::SameName { .. } | LogError::SameSensor { .. } | LogError::Zone(_) => {
-                Failure::Usage(error.to_string())
-            }
+            LogError::Name { .. }
+            | LogError::SameName { .. }
+            | LogError::SameSensor { .. }
+            | LogError::SameFile { .. }
+            | LogError::Zone(_) => Failure::Usage(error.to_string()),
             error => Failure::Io(error.to_string()),
         }
     }

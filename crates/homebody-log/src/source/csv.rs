@@ -1,5 +1,5 @@
 //! Comma-separated values: ours, pyadlml's `time,device,value`, Home Assistant's `entity_id,state,last_changed`,
-//! and files without a header line whose first fields are time, sensor and value.
+//! and files whose header line is unknown or missing, in which sensor and value come right after the time.
 
 use super::{Places, Reading, open};
 use crate::error::LogError;
@@ -8,35 +8,54 @@ use homebody_core::scenario::logger::LoggerFile;
 use std::io::BufReader;
 use std::path::Path;
 
-/// Without a header line.
-const FIRST: Places = Places { time: 0, sensor: 1, value: 2 };
+/// What some programs begin a text with.
+const MARK: char = '\u{feff}';
 
 pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading) -> Result<(), LogError> {
     let source = BufReader::new(open(path)?);
     let mut records = ReaderBuilder::new().has_headers(false).flexible(true).from_reader(source);
     let mut record = ByteRecord::new();
     let mut places = None;
+    let mut unknown_header: Option<String> = None;
     while records.read_byte_record(&mut record).map_err(|error| LogError::file(path, error.into()))? {
         let line = record.position().map_or(0, |position| position.line());
         let field = |place: usize| record.get(place).map(String::from_utf8_lossy).unwrap_or_default();
-        let places = match places {
-            Some(places) => places,
-            None => {
-                let first = field(0).trim_start_matches('\u{feff}').to_string();
-                if reading.instants.read(&first).is_some() {
-                    *places.insert(FIRST)
-                } else {
-                    let names = (0..record.len()).map(|place| field(place).trim_start_matches('\u{feff}').to_string());
-                    let names: Vec<String> = names.collect();
-                    let found = Places::by_name(&names, file);
-                    let why = || format!("no columns of time, sensor and value are among {}", names.join(", "));
-                    places = Some(found.ok_or_else(|| LogError::NoLog { path: path.into(), why: why() })?);
-                    continue;
+        if places.is_none() {
+            let fields: Vec<String> =
+                (0..record.len()).map(|place| field(place).trim_start_matches(MARK).into()).collect();
+            if unknown_header.is_some() {
+                places = by_content(&fields, reading);
+                if places.is_none() {
+                    break;
                 }
+            } else if fields.first().is_some_and(|first| reading.instants.read(first).is_some()) {
+                places = Some(after(0));
+            } else {
+                places = Places::by_name(&fields, file);
+                unknown_header = places.is_none().then(|| fields.join(", "));
+                continue;
             }
-        };
-        let time = field(places.time);
-        reading.row(line, time.trim_start_matches('\u{feff}'), field(places.sensor).trim(), field(places.value).trim());
+        }
+        if let Some(places) = places {
+            let time = field(places.time);
+            reading.row(line, time.trim_start_matches(MARK), field(places.sensor).trim(), field(places.value).trim());
+        }
     }
-    Ok(())
+    match unknown_header {
+        Some(names) if places.is_none() => {
+            let why = format!("no columns of time, sensor and value are among {names}");
+            Err(LogError::NoLog { path: path.into(), why })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The first text that is an instant is the time.
+fn by_content(fields: &[String], reading: &mut Reading) -> Option<Places> {
+    let time = fields.iter().position(|text| text.contains(':') && reading.instants.read(text).is_some())?;
+    (time + 2 < fields.len()).then(|| after(time))
+}
+
+fn after(time: usize) -> Places {
+    Places { time, sensor: time + 1, value: time + 2 }
 }

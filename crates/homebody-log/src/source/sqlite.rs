@@ -19,8 +19,7 @@ struct Table {
 pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading) -> Result<(), LogError> {
     open(path)?;
     let database = |error| LogError::database(path, error);
-    let connection = Connection::open_with_flags(path, OpenFlags::SQLITE_OPEN_READ_ONLY).map_err(database)?;
-    connection.busy_timeout(Duration::from_secs(2)).map_err(database)?;
+    let connection = connect(path).map_err(database)?;
     let table = find(&connection, file, reading).map_err(|error| match error.sqlite_error_code() {
         Some(rusqlite::ErrorCode::NotADatabase) => {
             LogError::NoLog { path: path.into(), why: "it is no database".into() }
@@ -30,6 +29,22 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading) -> Res
     let why = || "no table in it has columns of time, sensor and value".to_string();
     let table = table.ok_or_else(|| LogError::NoLog { path: path.into(), why: why() })?;
     read_table(&connection, file, &table, reading).map_err(database)
+}
+
+fn connect(path: &Path) -> rusqlite::Result<Connection> {
+    let open = |flags| {
+        let connection = Connection::open_with_flags(path, flags)?;
+        connection.busy_timeout(Duration::from_secs(2))?;
+        Ok(connection)
+    };
+    let connection = open(OpenFlags::SQLITE_OPEN_READ_ONLY)?;
+    match connection.query_row("SELECT count(*) FROM sqlite_schema", [], |_| Ok(())) {
+        // A run that was killed has left a transaction half written: it has to be undone before anything is read.
+        Err(error) if error.sqlite_error_code() == Some(rusqlite::ErrorCode::ReadOnly) => {
+            open(OpenFlags::SQLITE_OPEN_READ_WRITE)
+        }
+        _ => Ok(connection),
+    }
 }
 
 /// The table named by the mapping, ours, or the first that looks like a log.

@@ -1,7 +1,7 @@
 //! `homebody compare`: how alike two logs are.
 
 use super::convert::place;
-use super::{print_json, print_text};
+use super::{print_json, print_text, tell};
 use crate::failure::Failure;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::{Log, read};
@@ -33,7 +33,7 @@ impl Arguments {
 fn log(text: &str) -> Result<Log, Failure> {
     let log = read(&place(text)?, &LoggerFile::default())?;
     if log.skipped > 0 {
-        eprintln!("{text}: {} lines were left out; homebody convert says which", log.skipped);
+        tell(format_args!("{text}: {} lines were left out; homebody convert says which", log.skipped));
     }
     Ok(log)
 }

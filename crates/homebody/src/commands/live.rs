@@ -130,7 +130,8 @@ impl Live<'_> {
         let Lived { recording, stored, took } = lived;
         let stopped = run.now() < run.length();
         let is_replay = !self.recording.sha256.is_empty();
-        let agrees = (is_replay && !stopped).then(|| self.recording.sha256 == recording.sha256);
+        let same = (self.recording.sha256 == recording.sha256) && (self.recording.firings == recording.firings);
+        let agrees = (is_replay && !stopped).then_some(same);
         if self.output.json {
             print_json(&json!({
                 "scenario": self.scenario.file.name,

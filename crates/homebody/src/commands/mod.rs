@@ -1,5 +1,6 @@
 //! The commands, one file each, all in the same shape: the arguments as a struct, with a `run`.
 
+mod answer;
 mod check;
 mod compare;
 mod completions;
@@ -8,13 +9,14 @@ mod coverage;
 mod experiment;
 mod live;
 mod new;
+mod plan;
 mod replay;
 mod run;
 mod schema;
 
 use crate::failure::Failure;
 use clap::Subcommand;
-use std::fs;
+use homebody_log::fresh::FreshFile;
 use std::path::Path;
 
 #[derive(Subcommand)]
@@ -25,6 +27,8 @@ pub enum Command {
     Replay(replay::Arguments),
     /// Report everything that is wrong with a scenario
     Check(check::Arguments),
+    /// Draw the floor plan of a home
+    Plan(plan::Arguments),
     /// Say where in the home the sensors see, with a map
     Coverage(coverage::Arguments),
     /// Compare the firings of two logs
@@ -47,6 +51,7 @@ impl Command {
             Command::Run(arguments) => arguments.run(),
             Command::Replay(arguments) => arguments.run(),
             Command::Check(arguments) => arguments.run(),
+            Command::Plan(arguments) => arguments.run(),
             Command::Coverage(arguments) => arguments.run(),
             Command::Compare(arguments) => arguments.run(),
             Command::Experiment(arguments) => arguments.run(),
@@ -75,16 +80,9 @@ fn print_text(text: &str) -> Result<(), Failure> {
 
 /// Writes a whole file under its name or not at all; one that exists is replaced with `force` only.
 fn write_file(path: &Path, bytes: &[u8], force: bool) -> Result<(), Failure> {
-    if path.exists() && !force {
-        return Err(Failure::Io(format!("{} exists already\n  hint: --force replaces it", path.display())));
-    }
-    let mut part = path.as_os_str().to_owned();
-    part.push(".part");
-    let written = fs::write(&part, bytes).and_then(|()| fs::rename(&part, path));
-    written.map_err(|error| {
-        let _ = fs::remove_file(&part);
-        Failure::io(path, error)
-    })
+    let mut file = FreshFile::create(path, force)?;
+    file.write(bytes)?;
+    Ok(file.finish()?)
 }
 
 /// Tells people something on standard error; that nobody listens there is no error.

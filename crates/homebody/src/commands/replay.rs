@@ -44,9 +44,12 @@ impl Arguments {
             Failure::usage(format!("{} is no recording: {why}\n  hint: homebody run makes one", path.display()))
         };
         let recording: Recording = serde_json::from_str(&text).map_err(|error| wrong(&error))?;
-        match recording.length_us {
-            0..=LONGEST => Ok(recording),
-            _ => Err(wrong(&"a run is at most 100 years long")),
+        if !(0..=LONGEST).contains(&recording.length_us) {
+            return Err(wrong(&"a run is at most 100 years long"));
         }
+        if recording.sha256.is_empty() {
+            return Err(wrong(&"the SHA-256 of its firings is missing"));
+        }
+        Ok(recording)
     }
 }

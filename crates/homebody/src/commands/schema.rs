@@ -1,6 +1,6 @@
 //! `homebody schema`: the JSON Schemas of the scenario files.
 
-use super::tell;
+use super::{tell, write_file};
 use crate::failure::Failure;
 use homebody_core::scenario::schema::schemas;
 use std::fs;
@@ -22,7 +22,8 @@ impl Arguments {
         for (name, schema) in schemas() {
             let path = self.folder.join(name);
             let text = serde_json::to_string_pretty(&schema).map_err(Failure::usage)? + "\n";
-            fs::write(&path, text).map_err(|error| Failure::io(&path, error))?;
+            // Schemas are made, never written by hand: newer ones replace them.
+            write_file(&path, text.as_bytes(), true)?;
             tell(path.display());
         }
         Ok(())

@@ -1,27 +1,27 @@
 //! `homebody experiment godsey2009`.
 
-use super::Output;
+use crate::commands::answer::{Answer, Picture};
 use crate::failure::Failure;
 use homebody_study::godsey2009::Experiment;
 use homebody_study::picture::{Activity, Reference, TotalsLine, firing_chart, totals_chart};
 
 /// One sensor, one person, three paces, two distances: the paper's own experiment.
 #[derive(clap::Args)]
-#[command(after_help = "Example:\n  homebody experiment godsey2009 --json - --svg firings.svg")]
+#[command(after_help = "Example:\n  homebody experiment godsey2009 --json figures.json --svg firings.svg")]
 pub struct Arguments {
     /// The number all randomness comes from
     #[arg(long, default_value_t = 2009)]
     seed: u64,
     #[command(flatten)]
-    output: Output,
+    answer: Answer,
 }
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
+        self.answer.check(&["", "totals"])?;
         let experiment = Experiment::run(self.seed)?;
-        self.output.draw(None, || firings(&experiment))?;
-        self.output.draw(Some("totals"), || totals(&experiment))?;
-        self.output.tell(&experiment)
+        let pictures: [Picture; 2] = [("", &|| firings(&experiment)), ("totals", &|| totals(&experiment))];
+        self.answer.give(&experiment, &pictures)
     }
 }
 

@@ -1,6 +1,6 @@
 //! `homebody experiment sphere`.
 
-use super::Output;
+use crate::commands::answer::Answer;
 use crate::commands::tell;
 use crate::failure::Failure;
 use crate::folder;
@@ -27,11 +27,12 @@ pub struct Arguments {
     #[arg(long, default_value_t = 2016)]
     seed: u64,
     #[command(flatten)]
-    output: Output,
+    answer: Answer,
 }
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
+        self.answer.check(&[""])?;
         let house = match &self.house {
             Some(path) => folder::load(path)?.0,
             None => folder::load_own("sphere-house")?,
@@ -41,8 +42,7 @@ impl Arguments {
             Undone::Problems(problems) => Failure::Problems(problems),
             undone => Failure::usage(undone),
         })?;
-        self.output.draw(None, || picture(&experiment))?;
-        self.output.tell(&experiment)
+        self.answer.give(&experiment, &[("", &|| picture(&experiment))])
     }
 }
 

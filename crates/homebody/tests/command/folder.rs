@@ -1,0 +1,248 @@
+//! A folder of its own for each test, in which the command runs.
+
+use rusqlite::types::Value;
+use rusqlite::{Connection, OpenFlags};
+use sha2::{Digest, Sha256};
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Output, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
+use tempfile::TempDir;
+
+/// The repository.
+pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+
+/// A folder that vanishes with the test.
+pub struct Folder(TempDir);
+
+impl Folder {
+    pub fn new() -> Folder {
+        Folder(tempfile::tempdir().unwrap())
+    }
+
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    pub fn write(&self, name: &str, text: impl AsRef<[u8]>) {
+        let path = self.path(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    }
+
+    pub fn read(&self, name: &str) -> String {
+        fs::read_to_string(self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+    }
+
+    /// Replaces a part of a file's text that is in it once.
+    pub fn edit(&self, name: &str, old: &str, new: &str) {
+        let text = self.read(name);
+        assert_eq!(text.matches(old).count(), 1, "{old:?} must be in {name} once");
+        self.write(name, text.replace(old, new));
+    }
+
+    /// Copies a scenario of the repository into a folder of the same name.
+    pub fn copy_scenario(&self, name: &str) {
+        for entry in fs::read_dir(Path::new(ROOT).join("scenarios").join(name)).unwrap() {
+            let entry = entry.unwrap();
+            self.write(&format!("{name}/{}", entry.file_name().display()), fs::read(entry.path()).unwrap());
+        }
+    }
+
+    /// All files and empty folders, in order.
+    pub fn files(&self) -> Vec<String> {
+        let mut files = Vec::new();
+        self.walk(self.0.path(), &mut files);
+        files.sort();
+        files
+    }
+
+    fn walk(&self, folder: &Path, files: &mut Vec<String>) {
+        let entries: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+        if entries.is_empty() && folder != self.0.path() {
+            files.push(format!("{}/", folder.strip_prefix(self.0.path()).unwrap().display()));
+        }
+        for path in entries {
+            if path.is_dir() {
+                self.walk(&path, files);
+            } else {
+                files.push(path.strip_prefix(self.0.path()).unwrap().display().to_string());
+            }
+        }
+    }
+
+    /// The SHA-256 of a file's bytes; of a database, that of all rows in the order in which they were stored: its
+    /// bytes also count how often it was written to.
+    pub fn sha256(&self, name: &str) -> String {
+        let bytes = fs::read(self.path(name)).unwrap();
+        let bytes = if bytes.starts_with(b"SQLite") { self.dump(name).into_bytes() } else { bytes };
+        Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+    }
+
+    /// All tables of a database with all rows.
+    pub fn dump(&self, name: &str) -> String {
+        let tables = self.query(name, "SELECT name, sql FROM sqlite_schema WHERE type = 'table' ORDER BY name");
+        assert!(!tables.is_empty(), "{name} has no tables");
+        let rows = |table: &String| {
+            let (name_of_table, _) = table.split_once('|').unwrap();
+            format!("{table}\n{}\n", self.query(name, &format!("SELECT * FROM \"{name_of_table}\"")).join("\n"))
+        };
+        tables.iter().map(rows).collect()
+    }
+
+    /// The rows that a query of a database has, as text.
+    pub fn query(&self, name: &str, sql: &str) -> Vec<String> {
+        let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
+        let connection = Connection::open_with_flags(self.path(name), flags).unwrap();
+        connection.busy_timeout(Duration::from_secs(5)).unwrap();
+        let mut statement = connection.prepare(sql).unwrap();
+        let columns = statement.column_count();
+        let row = |row: &rusqlite::Row| {
+            (0..columns).map(|column| row.get(column).map(shown)).collect::<rusqlite::Result<Vec<_>>>()
+        };
+        let rows = statement.query_map([], row).unwrap();
+        rows.map(|row| row.unwrap().join("|")).collect()
+    }
+
+    /// How many rows a log has by now; none before there is a log.
+    pub fn stored_rows(&self, name: &str) -> i64 {
+        let count = || {
+            let connection = Connection::open_with_flags(self.path(name), OpenFlags::SQLITE_OPEN_READ_ONLY)?;
+            connection.query_row("SELECT count(*) FROM firing", [], |row| row.get(0))
+        };
+        count().unwrap_or(0)
+    }
+
+    /// Runs the command with words parted by blanks, to its end.
+    pub fn run(&self, words: &str) -> Done {
+        self.say(words, "")
+    }
+
+    /// Runs the command with something on standard input.
+    pub fn say(&self, words: &str, input: &str) -> Done {
+        let mut running = self.start(words);
+        running.say(input);
+        running.finish()
+    }
+
+    /// Starts the command.
+    pub fn start(&self, words: &str) -> Running {
+        let mut command = self.command(words);
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        Running { words: words.into(), child: command.spawn().unwrap() }
+    }
+
+    /// The command, for tests that start it in their own way.
+    pub fn command(&self, words: &str) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_homebody"));
+        command.args(words.split_whitespace()).current_dir(self.0.path());
+        command
+    }
+
+    /// Waits until something is so.
+    pub fn until(&self, what: &str, is_so: impl Fn(&Folder) -> bool) {
+        let begun = Instant::now();
+        while !is_so(self) {
+            assert!(begun.elapsed() < Duration::from_secs(20), "waited in vain until {what}");
+            thread::sleep(Duration::from_millis(5));
+        }
+    }
+}
+
+fn shown(value: Value) -> String {
+    match value {
+        Value::Null => "NULL".into(),
+        Value::Integer(number) => number.to_string(),
+        Value::Real(number) => number.to_string(),
+        Value::Text(text) => text,
+        Value::Blob(bytes) => format!("{bytes:?}"),
+    }
+}
+
+/// A command that runs.
+pub struct Running {
+    words: String,
+    child: Child,
+}
+
+impl Running {
+    /// Says something on standard input.
+    pub fn say(&mut self, input: &str) {
+        // The command may have ended, or not listen.
+        let _ = self.child.stdin.as_mut().unwrap().write_all(input.as_bytes());
+    }
+
+    pub fn is_alive(&mut self) -> bool {
+        self.child.try_wait().unwrap().is_none()
+    }
+
+    pub fn id(&self) -> u32 {
+        self.child.id()
+    }
+
+    /// Sends a signal by its name, such as INT.
+    pub fn signal(&self, name: &str) {
+        let status = Command::new("sh").args(["-c", &format!("kill -{name} {}", self.child.id())]).status();
+        assert!(status.unwrap().success());
+    }
+
+    /// Kills it, and waits until it is dead.
+    pub fn kill(mut self) {
+        self.child.kill().unwrap();
+        self.child.wait().unwrap();
+    }
+
+    /// Waits for the end while standard input stays open.
+    pub fn finish_listening(mut self) -> Done {
+        let input = self.child.stdin.take();
+        let done = self.finish();
+        drop(input);
+        done
+    }
+
+    /// Ends standard input and waits for the end.
+    pub fn finish(self) -> Done {
+        Done::new(&self.words, self.child.wait_with_output().unwrap())
+    }
+}
+
+/// A command that has ended.
+pub struct Done {
+    words: String,
+    pub code: Option<i32>,
+    pub out: String,
+    pub err: String,
+}
+
+impl Done {
+    pub fn new(words: &str, output: Output) -> Done {
+        let Output { status, stdout, stderr } = output;
+        let [out, err] = [stdout, stderr].map(|bytes| String::from_utf8(bytes).unwrap());
+        assert!(!err.contains("panicked") && status.code() != Some(101), "homebody {words}\n{err}");
+        Done { words: words.into(), code: status.code(), out, err }
+    }
+
+    /// It has done what was asked.
+    pub fn ok(self) -> Done {
+        assert_eq!(self.code, Some(0), "homebody {}\n{}", self.words, self.err);
+        self
+    }
+
+    /// It has failed with this code, said this to people, and nothing to scripts.
+    pub fn fails(self, code: i32, said: &str) -> Done {
+        assert_eq!(self.code, Some(code), "homebody {}\n{}", self.words, self.err);
+        assert!(self.err.contains(said), "homebody {} must say {said:?}, but says\n{}", self.words, self.err);
+        assert_eq!(self.out, "", "homebody {}", self.words);
+        self
+    }
+
+    /// The one JSON object on standard output.
+    pub fn json(&self) -> serde_json::Value {
+        let value: serde_json::Value = serde_json::from_str(&self.out)
+            .unwrap_or_else(|error| panic!("homebody {} prints no one value: {error}\n{}", self.words, self.out));
+        assert!(value.is_object(), "homebody {} prints {value}", self.words);
+        value
+    }
+}

@@ -1,0 +1,10 @@
+//! The command from end to end, as people and scripts use it.
+
+mod flat;
+mod folder;
+
+mod invariants;
+mod replays;
+mod outputs;
+mod trouble;
+mod stops;

@@ -1,0 +1,126 @@
+//! A recording is enough to live a run again, and says so where it is not.
+
+use crate::flat::flat;
+use crate::folder::Folder;
+use serde_json::{Value, json};
+
+/// The flat, recorded.
+fn recorded() -> Folder {
+    let folder = flat();
+    folder.run("run flat --for 10m --quiet --out csv:log.csv --truth truth.db --record recording.json").ok();
+    folder
+}
+
+#[test]
+fn a_recording_replays_to_the_same_bytes() {
+    let folder = recorded();
+    let recording: Value = serde_json::from_str(&folder.read("recording.json")).unwrap();
+    // Keys held by hand are in it.
+    assert!(recording["files"]["bob.keys.json"].as_str().unwrap().contains("held"));
+    // The scenario is needed no more.
+    std::fs::remove_dir_all(folder.path("flat")).unwrap();
+    let done = folder.run("replay recording.json --json --out csv:again.csv --truth again.db").ok();
+    assert_eq!(folder.sha256("again.csv"), folder.sha256("log.csv"));
+    assert_eq!(folder.sha256("again.db"), folder.sha256("truth.db"));
+    let json = done.json();
+    assert_eq!((&json["agrees_with_recording"], &json["sha256"]), (&json!(true), &recording["sha256"]));
+    assert!(json["firings"].as_u64().unwrap() > 500, "{json}");
+
+    // At a pace, too, and into other forms.
+    folder.run("replay recording.json --quiet --speed 1000 --out casas:again.txt --out sqlite:log2.db").ok();
+    let rows = folder.query("log2.db", "SELECT seq || ',' || fired_at || ',' || sensor || ',' || value FROM firing");
+    assert_eq!(rows, folder.read("log.csv").lines().skip(1).collect::<Vec<_>>());
+}
+
+#[test]
+fn a_stopped_run_replays_as_far_as_it_came() {
+    let folder = flat();
+    let words = "run flat --control --paused --quiet --out csv:log.csv --record recording.json";
+    folder.say(words, "step 33.3\nstop\n").ok();
+    let json = folder.run("replay recording.json --json --out csv:again.csv").ok().json();
+    assert_eq!((&json["agrees_with_recording"], &json["simulated_s"]), (&json!(true), &json!(33.3)));
+    assert_eq!(folder.sha256("again.csv"), folder.sha256("log.csv"));
+}
+
+#[test]
+fn a_replay_goes_into_a_new_folder_too() {
+    let folder = recorded();
+    folder.run("replay recording.json").ok();
+    for name in ["log.db", "truth.db", "recording.json"] {
+        assert!(folder.path("runs/flat-1").join(name).is_file(), "{name}");
+    }
+    assert_eq!(folder.sha256("runs/flat-1/truth.db"), folder.sha256("truth.db"));
+}
+
+#[test]
+fn a_changed_recording_is_refused() {
+    let folder = recorded();
+    let recording: Value = serde_json::from_str(&folder.read("recording.json")).unwrap();
+    let file = |name: &str, old: &str, new: &str| {
+        let text = recording["files"][name].as_str().unwrap();
+        assert!(text.contains(old), "{old:?} must be in {name}");
+        json!(text.replacen(old, new, 1))
+    };
+    let cases: [(&str, Value, &str); 14] = [
+        // It can be lived, but another life comes out.
+        ("/seed", json!(8), "the replay differs from the recording"),
+        ("/length_us", json!(300_000_000), "the replay differs from the recording"),
+        ("/sha256", json!("0".repeat(64)), "the replay differs from the recording"),
+        ("/firings", json!(1), "the replay differs from the recording"),
+        ("/files/ann.json", file("ann.json", "0.8", "0.81"), "the replay differs from the recording"),
+        ("/files/bob.keys.json", file("bob.keys.json", "right", "down"), "the replay differs from the recording"),
+        ("/files/home.json", file("home.json", "0.05, 1.5", "0.05, 1.0"), "the replay differs from the recording"),
+        // It cannot be lived.
+        ("/sha256", json!(""), "is no recording"),
+        ("/length_us", json!(-1), "is no recording"),
+        ("/length_us", json!(i64::MAX), "a run is at most 100 years long"),
+        ("/seed", json!("seven"), "is no recording"),
+        ("/entry", json!("other.json"), "other.json: cannot be read: there is no such file"),
+        ("/files/home.json", json!("{"), "home.json:1:"),
+        ("/files", json!({}), "scenario.json: cannot be read"),
+    ];
+    for (pointer, value, said) in cases {
+        let mut changed = recording.clone();
+        let what = format!("{pointer} {value}");
+        *changed.pointer_mut(pointer).unwrap_or_else(|| panic!("no {pointer}")) = value;
+        folder.write("changed.json", changed.to_string());
+        let done = folder.run("replay changed.json --quiet --force --out csv:changed.csv");
+        assert_eq!(done.code, Some(2), "{what}: {}", done.err);
+        done.fails(2, said);
+    }
+    let text = folder.read("recording.json");
+    for (text, said) in [
+        (&text[..text.len() / 2], "is no recording"),
+        ("", "is no recording"),
+        ("[]", "is no recording"),
+        (&text.replacen('{', "{ \"other\": 1,", 1), "unknown field `other`"),
+    ] {
+        folder.write("changed.json", text);
+        folder.run("replay changed.json --quiet --out csv:none.csv").fails(2, said);
+    }
+    assert!(!folder.path("none.csv").exists());
+}
+
+#[test]
+fn a_recording_of_another_version_says_so() {
+    let folder = recorded();
+    let mut recording: Value = serde_json::from_str(&folder.read("recording.json")).unwrap();
+    recording["version"] = json!("0.0.1");
+    folder.write("old.json", recording.to_string());
+    // The same firings are the same, whoever recorded them.
+    folder.run("replay old.json --quiet --out csv:old.csv").ok();
+    recording["seed"] = json!(8);
+    folder.write("old.json", recording.to_string());
+    folder.run("replay old.json --quiet --force --out csv:old.csv").fails(2, "which version 0.0.1 made");
+}
+
+#[test]
+fn what_is_no_file_of_a_recording_is_told_apart() {
+    let folder = flat();
+    folder.run("replay nothing.json").fails(1, "there is no such recording\n  hint: homebody run makes one");
+    folder.run("replay flat").fails(1, "it is a folder\n  hint: name the recording.json in it");
+    folder.write("noise", [0xff, 0xfe, 0x00]);
+    folder.run("replay noise").fails(1, "noise: ");
+    folder.run("replay flat/scenario.json").fails(2, "is no recording");
+    assert!(!folder.path("runs").exists());
+}

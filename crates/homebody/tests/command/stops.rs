@@ -1,0 +1,166 @@
+//! Runs that are ended from outside, and what they leave; and how much memory they take.
+
+use crate::flat::flat;
+use crate::folder::Folder;
+use rusqlite::Connection;
+use std::fs::{self, File};
+use std::process::Command;
+use std::thread;
+use std::time::Duration;
+
+/// The rows of a database's log, as lines of a CSV file.
+fn rows(folder: &Folder, name: &str) -> Vec<String> {
+    folder.query(name, "SELECT seq || ',' || fired_at || ',' || sensor || ',' || value FROM firing ORDER BY seq")
+}
+
+/// The same rows, of a run that nobody stopped.
+fn undisturbed(folder: &Folder, span: &str) -> Vec<String> {
+    folder.run(&format!("run flat --for {span} --quiet --force --out csv:undisturbed.csv")).ok();
+    folder.read("undisturbed.csv").lines().skip(1).map(String::from).collect()
+}
+
+/// Kills a run some milliseconds after it has stored something; what it leaves is a beginning of the whole.
+fn killed(speed: &str, span: &str, after_ms: u64, whole: &[String]) {
+    let folder = flat();
+    let words = format!("run flat --for {span} --speed {speed} --out sqlite:log.db --truth truth.db");
+    let mut running = folder.start(&format!("{words} --out csv:log.csv --record r.json"));
+    folder.until("something is stored", |folder| folder.stored_rows("log.db") > 0);
+    thread::sleep(Duration::from_millis(after_ms));
+    assert!(running.is_alive(), "the run is too short");
+    running.kill();
+
+    assert!(!folder.path("log.csv").exists() && !folder.path("r.json").exists(), "only what is whole has its name");
+    // Our own readers take what is there, before anything else has put it in order.
+    folder.run("convert log.db --to csv:converted.csv").ok();
+    assert_eq!(folder.query("log.db", "PRAGMA integrity_check"), ["ok"]);
+    assert_eq!(folder.query("truth.db", "PRAGMA integrity_check"), ["ok"]);
+    let stored = rows(&folder, "log.db");
+    assert!(!stored.is_empty());
+    // Neither gaps nor doubles.
+    let numbers = folder.query("log.db", "SELECT count(DISTINCT seq), min(seq), max(seq) + 1 FROM firing");
+    assert_eq!(numbers, [format!("{0}|0|{0}", stored.len())]);
+    let known = stored.len().min(whole.len());
+    assert!(stored[..known] == whole[..known], "the rows are the first of the whole");
+    assert_eq!(folder.query("log.db", "SELECT ended_at FROM run"), ["NULL"]);
+    assert_eq!(folder.read("converted.csv").lines().count() - 1, stored.len());
+
+    // What is left is not overwritten unasked, and nothing of it shows in what replaces it.
+    folder.run("run flat --for 5m --out sqlite:log.db").fails(1, "log.db exists already");
+    assert_eq!(rows(&folder, "log.db"), stored);
+    folder.run("run flat --for 5m --quiet --force --out sqlite:log.db --truth truth.db").ok();
+    let again = rows(&folder, "log.db");
+    assert!(again == whole[..again.len()] && folder.query("log.db", "SELECT ended_at FROM run") != ["NULL"]);
+}
+
+#[test]
+fn a_killed_live_run_leaves_a_beginning() {
+    let folder = flat();
+    let whole = undisturbed(&folder, "20m");
+    thread::scope(|scope| {
+        for after_ms in [0, 450, 1300] {
+            let whole = &whole;
+            scope.spawn(move || killed("100", "20m", after_ms, whole));
+        }
+    });
+}
+
+#[test]
+fn a_killed_fast_run_leaves_a_beginning() {
+    let folder = flat();
+    let whole = undisturbed(&folder, "30d");
+    for after_ms in [0, 80, 210] {
+        killed("max", "1000d", after_ms, &whole);
+    }
+}
+
+#[test]
+fn an_interrupted_run_ends_well() {
+    let folder = flat();
+    let whole = undisturbed(&folder, "20m");
+    for (signal, speed, more) in [("INT", "50", ""), ("TERM", "100", ""), ("INT", "1", "--control --paused")] {
+        let words = "--out sqlite:log.db --out csv:log.csv --truth truth.db --record r.json --force";
+        let _ = fs::remove_file(folder.path("log.db"));
+        let mut running = folder.start(&format!("run flat --for 20m --speed {speed} {words} {more}"));
+        folder.until("the log is open", |folder| folder.path("truth.db").exists());
+        thread::sleep(Duration::from_millis(300));
+        assert!(running.is_alive());
+        running.signal(signal);
+        let done = running.finish_listening().ok();
+        assert!(done.out.starts_with("flat: stopped after "), "{}", done.out);
+        assert!(done.out.contains("of 20 minutes"), "{}", done.out);
+
+        let stored = rows(&folder, "log.db");
+        assert!(stored == whole[..stored.len()] && stored.is_empty() == !more.is_empty(), "{} rows", stored.len());
+        assert_eq!(folder.read("log.csv").lines().skip(1).collect::<Vec<_>>(), stored);
+        // The log is complete up to where the run was stopped: nothing came between its last row and that.
+        let ended = folder.query("log.db", "SELECT ended_at FROM run").concat();
+        assert!(whole[stored.len()].split(',').nth(1).unwrap() >= ended.as_str(), "{ended}");
+        assert_eq!(folder.query("truth.db", "SELECT ended_at FROM run").concat(), ended);
+        let left = folder.files().into_iter().filter(|name| !name.starts_with("flat/"));
+        assert_eq!(left.collect::<Vec<_>>(), ["log.csv", "log.db", "r.json", "truth.db", "undisturbed.csv"]);
+        // And it can be lived again.
+        let again = folder.run("replay r.json --json --force --out csv:again.csv").ok().json();
+        assert_eq!(again["agrees_with_recording"].as_bool(), Some(true));
+        assert_eq!(folder.sha256("again.csv"), folder.sha256("log.csv"));
+        fs::remove_file(folder.path("again.csv")).unwrap();
+    }
+}
+
+#[test]
+fn a_second_interrupt_ends_at_once() {
+    let folder = flat();
+    assert!(Command::new("mkfifo").arg(folder.path("pipe")).status().unwrap().success());
+    let mut running = folder.start("run flat --for 5000w --quiet --out csv:pipe");
+    // Somebody who opens the pipe, but never reads: the run fills it, then waits.
+    let reader = File::open(folder.path("pipe")).unwrap();
+    thread::sleep(Duration::from_millis(200));
+    running.signal("INT");
+    thread::sleep(Duration::from_millis(100));
+    assert!(running.is_alive(), "the first interrupt waits until what there is has been written");
+    running.signal("INT");
+    assert_eq!(running.finish_listening().code, Some(130));
+    drop(reader);
+}
+
+#[test]
+fn somebody_may_look_at_a_live_run() {
+    let folder = flat();
+    let running = folder.start("run flat --for 5m --speed 100 --quiet --out sqlite:log.db");
+    folder.until("there are rows", |folder| folder.stored_rows("log.db") > 0);
+    let watcher = Connection::open(folder.path("log.db")).unwrap();
+    watcher.busy_timeout(Duration::from_secs(5)).unwrap();
+    watcher.execute_batch("BEGIN; SELECT count(*) FROM firing").unwrap();
+    // The watcher holds on to what it sees, and is in nobody's way.
+    running.finish().ok();
+    watcher.execute_batch("COMMIT").unwrap();
+    drop(watcher);
+    assert_eq!(rows(&folder, "log.db"), undisturbed(&folder, "5m"));
+}
+
+/// The most memory that a run had in use, in KiB.
+fn peak_kib(folder: &Folder, span: &str) -> u64 {
+    let out = format!("--out sqlite:{span}.db --out csv:{span}.csv --out casas:{span}.txt --truth {span}-truth.db");
+    let mut running = folder.start(&format!("run tigerplace --for {span} --quiet {out}"));
+    let status = format!("/proc/{}/status", running.id());
+    let mut peak = 0;
+    while running.is_alive() {
+        let status = fs::read_to_string(&status).unwrap_or_default();
+        let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+        peak = line.map_or(peak, |line| line.trim().trim_end_matches(" kB").parse().unwrap());
+        thread::sleep(Duration::from_millis(2));
+    }
+    running.finish().ok();
+    peak
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn memory_does_not_grow_with_the_span() {
+    let folder = Folder::new();
+    folder.copy_scenario("tigerplace");
+    let (short, long) = (peak_kib(&folder, "30d"), peak_kib(&folder, "300d"));
+    assert!(short > 1024 && long < 64 * 1024, "{short} KiB, then {long} KiB");
+    assert!(long as f64 <= 1.2 * short as f64, "{short} KiB, then {long} KiB");
+    let bytes = |name: &str| fs::metadata(folder.path(name)).unwrap().len();
+    assert!(bytes("300d.db") > 9 * bytes("30d.db"), "the long run is the longer");
+}

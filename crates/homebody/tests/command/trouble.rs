@@ -1,0 +1,171 @@
+//! Files that cannot be written: the command says which and why, and leaves nothing half done.
+
+use crate::flat::flat;
+use crate::folder::{Done, Folder};
+use rusqlite::Connection;
+use std::fs::{self, Permissions};
+use std::os::unix::fs::PermissionsExt;
+use std::process::Command;
+
+const SCHEMES: [&str; 3] = ["sqlite", "csv", "casas"];
+
+#[test]
+fn a_place_that_cannot_be_is_told_before_the_run() {
+    let folder = flat();
+    folder.write("file", "precious");
+    let given = folder.files();
+    for scheme in SCHEMES {
+        for (place, code, said) in [
+            ("none/log", 1, "the folder of none/log does not exist\n  hint: create it, or correct the path"),
+            ("file/log", 1, "the folder of file/log does not exist"),
+            ("flat", 1, "flat is a folder\n  hint: name a file in it"),
+            ("new", 2, "two outputs have the same file, ./new"),
+        ] {
+            let also = if place == "new" { "--record ./new" } else { "--record new" };
+            // A century, had it begun.
+            let words = format!("run flat --for 5000w --out {scheme}:{place} {also} --force");
+            folder.run(&words).fails(code, said);
+            assert_eq!(folder.files(), given, "{words}");
+        }
+    }
+    for (words, said) in [
+        ("--out csv:a.csv --truth none/truth.db", "the folder of none/truth.db does not exist"),
+        ("--out csv:a.csv --record none/r.json", "the folder of none/r.json does not exist"),
+        ("--out csv:a.csv --truth flat", "flat is a folder"),
+        ("--truth none/truth.db", "the folder of none/truth.db does not exist"),
+    ] {
+        folder.run(&format!("run flat --for 5000w {words}")).fails(1, said);
+        assert_eq!(folder.files(), given, "{words}");
+    }
+    folder.run("coverage flat --svg map.svg --json none/a.json").fails(1, "the folder of none/a.json does not exist");
+    folder.run("new none/home").ok();
+    folder.run("new file/home").fails(1, "file/home");
+    folder.run("schema file").fails(1, "file: ");
+    folder.run("convert file --to csv:none2/log").fails(1, "file cannot be read as a log");
+    assert_eq!(folder.read("file"), "precious");
+}
+
+#[test]
+fn without_a_folder_for_runs_there_is_no_run() {
+    let folder = flat();
+    folder.write("runs", "a file");
+    folder.run("run flat --for 5000w").fails(1, "--out writes elsewhere");
+    assert_eq!(folder.read("runs"), "a file");
+}
+
+#[test]
+fn a_folder_that_may_not_be_written_says_so() {
+    let folder = flat();
+    fs::create_dir(folder.path("closed")).unwrap();
+    fs::set_permissions(folder.path("closed"), Permissions::from_mode(0o555)).unwrap();
+    let may_all = fs::write(folder.path("closed/probe"), "").is_ok();
+    // Nobody may make a file here, not even who may all.
+    let (place, said) = if may_all { ("/proc", "/proc/log") } else { ("closed", "closed/log may not be written") };
+    for scheme in SCHEMES {
+        folder.run(&format!("run flat --for 1m --out {scheme}:{place}/log")).fails(1, said);
+    }
+    folder.run(&format!("run flat --for 1m --out csv:log.csv --truth {place}/log")).fails(1, said);
+    folder.run(&format!("run flat --for 1m --out csv:log.csv --record {place}/log")).fails(1, said);
+    folder.run(&format!("coverage flat --svg {place}/log")).fails(1, said);
+    folder.run(&format!("new {place}/log")).fails(1, &format!("{place}/log"));
+    fs::set_permissions(folder.path("closed"), Permissions::from_mode(0o755)).unwrap();
+    assert!(!folder.files().contains(&"log.csv".into()));
+}
+
+/// Runs the command where no file can grow beyond so many KiB.
+fn cramped(folder: &Folder, kib: u32, words: &str) -> Done {
+    let limit = format!("trap '' XFSZ; ulimit -f {kib}; exec \"$0\" \"$@\"");
+    let mut command = Command::new("bash");
+    command.args(["-c", &limit, env!("CARGO_BIN_EXE_homebody")]).args(words.split_whitespace());
+    Done::new(words, command.current_dir(folder.path("")).output().unwrap())
+}
+
+#[test]
+fn where_no_room_is_left_nothing_is_half_written() {
+    let folder = flat();
+    folder.run("run flat --quiet --for 1h --out csv:given.csv").ok();
+    let given = folder.files();
+    for (kib, words, said) in [
+        (64, "run flat --for 10d --out sqlite:log.db", "log.db: "),
+        (64, "run flat --for 10d --out csv:log.csv", "log.csv: "),
+        (64, "run flat --for 10d --out casas:log.txt", "log.txt: "),
+        (64, "run flat --for 10d --out csv:log.csv --out sqlite:log.db --truth truth.db --record r.json", "error: "),
+        (64, "run flat --for 10d", "runs/flat-1/"),
+        (4, "coverage flat --svg map.svg", "map.svg: "),
+        (4, "coverage flat --png map.png", "map.png: "),
+        (1, "coverage flat --json figures.json", "figures.json: "),
+        (4, "convert given.csv --to sqlite:log.db", "log.db: "),
+        (4, "convert given.csv --to csv:log.csv", "log.csv: "),
+        (4, "new home", "home/"),
+    ] {
+        cramped(&folder, kib, words).fails(1, said);
+        let left: Vec<String> = folder.files().into_iter().filter(|name| !given.contains(name)).collect();
+        assert!(left.is_empty(), "homebody {words} leaves {left:?}");
+    }
+    // A schema is whole or not there.
+    cramped(&folder, 4, "schema schemas").fails(1, "schemas/");
+    for name in folder.files().into_iter().filter(|name| name.starts_with("schemas/") && !name.ends_with('/')) {
+        let schema: serde_json::Value = serde_json::from_str(&folder.read(&name)).unwrap();
+        assert!(schema["$schema"].is_string(), "{name}");
+    }
+    // A log that is whole stays, though the recording found no room.
+    cramped(&folder, 1, "run flat --for 1s --out casas:log.txt --record r.json").fails(1, "r.json: ");
+    assert_eq!(folder.read("log.txt").lines().last().unwrap().split('\t').count(), 3);
+    assert!(!folder.files().iter().any(|name| name.starts_with("r.json")), "{:?}", folder.files());
+    // Given room, all of it can be done.
+    cramped(&folder, 100_000, "run flat --for 1h --out sqlite:log.db --truth truth.db --record r.json --quiet").ok();
+}
+
+#[test]
+fn what_was_replaced_in_vain_is_still_there() {
+    let folder = flat();
+    folder.write("log.csv", "precious");
+    folder.write("map.svg", "precious");
+    cramped(&folder, 4, "run flat --for 1h --out csv:log.csv --force").fails(1, "log.csv: ");
+    cramped(&folder, 4, "coverage flat --svg map.svg --force").fails(1, "map.svg: ");
+    assert_eq!((folder.read("log.csv"), folder.read("map.svg")), ("precious".into(), "precious".into()));
+}
+
+#[test]
+fn one_full_device_ends_the_run() {
+    let folder = flat();
+    let given = folder.files();
+    for scheme in ["csv", "casas"] {
+        let words = format!("run flat --for 5000w --out {scheme}:/dev/full --out csv:log.csv --record r.json");
+        folder.run(&words).fails(1, "no space is left for /dev/full");
+        assert_eq!(folder.files(), given);
+    }
+    folder.run("run flat --for 1s --out sqlite:/dev/full").fails(1, "no file that a database can be in");
+}
+
+#[test]
+fn a_database_in_use_is_left_alone() {
+    let folder = flat();
+    folder.run("run flat --for 1m --quiet --out sqlite:log.db").ok();
+    let before = fs::read(folder.path("log.db")).unwrap();
+    let files = folder.files();
+    let user = Connection::open(folder.path("log.db")).unwrap();
+    user.execute_batch("BEGIN IMMEDIATE").unwrap();
+    let said = "log.db is locked by another program\n  hint: close that program, or write to another file";
+    folder.run("run flat --for 2m --quiet --out sqlite:log.db --force").fails(1, said);
+    user.execute_batch("ROLLBACK").unwrap();
+    drop(user);
+    assert!(fs::read(folder.path("log.db")).unwrap() == before, "not a byte has changed");
+    assert_eq!(folder.files(), files);
+    folder.run("run flat --for 2m --quiet --out sqlite:log.db --force").ok();
+}
+
+#[test]
+fn a_database_locked_midway_keeps_what_was_stored() {
+    let folder = flat();
+    let running = folder.start("run flat --speed 20 --out sqlite:log.db --out csv:log.csv");
+    folder.until("there are rows", |folder| folder.stored_rows("log.db") > 0);
+    let user = Connection::open(folder.path("log.db")).unwrap();
+    user.busy_timeout(std::time::Duration::from_secs(5)).unwrap();
+    user.execute_batch("BEGIN IMMEDIATE").unwrap();
+    running.finish().fails(1, "log.db is locked by another program");
+    user.execute_batch("ROLLBACK").unwrap();
+    drop(user);
+    assert!(folder.stored_rows("log.db") > 0);
+    assert!(!folder.files().iter().any(|name| name.contains("csv")), "{:?}", folder.files());
+}
