@@ -19,6 +19,7 @@ pub mod sensors;
 /// Movement: strides, who decides on them, the world they happen in.
 pub mod stride;
 pub mod event;
+mod timers;
 pub mod drivers;
 pub mod world;
 pub mod run;

@@ -16,12 +16,12 @@ use crate::home::field::{Cell, Field, Mask, bits};
 use crate::random::Stream;
 use crate::scenario::path::Posture;
 use crate::sensors::motion::{Level, Motion};
-use crate::sensors::timers::Timers;
 use crate::sensors::timing::{Due, Machine, Seen};
 use crate::sensors::zones::Pulses;
 use crate::sensors::{Kind, Sensor};
 use crate::stride::Stride;
 use crate::time::Micros;
+use crate::timers::Timers;
 use std::sync::Arc;
 
 /// The bodies and the sensors of a home at an instant.

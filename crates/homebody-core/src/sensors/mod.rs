@@ -2,7 +2,6 @@
 
 pub mod ceiling_motion;
 pub mod motion;
-pub mod timers;
 pub mod timing;
 pub mod zones;
 

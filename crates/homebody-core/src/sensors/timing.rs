@@ -14,10 +14,10 @@
 //! Left out: warming up after power is switched on, waits that depend on temperature or battery, and what
 //! becomes of a message on its way to the logger.
 
-use super::timers::NEVER;
 use crate::random::{Range, Stream};
 use crate::scenario::home::Timing as TimingFile;
 use crate::time::{Micros, micros};
+use crate::timers::NEVER;
 
 /// The numbers of the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

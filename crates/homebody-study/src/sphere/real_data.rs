@@ -1,4 +1,4 @@
-//! The recordings themselves, where they are at hand beside the repository; they are not part of it.
+//! The recordings themselves, where HOMEBODY_DATA names the folder that holds them; they are not part of the repository.
 
 use super::*;
 use homebody_core::geometry::{Point, point};
@@ -11,13 +11,13 @@ fn repository() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// The recordings; says so and gives none where they are absent.
+/// The recordings; says so and gives none where nobody says where they are.
 fn recordings() -> Vec<AnnotatedRun> {
-    let folder = repository().join("../shared/data/sphere_challenge/train");
-    let Ok(entries) = fs::read_dir(&folder) else {
-        eprintln!("skipped: the SPHERE recordings are not in {}", folder.display());
+    let Some(data) = std::env::var_os("HOMEBODY_DATA").map(PathBuf::from) else {
+        eprintln!("skipped: HOMEBODY_DATA does not name a folder that holds sphere_challenge");
         return Vec::new();
     };
+    let entries = fs::read_dir(data.join("sphere_challenge/train")).unwrap();
     let mut folders: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
     folders.sort();
     let read = |folder: &PathBuf, name: &str| fs::read_to_string(folder.join(name));

@@ -90,7 +90,7 @@ fn an_interrupted_run_ends_well() {
         assert!(done.out.contains("of 20 minutes"), "{}", done.out);
 
         let stored = rows(&folder, "log.db");
-        assert!(stored == whole[..stored.len()] && stored.is_empty() == !more.is_empty(), "{} rows", stored.len());
+        assert!(stored == whole[..stored.len()] && stored.is_empty() != more.is_empty(), "{} rows", stored.len());
         assert_eq!(folder.read("log.csv").lines().skip(1).collect::<Vec<_>>(), stored);
         // The log is complete up to where the run was stopped: nothing came between its last row and that.
         let ended = folder.query("log.db", "SELECT ended_at FROM run").concat();
