@@ -3,8 +3,12 @@
 mod flat;
 mod folder;
 
+mod beginnings;
 mod invariants;
 mod replays;
 mod outputs;
 mod trouble;
 mod stops;
+mod bad_input;
+mod logs;
+mod figures;

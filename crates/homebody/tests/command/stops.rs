@@ -67,7 +67,7 @@ fn a_killed_live_run_leaves_a_beginning() {
 #[test]
 fn a_killed_fast_run_leaves_a_beginning() {
     let folder = flat();
-    let whole = undisturbed(&folder, "30d");
+    let whole = undisturbed(&folder, "2d");
     for after_ms in [0, 80, 210] {
         killed("max", "1000d", after_ms, &whole);
     }

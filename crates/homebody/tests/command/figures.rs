@@ -1,0 +1,76 @@
+//! What the command finds out about homes and sensors, as figures and as pictures.
+
+use crate::flat::flat;
+use crate::folder::{Folder, ROOT};
+use serde_json::{Value, json};
+
+#[test]
+fn coverage_is_told_and_drawn() {
+    let folder = flat();
+    let done = folder.run("coverage flat --json figures.json --svg map.svg --png map.png --width 400").ok();
+    assert!(done.out.contains("kitchen") && done.out.contains("study"), "{}", done.out);
+    let figures: Value = serde_json::from_str(&folder.read("figures.json")).unwrap();
+    assert_eq!(figures, folder.run("coverage flat --json").ok().json());
+    let names = |key: &str| {
+        let all = figures[key].as_array().unwrap();
+        all.iter().map(|one| one["name"].as_str().unwrap().to_string()).collect::<Vec<_>>()
+    };
+    assert_eq!(names("rooms"), ["kitchen", "bedroom", "study"]);
+    assert_eq!(names("sensors"), ["KitchenWall", "KitchenFloor", "BedroomWall", "BedroomFloor", "StudyFloor"]);
+    for floor in figures["rooms"].as_array().unwrap().iter().chain([&figures["whole"]]) {
+        let shares: f64 = floor["seen_by"].as_object().unwrap().values().map(|share| share.as_f64().unwrap()).sum();
+        assert!((shares - 1.0).abs() < 1e-9 && floor["floor_m2"].as_f64().unwrap() > 5.0, "{floor}");
+    }
+    assert!(folder.read("map.svg").starts_with("<svg"));
+    let png = std::fs::read(folder.path("map.png")).unwrap();
+    // The width is in the header's first chunk.
+    assert!(png.starts_with(b"\x89PNG") && png[16..20] == 400_u32.to_be_bytes());
+
+    // Where a sensor is taken away, its floor goes dark.
+    folder.edit(
+        "flat/home.json",
+        "\"name\": \"StudyFloor\", \"kind\"",
+        "\"name\": \"Study\", \"reach_m\": 0, \"kind\"",
+    );
+    folder.run("coverage flat").fails(2, "\"reach_m\"");
+}
+
+#[test]
+fn the_shipped_homes_are_covered() {
+    let folder = Folder::new();
+    for (name, rooms, sensors) in [("tigerplace", 6, 16), ("sphere-house", 9, 9)] {
+        let json = folder.run(&format!("coverage {ROOT}/scenarios/{name} --json")).ok().json();
+        let count = |key: &str| json[key].as_array().unwrap().len();
+        assert!(
+            count("rooms") >= rooms && count("sensors") >= sensors.min(8),
+            "{name}: {} rooms, {} sensors",
+            count("rooms"),
+            count("sensors")
+        );
+        assert!(json["whole"]["seen_by"]["none"].as_f64().unwrap() < 0.5, "{name}");
+    }
+}
+
+#[test]
+fn the_papers_experiment_loses_nothing_at_any_speed() {
+    let folder = Folder::new();
+    let done = folder.run("experiment godsey2009 --json --svg figure.svg").ok();
+    let json = done.json();
+    let activities = json["activities"].as_array().unwrap();
+    let of = |key: &str| activities.iter().map(|activity| activity[key].as_f64().unwrap()).collect::<Vec<_>>();
+    assert_eq!(of("distance_m"), [1.524, 3.048, 1.524, 3.048, 1.524, 3.048]);
+    assert_eq!(of("speed_mps"), [0.5, 0.5, 1.0, 1.0, 2.0, 2.0]);
+    let firings: f64 = of("firings").iter().sum();
+    assert_eq!(json["firings"].as_f64(), Some(firings));
+    // The paper counted 230 in the real room.
+    assert_eq!(json["published"]["firings"], json!(230));
+    let agreement = 1.0 - (firings - 230.0).abs() / 230.0;
+    assert!((json["agreement"].as_f64().unwrap() - agreement).abs() < 1e-9 && agreement > 0.9, "{agreement}");
+    let speeds = json["speeds"].as_array().unwrap();
+    let speeds_of = |key: &str| speeds.iter().map(|speed| speed[key].as_u64().unwrap()).collect::<Vec<_>>();
+    assert_eq!(speeds_of("speed"), [1, 5, 10, 50, 100]);
+    assert!(speeds_of("lost").iter().chain(&speeds_of("gained")).all(|&count| count == 0), "{speeds:?}");
+    // The paper's own loop does not manage that.
+    assert!(speeds_of("paper_loop_lost").iter().chain(&speeds_of("paper_loop_gained")).any(|&count| count > 0));
+    assert!(folder.read("figure.svg").starts_with("<svg") && folder.read("figure.totals.svg").starts_with("<svg"));
+}
