@@ -26,13 +26,16 @@ fn coverage_is_told_and_drawn() {
     // The width is in the header's first chunk.
     assert!(png.starts_with(b"\x89PNG") && png[16..20] == 400_u32.to_be_bytes());
 
-    // Where a sensor is taken away, its floor goes dark.
+    // With its sensor moved out of it, the study goes dark.
+    assert!(figures["rooms"][2]["seen_by"]["none"].as_f64().unwrap() < 0.5);
     folder.edit(
         "flat/home.json",
-        "\"name\": \"StudyFloor\", \"kind\"",
-        "\"name\": \"Study\", \"reach_m\": 0, \"kind\"",
+        "[[8.5, 0.5], [10.5, 0.5], [10.5, 2.5], [8.5, 2.5]]",
+        "[[6.5, 0.5], [7.5, 0.5], [7.5, 2.5], [6.5, 2.5]]",
     );
-    folder.run("coverage flat").fails(2, "\"reach_m\"");
+    let dark = folder.run("coverage flat --json").ok().json();
+    assert_eq!(dark["rooms"][2]["seen_by"]["none"], json!(1.0));
+    assert_eq!(dark["dead_zones"][0]["room"], json!("study"));
 }
 
 #[test]
@@ -41,13 +44,8 @@ fn the_shipped_homes_are_covered() {
     for (name, rooms, sensors) in [("tigerplace", 6, 16), ("sphere-house", 9, 9)] {
         let json = folder.run(&format!("coverage {ROOT}/scenarios/{name} --json")).ok().json();
         let count = |key: &str| json[key].as_array().unwrap().len();
-        assert!(
-            count("rooms") >= rooms && count("sensors") >= sensors.min(8),
-            "{name}: {} rooms, {} sensors",
-            count("rooms"),
-            count("sensors")
-        );
-        assert!(json["whole"]["seen_by"]["none"].as_f64().unwrap() < 0.5, "{name}");
+        assert_eq!((count("rooms"), count("sensors")), (rooms, sensors), "{name}");
+        assert!(json["whole"]["seen_by"]["none"].as_f64().unwrap() < 0.1, "{name}");
     }
 }
 

@@ -1,4 +1,5 @@
 //! The command from end to end, as people and scripts use it.
+#![cfg(unix)]
 
 mod flat;
 mod folder;
