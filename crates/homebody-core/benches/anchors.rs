@@ -1,45 +1,247 @@
-//! The anchors: how fast the kernel is beside the paper's loop, a brute-force loop and a bare database,
-//! each ratio from alternating rounds of one run.
+//! The anchors: how fast the kernel is beside the paper's loop (P), a brute-force loop without a physics engine
+//! (R) and a bare loop of inserts, and what a step of live physics costs.
+//!
+//! Both sides of a ratio take turns in one run, so that a noisy machine disturbs both. The loops are too slow for
+//! whole days: they live excerpts spread evenly over the same schedule, and are timed per simulated second.
+//!
+//! Ends with one line per figure: `RATIO <name> <median> <min>..<max>` and `LIVE step_us <median>`.
 
 #![allow(
     clippy::disallowed_methods,
     clippy::disallowed_types,
-    reason = "a benchmark reads the clock; the core may not"
+    reason = "a benchmark reads the clock and writes files; the core may not"
 )]
 
 mod scene;
 
-use homebody_core::event::Events;
+use homebody_core::drivers::live::{KeyTrack, LiveDriver};
+use homebody_core::drivers::{Driver, Move};
+use homebody_core::event::{Doing, Events};
+use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
-use homebody_core::time::SECOND;
+use homebody_core::naive::brute::BruteEye;
+use homebody_core::naive::paper::PaperEye;
+use homebody_core::naive::{Eye, Loop, Player, Remainder};
+use homebody_core::run::Run;
+use homebody_core::scenario::calendar::Calendar;
+use homebody_core::scenario::input::{InputFile, Key, KeysFile};
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, SECOND, seconds};
 use homebody_core::world::World;
+use homebody_log::{Logger, RunInfo, Url};
+use rusqlite::{Connection, params};
+use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
+const ROUNDS: usize = 7;
+const DAY: Micros = 86_400 * SECOND;
+/// How often a run into a database hands over what it has.
+const STEP: Micros = 3600 * SECOND;
+/// So many excerpts, each so long, are a round of a loop.
+const EXCERPTS: usize = 40;
+const EXCERPT: Micros = SECOND / 2;
+
 fn main() {
+    let build = Build { radius_m: 0.22, height_m: 1.65 };
     let start = Instant::now();
-    let home = Arc::new(Home::bake(&scene::home(), &[Build { radius_m: 0.22, height_m: 1.65 }]));
-    eprintln!("baked in {:?}", start.elapsed());
-    for (name, schedule) in [("walk", scene::walk(86_400 * SECOND)), ("day", scene::day(30 * 86_400 * SECOND))] {
-        for _ in 0..3 {
-            let mut world = World::new(home.clone(), 1, 1);
-            let mut events = Events::default();
-            let start = Instant::now();
-            let mut firings = 0;
-            for next in &schedule {
-                world.begin(0, next);
-                world.advance(next.end, &mut events);
-                firings += events.firings.len();
-                events.clear();
-            }
-            let took = start.elapsed();
-            let days = world.now() as f64 / 86_400e6;
-            eprintln!(
-                "{name}: {days:.1} days, {} acts, {firings} firings, {:.3} ms a day, {:.0} ns a firing",
-                schedule.len(),
-                took.as_secs_f64() * 1e3 / days,
-                took.as_secs_f64() * 1e9 / firings as f64
-            );
+    let home = Arc::new(Home::bake(&scene::home(), &[build]));
+    println!("the bench scene, baked in {:.1} ms", start.elapsed().as_secs_f64() * 1e3);
+    let mut lines = Vec::new();
+    for (name, schedule) in [("day", scene::day(60 * DAY)), ("walk", scene::walk(4 * DAY))] {
+        lines.extend(against_loops(name, &home, build, &schedule));
+    }
+    lines.push(against_inserts(&home, &scene::day(360 * DAY)));
+    lines.push(live_step(home, build));
+    lines.iter().for_each(|line| println!("{line}"));
+}
+
+/// The kernel against P and against R on one schedule.
+fn against_loops(name: &str, home: &Arc<Home>, build: Build, schedule: &[Move]) -> Vec<String> {
+    let excerpts = excerpts(schedule);
+    let (mut kernel_s, mut paper_s, mut brute_s) = (Vec::new(), Vec::new(), Vec::new());
+    for _ in 0..ROUNDS {
+        kernel_s.push(kernel(home, schedule));
+        let size = build.size(Posture::Standing);
+        paper_s.push(naive(PaperEye::new(home, size, 1), home, build, &excerpts));
+        kernel_s.push(kernel(home, schedule));
+        brute_s.push(naive(BruteEye::new(home, home.field(0, Posture::Standing)), home, build, &excerpts));
+    }
+    for (what, each_s) in [("kernel", &kernel_s), ("P", &paper_s), ("R", &brute_s)] {
+        println!("{name}: {what} takes {:.3e} s for a simulated second", Spread::of(each_s).median);
+    }
+    // Each round of a loop against the kernel's turn just before it.
+    let before = |turn: usize| kernel_s.iter().skip(turn).step_by(2);
+    let ratios = |loop_s: &[f64], turn| loop_s.iter().zip(before(turn)).map(|(l, k)| l / k).collect::<Vec<_>>();
+    vec![
+        Spread::of(&ratios(&paper_s, 0)).line(&format!("{name}_vs_paper"), 0),
+        Spread::of(&ratios(&brute_s, 1)).line(&format!("{name}_vs_brute"), 0),
+    ]
+}
+
+/// Lives the schedule; seconds for a simulated second.
+fn kernel(home: &Arc<Home>, schedule: &[Move]) -> f64 {
+    let mut world = World::new(home.clone(), 1, 1);
+    let mut events = Events::default();
+    let start = Instant::now();
+    for next in schedule {
+        world.begin(0, next);
+        world.advance(next.end, &mut events);
+        events.clear();
+    }
+    start.elapsed().as_secs_f64() / seconds(world.now())
+}
+
+/// Lives the excerpts in a loop of 60 updates a second; seconds for a simulated second.
+fn naive(eye: impl Eye, home: &Home, build: Build, excerpts: &[Move]) -> f64 {
+    let mut naive = Loop::new(eye, home, 1, 1, Remainder::Kept);
+    let mut firings = Vec::new();
+    let until = excerpts[excerpts.len() - 1].end;
+    let start = Instant::now();
+    naive.live(&mut [Player::new(excerpts, build.radius_m)], until, &mut firings);
+    start.elapsed().as_secs_f64() / seconds(until)
+}
+
+/// Short stretches from the whole schedule, one after the other from 0 on.
+fn excerpts(schedule: &[Move]) -> Vec<Move> {
+    let length = schedule[schedule.len() - 1].end;
+    let mut excerpts = Vec::new();
+    for index in 0..EXCERPTS as Micros {
+        // Off the middle, so that the excerpts fall on all times of day.
+        let begin = (2 * index + 1) * length / (2 * EXCERPTS as Micros) + index * DAY / EXCERPTS as Micros;
+        let begin = begin.min(length - EXCERPT);
+        let shift = index * EXCERPT - begin;
+        let within = schedule.iter().filter(|piece| piece.begin < begin + EXCERPT && piece.end > begin);
+        excerpts.extend(within.map(|piece| cut(piece, begin, begin + EXCERPT, shift)));
+    }
+    excerpts
+}
+
+/// The part of a move between two instants, shifted in time.
+fn cut(piece: &Move, from: Micros, until: Micros, shift: Micros) -> Move {
+    let (begin, end) = (piece.begin.max(from), piece.end.min(until));
+    let doing = match piece.doing {
+        Doing::Stride { from, to } => {
+            let at = |now: Micros| from.lerp(to, (now - piece.begin) as f64 / (piece.end - piece.begin) as f64);
+            Doing::Stride { from: at(begin), to: at(end) }
         }
+        other => other,
+    };
+    Move { begin: begin + shift, end: end + shift, doing, posture: piece.posture }
+}
+
+/// A run into a database against a bare loop that inserts the same rows.
+fn against_inserts(home: &Arc<Home>, schedule: &[Move]) -> String {
+    let folder = tempfile::tempdir().expect("a folder for databases");
+    let (run, bare) = (folder.path().join("run.db"), folder.path().join("bare.db"));
+    run_into(&run, home, schedule);
+    let rows = rows(&run);
+    println!("a run into a database: {} rows", rows.len());
+    let mut ratios = Vec::new();
+    for _ in 0..ROUNDS {
+        let bare_s = insert(&bare, &rows);
+        let run_s = run_into(&run, home, schedule);
+        println!("rows a second: bare loop {:.0}, run {:.0}", rows.len() as f64 / bare_s, rows.len() as f64 / run_s);
+        ratios.push(bare_s / run_s);
+    }
+    Spread::of(&ratios).line("sqlite_vs_bare", 3)
+}
+
+/// Lives the schedule into a database, by the hour; seconds.
+fn run_into(path: &Path, home: &Arc<Home>, schedule: &[Move]) -> f64 {
+    let sensors: Vec<String> = home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
+    let url: Url = format!("sqlite:{}", path.display()).parse().expect("a URL");
+    let calendar = Calendar::new("2026-01-01T00:00:00", "America/Chicago").expect("a calendar");
+    let info = RunInfo { id: 1, scenario: "bench".into(), seed: 1, version: "bench".into() };
+    let start = Instant::now();
+    let opened = Logger::open(&[url], &LoggerFile::default(), &sensors, &calendar, &info, true);
+    let mut logger = opened.expect("an open database");
+    let mut world = World::new(home.clone(), 1, 1);
+    let mut events = Events::default();
+    let mut handed_over = 0;
+    for next in schedule {
+        world.begin(0, next);
+        world.advance(next.end, &mut events);
+        if next.end >= handed_over + STEP {
+            logger.store(&events.firings, next.end).expect("stored firings");
+            events.clear();
+            handed_over = next.end;
+        }
+    }
+    logger.store(&events.firings, world.now()).expect("stored firings");
+    logger.finish().expect("a finished log");
+    start.elapsed().as_secs_f64()
+}
+
+/// The rows of a log: time, sensor, value.
+fn rows(path: &Path) -> Vec<[String; 3]> {
+    let connection = Connection::open(path).expect("the log");
+    let mut select = connection.prepare("SELECT fired_at, sensor, value FROM firing ORDER BY seq").expect("a table");
+    let rows = select.query_map([], |row| Ok([row.get(0)?, row.get(1)?, row.get(2)?])).expect("rows");
+    rows.collect::<Result<_, _>>().expect("rows of text")
+}
+
+/// One prepared statement in one transaction, a row at a time; seconds.
+fn insert(path: &Path, rows: &[[String; 3]]) -> f64 {
+    let _ = std::fs::remove_file(path);
+    let start = Instant::now();
+    let mut connection = Connection::open(path).expect("a database");
+    let table = "CREATE TABLE firing (run_id INTEGER, seq INTEGER, fired_at TEXT, sensor TEXT, value TEXT, \
+                 PRIMARY KEY (run_id, seq)) WITHOUT ROWID";
+    connection.execute_batch(table).expect("a table");
+    let transaction = connection.transaction().expect("a transaction");
+    {
+        let mut insert = transaction.prepare("INSERT INTO firing VALUES (?, ?, ?, ?, ?)").expect("a statement");
+        for (seq, [fired_at, sensor, value]) in rows.iter().enumerate() {
+            insert.execute(params![1, seq as i64, fired_at, sensor, value]).expect("a row");
+        }
+    }
+    transaction.commit().expect("a commit");
+    connection.close().expect("a closed database");
+    start.elapsed().as_secs_f64()
+}
+
+/// What a sixtieth of a second costs while keys move one resident about, physics and sensors together.
+fn live_step(home: Arc<Home>, build: Build) -> String {
+    const STEPS: Micros = 60 * 60;
+    let turns = [Key::Up, Key::Right, Key::Down, Key::Left];
+    // Into walls and furniture, round the room and through doors.
+    let keys = (0..STEPS / 40).map(|turn| {
+        let held = vec![turns[turn as usize % 4], turns[(turn as usize / 3) % 4]];
+        KeysFile { at_s: seconds(turn * 40 * SECOND / 60), held }
+    });
+    let input = InputFile { schema: None, keys: keys.collect() };
+    let each_us = (0..ROUNDS).map(|_| {
+        let driver = LiveDriver::new(&home.plan, Point::new(1.75, 1.5), build.radius_m, 1.0, KeyTrack::written(&input));
+        let length = STEPS * SECOND / 60;
+        let mut run = Run::of(home.clone(), vec![build], vec![Driver::Live(Box::new(driver))], 1, length);
+        let mut events = Events::default();
+        let start = Instant::now();
+        for step in 1..=STEPS {
+            run.advance(step * SECOND / 60, &mut events);
+            events.clear();
+        }
+        start.elapsed().as_secs_f64() * 1e6 / STEPS as f64
+    });
+    format!("LIVE step_us {:.2}", Spread::of(&each_us.collect::<Vec<_>>()).median)
+}
+
+/// The middle and the ends of some measurements.
+struct Spread {
+    least: f64,
+    median: f64,
+    most: f64,
+}
+
+impl Spread {
+    fn of(values: &[f64]) -> Spread {
+        let mut values = values.to_vec();
+        values.sort_by(f64::total_cmp);
+        Spread { least: values[0], median: values[values.len() / 2], most: values[values.len() - 1] }
+    }
+
+    fn line(&self, name: &str, decimals: usize) -> String {
+        format!("RATIO {name} {:.decimals$} {:.decimals$}..{:.decimals$}", self.median, self.least, self.most)
     }
 }

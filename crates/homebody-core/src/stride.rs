@@ -15,12 +15,15 @@ pub struct Stride {
     pub end: Micros,
     /// Metres per microsecond.
     pub(crate) velocity: Point,
+    /// Microseconds per metre along each axis; infinite where it stays.
+    pub(crate) slowness: Point,
 }
 
 impl Stride {
     /// A stride; `end` is after `begin`.
     pub fn new(from: Point, to: Point, begin: Micros, end: Micros) -> Stride {
-        Stride { from, to, begin, end, velocity: (to - from) / (end - begin) as f64 }
+        let velocity = (to - from) / (end - begin) as f64;
+        Stride { from, to, begin, end, velocity, slowness: velocity.abs().recip() }
     }
 
     /// Where the body is at an instant of the stride.

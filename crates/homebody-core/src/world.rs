@@ -16,7 +16,8 @@ use crate::home::field::{Cell, Field, Mask, bits};
 use crate::random::Stream;
 use crate::scenario::path::Posture;
 use crate::sensors::motion::{Level, Motion};
-use crate::sensors::timing::{Due, Machine, NEVER, Seen};
+use crate::sensors::timers::Timers;
+use crate::sensors::timing::{Due, Machine, Seen};
 use crate::sensors::zones::Pulses;
 use crate::sensors::{Kind, Sensor};
 use crate::stride::Stride;
@@ -32,10 +33,7 @@ pub struct World {
     machines: Vec<Machine>,
     /// Sensors whose machine wants to be told of movement.
     want: Mask,
-    /// When each machine's timer is due, the least of these, and the first sensor that has it.
-    timers: Vec<Micros>,
-    next_timer: Micros,
-    next_due: usize,
+    timers: Timers,
     /// Sensors that take any change in a beam for movement.
     plain: Mask,
     /// Sensors that count pulses, with what they have counted.
@@ -85,9 +83,7 @@ impl World {
             now: 0,
             bodies: vec![Body { posture: Posture::Standing, act: Act::Away }; residents],
             want: all,
-            timers: vec![NEVER; machines.len()],
-            next_timer: NEVER,
-            next_due: 0,
+            timers: Timers::new(machines.len()),
             plain: all & !zoned & !of_level(|level| matches!(level, Level::Sensitivity { .. })),
             zoned,
             pulses: bits(zoned).map(|sensor| Pulses::new(sensor, residents)).collect(),
@@ -153,7 +149,7 @@ impl World {
     /// Lets everything happen that happens before `until`.
     pub fn advance(&mut self, until: Micros, events: &mut Events) {
         while self.now < until {
-            self.now = self.coast(until);
+            self.now = self.coast(until, events);
             if self.now < until {
                 let end = self.next_slice(until);
                 self.run_slice(end, events);
@@ -162,18 +158,35 @@ impl World {
         }
     }
 
-    /// How far the world can go without anything happening: until the next timer, or until a body
-    /// comes to a cell where a sensor that wants to know of movement may see it.
-    fn coast(&self, until: Micros) -> Micros {
-        if self.zoned != 0 {
-            return self.now;
+    /// Lets timers run out until a body comes to a cell where a sensor that wants to know of movement may see it;
+    /// returns that instant.
+    fn coast(&mut self, until: Micros, events: &mut Events) -> Micros {
+        let mut unseen = self.unseen_until(self.want, self.now, until);
+        while let (at, sensor) = self.timers.next()
+            && at < unseen
+        {
+            self.ring(at, sensor, events);
+            let wakes = self.want & (1 << sensor);
+            if wakes != 0 {
+                unseen = self.unseen_until(wakes, at, unseen);
+            }
         }
-        let mut until = until.min(self.next_timer.max(self.now));
+        unseen
+    }
+
+    /// The first instant from `now` on at which a body is in a cell where a sensor of `want` may see it move;
+    /// `until` if there is none before.
+    fn unseen_until(&self, want: Mask, now: Micros, until: Micros) -> Micros {
+        if self.zoned != 0 {
+            // They count what they saw before they woke, too.
+            return now;
+        }
+        let mut until = until;
         for (body, Body { posture, act }) in self.bodies.iter().enumerate() {
             let field = self.home.field(body, *posture);
             match act {
-                Act::Stride(stride) => until = field.unseen_until(stride, self.want, self.now, until),
-                Act::Stir { at, .. } if field.cell(*at).may & self.want != 0 => until = self.now,
+                Act::Stride(stride) => until = field.unseen_until(stride, want, now, until),
+                Act::Stir { at, .. } if field.cell(*at).may & want != 0 => until = now,
                 Act::Stir { .. } | Act::Rest { .. } | Act::Away => {}
             }
         }
@@ -193,7 +206,7 @@ impl World {
             let field = self.home.field(body, *posture);
             let cell = field.cell(at);
             if let Some(stride) = leaves {
-                let micros = field.leaves_cell(at, stride.velocity);
+                let micros = field.leaves_cell(at, stride);
                 end = end.min(self.now.saturating_add(micros as Micros + 1));
             }
             self.movers.push(Mover { body: body as u32, cell: *cell });
@@ -210,18 +223,24 @@ impl World {
         for sensor in bits(self.want & may) {
             self.look(sensor, self.now, end);
         }
-        while self.next_timer < end {
-            let (at, sensor) = (self.next_timer, self.next_due);
-            if let Due::Fired(seen) = self.machines[sensor].due() {
-                events.firings.push(Firing { seq: self.seq, at, sensor: sensor as u32 });
-                events.facts.push(Fact::Cause { seq: self.seq, resident: seen.resident, seen_at: seen.at });
-                self.seq += 1;
-            }
-            self.note(sensor);
+        while let (at, sensor) = self.timers.next()
+            && at < end
+        {
+            self.ring(at, sensor, events);
             if (self.want & may) >> sensor & 1 != 0 {
                 self.look(sensor, at, end);
             }
         }
+    }
+
+    /// A sensor's timer runs out.
+    fn ring(&mut self, at: Micros, sensor: usize, events: &mut Events) {
+        if let Due::Fired(seen) = self.machines[sensor].due() {
+            events.firings.push(Firing { seq: self.seq, at, sensor: sensor as u32 });
+            events.facts.push(Fact::Cause { seq: self.seq, resident: seen.resident, seen_at: seen.at });
+            self.seq += 1;
+        }
+        self.note(sensor);
     }
 
     /// Looks for the first movement from `from` on and before `end` that `sensor`'s machine wants to
@@ -249,19 +268,7 @@ impl World {
         let machine = &self.machines[sensor];
         let bit = 1 << sensor;
         self.want = if machine.wants() { self.want | bit } else { self.want & !bit };
-        self.timers[sensor] = machine.timer();
-        if sensor != self.next_due {
-            if (machine.timer(), sensor) < (self.next_timer, self.next_due) {
-                (self.next_timer, self.next_due) = (machine.timer(), sensor);
-            }
-            return;
-        }
-        (self.next_timer, self.next_due) = (NEVER, 0);
-        for (sensor, &timer) in self.timers.iter().enumerate() {
-            if timer < self.next_timer {
-                (self.next_timer, self.next_due) = (timer, sensor);
-            }
-        }
+        self.timers.set(sensor, machine.timer());
     }
 
     /// The first instant from `from` on at which the sensor sees the mover move; the slice's end
@@ -329,7 +336,7 @@ fn first_touch(field: &Field, cell: &Cell, sensor: usize, act: &Act, from: Micro
             let beams = field.to_test(cell, sensor).iter();
             beams.filter_map(|beam| stride.first_touch(beam, field.size.radius_m, from)).min()
         }
-        Act::Stir { at, .. } => field.sees(sensor, *at).then_some(from),
+        Act::Stir { at, .. } => field.sees_in(cell, sensor, *at).then_some(from),
         Act::Rest { .. } | Act::Away => None,
     }
 }

@@ -217,7 +217,9 @@ impl Walk {
         let (width, depth) = (4.0, walk_m + 2.0);
         let corners = [[0.0, 0.0], [width, 0.0], [width, depth], [0.0, depth]];
         let walls: Vec<_> = (0..4).map(|i| json!({ "from": corners[i], "to": corners[(i + 1) % 4] })).collect();
-        let mut sensor = json!({ "kind": "motion", "name": "PIR", "at": [0.05, depth / 2.0], "facing_deg": 0 });
+        // A name for each activity, so that each draws its own random numbers.
+        let name = format!("PIR at {distance_m} m, {speed_mps} m/s");
+        let mut sensor = json!({ "kind": "motion", "name": name, "at": [0.05, depth / 2.0], "facing_deg": 0 });
         if !random {
             (sensor["first_fire_s"], sensor["refire_s"]) = (json!([1.5, 1.5]), json!([7, 7]));
         }

@@ -1,5 +1,16 @@
-pub mod compare;
+//! Questions about homes and logs: pure analysis, and the pictures of its answers.
+//!
+//! Nothing here reads or writes a file: texts and logs come in, figures and pictures go out. In reading order:
+
+/// Where in a home the sensors see, from the very fields that make the data.
 pub mod coverage;
+
+/// How alike two logs are.
+pub mod compare;
+
+/// What was measured in the real world, done again.
 pub mod godsey2009;
-pub mod picture;
 pub mod sphere;
+
+/// Floor plans, maps and charts.
+pub mod picture;

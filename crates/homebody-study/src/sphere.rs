@@ -9,13 +9,14 @@
 //! was is not known, so they walk between points that we choose, at the annotated times. Whatever
 //! a sensor sees of others in the house is in the real data and in no simulation.
 //!
-//! How: [`parse`] reads a recording, [`path_of`] makes a path of it, somebody runs that path
-//! and [`hold`]s the firings, and [`compare_runs`] puts both in numbers and in words.
+//! How: [`parse`] reads a recording, [`path_of`] makes a path of it, [`Experiment::run`] acts that path out in the
+//! house and [`hold`]s the firings, and [`compare_runs`] puts both in numbers and in words.
 //!
 //! What is left out: the accelerometer, the cameras, and what happened before the first
 //! and after the last annotation.
 
 mod compare;
+mod experiment;
 mod parse;
 mod path;
 #[cfg(test)]
@@ -24,6 +25,7 @@ mod roads;
 mod words;
 
 pub use compare::{Comparison, Figures, RoomComparison, compare_run, compare_runs, hold};
+pub use experiment::{Experiment, Recording, Undone};
 pub use parse::{BadRow, Texts, parse};
 pub use path::{Unplaced, path_of};
 pub use words::Finding;

@@ -1,10 +1,15 @@
-//! A scenario folder on disk.
+//! A scenario folder: on disk, or one of those that came with the program.
 
 use crate::failure::Failure;
 use homebody_core::scenario::load::{Files, Scenario};
+use include_dir::{Dir, include_dir};
+use std::collections::BTreeMap;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
+
+/// The scenarios that came with the program.
+pub static OWN: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../scenarios");
 
 /// The files of a folder.
 struct Folder(PathBuf);
@@ -39,4 +44,15 @@ pub fn load(path: &Path) -> Result<(Scenario, String), Failure> {
         return Err(Failure::io(&file, "there is no such file\n  hint: a scenario folder holds a scenario.json"));
     }
     Ok((Scenario::load(&Folder(folder.to_owned()), &entry)?, entry))
+}
+
+/// Loads a scenario that came with the program.
+pub fn load_own(name: &str) -> Result<Scenario, Failure> {
+    let files = OWN.get_dir(name).into_iter().flat_map(Dir::files);
+    let text = |file: &include_dir::File| {
+        let name = file.path().file_name().unwrap_or_default().to_string_lossy().into_owned();
+        (name, String::from_utf8_lossy(file.contents()).into_owned())
+    };
+    let files: BTreeMap<String, String> = files.map(text).collect();
+    Ok(Scenario::load(&files, "scenario.json")?)
 }

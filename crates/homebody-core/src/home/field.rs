@@ -166,32 +166,39 @@ impl Field {
     /// sensor of `want` may see it; `until` if there is none before.
     pub(crate) fn unseen_until(&self, stride: &Stride, want: Mask, now: Micros, until: Micros) -> Micros {
         let at = (stride.position(now) - self.corner) / CELL_M;
-        let way = stride.velocity / CELL_M;
-        // Along each axis: the cell, the step to the next, and the microseconds until it and from one to the other.
-        let axis = |at: f64, way: f64| {
-            let cell = f64::from(floor(at));
-            let ahead = if way > 0.0 { cell + 1.0 - at } else { cell - at };
-            if way == 0.0 {
-                (cell as i32, 0, f64::INFINITY, 0.0)
+        let (mut column, mut row) = (floor(at.x), floor(at.y));
+        if self.cell_at(column, row).may & want != 0 {
+            return now.min(until);
+        }
+        // Along each axis: the step to the next cell, and the microseconds until it and from one to the other.
+        let axis = |within: f64, velocity: f64, slowness: f64| {
+            let per_cell = CELL_M * slowness;
+            if velocity > 0.0 {
+                (1, (1.0 - within) * per_cell, per_cell)
+            } else if velocity < 0.0 {
+                (-1, within * per_cell, per_cell)
             } else {
-                (cell as i32, way.signum() as i32, ahead / way, (1.0 / way).abs())
+                (0, f64::INFINITY, 0.0)
             }
         };
-        let (mut column, column_step, mut next_column, per_column) = axis(at.x, way.x);
-        let (mut row, row_step, mut next_row, per_row) = axis(at.y, way.y);
+        let (Stride { velocity, slowness, .. }, within) = (stride, at - Point::new(f64::from(column), f64::from(row)));
+        let (column_step, mut next_column, per_column) = axis(within.x, velocity.x, slowness.x);
+        let (row_step, mut next_row, per_row) = axis(within.y, velocity.y, slowness.y);
         let limit = (until - now) as f64;
-        let mut entered = 0.0;
-        while entered < limit {
+        loop {
+            let entered = next_column.min(next_row);
+            if entered >= limit {
+                return until;
+            }
+            if next_column < next_row {
+                (column, next_column) = (column + column_step, next_column + per_column);
+            } else {
+                (row, next_row) = (row + row_step, next_row + per_row);
+            }
             if self.cell_at(column, row).may & want != 0 {
                 return now + entered as Micros;
             }
-            if next_column < next_row {
-                (entered, column, next_column) = (next_column, column + column_step, next_column + per_column);
-            } else {
-                (entered, row, next_row) = (next_row, row + row_step, next_row + per_row);
-            }
         }
-        until
     }
 
     fn cell_at(&self, column: i32, row: i32) -> &Cell {
@@ -199,20 +206,22 @@ impl Field {
         if on_grid { &self.cells[(row * self.columns + column) as usize] } else { &self.nowhere }
     }
 
-    /// The instant, in microseconds from being at `p`, at which a body moving at `velocity` leaves
-    /// the cell of `p`; infinite if it never does.
-    pub fn leaves_cell(&self, p: Point, velocity: Point) -> f64 {
+    /// The microseconds from being at `p` until a body on this stride leaves the cell of `p`; infinite if it
+    /// never does.
+    pub fn leaves_cell(&self, p: Point, stride: &Stride) -> f64 {
         let at = (p - self.corner) / CELL_M;
-        let border = |at: f64, velocity: f64| {
+        let border = |at: f64, velocity: f64, slowness: f64| {
+            let within = at - f64::from(floor(at));
             if velocity > 0.0 {
-                (f64::from(floor(at)) + 1.0 - at) * CELL_M / velocity
+                (1.0 - within) * CELL_M * slowness
             } else if velocity < 0.0 {
-                (f64::from(floor(at)) - at) * CELL_M / velocity
+                within * CELL_M * slowness
             } else {
                 f64::INFINITY
             }
         };
-        border(at.x, velocity.x).min(border(at.y, velocity.y))
+        let (velocity, slowness) = (stride.velocity, stride.slowness);
+        border(at.x, velocity.x, slowness.x).min(border(at.y, velocity.y, slowness.y))
     }
 
     /// The beams of `sensor`, one of the unsure ones of the cell, that a body in the cell may touch.
@@ -220,6 +229,12 @@ impl Field {
         let before = (cell.may & !cell.sure) & ((1 << sensor) - 1);
         let beams = self.unsure[cell.unsure as usize + before.count_ones() as usize];
         &self.beams[beams.first as usize..beams.end as usize]
+    }
+
+    /// Whether `sensor`, one of the unsure ones of the cell, sees a body that moves at `p` in the cell.
+    pub(crate) fn sees_in(&self, cell: &Cell, sensor: usize, p: Point) -> bool {
+        let touched = |beam: &Beam| stride::touches(beam, p, self.size.radius_m);
+        self.over_area(sensor, p) || self.to_test(cell, sensor).iter().any(touched)
     }
 
     /// Whether `sensor` sees a body that moves at `p`, with no grid in between.

@@ -2,6 +2,7 @@
 
 pub mod ceiling_motion;
 pub mod motion;
+pub mod timers;
 pub mod timing;
 pub mod zones;
 

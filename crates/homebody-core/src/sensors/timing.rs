@@ -14,6 +14,7 @@
 //! Left out: warming up after power is switched on, waits that depend on temperature or battery, and what
 //! becomes of a message on its way to the logger.
 
+use super::timers::NEVER;
 use crate::random::{Range, Stream};
 use crate::scenario::home::Timing as TimingFile;
 use crate::time::{Micros, micros};
@@ -35,9 +36,6 @@ impl Timing {
         }
     }
 }
-
-/// The timer of a machine that waits for movement only.
-pub const NEVER: Micros = Micros::MAX;
 
 /// One sensor's machine.
 #[derive(Clone, Debug)]

@@ -21,7 +21,7 @@ mod svg;
 
 use resvg::{tiny_skia, usvg};
 
-pub use chart::{Activity, Reference, TotalsLine, firing_chart, totals_chart};
+pub use chart::{Activity, Lane, Panel, Reference, TotalsLine, firing_chart, span_chart, totals_chart};
 pub use coverage_map::coverage_map;
 pub use floor_plan::floor_plan;
 

@@ -84,6 +84,14 @@ struct Stay {
 }
 
 impl Stay {
+    /// Adds what comes next; a walk that follows a walk is the same walk.
+    fn push(&mut self, piece: Piece) {
+        match self.pieces.last_mut() {
+            Some(last) if last.doing == Doing::Walk && piece.doing == Doing::Walk => last.end = piece.end,
+            _ => self.pieces.push(piece),
+        }
+    }
+
     fn lasts(&self) -> Micros {
         self.pieces.iter().map(|piece| piece.end - piece.begin).sum()
     }
@@ -95,6 +103,13 @@ struct Piece {
     begin: Micros,
     end: Micros,
     doing: Doing,
+}
+
+impl Piece {
+    /// How far one gets in this time at the usual pace.
+    fn walked_m(&self) -> f64 {
+        PACE_MPS * seconds(self.end - self.begin)
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -144,7 +159,8 @@ impl Doing {
     }
 }
 
-/// The recording as stays, each with its pieces; a gap in the annotation keeps the posture before it.
+/// The recording as stays, each with its pieces. A gap in the annotation keeps the posture before it, and who walks
+/// before and after it walks on.
 fn stays(run: &AnnotatedRun, plan: &Plan) -> Result<Vec<Stay>, Unplaced> {
     let begin_s = run.begin_s();
     let instant = |second: f64| micros(second - begin_s);
@@ -152,9 +168,14 @@ fn stays(run: &AnnotatedRun, plan: &Plan) -> Result<Vec<Stay>, Unplaced> {
     let mut posture = Posture::Standing;
     for Interval { start_s, end_s, name } in &run.movements {
         let doing = Doing::of(name, posture).ok_or_else(|| Unplaced::Movement(name.clone()))?;
-        let end = pieces.last().map_or(0, |piece| piece.end);
-        let still = Doing::Still { posture, seated: false };
-        pieces.push(Piece { begin: end, end: instant(*start_s), doing: still });
+        let before = pieces.last().copied().unwrap_or(Piece {
+            begin: 0,
+            end: 0,
+            doing: Doing::Still { posture, seated: false },
+        });
+        let walks_on = doing == Doing::Walk && before.doing == Doing::Walk;
+        let gap = if walks_on { Doing::Walk } else { Doing::Still { posture, seated: false } };
+        pieces.push(Piece { begin: before.end, end: instant(*start_s), doing: gap });
         pieces.push(Piece { begin: instant(*start_s), end: instant(*end_s), doing });
         posture = doing.posture();
     }
@@ -168,10 +189,11 @@ fn stays(run: &AnnotatedRun, plan: &Plan) -> Result<Vec<Stay>, Unplaced> {
         let end = run.rooms.get(index + 1).map_or(instant(run.end_s()), |next| instant(next.start_s));
         let cut = |piece: &Piece| Piece { begin: piece.begin.max(begin), end: piece.end.min(end), ..*piece };
         let within = pieces.iter().map(cut).filter(|piece| piece.end > piece.begin);
-        match stays.last_mut().filter(|last| last.room == room) {
-            Some(last) => last.pieces.extend(within),
-            None => stays.push(Stay { room, pieces: within.collect() }),
+        if stays.last().is_none_or(|last| last.room != room) {
+            stays.push(Stay { room, pieces: Vec::new() });
         }
+        let stay = stays.last_mut().expect("pushed where there was none");
+        within.for_each(|piece| stay.push(piece));
     }
     Ok(stays)
 }
@@ -193,11 +215,9 @@ fn doors(stays: &[Stay], roads: &Roads, plan: &Plan) -> Result<Vec<usize>, Unpla
 /// A point of the first room as far from its exit as the walking in it lasts.
 fn start(stay: &Stay, exit: Option<usize>, roads: &Roads) -> Option<usize> {
     let walks = stay.pieces.iter().filter(|piece| piece.doing == Doing::Walk);
-    let length_m = PACE_MPS * seconds(walks.map(|piece| piece.end - piece.begin).sum());
-    match exit {
-        Some(exit) => nearest_to(&roads.reach(exit).distance_m, length_m, stay.room, roads),
-        None => (0..roads.nodes.len()).find(|&node| is_floor(roads, node, stay.room)),
-    }
+    let length_m: f64 = walks.map(Piece::walked_m).sum();
+    let to_exit = exit.map(|exit| roads.reach(exit).distance_m);
+    best_floor(stay.room, roads, |node| to_exit.as_ref().map_or(0.0, |to_exit| (to_exit[node] - length_m).abs()))
 }
 
 /// A walk's waypoints and length.
@@ -219,17 +239,20 @@ fn walk(stay: &mut Stay, here: &mut usize, exit: Option<usize>, roads: &Roads) -
         // They left, but no walk to the door is annotated: one without length, to be lengthened.
         stay.pieces.push(Piece { begin: end, end, doing: Doing::Walk });
     }
+    let to_exit = exit.map(|exit| roads.reach(exit).distance_m);
     let walks: Vec<usize> = (0..stay.pieces.len()).filter(|&index| stay.pieces[index].doing == Doing::Walk).collect();
     let mut ways = Vec::new();
     for (nth, &index) in walks.iter().enumerate() {
         let next = walks.get(nth + 1).copied();
-        let length_m = PACE_MPS * seconds(stay.pieces[index].end - stay.pieces[index].begin);
+        let length_m = stay.pieces[index].walked_m();
+        let later_m: f64 = stay.pieces[index + 1..].iter().map(Piece::walked_m).sum();
         let pause = &stay.pieces[index + 1..next.unwrap_or(stay.pieces.len())];
         let goal = match (next, exit) {
             (None, Some(exit)) => Some(exit),
             _ => seat(pause, stay.room, *here, roads),
         };
-        ways.push(tour(here, goal, stay.room, length_m, roads));
+        let too_far_m = |node: usize| to_exit.as_ref().map_or(0.0, |to_exit| (to_exit[node] - later_m).max(0.0));
+        ways.push(tour(here, goal, stay.room, length_m, too_far_m, roads));
     }
     ways
 }
@@ -251,25 +274,36 @@ fn seat(pause: &[Piece], room: usize, here: usize, roads: &Roads) -> Option<usiz
     seats.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(node, _)| node)
 }
 
-/// A walk from `here` about so long, to the goal or to any floor point of the room: as often as there is
-/// time for it, first to the far end of the room.
-fn tour(here: &mut usize, goal: Option<usize>, room: usize, length_m: f64, roads: &Roads) -> Way {
+/// A walk from `here` about so long, to the goal or to any floor point of the room that is not too far from where
+/// they go afterwards: as often as there is time for it, first to the far end of the room.
+fn tour(
+    here: &mut usize,
+    goal: Option<usize>,
+    room: usize,
+    length_m: f64,
+    too_far_m: impl Fn(usize) -> f64,
+    roads: &Roads,
+) -> Way {
     let to_goal = goal.map(|goal| roads.reach(goal).distance_m);
     let (mut way, mut left_m) = (Way::default(), length_m);
     loop {
         let reach = roads.reach(*here);
-        let farthest = nearest_to(&reach.distance_m, f64::INFINITY, room, roads);
+        let farthest = best_floor(room, roads, |node| match reach.distance_m[node] {
+            f64::INFINITY => f64::INFINITY,
+            distance_m => -distance_m,
+        });
         let detour = farthest.filter(|&far| {
             let rest_m = to_goal.as_ref().map_or(0.0, |to_goal| to_goal[far]);
-            reach.distance_m[far] > LEAST_WALK_M && reach.distance_m[far] + rest_m < left_m
+            reach.distance_m[far] > LEAST_WALK_M && reach.distance_m[far] + rest_m + too_far_m(far) < left_m
         });
         if let Some(far) = detour {
             extend(&mut way, here, far, &reach, roads);
             left_m -= reach.distance_m[far];
             continue;
         }
-        let end = goal.or_else(|| nearest_to(&reach.distance_m, left_m.max(LEAST_WALK_M), room, roads));
-        if let Some(end) = end {
+        let fitting_m = left_m.max(LEAST_WALK_M);
+        let off_m = |node: usize| (reach.distance_m[node] - fitting_m).abs() + too_far_m(node);
+        if let Some(end) = goal.or_else(|| best_floor(room, roads, off_m)) {
             extend(&mut way, here, end, &reach, roads);
         }
         return way;
@@ -282,16 +316,11 @@ fn extend(way: &mut Way, here: &mut usize, to: usize, reach: &Reach, roads: &Roa
     *here = to;
 }
 
-/// The floor point of a room whose distance comes nearest to a length; where that is infinite, the farthest.
-fn nearest_to(distance_m: &[f64], length_m: f64, room: usize, roads: &Roads) -> Option<usize> {
-    let reachable = (0..distance_m.len()).filter(|&node| is_floor(roads, node, room) && distance_m[node].is_finite());
-    let off_m =
-        |node: usize| if length_m.is_finite() { (distance_m[node] - length_m).abs() } else { -distance_m[node] };
-    reachable.min_by(|&a, &b| off_m(a).total_cmp(&off_m(b)))
-}
-
-fn is_floor(roads: &Roads, node: usize, room: usize) -> bool {
-    roads.nodes[node].kind == Kind::Floor { room }
+/// The floor point of a room that is least off; none where all are infinitely off.
+fn best_floor(room: usize, roads: &Roads, off_m: impl Fn(usize) -> f64) -> Option<usize> {
+    let floor = (0..roads.nodes.len()).filter(|&node| roads.nodes[node].kind == Kind::Floor { room });
+    let least = floor.map(|node| (node, off_m(node))).min_by(|(_, a), (_, b)| a.total_cmp(b));
+    least.filter(|(_, off_m)| off_m.is_finite()).map(|(node, _)| node)
 }
 
 /// Lengthens each walk that would be hurried, first into what comes before it, then into what follows.

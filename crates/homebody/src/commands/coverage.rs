@@ -1,16 +1,15 @@
 //! `homebody coverage`: where in the home the sensors see.
 
-use super::{print_json, print_text, write_file};
+use super::answer::Answer;
 use crate::failure::Failure;
 use crate::folder;
 use homebody_core::geometry::Point;
 use homebody_core::home::plan::Plan;
 use homebody_core::home::{Build, Home};
 use homebody_core::scenario::path::Posture;
-use homebody_log::fresh::all_can_be_written;
-use homebody_study::coverage::{Coverage, STEP_M, coverage};
+use homebody_study::coverage::{STEP_M, coverage};
 use homebody_study::picture;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Says which share of the floor is seen by no, one, two, three or more sensors, where the dead zones are, and how
 /// sensors overlap; from the very fields that a run senses with.
@@ -21,28 +20,13 @@ use std::path::{Path, PathBuf};
 pub struct Arguments {
     /// The scenario's folder, or its scenario.json
     scenario: PathBuf,
-    /// Write all figures as one JSON object into this file, or on standard output without one
-    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
-    json: Option<PathBuf>,
-    /// Draw the map as SVG
-    #[arg(long, value_name = "FILE")]
-    svg: Option<PathBuf>,
-    /// Draw the map as PNG
-    #[arg(long, value_name = "FILE")]
-    png: Option<PathBuf>,
-    /// Width of the PNG in pixels
-    #[arg(long, value_name = "PIXELS", default_value_t = 1600, value_parser = clap::value_parser!(u32).range(200..=8000))]
-    width: u32,
-    /// Replace files that exist
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    answer: Answer,
 }
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let json = self.json.as_deref().filter(|path| path.as_os_str() != "-");
-        let files: Vec<&Path> = [json, self.svg.as_deref(), self.png.as_deref()].into_iter().flatten().collect();
-        all_can_be_written(&files, self.force)?;
+        self.answer.check(&[""])?;
         let (scenario, _) = folder::load(&self.scenario)?;
         // Without residents, an adult: the defaults of a resident's file.
         let adult = || Build { radius_m: 0.22, height_m: 1.65 };
@@ -51,28 +35,8 @@ impl Arguments {
         let names: Vec<String> = home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
         let field = home.field(0, Posture::Standing);
         let coverage = coverage(&Plan::new(&scenario.home), build.radius_m, &names, STEP_M, &|p| field.seen_at(p));
-        if self.svg.is_some() || self.png.is_some() {
-            let map = picture::coverage_map(&scenario.home, &coverage, &beams(&home));
-            if let Some(path) = &self.svg {
-                write_file(path, map.as_bytes(), self.force)?;
-            }
-            if let Some(path) = &self.png {
-                write_file(path, &picture::png(&map, self.width).map_err(Failure::usage)?, self.force)?;
-            }
-        }
-        self.tell(&coverage)
-    }
-
-    fn tell(&self, coverage: &Coverage) -> Result<(), Failure> {
-        match &self.json {
-            Some(path) if path.as_os_str() == "-" => return print_json(coverage),
-            Some(path) => {
-                let text = serde_json::to_string_pretty(coverage).map_err(Failure::usage)? + "\n";
-                write_file(path, text.as_bytes(), self.force)?;
-            }
-            None => {}
-        }
-        print_text(&coverage.to_string())
+        let map = || picture::coverage_map(&scenario.home, &coverage, &beams(&home));
+        self.answer.give(&coverage, &[("", &map)])
     }
 }
 

@@ -1,5 +1,6 @@
 //! The commands, one file each, all in the same shape: the arguments as a struct, with a `run`.
 
+mod answer;
 mod check;
 mod compare;
 mod completions;
@@ -8,6 +9,7 @@ mod coverage;
 mod experiment;
 mod live;
 mod new;
+mod plan;
 mod replay;
 mod run;
 mod schema;
@@ -25,6 +27,8 @@ pub enum Command {
     Replay(replay::Arguments),
     /// Report everything that is wrong with a scenario
     Check(check::Arguments),
+    /// Draw the floor plan of a home
+    Plan(plan::Arguments),
     /// Say where in the home the sensors see, with a map
     Coverage(coverage::Arguments),
     /// Compare the firings of two logs
@@ -47,6 +51,7 @@ impl Command {
             Command::Run(arguments) => arguments.run(),
             Command::Replay(arguments) => arguments.run(),
             Command::Check(arguments) => arguments.run(),
+            Command::Plan(arguments) => arguments.run(),
             Command::Coverage(arguments) => arguments.run(),
             Command::Compare(arguments) => arguments.run(),
             Command::Experiment(arguments) => arguments.run(),

@@ -2,12 +2,11 @@
 
 use super::tell;
 use crate::failure::Failure;
+use crate::folder::OWN;
 use homebody_core::scenario::schema::schemas;
-use include_dir::{Dir, include_dir};
+use include_dir::Dir;
 use std::fs;
 use std::path::{Path, PathBuf};
-
-static TEMPLATES: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../scenarios");
 
 /// Begins a scenario of your own in a new folder, from a template that works.
 #[derive(clap::Args)]
@@ -22,8 +21,8 @@ pub struct Arguments {
 
 /// A template by its name.
 fn template(name: &str) -> Result<&'static Dir<'static>, String> {
-    TEMPLATES.get_dir(name).ok_or_else(|| {
-        let names: Vec<_> = TEMPLATES.dirs().map(|dir| dir.path().display().to_string()).collect();
+    OWN.get_dir(name).ok_or_else(|| {
+        let names: Vec<_> = OWN.dirs().map(|dir| dir.path().display().to_string()).collect();
         format!("there is none of that name; there are: {}", names.join(", "))
     })
 }

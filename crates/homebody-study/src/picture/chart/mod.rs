@@ -1,6 +1,7 @@
-//! Charts of an experiment: firings over time, and totals against what was assumed.
+//! Charts of an experiment: firings over time, spans beside the truth, and totals against what was assumed.
 
 mod firings;
+mod spans;
 mod totals;
 
 use homebody_core::geometry::Point;
@@ -9,6 +10,7 @@ use super::paint::{INK, MUTED, Paint};
 use super::svg::{Svg, Type};
 
 pub use firings::{Activity, firing_chart};
+pub use spans::{Lane, Panel, span_chart};
 pub use totals::{Reference, TotalsLine, totals_chart};
 
 const WIDTH: f64 = 1200.0;

@@ -1,0 +1,69 @@
+//! Which of many timers is due next.
+
+use crate::home::field::MAX_SENSORS;
+use crate::time::Micros;
+
+/// The timer of a machine that waits for movement only.
+pub const NEVER: Micros = Micros::MAX;
+
+/// The timers of all sensors, as a tournament: each node holds the earlier of its two, so that setting one
+/// costs a few comparisons without a branch. Of timers due at once, the first sensor's is next.
+#[derive(Clone, Debug)]
+pub struct Timers {
+    /// The root at 1, the children of n at 2n and 2n + 1, the sensors last: instant and sensor in one number.
+    keys: Vec<i64>,
+    leaves: usize,
+}
+
+/// Instants are shifted by so many bits to make room for the sensor.
+const SENSOR_BITS: u32 = MAX_SENSORS.ilog2();
+const SENSOR: i64 = (1 << SENSOR_BITS) - 1;
+
+impl Timers {
+    /// Timers that are never due.
+    pub fn new(sensors: usize) -> Timers {
+        let leaves = sensors.next_power_of_two();
+        Timers { keys: vec![NEVER; 2 * leaves], leaves }
+    }
+
+    pub fn set(&mut self, sensor: usize, at: Micros) {
+        let mut node = self.leaves + sensor;
+        self.keys[node] = if at == NEVER { NEVER } else { at << SENSOR_BITS | sensor as i64 };
+        while node > 1 {
+            node /= 2;
+            self.keys[node] = self.keys[2 * node].min(self.keys[2 * node + 1]);
+        }
+    }
+
+    /// When the next timer is due, and whose it is; [`NEVER`] if there is none.
+    pub fn next(&self) -> (Micros, usize) {
+        let key = self.keys[1];
+        (if key == NEVER { NEVER } else { key >> SENSOR_BITS }, (key & SENSOR) as usize)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_earliest_is_next_and_of_equals_the_first() {
+        for sensors in [0, 1, 2, 5, MAX_SENSORS] {
+            let mut timers = Timers::new(sensors);
+            assert_eq!(timers.next().0, NEVER);
+            for sensor in 0..sensors {
+                timers.set(sensor, 100 - (sensor as Micros / 2).min(9));
+            }
+            let mut due = Vec::new();
+            while timers.next().0 != NEVER {
+                let (at, sensor) = timers.next();
+                due.push((at, sensor));
+                timers.set(sensor, NEVER);
+            }
+            let mut expected: Vec<_> =
+                (0..sensors).map(|sensor| (100 - (sensor as Micros / 2).min(9), sensor)).collect();
+            expected.sort();
+            assert_eq!(due, expected);
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! The whole experiment: each recording acted out in the house, and its sensors held against the real ones.
+
+use super::{AnnotatedRun, Comparison, Interval, Unplaced, compare_run, compare_runs, hold, path_of};
+use homebody_core::event::Events;
+use homebody_core::home::plan::Plan;
+use homebody_core::problem::Problems;
+use homebody_core::run::Run;
+use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::logger::MessagesFile;
+use homebody_core::scenario::resident::DriverFile;
+use homebody_core::time::{Micros, SECOND, micros, seconds};
+use serde::Serialize;
+use std::fmt;
+
+/// How much is lived before its firings are fetched.
+const STEP: Micros = 600 * SECOND;
+
+/// Everything the experiment found.
+#[derive(Clone, Debug, Serialize)]
+pub struct Experiment {
+    pub seed: u64,
+    /// All recordings together.
+    #[serde(flatten)]
+    pub comparison: Comparison,
+    pub by_recording: Vec<Recording>,
+}
+
+/// One recording beside its simulation.
+#[derive(Clone, Debug, Serialize)]
+pub struct Recording {
+    pub name: String,
+    pub begin_s: f64,
+    pub end_s: f64,
+    pub comparison: Comparison,
+    /// In which room the person was, and when each room's sensor was ON.
+    pub rooms: Vec<Interval>,
+    pub real: Vec<Interval>,
+    pub simulated: Vec<Interval>,
+}
+
+/// Why the experiment cannot be done.
+#[derive(Debug, thiserror::Error)]
+pub enum Undone {
+    #[error("{recording}: {why}")]
+    Unplaced { recording: String, why: Unplaced },
+    #[error(transparent)]
+    Problems(#[from] Problems),
+    #[error("{0}")]
+    House(&'static str),
+}
+
+impl Experiment {
+    /// Acts out the named recordings in a house with one resident who follows a path, one sensor per room, each
+    /// of its room's name, and a logger that says ON and OFF.
+    pub fn run(recordings: &[(String, AnnotatedRun)], house: &Scenario, seed: u64) -> Result<Experiment, Undone> {
+        let rooms: Vec<String> = house.home.sensors.iter().map(|sensor| sensor.name().to_owned()).collect();
+        let mut by_recording = Vec::new();
+        for (name, run) in recordings {
+            let simulated = act(name, run, house, &rooms, seed)?;
+            by_recording.push(Recording {
+                name: name.clone(),
+                begin_s: run.begin_s(),
+                end_s: run.end_s(),
+                comparison: compare_run(run, &simulated, &rooms),
+                rooms: run.rooms.clone(),
+                real: run.pir.clone(),
+                simulated,
+            });
+        }
+        let runs = recordings.iter().zip(&by_recording);
+        let runs: Vec<(&AnnotatedRun, &[Interval])> =
+            runs.map(|((_, run), recording)| (run, &recording.simulated[..])).collect();
+        Ok(Experiment { seed, comparison: compare_runs(&runs, &rooms), by_recording })
+    }
+}
+
+/// When the house's sensors are ON while the recording is acted out, in seconds of the recording.
+fn act(name: &str, run: &AnnotatedRun, house: &Scenario, rooms: &[String], seed: u64) -> Result<Vec<Interval>, Undone> {
+    let MessagesFile::OnOff(messages) = &house.logger.messages else {
+        return Err(Undone::House("the house's logger must say ON and OFF, as the real one does"));
+    };
+    let [resident] = &house.residents[..] else {
+        return Err(Undone::House("the house must have one resident, who acts out the recordings"));
+    };
+    let DriverFile::Path(path_name) = &resident.file.driver else {
+        return Err(Undone::House("the house's resident must follow a path, which the recordings replace"));
+    };
+    let path =
+        path_of(run, &Plan::new(&house.home)).map_err(|why| Undone::Unplaced { recording: name.to_owned(), why })?;
+    // The annotated path takes the place of the house's own, and passes the same checks.
+    let mut files = house.sources.clone();
+    files.insert(path_name.clone(), serde_json::to_string_pretty(&path).expect("a path has only text and numbers"));
+    let scenario = Scenario::load(&files, "scenario.json")?;
+
+    let mut lived = Run::new(&scenario, seed, micros(run.end_s() - run.begin_s()));
+    let (mut events, mut firings) = (Events::default(), Vec::new());
+    while lived.now() < lived.length() {
+        lived.advance(lived.now() + STEP, &mut events);
+        firings
+            .extend(events.firings.iter().map(|firing| (run.begin_s() + seconds(firing.at), firing.sensor as usize)));
+        events.clear();
+    }
+    Ok(hold(firings, rooms, messages.hold_s))
+}
+
+impl fmt::Display for Experiment {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        writeln!(f, "The recordings of a real house, and the same walks simulated (seed {})\n", self.seed)?;
+        write!(f, "{}", self.comparison)?;
+        writeln!(f, "\nBy recording, all rooms together, real | simulated:")?;
+        for Recording { name, comparison, .. } in &self.by_recording {
+            let overall = &comparison.overall;
+            writeln!(
+                f,
+                "  {name}  {:>3} | {:<3} intervals  ON {:>4.0} | {:<4.0} s  {:>3} | {:<3} of {:>3} visits seen  kappa {}",
+                overall.real.intervals,
+                overall.simulated.intervals,
+                overall.real.on_s,
+                overall.simulated.on_s,
+                overall.real.visits_seen,
+                overall.simulated.visits_seen,
+                overall.visits,
+                overall.kappa.map_or("-".into(), |kappa| format!("{kappa:.2}")),
+            )?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Texts, parse};
+    use super::*;
+    use std::collections::BTreeMap;
+    use std::fs;
+
+    fn house() -> Scenario {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/sphere-house");
+        let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap());
+        let files: BTreeMap<String, String> = entries
+            .map(|entry| (entry.file_name().into_string().unwrap(), fs::read_to_string(entry.path()).unwrap()))
+            .collect();
+        Scenario::load(&files, "scenario.json").unwrap()
+    }
+
+    fn recording(room: &str) -> (String, AnnotatedRun) {
+        let rows = |name: &str| format!("start,end,name,index\n10,70,{name},0\n");
+        let (location, annotations, pir) = (rows(room), rows("a_walk"), rows("kitchen"));
+        let texts = Texts { location: &location, annotations: &annotations, pir: &pir, second_location: None };
+        ("a minute".into(), parse(&texts).unwrap())
+    }
+
+    #[test]
+    fn who_walks_in_a_room_is_seen_there() {
+        let experiment = Experiment::run(&[recording("kitchen")], &house(), 1).unwrap();
+        let [recording] = &experiment.by_recording[..] else { panic!("one recording") };
+        let room = |name: &str| recording.comparison.rooms.iter().find(|room| room.room == name).unwrap();
+        assert_eq!(room("kitchen").simulated.visits_seen, 1);
+        assert!(room("kitchen").simulated.recall.unwrap() > 0.9, "{:?}", room("kitchen").simulated);
+        assert_eq!(room("bed2").simulated.intervals, 0);
+        assert!(recording.simulated.iter().all(|on| on.start_s >= 10.0), "in seconds of the recording");
+        assert_eq!(experiment.comparison.rooms, recording.comparison.rooms);
+    }
+
+    #[test]
+    fn a_house_that_does_not_fit_is_named() {
+        let undone = Experiment::run(&[recording("attic")], &house(), 1).unwrap_err();
+        assert_eq!(undone.to_string(), "a minute: the home has no room \"attic\" to stand in");
+        let mut silent = house();
+        silent.logger.messages = MessagesFile::FireOnly;
+        assert!(matches!(Experiment::run(&[recording("kitchen")], &silent, 1), Err(Undone::House(_))));
+    }
+}

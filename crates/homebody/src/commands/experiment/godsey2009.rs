@@ -1,0 +1,58 @@
+//! `homebody experiment godsey2009`.
+
+use crate::commands::answer::{Answer, Picture};
+use crate::failure::Failure;
+use homebody_study::godsey2009::Experiment;
+use homebody_study::picture::{Activity, Reference, TotalsLine, firing_chart, totals_chart};
+
+/// One sensor, one person, three paces, two distances: the paper's own experiment.
+#[derive(clap::Args)]
+#[command(after_help = "Example:\n  homebody experiment godsey2009 --json figures.json --svg firings.svg")]
+pub struct Arguments {
+    /// The number all randomness comes from
+    #[arg(long, default_value_t = 2009)]
+    seed: u64,
+    #[command(flatten)]
+    answer: Answer,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        self.answer.check(&["", "totals"])?;
+        let experiment = Experiment::run(self.seed)?;
+        let pictures: [Picture; 2] = [("", &|| firings(&experiment)), ("totals", &|| totals(&experiment))];
+        self.answer.give(&experiment, &pictures)
+    }
+}
+
+/// The paper's figure 4: firings over time, portions A, B and C.
+fn firings(experiment: &Experiment) -> String {
+    let activities: Vec<Activity> = experiment
+        .activities
+        .iter()
+        .map(|activity| Activity {
+            label: format!("{} m/s, {:.2} m", activity.speed_mps, activity.distance_m),
+            portion: activity.portion,
+            firings_s: activity.fired_s.clone(),
+        })
+        .collect();
+    firing_chart("Firings of one sensor, five minutes each", &activities, 300.0)
+}
+
+/// How the total depends on what the paper does not say.
+fn totals(experiment: &Experiment) -> String {
+    let rows = experiment.totals.chunk_by(|a, b| a.assumptions.turn_s == b.assumptions.turn_s);
+    let lines: Vec<TotalsLine> = rows
+        .map(|row| TotalsLine {
+            label: format!("turns of {} s", row[0].assumptions.turn_s),
+            points: row.iter().map(|total| (total.assumptions.walk_m, total.firings as f64)).collect(),
+        })
+        .collect();
+    let published = Reference { label: "published".into(), total: experiment.published.firings as f64 };
+    totals_chart(
+        "Firings in all, by length of the walk",
+        ["length of the walk, m", "firings"],
+        &lines,
+        Some(&published),
+    )
+}

@@ -1,0 +1,33 @@
+//! `homebody experiment`: what was measured in the real world, done again.
+
+mod godsey2009;
+mod sphere;
+
+use crate::failure::Failure;
+
+/// Does an experiment again that was done in the real world, and says what agrees.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  homebody experiment godsey2009 --svg firings.svg
+  homebody experiment sphere --data sphere_challenge --svg rooms.svg")]
+pub struct Arguments {
+    #[command(subcommand)]
+    experiment: Experiment,
+}
+
+#[derive(clap::Subcommand)]
+enum Experiment {
+    /// One sensor, one person, three paces, two distances: the paper's own experiment
+    Godsey2009(godsey2009::Arguments),
+    /// A real house whose sensors and whose resident's room were recorded, beside the same walks simulated
+    Sphere(sphere::Arguments),
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        match self.experiment {
+            Experiment::Godsey2009(arguments) => arguments.run(),
+            Experiment::Sphere(arguments) => arguments.run(),
+        }
+    }
+}

@@ -1,0 +1,129 @@
+//! `homebody experiment sphere`.
+
+use crate::commands::answer::Answer;
+use crate::commands::tell;
+use crate::failure::Failure;
+use crate::folder;
+use homebody_study::picture::{Lane, Panel, span_chart};
+use homebody_study::sphere::{AnnotatedRun, Experiment, Interval, Recording, Texts, Undone, parse};
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+/// A real house whose sensors and whose resident's room were recorded, beside the same walks simulated.
+///
+/// The recordings are those of the SPHERE challenge (Twomey et al. 2016), which are not part of this program:
+/// folders that each hold location_0.csv, annotations_0.csv and pir.csv.
+#[derive(clap::Args)]
+#[command(after_help = "Example:\n  homebody experiment sphere --data sphere_challenge --svg rooms.svg")]
+pub struct Arguments {
+    /// The folder of the recordings, or one that holds it as `train`
+    #[arg(long, value_name = "DIR")]
+    data: PathBuf,
+    /// Another model of the house than the program's own, the template `sphere-house`
+    #[arg(long, value_name = "SCENARIO")]
+    house: Option<PathBuf>,
+    /// The number all randomness comes from
+    #[arg(long, default_value_t = 2016)]
+    seed: u64,
+    #[command(flatten)]
+    answer: Answer,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        self.answer.check(&[""])?;
+        let house = match &self.house {
+            Some(path) => folder::load(path)?.0,
+            None => folder::load_own("sphere-house")?,
+        };
+        let recordings = recordings(&self.data)?;
+        let experiment = Experiment::run(&recordings, &house, self.seed).map_err(|undone| match undone {
+            Undone::Problems(problems) => Failure::Problems(problems),
+            undone => Failure::usage(undone),
+        })?;
+        self.answer.give(&experiment, &[("", &|| picture(&experiment))])
+    }
+}
+
+/// The recordings by the names of their folders, in order of name.
+fn recordings(data: &Path) -> Result<Vec<(String, AnnotatedRun)>, Failure> {
+    let train = data.join("train");
+    let data = if train.is_dir() { &train } else { data };
+    let entries = fs::read_dir(data).map_err(|error| Failure::io(data, error))?;
+    let mut folders = Vec::new();
+    for entry in entries {
+        let folder = entry.map_err(|error| Failure::io(data, error))?.path();
+        if folder.join("pir.csv").is_file() {
+            folders.push(folder);
+        }
+    }
+    folders.sort();
+    if folders.is_empty() {
+        return Err(Failure::Io(format!(
+            "{}: no folder in it holds a pir.csv\n  hint: name the folder `train` of the SPHERE challenge",
+            data.display()
+        )));
+    }
+    let mut recordings = Vec::new();
+    let mut bad = 0;
+    for folder in &folders {
+        match recording(folder)? {
+            Some(recording) => recordings.push(recording),
+            None => bad += 1,
+        }
+    }
+    match bad {
+        0 => Ok(recordings),
+        bad => Err(Failure::Usage(format!("{bad} of {} recordings cannot be understood", folders.len()))),
+    }
+}
+
+/// A recording, or nothing after having told what is wrong with it.
+fn recording(folder: &Path) -> Result<Option<(String, AnnotatedRun)>, Failure> {
+    let read = |name: &str| {
+        let path = folder.join(name);
+        fs::read_to_string(&path).map_err(|error| (error.kind(), Failure::io(&path, error)))
+    };
+    let needed = |name: &str| read(name).map_err(|(_, failure)| failure);
+    let (location, annotations, pir) = (needed("location_0.csv")?, needed("annotations_0.csv")?, needed("pir.csv")?);
+    let second_location = match read("location_1.csv") {
+        Ok(text) => Some(text),
+        Err((ErrorKind::NotFound, _)) => None,
+        Err((_, failure)) => return Err(failure),
+    };
+    let texts = Texts {
+        location: &location,
+        annotations: &annotations,
+        pir: &pir,
+        second_location: second_location.as_deref(),
+    };
+    match parse(&texts) {
+        Ok(run) => Ok(Some((folder.file_name().unwrap_or_default().to_string_lossy().into_owned(), run))),
+        Err(rows) => {
+            rows.iter().for_each(|row| tell(format_args!("error: {}", folder.join(row.to_string()).display())));
+            Ok(None)
+        }
+    }
+}
+
+/// When the real and the simulated sensor of each room was ON, over when the person was there.
+fn picture(experiment: &Experiment) -> String {
+    let panels: Vec<Panel> = experiment.by_recording.iter().map(panel).collect();
+    let told = ["the real sensor is ON", "the simulated sensor is ON"];
+    span_chart("A real house and its simulation", "the person is in the room", told, &panels)
+}
+
+fn panel(recording: &Recording) -> Panel {
+    let Recording { name, begin_s, end_s, .. } = recording;
+    let lanes = recording.comparison.rooms.iter().map(|room| {
+        let spans = |intervals: &[Interval]| -> Vec<[f64; 2]> {
+            let of_room = intervals.iter().filter(|interval| interval.name == room.room);
+            let within = of_room.map(|interval| [interval.start_s.max(*begin_s), interval.end_s.min(*end_s)]);
+            within.filter(|[from, to]| from < to).map(|span| span.map(|at_s| at_s - begin_s)).collect()
+        };
+        let told = [spans(&recording.real), spans(&recording.simulated)];
+        Lane { label: room.room.clone(), truth: spans(&recording.rooms), told }
+    });
+    Panel { label: format!("recording {name}"), duration_s: end_s - begin_s, lanes: lanes.collect() }
+}

@@ -1,0 +1,29 @@
+//! `homebody plan`: the floor plan of a scenario's home.
+
+use super::answer::Pictures;
+use crate::failure::Failure;
+use crate::folder;
+use homebody_study::picture::floor_plan;
+use std::path::PathBuf;
+
+/// Draws the floor plan: rooms, walls, doors, furniture and sensors, with their names.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  homebody plan scenarios/tigerplace --svg plan.svg
+  homebody plan my-home --png plan.png --force")]
+pub struct Arguments {
+    /// The scenario's folder, or its scenario.json
+    scenario: PathBuf,
+    #[command(flatten)]
+    pictures: Pictures,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        if self.pictures.is_empty() {
+            return Err(Failure::usage("there is no file to draw into\n  hint: name one with --svg or --png"));
+        }
+        let (scenario, _) = folder::load(&self.scenario)?;
+        self.pictures.draw(&[("", &|| floor_plan(&scenario.home))])
+    }
+}

@@ -1,0 +1,194 @@
+//! The commands that the documents show are understood, and those of the README that can be run here do run.
+
+use super::markdown::Document;
+use super::{expect_none, repository};
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// The documents that show commands.
+const DOCUMENTS: [&str; 3] = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"];
+
+/// The ways in which a document may start the program.
+const STARTS: [&[&str]; 3] = [&["cargo", "run", "--release", "--"], &["./target/release/homebody"], &["homebody"]];
+
+/// The commands that need only files and take no more than seconds.
+const QUICK: [&str; 9] = ["check", "compare", "completions", "convert", "coverage", "new", "replay", "run", "schema"];
+
+/// The commands that make what they name first.
+const MAKERS: [&str; 2] = ["new", "schema"];
+
+/// Flags that make a quick command last, or wait for somebody.
+const SLOW: [&str; 4] = ["--for", "--speed", "--control", "--paused"];
+
+/// What a document gives to the program.
+struct Shown {
+    document: &'static str,
+    line: usize,
+    words: Vec<String>,
+}
+
+#[test]
+fn the_commands_of_the_documents_are_understood() {
+    let shown: Vec<Shown> = DOCUMENTS.into_iter().flat_map(|document| commands(document, &read(document))).collect();
+    assert!(shown.iter().any(|command| command.document == "README.md"), "the README shows how to start the program");
+    expect_none(shown.iter().flat_map(misunderstood).collect());
+}
+
+#[test]
+fn a_command_that_is_not_understood_is_found() {
+    let wrong = |text: &str| commands("README.md", text).iter().flat_map(misunderstood).collect::<Vec<_>>();
+    let right = "```sh\n$ homebody run scenarios/tigerplace --speed=10 --truth a.db  # slowly\nls --none\n\
+        homebody new my-home && homebody check my-home --json | less --none\n\
+        homebody experiment godsey2009 \\\n  --svg a.svg\nhomebody --help\n```\nThen `homebody check`.\n";
+    assert_eq!(wrong(right), [""; 0]);
+    assert_eq!(commands("README.md", right).len(), 6);
+    assert_eq!(wrong("```\nhomebody walk a\n```"), ["README.md:2: homebody has no command walk"]);
+    assert_eq!(wrong("\nTry `homebody walk`."), ["README.md:2: homebody has no command walk"]);
+    assert_eq!(wrong("    cargo run --release -- check a --jso"), ["README.md:1: homebody check has no --jso"]);
+    let experiment = "```\nhomebody experiment godsey\n```";
+    assert_eq!(wrong(experiment), ["README.md:2: homebody experiment has no command godsey"]);
+    let over_lines = "```\nhomebody check a && \\\n homebody check -q b\n```";
+    assert_eq!(wrong(over_lines), ["README.md:2: homebody check has no -q"]);
+}
+
+#[test]
+fn the_quick_commands_of_the_readme_run() {
+    let folder = copy();
+    let shown = commands("README.md", &read("README.md"));
+    expect_none(shown.iter().filter_map(|command| failing(command, folder.path())).collect());
+}
+
+#[test]
+fn a_command_that_fails_is_found() {
+    let folder = copy();
+    let failing = |text: &str| failing(&commands("README.md", text)[0], folder.path());
+    assert_eq!(failing("    homebody check scenarios/tigerplace"), None);
+    assert!(failing("    homebody check scenarios/gone").is_some_and(|why| why.contains("no such scenario")));
+    assert_eq!(failing("    homebody check my-home"), None, "an example that nothing made is only read");
+    assert_eq!(failing("    homebody new my-home"), None);
+    fs::write(folder.path().join("my-home/scenario.json"), "{}").expect("the copy can be changed");
+    assert!(failing("    homebody check my-home").is_some());
+}
+
+/// A document's text; none if it is missing, which another rule tells.
+fn read(document: &str) -> String {
+    fs::read_to_string(repository().join(document)).unwrap_or_default()
+}
+
+/// The scenarios and their schemas in a folder where commands may write.
+fn copy() -> tempfile::TempDir {
+    let copy = tempfile::tempdir().expect("a folder for the copy");
+    for path in super::paths().iter().filter(|path| path.starts_with("scenarios/") || path.starts_with("schemas/")) {
+        let to = copy.path().join(path);
+        match path.ends_with('/') {
+            true => fs::create_dir_all(to).expect("the folder is made"),
+            false => {
+                fs::create_dir_all(to.parent().expect("a file is in a folder")).expect("the folder is made");
+                fs::copy(repository().join(path), to).expect("the file is copied");
+            }
+        }
+    }
+    copy
+}
+
+/// The commands in the code of a document, and those between backticks, with the line where they begin.
+fn commands(document: &'static str, text: &str) -> Vec<Shown> {
+    let parts = Document::new(text);
+    let mut lines: Vec<(usize, String)> = Vec::new();
+    let mut goes_on = false;
+    for (number, line) in &parts.code {
+        match lines.last_mut().filter(|_| goes_on) {
+            Some((_, whole)) => *whole = format!("{} {line}", whole.trim_end_matches('\\')),
+            None => lines.push((*number, line.clone())),
+        }
+        goes_on = line.ends_with('\\');
+    }
+    lines.extend(parts.spans());
+    let split = lines.iter().flat_map(|(line, text)| split(text).into_iter().map(move |words| (*line, words)));
+    let shown = split.filter_map(|(line, words)| {
+        let start =
+            STARTS.iter().find(|start| words.len() >= start.len() && words.iter().zip(**start).all(|(a, b)| a == b));
+        Some(Shown { document, line, words: words[start?.len()..].to_vec() })
+    });
+    shown.collect()
+}
+
+/// The commands of a line, each as its words, without comments and redirections.
+fn split(line: &str) -> Vec<Vec<String>> {
+    let mut commands = vec![Vec::new()];
+    let mut quote = None;
+    let mut word = String::new();
+    let line = line.trim_start_matches("$ ");
+    for c in line.chars().chain([' ']) {
+        match c {
+            '\'' | '"' if quote == Some(c) => quote = None,
+            '\'' | '"' if quote.is_none() => quote = Some(c),
+            ' ' if quote.is_none() => match std::mem::take(&mut word).as_str() {
+                "" => {}
+                "#" => break,
+                "&&" | "|" | ";" | "||" | "&" | ">" | ">>" => commands.push(Vec::new()),
+                word => commands.last_mut().expect("there is always one").push(word.to_owned()),
+            },
+            c => word.push(c),
+        }
+    }
+    commands
+}
+
+/// What in a command the program's help does not know.
+fn misunderstood(Shown { document, line, words }: &Shown) -> Vec<String> {
+    let mut path: Vec<&str> = Vec::new();
+    let mut help = help(&path);
+    while let (Some(list), Some(word)) = (section(&help, "Commands:"), words.get(path.len())) {
+        if word.starts_with('-') {
+            break;
+        }
+        if !list.lines().any(|line| line.split_whitespace().next() == Some(word)) {
+            return vec![format!("{document}:{line}: {} has no command {word}", name(&path))];
+        }
+        path.push(word);
+        help = self::help(&path);
+    }
+    let flags = words.iter().filter(|word| word.len() > 1 && word.starts_with('-'));
+    let flags = flags.map(|flag| flag.split('=').next().unwrap_or_default());
+    let known: Vec<&str> = help.split([' ', ',', '\n', '=', '[']).collect();
+    let unknown = flags.filter(|flag| !known.contains(flag));
+    unknown.map(|flag| format!("{document}:{line}: {} has no {flag}", name(&path))).collect()
+}
+
+fn name(path: &[&str]) -> String {
+    [&["homebody"], path].concat().join(" ")
+}
+
+fn help(path: &[&str]) -> String {
+    let output = homebody(Path::new("."), path.iter().copied().chain(["--help"]));
+    assert!(output.status.success(), "{} --help fails", name(path));
+    String::from_utf8(output.stdout).expect("help is in UTF-8")
+}
+
+/// The lines below a title of the help, up to the next empty one.
+fn section<'a>(help: &'a str, title: &str) -> Option<&'a str> {
+    let (_, rest) = help.split_once(title)?;
+    rest.split("\n\n").next()
+}
+
+/// Runs a command in the folder if it is quick and what it needs is there; what it says if it fails.
+fn failing(Shown { document, line, words }: &Shown, folder: &Path) -> Option<String> {
+    let command = words.first().filter(|command| QUICK.contains(&command.as_str()))?;
+    let is_slow = words.iter().any(|word| SLOW.contains(&word.split('=').next().unwrap_or_default()));
+    // Whatever the repository does not have, the reader has to bring.
+    let has = |word: &String| word.starts_with('-') || word.starts_with("scenarios/") || folder.join(word).exists();
+    let is_complete = MAKERS.contains(&command.as_str()) || words.get(1).is_none_or(has);
+    if is_slow || !is_complete {
+        return None;
+    }
+    let output = homebody(folder, words.iter().map(String::as_str));
+    let said = String::from_utf8_lossy(&output.stderr);
+    (!output.status.success()).then(|| format!("{document}:{line}: homebody {}\n{said}", words.join(" ")))
+}
+
+fn homebody<'a>(folder: &Path, words: impl Iterator<Item = &'a str>) -> Output {
+    let output = Command::new(env!("CARGO_BIN_EXE_homebody")).args(words).current_dir(folder).output();
+    output.expect("homebody can be started")
+}

@@ -1,0 +1,133 @@
+//! What the documents name is there: files, folders and the targets of links.
+
+use super::markdown::Document;
+use super::{expect_none, ignored, paths, repository};
+use std::fs;
+
+/// What makes a bare name that of a file.
+const EXTENSIONS: [&str; 16] = [
+    "rs", "toml", "lock", "json", "md", "routine", "sh", "py", "ts", "js", "svelte", "css", "html", "yml", "png", "svg",
+];
+
+/// Names that look like files of the repository and are none, and what they are.
+const ELSEWHERE: [(&str, &str); 2] = [
+    ("recording.json", "a run writes it into its own folder"),
+    ("my-home", "what examples call the reader's own scenario"),
+];
+
+#[test]
+fn the_map_of_the_code_names_only_what_is_there() {
+    expect_none(wrong_in("ARCHITECTURE.md"));
+}
+
+#[test]
+fn the_readme_names_only_what_is_there() {
+    expect_none(wrong_in("README.md"));
+}
+
+#[test]
+fn the_guide_for_contributors_names_only_what_is_there() {
+    expect_none(wrong_in("CONTRIBUTING.md"));
+}
+
+#[test]
+fn the_changelog_names_only_what_is_there() {
+    expect_none(wrong_in("CHANGELOG.md"));
+}
+
+#[test]
+fn a_document_that_is_missing_is_found() {
+    assert_eq!(wrong_in("NO-SUCH.md"), ["NO-SUCH.md is missing: readers are promised it"]);
+}
+
+#[test]
+fn a_path_that_is_not_there_is_found() {
+    let wrong = |text: &str| dead("README.md", text);
+    for right in [
+        "`crates/homebody/Cargo.toml`, `homebody-core/src/`, `world.rs`, `crates/*/src/lib.rs`",
+        "`sqlite:log.db`, `--json`, `sensor/NAME/timing`, `recording.json`, `a/b c`, `runs/tigerplace-1/log.db`",
+        "[a](LICENSE-MIT) [b](https://a.org/b) ![c](docs/tigerplace.png) [d](#here) [e](README.md#homebody)\n# Here",
+        "```\n`crates/gone.rs`\n```",
+    ] {
+        assert_eq!(wrong(right).len(), 0, "{right}: {:?}", wrong(right));
+    }
+    assert_eq!(wrong("\nsee `crates/gone.rs`"), ["README.md:2: crates/gone.rs is not there"]);
+    for dead in [
+        "`gone.rs`",
+        "`crates/gone/`",
+        "`world.rs/`",
+        "`crates/*/gone.rs`",
+        "[a](gone.md)",
+        "![a](docs/gone.png)",
+        "[a](#gone)",
+        "[a](README.md#gone)",
+        "[a]: gone.md",
+    ] {
+        assert_eq!(wrong(dead).len(), 1, "{dead}");
+    }
+}
+
+fn wrong_in(document: &str) -> Vec<String> {
+    match fs::read_to_string(repository().join(document)) {
+        Ok(text) => dead(document, &text),
+        Err(_) => vec![format!("{document} is missing: readers are promised it")],
+    }
+}
+
+/// The paths and links of a document, which lies in the repository's folder, that lead nowhere.
+fn dead(name: &str, text: &str) -> Vec<String> {
+    let (paths, ignored, document) = (paths(), ignored(), Document::new(text));
+    let spans = document.spans().into_iter().filter(|(_, span)| is_path(span, &ignored) && !is_there(span, &paths));
+    let links =
+        document.links().into_iter().filter(|(_, link)| !link.contains("://") && !leads_somewhere(link, &document));
+    let mut dead: Vec<_> = spans.chain(links).collect();
+    dead.sort();
+    dead.into_iter().map(|(line, path)| format!("{name}:{line}: {path} is not there")).collect()
+}
+
+/// Whether a span of code is the path of something that the repository ought to have.
+fn is_path(span: &str, ignored: &[String]) -> bool {
+    let is_plain = span.chars().all(|c| c.is_ascii_alphanumeric() || "_-./*".contains(c));
+    let first = span.split('/').next().unwrap_or_default();
+    let is_elsewhere = ELSEWHERE.iter().any(|(name, _)| *name == first) || ignored.iter().any(|name| name == first);
+    // `sensor/NAME/timing` is a pattern of names, `1/60` a number.
+    let is_pattern = |part: &str| part.len() > 1 && part.chars().all(|c| c.is_ascii_uppercase());
+    let is_number = |part: &str| part.chars().all(|c| c.is_ascii_digit());
+    let has_extension = span.rsplit_once('.').is_some_and(|(name, end)| !name.is_empty() && EXTENSIONS.contains(&end));
+    is_plain
+        && !is_elsewhere
+        && !span.starts_with('/')
+        && (has_extension || span.contains('/'))
+        && !span.split('/').any(is_pattern)
+        && !span.split('/').all(is_number)
+}
+
+/// Whether there is a file or folder of this path, or one whose path ends so; `*` stands for any one name.
+fn is_there(path: &str, paths: &[String]) -> bool {
+    let wanted: Vec<&str> = path.trim_start_matches("./").trim_end_matches('/').split('/').collect();
+    paths.iter().filter(|there| !path.ends_with('/') || there.ends_with('/')).any(|there| {
+        let names: Vec<&str> = there.trim_end_matches('/').split('/').collect();
+        let end = names.len().checked_sub(wanted.len()).map(|skipped| &names[skipped..]);
+        end.is_some_and(|end| end.iter().zip(&wanted).all(|(name, wanted)| fits(name, wanted)))
+    })
+}
+
+fn fits(name: &str, pattern: &str) -> bool {
+    match pattern.split_once('*') {
+        Some((start, end)) => name.len() >= start.len() + end.len() && name.starts_with(start) && name.ends_with(end),
+        None => name == pattern,
+    }
+}
+
+fn leads_somewhere(link: &str, document: &Document) -> bool {
+    let (path, anchor) = link.split_once('#').unwrap_or((link, ""));
+    let has = |document: &Document| anchor.is_empty() || document.anchors().iter().any(|title| title == anchor);
+    if path.is_empty() {
+        return has(document);
+    }
+    let file = repository().join(path);
+    match fs::read_to_string(&file) {
+        Ok(text) if path.ends_with(".md") => has(&Document::new(&text)),
+        _ => file.exists() || link.starts_with("mailto:"),
+    }
+}

@@ -1,0 +1,166 @@
+//! How source files look: their length, their names, how a sensor's file opens, and how code gives up.
+
+use super::{File, expect_none, files, numbered, paths};
+
+const LONGEST_LINES: usize = 600;
+
+/// The source files that may be longer, and why.
+const LONG: [(&str, &str); 0] = [];
+
+const SENSORS: &str = "crates/homebody-core/src/sensors/";
+
+/// Names that say nothing of what is inside.
+const EMPTY_NAMES: [&str; 6] = ["util", "utils", "common", "misc", "helper", "helpers"];
+
+#[test]
+fn no_source_file_is_too_long() {
+    let files = files();
+    expect_none(files.iter().filter_map(too_long).collect());
+    let needless = LONG.iter().filter(|(path, _)| files.iter().all(|file| file.path != *path || !is_long(file)));
+    expect_none(needless.map(|(path, _)| format!("{path} is short now, or gone: LONG need not name it")).collect());
+}
+
+#[test]
+fn a_long_source_file_is_found() {
+    assert!(too_long(&File::new("a.rs", &"\n".repeat(600))).is_none());
+    assert!(too_long(&File::new("a.rs", &"\n".repeat(601))).is_some());
+    assert!(too_long(&File::new("a.json", &"\n".repeat(601))).is_none());
+}
+
+#[test]
+fn every_sensor_opens_with_what_assumptions_how_and_limits() {
+    let files = files();
+    let sensors: Vec<&File> = files.iter().filter(|file| is_sensor(&file.path)).collect();
+    assert!(sensors.len() >= 2, "the sensors are in {SENSORS}");
+    expect_none(sensors.into_iter().filter_map(opens_wrongly).collect());
+}
+
+#[test]
+fn a_sensor_that_opens_otherwise_is_found() {
+    let head = "//! A mat.\n//!\n//! The device is stood on.\n//!\n//! We assume\n//! weight.\n//!\n//! By area.\n//!\n//! Left out: wear.\n";
+    let wrong = |text: &str| opens_wrongly(&File::new("mat.rs", text)).is_some();
+    assert!(!wrong(&format!("{head}\nuse a::b;\n")));
+    assert!(wrong("use a::b;\n"));
+    assert!(wrong(&head.replace("//! By area.\n//!\n", "")));
+    assert!(wrong(&head.replace("We assume", "Somebody has")));
+    assert!(wrong(&head.replace("Left out: wear", "It wears")));
+}
+
+#[test]
+fn no_name_is_empty_or_counts_versions() {
+    expect_none(paths().iter().filter(|path| is_badly_named(path)).cloned().collect());
+    expect_none(files().iter().flat_map(badly_named_modules).collect());
+}
+
+#[test]
+fn a_name_that_is_empty_or_counts_versions_is_found() {
+    for path in ["crates/common/", "src/util.rs", "web/src/Helpers.ts", "src/misc/mod.rs", "sinks/V2/", "src/v3.rs"] {
+        assert!(is_badly_named(path), "{path}");
+    }
+    for path in ["src/utility_meter.rs", "src/v.rs", "src/commons_room.json", "crates/homebody-core/"] {
+        assert!(!is_badly_named(path), "{path}");
+    }
+    assert_eq!(badly_named_modules(&File::new("a.rs", "mod a;\npub(crate) mod utils {\n}\nmod helpers;")).len(), 2);
+}
+
+#[test]
+fn code_outside_tests_says_why_it_cannot_fail() {
+    let files = files();
+    let wrong = files.iter().filter(|file| is_code(&file.path) && !is_for_tests(&file.path, &files)).flat_map(unwraps);
+    expect_none(wrong.collect());
+}
+
+#[test]
+fn an_unwrap_outside_tests_is_found() {
+    let wrong = |text: &str| unwraps(&File::new("crates/a/src/a.rs", text));
+    assert_eq!(wrong("fn a() {\n    b().unwrap();\n}"), ["crates/a/src/a.rs:2: b().unwrap();"]);
+    assert_eq!(wrong("b().expect(\"why\");\n// c().unwrap()\n").len(), 0);
+    assert_eq!(wrong("#[cfg(test)]\npub mod tests {\n    b().unwrap();\n}\n").len(), 0);
+    assert_eq!(wrong("#[cfg(test)]\nmod tests {\n}\nfn a() {\n    b().unwrap();\n}\n").len(), 1);
+    assert_eq!(wrong("#[cfg(test)]\nmod tests;\nb().unwrap();\n").len(), 1);
+
+    let folder = |parent: &str| [File::new(parent, "mod b;\n#[cfg(test)]\nmod real;\n"), File::new("x", "")];
+    assert!(is_for_tests("crates/a/src/b/real.rs", &folder("crates/a/src/b.rs")));
+    assert!(is_for_tests("crates/a/src/b/real.rs", &folder("crates/a/src/b/mod.rs")));
+    assert!(!is_for_tests("crates/a/src/b/b.rs", &folder("crates/a/src/b.rs")));
+    assert!(!is_for_tests("crates/a/src/c/real.rs", &folder("crates/a/src/b.rs")));
+}
+
+fn is_source(file: &File) -> bool {
+    ["rs", "py", "ts", "js", "svelte", "css", "html", "sh"].iter().any(|extension| file.is(extension))
+}
+
+fn is_long(file: &File) -> bool {
+    is_source(file) && file.text.lines().count() > LONGEST_LINES
+}
+
+fn too_long(file: &File) -> Option<String> {
+    let is_listed = LONG.iter().any(|(path, _)| *path == file.path);
+    let lines = file.text.lines().count();
+    (is_long(file) && !is_listed).then(|| format!("{}: {lines} lines; cut it, or give LONG a reason", file.path))
+}
+
+fn is_sensor(path: &str) -> bool {
+    path.strip_prefix(SENSORS).is_some_and(|name| name != "mod.rs" && !name.contains('/') && name.ends_with(".rs"))
+}
+
+/// What is wrong with the head of a sensor's file: a title, then four paragraphs.
+fn opens_wrongly(file: &File) -> Option<String> {
+    let head: Vec<&str> = file.text.lines().map_while(|line| line.strip_prefix("//!")).map(str::trim).collect();
+    let paragraphs: Vec<&[&str]> = head.split(|line| line.is_empty()).collect();
+    let is_right = match paragraphs[..] {
+        [_title, _device, assumptions, _how, limits] => {
+            assumptions.first().is_some_and(|line| line.starts_with("We assume"))
+                && limits.first().is_some_and(|line| line.starts_with("Left out"))
+        }
+        _ => false,
+    };
+    let wanted = "a title, then a paragraph on what the device does, one that begins with `We assume`, \
+        one on how it is computed, and one that begins with `Left out`";
+    (!is_right).then(|| format!("{}: it opens with {wanted}", file.path))
+}
+
+fn is_badly_named(path: &str) -> bool {
+    let counts_versions = |name: &str| name.strip_prefix('v').is_some_and(|rest| rest.parse::<u32>().is_ok());
+    path.split('/').any(|name| {
+        let name = name.split('.').next().unwrap_or_default().to_lowercase();
+        EMPTY_NAMES.contains(&name.as_str()) || counts_versions(&name)
+    })
+}
+
+fn badly_named_modules(file: &File) -> Vec<String> {
+    let module = |line: &str| {
+        let (before, after) = line.trim().split_once("mod ")?;
+        let name = after.split([';', ' ']).next()?;
+        (before.is_empty() || before.starts_with("pub")).then(|| name.to_owned())
+    };
+    let lines = numbered(&file.text).filter(|_| file.is("rs"));
+    let wrong = lines.filter(|(_, line)| module(line).is_some_and(|name| is_badly_named(&name)));
+    wrong.map(|(number, line)| format!("{}:{number}: {}", file.path, line.trim())).collect()
+}
+
+/// Whether the file is part of a crate, rather than of its tests or benchmarks.
+fn is_code(path: &str) -> bool {
+    path.starts_with("crates/") && path.contains("/src/") && path.ends_with(".rs")
+}
+
+/// Whether the module that a file belongs to has it for its tests only.
+fn is_for_tests(path: &str, files: &[File]) -> bool {
+    let Some((folder, name)) = path.trim_end_matches(".rs").rsplit_once('/') else { return false };
+    let parents = [format!("{folder}.rs"), format!("{folder}/mod.rs"), format!("{folder}/lib.rs")];
+    let declaration = format!("#[cfg(test)]\nmod {name};");
+    files.iter().any(|file| parents.contains(&file.path) && file.text.contains(&declaration))
+}
+
+/// The lines outside a file's tests that give up without a reason.
+fn unwraps(file: &File) -> Vec<String> {
+    let (mut wrong, mut before, mut in_tests) = (Vec::new(), "", false);
+    for (number, line) in numbered(&file.text) {
+        in_tests = if in_tests { line != "}" } else { before == "#[cfg(test)]" && line.ends_with('{') };
+        before = line;
+        if !in_tests && line.contains(".unwrap()") && !line.trim().starts_with("//") {
+            wrong.push(format!("{}:{number}: {}", file.path, line.trim()));
+        }
+    }
+    wrong
+}

@@ -1,0 +1,81 @@
+//! What no file says: that something is still to be done, where its author's files are, how it came to be written.
+
+use super::{File, RULES, expect_none, files, has_word, numbered};
+
+/// What is left where work was left.
+const MARKERS: [&str; 4] = ["TODO", "FIXME", "XXX", "HACK"];
+const MACROS: [&str; 4] = ["todo!", "unimplemented!", "dbg!", "#[ignore]"];
+
+/// The beginnings of paths that only some machine has.
+const MACHINE: [&str; 6] = ["/work/", "/tmp/", "/root/", "/home/", "/Users/", "C:\\Users"];
+
+/// Words about the writing, not about what is written.
+const WRITING: [&str; 6] = ["session", "sessions", "worktree", "language model", "AI assistant", "coding agent"];
+
+#[test]
+fn nothing_is_left_to_be_done() {
+    expect_none(read().iter().flat_map(|file| lines_with(file, is_left_over)).collect());
+}
+
+#[test]
+fn a_leftover_is_found() {
+    for line in ["// TODO: later", "let a = todo!();", "    dbg!(a);", "FIXME", "#[ignore]"] {
+        assert_eq!(lines_with(&File::new("a.rs", line), is_left_over), [format!("a.rs:1: {}", line.trim())]);
+    }
+    for line in ["HACK_REGULAR", "mastodon", "#[ignore = \"a measurement\"]", "a to-do list"] {
+        assert!(!is_left_over(line), "{line}");
+    }
+}
+
+#[test]
+fn no_path_is_of_somebodys_machine() {
+    expect_none(read().iter().flat_map(|file| lines_with(file, names_machine)).collect());
+}
+
+#[test]
+fn a_path_of_somebodys_machine_is_found() {
+    for line in ["see /work/notes.md", "\"/tmp/log.csv\"", "(/home/ann/a.rs)", "file:///Users/ann", "C:\\Users\\ann"] {
+        assert!(names_machine(line), "{line}");
+    }
+    for line in ["crates/homebody-core/src/home/mod.rs", "../work/a", "https://a.org/home/", "$HOME/home/"] {
+        assert!(!names_machine(line), "{line}");
+    }
+}
+
+#[test]
+fn nothing_is_said_of_the_writing() {
+    expect_none(read().iter().flat_map(|file| lines_with(file, speaks_of_writing)).collect());
+}
+
+#[test]
+fn a_word_on_the_writing_is_found() {
+    assert!(speaks_of_writing("as agreed in the last session"));
+    assert!(speaks_of_writing("A Session was here"));
+    assert!(!speaks_of_writing("an obsession with firings"));
+}
+
+/// The files in which words are looked for; those that programs write are not ours to word.
+fn read() -> Vec<File> {
+    let is_ours = |file: &File| !file.path.starts_with(RULES) && !file.is("lock") && !file.path.ends_with("-lock.json");
+    files().into_iter().filter(is_ours).collect()
+}
+
+fn lines_with(file: &File, is_wrong: fn(&str) -> bool) -> Vec<String> {
+    let lines = numbered(&file.text).filter(|(_, line)| is_wrong(line));
+    lines.map(|(number, line)| format!("{}:{number}: {}", file.path, line.trim())).collect()
+}
+
+fn is_left_over(line: &str) -> bool {
+    MARKERS.iter().any(|marker| has_word(line, marker)) || MACROS.iter().any(|name| line.contains(name))
+}
+
+fn names_machine(line: &str) -> bool {
+    let goes_on = |c: char| c.is_alphanumeric() || "_.*}$-".contains(c);
+    let begins = |at: usize| !line[..at].ends_with(goes_on);
+    MACHINE.iter().any(|path| line.match_indices(path).any(|(at, _)| begins(at)))
+}
+
+fn speaks_of_writing(line: &str) -> bool {
+    let line = line.to_lowercase();
+    WRITING.iter().any(|words| has_word(&line, &words.to_lowercase()))
+}
