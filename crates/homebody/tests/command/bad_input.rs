@@ -69,6 +69,7 @@ fn what_is_asked_wrongly_is_refused() {
         ("convert flat/home.json --to csv:a --time-zone Mars/Olympus", "Mars/Olympus"),
         ("convert flat/home.json", "--to <URL>"),
         ("coverage flat --width 10", "200..=8000"),
+        ("plan flat", "name one with --svg or --png"),
         ("experiment alchemy", "unrecognized subcommand 'alchemy'"),
         ("completions klingon", "bash"),
     ] {
@@ -87,7 +88,7 @@ fn what_is_no_scenario_is_told_apart() {
     folder.write("latin/scenario.json", b"{ \"name\": \"\xe9\" }");
     folder.write("folders/scenario.json/file", "");
     folder.write("other/scenario.json", folder.read("flat/home.json"));
-    for command in ["check", "run", "coverage"] {
+    for command in ["check", "run", "coverage", "plan --svg plan.svg"] {
         for (scenario, code, said) in [
             ("nowhere", 1, "nowhere: there is no such scenario\n  hint: name its folder, or its scenario.json"),
             ("empty", 1, "empty/scenario.json: there is no such file\n  hint: a scenario folder holds a scenario.json"),
