@@ -41,9 +41,7 @@ pub type Picture<'a> = (&'static str, &'a dyn Fn() -> String);
 impl Answer {
     /// Makes sure that all files can be written, before anybody waits for the answer; `pictures` by their names.
     pub fn check(&self, pictures: &[&str]) -> Result<(), Failure> {
-        let mut files = self.pictures.files(pictures);
-        files.extend(self.json_file().map(Path::to_owned));
-        Ok(all_can_be_written(&files.iter().map(PathBuf::as_path).collect::<Vec<_>>(), self.pictures.force)?)
+        self.pictures.check(pictures, self.json_file())
     }
 
     /// Draws the pictures that are asked for, and tells the figures: as JSON where that is asked for, else to people.
@@ -71,6 +69,14 @@ impl Pictures {
         self.svg.is_none() && self.png.is_none()
     }
 
+    /// Makes sure that all pictures can be written, and a file beside them.
+    pub fn check(&self, pictures: &[&str], beside: Option<&Path>) -> Result<(), Failure> {
+        let paths = self.svg.iter().chain(&self.png);
+        let files: Vec<PathBuf> = paths.flat_map(|path| pictures.iter().map(|name| named(path, name))).collect();
+        let all: Vec<&Path> = files.iter().map(PathBuf::as_path).chain(beside).collect();
+        Ok(all_can_be_written(&all, self.force)?)
+    }
+
     /// Draws what is asked for.
     pub fn draw(&self, pictures: &[Picture]) -> Result<(), Failure> {
         if self.is_empty() {
@@ -87,11 +93,6 @@ impl Pictures {
             }
         }
         Ok(())
-    }
-
-    fn files(&self, pictures: &[&str]) -> Vec<PathBuf> {
-        let paths = self.svg.iter().chain(&self.png);
-        paths.flat_map(|path| pictures.iter().map(|name| named(path, name))).collect()
     }
 }
 

@@ -26,8 +26,8 @@ fn rows(folder: &Folder, prefix: &str) -> usize {
 fn speed_changes_nothing() {
     let folder = flat();
     let speeds = ["0.5", "1", "5", "10", "50", "100", "1000", "max"];
-    // A short span, and one that takes three seconds at the speed.
-    let spans = |speed: &str| [3.0, speed.parse().map_or(3.0, |times: f64| times * 3.0)];
+    // A short span, and one that takes two seconds at the speed.
+    let spans = |speed: &str| [2.0, speed.parse().map_or(2.0, |times: f64| times * 2.0)];
     let mut running = Vec::new();
     for speed in speeds {
         for (index, span) in spans(speed).into_iter().enumerate() {
@@ -48,7 +48,7 @@ fn speed_changes_nothing() {
         assert_eq!(signs(&folder, &format!("{speed}-0")), signs(&folder, "max-0"), "at speed {speed}");
     }
     // The signs tell runs apart.
-    folder.run(&format!("run flat --for 3s --seed 8 {}", out("other-seed"))).ok();
+    folder.run(&format!("run flat --for 2s --seed 8 {}", out("other-seed"))).ok();
     for (one, other) in signs(&folder, "other-seed").iter().zip(signs(&folder, "max-0")) {
         assert_ne!(*one, other);
     }

@@ -1,10 +1,15 @@
 //! The command from end to end, as people and scripts use it.
+#![cfg(unix)]
 
 mod flat;
 mod folder;
 
+mod beginnings;
 mod invariants;
 mod replays;
 mod outputs;
 mod trouble;
 mod stops;
+mod bad_input;
+mod logs;
+mod figures;

@@ -69,7 +69,7 @@ fn several_outputs_hold_the_same_rows() {
 }
 
 /// Words, each with the files it writes.
-const WRITES: [(&str, &[&str]); 9] = [
+const WRITES: [(&str, &[&str]); 10] = [
     ("run flat --for 1m --out sqlite:new.db --out csv:kept", &["kept", "new.db"]),
     ("run flat --for 1m --out csv:new.csv --out sqlite:kept", &["kept", "new.csv"]),
     ("run flat --for 1m --out csv:new.csv --out casas:kept", &["kept", "new.csv"]),
@@ -78,6 +78,7 @@ const WRITES: [(&str, &[&str]); 9] = [
     ("coverage flat --svg new.svg --png kept", &["kept", "new.svg"]),
     ("coverage flat --svg kept --png new.png", &["kept", "new.png"]),
     ("coverage flat --png new.png --json kept", &["kept", "new.png"]),
+    ("plan flat --svg new.svg --png kept", &["kept", "new.svg"]),
     ("convert given.csv --to sqlite:kept", &["kept"]),
 ];
 
@@ -110,8 +111,8 @@ fn nothing_is_overwritten_unasked() {
         }
     }
     // Looked at before anything is reckoned.
-    folder.write("figure.totals.svg", "precious");
-    folder.run("experiment godsey2009 --svg figure.svg").fails(1, "figure.totals.svg exists already");
+    folder.write("figure-totals.svg", "precious");
+    folder.run("experiment godsey2009 --svg figure.svg").fails(1, "figure-totals.svg exists already");
     assert!(!folder.path("figure.svg").exists());
 }
 

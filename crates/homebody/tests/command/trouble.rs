@@ -92,6 +92,7 @@ fn where_no_room_is_left_nothing_is_half_written() {
         (64, "run flat --for 10d --out csv:log.csv --out sqlite:log.db --truth truth.db --record r.json", "error: "),
         (64, "run flat --for 10d", "runs/flat-1/"),
         (4, "coverage flat --svg map.svg", "map.svg: "),
+        (1, "plan flat --svg plan.svg", "plan.svg: "),
         (4, "coverage flat --png map.png", "map.png: "),
         (1, "coverage flat --json figures.json", "figures.json: "),
         (4, "convert given.csv --to sqlite:log.db", "log.db: "),

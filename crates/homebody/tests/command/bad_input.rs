@@ -1,0 +1,166 @@
+//! Whatever is in the files and on the command line, the command says what is wrong, and never breaks down.
+
+use crate::flat::flat;
+use crate::folder::Folder;
+use std::fs;
+
+#[test]
+fn all_that_is_wrong_is_said_at_once() {
+    let folder = Folder::new();
+    folder.copy_scenario("tigerplace");
+    folder.edit("tigerplace/scenario.json", "America/Chicago", "America/Chikago");
+    folder.edit("tigerplace/home.json", "\"name\": \"bed\", \"at\"", "\"name\": \"bed\", \"att\"");
+    folder.edit("tigerplace/logger.json", "\"fire_only\"", "\"fire-only\"");
+    folder.edit("tigerplace/day.path.json", "\"02:41\"", "\"2:411\"");
+    let given = folder.files();
+    let places = [
+        ("scenario.json:6:16: ", "did you mean \"America/Chicago\"?"),
+        ("home.json:34:22: \"att\" is no key", "did you mean \"at\"?"),
+        ("logger.json:24:15: ", "did you mean \"fire_only\"?"),
+        ("day.path.json:10:32: ", "from \"00:00\" to \"23:59:59.999999\""),
+    ];
+    for words in ["check tigerplace", "run tigerplace", "coverage tigerplace --svg map.svg"] {
+        let said = folder.run(words).fails(2, "problems").err;
+        let mut rest = said.as_str();
+        for (place, hint) in places {
+            let from = rest.find(place).unwrap_or_else(|| panic!("{place} is not told in its turn\n{said}"));
+            rest = &rest[from..];
+            let problem = &rest[..rest.find("\n\n").unwrap()];
+            assert!(problem.lines().any(|line| line.ends_with('^')), "{problem}");
+            assert!(problem.contains("\n  hint: ") && problem.contains(hint), "{problem}");
+        }
+        assert_eq!(folder.files(), given, "{words}");
+    }
+    let json = folder.run("check tigerplace --json");
+    let problems = json.json()["problems"].as_array().unwrap().clone();
+    for (place, _) in places {
+        let of = |problem: &serde_json::Value| {
+            format!("{}:{}:{}: ", problem["file"].as_str().unwrap(), problem["line"], problem["column"])
+        };
+        let problem = problems.iter().find(|problem| place.starts_with(&of(problem)));
+        assert!(problem.is_some_and(|problem| problem["hint"].is_string() && problem["what"].is_string()), "{place}");
+    }
+    assert!(json.err.contains(&format!("{} problems", problems.len())));
+}
+
+#[test]
+fn what_is_asked_wrongly_is_refused() {
+    let folder = flat();
+    let given = folder.files();
+    for (words, said) in [
+        ("", "Usage: homebody"),
+        ("fly", "unrecognized subcommand 'fly'"),
+        ("run", "required arguments were not provided"),
+        ("run flat --for 7", "write a number with its unit"),
+        ("run flat --for 0s", "longer than nothing and at most 100 years"),
+        ("run flat --for -1d", "'-1"),
+        ("run flat --for 101000w", "longer than nothing and at most 100 years"),
+        ("run flat --speed 0.05", "a speed is a number from 0.1 to 1000, or max"),
+        ("run flat --speed 1001", "a speed is a number from 0.1 to 1000, or max"),
+        ("run flat --speed NaN", "a speed is a number from 0.1 to 1000, or max"),
+        ("run flat --seed -1", "'-1"),
+        ("run flat --seed 18446744073709551616", "invalid value"),
+        ("run flat --paused", "--control"),
+        ("run flat --out log.db", "put sqlite:, csv: or casas: before"),
+        ("run flat --out mysql:log", "the known ones are sqlite:, csv: and casas:"),
+        ("run flat --out csv:", "names no file"),
+        ("run flat --owt csv:a", "--out"),
+        ("new home --template castle", "there is none of that name; there are: sphere-house, tigerplace"),
+        ("convert flat/home.json --to csv:a --time-zone Mars/Olympus", "Mars/Olympus"),
+        ("convert flat/home.json", "--to <URL>"),
+        ("coverage flat --width 10", "200..=8000"),
+        ("plan flat", "name one with --svg or --png"),
+        ("experiment alchemy", "unrecognized subcommand 'alchemy'"),
+        ("completions klingon", "bash"),
+    ] {
+        folder.run(words).fails(2, said);
+    }
+    // A seed that is the largest there is, and a span as long as allowed, are fine.
+    folder.run("run flat --seed 18446744073709551615 --for 1s --quiet --out csv:log.csv").ok();
+    fs::remove_file(folder.path("log.csv")).unwrap();
+    assert_eq!(folder.files(), given);
+}
+
+#[test]
+fn what_is_no_scenario_is_told_apart() {
+    let folder = flat();
+    fs::create_dir(folder.path("empty")).unwrap();
+    folder.write("latin/scenario.json", b"{ \"name\": \"\xe9\" }");
+    folder.write("folders/scenario.json/file", "");
+    folder.write("other/scenario.json", folder.read("flat/home.json"));
+    for command in ["check", "run", "coverage", "plan --svg plan.svg"] {
+        for (scenario, code, said) in [
+            ("nowhere", 1, "nowhere: there is no such scenario\n  hint: name its folder, or its scenario.json"),
+            ("empty", 1, "empty/scenario.json: there is no such file\n  hint: a scenario folder holds a scenario.json"),
+            ("folders", 1, "folders/scenario.json: there is no such file"),
+            ("latin", 2, "scenario.json: cannot be read: it is not text in UTF-8"),
+            ("other", 2, "\"scenario.json\" is a home, but a scenario is needed here"),
+            ("flat/home.json", 2, "\"home.json\" is a home, but a scenario is needed here"),
+        ] {
+            folder.run(&format!("{command} {scenario}")).fails(code, said);
+        }
+    }
+    assert!(!folder.path("runs").exists());
+    folder.edit("flat/scenario.json", "\"home.json\"", "\"../flat/home.json\"");
+    folder.run("check flat").fails(2, "is no file name inside the scenario's folder");
+}
+
+/// Numbers as if by chance, the same each time.
+struct Chance(u64);
+
+impl Chance {
+    fn below(&mut self, limit: usize) -> usize {
+        // Marsaglia's xorshift.
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 % limit as u64) as usize
+    }
+}
+
+/// What JSON's grammar hangs on, and what no text holds.
+const BYTES: &[u8] = b"{}[],:\"-.0123456789e\\\n\0 tfn\xff\xc3";
+
+#[test]
+fn no_file_makes_the_command_break_down() {
+    let folder = Folder::new();
+    folder.copy_scenario("tigerplace");
+    let names = folder.files();
+    let whole: Vec<Vec<u8>> = names.iter().map(|name| fs::read(folder.path(name)).unwrap()).collect();
+    let mut chance = Chance(2009);
+    let mut ended = [0, 0];
+    for round in 0..400 {
+        let which = chance.below(names.len());
+        let mut bytes = whole[which].clone();
+        let at = chance.below(bytes.len());
+        match round % 5 {
+            0 => bytes.truncate(at),
+            1 => bytes[at] = BYTES[chance.below(BYTES.len())],
+            2 => bytes.insert(at, BYTES[chance.below(BYTES.len())]),
+            3 => drop(bytes.remove(at)),
+            _ => {
+                let digits: Vec<usize> = (0..bytes.len()).filter(|&at| bytes[at].is_ascii_digit()).collect();
+                let place = digits[chance.below(digits.len())];
+                bytes[place] = b"0123456789"[chance.below(10)];
+            }
+        }
+        folder.write(&names[which], &bytes);
+        let done = folder.run("check tigerplace");
+        let what = format!("{} changed at byte {at}, round {round}: {}", names[which], done.err);
+        match done.code {
+            Some(0) => {
+                ended[0] += 1;
+                // What is accepted can be lived.
+                let lived = folder.run("run tigerplace --for 8h --quiet --force --out csv:log.csv");
+                assert_eq!(lived.code, Some(0), "{what}{}", lived.err);
+            }
+            Some(2) => {
+                ended[1] += 1;
+                assert!(done.err.contains(".json") && done.err.contains("problem"), "{what}");
+            }
+            _ => panic!("{what}"),
+        }
+        folder.write(&names[which], &whole[which]);
+    }
+    assert!(ended[0] > 50 && ended[1] > 150, "{ended:?}");
+}

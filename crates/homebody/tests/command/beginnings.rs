@@ -1,0 +1,89 @@
+//! Beginning a scenario of one's own: templates, schemas, completions.
+
+use crate::folder::{Folder, ROOT};
+use std::fs;
+use std::path::Path;
+
+/// The names of what is in a folder of the repository.
+fn names(folder: &str) -> Vec<String> {
+    let entries = fs::read_dir(Path::new(ROOT).join(folder)).unwrap();
+    let mut names: Vec<String> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn every_template_is_new_checked_and_run() {
+    let folder = Folder::new();
+    let templates = names("scenarios");
+    assert!(templates.len() >= 2, "{templates:?}");
+    for template in &templates {
+        let said = folder.run(&format!("new homes/{template} --template {template}")).ok().err;
+        assert!(said.contains(&format!("homebody run homes/{template}")), "{said}");
+        folder.run(&format!("check homes/{template}")).ok();
+        folder.run(&format!("run homes/{template} --quiet --out csv:{template}.csv")).ok();
+        folder.run(&format!("run {ROOT}/scenarios/{template} --quiet --out csv:{template}-given.csv")).ok();
+        assert_eq!(folder.read(&format!("{template}.csv")), folder.read(&format!("{template}-given.csv")));
+        assert!(folder.read(&format!("{template}.csv")).lines().count() > 20, "{template}");
+        // What the files say of their schemas leads to schemas.
+        for name in names(&format!("scenarios/{template}")) {
+            let file: serde_json::Value =
+                serde_json::from_str(&folder.read(&format!("homes/{template}/{name}"))).unwrap();
+            let schema = file["$schema"].as_str().unwrap();
+            assert!(folder.path(&format!("homes/{template}")).join(schema).is_file(), "{name}: {schema}");
+        }
+    }
+    folder.run("new home").ok();
+    assert!(folder.read("home/scenario.json").contains("\"tigerplace\""), "the first example is the default");
+}
+
+#[test]
+fn what_is_there_is_not_begun_again() {
+    let folder = Folder::new();
+    folder.write("full/precious", "mine");
+    folder.write("file", "mine");
+    fs::create_dir(folder.path("empty")).unwrap();
+    let given = folder.files();
+    for place in ["full", "file", "empty", "."] {
+        folder.run(&format!("new {place}")).fails(1, "exists already\n  hint: name a folder that does not");
+    }
+    assert_eq!(folder.files(), given);
+}
+
+#[test]
+fn the_schemas_are_those_of_the_repository() {
+    let folder = Folder::new();
+    let told = folder.run("schema some/schemas").ok().err;
+    let checked_in = names("schemas");
+    assert!(checked_in.len() >= 6);
+    assert_eq!(folder.files(), checked_in.iter().map(|name| format!("some/schemas/{name}")).collect::<Vec<_>>());
+    for name in checked_in {
+        let ours = fs::read_to_string(Path::new(ROOT).join("schemas").join(&name)).unwrap();
+        assert!(folder.read(&format!("some/schemas/{name}")) == ours, "{name}: homebody schema schemas");
+        assert!(told.contains(&name));
+    }
+    // Once more, over older ones.
+    folder.write("some/schemas/home.schema.json", "{}");
+    folder.run("schema some/schemas").ok();
+    assert!(folder.read("some/schemas/home.schema.json").len() > 100);
+}
+
+#[test]
+fn shells_complete_every_command() {
+    let folder = Folder::new();
+    let help = folder.run("help").ok().out;
+    let commands: Vec<&str> = help
+        .lines()
+        .skip_while(|line| *line != "Commands:")
+        .skip(1)
+        .take_while(|line| !line.is_empty())
+        .map(|line| line.split_whitespace().next().unwrap())
+        .collect();
+    assert!(commands.len() >= 10, "{commands:?}");
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let script = folder.run(&format!("completions {shell}")).ok().out;
+        for command in &commands {
+            assert!(script.contains(command), "{shell} {command}");
+        }
+    }
+}

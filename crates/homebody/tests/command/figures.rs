@@ -1,0 +1,87 @@
+//! What the command finds out about homes and sensors, as figures and as pictures.
+
+use crate::flat::flat;
+use crate::folder::{Folder, ROOT};
+use serde_json::{Value, json};
+
+#[test]
+fn coverage_is_told_and_drawn() {
+    let folder = flat();
+    let done = folder.run("coverage flat --json figures.json --svg map.svg --png map.png --width 400").ok();
+    assert!(done.out.contains("kitchen") && done.out.contains("study"), "{}", done.out);
+    let figures: Value = serde_json::from_str(&folder.read("figures.json")).unwrap();
+    assert_eq!(figures, folder.run("coverage flat --json").ok().json());
+    let names = |key: &str| {
+        let all = figures[key].as_array().unwrap();
+        all.iter().map(|one| one["name"].as_str().unwrap().to_string()).collect::<Vec<_>>()
+    };
+    assert_eq!(names("rooms"), ["kitchen", "bedroom", "study"]);
+    assert_eq!(names("sensors"), ["KitchenWall", "KitchenFloor", "BedroomWall", "BedroomFloor", "StudyFloor"]);
+    for floor in figures["rooms"].as_array().unwrap().iter().chain([&figures["whole"]]) {
+        let shares: f64 = floor["seen_by"].as_object().unwrap().values().map(|share| share.as_f64().unwrap()).sum();
+        assert!((shares - 1.0).abs() < 1e-9 && floor["floor_m2"].as_f64().unwrap() > 5.0, "{floor}");
+    }
+    assert!(folder.read("map.svg").starts_with("<svg"));
+    let png = std::fs::read(folder.path("map.png")).unwrap();
+    // The width is in the header's first chunk.
+    assert!(png.starts_with(b"\x89PNG") && png[16..20] == 400_u32.to_be_bytes());
+
+    // With its sensor moved out of it, the study goes dark.
+    assert!(figures["rooms"][2]["seen_by"]["none"].as_f64().unwrap() < 0.5);
+    folder.edit(
+        "flat/home.json",
+        "[[8.5, 0.5], [10.5, 0.5], [10.5, 2.5], [8.5, 2.5]]",
+        "[[6.5, 0.5], [7.5, 0.5], [7.5, 2.5], [6.5, 2.5]]",
+    );
+    let dark = folder.run("coverage flat --json").ok().json();
+    assert_eq!(dark["rooms"][2]["seen_by"]["none"], json!(1.0));
+    assert_eq!(dark["dead_zones"][0]["room"], json!("study"));
+}
+
+#[test]
+fn a_home_is_drawn() {
+    let folder = flat();
+    let done = folder.run("plan flat --svg plan.svg --png plan.png --width 300").ok();
+    assert_eq!(done.out, "");
+    let svg = folder.read("plan.svg");
+    assert!(svg.starts_with("<svg") && svg.contains("kitchen") && svg.contains("study"));
+    let png = std::fs::read(folder.path("plan.png")).unwrap();
+    assert!(png.starts_with(b"\x89PNG") && png[16..20] == 300_u32.to_be_bytes());
+}
+
+#[test]
+fn the_shipped_homes_are_covered() {
+    let folder = Folder::new();
+    for (name, rooms, sensors) in [("tigerplace", 6, 16), ("sphere-house", 9, 9)] {
+        let json = folder.run(&format!("coverage {ROOT}/scenarios/{name} --json")).ok().json();
+        let count = |key: &str| json[key].as_array().unwrap().len();
+        assert_eq!((count("rooms"), count("sensors")), (rooms, sensors), "{name}");
+        assert!(json["whole"]["seen_by"]["none"].as_f64().unwrap() < 0.1, "{name}");
+    }
+}
+
+#[test]
+fn the_papers_experiment_loses_nothing_at_any_speed() {
+    let folder = Folder::new();
+    let done = folder.run("experiment godsey2009 --json --svg figure.svg").ok();
+    let json = done.json();
+    let activities = json["activities"].as_array().unwrap();
+    let of = |key: &str| activities.iter().map(|activity| activity[key].as_f64().unwrap()).collect::<Vec<_>>();
+    assert_eq!(of("distance_m"), [1.524, 3.048, 1.524, 3.048, 1.524, 3.048]);
+    assert_eq!(of("speed_mps"), [0.5, 0.5, 1.0, 1.0, 2.0, 2.0]);
+    let firings: f64 = of("firings").iter().sum();
+    assert_eq!(json["firings"].as_f64(), Some(firings));
+    // The paper counted 230 in the real room.
+    assert_eq!(json["published"]["firings"], json!(230));
+    let agreement = 1.0 - (firings - 230.0).abs() / 230.0;
+    assert!((json["agreement"].as_f64().unwrap() - agreement).abs() < 1e-9, "{json}");
+    let by_seed = &json["firings_by_seed"];
+    assert!(by_seed[0].as_f64() <= Some(firings) && by_seed[1].as_f64() >= Some(firings), "{by_seed}");
+    let speeds = json["speeds"].as_array().unwrap();
+    let speeds_of = |key: &str| speeds.iter().map(|speed| speed[key].as_u64().unwrap()).collect::<Vec<_>>();
+    assert_eq!(speeds_of("speed"), [1, 5, 10, 50, 100]);
+    assert!(speeds_of("lost").iter().chain(&speeds_of("gained")).all(|&count| count == 0), "{speeds:?}");
+    // The paper's own loop does not manage that.
+    assert!(speeds_of("paper_loop_lost").iter().chain(&speeds_of("paper_loop_gained")).any(|&count| count > 0));
+    assert!(folder.read("figure.svg").starts_with("<svg") && folder.read("figure-totals.svg").starts_with("<svg"));
+}
