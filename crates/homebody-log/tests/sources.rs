@@ -8,7 +8,7 @@ use homebody_log::{Log, LogError, Url, convert, read};
 use rusqlite::Connection;
 use stage::Folder;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 const ALL: [&str; 3] = ["sqlite:log.db", "csv:log.csv", "casas:log.txt"];
 

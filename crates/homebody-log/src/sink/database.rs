@@ -11,6 +11,7 @@ use crate::error::LogError;
 use crate::fresh::Place;
 use rusqlite::{CachedStatement, Connection, OpenFlags, ToSql};
 use std::fs::{self, OpenOptions};
+use std::io::{Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -22,6 +23,9 @@ const TRICKLE: usize = 10_000;
 
 /// Rows that one statement inserts: half again as fast as one by one.
 const ROWS_AT_ONCE: usize = 16;
+
+/// What a closed database says of its transactions: no real count, so nobody has pages cached under it.
+const TRANSACTIONS: [u8; 4] = *b"home";
 
 /// A new database; dropped before any row is stored, it leaves nothing behind.
 pub(crate) struct Database {
@@ -120,9 +124,23 @@ impl Database {
     pub fn close(mut self) -> Result<(), LogError> {
         self.commit()?;
         self.has_rows = true;
-        self.without_waiting("PRAGMA journal_mode = DELETE");
+        let is_one_file = self.without_waiting("PRAGMA journal_mode = DELETE");
         let connection = self.connection.take().expect("open until it is closed");
-        connection.close().map_err(|(_, error)| LogError::database(&self.path, error))
+        connection.close().map_err(|(_, error)| LogError::database(&self.path, error))?;
+        if is_one_file { self.forget_transactions() } else { Ok(()) }
+    }
+
+    /// Sets the count of transactions to a fixed number, so that the same rows are the same bytes, in however many
+    /// transactions they came. The file's format keeps it twice, in the first page's header
+    /// (<https://www.sqlite.org/fileformat2.html>, file change counter and version-valid-for number).
+    fn forget_transactions(&self) -> Result<(), LogError> {
+        let stamp = |offset: u64| {
+            let mut file = OpenOptions::new().write(true).open(&self.path)?;
+            file.seek(SeekFrom::Start(offset))?;
+            file.write_all(&TRANSACTIONS)?;
+            file.sync_data()
+        };
+        [24, 92].into_iter().try_for_each(stamp).map_err(|error| LogError::file(&self.path, error))
     }
 
     /// Ends the transaction if there is one.

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::folder::OWN;
 use homebody_core::scenario::schema::schemas;
 use include_dir::Dir;
+use serde_json::json;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -51,9 +52,13 @@ impl Arguments {
             &self.folder.join("schemas"),
             schemas().into_iter().map(|(name, schema)| (name, format!("{schema:#}\n").into())),
         )?;
+        let template = json!(self.template.path().display().to_string());
+        let name = json!(self.folder.file_name().unwrap_or_default().to_string_lossy());
         let files = self.template.files().map(|file| {
-            // The schemas of the repository are two folders up, ours are right here.
-            let text = String::from_utf8_lossy(file.contents()).replace("\"../../schemas/", "\"./schemas/");
+            // The schemas of the repository are two folders up, ours are right here; and it has a name of its own.
+            let text = String::from_utf8_lossy(file.contents())
+                .replace("\"../../schemas/", "\"./schemas/")
+                .replace(&format!("\"name\": {template}"), &format!("\"name\": {name}"));
             (file.path().file_name().and_then(|name| name.to_str()).unwrap_or_default(), text.into_bytes())
         });
         write(&self.folder, files)

@@ -73,12 +73,15 @@ impl Folder {
         }
     }
 
-    /// The SHA-256 of a file's bytes; of a database, that of all rows in the order in which they were stored: its
-    /// bytes also count how often it was written to.
+    /// The SHA-256 of a file's bytes.
     pub fn sha256(&self, name: &str) -> String {
-        let bytes = fs::read(self.path(name)).unwrap();
-        let bytes = if bytes.starts_with(b"SQLite") { self.dump(name).into_bytes() } else { bytes };
-        Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+        sha256(&fs::read(self.path(name)).unwrap())
+    }
+
+    /// The SHA-256 of all rows of the truth, in the order in which they were stored: which of its tables has which
+    /// page of the file depends on when rows came.
+    pub fn truth_sha256(&self, name: &str) -> String {
+        sha256(self.dump(name).as_bytes())
     }
 
     /// All tables of a database with all rows.
@@ -245,4 +248,8 @@ impl Done {
         assert!(value.is_object(), "homebody {} prints {value}", self.words);
         value
     }
+}
+
+fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
