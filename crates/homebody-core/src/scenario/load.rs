@@ -216,6 +216,9 @@ impl Loader<'_> {
                     None => Problem::of_file(name, what, None),
                 }
             });
+            if mistaken.is_none() {
+                self.follow(&source, kind);
+            }
             self.problems.extend(mistaken.map_or(problems, |problem| vec![problem]));
             return None;
         }
@@ -224,6 +227,32 @@ impl Loader<'_> {
             Err(error) => {
                 self.problems.push(Problem::of_file(name, format!("cannot be understood: {error}"), None));
                 None
+            }
+        }
+    }
+
+    /// Checks what a file links that cannot be understood itself, as far as its links can be.
+    fn follow(&mut self, from: &Source, kind: FileKind) {
+        let root = from.root.to_json();
+        let residents = root["residents"].as_array().map_or(0, Vec::len);
+        let links: Vec<(String, FileKind)> = match kind {
+            FileKind::Scenario => [("/home".into(), FileKind::Home), ("/logger".into(), FileKind::Logger)]
+                .into_iter()
+                .chain((0..residents).map(|index| (format!("/residents/{index}"), FileKind::Resident)))
+                .collect(),
+            FileKind::Resident => {
+                vec![("/driver/path".into(), FileKind::Path), ("/driver/live/keys".into(), FileKind::Input)]
+            }
+            _ => Vec::new(),
+        };
+        for (link, kind) in links {
+            let Some(name) = root.pointer(&link).and_then(|name| name.as_str()) else { continue };
+            if kind == FileKind::Home {
+                if let Some(home) = self.linked::<HomeFile>(from, &link, name, kind) {
+                    check::home::check(&home.source, &home.data, &mut self.problems);
+                }
+            } else if let Some(file) = self.linked::<serde_json::Value>(from, &link, name, kind) {
+                self.follow(&file.source, kind);
             }
         }
     }

@@ -52,6 +52,20 @@ fn ten_mistakes_in_three_files_are_reported_at_once() {
 }
 
 #[test]
+#[rustfmt::skip] // A problem a line.
+fn what_cannot_be_understood_hides_nothing_that_it_links() {
+    let files = broken(&[
+        ("scenario.json", r#""days": 2"#, r#""days": "two""#),
+        ("home.json", r#""at": [0.05, 1.5]"#, r#""at": [50, 1.5]"#),
+        ("logger.json", r#""utc""#, r#""mars""#),
+        ("bob.json", r#""start": [5, 1]"#, r#""start": "here""#),
+        ("bob.keys.json", r#""at_s": 2.5"#, r#""at_s": -1"#),
+    ]);
+    let files_named: Vec<String> = said(&files).lines().map(|line| line.split(':').next().unwrap().to_owned()).collect();
+    assert_eq!(files_named, ["scenario.json", "home.json", "logger.json", "bob.json", "bob.keys.json"], "{}", said(&files));
+}
+
+#[test]
 fn a_home_in_place_of_a_scenario_is_recognised() {
     let problems = Scenario::load(&good(), "home.json").unwrap_err();
     assert_eq!(problems.to_string(), r#"home.json: "home.json" is a home, but a scenario is needed here"#);
