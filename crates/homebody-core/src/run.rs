@@ -8,7 +8,7 @@ use crate::home::plan::Plan;
 use crate::home::{Build, Home};
 use crate::scenario::load::{self, Scenario};
 use crate::stride::Stride;
-use crate::time::{Micros, SECOND};
+use crate::time::{Micros, NEVER, SECOND};
 use crate::world::World;
 use std::sync::Arc;
 
@@ -133,7 +133,7 @@ impl Run {
     /// Staying as one is, for ever.
     fn rest(&self, resident: usize) -> Move {
         let (at, posture) = self.residents[resident].driver.pose();
-        Move { begin: self.world.now(), end: Micros::MAX, doing: Doing::Rest { at }, posture }
+        Move { begin: self.world.now(), end: NEVER, doing: Doing::Rest { at }, posture }
     }
 
     /// Tells the truth which rooms the resident comes through.

@@ -6,6 +6,9 @@ pub type Micros = i64;
 /// One second.
 pub const SECOND: Micros = 1_000_000;
 
+/// An instant that does not come.
+pub const NEVER: Micros = Micros::MAX;
+
 /// Seconds as a file writes them, rounded to the nearest microsecond.
 ///
 /// Values out of range saturate: the checks of a scenario refuse them before they get here.

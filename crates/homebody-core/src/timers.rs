@@ -1,10 +1,7 @@
 //! Which of many timers is due next.
 
 use crate::home::field::MAX_SENSORS;
-use crate::time::Micros;
-
-/// The timer of a machine that waits for movement only.
-pub const NEVER: Micros = Micros::MAX;
+use crate::time::{Micros, NEVER};
 
 /// The timers of all sensors, as a tournament: each node holds the earlier of its two, so that setting one
 /// costs a few comparisons without a branch. Of timers due at once, the first sensor's is next.

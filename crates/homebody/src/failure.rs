@@ -1,6 +1,6 @@
 //! How a command fails: what people read, and the exit code that scripts read.
 
-use crate::commands::tell;
+use crate::print::tell;
 use homebody_core::problem::Problems;
 use homebody_log::LogError;
 use std::fmt::Display;

@@ -5,6 +5,7 @@ mod failure;
 mod folder;
 mod pace;
 mod places;
+mod print;
 
 use clap::Parser;
 use commands::Command;

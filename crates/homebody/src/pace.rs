@@ -1,7 +1,7 @@
 //! Pace: how fast a run goes by the clock on the wall. It decides when the run is advanced, never how:
 //! the world knows nothing of it.
 
-use crate::commands::tell;
+use crate::print::tell;
 use homebody_core::time::{Micros, SECOND};
 use std::io::BufRead;
 use std::str::FromStr;

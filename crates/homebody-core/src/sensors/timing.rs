@@ -16,8 +16,7 @@
 
 use crate::random::{Range, Stream};
 use crate::scenario::home::Timing as TimingFile;
-use crate::time::{Micros, micros};
-use crate::timers::NEVER;
+use crate::time::{Micros, NEVER, micros};
 
 /// The numbers of the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

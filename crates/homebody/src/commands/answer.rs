@@ -1,7 +1,7 @@
 //! What commands that answer a question leave: words for people, figures as JSON, pictures.
 
-use super::{print_json, print_text, write_file};
 use crate::failure::Failure;
+use crate::print::{print_json, print_text, write_file};
 use homebody_log::fresh::all_can_be_written;
 use homebody_study::picture::png;
 use serde::Serialize;

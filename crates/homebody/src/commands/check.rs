@@ -1,8 +1,8 @@
 //! `homebody check`: everything that is wrong with a scenario, at once.
 
-use super::{print_json, tell};
 use crate::failure::Failure;
 use crate::folder;
+use crate::print::{print_json, tell};
 use serde_json::json;
 use std::path::PathBuf;
 

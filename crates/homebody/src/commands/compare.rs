@@ -1,8 +1,8 @@
 //! `homebody compare`: how alike two logs are.
 
 use super::convert::place;
-use super::{print_json, print_text, tell};
 use crate::failure::Failure;
+use crate::print::{print_json, print_text, tell};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::{Log, read};
 use homebody_study::compare::compare;

@@ -1,7 +1,7 @@
 //! `homebody completions`: what makes a shell complete the command line.
 
-use super::print_text;
 use crate::failure::Failure;
+use crate::print::print_text;
 use clap::CommandFactory;
 use clap_complete::{Shell, generate};
 

@@ -1,7 +1,7 @@
 //! `homebody convert`: carry a log from one form into another.
 
-use super::tell;
 use crate::failure::Failure;
+use crate::print::tell;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::fresh::same_file;

@@ -1,9 +1,9 @@
 //! Living a run: advancing it at its pace, handing what happens to the logs, telling people how far it is.
 
-use super::{print_json, print_text};
 use crate::failure::Failure;
 use crate::pace::{Asked, Pace};
 use crate::places::Places;
+use crate::print::{print_json, print_text};
 use homebody_core::event::Events;
 use homebody_core::recording::{Recording, Seal};
 use homebody_core::run::Run;

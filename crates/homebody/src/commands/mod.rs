@@ -16,8 +16,6 @@ mod schema;
 
 use crate::failure::Failure;
 use clap::Subcommand;
-use homebody_log::fresh::FreshFile;
-use std::path::Path;
 
 #[derive(Subcommand)]
 pub enum Command {
@@ -61,32 +59,4 @@ impl Command {
             Command::Completions(arguments) => arguments.run(),
         }
     }
-}
-
-/// Prints the one JSON object that `--json` promises.
-fn print_json(value: &impl serde::Serialize) -> Result<(), Failure> {
-    let text = serde_json::to_string_pretty(value).map_err(Failure::usage)?;
-    print_text(&(text + "\n"))
-}
-
-/// Prints on standard output; a reader that has gone away is no error.
-fn print_text(text: &str) -> Result<(), Failure> {
-    use std::io::{ErrorKind, Write};
-    match std::io::stdout().lock().write_all(text.as_bytes()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Io(format!("standard output: {error}"))),
-        _ => Ok(()),
-    }
-}
-
-/// Writes a whole file under its name or not at all; one that exists is replaced with `force` only.
-fn write_file(path: &Path, bytes: &[u8], force: bool) -> Result<(), Failure> {
-    let mut file = FreshFile::create(path, force)?;
-    file.write(bytes)?;
-    Ok(file.finish()?)
-}
-
-/// Tells people something on standard error; that nobody listens there is no error.
-pub fn tell(text: impl std::fmt::Display) {
-    use std::io::Write;
-    let _ = writeln!(std::io::stderr().lock(), "{text}");
 }

@@ -1,8 +1,8 @@
 //! `homebody new`: a scenario of one's own, from one that works.
 
-use super::tell;
 use crate::failure::Failure;
 use crate::folder::OWN;
+use crate::print::tell;
 use homebody_core::scenario::schema::schemas;
 use include_dir::Dir;
 use serde_json::json;

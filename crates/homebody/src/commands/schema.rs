@@ -1,7 +1,7 @@
 //! `homebody schema`: the JSON Schemas of the scenario files.
 
-use super::{tell, write_file};
 use crate::failure::Failure;
+use crate::print::{tell, write_file};
 use homebody_core::scenario::schema::schemas;
 use std::fs;
 use std::path::PathBuf;

@@ -1,9 +1,9 @@
 //! `homebody experiment sphere`.
 
 use crate::commands::answer::Answer;
-use crate::commands::tell;
 use crate::failure::Failure;
 use crate::folder;
+use crate::print::tell;
 use homebody_study::picture::{Lane, Panel, span_chart};
 use homebody_study::sphere::{AnnotatedRun, Experiment, Interval, Recording, Texts, Undone, parse};
 use std::fs;
