@@ -166,10 +166,15 @@ impl World {
             && at < unseen
         {
             self.ring(at, sensor, events);
-            let wakes = self.want & (1 << sensor);
-            if wakes != 0 {
-                unseen = self.unseen_until(wakes, at, unseen);
+            if self.machines[sensor].wants() {
+                unseen = self.unseen_until(1 << sensor, at, unseen);
+                // It decides unseen: at once, as that says nothing to anybody.
+                let machine = &mut self.machines[sensor];
+                if machine.wants_until() < unseen {
+                    machine.due();
+                }
             }
+            self.note(sensor);
         }
         unseen
     }
@@ -227,20 +232,20 @@ impl World {
             && at < end
         {
             self.ring(at, sensor, events);
+            self.note(sensor);
             if (self.want & may) >> sensor & 1 != 0 {
                 self.look(sensor, at, end);
             }
         }
     }
 
-    /// A sensor's timer runs out.
+    /// A sensor's timer runs out; what its machine wants then is for [`World::note`].
     fn ring(&mut self, at: Micros, sensor: usize, events: &mut Events) {
         if let Due::Fired(seen) = self.machines[sensor].due() {
             events.firings.push(Firing { seq: self.seq, at, sensor: sensor as u32 });
             events.facts.push(Fact::Cause { seq: self.seq, resident: seen.resident, seen_at: seen.at });
             self.seq += 1;
         }
-        self.note(sensor);
     }
 
     /// Looks for the first movement from `from` on and before `end` that `sensor`'s machine wants to
