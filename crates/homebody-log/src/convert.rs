@@ -14,7 +14,7 @@ use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 /// Writes a log to a place, under our own names of table and columns.
 ///
 /// Local times stay local. A log in UTC stays in UTC, but for the CASAS form, which knows local time only: there it is
-/// the local time of `zone`.
+/// the local time of `zone`. Notes of activities stay behind.
 pub fn convert(log: &Log, to: &Url, run: &RunInfo, zone: &str, force: bool) -> Result<u64, LogError> {
     let (zone, time) = match log.clock {
         Clock::Local => ("UTC", TimeFormat::Local),

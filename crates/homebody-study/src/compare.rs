@@ -4,6 +4,7 @@
 //! |---|---|
 //! | agreement | `1 - |a - b| / b` for `a` firings against `b` in the reference, as Godsey & Skubic (2009) have it: 1 is equal, and with more than twice the reference's firings it is below 0 |
 //! | agreement by sensor | `1 - sum |a_k - b_k| / sum b_k` over the sensors `k`: what one sensor has too many does not make up for what another lacks |
+//! | agreement by activity | the same over activities: what is too much while somebody cooks does not make up for what lacks while they sleep. A firing counts for every activity that goes on meanwhile |
 //! | gaps | the Kolmogorov-Smirnov distance `sup |F_a(x) - F_b(x)|` of two samples of times between successive firings, where `F(x)` is the share of a sample that is `x` or less: 0 is equal, 1 is wholly apart |
 //!
 //! Gaps are a sensor's own; *pooled* they are those of all sensors in one sample; *anywhere* they are the times from
@@ -14,7 +15,7 @@
 //! no agreement to speak of.
 
 use homebody_core::time::Micros;
-use homebody_log::Log;
+use homebody_log::{Activity, Log};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -27,6 +28,9 @@ pub struct Comparison {
     /// All firings.
     pub firings: Counts,
     pub agreement_by_sensor: Option<f64>,
+    /// Those that are known of either log, by name; a log that knows none is taken to be of the other's.
+    pub activities: Vec<ActivityComparison>,
+    pub agreement_by_activity: Option<f64>,
     pub gaps_pooled: Option<f64>,
     pub gaps_anywhere: Option<f64>,
 }
@@ -37,6 +41,13 @@ pub struct SensorComparison {
     pub sensor: String,
     pub firings: Counts,
     pub gaps: Option<f64>,
+}
+
+/// How far the firings during one activity agree, whenever and how often it was done.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ActivityComparison {
+    pub activity: String,
+    pub firings: Counts,
 }
 
 /// How often there were firings in both logs.
@@ -69,10 +80,15 @@ pub fn compare(a: &Log, b: &Log) -> Comparison {
         sensors.push(SensorComparison { sensor: sensor.into(), firings, gaps: distance(gaps) });
     }
     let firings = Counts::of(anywhere[0].len() as u64, anywhere[1].len() as u64);
+    let activities = by_activity([a, b], &mut anywhere);
+    let reference = activities.iter().map(|activity| activity.firings.b).sum();
+    let apart_by_activity = activities.iter().map(|activity| activity.firings.a.abs_diff(activity.firings.b)).sum();
     Comparison {
         sensors,
         firings,
         agreement_by_sensor: agreement(apart, firings.b),
+        agreement_by_activity: agreement(apart_by_activity, reference),
+        activities,
         gaps_pooled: distance(pooled),
         gaps_anywhere: distance(anywhere.map(gaps)),
     }
@@ -82,6 +98,24 @@ impl Counts {
     fn of(a: u64, b: u64) -> Counts {
         Counts { a, b, agreement: agreement(a.abs_diff(b), b) }
     }
+}
+
+/// The firings during each activity; the times of each log are sorted on the way.
+fn by_activity(logs: [&Log; 2], times: &mut [Vec<Micros>; 2]) -> Vec<ActivityComparison> {
+    let mut counts: BTreeMap<&str, [u64; 2]> = BTreeMap::new();
+    for which in 0..2 {
+        let (own, others) = (&logs[which].activities, &logs[1 - which].activities);
+        times[which].sort_unstable();
+        for Activity { name, begin, end } in if own.is_empty() { others } else { own } {
+            let before = |instant: Micros| times[which].partition_point(|&at| at < instant);
+            counts.entry(name).or_default()[which] += before(*end).saturating_sub(before(*begin)) as u64;
+        }
+    }
+    let compared = |(activity, [a, b]): (&str, [u64; 2])| ActivityComparison {
+        activity: activity.into(),
+        firings: Counts::of(a, b),
+    };
+    counts.into_iter().map(compared).collect()
 }
 
 /// Whether a value says that something began.
@@ -122,29 +156,42 @@ fn distance(mut samples: [Vec<Micros>; 2]) -> Option<f64> {
 /// A table for people.
 impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let names = self.sensors.iter().map(|sensor| sensor.sensor.chars().count());
-        let width = names.max().unwrap_or(0).max(SENSOR_BY_SENSOR.len());
+        let sensors = self.sensors.iter().map(|sensor| sensor.sensor.as_str());
+        let activities = self.activities.iter().map(|activity| activity.activity.as_str());
+        let last = (!self.activities.is_empty()).then_some(ACTIVITY_BY_ACTIVITY);
+        let names = sensors.chain(activities).chain([SENSOR_BY_SENSOR]).chain(last);
+        let width = names.map(|name| name.chars().count()).max().unwrap_or(0);
         writeln!(
             f,
             "{:width$}  {:>9}  {:>9}  {:>9}  {:>10}",
             "sensor", "firings", "reference", "agreement", "gaps apart"
         )?;
-        let mut line = |name: &str, counts: Option<&Counts>, agreement: Option<f64>, gaps: Option<f64>| {
+        let line = |f: &mut fmt::Formatter, name: &str, counts: Option<&Counts>, agreement: Option<f64>, gaps: &str| {
             let [a, b] = [counts.map(|counts| counts.a), counts.map(|counts| counts.b)];
             let [a, b] = [a, b].map(|count| count.map_or(String::new(), |count| count.to_string()));
             let agreement = agreement.map_or("-".into(), |share| format!("{:.1} %", share * 100.0));
-            let gaps = gaps.map_or("-".into(), |distance| format!("{distance:.3}"));
-            writeln!(f, "{name:width$}  {a:>9}  {b:>9}  {agreement:>9}  {gaps:>10}")
+            let line = format!("{name:width$}  {a:>9}  {b:>9}  {agreement:>9}  {gaps:>10}");
+            writeln!(f, "{}", line.trim_end())
         };
+        let shown = |gaps: Option<f64>| gaps.map_or("-".into(), |distance| format!("{distance:.3}"));
         for sensor in &self.sensors {
-            line(&sensor.sensor, Some(&sensor.firings), sensor.firings.agreement, sensor.gaps)?;
+            line(f, &sensor.sensor, Some(&sensor.firings), sensor.firings.agreement, &shown(sensor.gaps))?;
         }
-        line("all together", Some(&self.firings), self.firings.agreement, self.gaps_anywhere)?;
-        line(SENSOR_BY_SENSOR, None, self.agreement_by_sensor, self.gaps_pooled)
+        line(f, "all together", Some(&self.firings), self.firings.agreement, &shown(self.gaps_anywhere))?;
+        line(f, SENSOR_BY_SENSOR, None, self.agreement_by_sensor, &shown(self.gaps_pooled))?;
+        if self.activities.is_empty() {
+            return Ok(());
+        }
+        writeln!(f, "\n{:width$}  {:>9}  {:>9}  {:>9}", "activity", "firings", "reference", "agreement")?;
+        for ActivityComparison { activity, firings } in &self.activities {
+            line(f, activity, Some(firings), firings.agreement, "")?;
+        }
+        line(f, ACTIVITY_BY_ACTIVITY, None, self.agreement_by_activity, "")
     }
 }
 
 const SENSOR_BY_SENSOR: &str = "sensor by sensor";
+const ACTIVITY_BY_ACTIVITY: &str = "activity by activity";
 
 #[cfg(test)]
 mod tests {
@@ -226,6 +273,23 @@ mod tests {
             let apart = (0..15).map(|x| (share(&samples[0], x) - share(&samples[1], x)).abs());
             assert_eq!(distance(samples.clone()), Some(apart.fold(0.0, f64::max)));
         }
+    }
+
+    #[test]
+    fn activities_are_compared_whenever_they_were_done() {
+        let during = |name: &str, begin, end| Activity { name: name.into(), begin, end };
+        let mut a = log(&[("m", 0), ("m", 5), ("m", 9), ("m", 20)]);
+        let mut b = log(&[("m", 100), ("m", 105), ("m", 120)]);
+        assert!(compare(&a, &b).activities.is_empty());
+        a.activities = vec![during("cook", 0, 9), during("sleep", 9, 30)];
+        b.activities = vec![during("sleep", 90, 102), during("cook", 102, 130)];
+        let compared = compare(&a, &b);
+        let counts: Vec<_> = compared.activities.iter().map(|of| (of.activity.as_str(), of.firings)).collect();
+        assert_eq!(counts, [("cook", Counts::of(2, 2)), ("sleep", Counts::of(2, 1))]);
+        assert_eq!(compared.agreement_by_activity, Some(1.0 - 1.0 / 3.0));
+        b.activities.clear();
+        let compared = compare(&a, &b);
+        assert_eq!(compared.activities[0].firings, Counts::of(2, 0), "the other's activities are taken for its own");
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! The text of the CASAS smart homes: date, time, sensor and value, parted by blanks or tabs, as homes differ.
 //!
 //! Some homes repeat the sensor or tell its room and place before the value, and what kind of sensor it is after
-//! it; some note activities at a line's end. All that is passed over.
+//! it; all that is passed over. Some note at a line's end that an activity begins or ends, as `Sleep begin`.
 
 use super::{Reading, open};
 use crate::error::LogError;
@@ -49,7 +49,13 @@ fn understand(number: u64, line: &str, reading: &mut Reading) {
         _ if words.len() > 2 && words[1] == sensor => words.get(2),
         _ => words.get(1),
     };
+    let rows = reading.log.events.len();
     reading.row(number, &time, sensor, value.copied().unwrap_or_default());
+    if let [.., name, note @ ("begin" | "end")] = words[2.min(words.len())..]
+        && reading.log.events.len() > rows
+    {
+        reading.note(name, note == "begin");
+    }
 }
 
 #[cfg(test)]
@@ -79,6 +85,17 @@ mod tests {
             assert_eq!((&log.sensors[..], &log.values[..]), (&["M001".into()][..], &["ON".into()][..]), "{line}");
             assert_eq!(log.events[0].at, 1_235_977_923_250_000, "{line}");
         }
+    }
+
+    #[test]
+    fn notes_become_activities() {
+        let log = read(
+            "2009-03-02 07:00:00 M001 ON Sleep end\n2009-03-02 08:00:00 M001 ON Cook begin\n\
+             2009-03-02 08:10:00 M001 ON Cook begin\n2009-03-02 08:20:00 M001 OFF R1_Work begin\n\
+             2009-03-02 08:30:00 M001 OFF Cook end",
+        );
+        let [cook] = &log.activities[..] else { panic!("{:?}", log.activities) };
+        assert_eq!((cook.name.as_str(), cook.end - cook.begin), ("Cook", 30 * 60 * 1_000_000));
     }
 
     #[test]

@@ -2,6 +2,7 @@
 //!
 //! Whatever is in a file, reading does not fail because of a line: what cannot be understood is skipped and told.
 
+mod activities;
 mod casas;
 mod csv;
 mod instant;
@@ -9,6 +10,8 @@ mod sqlite;
 
 use crate::error::LogError;
 use crate::url::Url;
+use activities::Notes;
+pub use activities::{Activity, activities};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Micros;
 use instant::{Instant, Instants};
@@ -26,6 +29,8 @@ pub struct Log {
     pub values: Vec<String>,
     pub events: Vec<Event>,
     pub clock: Clock,
+    /// What residents did, where the log notes it.
+    pub activities: Vec<Activity>,
     /// The first of the lines that were skipped.
     pub problems: Vec<Skipped>,
     /// How many lines were skipped.
@@ -124,6 +129,7 @@ struct Reading {
     sensors: HashMap<String, u32>,
     values: HashMap<String, u32>,
     instants: Instants,
+    notes: Notes,
 }
 
 impl Reading {
@@ -152,6 +158,12 @@ impl Reading {
         let sensor = number(&mut self.sensors, &mut self.log.sensors, sensor);
         let value = number(&mut self.values, &mut self.log.values, value);
         self.log.events.push(Event { at, sensor, value });
+    }
+
+    /// Takes a note, at the last row, that an activity begins or ends.
+    fn note(&mut self, name: &str, begins: bool) {
+        let Some(last) = self.log.events.last() else { return };
+        self.log.activities.extend(self.notes.take(name, begins, last.at));
     }
 
     fn skip(&mut self, line: u64, why: String) {

@@ -31,7 +31,7 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading) -> Res
     read_table(&connection, file, &table, reading).map_err(database)
 }
 
-fn connect(path: &Path) -> rusqlite::Result<Connection> {
+pub(crate) fn connect(path: &Path) -> rusqlite::Result<Connection> {
     let open = |flags| {
         let connection = Connection::open_with_flags(path, flags)?;
         connection.busy_timeout(Duration::from_secs(2))?;
@@ -146,7 +146,7 @@ fn read_table(
     Ok(())
 }
 
-fn text(value: ValueRef) -> String {
+pub(crate) fn text(value: ValueRef) -> String {
     match value {
         ValueRef::Null => String::new(),
         ValueRef::Integer(number) => number.to_string(),

@@ -4,11 +4,12 @@ use super::convert::place;
 use crate::failure::Failure;
 use crate::print::{print_json, print_text, tell};
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::{Log, read};
+use homebody_log::{Log, activities, read};
 use homebody_study::compare::compare;
 
 /// Compares the firings of two logs: by sensor and in all, agreement as Godsey & Skubic have it, and how their
-/// times between firings are spread. The second is the reference.
+/// times between firings are spread. The second is the reference. Where activities are known, from a truth.db beside the
+/// log or from notes in it, also by activity.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody compare runs/tigerplace-2 runs/tigerplace-1
@@ -30,8 +31,14 @@ impl Arguments {
     }
 }
 
+/// The log, with the activities that the truth of its run tells.
 fn log(text: &str) -> Result<Log, Failure> {
-    let log = read(&place(text)?, &LoggerFile::default())?;
+    let place = place(text)?;
+    let mut log = read(&place, &LoggerFile::default())?;
+    let truth = place.path().with_file_name("truth.db");
+    if truth.is_file() {
+        log.activities = activities(&truth)?;
+    }
     if log.skipped > 0 {
         tell(format_args!("{text}: {} lines were left out; homebody convert says which", log.skipped));
     }
