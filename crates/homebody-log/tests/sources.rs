@@ -182,6 +182,15 @@ fn what_is_no_log_is_told() {
 }
 
 #[test]
+fn what_no_clock_shows_is_skipped() {
+    let folder = Folder::new("far");
+    let text = "2009-03-02 07:12:03 M1 ON\n9999-12-31 23:59:59 M1 OFF\n-9999-01-01 00:00:00 M1 OFF\n";
+    let log = from_text(&folder, "casas:log", text).unwrap();
+    assert_eq!((log.events.len(), log.skipped), (1, 2));
+    assert!(from_text(&folder, "casas:never", "9999-12-31T23:59:59Z M1 OFF\n").is_err());
+}
+
+#[test]
 fn dirt_never_panics() {
     let folder = Folder::new("dirt");
     let mut state = 3_u64;

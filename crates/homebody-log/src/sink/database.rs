@@ -27,7 +27,7 @@ const ROWS_AT_ONCE: usize = 16;
 /// What a closed database says of its transactions: no real count, so nobody has pages cached under it.
 const TRANSACTIONS: [u8; 4] = *b"home";
 
-/// A new database; dropped before any row is stored, it leaves nothing behind.
+/// A new database; dropped before any row is stored, it leaves behind what was there before.
 pub(crate) struct Database {
     path: PathBuf,
     /// None only while the database is being closed.
@@ -36,6 +36,8 @@ pub(crate) struct Database {
     unsettled: usize,
     has_rows: bool,
     flow: Flow,
+    /// The file that this one replaces, put aside until the first rows are safe.
+    replaced: Option<PathBuf>,
 }
 
 /// How rows come in.
@@ -67,16 +69,22 @@ impl Database {
         tables: &[&str],
         begin: impl FnOnce(&Connection) -> rusqlite::Result<()>,
     ) -> Result<Database, LogError> {
-        match Place::at(path, force)? {
-            Place::Free => {}
-            Place::Replaced => remove(path)?,
+        let replaced = match Place::at(path, force)? {
+            Place::Free => None,
+            Place::Replaced => Some(put_aside(path)?),
             Place::Device => return Err(LogError::NoFile { path: path.into() }),
-        }
+        };
+        let mut database = Database {
+            path: path.into(),
+            connection: None,
+            unsettled: 0,
+            has_rows: false,
+            flow: Flow::Pouring,
+            replaced,
+        };
         // The database's own way to create a file does not tell why it could not.
         OpenOptions::new().write(true).create_new(true).open(path).map_err(|error| LogError::file(path, error))?;
         let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
-        let mut database =
-            Database { path: path.into(), connection: None, unsettled: 0, has_rows: false, flow: Flow::Pouring };
         let opened = Connection::open_with_flags(path, flags).and_then(|connection| {
             connection.busy_timeout(BUSY)?;
             connection.execute_batch(database.flow.journal())?;
@@ -123,15 +131,16 @@ impl Database {
     /// Ends the transaction and leaves one file, complete in itself.
     pub fn close(mut self) -> Result<(), LogError> {
         self.commit()?;
-        self.has_rows = true;
+        self.keep();
         let is_one_file = self.without_waiting("PRAGMA journal_mode = DELETE");
         let connection = self.connection.take().expect("open until it is closed");
         connection.close().map_err(|(_, error)| LogError::database(&self.path, error))?;
         if is_one_file { self.forget_transactions() } else { Ok(()) }
     }
 
-    /// Sets the count of transactions to a fixed number, so that the same rows are the same bytes, in however many
-    /// transactions they came. The file's format keeps it twice, in the first page's header
+    /// Sets the count of transactions to a fixed number, so that the same rows of a table are the same bytes, in however
+    /// many transactions they came; of several tables, which has which page depends on that all the same. Whoever
+    /// changes the file between its closing and this would not be noticed by readers of that moment. The file's format keeps it twice, in the first page's header
     /// (<https://www.sqlite.org/fileformat2.html>, file change counter and version-valid-for number).
     fn forget_transactions(&self) -> Result<(), LogError> {
         let stamp = |offset: u64| {
@@ -151,8 +160,16 @@ impl Database {
         }
         connection.execute_batch("COMMIT").map_err(|error| LogError::database(&self.path, error))?;
         self.unsettled = 0;
-        self.has_rows = true;
+        self.keep();
         Ok(true)
+    }
+
+    /// From now on this is the file, and what it replaces is gone.
+    fn keep(&mut self) {
+        self.has_rows = true;
+        if let Some(replaced) = self.replaced.take() {
+            let _ = fs::remove_file(replaced);
+        }
     }
 
     /// Changes the journal, unless somebody is reading at this moment; whether it did.
@@ -171,6 +188,9 @@ impl Drop for Database {
         if !self.has_rows {
             let _ = fs::remove_file(&self.path);
             remove_companions(&self.path);
+            if let Some(replaced) = &self.replaced {
+                let _ = fs::rename(replaced, &self.path);
+            }
         }
     }
 }
@@ -232,8 +252,8 @@ impl Binding<'_, '_> {
     }
 }
 
-/// Removes a database that is to be replaced, unless another program is writing it.
-fn remove(path: &Path) -> Result<(), LogError> {
+/// Renames a database that is to be replaced, unless another program is writing it; where it is then.
+fn put_aside(path: &Path) -> Result<PathBuf, LogError> {
     let probed = Connection::open_with_flags(path, OpenFlags::SQLITE_OPEN_READ_WRITE).and_then(|connection| {
         connection.busy_timeout(BUSY)?;
         connection.execute_batch("BEGIN EXCLUSIVE; ROLLBACK")
@@ -244,9 +264,12 @@ fn remove(path: &Path) -> Result<(), LogError> {
     {
         return Err(error);
     }
-    fs::remove_file(path).map_err(|error| LogError::file(path, error))?;
+    let mut aside = path.as_os_str().to_owned();
+    aside.push(format!(".{}.old", std::process::id()));
+    fs::rename(path, &aside).map_err(|error| LogError::file(path, error))?;
+    // The probe has brought whatever they held into the file.
     remove_companions(path);
-    Ok(())
+    Ok(aside.into())
 }
 
 /// Removes the files a database has beside itself.

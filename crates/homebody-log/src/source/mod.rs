@@ -13,8 +13,9 @@ use crate::url::Url;
 use activities::Notes;
 pub use activities::{Activity, activities};
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::Micros;
+use homebody_core::time::{Micros, SECOND};
 use instant::{Instant, Instants};
+use jiff::Timestamp;
 use serde::Serialize;
 use std::collections::HashMap;
 use std::fs::File;
@@ -147,6 +148,9 @@ impl Reading {
             Instant::Local(at) => (at, Clock::Local),
             Instant::Utc(at) => (at, Clock::Utc),
         };
+        if !is_on_any_clock(at) {
+            return self.skip(line, "the time is out of range".into());
+        }
         if sensor.is_empty() || value.is_empty() {
             return self.skip(line, format!("there is no {}", if sensor.is_empty() { "sensor" } else { "value" }));
         }
@@ -172,6 +176,12 @@ impl Reading {
             self.log.problems.push(Skipped { line, why });
         }
     }
+}
+
+/// Whether the instant can be told in every zone: some write 9999-12-31 for never.
+fn is_on_any_clock(at: Micros) -> bool {
+    const DAY: Micros = 24 * 3600 * SECOND;
+    (Timestamp::MIN.as_microsecond() + DAY..Timestamp::MAX.as_microsecond() - DAY).contains(&at)
 }
 
 /// The number of a text, a new one if it is new.

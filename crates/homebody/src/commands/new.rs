@@ -2,12 +2,13 @@
 
 use crate::failure::Failure;
 use crate::folder::OWN;
-use crate::print::tell;
+use crate::print::{tell, write_file};
 use homebody_core::scenario::schema::schemas;
 use include_dir::Dir;
 use serde_json::json;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::io::ErrorKind;
+use std::path::PathBuf;
 
 /// Begins a scenario of your own in a new folder, from a template that works.
 #[derive(clap::Args)]
@@ -31,15 +32,19 @@ fn template(name: &str) -> Result<&'static Dir<'static>, String> {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let folder = &self.folder;
-        if fs::symlink_metadata(folder).is_ok() {
-            return Err(Failure::Io(format!(
-                "{} exists already\n  hint: name a folder that does not",
-                folder.display()
-            )));
-        }
-        let written = self.write();
+        let exists =
+            || Failure::Io(format!("{} exists already\n  hint: name a folder that does not", folder.display()));
+        // What ends in `.` or `..` has no name of its own.
+        let name = folder.file_name().ok_or_else(exists)?;
+        let parent = folder.parent().filter(|parent| !parent.as_os_str().is_empty());
+        parent.map_or(Ok(()), fs::create_dir_all).map_err(|error| Failure::io(folder, error))?;
+        fs::create_dir(folder).map_err(|error| match error.kind() {
+            ErrorKind::AlreadyExists => exists(),
+            _ => Failure::io(folder, error),
+        })?;
+        let written = self.write(&name.to_string_lossy());
         if written.is_err() {
-            // Nothing is left half made.
+            // It is ours: nothing is left half made.
             let _ = fs::remove_dir_all(folder);
         }
         written?;
@@ -47,29 +52,21 @@ impl Arguments {
         Ok(())
     }
 
-    fn write(&self) -> Result<(), Failure> {
-        write(
-            &self.folder.join("schemas"),
-            schemas().into_iter().map(|(name, schema)| (name, format!("{schema:#}\n").into())),
-        )?;
-        let template = json!(self.template.path().display().to_string());
-        let name = json!(self.folder.file_name().unwrap_or_default().to_string_lossy());
-        let files = self.template.files().map(|file| {
+    fn write(&self, name: &str) -> Result<(), Failure> {
+        let schemas_folder = self.folder.join("schemas");
+        fs::create_dir(&schemas_folder).map_err(|error| Failure::io(&schemas_folder, error))?;
+        for (name, schema) in schemas() {
+            write_file(&schemas_folder.join(name), format!("{schema:#}\n").as_bytes(), false)?;
+        }
+        let (name, template) = (json!(name), json!(self.template.path().display().to_string()));
+        for file in self.template.files() {
             // The schemas of the repository are two folders up, ours are right here; and it has a name of its own.
             let text = String::from_utf8_lossy(file.contents())
                 .replace("\"../../schemas/", "\"./schemas/")
                 .replace(&format!("\"name\": {template}"), &format!("\"name\": {name}"));
-            (file.path().file_name().and_then(|name| name.to_str()).unwrap_or_default(), text.into_bytes())
-        });
-        write(&self.folder, files)
+            let name = file.path().file_name().unwrap_or_default();
+            write_file(&self.folder.join(name), text.as_bytes(), false)?;
+        }
+        Ok(())
     }
-}
-
-fn write<'a>(folder: &Path, files: impl Iterator<Item = (&'a str, Vec<u8>)>) -> Result<(), Failure> {
-    fs::create_dir_all(folder).map_err(|error| Failure::io(folder, error))?;
-    for (name, bytes) in files {
-        let path = folder.join(name);
-        fs::write(&path, bytes).map_err(|error| Failure::io(&path, error))?;
-    }
-    Ok(())
 }

@@ -125,6 +125,16 @@ fn what_was_replaced_in_vain_is_still_there() {
     cramped(&folder, 4, "run flat --for 1h --out csv:log.csv --force").fails(1, "log.csv: ");
     cramped(&folder, 4, "coverage flat --svg map.svg --force").fails(1, "map.svg: ");
     assert_eq!((folder.read("log.csv"), folder.read("map.svg")), ("precious".into(), "precious".into()));
+
+    folder.run("run flat --for 60s --out sqlite:log.db --truth truth.db --quiet").ok();
+    let signs = || ["log.db", "truth.db"].map(|name| folder.sha256(name));
+    let (before, files) = (signs(), folder.files());
+    let over = "run flat --for 1h --out sqlite:log.db --truth truth.db --force --quiet";
+    cramped(&folder, 4, over).fails(1, "log.db: ");
+    folder.run(&format!("{over} --out csv:no/folder.csv")).fails(1, "folder.csv");
+    folder.write("flat/logger.json", r#"{ "ids": { "KitchenWall": "a b", "BedroomWall": "AB" } }"#);
+    folder.run(&format!("{over} --out casas:log.txt")).fails(2, "would both be");
+    assert_eq!((signs(), folder.files()), (before, files));
 }
 
 #[test]
