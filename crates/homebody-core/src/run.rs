@@ -78,7 +78,8 @@ impl Run {
         }
     }
 
-    /// Lives the whole run and returns what each resident does, for those who want to live it in another way.
+    /// Lives the run from its beginning and returns what each resident does, for those who want to live it in another
+    /// way. Only for a run that has not been advanced: what is under way is not told again.
     pub fn moves(&self) -> Vec<Vec<Move>> {
         let mut run = self.clone();
         let mut moves = vec![Vec::new(); run.residents.len()];
@@ -111,13 +112,8 @@ impl Run {
         self.residents[resident].until = next.end;
         self.tell_rooms(resident, &next, events);
         self.world.begin(resident, &next);
-        events.facts.push(Fact::Movement {
-            resident: resident as u32,
-            begin: now,
-            end: next.end.min(self.length),
-            doing: next.doing,
-            posture: next.posture,
-        });
+        let Move { end, doing, posture, .. } = next.until(self.length);
+        events.facts.push(Fact::Movement { resident: resident as u32, begin: now, end, doing, posture });
     }
 
     /// The bodies of the others, where they are now.
@@ -145,7 +141,8 @@ impl Run {
             Doing::Away => vec![(next.begin, None)],
         };
         let Resident { room, located, .. } = &mut self.residents[resident];
-        for (at, new) in rooms {
+        let length = self.length;
+        for (at, new) in rooms.into_iter().filter(|&(at, _)| at < length) {
             let new = new.map(|index| index as u32);
             if !*located || *room != new {
                 (*located, *room) = (true, new);

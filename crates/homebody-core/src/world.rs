@@ -113,14 +113,15 @@ impl World {
             Doing::Rest { at } => Act::Rest { at },
             Doing::Away => Act::Away,
         };
-        let settles = self.bodies[resident].posture != posture;
+        let Body { posture: before, act: last } = &self.bodies[resident];
+        let settles = *before != posture || matches!(last, Act::Away);
         self.bodies[resident] = Body { posture, act };
         if settles && self.zoned != 0 {
             self.settle(resident);
         }
     }
 
-    /// A body that changes its posture touches other beams from one instant to the next; that is no pulse.
+    /// A body that changes its posture or appears touches other beams from one instant to the next; that is no pulse.
     fn settle(&mut self, resident: usize) {
         let field = self.home.field(resident, self.bodies[resident].posture);
         let at = self.position(resident);
@@ -212,7 +213,7 @@ impl World {
             let cell = field.cell(at);
             if let Some(stride) = leaves {
                 let micros = field.leaves_cell(at, stride);
-                end = end.min(self.now.saturating_add(micros as Micros + 1));
+                end = end.min(self.now.saturating_add(micros as Micros).saturating_add(1));
             }
             self.movers.push(Mover { body: body as u32, cell: *cell });
         }

@@ -3,10 +3,14 @@
 
 mod random_home;
 
-use homebody_core::drivers::Move;
+use homebody_core::drivers::path::PathDriver;
+use homebody_core::drivers::{Driver, Move};
 use homebody_core::event::{Doing, Events, Fact, Firing};
+use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
+use homebody_core::run::Run;
 use homebody_core::scenario::home::HomeFile;
+use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND};
 use homebody_core::world::World;
 use random_home::{Dice, Model};
@@ -122,6 +126,48 @@ fn sample(whole: &Move) -> Vec<Move> {
         })
         .collect()
 }
+
+#[test]
+fn who_hardly_moves_is_seen_at_once_or_never() {
+    for case in 0..CASES {
+        let mut still = Case::new(case);
+        for life in &mut still.lives {
+            let strides = life.iter().filter_map(|next| match next.doing {
+                Doing::Stride { from, .. } => Some(from),
+                _ => None,
+            });
+            let from = strides.last().unwrap_or(Point::new(1.0, 1.0));
+            let to = if case % 2 == 0 { from } else { Point::new(from.x.next_up(), from.y) };
+            let doing = Doing::Stride { from, to };
+            *life = vec![Move { begin: 0, end: still.length + 1, doing, posture: Posture::Standing }];
+        }
+        let whole = still.clone().events(&[]);
+        for fact in &whole.facts {
+            let Fact::Cause { seen_at, .. } = fact else { continue };
+            assert!((0..still.length).contains(seen_at), "case {case}: seen at {seen_at}");
+        }
+        assert_eq!(whole, still.events(&[7, SECOND, 100 * SECOND]), "case {case}");
+    }
+}
+
+#[test]
+fn the_truth_ends_with_the_run() {
+    let home = Arc::new(Home::bake(&random_home::home(0, Model::Whole), &[BODY]));
+    let path = serde_json::json!({ "start": [1, 1], "steps": [{ "go": { "to": [[7, 1]], "in_s": 60 } }] });
+    let path = PathDriver::new(&serde_json::from_value(path).unwrap(), &home.plan, 1.0, 0);
+    let length = 20 * SECOND;
+    let mut run = Run::of(home.clone(), vec![BODY], vec![Driver::Path(path)], 1, length);
+    let mut events = Events::default();
+    run.advance(length, &mut events);
+    let movement = events.facts.iter().find(|fact| matches!(fact, Fact::Movement { .. }));
+    let Some(Fact::Movement { end, doing: Doing::Stride { to, .. }, .. }) = movement else { panic!("no stride") };
+    assert_eq!((*end, *to), (length, Point::new(3.0, 1.0)));
+    for fact in &events.facts {
+        assert!(!matches!(fact, Fact::Room { at, .. } if *at >= length), "{fact:?}");
+    }
+}
+
+const BODY: Build = Build { radius_m: 0.2, height_m: 1.7 };
 
 #[test]
 fn a_copy_of_the_world_continues_as_the_original() {

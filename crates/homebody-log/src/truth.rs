@@ -19,6 +19,7 @@ use crate::sink::database::{Database, Insert};
 use crate::sink::run;
 use crate::url::Url;
 use crate::writer::{BATCH, BATCH_WAITS, Sink, Writer};
+use homebody_core::drivers::Move;
 use homebody_core::event::{Doing, Events, Fact, Firing};
 use homebody_core::geometry::Point;
 use homebody_core::scenario::calendar::Calendar;
@@ -135,6 +136,8 @@ struct TruthSink {
     doing: Vec<Option<(Micros, String)>>,
     /// Each resident's last movement: where the run is stopped, it ends sooner than it was going to.
     moving: Vec<Option<Movement>>,
+    /// The rooms that these are going to come through: who, when, and which.
+    coming: Vec<(u32, Micros, Option<u32>)>,
     run: i64,
     inserts: Inserts,
 }
@@ -176,6 +179,7 @@ impl TruthSink {
             sensors: Shown::new(file, names.sensors)?.sensors,
             doing: vec![None; names.residents.len()],
             moving: vec![None; names.residents.len()],
+            coming: Vec::new(),
             run: run.id,
             inserts: Inserts {
                 cause: insert("cause", &["seq", "resident", "seen_at", "fired_at", "sensor"]),
@@ -211,6 +215,26 @@ impl TruthSink {
             })
         })
     }
+
+    fn write_rooms(&mut self, entered: &[(u32, Micros, Option<u32>)]) -> Result<(), LogError> {
+        let TruthSink { database, clock, residents, rooms, inserts, .. } = self;
+        database.change(entered.len(), |connection| {
+            inserts.room.rows(connection, entered, |(resident, at, room), row| {
+                row.put(&residents[*resident as usize])?;
+                row.put(clock.stamp(*at))?;
+                row.put(room.map(|room| &rooms[room as usize]))
+            })
+        })
+    }
+}
+
+impl Movement {
+    /// The part of it before the run's end.
+    fn until(self, run_end: Micros) -> Movement {
+        let Movement { resident, begin, end, doing, posture } = self;
+        let Move { begin, end, doing, posture } = Move { begin, end, doing, posture }.until(run_end);
+        Movement { resident, begin, end, doing, posture }
+    }
 }
 
 const MOVEMENT: [&str; 10] =
@@ -243,14 +267,17 @@ impl Sink for TruthSink {
             match fact {
                 Known::Cause { seq, resident, seen_at, firing } => causes.push((*seq, *resident, *seen_at, firing)),
                 Known::Movement(movement) => {
+                    let begun = |room: &mut (u32, Micros, _)| room.0 == movement.resident && room.1 <= movement.begin;
+                    rooms.extend(self.coming.extract_if(.., begun));
                     movements.extend(self.moving[movement.resident as usize].replace(*movement));
                 }
-                Known::Room { resident, at, room } => rooms.push((*resident, *at, *room)),
+                Known::Room { resident, at, room } => self.coming.push((*resident, *at, *room)),
                 Known::Activity { resident, at, name } => done.extend(self.turn(*resident, *at, name.clone())),
             }
         }
         self.write_movements(&movements)?;
-        let TruthSink { database, clock, residents, rooms: room_names, sensors, inserts, .. } = self;
+        self.write_rooms(&rooms)?;
+        let TruthSink { database, clock, residents, sensors, inserts, .. } = self;
         database.change(known.len(), |connection| {
             inserts.cause.rows(connection, &causes, |(seq, resident, seen_at, firing), row| {
                 row.put(*seq as i64)?;
@@ -266,11 +293,6 @@ impl Sink for TruthSink {
                         row.put(Null)
                     }
                 }
-            })?;
-            inserts.room.rows(connection, &rooms, |(resident, at, room), row| {
-                row.put(&residents[*resident as usize])?;
-                row.put(clock.stamp(*at))?;
-                row.put(room.map(|room| &room_names[room as usize]))
             })?;
             inserts.activity.rows(connection, &done, |done, row| {
                 row.put(&residents[done.resident as usize])?;
@@ -289,9 +311,11 @@ impl Sink for TruthSink {
         let nothing = |resident| Known::Activity { resident, at: end, name: None };
         let last: Vec<Known> = (0..self.residents.len() as u32).map(nothing).collect();
         self.write(&last)?;
-        let cut = |movement: Movement| Movement { end: movement.end.min(end), ..movement };
-        let last: Vec<Movement> = self.moving.iter_mut().filter_map(|moving| moving.take().map(cut)).collect();
+        let last: Vec<Movement> =
+            self.moving.iter_mut().filter_map(|moving| moving.take().map(|moving| moving.until(end))).collect();
         self.write_movements(&last)?;
+        let last: Vec<_> = self.coming.drain(..).filter(|&(_, at, _)| at < end).collect();
+        self.write_rooms(&last)?;
         run::end(&mut self.database, self.run, self.clock.stamp(end))?;
         self.database.close()
     }

@@ -10,6 +10,7 @@ pub mod path;
 use crate::event::Doing;
 use crate::geometry::Point;
 use crate::scenario::path::Posture;
+use crate::stride::Stride;
 use crate::time::Micros;
 use live::LiveDriver;
 use path::PathDriver;
@@ -22,6 +23,22 @@ pub struct Move {
     pub end: Micros,
     pub doing: Doing,
     pub posture: Posture,
+}
+
+impl Move {
+    /// The part of it before an instant, which is not before its beginning.
+    pub fn until(&self, end: Micros) -> Move {
+        if self.end <= end {
+            return self.clone();
+        }
+        let doing = match self.doing {
+            Doing::Stride { from, to } => {
+                Doing::Stride { from, to: Stride::new(from, to, self.begin, self.end).position(end) }
+            }
+            doing => doing,
+        };
+        Move { end, doing, ..*self }
+    }
 }
 
 /// A driver's answer.

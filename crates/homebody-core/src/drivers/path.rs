@@ -21,6 +21,9 @@ use crate::scenario::path::{self as file, PathFile, Posture};
 use crate::time::{Micros, SECOND, micros, seconds};
 use std::sync::Arc;
 
+/// Nobody walks faster (ours): whoever would have to comes too late.
+pub(crate) const GREATEST_SPEED_MPS: f64 = 10.0;
+
 const DAY: Micros = 24 * 60 * 60 * SECOND;
 
 /// A resident who follows a path description.
@@ -193,7 +196,7 @@ impl PathDriver {
             return UnderWay::Stay { begin: now, end, pastime: Pastime::Still(Posture::Standing) };
         }
         // However short, a walk takes time: the body is never in two places at once.
-        let end = end.max(now.saturating_add(1));
+        let end = end.max(now.saturating_add(1)).max(later(now, length_m / GREATEST_SPEED_MPS));
         let speed_mps = match tempo {
             Tempo::Pace(mps) => mps,
             Tempo::Within(_) => length_m / seconds(end - now),

@@ -251,7 +251,9 @@ impl Field {
     /// All sensors that see a body that moves at `p`.
     pub fn seen_at(&self, p: Point) -> Mask {
         let cell = self.cell(p);
-        bits(cell.may & !cell.sure).filter(|&sensor| self.sees(sensor, p)).fold(cell.sure, |mask, bit| mask | 1 << bit)
+        bits(cell.may & !cell.sure)
+            .filter(|&sensor| self.sees_in(cell, sensor, p))
+            .fold(cell.sure, |mask, bit| mask | 1 << bit)
     }
 }
 

@@ -111,6 +111,16 @@ impl Plan {
         self.room_at(p).is_some() || self.openings.iter().any(|opening| geometry::contains(opening, p))
     }
 
+    /// The openings that lead out: on one side of them, a body's radius from the wall, there is no home any more.
+    pub fn ways_out(&self, radius_m: f64) -> impl Iterator<Item = &Vec<Point>> {
+        self.openings.iter().filter(move |opening| {
+            let &[a, b, c, d] = &opening[..] else { return false };
+            let (near, far) = ((a + b) / 2.0, (c + d) / 2.0);
+            let beyond = (far - near).normalize_or_zero() * radius_m;
+            !self.is_inside(near - beyond) || !self.is_inside(far + beyond)
+        })
+    }
+
     /// Whether a body of this radius can stand at the point.
     pub fn is_walkable(&self, p: Point, radius: f64) -> bool {
         self.is_inside(p)

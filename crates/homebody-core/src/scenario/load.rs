@@ -63,7 +63,7 @@ impl Scenario {
     /// Reads the entry file and whatever it links, and checks all of it.
     ///
     /// All problems of all files come at once, in the order in which the files are linked. The
-    /// meaning of one file is checked even where the shape of another is wrong.
+    /// meaning of one file is checked even where the shape of another is wrong, also of the one that links it.
     pub fn load(files: &dyn Files, entry: &str) -> Result<Scenario, Problems> {
         let mut loader = Loader { files, problems: Vec::new(), sources: BTreeMap::new(), order: Vec::new() };
         let scenario = loader.scenario(entry);
@@ -83,10 +83,11 @@ struct Loader<'a> {
     order: Vec<(String, FileKind)>,
 }
 
-/// A file that has the right shape, and its text for the places of problems with its meaning.
+/// A file, and its text for the places of problems with its meaning.
 struct Read<T> {
     source: Source,
-    data: T,
+    /// Nothing where its shape is wrong; what it links is looked at all the same.
+    data: Option<T>,
 }
 
 impl Loader<'_> {
@@ -98,58 +99,86 @@ impl Loader<'_> {
                 return None;
             }
         };
-        let scenario: Read<ScenarioFile> = self.parse(entry, FileKind::Scenario, &text, None)?;
-        let (source, file) = (&scenario.source, &scenario.data);
-        let calendar = check::scenario::check(source, file, &mut self.problems);
+        let Read { source, data: file } = self.parse::<ScenarioFile>(entry, FileKind::Scenario, &text, None)?;
+        let calendar = file.as_ref().and_then(|file| check::scenario::check(&source, file, &mut self.problems));
 
-        let home: Option<Read<HomeFile>> = self.linked(source, "/home", &file.home, FileKind::Home);
-        let plan = home.as_ref().and_then(|home| check::home::check(&home.source, &home.data, &mut self.problems));
-        let surroundings = check::Surroundings { home: home.as_ref().map(|home| &home.data), plan: plan.as_ref() };
+        let root = source.root.to_json();
+        let home: Option<Read<HomeFile>> = self.link(&source, &root, "/home", FileKind::Home);
+        let home = home.and_then(|Read { source, data }| Some((source, data?)));
+        let plan = home.as_ref().and_then(|(source, home)| check::home::check(source, home, &mut self.problems));
+        let home = home.map(|(_, home)| home);
+        let surroundings = check::Surroundings { home: home.as_ref(), plan: plan.as_ref() };
 
-        let logger = match &file.logger {
-            Some(name) => self.linked(source, "/logger", name, FileKind::Logger).map(|logger: Read<LoggerFile>| {
-                check::logger::check(&logger.source, &logger.data, &surroundings, &mut self.problems);
-                logger.data
-            }),
-            None => Some(LoggerFile::default()),
+        let logger = if root["logger"].is_null() {
+            Some(LoggerFile::default())
+        } else {
+            let logger: Option<Read<LoggerFile>> = self.link(&source, &root, "/logger", FileKind::Logger);
+            logger.and_then(|Read { source, data }| {
+                let logger = data?;
+                check::logger::check(&source, &logger, &surroundings, &mut self.problems);
+                Some(logger)
+            })
         };
 
         let mut names = check::resident::Names::default();
-        let residents: Vec<Option<Resident>> = (file.residents.iter().enumerate())
-            .map(|(index, name)| {
+        let residents: Vec<Option<Resident>> = (0..root["residents"].as_array().map_or(0, Vec::len))
+            .map(|index| {
                 let link = format!("/residents/{index}");
-                let resident: Read<ResidentFile> = self.linked(source, &link, name, FileKind::Resident)?;
-                names.check(&resident.source, &resident.data, &mut self.problems);
+                let resident: Read<ResidentFile> = self.link(&source, &root, &link, FileKind::Resident)?;
+                if let Some(file) = &resident.data {
+                    names.check(&resident.source, file, &mut self.problems);
+                }
                 self.resident(resident, &surroundings)
             })
             .collect();
 
         Some(Scenario {
             calendar: calendar?,
-            home: home?.data,
+            home: home?,
             logger: logger?,
             residents: residents.into_iter().collect::<Option<_>>()?,
             sources: std::mem::take(&mut self.sources),
-            file: scenario.data,
+            file: file?,
         })
     }
 
     fn resident(&mut self, resident: Read<ResidentFile>, surroundings: &check::Surroundings) -> Option<Resident> {
         let Read { source, data: file } = resident;
-        let driver = match &file.driver {
-            DriverFile::Path(name) => {
-                let path: Read<PathFile> = self.linked(&source, "/driver/path", name, FileKind::Path)?;
-                check::path::check(&path.source, &path.data, &file, surroundings, &mut self.problems);
-                Driver::Path(path.data)
+        let root = source.root.to_json();
+        let driver = if root.pointer("/driver/path").is_some() {
+            let path: Read<PathFile> = self.link(&source, &root, "/driver/path", FileKind::Path)?;
+            let data = path.data?;
+            // A file that cannot be understood does not say who walks: somebody.
+            let somebody = || ResidentFile::somebody(DriverFile::Path(path.source.file.clone()));
+            let walker = file.clone().unwrap_or_else(somebody);
+            check::path::check(&path.source, &data, &walker, surroundings, &mut self.problems);
+            Driver::Path(data)
+        } else {
+            let live = match &file {
+                Some(ResidentFile { driver: DriverFile::Live(live), .. }) => Some(live),
+                _ => None,
+            };
+            if let Some((file, live)) = file.as_ref().zip(live) {
+                check::resident::check_start(&source, live, file, surroundings, &mut self.problems);
             }
-            DriverFile::Live(live) => {
-                check::resident::check_start(&source, live, &file, surroundings, &mut self.problems);
-                let input: Read<InputFile> = self.linked(&source, "/driver/live/keys", &live.keys, FileKind::Input)?;
-                check::input::check(&input.source, &input.data, &mut self.problems);
-                Driver::Live { input: input.data, start: point(live.start) }
-            }
+            let input: Read<InputFile> = self.link(&source, &root, "/driver/live/keys", FileKind::Input)?;
+            let data = input.data?;
+            check::input::check(&input.source, &data, &mut self.problems);
+            Driver::Live { input: data, start: point(live?.start) }
         };
-        Some(Resident { file, driver })
+        Some(Resident { file: file?, driver })
+    }
+
+    /// Reads the file that a link names, if it names one.
+    fn link<T: DeserializeOwned>(
+        &mut self,
+        from: &Source,
+        root: &serde_json::Value,
+        link: &str,
+        kind: FileKind,
+    ) -> Option<Read<T>> {
+        let name = root.pointer(link)?.as_str()?;
+        self.linked(from, link, name, kind)
     }
 
     /// Reads a file that another links; a file that is missing is a problem of the link.
@@ -216,43 +245,22 @@ impl Loader<'_> {
                     None => Problem::of_file(name, what, None),
                 }
             });
-            if mistaken.is_none() {
-                self.follow(&source, kind);
-            }
-            self.problems.extend(mistaken.map_or(problems, |problem| vec![problem]));
-            return None;
+            return match mistaken {
+                Some(mistaken) => {
+                    self.problems.push(mistaken);
+                    None
+                }
+                None => {
+                    self.problems.extend(problems);
+                    Some(Read { source, data: None })
+                }
+            };
         }
         match serde_json::from_value(source.root.to_json()) {
-            Ok(data) => Some(Read { source, data }),
+            Ok(data) => Some(Read { source, data: Some(data) }),
             Err(error) => {
                 self.problems.push(Problem::of_file(name, format!("cannot be understood: {error}"), None));
                 None
-            }
-        }
-    }
-
-    /// Checks what a file links that cannot be understood itself, as far as its links can be.
-    fn follow(&mut self, from: &Source, kind: FileKind) {
-        let root = from.root.to_json();
-        let residents = root["residents"].as_array().map_or(0, Vec::len);
-        let links: Vec<(String, FileKind)> = match kind {
-            FileKind::Scenario => [("/home".into(), FileKind::Home), ("/logger".into(), FileKind::Logger)]
-                .into_iter()
-                .chain((0..residents).map(|index| (format!("/residents/{index}"), FileKind::Resident)))
-                .collect(),
-            FileKind::Resident => {
-                vec![("/driver/path".into(), FileKind::Path), ("/driver/live/keys".into(), FileKind::Input)]
-            }
-            _ => Vec::new(),
-        };
-        for (link, kind) in links {
-            let Some(name) = root.pointer(&link).and_then(|name| name.as_str()) else { continue };
-            if kind == FileKind::Home {
-                if let Some(home) = self.linked::<HomeFile>(from, &link, name, kind) {
-                    check::home::check(&home.source, &home.data, &mut self.problems);
-                }
-            } else if let Some(file) = self.linked::<serde_json::Value>(from, &link, name, kind) {
-                self.follow(&file.source, kind);
             }
         }
     }
@@ -263,8 +271,17 @@ impl Loader<'_> {
         let mut problems = self.problems;
         let rank = |file: &str| self.order.iter().position(|(known, _)| known == file);
         problems.sort_by_key(|problem| (rank(&problem.file), problem.line, problem.column));
-        problems.dedup();
-        let mut kept = Vec::new();
+        // What two link is looked at twice.
+        let mut seen: Vec<Problem> = Vec::new();
+        for problem in problems {
+            let same_place = |other: &&Problem| {
+                (&other.file, other.line, other.column) == (&problem.file, problem.line, problem.column)
+            };
+            if !seen.iter().rev().take_while(same_place).any(|other| *other == problem) {
+                seen.push(problem);
+            }
+        }
+        let (problems, mut kept) = (seen, Vec::new());
         for of_file in problems.chunk_by(|a, b| a.file == b.file) {
             kept.extend_from_slice(&of_file[..of_file.len().min(MOST_PER_FILE)]);
             if of_file.len() > MOST_PER_FILE {

@@ -29,6 +29,14 @@ pub struct ResidentFile {
     pub driver: DriverFile,
 }
 
+impl ResidentFile {
+    /// Somebody of whom only the driver is known.
+    pub fn somebody(driver: DriverFile) -> ResidentFile {
+        let name = "somebody".into();
+        ResidentFile { schema: None, name, radius_m: radius(), height_m: height(), pace_mps: pace(), driver }
+    }
+}
+
 /// Who decides what a resident does.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

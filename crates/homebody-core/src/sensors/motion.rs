@@ -75,6 +75,7 @@ impl Motion {
         let (blades, level) = match &file.level {
             LevelFile::Zones(zones) => {
                 let row_height = height / 3.0;
+                let uppermost = zones.rows.iter().copied().find(|&count| count > 0).unwrap_or(0);
                 let rows = zones.rows.iter().enumerate();
                 let blades = rows.flat_map(|(row, &count)| {
                     let top = file.tilt_deg - height / 2.0 + row as f64 * row_height;
@@ -85,7 +86,7 @@ impl Motion {
                 let level = Level::Zones {
                     pulses: zones.pulses,
                     window: micros(zones.window_s),
-                    pitch_rad: width.to_radians() / f64::from(zones.rows[0].saturating_sub(1).max(1)),
+                    pitch_rad: width.to_radians() / f64::from(uppermost.saturating_sub(1).max(1)),
                 };
                 (blades.collect(), level)
             }

@@ -57,12 +57,28 @@ fn what_cannot_be_understood_hides_nothing_that_it_links() {
     let files = broken(&[
         ("scenario.json", r#""days": 2"#, r#""days": "two""#),
         ("home.json", r#""at": [0.05, 1.5]"#, r#""at": [50, 1.5]"#),
-        ("logger.json", r#""utc""#, r#""mars""#),
-        ("bob.json", r#""start": [5, 1]"#, r#""start": "here""#),
-        ("bob.keys.json", r#""at_s": 2.5"#, r#""at_s": -1"#),
+        ("logger.json", "casas:log.txt", "casis:log.txt"),
+        ("ann.json", r#""pace_mps": 0.6"#, r#""pace_mps": "slow""#),
+        ("ann.path.json", r#""for_s": 2 }"#, r#""for_s": 30 }"#),
+        ("bob.json", r#""Bob""#, "\"a\\u0007b\""),
+        ("bob.keys.json", r#""at_s": 2.5"#, r#""at_s": 0.5"#),
     ]);
-    let files_named: Vec<String> = said(&files).lines().map(|line| line.split(':').next().unwrap().to_owned()).collect();
-    assert_eq!(files_named, ["scenario.json", "home.json", "logger.json", "bob.json", "bob.keys.json"], "{}", said(&files));
+    let expected = ["scenario.json:5:", "home.json:27:", "logger.json:2:", "ann.json:1:", "ann.path.json:9:", "bob.json:2:", "bob.keys.json:4:"];
+    let said = said(&files);
+    assert_eq!(said.lines().count(), expected.len(), "{said}");
+    for (line, expected) in said.lines().zip(expected) {
+        assert!(line.starts_with(expected), "{line} does not start with {expected}");
+    }
+}
+
+#[test]
+fn what_two_link_is_reported_once() {
+    let mut files = broken(&[("ann.path.json", r#""stir": { "every_s": 20, "for_s": 2 }"#, r#""stir": {}"#)]);
+    let once = said(&files);
+    let bob = files["ann.json"].replace("Ann", "Bob");
+    files.insert("bob.json".into(), bob);
+    assert_eq!(said(&files), once);
+    assert_eq!(once.lines().count(), 2, "{once}");
 }
 
 #[test]

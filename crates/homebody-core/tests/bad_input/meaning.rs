@@ -67,7 +67,7 @@ fn the_building() {
         ("home.json", "[4, 0], [4, 3], [0, 3]]", "[4, 0]]",
             r#"home.json:4:37: "outline" must have 3 to 500 items, but has 2; The corners in order; the last is joined to the first"#),
         ("home.json", r#""to": [8, 3] }"#, r#""to": [8, 3000] }"#,
-            "home.json:9:29: this is more than 1000 m from the first room; lengths are in metres, not in centimetres"),
+            "home.json:9:29: this is more than 100 m from the first room; lengths are in metres, not in centimetres"),
         ("home.json", r#""from": [4, 1], "to": [4, 2]"#, r#""from": [4.5, 1], "to": [4.2, 2]"#,
             r#"home.json:15:39: the door "bedroom door" is on no wall; the wall from (4, 0) to (4, 3) comes nearest; this jamb is 0.500 m off its middle line"#),
         ("home.json", r#""from": [4, 1], "to": [4, 2]"#, r#""from": [4, 1], "to": [4, 1]"#,
@@ -276,6 +276,12 @@ fn paths() {
             r#"ann.path.json:10:67: a walk cannot have both "in_s" and "arrive_at"; keep the one that is meant"#),
         ("ann.path.json", r#""in_s": 30"#, r#""in_s": 0.5"#,
             "ann.path.json:10:50: 6.6 m in 0.5 s would be faster than 10 m/s; at 0.6 m/s it takes 11 s"),
+        ("ann.path.json", r#"{ "activity": "breakfast" }"#,
+            r#"{ "wait": { "until": "09:00" } }, { "wait": { "for_s": 60 } }, { "go": { "to": [[0.5, 0.5]], "arrive_at": "09:00:30" } }"#,
+            r#"ann.path.json:8:113: 1.0 m would take 24.0 hours, until that time of day; at 0.6 m/s it takes 2 s"#),
+        ("ann.path.json", r#"{ "activity": "breakfast" }"#,
+            r#"{ "wait": { "until": "09:00" } }, { "go": { "to": [[0.5, 0.5], "sink"], "arrive_at": "09:00:00.1" } }"#,
+            r#"ann.path.json:8:92: 2.0 m in 0.1 s would be faster than 10 m/s; at 0.6 m/s it takes 3 s"#),
         ("ann.path.json", r#""in_s": 30"#, r#""arrive_at": "7:40""#,
             r#"ann.path.json:10:55: "7:40" is no time of day; write it as "07:30" or "07:30:15.5", from "00:00" to "23:59:59.999999""#),
         ("ann.path.json", r#""08:00:00.5""#, r#""24:00""#,
@@ -344,4 +350,15 @@ fn a_home_has_at_most_128_sensors_and_4096_beams() {
 fn a_wrong_home_does_not_blame_the_paths_through_it() {
     let files = broken(&[("home.json", r#""from": [4, 1], "to": [4, 2]"#, r#""from": [4.5, 1], "to": [4.5, 2]"#)]);
     assert_eq!(said(&files).lines().count(), 1);
+}
+
+#[test]
+fn held_keys_do_not_begin_in_a_door_that_leads_out() {
+    let files = broken(&[
+        ("home.json", r#""open": false, "outside": true"#, r#""outside": true"#),
+        ("bob.json", r#""start": [5, 1]"#, r#""start": [1.5, 0]"#),
+    ]);
+    let expected = "bob.json:3:59: Bob starts in a door that leads out, where held keys do not go; \
+        the body's radius is 0.22 m: move the start inside";
+    assert_eq!(said(&files), expected);
 }

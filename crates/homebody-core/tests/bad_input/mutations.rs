@@ -1,19 +1,28 @@
 //! Whatever happens to a scenario's text, loading it ends, and with places that exist.
 
 use crate::good::good;
+use homebody_core::event::Events;
+use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
+use homebody_core::time::{Micros, SECOND};
 use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 use std::collections::BTreeMap;
 
 #[test]
-fn no_mutation_of_a_scenario_makes_the_loader_panic() {
+fn no_mutation_of_a_scenario_makes_the_loader_or_a_run_panic() {
     let mut random = ChaCha8Rng::seed_from_u64(1);
     let (mut refused, mut accepted) = (0, 0);
     for _ in 0..4000 {
         let files = mutated(&mut random);
         match Scenario::load(&files, "scenario.json") {
-            Ok(_) => accepted += 1,
+            Ok(scenario) => {
+                accepted += 1;
+                let mut run = Run::new(&scenario, 1, DAY);
+                while run.now() < DAY {
+                    run.advance(run.now() + DAY / 24, &mut Events::default());
+                }
+            }
             Err(problems) => {
                 refused += 1;
                 assert!(!problems.0.is_empty());
@@ -30,6 +39,8 @@ fn no_mutation_of_a_scenario_makes_the_loader_panic() {
     // The mutations reach both sides of the border.
     assert!(refused > 1000 && accepted > 100, "{refused} refused, {accepted} accepted");
 }
+
+const DAY: Micros = 24 * 3600 * SECOND;
 
 /// What JSON's grammar hangs on.
 const MARKS: &[u8] = b"{}[],:\"-.0123456789e\\\n\r\t tfn";

@@ -45,15 +45,15 @@ pub struct Obstacles {
     colliders: ColliderSet,
     /// What takes part: everything fixed, and the others who are near.
     tree: Bvh,
-    /// A ball for each other who has ever been near; the first `near` of them take part.
+    /// A ball for each other who has ever been near; the first `near_count` of them take part.
     others: Vec<ColliderHandle>,
-    near: usize,
+    near_count: usize,
 }
 
 impl Obstacles {
     pub fn new(plan: &Plan, radius_m: f64) -> Obstacles {
         let solids = plan.solids.iter().filter(|solid| solid.stops_bodies).map(|solid| &solid.outline);
-        let ways_out = plan.openings.iter().filter(|opening| leads_out(plan, opening, radius_m));
+        let ways_out = plan.ways_out(radius_m);
         let (mut fixed, mut colliders, mut tree) = (Vec::new(), ColliderSet::new(), Bvh::new());
         for outline in solids.chain(ways_out) {
             let corners: Vec<_> = outline.iter().map(|corner| corner.as_vec2()).collect();
@@ -63,7 +63,7 @@ impl Obstacles {
             tree.insert(colliders[handle].compute_aabb(), leaf(handle));
             fixed.push(outline.clone());
         }
-        Obstacles { radius_m, fixed, colliders, tree, others: Vec::new(), near: 0 }
+        Obstacles { radius_m, fixed, colliders, tree, others: Vec::new(), near_count: 0 }
     }
 
     /// Where a body at `from` gets that wants to move by `way`: it goes until it touches something,
@@ -110,24 +110,24 @@ impl Obstacles {
 
     /// Puts balls where the others are whom the body could touch within `reach_m`.
     fn place_others(&mut self, from: Point, reach_m: f64, others: &[Body]) {
-        for &ball in &self.others[..self.near] {
+        for &ball in &self.others[..self.near_count] {
             self.tree.remove(leaf(ball));
         }
-        self.near = 0;
+        self.near_count = 0;
         for other in others {
             let touching_m = self.radius_m + other.radius_m + 2.0 * f64::from(CLEARANCE_M);
             if from.distance(other.at) > reach_m + touching_m {
                 continue;
             }
-            if self.near == self.others.len() {
+            if self.near_count == self.others.len() {
                 self.others.push(self.colliders.insert(ColliderBuilder::ball(1.0)));
             }
-            let handle = self.others[self.near];
+            let handle = self.others[self.near_count];
             let ball = &mut self.colliders[handle];
             ball.set_translation(other.at.as_vec2());
             ball.set_shape(SharedShape::ball(other.radius_m as f32));
             self.tree.insert(ball.compute_aabb(), leaf(handle));
-            self.near += 1;
+            self.near_count += 1;
         }
     }
 
@@ -170,12 +170,4 @@ fn nearest_on_border(outline: &[Point], p: Point) -> Point {
 /// The number under which a collider is in the tree.
 fn leaf(collider: ColliderHandle) -> u32 {
     collider.into_raw_parts().0
-}
-
-/// Whether on one side of the opening, a body's radius from the wall, there is no home any more.
-fn leads_out(plan: &Plan, opening: &[Point], radius_m: f64) -> bool {
-    let &[a, b, c, d] = opening else { return false };
-    let (near, far) = ((a + b) / 2.0, (c + d) / 2.0);
-    let beyond = (far - near).normalize_or_zero() * radius_m;
-    !plan.is_inside(near - beyond) || !plan.is_inside(far + beyond)
 }

@@ -1,6 +1,7 @@
 //! A path: spots that exist, ways that are free, times that can be kept.
 
 use super::{Report, Surroundings, at, blocking, did_you_mean, distance_outside, is_within, solid_name};
+use crate::drivers::path::GREATEST_SPEED_MPS;
 use crate::geometry::{self, Point};
 use crate::home::plan::{Plan, Solid};
 use crate::problem::Problem;
@@ -8,9 +9,12 @@ use crate::scenario::calendar::time_of_day;
 use crate::scenario::path::{Go, PathFile, Repeat, Spot, Step, StirFile};
 use crate::scenario::resident::ResidentFile;
 use crate::scenario::source::Source;
+use crate::time::{Micros, SECOND, micros, seconds};
 
-/// Nobody walks faster.
-const GREATEST_SPEED_MPS: f64 = 10.0;
+/// Who walks slower does not arrive when that was meant (ours): at this speed a room takes several minutes.
+const LEAST_SPEED_MPS: f64 = 0.01;
+
+const DAY: Micros = 24 * 3600 * SECOND;
 
 /// Shorter ways may take no time at all, rounded to microseconds.
 const LEAST_WAY_M: f64 = 1e-4;
@@ -41,11 +45,13 @@ struct Outcome {
     ends: bool,
     /// Whether it surely takes time, apart from the way to its first spot.
     takes_time: bool,
+    /// The time of day at its end, in microseconds since midnight; nothing where that is not known.
+    clock: Option<Micros>,
 }
 
 impl Walk<'_> {
     fn steps(&mut self, pointer: &str, steps: &[Step], from: Option<Point>) -> Outcome {
-        let mut outcome = Outcome { end: from, ends: true, takes_time: false };
+        let mut outcome = Outcome { end: from, ends: true, takes_time: false, clock: None };
         let mut has_walked = false;
         for (index, step) in steps.iter().enumerate() {
             let place = format!("{pointer}/{index}");
@@ -57,27 +63,31 @@ impl Walk<'_> {
             let before = outcome.end;
             match step {
                 Step::Go(go) => {
-                    let length = self.go(&format!("{place}/go"), go, &mut outcome.end, has_walked);
+                    let length = self.go(&format!("{place}/go"), go, &mut outcome, has_walked);
                     let timed = go.in_s.is_some() || go.arrive_at.is_some();
                     outcome.takes_time |= timed || length.is_none_or(|length| length > LEAST_WAY_M);
                     has_walked = true;
                 }
                 Step::Wait(wait) => {
-                    self.span(&format!("{place}/wait"), wait.for_s, wait.until.as_deref());
+                    outcome.clock =
+                        self.span(&format!("{place}/wait"), wait.for_s, wait.until.as_deref(), outcome.clock);
                     if let Some(stir) = &wait.stir {
                         self.stir(&format!("{place}/wait/stir"), stir);
                     }
-                    outcome.takes_time = true;
+                    // Until a time that it is already takes none.
+                    outcome.takes_time |= wait.until.is_none();
                 }
                 Step::Away(span) => {
-                    self.span(&format!("{place}/away"), span.for_s, span.until.as_deref());
-                    outcome.takes_time = true;
+                    outcome.clock =
+                        self.span(&format!("{place}/away"), span.for_s, span.until.as_deref(), outcome.clock);
+                    outcome.takes_time |= span.until.is_none();
                 }
                 Step::Repeat(repeat) => {
                     let inner = self.repeat(&format!("{place}/repeat"), repeat, before);
                     outcome.end = inner.end;
                     outcome.ends = inner.ends;
                     outcome.takes_time |= inner.takes_time;
+                    outcome.clock = inner.clock;
                     if let Some((_, first)) = first_spot(&repeat.steps) {
                         let way = before.zip(self.find(first)).map(|(before, first)| before.distance(first));
                         outcome.takes_time |= has_walked && way.is_none_or(|length| length > LEAST_WAY_M);
@@ -112,13 +122,13 @@ impl Walk<'_> {
         outcome
     }
 
-    /// Walks on from `position`; gives the length of the way that every repetition walks, if it is known.
-    fn go(&mut self, pointer: &str, go: &Go, position: &mut Option<Point>, count_first: bool) -> Option<f64> {
+    /// Walks on from where the steps before end; gives the length of the way that every repetition walks, if it is known.
+    fn go(&mut self, pointer: &str, go: &Go, outcome: &mut Outcome, count_first: bool) -> Option<f64> {
         let (mut whole, mut repeated) = (Some(0.0), Some(0.0));
         for (index, spot) in go.to.iter().enumerate() {
             let place = format!("{pointer}/to/{index}");
             let to = self.spot(&place, spot, "this waypoint is");
-            let length = position.zip(to).map(|(from, to)| {
+            let length = outcome.end.zip(to).map(|(from, to)| {
                 self.leg(&place, from, to, spot, "");
                 from.distance(to)
             });
@@ -126,13 +136,14 @@ impl Walk<'_> {
             if index > 0 || count_first {
                 repeated = repeated.zip(length).map(|(sum, length)| sum + length);
             }
-            *position = to;
+            outcome.end = to;
         }
-        self.tempo(pointer, go, whole);
+        outcome.clock = self.tempo(pointer, go, whole, outcome.clock);
         repeated
     }
 
-    fn tempo(&mut self, pointer: &str, go: &Go, length: Option<f64>) {
+    /// Whether a walk of this length, begun at this time of day, can be kept; gives the time of day at its end.
+    fn tempo(&mut self, pointer: &str, go: &Go, length: Option<f64>, clock: Option<Micros>) -> Option<Micros> {
         let given =
             [("pace_mps", go.pace_mps.is_some()), ("in_s", go.in_s.is_some()), ("arrive_at", go.arrive_at.is_some())];
         let mut given = given.into_iter().filter(|(_, is_given)| *is_given).map(|(key, _)| key);
@@ -140,19 +151,34 @@ impl Walk<'_> {
             let what = format!("a walk cannot have both {first:?} and {second:?}");
             self.report.hinted(&format!("{pointer}/{second}"), what, "keep the one that is meant");
         }
-        if let Some(time) = &go.arrive_at {
-            self.time_of_day(&format!("{pointer}/arrive_at"), time);
-        }
-        if let Some((span, length)) = go.in_s.zip(length)
-            && length / span > GREATEST_SPEED_MPS
-        {
-            let what = format!("{length:.1} m in {span} s would be faster than {GREATEST_SPEED_MPS} m/s");
+        let arrival = go.arrive_at.as_ref().and_then(|time| self.time_of_day(&format!("{pointer}/arrive_at"), time));
+        // Whoever sets out at 07:30 to arrive at 07:30 means tomorrow.
+        let until_arrival =
+            arrival.zip(clock).map(|(arrival, clock)| seconds((arrival - clock - 1).rem_euclid(DAY) + 1));
+        let (key, span) = if go.in_s.is_some() { ("in_s", go.in_s) } else { ("arrive_at", until_arrival) };
+        if let Some((span, length)) = span.zip(length) {
             let hint = format!("at {} m/s it takes {:.0} s", self.resident.pace_mps, length / self.resident.pace_mps);
-            self.report.hinted(&format!("{pointer}/in_s"), what, hint);
+            let place = format!("{pointer}/{key}");
+            if length / span > GREATEST_SPEED_MPS {
+                let what = format!("{length:.1} m in {span} s would be faster than {GREATEST_SPEED_MPS} m/s");
+                self.report.hinted(&place, what, hint);
+            } else if key == "arrive_at" && length > LEAST_WAY_M && length / span < LEAST_SPEED_MPS {
+                let what = format!("{length:.1} m would take {:.1} hours, until that time of day", span / 3600.0);
+                self.report.hinted(&place, what, hint);
+            }
         }
+        let lasts = go.in_s.or(length.map(|length| length / go.pace_mps.unwrap_or(self.resident.pace_mps)));
+        arrival.or_else(|| Some((clock? + micros(lasts?)).rem_euclid(DAY)))
     }
 
-    fn span(&mut self, pointer: &str, for_s: Option<f64>, until: Option<&str>) {
+    /// Whether it says how long; gives the time of day at the end of a span that begins at this one.
+    fn span(
+        &mut self,
+        pointer: &str,
+        for_s: Option<f64>,
+        until: Option<&str>,
+        clock: Option<Micros>,
+    ) -> Option<Micros> {
         match (for_s, until) {
             (None, None) => self.report.add(pointer, "how long? give \"for_s\" or \"until\""),
             (Some(_), Some(_)) => {
@@ -161,8 +187,9 @@ impl Walk<'_> {
             }
             _ => {}
         }
-        if let Some(until) = until {
-            self.time_of_day(&format!("{pointer}/until"), until);
+        match until {
+            Some(until) => self.time_of_day(&format!("{pointer}/until"), until),
+            None => Some((clock? + micros(for_s?)).rem_euclid(DAY)),
         }
     }
 
@@ -173,11 +200,13 @@ impl Walk<'_> {
         }
     }
 
-    fn time_of_day(&mut self, pointer: &str, text: &str) {
-        if time_of_day(text).is_none() {
+    fn time_of_day(&mut self, pointer: &str, text: &str) -> Option<Micros> {
+        let time = time_of_day(text);
+        if time.is_none() {
             let hint = "write it as \"07:30\" or \"07:30:15.5\", from \"00:00\" to \"23:59:59.999999\"";
             self.report.hinted(pointer, format!("{text:?} is no time of day"), hint);
         }
+        time
     }
 
     /// Where a spot is; nothing if it is unknown, or nowhere a person can be.

@@ -14,8 +14,8 @@ use crate::problem::Problem;
 use crate::scenario::home::{At, HomeFile};
 use crate::scenario::source::Source;
 
-/// Larger homes are a mistake of units.
-const GREATEST_SIZE_M: f64 = 1000.0;
+/// Larger homes are a mistake of units (ours): the smallest flat in centimetres is larger.
+const GREATEST_SIZE_M: f64 = 100.0;
 
 /// How far furniture and areas may reach beyond the rooms: into the thickness of a wall.
 const REACH_OUT_M: f64 = 0.3;

@@ -11,20 +11,30 @@ const MOST_BEAMS: u32 = 4096;
 /// How far in front of the lens the view must be free.
 const FREE_VIEW_M: f64 = 0.02;
 
+/// The lines that a sensor sees along: beams, the zones of all rows, or the sides of an area.
+fn beams_of(sensor: &SensorFile) -> u32 {
+    match sensor {
+        SensorFile::Motion(MotionFile { level: Level::Zones(zones), .. }) => zones.rows.iter().sum(),
+        SensorFile::Motion(motion) => motion.beams,
+        SensorFile::CeilingMotion(ceiling) => ceiling.area.len() as u32,
+    }
+}
+
 /// Checks what does not depend on the building.
 pub fn check_alone(report: &mut Report, home: &HomeFile) {
     let mut beams = 0;
     for (index, sensor) in home.sensors.iter().enumerate() {
         let place = format!("/sensors/{index}");
         check_timing(report, &place, sensor);
+        let of_sensor = beams_of(sensor);
+        if beams <= MOST_BEAMS && beams + of_sensor > MOST_BEAMS {
+            let what = format!("the sensors up to this one have more than {MOST_BEAMS} beams together");
+            report.add(&place, what);
+        }
+        beams += of_sensor;
         match sensor {
             SensorFile::Motion(motion) => {
                 check_lens(report, &place, motion);
-                if beams <= MOST_BEAMS && beams + motion.beams > MOST_BEAMS {
-                    let what = format!("the sensors up to this one have more than {MOST_BEAMS} beams together");
-                    report.add(&place, what);
-                }
-                beams += motion.beams;
             }
             SensorFile::CeilingMotion(ceiling) => {
                 let area: Vec<Point> = ceiling.area.iter().map(|&at| point(at)).collect();
@@ -85,7 +95,7 @@ pub fn check_within(report: &mut Report, home: &HomeFile, plan: &Plan) {
 
 fn check_mounting(report: &mut Report, index: usize, motion: &MotionFile, home: &HomeFile, plan: &Plan) {
     let (place, name, lens) = (format!("/sensors/{index}"), &motion.name, point(motion.at));
-    let tall = || plan.solids.iter().filter(|solid| solid.height_m > motion.height_m);
+    let tall = || plan.solids.iter().filter(|solid| solid.height_m >= motion.height_m);
     let hint = "mount it on the surface, on the side from which it should see";
     if let Some(solid) = tall().find(|solid| is_within(solid, lens)) {
         let what = format!("the sensor {name:?} is inside {}", solid_name(home, solid));
