@@ -2,7 +2,7 @@
 //!
 //! | table | a row is |
 //! |---|---|
-//! | `cause` | why a firing came: whose movement was seen, and when; `seq` is the firing's number. Only where each firing is one row of the log are these the log's numbers, so the sensor and the instant are told as well. |
+//! | `cause` | why a firing came: whose movement was seen, and when; `fired_at` and `sensor` are those of the log. Where each firing is one row of the log, `firing` is the row's number; with ON and OFF it is not. |
 //! | `movement` | what a body did over a span; the spans of a resident follow each other without gaps |
 //! | `room` | in which room a resident is from an instant on; none between rooms or away |
 //! | `activity` | what a resident did over a span |
@@ -182,7 +182,7 @@ impl TruthSink {
             coming: Vec::new(),
             run: run.id,
             inserts: Inserts {
-                cause: insert("cause", &["seq", "resident", "seen_at", "fired_at", "sensor"]),
+                cause: insert("cause", &["firing", "resident", "seen_at", "fired_at", "sensor"]),
                 movement: insert("movement", &MOVEMENT),
                 room: insert("room", &["resident", "at", "room"]),
                 activity: insert("activity", &["resident", "begin_at", "end_at", "name"]),
@@ -243,7 +243,7 @@ const MOVEMENT: [&str; 10] =
 /// The statements that create the tables.
 fn tables(time: &str) -> [String; 4] {
     [
-        format!("cause (run_id INTEGER, seq INTEGER, resident TEXT, seen_at {time}, fired_at {time}, sensor TEXT)"),
+        format!("cause (run_id INTEGER, firing INTEGER, resident TEXT, seen_at {time}, fired_at {time}, sensor TEXT)"),
         format!(
             "movement (run_id INTEGER, resident TEXT, begin_at {time}, end_at {time}, kind TEXT, \
              from_x REAL, from_y REAL, to_x REAL, to_y REAL, amplitude_m REAL, posture TEXT)"

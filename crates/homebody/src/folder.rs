@@ -46,6 +46,12 @@ pub fn load(path: &Path) -> Result<(Scenario, String), Failure> {
     Ok((Scenario::load(&Folder(folder.to_owned()), &entry)?, entry))
 }
 
+/// The files that a scenario was loaded from.
+pub fn files(path: &Path, scenario: &Scenario) -> Vec<PathBuf> {
+    let folder = if path.is_dir() { path } else { path.parent().unwrap_or(Path::new("")) };
+    scenario.sources.keys().map(|name| folder.join(name)).collect()
+}
+
 /// Loads a scenario that came with the program.
 pub fn load_own(name: &str) -> Result<Scenario, Failure> {
     let files = OWN.get_dir(name).into_iter().flat_map(Dir::files);

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use homebody_core::scenario::load::Scenario;
 use homebody_log::Url;
-use homebody_log::fresh::all_can_be_written;
+use homebody_log::fresh::{all_can_be_written, same_file};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -94,10 +94,26 @@ impl Places {
         Ok(())
     }
 
-    fn check(&self, force: bool) -> Result<(), Failure> {
+    /// All files that are going to be written.
+    pub fn files(&self) -> Vec<&Path> {
         let logs = self.log.iter().map(Url::path);
-        let all: Vec<&Path> = logs.chain(self.truth.as_deref()).chain(self.recording.as_deref()).collect();
-        Ok(all_can_be_written(&all, force)?)
+        logs.chain(self.truth.as_deref()).chain(self.recording.as_deref()).collect()
+    }
+
+    fn check(&self, force: bool) -> Result<(), Failure> {
+        Ok(all_can_be_written(&self.files(), force)?)
+    }
+}
+
+/// Refuses to replace what a command reads, also where that is forced.
+pub fn keep(sources: &[PathBuf], written: &[&Path]) -> Result<(), Failure> {
+    let is_source = |path: &&&Path| sources.iter().any(|source| same_file(source, path));
+    match written.iter().find(is_source) {
+        Some(path) => {
+            let what = "is read by this command, which cannot replace it\n  hint: name another file";
+            Err(Failure::Io(format!("{} {what}", path.display())))
+        }
+        None => Ok(()),
     }
 }
 

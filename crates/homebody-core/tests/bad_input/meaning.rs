@@ -353,6 +353,13 @@ fn a_wrong_home_does_not_blame_the_paths_through_it() {
 }
 
 #[test]
+fn the_table_of_runs_is_taken() {
+    let files = broken(&[("logger.json", r#""event""#, r#""run""#)]);
+    let expected = "logger.json:3:12: the table \"run\" says which runs the log holds: the firings need another";
+    assert_eq!(said(&files), expected);
+}
+
+#[test]
 fn held_keys_do_not_begin_in_a_door_that_leads_out() {
     let files = broken(&[
         ("home.json", r#""open": false, "outside": true"#, r#""outside": true"#),

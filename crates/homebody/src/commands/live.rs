@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::pace::{Asked, Pace};
-use crate::places::Places;
+use crate::places::{Places, keep};
 use crate::print::{print_json, print_text};
 use homebody_core::event::Events;
 use homebody_core::recording::{Recording, Seal};
@@ -48,6 +48,8 @@ pub struct Live<'a> {
     pub recording: Recording,
     pub record: Option<PathBuf>,
     pub output: Output,
+    /// The files that the run comes from, which nothing replaces.
+    pub sources: Vec<PathBuf>,
 }
 
 /// What has become of a run.
@@ -63,6 +65,10 @@ impl Live<'_> {
     pub fn live(self, mut run: Run, pace: &Asked) -> Result<(), Failure> {
         let Output { out, truth, force, .. } = &self.output;
         let places = Places::find(out.clone(), truth.clone(), self.record.clone(), self.scenario, *force)?;
+        if let Err(failure) = keep(&self.sources, &places.files()) {
+            places.give_up();
+            return Err(failure);
+        }
         match self.live_into(&places, &mut run, pace) {
             Ok(lived) => self.report(&places, &run, &lived),
             Err(failure) => {
@@ -150,7 +156,7 @@ impl Live<'_> {
                 "recording": places.recording.as_ref().map(|path| path.display().to_string()),
             }))?;
         } else if !self.output.quiet {
-            print_text(&self.summary(places, run, lived))?;
+            print_text(&self.summary(places, run, lived, agrees))?;
         }
         if agrees != Some(false) {
             return Ok(());
@@ -159,14 +165,17 @@ impl Live<'_> {
             VERSION => (String::new(), "the recording is not as the run wrote it".to_owned()),
             version => (format!(", which version {version} made"), "replay it with that version".to_owned()),
         };
-        Err(Failure::Usage(format!("the replay differs from the recording{by}\n  hint: {hint}")))
+        let (theirs, ours) = (self.recording.firings, recording.firings);
+        Err(Failure::Usage(format!(
+            "the replay differs from the recording{by}: {ours} firings, and {theirs} in the recording\n  hint: {hint}"
+        )))
     }
 
     fn by_sensor<'s>(&self, run: &'s Run, stored: &'s Stored) -> impl Iterator<Item = (&'s str, u64)> {
         run.home().sensors.iter().map(|sensor| sensor.name.as_str()).zip(stored.by_sensor.iter().copied())
     }
 
-    fn summary(&self, places: &Places, run: &Run, lived: &Lived) -> String {
+    fn summary(&self, places: &Places, run: &Run, lived: &Lived, agrees: Option<bool>) -> String {
         let Lived { recording, stored, took } = lived;
         let span = match run.now() < run.length() {
             true => format!("stopped after {} of {},", span_in_words(run.now()), span_in_words(run.length())),
@@ -189,7 +198,11 @@ impl Live<'_> {
                 text += &format!("{what:10} {}\n", path.display());
             }
         }
-        text + &format!("firings    {} with SHA-256 {}\n", recording.firings, recording.sha256)
+        text += &format!("firings    {} with SHA-256 {}\n", recording.firings, recording.sha256);
+        if agrees == Some(true) {
+            text += "replay     the same as the recording, firing by firing\n";
+        }
+        text
     }
 }
 

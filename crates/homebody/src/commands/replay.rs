@@ -29,7 +29,8 @@ impl Arguments {
         let recording = self.recording()?;
         let scenario = recording.scenario()?;
         let run = recording.run(&scenario);
-        let live = Live { scenario: &scenario, recording, record: None, output: self.output };
+        let sources = vec![self.recording];
+        let live = Live { scenario: &scenario, recording, record: None, output: self.output, sources };
         live.live(run, &self.pace)
     }
 

@@ -52,7 +52,8 @@ impl Arguments {
             firings: 0,
             sha256: String::new(),
         };
-        let live = Live { scenario: &scenario, recording, record: self.record, output: self.output };
+        let sources = folder::files(&self.scenario, &scenario);
+        let live = Live { scenario: &scenario, recording, record: self.record, output: self.output, sources };
         live.live(run, &self.pace)
     }
 }
@@ -71,10 +72,10 @@ fn span(text: &str) -> Result<Micros, String> {
         "w" => 604_800.0,
         _ => return Err("write a number with its unit: 90s, 15m, 2h, 7d or 52w".into()),
     };
-    match number.parse::<f64>() {
-        Ok(number) if micros(number * unit) > 0 && micros(number * unit) <= LONGEST => Ok(micros(number * unit)),
-        _ => Err("a run is longer than nothing and at most 100 years long".into()),
-    }
+    let number: f64 = number.parse().map_err(|_| "write one number with its unit: 90s, 15m, 2h, 7d or 52w")?;
+    let span = micros(number * unit);
+    let is_span = span > 0 && span <= LONGEST;
+    is_span.then_some(span).ok_or_else(|| "a run is longer than nothing and at most 100 years long".into())
 }
 
 #[cfg(test)]

@@ -138,6 +138,24 @@ fn what_was_replaced_in_vain_is_still_there() {
 }
 
 #[test]
+fn what_a_run_comes_from_is_never_replaced() {
+    let folder = flat();
+    folder.run("run flat --for 60s --quiet --out csv:log.csv --record r.json").ok();
+    let given = ["flat/home.json", "r.json"].map(|name| folder.read(name));
+    for words in [
+        "run flat --out csv:flat/home.json",
+        "run flat/scenario.json --out csv:a.csv --record flat/../flat/home.json",
+        "replay r.json --out casas:r.json",
+        "replay r.json --truth r.json",
+    ] {
+        folder.run(&format!("{words} --force")).fails(1, "is read by this command");
+    }
+    assert_eq!(["flat/home.json", "r.json"].map(|name| folder.read(name)), given);
+    let said = folder.run("replay r.json --out csv:again.csv").ok().out;
+    assert!(said.contains("the same as the recording"), "{said}");
+}
+
+#[test]
 fn one_full_device_ends_the_run() {
     let folder = flat();
     let given = folder.files();

@@ -43,6 +43,9 @@ fn check_sql_names(report: &mut Report, file: &LoggerFile) {
         if table.starts_with("sqlite_") {
             report.add("/table", "SQLite keeps table names that begin with \"sqlite_\" for itself");
         }
+        if table == "run" {
+            report.add("/table", "the table \"run\" says which runs the log holds: the firings need another");
+        }
     }
     let columns = &file.columns;
     let columns = [
