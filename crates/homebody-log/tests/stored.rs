@@ -188,7 +188,7 @@ fn the_truth_is_told() {
         [r#"Text("sleep") Text("22:00:00") Text("22:00:10")"#, r#"Text("out") Text("22:00:20") Text("22:01:00")"#]
     );
     assert_eq!(
-        rows(&folder, "truth.db", "SELECT seq, resident, fired_at, sensor FROM cause"),
+        rows(&folder, "truth.db", "SELECT firing, resident, fired_at, sensor FROM cause"),
         [
             r#"Integer(6) Text("margaret") Text("2009-03-07 22:00:03.000000") Text("kitchen motion")"#,
             r#"Integer(9) Text("margaret") Null Null"#,
