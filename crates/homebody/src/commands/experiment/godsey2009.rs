@@ -2,7 +2,7 @@
 
 use crate::commands::answer::{Answer, Picture};
 use crate::failure::Failure;
-use homebody_study::godsey2009::Experiment;
+use homebody_study::godsey2009::{Experiment, LENGTH_S};
 use homebody_study::picture::{Activity, Reference, TotalsLine, firing_chart, totals_chart};
 
 /// One sensor, one person, three paces, two distances: the paper's own experiment.
@@ -36,7 +36,7 @@ fn firings(experiment: &Experiment) -> String {
             firings_s: activity.fired_s.clone(),
         })
         .collect();
-    firing_chart("Firings of one sensor, five minutes each", &activities, 300.0)
+    firing_chart("Firings of one sensor, five minutes each", &activities, LENGTH_S)
 }
 
 /// How the total depends on what the paper does not say.
