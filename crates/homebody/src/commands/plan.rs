@@ -6,7 +6,8 @@ use crate::folder;
 use homebody_study::picture::floor_plan;
 use std::path::PathBuf;
 
-/// Draws the floor plan: rooms, walls, doors, furniture and sensors, with their names.
+/// Draws the floor plan: rooms, walls, doors, furniture and sensors, with their names. Furniture and ways in go without
+/// where there is no room for their names.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody plan scenarios/tigerplace --svg plan.svg
