@@ -24,8 +24,8 @@ impl Arguments {
         if self.pictures.is_empty() {
             return Err(Failure::usage("there is no file to draw into\n  hint: name one with --svg or --png"));
         }
-        self.pictures.check(&[""], None)?;
+        let pictures = self.pictures.check([""])?;
         let (scenario, _) = folder::load(&self.scenario)?;
-        self.pictures.draw(&[("", &|| floor_plan(&scenario.home))])
+        pictures.draw([&|| floor_plan(&scenario.home)])
     }
 }

@@ -32,7 +32,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        self.answer.check(&[""])?;
+        let answer = self.answer.check([""])?;
         let (house, entry) = match &self.house {
             Some(path) => folder::load(path)?,
             None => folder::load_own("sphere-house")?,
@@ -42,7 +42,7 @@ impl Arguments {
             Undone::Problems(problems) => Failure::Problems(problems),
             undone => Failure::usage(undone),
         })?;
-        self.answer.give(&experiment, &[("", &|| picture(&experiment))])
+        answer.give(&experiment, [&|| picture(&experiment)])
     }
 }
 
