@@ -136,7 +136,7 @@ fn who_hardly_moves_is_seen_at_once_or_never() {
                 Doing::Stride { from, .. } => Some(from),
                 _ => None,
             });
-            let from = strides.last().unwrap_or(Point::new(1.0, 1.0));
+            let from = strides.next_back().unwrap_or(Point::new(1.0, 1.0));
             let to = if case % 2 == 0 { from } else { Point::new(from.x.next_up(), from.y) };
             let doing = Doing::Stride { from, to };
             *life = vec![Move { begin: 0, end: still.length + 1, doing, posture: Posture::Standing }];

@@ -67,17 +67,12 @@ impl AnnotatedRun {
         last(&self.rooms).max(last(&self.movements))
     }
 
-    /// The share of the seconds that both annotators gave a room to on which they named the same one.
-    pub fn annotator_agreement(&self) -> Option<f64> {
+    /// On how many seconds both annotators named the same room, and on how many both named one.
+    pub fn annotators_agree(&self) -> Option<(u64, u64)> {
         let second = self.second_rooms.as_ref()?;
         let moments = moments(self.begin_s(), self.end_s());
         let pairs = moments.filter_map(|at| at_moment(&self.rooms, at).zip(at_moment(second, at)));
-        let (mut same, mut all) = (0, 0);
-        for (first, second) in pairs {
-            same += usize::from(first == second);
-            all += 1;
-        }
-        (all > 0).then(|| same as f64 / all as f64)
+        Some(pairs.fold((0, 0), |(same, all), (first, second)| (same + u64::from(first == second), all + 1)))
     }
 }
 

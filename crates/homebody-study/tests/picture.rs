@@ -7,7 +7,8 @@ use homebody_core::home::plan::Plan;
 use homebody_core::scenario::home::{HomeFile, SensorFile};
 use homebody_study::coverage::{STEP_M, coverage};
 use homebody_study::picture::{
-    Activity, PngError, Reference, TotalsLine, coverage_map, firing_chart, floor_plan, png, totals_chart,
+    Activity, Lane, Panel, PngError, Reference, TotalsLine, coverage_map, firing_chart, floor_plan, png, span_chart,
+    totals_chart,
 };
 use resvg::usvg;
 use serde_json::json;
@@ -37,6 +38,14 @@ fn totals() -> String {
     totals_chart("Totals", ["walk in m", "firings"], &[line(0.0), line(1.0)], Some(&reference))
 }
 
+fn spans() -> String {
+    let lane = |label: &str, told: [Vec<[f64; 2]>; 2]| Lane { label: label.to_owned(), truth: vec![[5.0, 60.0]], told };
+    let lanes =
+        vec![lane("hall <&>", [vec![[6.0, 9.0], [20.0, 30.0]], vec![[7.0, 11.0]]]), lane("bath", [vec![], vec![]])];
+    let panels = [Panel { label: "recording 1".to_owned(), duration_s: 90.0, lanes }];
+    span_chart("Spans", "is there", ["real", "simulated"], &panels)
+}
+
 /// The beams of the wall sensors' fans.
 fn beams(home: &HomeFile, plan: &Plan) -> Vec<(usize, Point, Point)> {
     let mut beams = Vec::new();
@@ -61,7 +70,7 @@ fn well_formed(svg: &str) {
 #[test]
 fn every_picture_is_well_formed() {
     let file = home::furnished();
-    for svg in [floor_plan(&file), map(&file), firing_chart("A & <B>", &activities(), 300.0), totals()] {
+    for svg in [floor_plan(&file), map(&file), firing_chart("A & <B>", &activities(), 300.0), totals(), spans()] {
         well_formed(&svg);
     }
 }
@@ -159,6 +168,9 @@ fn charts_bear_having_nothing_to_show() {
     well_formed(&totals_chart("none", ["x", "y"], &[], None));
     let one = TotalsLine { label: "one".to_owned(), points: vec![(4.0, 230.0)] };
     well_formed(&totals_chart("one", ["x", "y"], &[one], None));
+    well_formed(&span_chart("none", "true", ["one", "other"], &[]));
+    let empty = Panel { label: "empty".to_owned(), duration_s: 0.0, lanes: Vec::new() };
+    well_formed(&span_chart("empty", "true", ["one", "other"], &[empty]));
 }
 
 #[test]
@@ -166,4 +178,33 @@ fn a_bare_home_can_be_drawn() {
     let file = home::two_rooms(json!([]), json!([]));
     well_formed(&floor_plan(&file));
     well_formed(&map(&file));
+}
+
+#[test]
+fn spans_are_counted_and_named() {
+    let svg = spans();
+    for words in ["real: 2 spans; simulated: 1 spans", "hall &lt;&amp;&gt;", "bath", "recording 1", "is there"] {
+        assert!(svg.contains(words), "the chart lacks {words}");
+    }
+}
+
+#[test]
+fn a_room_too_small_for_its_name_has_it_all_the_same() {
+    let mut file = home::two_rooms(json!([]), json!([]));
+    file.rooms[1].name =
+        "a bedroom with a name so long that no line and no two lines in it could ever hold it".to_owned();
+    assert!(floor_plan(&file).contains("a bedroom with a name"));
+}
+
+#[test]
+fn rows_left_out_of_a_table_are_told_before_its_sum() {
+    let mut file = home::two_rooms(json!([]), json!([]));
+    for number in 0..25 {
+        let mut room = file.rooms[0].clone();
+        room.name = format!("room {number}");
+        file.rooms.push(room);
+    }
+    let svg = map(&file);
+    let place = |words: &str| svg.find(words).unwrap_or_else(|| panic!("the map lacks {words}"));
+    assert!(place("and 7 more") < place(">all<"));
 }

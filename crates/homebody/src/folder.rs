@@ -52,13 +52,14 @@ pub fn files(path: &Path, scenario: &Scenario) -> Vec<PathBuf> {
     scenario.sources.keys().map(|name| folder.join(name)).collect()
 }
 
-/// Loads a scenario that came with the program.
-pub fn load_own(name: &str) -> Result<Scenario, Failure> {
+/// Loads a scenario that came with the program; returns also the entry's name.
+pub fn load_own(name: &str) -> Result<(Scenario, String), Failure> {
     let files = OWN.get_dir(name).into_iter().flat_map(Dir::files);
     let text = |file: &include_dir::File| {
         let name = file.path().file_name().unwrap_or_default().to_string_lossy().into_owned();
         (name, String::from_utf8_lossy(file.contents()).into_owned())
     };
     let files: BTreeMap<String, String> = files.map(text).collect();
-    Ok(Scenario::load(&files, "scenario.json")?)
+    let entry = "scenario.json";
+    Ok((Scenario::load(&files, entry)?, entry.to_owned()))
 }

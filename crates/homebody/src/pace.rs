@@ -102,8 +102,8 @@ impl Pace {
         let listener = asked.control.then(|| {
             let (sender, listener) = channel();
             thread::spawn(move || {
-                for line in std::io::stdin().lock().lines().map_while(Result::ok) {
-                    match line.parse() {
+                for line in std::io::stdin().lock().split(b'\n').map_while(Result::ok) {
+                    match String::from_utf8_lossy(&line).trim_end().parse() {
                         Ok(say) if sender.send(say).is_err() => break,
                         Ok(_) => {}
                         Err(error) => tell(error),

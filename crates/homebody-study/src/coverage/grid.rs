@@ -73,7 +73,7 @@ impl Grid {
         })
     }
 
-    /// The cells up to `reach` cells away along the axes and diagonals, and the cell itself.
+    /// The cell itself and the eight at exactly `reach` cells from it, along the axes and diagonals.
     pub fn near(&self, cell: usize, reach: i64) -> impl Iterator<Item = usize> {
         let [x, y] = self.south_west(cell);
         let off = (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| [dx, dy]));

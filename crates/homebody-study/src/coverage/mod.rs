@@ -7,15 +7,16 @@
 //!
 //! The floor is sampled at the middles of square cells; an area is the number of its cells times
 //! the cell's. A straight border can put at most half of each cell it crosses on the wrong side,
-//! and that, summed over the border, is the error stated beside each area.
+//! and that, summed over the border's cells, is the error stated beside each area: a bound for straight borders, an
+//! estimate for others.
 //!
-//! Left out: how often somebody is at a place, and how surely a sensor notices; see the density map
-//! and the agreement for those.
+//! Left out: how often somebody is at a place, and how surely a sensor notices.
 
 mod grid;
 mod table;
 
 use homebody_core::geometry::Point;
+use homebody_core::home::field::MAX_SENSORS;
 use homebody_core::home::plan::Plan;
 use serde::Serialize;
 
@@ -57,7 +58,7 @@ pub struct Coverage {
 pub struct Floor {
     pub name: String,
     pub floor_m2: f64,
-    /// `floor_m2` is at most this far from the truth.
+    /// `floor_m2` is at most this far from the truth where the floor's borders are straight.
     pub floor_error_m2: f64,
     /// Shares of `floor_m2`; they sum to 1, or to 0 if there is no floor.
     pub seen_by: SeenBy,
@@ -93,10 +94,10 @@ pub struct Overlap {
 pub struct DeadZone {
     /// From 1, the largest first: what pictures and tables call it.
     pub number: usize,
-    /// The room that holds most of it; nothing if that is a doorway.
+    /// Of the rooms, the one that holds most of it; nothing if none holds any, as in a doorway.
     pub room: Option<String>,
     pub area_m2: f64,
-    /// `area_m2` is at most this far from the truth.
+    /// `area_m2` is about this far from the truth at most: a fan's border is many short straight ones.
     pub area_error_m2: f64,
     /// The point of the zone that is farthest from its border.
     pub middle: [f64; 2],
@@ -120,8 +121,9 @@ pub fn coverage(
     step_m: f64,
     sees: &dyn Fn(Point) -> u128,
 ) -> Coverage {
-    assert!(sensors.len() <= 128, "coverage tells at most 128 sensors apart, this home has {}", sensors.len());
-    let known = if sensors.len() == 128 { u128::MAX } else { (1 << sensors.len()) - 1 };
+    let count = sensors.len();
+    assert!(count <= MAX_SENSORS, "coverage tells at most {MAX_SENSORS} sensors apart, this home has {count}");
+    let known = if count == MAX_SENSORS { u128::MAX } else { (1 << count) - 1 };
     let grid = Grid::sample(plan.bounds(), step_m, |p| plan.is_walkable(p, body_radius_m).then(|| sees(p) & known));
     let room_of: Vec<Option<usize>> = (0..grid.cells.len()).map(|cell| plan.room_at(grid.middle(cell))).collect();
     let floor = |name: &str, belongs: &dyn Fn(usize) -> bool| floor(&grid, name, belongs);

@@ -11,7 +11,7 @@ use super::paint::{DEAD, DEAD_GROUND, DEAD_TEXT, FURNITURE_EDGE, INK, MUTED, Pai
 use super::shade;
 use super::sheet::Sheet;
 use super::svg::{Anchor, Svg, Type, polyline, rings};
-use crate::coverage::{Coverage, Grid, LEAST_DEAD_ZONE_M2};
+use crate::coverage::{Coverage, Floor, Grid, LEAST_DEAD_ZONE_M2};
 
 /// Rows that a table in the legend shows.
 const MOST_ROWS: usize = 20;
@@ -177,12 +177,15 @@ fn tables(svg: &mut Svg, legend: &mut Legend, coverage: &Coverage) {
     let row = Type::new(12.5, INK);
     legend.heading(svg, "Rooms");
     legend.row(svg, "", &["floor m²".into(), "unseen".into()], COLUMN, head);
-    for floor in coverage.rooms.iter().take(MOST_ROWS).chain(&coverage.doorways).chain([&coverage.whole]) {
-        let set = if std::ptr::eq(floor, &coverage.whole) { row.strong() } else { row };
-        let numbers = [format!("{:.1}", floor.floor_m2), format!("{:.1} %", 100.0 * floor.seen_by.none)];
-        legend.row(svg, &floor.name, &numbers, COLUMN, set);
+    let numbers = |floor: &Floor| [format!("{:.1}", floor.floor_m2), format!("{:.1} %", 100.0 * floor.seen_by.none)];
+    for room in coverage.rooms.iter().take(MOST_ROWS) {
+        legend.row(svg, &room.name, &numbers(room), COLUMN, row);
     }
     more(svg, legend, coverage.rooms.len());
+    if let Some(doorways) = &coverage.doorways {
+        legend.row(svg, &doorways.name, &numbers(doorways), COLUMN, row);
+    }
+    legend.row(svg, &coverage.whole.name, &numbers(&coverage.whole), COLUMN, row.strong());
     if !coverage.sensors.is_empty() {
         legend.heading(svg, "Sensors");
         legend.row(svg, "", &["sees m²".into(), "alone m²".into()], COLUMN, head);

@@ -116,16 +116,21 @@ impl Labels {
     /// walls; with a line to it if that is far. Where all is taken, it covers the least.
     pub fn beside(&mut self, name: &str, mark: Point, facing_deg: f64, set: Type) {
         if let Some(found) = self.best_beside(name, mark, facing_deg, set) {
-            let leader = (found.distance > LEADER).then_some(mark);
-            self.place(found.lines, found.spot, set, leader);
+            self.tie(found, mark, set);
         }
     }
 
     /// As `beside`, but leaves the name out where it would cover something.
     pub fn beside_if_free(&mut self, name: &str, mark: Point, facing_deg: f64, set: Type) {
-        if self.best_beside(name, mark, facing_deg, set).is_some_and(|found| found.cost < SOLID_COST) {
-            self.beside(name, mark, facing_deg, set);
+        let best = self.best_beside(name, mark, facing_deg, set);
+        if let Some(found) = best.filter(|found| found.cost < SOLID_COST) {
+            self.tie(found, mark, set);
         }
+    }
+
+    fn tie(&mut self, found: Beside, mark: Point, set: Type) {
+        let leader = (found.distance > LEADER).then_some(mark);
+        self.place(found.lines, found.spot, set, leader);
     }
 
     fn best_beside(&self, name: &str, mark: Point, facing_deg: f64, set: Type) -> Option<Beside> {

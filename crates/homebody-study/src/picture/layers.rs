@@ -214,7 +214,11 @@ pub fn names(sheet: &mut Sheet, home: &HomeFile, plan: &Plan, furniture: Type) {
     for room in &plan.rooms {
         let middle = sheet.at(geometry::inner_point(&room.outline));
         let outline = sheet.outline(&room.outline);
-        sheet.labels.inside(&room.name, &outline, middle, &[17.0, 15.0, 13.0, 11.0], ROOM_NAME);
+        let sizes = [17.0, 15.0, 13.0, 11.0];
+        if !sheet.labels.inside(&room.name, &outline, middle, &sizes, ROOM_NAME) {
+            let small = Type { size: 11.0, ..ROOM_NAME };
+            sheet.labels.beside(&room.name, middle, 0.0, small);
+        }
     }
     for sensor in &home.sensors {
         let at = sheet.at(mounting(sensor));

@@ -13,7 +13,8 @@ pub struct Comparison {
     pub recordings: usize,
     /// How much annotated time was compared.
     pub annotated_s: f64,
-    /// The share of seconds on which two annotators named the same room, over the recordings that have two.
+    /// Of the seconds on which two annotators named a room, over the recordings that have two, the share on which it was
+    /// the same.
     pub annotator_agreement: Option<f64>,
     /// One for each sensor.
     pub rooms: Vec<RoomComparison>,
@@ -69,14 +70,12 @@ pub fn compare_runs(runs: &[(&AnnotatedRun, &[Interval])], rooms: &[String]) -> 
     tallies.iter().for_each(|tally| all.merge(tally));
     let compared: Vec<RoomComparison> = rooms.iter().zip(&tallies).map(|(room, tally)| tally.compare(room)).collect();
     let overall = all.compare("all rooms");
-    let agreements: Vec<(f64, f64)> =
-        runs.iter().filter_map(|(run, _)| Some((run.annotator_agreement()?, run.end_s() - run.begin_s()))).collect();
-    let weight: f64 = agreements.iter().map(|(_, span_s)| span_s).sum();
-    let agreed: f64 = agreements.iter().map(|(share, span_s)| share * span_s).sum();
+    let annotated_twice = runs.iter().filter_map(|(run, _)| run.annotators_agree());
+    let (same, all) = annotated_twice.fold((0, 0), |sums, (same, all)| (sums.0 + same, sums.1 + all));
     Comparison {
         recordings: runs.len(),
         annotated_s: runs.iter().map(|(run, _)| run.end_s() - run.begin_s()).sum(),
-        annotator_agreement: share(agreed, weight),
+        annotator_agreement: share(same as f64, all as f64),
         findings: words::findings(&compared, &overall),
         rooms: compared,
         overall,
@@ -85,11 +84,14 @@ pub fn compare_runs(runs: &[(&AnnotatedRun, &[Interval])], rooms: &[String]) -> 
 
 /// The intervals in which sensors are ON that stay so for `hold_s` after each firing; firings (seconds
 /// and index of the sensor) in order of time, `rooms` by sensor.
+///
+/// The same as the logger's ON and OFF, which are rows of a log and this the spans between them: a firing at the very
+/// instant of the OFF begins anew.
 pub fn hold(firings: impl IntoIterator<Item = (f64, usize)>, rooms: &[String], hold_s: f64) -> Vec<Interval> {
     let mut last: Vec<Option<usize>> = vec![None; rooms.len()];
     let mut intervals: Vec<Interval> = Vec::new();
     for (at_s, sensor) in firings {
-        match last[sensor].filter(|&index| at_s <= intervals[index].end_s) {
+        match last[sensor].filter(|&index| at_s < intervals[index].end_s) {
             Some(index) => intervals[index].end_s = at_s + hold_s,
             None => {
                 last[sensor] = Some(intervals.len());
@@ -301,9 +303,22 @@ pub mod tests {
     }
 
     #[test]
+    fn annotators_agree_by_the_second() {
+        let second = |rooms: &[Interval]| AnnotatedRun { second_rooms: Some(rooms.to_vec()), ..recording(&[]) };
+        // Twenty of twenty seconds the same, then none of the ten that both name.
+        let (alike, unlike) = (second(&[on(20.0, 40.0, "kitchen")]), second(&[on(10.0, 20.0, "kitchen")]));
+        let comparison = compare_runs(&[(&alike, &[]), (&unlike, &[])], &names(&["hall"]));
+        assert_eq!(comparison.annotator_agreement, Some(20.0 / 30.0));
+        assert_eq!(compare_run(&second(&[]), &[], &names(&["hall"])).annotator_agreement, None);
+    }
+
+    #[test]
     fn firings_are_held() {
-        let firings = [(1.0, 0), (2.5, 0), (3.0, 1), (4.5, 0), (9.0, 0)];
+        let firings = [(1.0, 0), (2.5, 0), (3.0, 1), (4.0, 0), (9.0, 0), (11.0, 0)];
         let held = hold(firings, &names(&["hall", "kitchen"]), 2.0);
-        assert_eq!(held, [on(1.0, 6.5, "hall"), on(3.0, 5.0, "kitchen"), on(9.0, 11.0, "hall")]);
+        assert_eq!(
+            held,
+            [on(1.0, 6.0, "hall"), on(3.0, 5.0, "kitchen"), on(9.0, 11.0, "hall"), on(11.0, 13.0, "hall")]
+        );
     }
 }

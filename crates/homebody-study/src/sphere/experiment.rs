@@ -46,17 +46,22 @@ pub enum Undone {
     #[error(transparent)]
     Problems(#[from] Problems),
     #[error("{0}")]
-    House(&'static str),
+    House(String),
 }
 
 impl Experiment {
     /// Acts out the named recordings in a house with one resident who follows a path, one sensor per room, each
-    /// of its room's name, and a logger that says ON and OFF.
-    pub fn run(recordings: &[(String, AnnotatedRun)], house: &Scenario, seed: u64) -> Result<Experiment, Undone> {
-        let rooms: Vec<String> = house.home.sensors.iter().map(|sensor| sensor.name().to_owned()).collect();
+    /// of its room's name, and a logger that says ON and OFF. `entry` is the file that the house was loaded from.
+    pub fn run(
+        recordings: &[(String, AnnotatedRun)],
+        house: &Scenario,
+        entry: &str,
+        seed: u64,
+    ) -> Result<Experiment, Undone> {
+        let rooms = sensed_rooms(house)?;
         let mut by_recording = Vec::new();
         for (name, run) in recordings {
-            let simulated = act(name, run, house, &rooms, seed)?;
+            let simulated = act(name, run, (house, entry), &rooms, seed)?;
             by_recording.push(Recording {
                 name: name.clone(),
                 begin_s: run.begin_s(),
@@ -74,23 +79,40 @@ impl Experiment {
     }
 }
 
+/// The rooms that have a sensor, in the order of the sensors.
+fn sensed_rooms(house: &Scenario) -> Result<Vec<String>, Undone> {
+    let sensed = |name: &str| match house.home.rooms.iter().any(|room| room.name == name) {
+        true => Ok(name.to_owned()),
+        false => {
+            Err(unfit(&format!("the house's sensor {name:?} must have the name of the room that it is compared in")))
+        }
+    };
+    house.home.sensors.iter().map(|sensor| sensed(sensor.name())).collect()
+}
+
 /// When the house's sensors are ON while the recording is acted out, in seconds of the recording.
-fn act(name: &str, run: &AnnotatedRun, house: &Scenario, rooms: &[String], seed: u64) -> Result<Vec<Interval>, Undone> {
+fn act(
+    name: &str,
+    run: &AnnotatedRun,
+    (house, entry): (&Scenario, &str),
+    rooms: &[String],
+    seed: u64,
+) -> Result<Vec<Interval>, Undone> {
     let MessagesFile::OnOff(messages) = &house.logger.messages else {
-        return Err(Undone::House("the house's logger must say ON and OFF, as the real one does"));
+        return Err(unfit("the house's logger must say ON and OFF, as the real one does"));
     };
     let [resident] = &house.residents[..] else {
-        return Err(Undone::House("the house must have one resident, who acts out the recordings"));
+        return Err(unfit("the house must have one resident, who acts out the recordings"));
     };
     let DriverFile::Path(path_name) = &resident.file.driver else {
-        return Err(Undone::House("the house's resident must follow a path, which the recordings replace"));
+        return Err(unfit("the house's resident must follow a path, which the recordings replace"));
     };
     let path =
         path_of(run, &Plan::new(&house.home)).map_err(|why| Undone::Unplaced { recording: name.to_owned(), why })?;
     // The annotated path takes the place of the house's own, and passes the same checks.
     let mut files = house.sources.clone();
     files.insert(path_name.clone(), serde_json::to_string_pretty(&path).expect("a path has only text and numbers"));
-    let scenario = Scenario::load(&files, "scenario.json")?;
+    let scenario = Scenario::load(&files, entry)?;
 
     let mut lived = Run::new(&scenario, seed, micros(run.end_s() - run.begin_s()));
     let (mut events, mut firings) = (Events::default(), Vec::new());
@@ -101,6 +123,10 @@ fn act(name: &str, run: &AnnotatedRun, house: &Scenario, rooms: &[String], seed:
         events.clear();
     }
     Ok(hold(firings, rooms, messages.hold_s))
+}
+
+fn unfit(why: &str) -> Undone {
+    Undone::House(why.to_owned())
 }
 
 impl fmt::Display for Experiment {
@@ -134,13 +160,18 @@ mod tests {
     use std::collections::BTreeMap;
     use std::fs;
 
-    fn house() -> Scenario {
+    const ENTRY: &str = "scenario.json";
+
+    fn files() -> BTreeMap<String, String> {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/sphere-house");
         let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap());
-        let files: BTreeMap<String, String> = entries
+        entries
             .map(|entry| (entry.file_name().into_string().unwrap(), fs::read_to_string(entry.path()).unwrap()))
-            .collect();
-        Scenario::load(&files, "scenario.json").unwrap()
+            .collect()
+    }
+
+    fn house() -> Scenario {
+        Scenario::load(&files(), ENTRY).unwrap()
     }
 
     fn recording(room: &str) -> (String, AnnotatedRun) {
@@ -152,7 +183,7 @@ mod tests {
 
     #[test]
     fn who_walks_in_a_room_is_seen_there() {
-        let experiment = Experiment::run(&[recording("kitchen")], &house(), 1).unwrap();
+        let experiment = Experiment::run(&[recording("kitchen")], &house(), ENTRY, 1).unwrap();
         let [recording] = &experiment.by_recording[..] else { panic!("one recording") };
         let room = |name: &str| recording.comparison.rooms.iter().find(|room| room.room == name).unwrap();
         assert_eq!(room("kitchen").simulated.visits_seen, 1);
@@ -164,10 +195,23 @@ mod tests {
 
     #[test]
     fn a_house_that_does_not_fit_is_named() {
-        let undone = Experiment::run(&[recording("attic")], &house(), 1).unwrap_err();
+        let undone = Experiment::run(&[recording("attic")], &house(), ENTRY, 1).unwrap_err();
         assert_eq!(undone.to_string(), "a minute: the home has no room \"attic\" to stand in");
         let mut silent = house();
         silent.logger.messages = MessagesFile::FireOnly;
-        assert!(matches!(Experiment::run(&[recording("kitchen")], &silent, 1), Err(Undone::House(_))));
+        assert!(matches!(Experiment::run(&[recording("kitchen")], &silent, ENTRY, 1), Err(Undone::House(_))));
+        let mut renamed = house();
+        renamed.home.rooms.retain(|room| room.name != "kitchen");
+        let undone = Experiment::run(&[recording("hall")], &renamed, ENTRY, 1).unwrap_err().to_string();
+        assert!(undone.contains("sensor \"kitchen\""), "{undone}");
+    }
+
+    #[test]
+    fn a_house_may_be_loaded_from_any_file() {
+        let mut files = files();
+        let scenario = files.remove(ENTRY).unwrap();
+        files.insert("other.json".into(), scenario);
+        let house = Scenario::load(&files, "other.json").unwrap();
+        Experiment::run(&[recording("kitchen")], &house, "other.json", 1).unwrap();
     }
 }

@@ -113,7 +113,7 @@ mod tests {
         assert_eq!(run.pir, [on(2.0, 3.25, "living"), on(7.5, 8.0, "hall")]);
         assert_eq!(run.rooms, [on(1.5, 4.0, "hall"), on(4.1, 9.0, "living")]);
         assert_eq!((run.begin_s(), run.end_s()), (1.4, 9.0));
-        assert_eq!(run.annotator_agreement(), None);
+        assert_eq!(run.annotators_agree(), None);
     }
 
     #[test]
@@ -147,6 +147,6 @@ mod tests {
         let second = "start,end,name,index\n1.5,5,hall,3\n5,9,living,5\n";
         let run = parse(&Texts { second_location: Some(second), ..texts(LOCATION, LOCATION) }).unwrap();
         // Seven seconds, 1.9 to 7.9, have a room from both; at 4.9 it is not the same.
-        assert_eq!(run.annotator_agreement(), Some(6.0 / 7.0));
+        assert_eq!(run.annotators_agree(), Some((6, 7)));
     }
 }

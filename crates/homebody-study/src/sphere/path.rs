@@ -24,11 +24,11 @@ use std::fmt;
 
 /// What we take for the pace of adults who follow a script indoors, in metres a second.
 const PACE_MPS: f64 = 0.8;
-/// A walk that would have to be faster takes time from the standing before and after it.
+/// A walk that would have to be faster takes time from the standing before and after it. Ours.
 const HURRIED_MPS: f64 = 1.5;
-/// Who stands longer than this before leaving a room does not stand in its door.
+/// Who stands longer than this before leaving a room does not stand in its door. Ours.
 const LONGEST_IN_DOORWAY: Micros = 3 * SECOND;
-/// Nearer points are not worth a walk.
+/// Nearer points are not worth a walk. Ours.
 const LEAST_WALK_M: f64 = 0.4;
 
 /// Why a recording cannot be placed in a home.
@@ -63,9 +63,14 @@ pub fn path_of(run: &AnnotatedRun, plan: &Plan) -> Result<PathFile, Unplaced> {
         .ok_or_else(|| Unplaced::Room(plan.rooms[stays[0].room].name.clone()))?;
     let start = spot(roads.nodes[here].at);
     let posture = stays[0].pieces.first().map_or(Posture::Standing, |piece| piece.doing.posture());
+    let rooms: Vec<usize> = stays.iter().map(|stay| stay.room).collect();
     let mut steps = Vec::new();
     for (index, mut stay) in stays.into_iter().enumerate() {
-        let ways = walk(&mut stay, &mut here, doors.get(index).copied(), &roads);
+        let ways = walk(&mut stay, &mut here, doors.get(index).copied(), &roads).ok_or_else(|| {
+            let name = |room: usize| plan.rooms[room].name.clone();
+            // Only a door can be out of reach.
+            Unplaced::Way(name(rooms[index]), name(*rooms.get(index + 1).unwrap_or(&rooms[index])))
+        })?;
         unhurry(&mut stay.pieces, &ways);
         let mut ways = ways.into_iter();
         for piece in &stay.pieces {
@@ -227,8 +232,8 @@ struct Way {
     length_m: f64,
 }
 
-/// Gives every walk of a stay its way, and moves `here` to where the last one ends.
-fn walk(stay: &mut Stay, here: &mut usize, exit: Option<usize>, roads: &Roads) -> Vec<Way> {
+/// Gives every walk of a stay its way, and moves `here` to where the last one ends; none where the exit is out of reach.
+fn walk(stay: &mut Stay, here: &mut usize, exit: Option<usize>, roads: &Roads) -> Option<Vec<Way>> {
     let last_walk = stay.pieces.iter().rposition(|piece| piece.doing == Doing::Walk);
     let pause = stay.pieces.iter().skip(last_walk.map_or(0, |index| index + 1));
     let pause: Micros = pause.map(|piece| piece.end - piece.begin).sum();
@@ -252,9 +257,9 @@ fn walk(stay: &mut Stay, here: &mut usize, exit: Option<usize>, roads: &Roads) -
             _ => seat(pause, stay.room, *here, roads),
         };
         let too_far_m = |node: usize| to_exit.as_ref().map_or(0.0, |to_exit| (to_exit[node] - later_m).max(0.0));
-        ways.push(tour(here, goal, stay.room, length_m, too_far_m, roads));
+        ways.push(tour(here, goal, stay.room, length_m, too_far_m, roads)?);
     }
-    ways
+    Some(ways)
 }
 
 /// Where the pause after a walk is spent, if not on the floor: the largest bed or the nearest seat.
@@ -271,11 +276,13 @@ fn seat(pause: &[Piece], room: usize, here: usize, roads: &Roads) -> Option<usiz
         }
         _ => None,
     });
-    seats.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(node, _)| node)
+    let reached = seats.filter(|&(node, _)| reach.distance_m[node].is_finite());
+    reached.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(node, _)| node)
 }
 
 /// A walk from `here` about so long, to the goal or to any floor point of the room that is not too far from where
-/// they go afterwards: as often as there is time for it, first to the far end of the room.
+/// they go afterwards: as often as there is time for it, first to the far end of the room. None where no way leads
+/// to the goal.
 fn tour(
     here: &mut usize,
     goal: Option<usize>,
@@ -283,7 +290,7 @@ fn tour(
     length_m: f64,
     too_far_m: impl Fn(usize) -> f64,
     roads: &Roads,
-) -> Way {
+) -> Option<Way> {
     let to_goal = goal.map(|goal| roads.reach(goal).distance_m);
     let (mut way, mut left_m) = (Way::default(), length_m);
     loop {
@@ -297,23 +304,25 @@ fn tour(
             reach.distance_m[far] > LEAST_WALK_M && reach.distance_m[far] + rest_m + too_far_m(far) < left_m
         });
         if let Some(far) = detour {
-            extend(&mut way, here, far, &reach, roads);
+            extend(&mut way, here, far, &reach, roads)?;
             left_m -= reach.distance_m[far];
             continue;
         }
         let fitting_m = left_m.max(LEAST_WALK_M);
         let off_m = |node: usize| (reach.distance_m[node] - fitting_m).abs() + too_far_m(node);
         if let Some(end) = goal.or_else(|| best_floor(room, roads, off_m)) {
-            extend(&mut way, here, end, &reach, roads);
+            extend(&mut way, here, end, &reach, roads)?;
         }
-        return way;
+        return Some(way);
     }
 }
 
-fn extend(way: &mut Way, here: &mut usize, to: usize, reach: &Reach, roads: &Roads) {
+fn extend(way: &mut Way, here: &mut usize, to: usize, reach: &Reach, roads: &Roads) -> Option<()> {
+    let length_m = Some(reach.distance_m[to]).filter(|length_m| length_m.is_finite())?;
     way.to.extend(roads.way(reach, to));
-    way.length_m += reach.distance_m[to];
+    way.length_m += length_m;
     *here = to;
+    Some(())
 }
 
 /// The floor point of a room that is least off; none where all are infinitely off.
@@ -379,9 +388,14 @@ pub mod tests {
 
     /// Kitchen, hall and bedroom in a row from west to east, and a shed that no door leads to.
     pub fn house() -> Plan {
+        furnished(json!([]))
+    }
+
+    /// The same with a little more furniture.
+    fn furnished(more: serde_json::Value) -> Plan {
         let wall = |from: [f64; 2], to: [f64; 2]| json!({ "from": from, "to": to });
         let room = |name: &str, west: f64, east: f64| json!({ "name": name, "outline": [[west, 0.0], [east, 0.0], [east, 3.0], [west, 3.0]] });
-        let home = json!({
+        let mut home = json!({
             "name": "three rooms and a shed",
             "rooms": [room("kitchen", 0.0, 3.0), room("hall", 3.0, 5.0), room("bedroom", 5.0, 9.0), room("shed", 9.0, 11.0)],
             "walls": [
@@ -399,6 +413,7 @@ pub mod tests {
                 { "name": "table", "at": [1.0, 2.5], "size_m": [1.0, 0.8], "height_m": 0.8 }
             ]
         });
+        home["furniture"].as_array_mut().unwrap().extend(more.as_array().unwrap().iter().cloned());
         Plan::new(&serde_json::from_value(home).unwrap())
     }
 
@@ -490,6 +505,23 @@ pub mod tests {
         let path = path_of(&recording("0-60 bedroom", "0-60 a_walk"), &house()).unwrap();
         let [Step::Go(go)] = &path.steps[..] else { panic!("{:?}", path.steps) };
         assert!(go.to.len() > 10, "{} waypoints", go.to.len());
+    }
+
+    #[test]
+    fn nobody_goes_through_what_blocks_the_way() {
+        let recording = recording("0-10 kitchen, 10-20 hall, 20-30 bedroom", "0-30 a_walk");
+        assert!(path_of(&recording, &house()).is_ok());
+        let shelf = json!([{ "name": "shelf", "at": [4.0, 1.5], "size_m": [0.3, 3.0], "height_m": 2.0 }]);
+        let why = path_of(&recording, &furnished(shelf)).unwrap_err();
+        assert_eq!(why.to_string(), "no way leads from \"hall\" to \"bedroom\"");
+    }
+
+    #[test]
+    fn a_seat_out_of_reach_is_not_sat_on() {
+        let shelf = json!([{ "name": "shelf", "at": [7.0, 1.5], "size_m": [0.3, 3.0], "height_m": 2.0 }]);
+        let recording = recording("0-10 hall, 10-30 bedroom", "0-15 a_walk, 15-30 p_lie");
+        let ends = ends(&path_of(&recording, &furnished(shelf)).unwrap());
+        assert_eq!(ends[ends.len() - 1].1, point([5.4, 0.4]), "the bed is behind the shelf, the chair before it");
     }
 
     #[test]

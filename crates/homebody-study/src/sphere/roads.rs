@@ -11,7 +11,7 @@ use std::collections::{BinaryHeap, VecDeque};
 
 /// Half a body and a little (ours): the narrowest passage of the house, 0.73 m, still has room.
 const CLEARANCE_M: f64 = 0.25;
-/// Narrow enough that some lattice line runs through any passage a body fits in.
+/// Narrow enough that some lattice line runs through any passage from 0.7 m on that runs along the axes.
 const LATTICE_M: f64 = 0.2;
 /// Lattice points are linked to their eight neighbours, doors to whatever is as near as this.
 const DOOR_LINK_M: f64 = 0.6;
@@ -83,7 +83,7 @@ impl<'a> Roads<'a> {
             (0..count.x as usize).flat_map(|column| (0..count.y as usize).map(move |row| (column, row)))
         {
             let at = least + Point::new(column as f64, row as f64) * LATTICE_M;
-            let seated = self.seats().any(|(_, seat)| geometry::contains(&seat.outline, at));
+            let seated = self.seats().any(|seat| geometry::contains(&seat.outline, at));
             if let Some(room) = self.plan.room_at(at)
                 && !seated
                 && self.plan.is_walkable(at, CLEARANCE_M)
@@ -109,7 +109,7 @@ impl<'a> Roads<'a> {
     }
 
     fn add_seats(&mut self) {
-        let seats = self.seats().filter_map(|(_, seat)| {
+        let seats = self.seats().filter_map(|seat| {
             let at = geometry::inner_point(&seat.outline);
             let (least, most) = geometry::bounds(seat.outline.iter().copied());
             let extent_m = (most - least).max_element();
@@ -119,18 +119,15 @@ impl<'a> Roads<'a> {
         self.nodes.extend(seats);
     }
 
-    fn seats(&self) -> impl Iterator<Item = (usize, &Solid)> {
+    fn seats(&self) -> impl Iterator<Item = &Solid> {
         let seats = self.plan.solids.iter().filter(|solid| !solid.stops_bodies);
-        seats.filter_map(|solid| match solid.origin {
-            Origin::Furniture(index) => Some((index, solid)),
-            _ => None,
-        })
+        seats.filter(|solid| matches!(solid.origin, Origin::Furniture(_)))
     }
 
     /// Whether a body can walk the straight line, around seats and beds too.
     fn is_free(&self, a: Point, b: Point) -> bool {
         !self.is_stopped(a, b, CLEARANCE_M)
-            && !self.seats().any(|(_, seat)| geometry::segment_inside_convex(&seat.outline, a, b).is_some())
+            && !self.seats().any(|seat| geometry::segment_inside_convex(&seat.outline, a, b).is_some())
     }
 
     fn is_stopped(&self, a: Point, b: Point, clearance_m: f64) -> bool {

@@ -4,7 +4,8 @@ use super::compare::{Comparison, Figures, RoomComparison};
 use serde::Serialize;
 use std::fmt;
 
-/// Counts and durations agree if neither is more than this many times the other.
+/// Counts and durations agree if neither is more than this many times the other. What counts as like is ours, but for
+/// kappa.
 const LIKE_FACTOR: f64 = 1.5;
 /// Shares agree if they differ by no more than this.
 const LIKE_SHARE: f64 = 0.15;
@@ -12,9 +13,9 @@ const LIKE_SHARE: f64 = 0.15;
 const LIKE_LATENCY_S: f64 = 2.0;
 /// From here on agreement is called moderate (Landis & Koch 1977).
 const LIKE_KAPPA: f64 = 0.4;
-/// A room visited less often says nothing about the share of visits seen or the latency.
+/// A room visited less often says nothing about the share of visits seen or the latency. Ours.
 const LEAST_VISITS: usize = 3;
-/// A sensor that neither in truth nor in simulation was ON for this long says nothing about its ON time.
+/// A sensor that neither in truth nor in simulation was ON for this long says nothing about its ON time. Ours.
 const LEAST_ON_S: f64 = 10.0;
 
 /// One thing that agrees or does not.

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::print::{print_json, print_text, write_file};
 use homebody_log::fresh::all_can_be_written;
-use homebody_study::picture::png;
+use homebody_study::picture::{PngError, png};
 use serde::Serialize;
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
@@ -11,8 +11,8 @@ use std::path::{Path, PathBuf};
 /// Where an answer goes, besides standard output.
 #[derive(clap::Args)]
 pub struct Answer {
-    /// Write all figures as one JSON object into this file, or on standard output without one
-    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
+    /// Print all figures as one JSON object instead of words; or write them into this file, and print the words
+    #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true, default_missing_value = "-")]
     json: Option<PathBuf>,
     #[command(flatten)]
     pictures: Pictures,
@@ -35,31 +35,48 @@ pub struct Pictures {
     force: bool,
 }
 
-/// A picture by what its file's name ends in: nothing for the first of an answer.
-pub type Picture<'a> = (&'static str, &'a dyn Fn() -> String);
+/// Draws a picture as SVG.
+pub type Picture<'a> = &'a dyn Fn() -> String;
+
+/// An answer whose files can be written.
+pub struct Checked<'a, const N: usize> {
+    answer: &'a Answer,
+    pictures: CheckedPictures<'a, N>,
+}
+
+/// Pictures whose files can be written.
+pub struct CheckedPictures<'a, const N: usize> {
+    pictures: &'a Pictures,
+    names: [&'static str; N],
+}
 
 impl Answer {
-    /// Makes sure that all files can be written, before anybody waits for the answer; `pictures` by their names.
-    pub fn check(&self, pictures: &[&str]) -> Result<(), Failure> {
-        self.pictures.check(pictures, self.json_file())
-    }
-
-    /// Draws the pictures that are asked for, and tells the figures: as JSON where that is asked for, else to people.
-    pub fn give(&self, answer: &(impl Serialize + Display), pictures: &[Picture]) -> Result<(), Failure> {
-        self.pictures.draw(pictures)?;
-        match self.json_file() {
-            Some(path) => {
-                let text = serde_json::to_string_pretty(answer).map_err(Failure::usage)? + "\n";
-                write_file(path, text.as_bytes(), self.pictures.force)?;
-                print_text(&answer.to_string())
-            }
-            None if self.json.is_some() => print_json(answer),
-            None => print_text(&answer.to_string()),
-        }
+    /// Makes sure that all files can be written, before anybody waits for the answer. Pictures are named by what their
+    /// files' names end in: nothing for the first.
+    pub fn check<const N: usize>(&self, names: [&'static str; N]) -> Result<Checked<'_, N>, Failure> {
+        let pictures = self.pictures.check_beside(names, self.json_file())?;
+        Ok(Checked { answer: self, pictures })
     }
 
     fn json_file(&self) -> Option<&Path> {
         self.json.as_deref().filter(|path| path.as_os_str() != "-")
+    }
+}
+
+impl<const N: usize> Checked<'_, N> {
+    /// Writes the pictures and figures that are asked for into files, then tells the answer: to scripts where figures are
+    /// asked for but no file of them is, else to people. No file is written unless all pictures can be drawn.
+    pub fn give(&self, answer: &(impl Serialize + Display), pictures: [Picture; N]) -> Result<(), Failure> {
+        self.pictures.draw(pictures)?;
+        match self.answer.json_file() {
+            Some(path) => {
+                let text = serde_json::to_string_pretty(answer).map_err(Failure::usage)? + "\n";
+                write_file(path, text.as_bytes(), self.answer.pictures.force)?;
+                print_text(&answer.to_string())
+            }
+            None if self.answer.json.is_some() => print_json(answer),
+            None => print_text(&answer.to_string()),
+        }
     }
 }
 
@@ -69,30 +86,49 @@ impl Pictures {
         self.svg.is_none() && self.png.is_none()
     }
 
-    /// Makes sure that all pictures can be written, and a file beside them.
-    pub fn check(&self, pictures: &[&str], beside: Option<&Path>) -> Result<(), Failure> {
-        let paths = self.svg.iter().chain(&self.png);
-        let files: Vec<PathBuf> = paths.flat_map(|path| pictures.iter().map(|name| named(path, name))).collect();
-        let all: Vec<&Path> = files.iter().map(PathBuf::as_path).chain(beside).collect();
-        Ok(all_can_be_written(&all, self.force)?)
+    /// Makes sure that all pictures can be written.
+    pub fn check<const N: usize>(&self, names: [&'static str; N]) -> Result<CheckedPictures<'_, N>, Failure> {
+        self.check_beside(names, None)
     }
 
-    /// Draws what is asked for.
-    pub fn draw(&self, pictures: &[Picture]) -> Result<(), Failure> {
-        if self.is_empty() {
+    fn check_beside<const N: usize>(
+        &self,
+        names: [&'static str; N],
+        file: Option<&Path>,
+    ) -> Result<CheckedPictures<'_, N>, Failure> {
+        let paths = self.svg.iter().chain(&self.png);
+        let files: Vec<PathBuf> = paths.flat_map(|path| names.map(|name| named(path, name))).collect();
+        let all: Vec<&Path> = files.iter().map(PathBuf::as_path).chain(file).collect();
+        all_can_be_written(&all, self.force)?;
+        Ok(CheckedPictures { pictures: self, names })
+    }
+}
+
+impl<const N: usize> CheckedPictures<'_, N> {
+    /// Draws what is asked for: all of it, then writes it.
+    pub fn draw(&self, pictures: [Picture; N]) -> Result<(), Failure> {
+        let asked = self.pictures;
+        if asked.is_empty() {
             return Ok(());
         }
-        for (name, picture) in pictures {
+        let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
+        for (name, picture) in self.names.iter().zip(pictures) {
             let svg = picture();
-            if let Some(path) = &self.svg {
-                write_file(&named(path, name), svg.as_bytes(), self.force)?;
+            if let Some(path) = &asked.png {
+                files.push((named(path, name), png(&svg, asked.width).map_err(undrawn)?));
             }
-            if let Some(path) = &self.png {
-                let bytes = png(&svg, self.width).map_err(Failure::usage)?;
-                write_file(&named(path, name), &bytes, self.force)?;
+            if let Some(path) = &asked.svg {
+                files.push((named(path, name), svg.into_bytes()));
             }
         }
-        Ok(())
+        files.iter().try_for_each(|(path, bytes)| write_file(path, bytes, asked.force))
+    }
+}
+
+fn undrawn(error: PngError) -> Failure {
+    match error {
+        PngError::Size { .. } => Failure::usage(format!("{error}\n  hint: a smaller --width makes it less high, too")),
+        error => Failure::usage(error),
     }
 }
 

@@ -5,11 +5,11 @@ use crate::failure::Failure;
 use crate::print::{print_json, print_text, tell};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::{Log, activities, read};
-use homebody_study::compare::compare;
+use homebody_study::compare::{begins, compare};
 
-/// Compares the firings of two logs: by sensor and in all, agreement as Godsey & Skubic have it, and how their
-/// times between firings are spread. The second is the reference. Where activities are known, from a truth.db beside the
-/// log or from notes in it, also by activity.
+/// Compares the firings of two logs: by sensor and in all, the agreement of their numbers, and how their times between
+/// firings are spread. The second is the reference. Where activities are known, from a truth.db beside the log or from
+/// notes in it, also by activity, as Godsey & Skubic have it.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody compare runs/tigerplace-2 runs/tigerplace-1
@@ -42,5 +42,15 @@ fn log(text: &str) -> Result<Log, Failure> {
     if log.skipped > 0 {
         tell(format_args!("{text}: {} lines were left out; homebody convert says which", log.skipped));
     }
+    if !log.events.is_empty() && !log.values.iter().any(|value| begins(value)) {
+        tell(format_args!("{text}: no row says that something began; its values are {}", listed(&log.values)));
+    }
     Ok(log)
+}
+
+/// The first of the values.
+fn listed(values: &[String]) -> String {
+    let first: Vec<String> = values.iter().take(5).map(|value| format!("{value:?}")).collect();
+    let others = if values.len() > first.len() { " and others" } else { "" };
+    first.join(", ") + others
 }

@@ -16,7 +16,7 @@ use std::path::PathBuf;
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody coverage scenarios/tigerplace
-  homebody coverage my-home --png map.png --json coverage.json")]
+  homebody coverage my-home --png map.png --json=coverage.json")]
 pub struct Arguments {
     /// The scenario's folder, or its scenario.json
     scenario: PathBuf,
@@ -26,7 +26,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        self.answer.check(&[""])?;
+        let answer = self.answer.check([""])?;
         let (scenario, _) = folder::load(&self.scenario)?;
         // Without residents, an adult: the defaults of a resident's file.
         let adult = || Build { radius_m: 0.22, height_m: 1.65 };
@@ -36,7 +36,7 @@ impl Arguments {
         let field = home.field(0, Posture::Standing);
         let coverage = coverage(&Plan::new(&scenario.home), build.radius_m, &names, STEP_M, &|p| field.seen_at(p));
         let map = || picture::coverage_map(&scenario.home, &coverage, &beams(&home));
-        self.answer.give(&coverage, &[("", &map)])
+        answer.give(&coverage, [&map])
     }
 }
 

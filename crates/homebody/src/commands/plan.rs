@@ -6,7 +6,8 @@ use crate::folder;
 use homebody_study::picture::floor_plan;
 use std::path::PathBuf;
 
-/// Draws the floor plan: rooms, walls, doors, furniture and sensors, with their names.
+/// Draws the floor plan: rooms, walls, doors, furniture and sensors, with their names. Furniture and ways in go without
+/// where there is no room for their names.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody plan scenarios/tigerplace --svg plan.svg
@@ -23,8 +24,8 @@ impl Arguments {
         if self.pictures.is_empty() {
             return Err(Failure::usage("there is no file to draw into\n  hint: name one with --svg or --png"));
         }
-        self.pictures.check(&[""], None)?;
+        let pictures = self.pictures.check([""])?;
         let (scenario, _) = folder::load(&self.scenario)?;
-        self.pictures.draw(&[("", &|| floor_plan(&scenario.home))])
+        pictures.draw([&|| floor_plan(&scenario.home)])
     }
 }

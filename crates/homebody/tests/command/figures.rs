@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 #[test]
 fn coverage_is_told_and_drawn() {
     let folder = flat();
-    let done = folder.run("coverage flat --json figures.json --svg map.svg --png map.png --width 400").ok();
+    let done = folder.run("coverage flat --json=figures.json --svg map.svg --png map.png --width 400").ok();
     assert!(done.out.contains("kitchen") && done.out.contains("study"), "{}", done.out);
     let figures: Value = serde_json::from_str(&folder.read("figures.json")).unwrap();
     assert_eq!(figures, folder.run("coverage flat --json").ok().json());
@@ -84,4 +84,52 @@ fn the_papers_experiment_loses_nothing_at_any_speed() {
     // The paper's own loop does not manage that.
     assert!(speeds_of("paper_loop_lost").iter().chain(&speeds_of("paper_loop_gained")).any(|&count| count > 0));
     assert!(folder.read("figure.svg").starts_with("<svg") && folder.read("figure-totals.svg").starts_with("<svg"));
+}
+
+/// A minute in the kitchen, as the SPHERE challenge has it.
+fn record(folder: &Folder, name: &str) {
+    for (file, what) in [("location_0", "kitchen"), ("annotations_0", "a_walk"), ("pir", "kitchen")] {
+        folder.write(&format!("data/{name}/{file}.csv"), format!("start,end,name,index\n10,70,{what},0\n"));
+    }
+}
+
+#[test]
+fn recordings_of_a_real_house_are_walked_again() {
+    let folder = Folder::new();
+    folder.run("experiment sphere --data .").fails(1, "no folder in it holds a pir.csv");
+    record(&folder, "00001");
+    let done = folder.run("experiment sphere --data data --json=figures.json --svg rooms.svg").ok();
+    assert!(done.out.contains("1 recordings, 1 minutes annotated"), "{}", done.out);
+    let json: Value = serde_json::from_str(&folder.read("figures.json")).unwrap();
+    let kitchen = json["rooms"].as_array().unwrap().iter().find(|room| room["room"] == "kitchen").unwrap();
+    assert_eq!((&kitchen["visits"], &kitchen["simulated"]["visits_seen"]), (&json!(1), &json!(1)), "{kitchen}");
+    assert_eq!(json["by_recording"][0]["name"], json!("00001"));
+    let svg = folder.read("rooms.svg");
+    assert!(svg.starts_with("<svg") && svg.contains("recording 00001"));
+
+    // Another model of the house, by the name of its file.
+    folder.copy_scenario("sphere-house");
+    std::fs::rename(folder.path("sphere-house/scenario.json"), folder.path("sphere-house/other.json")).unwrap();
+    let words = "experiment sphere --data data --house sphere-house/other.json";
+    let same = folder.run(&format!("{words} --json")).ok().json();
+    assert_eq!(same, json);
+    folder.edit(
+        "sphere-house/home.json",
+        "\"kind\": \"motion\", \"name\": \"kitchen\"",
+        "\"kind\": \"motion\", \"name\": \"K1\"",
+    );
+    folder.run(words).fails(2, "the house's sensor \"K1\"");
+
+    folder.write("data/00001/pir.csv", "start,end,name,index\nx,70,kitchen,0\n");
+    folder.run("experiment sphere --data data").fails(2, "1 of 1 recordings cannot be understood");
+}
+
+#[test]
+fn a_picture_that_cannot_be_drawn_leaves_no_file() {
+    let folder = Folder::new();
+    (0..8).for_each(|number| record(&folder, &number.to_string()));
+    let given = folder.files();
+    let words = "experiment sphere --data data --json=figures.json --svg rooms.svg --png rooms.png --width 8000";
+    folder.run(words).fails(2, "cannot be drawn\n  hint: a smaller --width");
+    assert_eq!(folder.files(), given);
 }

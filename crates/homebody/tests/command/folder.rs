@@ -172,9 +172,9 @@ pub struct Running {
 
 impl Running {
     /// Says something on standard input.
-    pub fn say(&mut self, input: &str) {
+    pub fn say(&mut self, input: impl AsRef<[u8]>) {
         // The command may have ended, or not listen.
-        let _ = self.child.stdin.as_mut().unwrap().write_all(input.as_bytes());
+        let _ = self.child.stdin.as_mut().unwrap().write_all(input.as_ref());
     }
 
     pub fn is_alive(&mut self) -> bool {

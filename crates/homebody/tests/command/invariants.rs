@@ -89,11 +89,13 @@ fn a_stopped_run_is_the_beginning_of_the_whole() {
     let folder = flat();
     folder.run(&format!("run flat --for 60s {}", out("whole"))).ok();
     let mut running = folder.start("run flat --for 60s --control --paused --out csv:part.csv --json");
-    running.say("step 20\n");
+    running.say(b"st\xff\n\nstep 20\n");
     sleep(Duration::from_millis(200));
     assert!(running.is_alive(), "a paused run waits");
     running.say("step 5\nstop\n");
-    let json = running.finish().ok().json();
+    let done = running.finish().ok();
+    assert!(done.err.starts_with("\"st\u{fffd}\" is none of: pause"), "what is no text ends nothing: {}", done.err);
+    let json = done.json();
     assert_eq!((json["stopped"].as_bool(), json["simulated_s"].as_f64()), (Some(true), Some(25.0)));
     let (whole, part) = (folder.read("whole-log.csv"), folder.read("part.csv"));
     assert!(whole.starts_with(&part));

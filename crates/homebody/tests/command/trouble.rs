@@ -37,7 +37,7 @@ fn a_place_that_cannot_be_is_told_before_the_run() {
         folder.run(&format!("run flat --for 5000w {words}")).fails(1, said);
         assert_eq!(folder.files(), given, "{words}");
     }
-    folder.run("coverage flat --svg map.svg --json none/a.json").fails(1, "the folder of none/a.json does not exist");
+    folder.run("coverage flat --svg map.svg --json=none/a.json").fails(1, "the folder of none/a.json does not exist");
     folder.run("new none/home").ok();
     folder.run("new file/home").fails(1, "file/home");
     folder.run("schema file").fails(1, "file: ");
@@ -94,7 +94,7 @@ fn where_no_room_is_left_nothing_is_half_written() {
         (4, "coverage flat --svg map.svg", "map.svg: "),
         (1, "plan flat --svg plan.svg", "plan.svg: "),
         (4, "coverage flat --png map.png", "map.png: "),
-        (1, "coverage flat --json figures.json", "figures.json: "),
+        (1, "coverage flat --json=figures.json", "figures.json: "),
         (4, "convert given.csv --to sqlite:log.db", "log.db: "),
         (4, "convert given.csv --to csv:log.csv", "log.csv: "),
         (4, "new home", "home/"),

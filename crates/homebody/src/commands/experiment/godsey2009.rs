@@ -1,13 +1,13 @@
 //! `homebody experiment godsey2009`.
 
-use crate::commands::answer::{Answer, Picture};
+use crate::commands::answer::Answer;
 use crate::failure::Failure;
-use homebody_study::godsey2009::Experiment;
+use homebody_study::godsey2009::{Experiment, LENGTH_S};
 use homebody_study::picture::{Activity, Reference, TotalsLine, firing_chart, totals_chart};
 
 /// One sensor, one person, three paces, two distances: the paper's own experiment.
 #[derive(clap::Args)]
-#[command(after_help = "Example:\n  homebody experiment godsey2009 --json figures.json --svg firings.svg")]
+#[command(after_help = "Example:\n  homebody experiment godsey2009 --json=figures.json --svg firings.svg")]
 pub struct Arguments {
     /// The number all randomness comes from
     #[arg(long, default_value_t = 2009)]
@@ -18,10 +18,9 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        self.answer.check(&["", "totals"])?;
+        let answer = self.answer.check(["", "totals"])?;
         let experiment = Experiment::run(self.seed)?;
-        let pictures: [Picture; 2] = [("", &|| firings(&experiment)), ("totals", &|| totals(&experiment))];
-        self.answer.give(&experiment, &pictures)
+        answer.give(&experiment, [&|| firings(&experiment), &|| totals(&experiment)])
     }
 }
 
@@ -36,7 +35,7 @@ fn firings(experiment: &Experiment) -> String {
             firings_s: activity.fired_s.clone(),
         })
         .collect();
-    firing_chart("Firings of one sensor, five minutes each", &activities, 300.0)
+    firing_chart("Firings of one sensor, five minutes each", &activities, LENGTH_S)
 }
 
 /// How the total depends on what the paper does not say.

@@ -32,17 +32,17 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        self.answer.check(&[""])?;
-        let house = match &self.house {
-            Some(path) => folder::load(path)?.0,
+        let answer = self.answer.check([""])?;
+        let (house, entry) = match &self.house {
+            Some(path) => folder::load(path)?,
             None => folder::load_own("sphere-house")?,
         };
         let recordings = recordings(&self.data)?;
-        let experiment = Experiment::run(&recordings, &house, self.seed).map_err(|undone| match undone {
+        let experiment = Experiment::run(&recordings, &house, &entry, self.seed).map_err(|undone| match undone {
             Undone::Problems(problems) => Failure::Problems(problems),
             undone => Failure::usage(undone),
         })?;
-        self.answer.give(&experiment, &[("", &|| picture(&experiment))])
+        answer.give(&experiment, [&|| picture(&experiment)])
     }
 }
 
