@@ -49,7 +49,8 @@ pub fn sides(outline: &[Point]) -> impl Iterator<Item = (Point, Point)> + '_ {
     (0..outline.len()).map(|i| (outline[i], outline[(i + 1) % outline.len()]))
 }
 
-/// Whether `p` lies inside the outline; the border counts as either.
+/// Whether `p` lies inside the outline. Of the border, up to rounding, the sides with the inside to their east or north
+/// belong to it, so that of areas side by side one contains each point.
 pub fn contains(outline: &[Point], p: Point) -> bool {
     let mut inside = false;
     for (a, b) in sides(outline) {
