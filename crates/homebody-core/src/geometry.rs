@@ -49,7 +49,8 @@ pub fn sides(outline: &[Point]) -> impl Iterator<Item = (Point, Point)> + '_ {
     (0..outline.len()).map(|i| (outline[i], outline[(i + 1) % outline.len()]))
 }
 
-/// Whether `p` lies inside the outline; the border counts as either.
+/// Whether `p` lies inside the outline. Of the border, up to rounding, the sides with the inside to their east or north
+/// belong to it, so that of areas side by side one contains each point.
 pub fn contains(outline: &[Point], p: Point) -> bool {
     let mut inside = false;
     for (a, b) in sides(outline) {
@@ -147,4 +148,151 @@ pub fn inner_point(outline: &[Point]) -> Point {
     crossings.sort_by(f64::total_cmp);
     let widest = crossings.chunks_exact(2).max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
     widest.map_or(outline[0], |chord| Point::new((chord[0] + chord[1]) / 2.0, y))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn outline(corners: &[(f64, f64)]) -> Vec<Point> {
+        corners.iter().map(|&corner| Point::from(corner)).collect()
+    }
+
+    fn p(x: f64, y: f64) -> Point {
+        Point::new(x, y)
+    }
+
+    /// 4 by 3, counter-clockwise from the origin.
+    fn rectangle() -> Vec<Point> {
+        outline(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)])
+    }
+
+    /// A U open to the north: 6 wide, 4 high, with arms 1 and 2 wide and a floor 1 high.
+    fn u() -> Vec<Point> {
+        outline(&[(0.0, 0.0), (6.0, 0.0), (6.0, 4.0), (4.0, 4.0), (4.0, 1.0), (1.0, 1.0), (1.0, 4.0), (0.0, 4.0)])
+    }
+
+    #[test]
+    fn directions_turn_from_east_to_north() {
+        assert_eq!(direction(0.0), Point::X);
+        assert!(direction(90.0).distance(Point::Y) < 1e-15);
+        // cos 120 = -1/2, sin 120 = sqrt(3) / 2.
+        assert!(direction(120.0).distance(p(-0.5, 0.866_025_403_784_438_6)) < 1e-15);
+    }
+
+    #[test]
+    fn the_nearest_point_of_a_segment_is_a_foot_or_an_end() {
+        // Of (3, 1) along (4, 3): (12 + 3) / 25 = 0.6 of the way.
+        let (a, b) = (p(0.0, 0.0), p(4.0, 3.0));
+        assert!(nearest_on_segment(p(3.0, 1.0), a, b).distance(p(2.4, 1.8)) < 1e-15);
+        assert_eq!(nearest_on_segment(p(-2.0, 0.0), a, b), a);
+        assert_eq!(nearest_on_segment(p(5.0, 5.0), a, b), b);
+        assert_eq!(nearest_on_segment(p(5.0, 5.0), a, a), a);
+        // (3, 1) to (2.4, 1.8): 0.6 and 0.8.
+        assert!((distance_to_segment(p(3.0, 1.0), a, b) - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn segments_meet_where_they_cross_touch_or_lie_on_each_other() {
+        let (a, b) = (p(0.0, 0.0), p(4.0, 0.0));
+        assert!(segments_meet(a, b, p(2.0, -1.0), p(2.0, 1.0)));
+        assert!(segments_meet(a, b, p(2.0, 0.0), p(2.0, 1.0)));
+        assert!(segments_meet(a, b, p(4.0, 0.0), p(6.0, 0.0)));
+        assert!(segments_meet(a, b, p(1.0, 0.0), p(2.0, 0.0)));
+        assert!(!segments_meet(a, b, p(2.0, 0.1), p(2.0, 1.0)));
+        assert!(!segments_meet(a, b, p(5.0, -1.0), p(5.0, 1.0)));
+        assert!(!segments_meet(a, b, p(4.1, 0.0), p(6.0, 0.0)));
+        assert!(!segments_meet(a, b, p(0.0, 1.0), p(4.0, 1.0)));
+    }
+
+    #[test]
+    fn the_sides_close_the_outline() {
+        let triangle = outline(&[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]);
+        let expected = [(0, 1), (1, 2), (2, 0)].map(|(a, b): (usize, usize)| (triangle[a], triangle[b]));
+        assert!(sides(&triangle).eq(expected));
+    }
+
+    #[test]
+    fn an_outline_contains_its_inside_and_its_west_and_south_border() {
+        assert!(contains(&rectangle(), p(3.9, 2.9)));
+        assert!(contains(&rectangle(), p(0.0, 1.0)) && contains(&rectangle(), p(1.0, 0.0)));
+        assert!(!contains(&rectangle(), p(4.0, 1.0)) && !contains(&rectangle(), p(1.0, 3.0)));
+        assert!(!contains(&rectangle(), p(-0.1, 1.0)));
+        assert!(contains(&u(), p(0.5, 3.0)) && contains(&u(), p(5.0, 3.0)) && !contains(&u(), p(2.0, 3.0)));
+    }
+
+    #[test]
+    fn distance_to_an_area_is_zero_inside_and_to_its_border_is_not() {
+        assert_eq!(distance_to_area(&rectangle(), p(1.0, 2.0)), 0.0);
+        assert_eq!(distance_to_border(&rectangle(), p(1.0, 2.5)), 0.5);
+        // 3 beyond the east, 4 beyond the north.
+        assert_eq!(distance_to_area(&rectangle(), p(7.0, 7.0)), 5.0);
+        // Between the arms of the U, 1 from the western, 2 from the eastern.
+        assert_eq!(distance_to_area(&u(), p(2.0, 3.0)), 1.0);
+    }
+
+    #[test]
+    fn an_area_is_positive_counter_clockwise() {
+        assert_eq!(signed_area(&rectangle()), 12.0);
+        let mut turned = rectangle();
+        turned.reverse();
+        assert_eq!(signed_area(&turned), -12.0);
+        // 6 by 4 less 3 by 3.
+        assert_eq!(signed_area(&u()), 15.0);
+    }
+
+    #[test]
+    fn convex_outlines_turn_one_way() {
+        assert!(is_convex(&rectangle()));
+        assert!(is_convex(&rectangle().into_iter().rev().collect::<Vec<_>>()));
+        // A corner in the middle of a side.
+        assert!(is_convex(&outline(&[(0.0, 0.0), (2.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)])));
+        assert!(!is_convex(&u()));
+        assert!(!is_convex(&outline(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0)])));
+    }
+
+    #[test]
+    fn a_bow_tie_crosses_itself() {
+        assert!(crosses_itself(&outline(&[(0.0, 0.0), (4.0, 3.0), (4.0, 0.0), (0.0, 3.0)])));
+        assert!(!crosses_itself(&rectangle()));
+        assert!(!crosses_itself(&u()));
+        // One corner on the opposite side.
+        assert!(crosses_itself(&outline(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (2.0, 0.0), (0.0, 3.0)])));
+    }
+
+    #[test]
+    fn a_thick_segment_lies_half_to_each_side() {
+        let expected = outline(&[(1.0, 0.9), (3.0, 0.9), (3.0, 1.1), (1.0, 1.1)]);
+        let found = thick_segment(p(1.0, 1.0), p(3.0, 1.0), 0.2);
+        assert!(found.iter().zip(&expected).all(|(a, b)| a.distance(*b) < 1e-15), "{found:?}");
+        assert!((signed_area(&found) - 0.4).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_segment_is_inside_a_convex_outline_between_two_shares() {
+        // From x = -4 to 12: in from 4 / 16 to 8 / 16, whichever way the corners run.
+        let turned: Vec<Point> = rectangle().into_iter().rev().collect();
+        for area in [rectangle(), turned] {
+            assert_eq!(segment_inside_convex(&area, p(-4.0, 1.0), p(12.0, 1.0)), Some((0.25, 0.5)));
+            assert_eq!(segment_inside_convex(&area, p(1.0, 1.0), p(1.0, 5.0)), Some((0.0, 0.5)));
+            assert_eq!(segment_inside_convex(&area, p(1.0, 1.0), p(2.0, 2.0)), Some((0.0, 1.0)));
+            assert_eq!(segment_inside_convex(&area, p(-4.0, 4.0), p(12.0, 4.0)), None);
+            assert_eq!(segment_inside_convex(&area, p(5.0, 1.0), p(12.0, 1.0)), None);
+            // Past the corner (4, 3): at x = 4 the line is at 3.5.
+            assert_eq!(segment_inside_convex(&area, p(3.0, 4.5), p(5.0, 2.5)), None);
+        }
+    }
+
+    #[test]
+    fn bounds_hold_all_points() {
+        assert_eq!(bounds(outline(&[(1.0, 5.0), (-2.0, 3.0), (0.0, 7.0)])), (p(-2.0, 3.0), p(1.0, 7.0)));
+    }
+
+    #[test]
+    fn an_inner_point_is_the_centroid_where_that_is_inside() {
+        assert!(inner_point(&rectangle()).distance(p(2.0, 1.5)) < 1e-12);
+        // Of the U: floor 6 at (3, 0.5), arms 3 at (0.5, 2.5) and 6 at (5, 2.5): (49.5, 25.5) / 15 = (3.3, 1.7), in its
+        // opening. At half its height the arms are 1 and 2 wide, and the wider reaches from 4 to 6.
+        assert_eq!(inner_point(&u()), p(5.0, 2.0));
+    }
 }

@@ -3,20 +3,20 @@
 //! The core is pure: it does no I/O, reads no clock, knows no thread and iterates no hash map. In reading
 //! order:
 
-/// Spans and instants in whole microseconds, plane geometry, named random streams.
+// Spans and instants in whole microseconds, plane geometry, named random streams.
 pub mod time;
 pub mod geometry;
 pub mod random;
 
-/// What the user wrote, and what is wrong with it.
+// What the user wrote, and what is wrong with it.
 pub mod scenario;
 pub mod problem;
 
-/// The home, what its sensors are, and what they see in it.
+// The home, what its sensors are, and what they see in it.
 pub mod home;
 pub mod sensors;
 
-/// Movement: strides, who decides on them, the world they happen in.
+// Movement: strides, who decides on them, the world they happen in.
 pub mod stride;
 pub mod event;
 mod timers;
@@ -25,5 +25,5 @@ pub mod world;
 pub mod run;
 pub mod recording;
 
-/// The naive way, as oracle and as baseline.
+// The naive way, as oracle and as baseline.
 pub mod naive;

@@ -141,3 +141,167 @@ impl Beam {
 pub(crate) fn touches(beam: &Beam, p: Point, radius: f64) -> bool {
     beam.touches(p, radius + GRAZING_M)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry;
+    use crate::random::{Range, Stream};
+
+    /// Along the x axis from the origin to 4.
+    const BEAM: Beam = Beam { start: Point::ZERO, direction: Point::X, length: 4.0, number: 0 };
+    const RADIUS_M: f64 = 0.25;
+
+    /// A stride at 1 m/s from instant 0 on.
+    fn stride(from: (f64, f64), to: (f64, f64)) -> Stride {
+        let (from, to) = (Point::from(from), Point::from(to));
+        Stride::new(from, to, 0, crate::time::micros(from.distance(to)))
+    }
+
+    fn touch(from: (f64, f64), to: (f64, f64), after: Micros) -> Option<Micros> {
+        stride(from, to).first_touch(&BEAM, RADIUS_M, after)
+    }
+
+    #[test]
+    fn a_beam_is_entered_at_its_side() {
+        // 1.25 m from the beam, a radius of 0.25: after 1 m.
+        assert_eq!(touch((2.0, -1.25), (2.0, 0.75), 0), Some(SECOND));
+        assert_eq!(touch((2.0, 1.25), (2.0, -0.75), 0), Some(SECOND));
+        // Down at 3 in 5: 1.5 m are 0.9 m down, from 1.15 to 0.25, and 1.2 m along.
+        assert_eq!(touch((1.0, 1.15), (5.0, -1.85), 0), Some(1_500_000));
+    }
+
+    #[test]
+    fn a_beam_is_entered_at_its_end() {
+        assert_eq!(touch((6.25, 0.0), (0.0, 0.0), 0), Some(2 * SECOND));
+        // 0.15 off the axis the disc of 0.25 begins 0.2 before its middle.
+        assert_eq!(touch((6.2, 0.15), (1.2, 0.15), 0), Some(2 * SECOND));
+        // Straight at the end from 1.5 m: 1.25 m to go; the side would be reached beyond the end, at x = 4.1875.
+        assert_eq!(touch((4.9, 1.2), (4.0, 0.0), 0), Some(1_250_000));
+    }
+
+    #[test]
+    fn a_beam_is_entered_at_its_start() {
+        assert_eq!(touch((-1.25, 0.0), (3.0, 0.0), 0), Some(SECOND));
+        assert_eq!(touch((-1.2, -0.15), (3.8, -0.15), 0), Some(SECOND));
+        assert_eq!(touch((-0.9, -1.2), (0.0, 0.0), 0), Some(1_250_000));
+    }
+
+    #[test]
+    fn a_parallel_stride_touches_within_the_strip_alone() {
+        assert_eq!(touch((6.0, 0.26), (-2.0, 0.26), 0), None);
+        assert_eq!(touch((-2.0, -0.26), (6.0, -0.26), 0), None);
+        // Within, but going away.
+        assert_eq!(touch((5.0, 0.1), (7.0, 0.1), 0), None);
+        assert_eq!(touch((-1.0, 0.1), (-3.0, 0.1), 0), None);
+    }
+
+    #[test]
+    fn grazing_is_a_touch() {
+        // Within 1e-9 m of touching counts: on a circle of 0.25 m that begins sqrt(2 * 0.25 * 1e-9) = 2.2e-5 m before.
+        let graze = |touched: Option<Micros>| touched.is_some_and(|at| (SECOND - 24..=SECOND).contains(&at));
+        assert!(graze(touch((4.25, -1.0), (4.25, 1.0), 0)));
+        assert!(graze(touch((5.0, 0.25), (2.0, 0.25), 0)));
+        assert_eq!(touch((4.250_01, -1.0), (4.250_01, 1.0), 0), None);
+        assert_eq!(touch((5.0, 0.250_01), (2.0, 0.250_01), 0), None);
+    }
+
+    #[test]
+    fn a_touch_is_not_before_the_instant_asked_for() {
+        // Touched from 1 s, 0.25 m before the beam, to 1.5 s, 0.25 m behind it.
+        let asked = |after| touch((2.0, -1.25), (2.0, 2.75), after);
+        assert_eq!(asked(999_999), Some(SECOND));
+        assert_eq!(asked(SECOND), Some(SECOND));
+        assert_eq!(asked(1_234_567), Some(1_234_567));
+        assert_eq!(asked(1_500_000), Some(1_500_000));
+        assert_eq!(asked(1_500_001), None);
+        assert_eq!(asked(3 * SECOND), None);
+    }
+
+    #[test]
+    fn the_end_of_a_stride_does_not_limit_the_answer() {
+        assert_eq!(touch((2.0, -1.25), (2.0, -1.0), 0), Some(SECOND));
+    }
+
+    #[test]
+    fn a_stride_without_length_touches_what_it_stands_on() {
+        let still = |y| {
+            let at = Point::new(2.0, y);
+            Stride::new(at, at, 0, SECOND).first_touch(&BEAM, RADIUS_M, 500_000)
+        };
+        assert_eq!(still(0.2), Some(500_000));
+        assert_eq!(still(0.3), None);
+    }
+
+    /// The distance to the beam, by another way and at each millisecond, says the same of some thousand random
+    /// strides: the beam is touched at the answer, not a microsecond earlier, and at no sample before.
+    #[test]
+    fn the_first_touch_is_the_one_that_dense_samples_find() {
+        const WIDTH_M: f64 = 1e-12;
+        let mut stream = Stream::named(1, "strides");
+        let mut between = |least: f64, most: f64| {
+            least + (most - least) * stream.span(Range { least: 0, most: 1_000_000 }) as f64 / 1e6
+        };
+        let (mut touched, mut missed, mut at_once) = (0, 0, 0);
+        for case in 0..8_000 {
+            // Every fourth runs along an axis; of the beams every third does, and every fourth is short.
+            let from = Point::new(between(-2.0, 2.0), between(-2.0, 2.0));
+            let to = match case % 4 {
+                0 => Point::new(from.x, between(-2.0, 2.0)),
+                _ => Point::new(between(-2.0, 2.0), between(-2.0, 2.0)),
+            };
+            let beam = Beam {
+                start: Point::new(between(-1.5, 1.5), between(-1.5, 1.5)),
+                direction: geometry::direction(if case % 3 == 0 { 90.0 } else { between(0.0, 360.0) }),
+                length: if case % 4 == 1 { between(0.0, 0.1) } else { between(0.5, 4.0) },
+                number: 0,
+            };
+            let radius = between(0.05, 0.4);
+            let begin = between(0.0, 1e9) as Micros;
+            let end = begin + (between(0.2, 4.0) * 1e6) as Micros;
+            let after = begin + if case % 5 == 0 { ((end - begin) as f64 * between(0.0, 1.0)) as Micros } else { 0 };
+            let stride = Stride::new(from, to, begin, end);
+            let away = |at: Micros| {
+                let share = (at - begin) as f64 / (end - begin) as f64;
+                geometry::distance_to_segment(from + (to - from) * share, beam.start, beam.end()) - radius - GRAZING_M
+            };
+            let found = stride.first_touch(&beam, radius, after);
+            let first = (after..=end).step_by(1000).find(|&at| away(at) <= -WIDTH_M);
+            let what =
+                || format!("case {case}: {stride:?} {beam:?} {radius} after {after}: {found:?}, samples {first:?}");
+            match found.filter(|&at| at <= end) {
+                Some(at) => {
+                    assert!(away(at) <= WIDTH_M, "{}", what());
+                    assert!(at == after || away(at - 1) > -WIDTH_M, "{}", what());
+                    assert!(first.is_none_or(|first| at <= first), "{}", what());
+                    touched += 1;
+                    at_once += u32::from(at == after);
+                }
+                None => {
+                    assert_eq!(first, None, "{}", what());
+                    missed += 1;
+                }
+            }
+        }
+        assert!(
+            touched > 1_000 && missed > 1_000 && at_once > 100,
+            "{touched} touched, {at_once} of them at once, {missed} not"
+        );
+    }
+
+    #[test]
+    fn the_span_within_a_circle_is_closed_and_in_whole_microseconds() {
+        // A chord at 0.6 of a circle of 1: 0.8 to either side of x = 2.
+        let stride = stride((0.0, 0.6), (1.0, 0.6));
+        assert_eq!(stride.span_within(Point::new(2.0, 0.0), 1.0), Some((1_200_000, 2_800_000)));
+        assert_eq!(stride.span_within(Point::new(2.0, 0.0), 0.5), None);
+    }
+
+    #[test]
+    fn distance_to_a_beam_is_that_to_its_nearest_point() {
+        assert_eq!(BEAM.distance(Point::new(1.0, -2.0)), 2.0);
+        assert_eq!(BEAM.distance(Point::new(7.0, 4.0)), 5.0);
+        assert_eq!(BEAM.distance(Point::new(-3.0, 4.0)), 5.0);
+        assert_eq!(BEAM.end(), Point::new(4.0, 0.0));
+    }
+}

@@ -12,7 +12,8 @@ pub struct Timers {
     leaves: usize,
 }
 
-/// Instants are shifted by so many bits to make room for the sensor.
+/// Instants are shifted by so many bits to make room for the sensor; they must be less than 2^56 microseconds, some two
+/// thousand years.
 const SENSOR_BITS: u32 = MAX_SENSORS.ilog2();
 const SENSOR: i64 = (1 << SENSOR_BITS) - 1;
 

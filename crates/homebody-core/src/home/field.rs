@@ -262,3 +262,149 @@ fn floor(x: f64) -> i32 {
     let whole = x as i32;
     whole - i32::from(f64::from(whole) > x)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::home::HomeFile;
+    use serde_json::{Value, json};
+
+    /// A room 6 by 4 without walls; on its western side, at y = 2, a lens at the very edge with one beam to the east; over
+    /// the square from (4, 0.5) to (5, 1.5) a ceiling sensor.
+    fn field(furniture: Value, walls: Value, top_m: f64) -> Field {
+        let home: Result<HomeFile, _> = serde_json::from_value(json!({
+            "name": "home", "walls": walls, "furniture": furniture,
+            "rooms": [{ "name": "room", "outline": [[0, 0], [6, 0], [6, 4], [0, 4]] }],
+            "sensors": [
+                { "name": "wall", "kind": "motion", "at": [-0.02, 2], "height_m": 2.1, "facing_deg": 0, "beams": 1 },
+                { "name": "ceiling", "kind": "ceiling_motion", "area": [[4, 0.5], [5, 0.5], [5, 1.5], [4, 1.5]] },
+            ],
+        }));
+        let home = home.expect("a home");
+        let sensors: Vec<Sensor> = home.sensors.iter().map(Sensor::new).collect();
+        Field::bake(&Plan::new(&home), &sensors, Size { radius_m: 0.2, top_m })
+    }
+
+    /// Where the beam of the wall sensor is lit, as distances from its lens.
+    fn lit(field: &Field) -> Vec<(f64, f64)> {
+        field.beams[field.range(0)].iter().map(|beam| (beam.start.x, beam.end().x)).collect()
+    }
+
+    fn close(found: &[(f64, f64)], expected: &[(f64, f64)]) -> bool {
+        let near = |a: f64, b: f64| (a - b).abs() < 1e-6;
+        found.len() == expected.len() && found.iter().zip(expected).all(|(a, b)| near(a.0, b.0) && near(a.1, b.1))
+    }
+
+    const STANDING_M: f64 = 1.65;
+    const SITTING_M: f64 = 1.32;
+    const LYING_M: f64 = 0.66;
+
+    fn piece(height_m: f64, enterable: bool) -> Value {
+        json!([{ "name": "piece", "at": [2.5, 2], "size_m": [1, 1], "height_m": height_m, "enterable": enterable }])
+    }
+
+    #[test]
+    fn behind_a_sideboard_who_stands_is_seen_and_who_sits_is_not() {
+        // From 2.1 m over 1.5 m at 3 m the sight line falls 0.2 m a metre: at 1.32 m after 3.9 m, at 0.66 m after 7.2 m.
+        let [standing, sitting, lying] =
+            [STANDING_M, SITTING_M, LYING_M].map(|top_m| field(piece(1.5, false), json!([]), top_m));
+        // 0.45, 0.78 and 1.44 m below the lens at the fan's lower end, 48 degrees down.
+        assert!(close(&lit(&standing), &[(0.405182, 10.0)]), "{:?}", lit(&standing));
+        assert!(close(&lit(&sitting), &[(0.702315, 2.0), (3.9, 10.0)]), "{:?}", lit(&sitting));
+        assert!(close(&lit(&lying), &[(1.296582, 2.0), (7.2, 10.0)]), "{:?}", lit(&lying));
+        // A body of 0.2 m shows its edge from 3.7 m on.
+        let sees = |field: &Field, x: f64| field.sees(0, Point::new(x, 2.0));
+        assert_eq!([3.4, 3.69, 3.71].map(|x| sees(&standing, x)), [true, true, true]);
+        assert_eq!([3.4, 3.69, 3.71].map(|x| sees(&sitting, x)), [false, false, true]);
+        assert_eq!([3.4, 3.69, 3.71].map(|x| sees(&lying, x)), [false, false, false]);
+    }
+
+    #[test]
+    fn behind_a_low_table_only_who_lies_is_hidden() {
+        assert!(close(&lit(&field(piece(0.75, false), json!([]), SITTING_M)), &[(0.702315, 10.0)]));
+        // From 2.1 m over 0.75 m at 3 m it falls 0.45 m a metre: at 0.66 m after 3.2 m.
+        let lying = field(piece(0.75, false), json!([]), LYING_M);
+        assert!(close(&lit(&lying), &[(1.296582, 2.0), (3.2, 10.0)]), "{:?}", lit(&lying));
+        // On a bed as high one lies in view, and so would somebody beside it from 3.2 m on.
+        let bed = field(piece(0.75, true), json!([]), LYING_M);
+        assert!(close(&lit(&bed), &[(1.296582, 3.0), (3.2, 10.0)]), "{:?}", lit(&bed));
+    }
+
+    #[test]
+    fn walls_and_what_is_as_high_as_the_lens_end_a_beam() {
+        let wall = json!([{ "from": [5, 0], "to": [5, 4] }]);
+        assert!(close(&lit(&field(json!([]), wall, STANDING_M)), &[(0.405182, 4.95)]));
+        assert!(close(&lit(&field(piece(2.1, false), json!([]), STANDING_M)), &[(0.405182, 2.0)]));
+    }
+
+    #[test]
+    fn a_body_is_seen_over_an_area_and_a_radius_around_it() {
+        let field = field(json!([]), json!([]), STANDING_M);
+        let seen = |x, y| field.seen_at(Point::new(x, y));
+        assert_eq!(seen(4.5, 1.0), 0b10);
+        assert_eq!([seen(3.81, 1.0), seen(3.79, 1.0)], [0b10, 0]);
+        // Off the corner (4, 0.5) by 0.1 and 0.17, 0.197 m; by 0.15 and 0.15, 0.212 m.
+        assert_eq!([seen(3.9, 0.33), seen(3.85, 0.35)], [0b10, 0]);
+        // Beside the beam, and where beam and area are both in reach: 0.15 m from the one, 0.35 from the other.
+        assert_eq!([seen(2.0, 2.19), seen(2.0, 2.21)], [0b01, 0]);
+        assert_eq!([seen(4.5, 1.85), seen(4.5, 1.69)], [0b01, 0b10]);
+    }
+
+    #[test]
+    fn bits_come_least_first() {
+        assert!(bits(1 << 127 | 0b1010).eq([1, 3, 127]));
+        assert_eq!(bits(0).next(), None);
+    }
+
+    #[test]
+    fn the_grid_begins_one_cell_outside_the_plan() {
+        let field = field(json!([]), json!([]), STANDING_M);
+        assert_eq!(field.corner, Point::new(-0.25, -0.25));
+        // (6.25 / 0.25 + 1) by (4.25 / 0.25 + 1) cells.
+        assert_eq!((field.columns, field.rows), (26, 18));
+        assert_eq!(field.cell(Point::new(100.0, 1.0)).may, 0);
+        assert_eq!(field.cell(Point::new(-100.0, 1.0)).may, 0);
+    }
+
+    #[test]
+    fn a_cell_is_left_at_the_first_of_its_borders() {
+        let field = field(json!([]), json!([]), STANDING_M);
+        let at = Point::new(0.1, 3.1);
+        let leaves = |dx: f64, dy: f64| field.leaves_cell(at, &Stride::new(at, at + Point::new(dx, dy), 0, 1_000_000));
+        // Its borders are x = 0, 0.25 and y = 3, 3.25.
+        assert!((leaves(1.0, 0.0) - 150_000.0).abs() < 1e-3);
+        assert!((leaves(-1.0, 0.0) - 100_000.0).abs() < 1e-3);
+        assert!((leaves(0.6, 0.8) - 187_500.0).abs() < 1e-3);
+        assert!((leaves(1.0, -1.0) - 100_000.0).abs() < 1e-3);
+        assert_eq!(leaves(0.0, 0.0), f64::INFINITY);
+    }
+
+    #[test]
+    fn a_walk_is_unseen_until_it_comes_to_a_cell_where_it_may_be_seen() {
+        let field = field(json!([]), json!([]), STANDING_M);
+        let (until, ceiling) = (10_000_000, 0b10);
+        let stride = |from: (f64, f64), to: (f64, f64)| {
+            let (from, to) = (Point::from(from), Point::from(to));
+            Stride::new(from, to, 0, crate::time::micros(from.distance(to)))
+        };
+        // Cells may be seen whose middle is at most 0.2 + 0.125 * sqrt(2) = 0.377 m from the area: along y = 0.9, in the
+        // row from 0.75 to 1, those from x = 3.5 on, with middle 3.625.
+        let along = stride((0.1, 0.9), (5.9, 0.9));
+        assert!((field.unseen_until(&along, ceiling, 0, until) - 3_400_000).abs() <= 1);
+        assert!((field.unseen_until(&along, ceiling, 1_000_000, until) - 3_400_000).abs() <= 1);
+        assert_eq!(field.unseen_until(&along, ceiling, 4_000_000, until), 4_000_000);
+        assert_eq!(field.unseen_until(&along, ceiling, 0, 3_000_000), 3_000_000);
+        // Never a sensor that is not asked for, nor one that is passed.
+        assert_eq!(field.unseen_until(&along, 0b01, 0, 5_000_000), 5_000_000);
+        let past = stride((0.1, 3.5), (5.9, 3.5));
+        assert_eq!(field.unseen_until(&past, 0b11, 0, 5_000_000), 5_000_000);
+        // From the other side: the last such cell ends at x = 5.5.
+        let back = stride((5.9, 0.9), (0.1, 0.9));
+        assert!((field.unseen_until(&back, ceiling, 0, until) - 400_000).abs() <= 1);
+    }
+
+    #[test]
+    fn whole_numbers_below_go_down_for_negative_ones() {
+        assert_eq!([-1.5, -1.0, -0.1, 0.0, 0.9, 7.0].map(floor), [-2, -1, -1, 0, 0, 7]);
+    }
+}

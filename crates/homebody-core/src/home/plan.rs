@@ -101,7 +101,8 @@ impl Plan {
         Plan { rooms, solids, openings, places }
     }
 
-    /// The room a point lies in; the first of the file where outlines share a border.
+    /// The room a point lies in. A border belongs to the room to the east of it, or to the north where it runs from east
+    /// to west; of rooms that overlap, the first of the file counts.
     pub fn room_at(&self, p: Point) -> Option<usize> {
         self.rooms.iter().position(|room| geometry::contains(&room.outline, p))
     }

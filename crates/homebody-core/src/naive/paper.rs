@@ -2,8 +2,8 @@
 //! their lengths, and a changed length is movement (Godsey & Skubic 2009, section III.D).
 //!
 //! What we assume: the paper's plane. Rays start where a beam begins for bodies of the one size looked for, and
-//! know of heights only that whatever is lower than the lens does not stop them. A ceiling sensor sees a body
-//! that has changed and intersects its area.
+//! know of heights only that whatever is lower than the home's highest lens stops none of them. A ceiling sensor
+//! sees a body that has changed and intersects its area.
 //!
 //! How: rapier2d holds walls, doors and furniture as fixed colliders and bodies as kinematic balls, is stepped once
 //! an update, and casts each ray against all of them. Rays are not solid: from inside a body they run to its far side.

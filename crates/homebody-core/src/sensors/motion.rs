@@ -6,8 +6,9 @@
 //!
 //! We assume that every moving body is warm and large enough; that the lens stands two centimetres off
 //! the wall; and that the fan is made of upright blades, each at one bearing, as high as the field is.
-//! Bearings are spread as sign(u) |u|^1.5 over u in -1..1, which makes the middle about three times as dense
-//! as the paper's figure 3 draws it (the exponent is ours; the paper prints none).
+//! Bearings are spread as sign(u) |u|^1.5 over u in -1..1: of 32 over 145 degrees the middle two are 0.8 degrees
+//! apart, the outermost two 6.9 (the exponent is ours; the paper's figure 3 only says that the middle is dense and the
+//! edge sparse). The rows of the level `zones` are spread evenly.
 //!
 //! From a lens at height h, a body of height t at range r shows itself between the depressions
 //! atan((h - t) / r) and atan(h / r). It is in a blade where that span meets the blade's own, so each
@@ -156,5 +157,145 @@ fn tangent(angle_deg: f64) -> f64 {
         f64::NEG_INFINITY
     } else {
         libm::tan(angle_deg.to_radians())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::{Range, Stream};
+
+    fn sensor(height_m: f64, depressions_deg: (f64, f64)) -> Motion {
+        let blade = Blade {
+            direction: Point::X,
+            least_depression: tangent(depressions_deg.0),
+            greatest_depression: tangent(depressions_deg.1),
+            positive: true,
+        };
+        Motion { lens: Point::ZERO, height_m, reach_m: 10.0, blades: vec![blade], level: Level::Paper }
+    }
+
+    fn close(found: Option<(f64, f64)>, expected: (f64, f64)) -> bool {
+        found.is_some_and(|found| (found.0 - expected.0).abs() < 1e-6 && (found.1 - expected.1).abs() < 1e-6)
+    }
+
+    fn file(json: serde_json::Value) -> MotionFile {
+        serde_json::from_value(json).expect("a motion sensor")
+    }
+
+    #[test]
+    fn a_blade_meets_a_body_between_where_its_ends_pass_its_top_and_its_feet() {
+        // The lower end falls 2.4 - 1.6 = 0.8 m to the top within 0.8 / tan 45; the upper 2.4 m to the floor
+        // within 2.4 / tan 30 = 4.156922.
+        let motion = sensor(2.4, (30.0, 45.0));
+        assert!(close(motion.ranges(&motion.blades[0], 1.6), (0.8, 4.156922)));
+        // The default fan: from 0.45 / tan 48 = 0.405182 for who stands, 0.78 / tan 48 = 0.702315 for who sits, and as
+        // the upper end looks up, to the end of the reach.
+        let motion = sensor(2.1, (-2.0, 48.0));
+        assert!(close(motion.ranges(&motion.blades[0], 1.65), (0.405182, 10.0)));
+        assert!(close(motion.ranges(&motion.blades[0], 1.32), (0.702315, 10.0)));
+    }
+
+    #[test]
+    fn a_blade_that_looks_up_meets_only_what_is_higher_than_the_lens() {
+        // Its lower end rises the 0.6 m to the top within 0.6 / tan 30 = 1.039230.
+        let motion = sensor(1.0, (-45.0, -30.0));
+        assert!(close(motion.ranges(&motion.blades[0], 1.6), (0.0, 1.039230)));
+        assert_eq!(motion.ranges(&motion.blades[0], 0.9), None);
+        assert_eq!(motion.ranges(&motion.blades[0], 1.0), None);
+    }
+
+    #[test]
+    fn a_level_lower_end_meets_no_body_below_it_and_a_steep_upper_end_no_far_one() {
+        let level = sensor(1.5, (-20.0, 0.0));
+        assert_eq!(level.ranges(&level.blades[0], 1.4), None);
+        assert_eq!(level.ranges(&level.blades[0], 1.6), Some((0.0, 10.0)));
+        let down = sensor(1.5, (90.0, 120.0));
+        assert_eq!(down.ranges(&down.blades[0], 1.4), None);
+    }
+
+    #[test]
+    fn a_shadow_ends_where_the_sight_line_over_the_far_edge_comes_down_to_the_top_of_the_body() {
+        // From 2.1 m over an edge 1.5 m high 3 m away the line falls 0.2 m a metre: it is at 1.32 m after 3.9 m.
+        let motion = sensor(2.1, (-90.0, 90.0));
+        assert!(close(motion.shadow(1.5, false, (2.0, 3.0), 1.32), (2.0, 3.9)));
+        // From 2.4 m over an edge 0.8 m high 2 m away it falls 0.8 m a metre: it is at 0.4 m after 2.5 m.
+        let motion = sensor(2.4, (-90.0, 90.0));
+        assert!(close(motion.shadow(0.8, false, (1.0, 2.0), 0.4), (1.0, 2.5)));
+        // Who lies on it is seen.
+        assert!(close(motion.shadow(0.8, true, (1.0, 2.0), 0.4), (2.0, 2.5)));
+    }
+
+    #[test]
+    fn furniture_hides_nobody_as_high_as_itself() {
+        let motion = sensor(2.1, (-90.0, 90.0));
+        assert_eq!(motion.shadow(0.75, false, (2.0, 3.0), 0.75), None);
+        assert_eq!(motion.shadow(0.75, false, (2.0, 3.0), 1.32), None);
+    }
+
+    /// Against the sight line itself, walked in steps of a millimetre: random heights, and bodies on random places behind
+    /// or before a piece of furniture.
+    #[test]
+    fn a_body_is_hidden_where_the_furniture_cuts_the_sight_line_to_its_top() {
+        let mut stream = Stream::named(1, "sight lines");
+        let mut between = |least: f64, most: f64| {
+            least + (most - least) * stream.span(Range { least: 0, most: 1_000_000 }) as f64 / 1e6
+        };
+        let mut hidden = 0;
+        for _ in 0..2_000 {
+            let height_m = between(1.5, 2.5);
+            let furniture_m = between(0.2, height_m - 0.05);
+            let body_m = between(0.1, height_m);
+            let enter = between(0.1, 3.0);
+            let leave = enter + between(0.1, 2.0);
+            let range = if between(0.0, 1.0) < 0.2 { between(0.01, enter) } else { between(leave, 9.0) };
+            let motion = sensor(height_m, (-90.0, 90.0));
+            let shadow = motion.shadow(furniture_m, false, (enter, leave), body_m);
+            let cut = (0..(range * 1000.0) as u32).any(|step| {
+                let r = f64::from(step) / 1000.0;
+                let sight_m = height_m + (body_m - height_m) * r / range;
+                (enter..=leave).contains(&r) && sight_m < furniture_m
+            });
+            let edge = shadow.is_some_and(|(start, end)| (range - start).abs() < 0.02 || (range - end).abs() < 0.02);
+            assert!(
+                edge || cut == shadow.is_some_and(|(start, end)| range > start && range < end),
+                "lens {height_m}, furniture {furniture_m} from {enter} to {leave}, body {body_m} at {range}: {shadow:?}"
+            );
+            hidden += u32::from(cut);
+        }
+        assert!(hidden > 200, "only {hidden} were hidden");
+    }
+
+    #[test]
+    fn bearings_are_dense_in_the_middle() {
+        // 72.5 * (1 / 31)^1.5 = 0.420 to either side; 72.5 * (1 - (29 / 31)^1.5) = 6.902 at the edge.
+        let motion = Motion::new(&file(serde_json::json!({ "name": "m", "at": [0, 0], "facing_deg": 0 })));
+        let gap_deg =
+            |a: usize, b: usize| libm::acos(motion.blades[a].direction.dot(motion.blades[b].direction)).to_degrees();
+        assert_eq!(motion.blades.len(), 32);
+        assert!((gap_deg(15, 16) - 0.840).abs() < 5e-4);
+        assert!((gap_deg(0, 1) - 6.902).abs() < 5e-4 && (gap_deg(30, 31) - 6.902).abs() < 5e-4);
+        assert!((gap_deg(0, 31) - 145.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn rows_of_zones_divide_the_height_and_alternate() {
+        // Tilt 23 and height 50: rows from -2 over 14.667 and 31.333 to 48 degrees.
+        let motion = Motion::new(&file(serde_json::json!({
+            "name": "m", "at": [0, 0], "facing_deg": 0, "level": { "zones": { "rows": [3, 2, 1] } },
+        })));
+        let rows: [(f64, f64); 3] = [(-2.0, 44.0 / 3.0), (44.0 / 3.0, 94.0 / 3.0), (94.0 / 3.0, 48.0)];
+        let row = [0, 0, 0, 1, 1, 2].map(|row| rows[row]);
+        let positive = [true, false, true, false, true, true];
+        let bearings_deg: [f64; 6] = [-72.5, 0.0, 72.5, -72.5, 72.5, 0.0];
+        assert_eq!(motion.blades.len(), 6);
+        for (index, blade) in motion.blades.iter().enumerate() {
+            assert!((blade.least_depression - libm::tan(row[index].0.to_radians())).abs() < 1e-9, "blade {index}");
+            assert!((blade.greatest_depression - libm::tan(row[index].1.to_radians())).abs() < 1e-9, "blade {index}");
+            assert_eq!(blade.positive, positive[index], "blade {index}");
+            assert!(blade.direction.distance(geometry::direction(bearings_deg[index])) < 1e-9, "blade {index}");
+        }
+        let Level::Zones { pitch_rad, .. } = motion.level else { panic!("not zones") };
+        assert!((pitch_rad.to_degrees() - 72.5).abs() < 1e-9);
     }
 }

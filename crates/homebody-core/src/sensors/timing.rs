@@ -60,7 +60,7 @@ enum State {
     Delay {
         fire: Micros,
     },
-    /// Nothing that happens before `wake` can matter to the decision.
+    /// Nothing that happens earlier than `persist` before `decide` can matter to the decision.
     Asleep {
         decide: Micros,
     },
@@ -73,7 +73,7 @@ enum State {
     },
 }
 
-/// What a due timer did.
+/// What the timer did.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Due {
     /// The sensor fired, for this reason.
@@ -120,7 +120,8 @@ impl Machine {
         };
     }
 
-    /// The timer is due.
+    /// The timer is due; or, while watching, nothing will be seen any more before it is, so that the decision to
+    /// become idle may be taken at once.
     pub fn due(&mut self) -> Due {
         match self.state {
             State::Delay { fire: at } | State::Sure { decide: at } => {

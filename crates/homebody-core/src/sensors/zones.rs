@@ -125,3 +125,138 @@ impl Pulses {
         self.detections.iter().find(|pulse| pulse.body == body && pulse.at >= from).map(|pulse| pulse.at)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry;
+    use crate::sensors::motion::Blade;
+    use crate::time::SECOND;
+
+    const RADIUS_M: f64 = 0.2;
+    const NONE: [Micros; 0] = [];
+    /// When a body that walks north 2 m before the lens at 1 m/s from 3 m south of it on comes to the zones at -45, 0
+    /// and 45 degrees: at y = -2 - 0.2 * sqrt(2), -0.2 and 2 - 0.2 * sqrt(2).
+    const CROSSED: [Micros; 3] = [717_158, 2_800_000, 4_717_158];
+
+    /// A lens at the origin that looks east, with a positive zone between two others or the other way round.
+    fn motion(pulses: u32, window: Micros, middle_positive: bool) -> Motion {
+        let blade = |bearing_deg: f64| Blade {
+            direction: geometry::direction(bearing_deg),
+            least_depression: f64::NEG_INFINITY,
+            greatest_depression: f64::INFINITY,
+            positive: middle_positive == (bearing_deg == 0.0),
+        };
+        let blades = [-45.0, 0.0, 45.0].map(blade).to_vec();
+        let level = Level::Zones { pulses, window, pitch_rad: std::f64::consts::FRAC_PI_4 };
+        Motion { lens: Point::ZERO, height_m: 1.65, reach_m: 5.0, blades, level }
+    }
+
+    fn beams(motion: &Motion) -> Vec<Beam> {
+        let blades = (0..).zip(&motion.blades);
+        blades
+            .map(|(number, blade)| Beam { start: Point::ZERO, direction: blade.direction, length: 5.0, number })
+            .collect()
+    }
+
+    fn walk(from: (f64, f64), to: (f64, f64), begin: Micros) -> Stride {
+        let (from, to) = (Point::from(from), Point::from(to));
+        Stride::new(from, to, begin, begin + crate::time::micros(from.distance(to)))
+    }
+
+    /// The instants of the detections of bodies that walk one after another or at once, in slices of a tenth of a second.
+    fn detections(motion: &Motion, walks: &[(u32, Stride)]) -> Vec<(Micros, u32)> {
+        let mut pulses = Pulses::new(0, 2);
+        let mut found = Vec::new();
+        let length = walks.iter().map(|(_, stride)| stride.end).max().unwrap_or(0);
+        for from in (0..length).step_by(100_000) {
+            pulses.begin_slice();
+            for (body, stride) in walks.iter().filter(|(_, stride)| (stride.begin..stride.end).contains(&from)) {
+                pulses.walk(*body, stride, &beams(motion), motion, RADIUS_M, from, from + 100_000);
+            }
+            pulses.count(motion);
+            found.extend(pulses.detections.iter().map(|pulse| (pulse.at, pulse.body)));
+        }
+        found
+    }
+
+    #[test]
+    fn crossing_zones_of_alternating_sign_within_the_window_is_seen() {
+        let across = [(0, walk((2.0, -3.0), (2.0, 3.0), 0))];
+        let instants = |pulses, window| {
+            let found = detections(&motion(pulses, window, false), &across);
+            found.into_iter().map(|(at, _)| at).collect::<Vec<_>>()
+        };
+        assert_eq!(instants(1, SECOND), CROSSED);
+        // The pulses are 2.083 and 1.917 s apart.
+        assert_eq!(instants(2, 2_100_000), CROSSED[1..]);
+        assert_eq!(instants(2, 2_000_000), CROSSED[2..]);
+        assert_eq!(instants(2, 1_900_000), NONE);
+        // Exactly 4 s from the first to the third: both ends of the window count.
+        assert_eq!(instants(3, 4_000_000), CROSSED[2..]);
+        assert_eq!(instants(3, 3_999_999), NONE);
+    }
+
+    #[test]
+    fn which_sign_comes_first_does_not_matter() {
+        let across = [(0, walk((2.0, -3.0), (2.0, 3.0), 0))];
+        let found = detections(&motion(2, 2_100_000, true), &across);
+        assert_eq!(found, [(CROSSED[1], 0), (CROSSED[2], 0)]);
+    }
+
+    #[test]
+    fn two_pulses_of_one_sign_are_one() {
+        // Over the southern zone and back.
+        let there_and_back = [(0, walk((2.0, -3.0), (2.0, -1.5), 0)), (0, walk((2.0, -1.5), (2.0, -3.0), 1_500_000))];
+        // Left 0.283 m beyond y = -2 and come to again from there, 0.217 m after turning.
+        assert_eq!(detections(&motion(1, SECOND, false), &there_and_back), [(717_158, 0), (1_717_158, 0)]);
+        assert_eq!(detections(&motion(2, 60 * SECOND, false), &there_and_back), []);
+    }
+
+    #[test]
+    fn approaching_along_a_zone_is_one_pulse() {
+        let along = [(0, walk((9.0, 0.0), (1.0, 0.0), 0))];
+        // The zone ends 5 m from the lens, so the body comes to it at 5.2 m.
+        assert_eq!(detections(&motion(1, SECOND, false), &along), [(3_800_000, 0)]);
+        assert_eq!(detections(&motion(2, 60 * SECOND, false), &along), []);
+    }
+
+    #[test]
+    fn the_pulses_of_two_people_count_together() {
+        let (first, second) = ((0, walk((2.0, -3.0), (2.0, -1.0), 0)), (1, walk((3.0, -1.0), (3.0, 1.0), 1_500_000)));
+        // The second comes to the middle zone 0.8 s after setting out, 1.583 s after the first to the southern one.
+        assert_eq!(detections(&motion(2, 2 * SECOND, false), &[first, second]), [(2_300_000, 1)]);
+        assert_eq!(detections(&motion(2, 2 * SECOND, false), &[first]), []);
+        assert_eq!(detections(&motion(2, 2 * SECOND, false), &[second]), []);
+    }
+
+    #[test]
+    fn a_zone_that_is_touched_already_makes_no_pulse() {
+        // A quarter of a metre before the lens all three zones are less than 0.2 m away.
+        let (motion, stride) = (motion(1, SECOND, false), walk((0.25, 0.0), (3.0, 0.0), 0));
+        let mut pulses = Pulses::new(0, 1);
+        let pulses_of_walk = |pulses: &mut Pulses| {
+            pulses.begin_slice();
+            pulses.walk(0, &stride, &beams(&motion), &motion, RADIUS_M, 0, stride.end);
+            pulses.pulses.len()
+        };
+        pulses.settle(0, &beams(&motion), stride.from, RADIUS_M);
+        assert_eq!(pulses_of_walk(&mut pulses), 0);
+        pulses.leave(0);
+        assert_eq!(pulses_of_walk(&mut pulses), 3);
+    }
+
+    #[test]
+    fn the_first_detection_is_the_bodys_own_and_not_before_the_instant_asked_for() {
+        let motion = motion(1, SECOND, false);
+        let stride = walk((2.0, -3.0), (2.0, 3.0), 0);
+        let mut pulses = Pulses::new(0, 2);
+        pulses.walk(1, &stride, &beams(&motion), &motion, RADIUS_M, 0, stride.end);
+        pulses.count(&motion);
+        assert_eq!(pulses.first_detection(1, 0), Some(CROSSED[0]));
+        assert_eq!(pulses.first_detection(1, CROSSED[0]), Some(CROSSED[0]));
+        assert_eq!(pulses.first_detection(1, CROSSED[0] + 1), Some(CROSSED[1]));
+        assert_eq!(pulses.first_detection(1, CROSSED[2] + 1), None);
+        assert_eq!(pulses.first_detection(0, 0), None);
+    }
+}

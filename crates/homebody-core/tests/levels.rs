@@ -1,0 +1,210 @@
+//! What a wall sensor takes for movement at each level, in a room 12 by 8 metres with one lens at the origin of x, in the
+//! middle of its western side. Expected instants are computed by hand.
+
+use homebody_core::drivers::Move;
+use homebody_core::event::{Doing, Events, Fact};
+use homebody_core::geometry::Point;
+use homebody_core::home::{Build, Home};
+use homebody_core::scenario::home::HomeFile;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, SECOND};
+use homebody_core::world::World;
+use serde_json::{Value, json};
+use std::sync::Arc;
+
+/// No instants.
+const NONE: [Micros; 0] = [];
+
+/// Somebody's moves, one after another.
+struct Life(Vec<Move>);
+
+impl Life {
+    fn new() -> Life {
+        Life(Vec::new())
+    }
+
+    fn then(mut self, seconds: f64, posture: Posture, doing: Doing) -> Life {
+        let begin = self.0.last().map_or(0, |last| last.end);
+        self.0.push(Move { begin, end: begin + homebody_core::time::micros(seconds), doing, posture });
+        self
+    }
+
+    fn rest(self, seconds: f64, posture: Posture, at: (f64, f64)) -> Life {
+        self.then(seconds, posture, Doing::Rest { at: at.into() })
+    }
+
+    fn stir(self, seconds: f64, posture: Posture, at: (f64, f64), amplitude_m: f64) -> Life {
+        self.then(seconds, posture, Doing::Stir { at: at.into(), amplitude_m })
+    }
+
+    fn walk(self, pace_mps: f64, from: (f64, f64), to: (f64, f64)) -> Life {
+        let (from, to) = (Point::from(from), Point::from(to));
+        self.then(from.distance(to) / pace_mps, Posture::Standing, Doing::Stride { from, to })
+    }
+}
+
+/// When the sensor notices movement, and whose. It looks again 10 ms after each time.
+fn noticed(sensor: &Value, furniture: &Value, lives: &[Life]) -> Vec<(Micros, u32)> {
+    let mut file = json!({
+        "name": "home", "walls": [], "furniture": furniture,
+        "rooms": [{ "name": "room", "outline": [[0, 0], [12, 0], [12, 8], [0, 8]] }],
+        // The lens stands 2 cm off the wall: at (0, 4).
+        "sensors": [{
+            "name": "sensor", "kind": "motion", "at": [-0.02, 4], "facing_deg": 0,
+            "first_fire_s": [0, 0], "refire_s": [0.01, 0.01], "persist_s": 0,
+        }],
+    });
+    let fields = file["sensors"][0].as_object_mut().expect("an object");
+    fields.extend(sensor.as_object().expect("an object").clone());
+    let file: HomeFile = serde_json::from_value(file).expect("a home");
+    let builds = vec![Build { radius_m: 0.2, height_m: 1.65 }; lives.len()];
+    let mut world = World::new(Arc::new(Home::bake(&file, &builds)), lives.len(), 1);
+    let mut events = Events::default();
+    let end_of = |life: &Life| life.0.last().map_or(0, |last| last.end);
+    let length = lives.iter().map(end_of).min().unwrap_or(0);
+    while world.now() < length {
+        let now = world.now();
+        let mut until = length;
+        for (resident, life) in lives.iter().enumerate() {
+            let next = &life.0[life.0.partition_point(|next| next.end <= now)];
+            if next.begin == now {
+                world.begin(resident, next);
+            }
+            until = until.min(next.end);
+        }
+        world.advance(until, &mut events);
+    }
+    let cause = |fact| match fact {
+        Fact::Cause { seen_at, resident, .. } => Some((seen_at, resident)),
+        _ => None,
+    };
+    events.facts.into_iter().filter_map(cause).collect()
+}
+
+fn alone(sensor: &Value, life: Life) -> Vec<Micros> {
+    noticed(sensor, &json!([]), &[life]).into_iter().map(|(at, _)| at).collect()
+}
+
+/// One beam due east.
+fn beam(level: Value) -> Value {
+    json!({ "beams": 1, "level": level })
+}
+
+fn sensitive() -> Value {
+    beam(json!({ "sensitivity": { "threshold_deg": 3 } }))
+}
+
+/// Zones at -45, 0 and 45 degrees, the outer ones positive, as high as the body: from the lens to 5 m.
+fn zones(pulses: u32, window_s: f64) -> Value {
+    json!({
+        "height_m": 1.65, "field_deg": [90, 50], "reach_m": 5,
+        "level": { "zones": { "rows": [3, 0, 0], "pulses": pulses, "window_s": window_s } },
+    })
+}
+
+#[test]
+fn behind_a_sideboard_who_stands_is_noticed_and_who_sits_is_not() {
+    // Over 1.5 m at 3 m the sight line from 2.1 m comes down to the 1.32 m of who sits after 3.9 m.
+    let sideboard = json!([{ "name": "sideboard", "at": [2.5, 4], "size_m": [1, 1], "height_m": 1.5 }]);
+    let stir = |posture, x| {
+        let life = Life::new().rest(1.0, posture, (x, 4.0)).stir(1.0, posture, (x, 4.0), 0.1);
+        noticed(&beam(json!("paper")), &sideboard, &[life]).first().copied()
+    };
+    assert_eq!(stir(Posture::Standing, 3.4), Some((SECOND, 0)));
+    assert_eq!(stir(Posture::Sitting, 3.4), None);
+    assert_eq!(stir(Posture::Sitting, 3.71), Some((SECOND, 0)));
+    assert_eq!(stir(Posture::Lying, 3.71), None);
+}
+
+#[test]
+fn a_stir_is_noticed_only_where_it_spans_the_threshold() {
+    let stir = |sensor: &Value, x: f64, amplitude_m: f64| {
+        let life = Life::new().rest(5.0, Posture::Standing, (x, 4.0));
+        alone(sensor, life.stir(2.0, Posture::Standing, (x, 4.0), amplitude_m)).first().copied()
+    };
+    // 0.3 / tan 3 = 5.724 m, 0.5 / tan 3 = 9.541 m.
+    assert_eq!(stir(&sensitive(), 5.72, 0.3), Some(5 * SECOND));
+    assert_eq!(stir(&sensitive(), 5.73, 0.3), None);
+    assert_eq!(stir(&sensitive(), 9.54, 0.5), Some(5 * SECOND));
+    assert_eq!(stir(&sensitive(), 9.55, 0.5), None);
+    // At the level of the paper the far one is noticed, too.
+    assert_eq!(stir(&beam(json!("paper")), 9.55, 0.3), Some(5 * SECOND));
+}
+
+#[test]
+fn an_approach_is_noticed_from_where_a_second_of_it_spans_the_threshold() {
+    // A second at 0.3 m/s spans 3 degrees at 0.3 / tan 3 = 5.724341 m: (9 - 5.724341) / 0.3 = 10.918863 s from 9 m.
+    let toward = alone(&sensitive(), Life::new().walk(0.3, (9.0, 4.0), (3.0, 4.0)));
+    assert_eq!(toward.first(), Some(&10_918_864));
+    // And the other way until (5.724341 - 3) / 0.3 = 9.081137 s; it looks every 10 ms.
+    let away = alone(&sensitive(), Life::new().walk(0.3, (3.0, 4.0), (9.0, 4.0)));
+    assert_eq!(away.first(), Some(&0));
+    assert!(away.last().is_some_and(|&last| (9_071_136..=9_081_136).contains(&last)), "{:?}", away.last());
+}
+
+#[test]
+fn a_slow_walk_across_is_noticed_near_and_not_far() {
+    let across =
+        |pace_mps: f64, x: f64| alone(&sensitive(), Life::new().walk(pace_mps, (x, 3.0), (x, 5.0))).first().copied();
+    // The body is at the beam 0.8 m on, 5.004 m from the lens; at 7 m it would take 7 * tan 3 = 0.367 m/s.
+    assert_eq!(across(0.3, 5.0), Some(2_666_667));
+    assert_eq!(across(0.3, 7.0), None);
+    assert_eq!(across(0.4, 7.0), Some(2_000_000));
+}
+
+#[test]
+fn crossing_zones_within_the_window_is_noticed() {
+    let across = |pulses, window_s| alone(&zones(pulses, window_s), Life::new().walk(1.0, (2.0, 1.0), (2.0, 7.0)));
+    // The body comes to the zones at y = 2 - 0.2 * sqrt(2), 3.8 and 6 - 0.2 * sqrt(2).
+    assert_eq!(across(1, 1.0), [717_158, 2_800_000, 4_717_158]);
+    assert_eq!(across(2, 2.1), [2_800_000, 4_717_158]);
+    assert_eq!(across(2, 2.0), [4_717_158]);
+    assert_eq!(across(2, 1.9), NONE);
+    assert_eq!(across(3, 4.0), [4_717_158]);
+    assert_eq!(across(3, 3.99), NONE);
+}
+
+#[test]
+fn approaching_along_a_zone_is_not_noticed() {
+    let along = || Life::new().walk(1.0, (9.0, 4.0), (1.0, 4.0));
+    // One pulse, 0.2 m before the zone's end.
+    assert_eq!(alone(&zones(1, 2.0), along()), [3_800_000]);
+    assert_eq!(alone(&zones(2, 60.0), along()), NONE);
+}
+
+#[test]
+fn two_people_who_cross_a_zone_each_are_noticed_together() {
+    let first = || Life::new().walk(1.0, (2.0, 1.0), (2.0, 3.0)).rest(8.0, Posture::Standing, (2.0, 3.0));
+    let still = || Life::new().rest(10.0, Posture::Standing, (3.0, 3.0));
+    let second = || Life::new().rest(1.5, Posture::Standing, (3.0, 3.0)).walk(1.0, (3.0, 3.0), (3.0, 5.0));
+    // The second comes to the middle zone 0.8 m on, 1.583 s after the first to the southern one.
+    let together = noticed(&zones(2, 2.0), &json!([]), &[first(), second()]);
+    assert_eq!(together, [(2_300_000, 1)]);
+    assert_eq!(noticed(&zones(2, 2.0), &json!([]), &[first(), still()]), []);
+    assert_eq!(noticed(&zones(2, 2.0), &json!([]), &[second()]), []);
+}
+
+/// A quarter of a metre before the lens all three zones are less than 0.2 m away.
+const BEFORE_THE_LENS: (f64, f64) = (0.25, 4.0);
+
+#[test]
+fn who_walks_off_from_where_zones_are_touched_is_not_noticed_by_them() {
+    let off = |life: Life| life.walk(1.0, BEFORE_THE_LENS, (4.0, 4.0));
+    let arrives = || Life::new().walk(1.0, (9.0, 4.0), BEFORE_THE_LENS).rest(30.0, Posture::Standing, BEFORE_THE_LENS);
+    // The arrival comes to the middle zone at 5.2 m, and to both others at 0.2 * sqrt(2) = 0.282843 m, each time once.
+    assert_eq!(alone(&zones(1, 2.0), off(arrives())), [3_800_000, 8_717_158]);
+    assert_eq!(alone(&zones(2, 2.0), off(arrives())), NONE);
+    assert_eq!(alone(&zones(2, 2.0), off(Life::new().rest(30.0, Posture::Sitting, BEFORE_THE_LENS))), NONE);
+}
+
+#[test]
+fn a_stir_is_noticed_only_where_it_spans_the_pitch_of_the_zones() {
+    let stir = |x: f64| {
+        let sensor = json!({ "level": { "zones": {} } });
+        let life = Life::new().rest(1.0, Posture::Sitting, (x, 4.0));
+        alone(&sensor, life.stir(1.0, Posture::Sitting, (x, 4.0), 0.3)).first().copied()
+    };
+    // Eleven zones over 145 degrees are 14.5 degrees, 0.253073 apart: 0.3 / 0.253073 = 1.1854 m.
+    assert_eq!(stir(1.18), Some(SECOND));
+    assert_eq!(stir(1.19), None);
+}
