@@ -132,7 +132,7 @@ fn who_hardly_moves_is_seen_at_once_or_never() {
     for case in 0..CASES {
         let mut still = Case::new(case);
         for life in &mut still.lives {
-            let strides = life.iter().filter_map(|next| match next.doing {
+            let mut strides = life.iter().filter_map(|next| match next.doing {
                 Doing::Stride { from, .. } => Some(from),
                 _ => None,
             });

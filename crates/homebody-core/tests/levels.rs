@@ -208,3 +208,30 @@ fn a_stir_is_noticed_only_where_it_spans_the_pitch_of_the_zones() {
     assert_eq!(stir(1.18), Some(SECOND));
     assert_eq!(stir(1.19), None);
 }
+
+#[test]
+fn who_has_stood_there_from_the_start_walks_off_unnoticed() {
+    let life = Life::new().rest(30.0, Posture::Standing, BEFORE_THE_LENS).walk(1.0, BEFORE_THE_LENS, (4.0, 4.0));
+    assert_eq!(alone(&zones(2, 2.0), life), NONE);
+}
+
+#[test]
+fn who_has_stirred_there_from_the_start_walks_off_unnoticed() {
+    let life = Life::new().stir(30.0, Posture::Standing, BEFORE_THE_LENS, 0.19).walk(1.0, BEFORE_THE_LENS, (4.0, 4.0));
+    assert_eq!(alone(&zones(2, 2.0), life), NONE);
+}
+
+#[test]
+fn who_came_back_to_stand_there_walks_off_unnoticed() {
+    let life = Life::new()
+        .then(10.0, Posture::Standing, Doing::Away)
+        .rest(30.0, Posture::Standing, BEFORE_THE_LENS)
+        .walk(1.0, BEFORE_THE_LENS, (4.0, 4.0));
+    assert_eq!(alone(&zones(2, 2.0), life), NONE);
+}
+
+#[test]
+fn who_walks_off_at_the_very_start_is_unnoticed() {
+    let life = Life::new().walk(1.0, BEFORE_THE_LENS, (4.0, 4.0));
+    assert_eq!(alone(&zones(2, 2.0), life), NONE);
+}
