@@ -44,7 +44,7 @@ impl Stride {
     /// applies, and it is left once only.
     pub fn first_touch(&self, beam: &Beam, radius: f64, after: Micros) -> Option<Micros> {
         let radius = radius + GRAZING_M;
-        if beam.touches(self.position(after), radius) {
+        if beam.is_within(self.position(after), radius) {
             return Some(after);
         }
         let start = self.from - beam.start;
@@ -128,7 +128,7 @@ impl Beam {
         p.distance(self.nearest(p))
     }
 
-    pub(crate) fn touches(&self, p: Point, radius: f64) -> bool {
+    pub(crate) fn is_within(&self, p: Point, radius: f64) -> bool {
         p.distance_squared(self.nearest(p)) <= radius * radius
     }
 
@@ -139,7 +139,7 @@ impl Beam {
 
 /// Whether a body standing at `p` touches the beam.
 pub(crate) fn touches(beam: &Beam, p: Point, radius: f64) -> bool {
-    beam.touches(p, radius + GRAZING_M)
+    beam.is_within(p, radius + GRAZING_M)
 }
 
 #[cfg(test)]

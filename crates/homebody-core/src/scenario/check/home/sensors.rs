@@ -4,12 +4,10 @@ use super::{Report, TOLERANCE_M, at, check_convex, distance_outside, is_flat, is
 use crate::geometry::{self, Point, point};
 use crate::home::plan::Plan;
 use crate::scenario::home::{HomeFile, Level, MotionFile, SensorFile};
+use crate::sensors::motion::LENS_OFF_WALL_M;
 
 /// The beams of all sensors together that a run can follow.
 const MOST_BEAMS: u32 = 4096;
-
-/// How far in front of the lens the view must be free.
-const FREE_VIEW_M: f64 = 0.02;
 
 /// The lines that a sensor sees along: beams, the zones of all rows, or the sides of an area.
 fn beams_of(sensor: &SensorFile) -> u32 {
@@ -104,7 +102,7 @@ fn check_mounting(report: &mut Report, index: usize, motion: &MotionFile, home: 
         let what = format!("the sensor {name:?} at {} is outside the home", at(lens));
         report.hinted(&format!("{place}/at"), what, hint);
     } else {
-        let ahead = lens + geometry::direction(motion.facing_deg) * FREE_VIEW_M;
+        let ahead = lens + geometry::direction(motion.facing_deg) * LENS_OFF_WALL_M;
         if let Some(solid) = tall().find(|solid| is_within(solid, ahead)) {
             let what = format!("the sensor {name:?} faces into {}", solid_name(home, solid));
             report.hinted(&format!("{place}/facing_deg"), what, "0 is east, 90 north, 180 west, 270 south");
