@@ -11,7 +11,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-/// Rows of one batch.
+/// Rows of one batch. This and the numbers below are ours.
 pub(crate) const BATCH: usize = 4096;
 
 /// Batches on their way to the thread.
@@ -23,7 +23,7 @@ pub(crate) const BATCH_WAITS: Duration = Duration::from_millis(100);
 /// Rows after which a sink makes sure of them. That takes a database three waits for the disk, so not too often.
 const SETTLE_ROWS: usize = 200_000;
 
-/// How long the last rows may be unsure.
+/// How long rows may be unsure, the time it takes to write a batch aside.
 const SETTLE_AFTER: Duration = Duration::from_secs(1);
 
 /// Where rows end up. One file each kind, all in this shape.
@@ -127,10 +127,11 @@ fn write<Row>(mut sink: Box<dyn Sink<Row = Row>>, incoming: Receiver<Message<Row
                 settle_at.get_or_insert_with(|| Instant::now() + SETTLE_AFTER);
             }
             Ok(Message::Finish(end)) => return sink.finish(end),
-            Err(RecvTimeoutError::Timeout) => unsettled = SETTLE_ROWS,
+            Err(RecvTimeoutError::Timeout) => {}
             Err(RecvTimeoutError::Disconnected) => return sink.settle(),
         }
-        if unsettled >= SETTLE_ROWS {
+        // Where rows never cease to come, no wait for them ever ends by its time.
+        if unsettled >= SETTLE_ROWS || settle_at.is_some_and(|at| Instant::now() >= at) {
             sink.settle()?;
             unsettled = 0;
             settle_at = None;
