@@ -138,3 +138,47 @@ fn write<Row>(mut sink: Box<dyn Sink<Row = Row>>, incoming: Receiver<Message<Row
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    /// A disk slower than what makes the rows.
+    struct Slow(Arc<AtomicUsize>);
+
+    impl Sink for Slow {
+        type Row = u8;
+
+        fn path(&self) -> &Path {
+            Path::new("slow")
+        }
+
+        fn write(&mut self, _: &[u8]) -> Result<(), LogError> {
+            thread::sleep(Duration::from_millis(2));
+            Ok(())
+        }
+
+        fn settle(&mut self) -> Result<(), LogError> {
+            self.0.fetch_add(1, Ordering::Relaxed);
+            Ok(())
+        }
+
+        fn finish(mut self: Box<Self>, _: Micros) -> Result<(), LogError> {
+            self.settle()
+        }
+    }
+
+    #[test]
+    fn rows_settle_though_more_of_them_always_wait() {
+        let settled = Arc::new(AtomicUsize::new(0));
+        let mut writer = Writer::spawn(Box::new(Slow(settled.clone())));
+        let begun = Instant::now();
+        while settled.load(Ordering::Relaxed) == 0 {
+            assert!(begun.elapsed() < 10 * SETTLE_AFTER, "nothing is sure after {:?}", begun.elapsed());
+            writer.send(Arc::new(vec![0])).unwrap();
+        }
+        writer.finish(0).unwrap();
+        assert!(settled.load(Ordering::Relaxed) >= 2);
+    }
+}
