@@ -15,8 +15,8 @@ const SECOND: i64 = 1_000_000;
 const MINUTE: i64 = 60 * SECOND;
 const DAY: i64 = 24 * 60 * MINUTE;
 
-/// The longest text: `2009-03-02T07:12:03.250000-06:00:00`, and some digits to spare for far years.
-const LONGEST: usize = 40;
+/// The length of the longest text, `2009-03-02T07:12:03.250000-06:00`: no year has more than four digits.
+const LONGEST: usize = 32;
 
 /// The clock on the wall, as text.
 pub(crate) struct Clock {

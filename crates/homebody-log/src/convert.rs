@@ -1,4 +1,5 @@
-//! Carries a log from one form into another: times and values stay exactly what they were.
+//! Carries a log from one form into another: instants stay the same to the microsecond, and names and values what they
+//! were, as far as the form can write them.
 
 use crate::error::LogError;
 use crate::logger::RunInfo;

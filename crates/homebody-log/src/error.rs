@@ -20,6 +20,8 @@ pub enum LogError {
     Denied { path: PathBuf },
     #[error("no space is left for {0}\n  hint: what it held before is safe; make room and run again", .path.display())]
     Full { path: PathBuf },
+    #[error("{0}: writing failed\n  hint: the disk may be failing or full, or the size of files limited", .path.display())]
+    Unwritten { path: PathBuf },
     #[error("{0} is locked by another program\n  hint: close that program, or write to another file", .path.display())]
     Locked { path: PathBuf },
     #[error("{name:?} cannot name a {what} in a database\n  hint: use up to 63 of a-z, 0-9 and _, not a digit first")]
@@ -57,11 +59,15 @@ impl LogError {
     /// What an error of a database means.
     pub(crate) fn database(path: &Path, source: rusqlite::Error) -> LogError {
         use rusqlite::ErrorCode::*;
+        use rusqlite::ffi::SQLITE_IOERR_WRITE;
         let path = path.to_owned();
         match source.sqlite_error_code() {
             Some(DatabaseBusy | DatabaseLocked) => LogError::Locked { path },
             Some(DiskFull) => LogError::Full { path },
             Some(ReadOnly | PermissionDenied) => LogError::Denied { path },
+            _ if source.sqlite_error().is_some_and(|error| error.extended_code == SQLITE_IOERR_WRITE) => {
+                LogError::Unwritten { path }
+            }
             _ => LogError::Database { path, source },
         }
     }

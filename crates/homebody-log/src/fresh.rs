@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 pub(crate) enum Place {
     /// Nothing yet.
     Free,
-    /// A file that may be replaced.
+    /// A file that may be replaced; of a symbolic link the link is, and what it leads to stays as it was.
     Replaced,
     /// A pipe or a device: it is written to as it is.
     Device,

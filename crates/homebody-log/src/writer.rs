@@ -11,7 +11,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-/// Rows of one batch.
+/// Rows of one batch. This and the numbers below are ours.
 pub(crate) const BATCH: usize = 4096;
 
 /// Batches on their way to the thread.
@@ -23,7 +23,7 @@ pub(crate) const BATCH_WAITS: Duration = Duration::from_millis(100);
 /// Rows after which a sink makes sure of them. That takes a database three waits for the disk, so not too often.
 const SETTLE_ROWS: usize = 200_000;
 
-/// How long the last rows may be unsure.
+/// How long rows may be unsure, the time it takes to write a batch aside.
 const SETTLE_AFTER: Duration = Duration::from_secs(1);
 
 /// Where rows end up. One file each kind, all in this shape.
@@ -127,13 +127,58 @@ fn write<Row>(mut sink: Box<dyn Sink<Row = Row>>, incoming: Receiver<Message<Row
                 settle_at.get_or_insert_with(|| Instant::now() + SETTLE_AFTER);
             }
             Ok(Message::Finish(end)) => return sink.finish(end),
-            Err(RecvTimeoutError::Timeout) => unsettled = SETTLE_ROWS,
+            Err(RecvTimeoutError::Timeout) => {}
             Err(RecvTimeoutError::Disconnected) => return sink.settle(),
         }
-        if unsettled >= SETTLE_ROWS {
+        // Where rows never cease to come, no wait for them ever ends by its time.
+        if unsettled >= SETTLE_ROWS || settle_at.is_some_and(|at| Instant::now() >= at) {
             sink.settle()?;
             unsettled = 0;
             settle_at = None;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    /// A disk slower than what makes the rows.
+    struct Slow(Arc<AtomicUsize>);
+
+    impl Sink for Slow {
+        type Row = u8;
+
+        fn path(&self) -> &Path {
+            Path::new("slow")
+        }
+
+        fn write(&mut self, _: &[u8]) -> Result<(), LogError> {
+            thread::sleep(Duration::from_millis(2));
+            Ok(())
+        }
+
+        fn settle(&mut self) -> Result<(), LogError> {
+            self.0.fetch_add(1, Ordering::Relaxed);
+            Ok(())
+        }
+
+        fn finish(mut self: Box<Self>, _: Micros) -> Result<(), LogError> {
+            self.settle()
+        }
+    }
+
+    #[test]
+    fn rows_settle_though_more_of_them_always_wait() {
+        let settled = Arc::new(AtomicUsize::new(0));
+        let mut writer = Writer::spawn(Box::new(Slow(settled.clone())));
+        let begun = Instant::now();
+        while settled.load(Ordering::Relaxed) == 0 {
+            assert!(begun.elapsed() < 10 * SETTLE_AFTER, "nothing is sure after {:?}", begun.elapsed());
+            writer.send(Arc::new(vec![0])).unwrap();
+        }
+        writer.finish(0).unwrap();
+        assert!(settled.load(Ordering::Relaxed) >= 2);
     }
 }

@@ -38,7 +38,7 @@ const PUBLISHED_DIFFERENCE: u64 = 16;
 pub struct Assumptions {
     /// From one turn to the next: across the middle of a living room of 4 m.
     pub walk_m: f64,
-    /// How long a turn takes, the body moving on the spot: 2-3 s for an old person, less for a researcher.
+    /// How long a turn takes, the body moving on the spot: as a healthy adult turns round without haste.
     pub turn_s: f64,
 }
 

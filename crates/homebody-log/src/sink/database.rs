@@ -15,13 +15,13 @@ use std::io::{Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// How long another program may keep the database locked before that is an error.
+/// How long another program may keep the database locked before that is an error. Ours.
 const BUSY: Duration = Duration::from_secs(2);
 
-/// Fewer rows in a transaction trickle, more pour. A transaction of a live run holds those of a second.
+/// Fewer rows in a transaction trickle, more pour. A transaction of a live run holds those of a second. Ours.
 const TRICKLE: usize = 10_000;
 
-/// Rows that one statement inserts: half again as fast as one by one.
+/// Rows that one statement inserts, ours: half again as fast as one by one when it was measured.
 const ROWS_AT_ONCE: usize = 16;
 
 /// What a closed database says of its transactions: no real count, so nobody has pages cached under it.
@@ -140,8 +140,9 @@ impl Database {
 
     /// Sets the count of transactions to a fixed number, so that the same rows of a table are the same bytes, in however
     /// many transactions they came; of several tables, which has which page depends on that all the same. Whoever
-    /// changes the file between its closing and this would not be noticed by readers of that moment. The file's format keeps it twice, in the first page's header
-    /// (<https://www.sqlite.org/fileformat2.html>, file change counter and version-valid-for number).
+    /// changes the file between its closing and this would not be noticed by readers of that moment. The file's format
+    /// keeps it twice, in the first page's header (<https://www.sqlite.org/fileformat2.html>, file change counter and
+    /// version-valid-for number).
     fn forget_transactions(&self) -> Result<(), LogError> {
         let stamp = |offset: u64| {
             let mut file = OpenOptions::new().write(true).open(&self.path)?;

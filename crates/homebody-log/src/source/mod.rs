@@ -32,6 +32,8 @@ pub struct Log {
     pub clock: Clock,
     /// What residents did, where the log notes it.
     pub activities: Vec<Activity>,
+    /// What else is left out than lines: a sentence each.
+    pub remarks: Vec<String>,
     /// The first of the lines that were skipped.
     pub problems: Vec<Skipped>,
     /// How many lines were skipped.

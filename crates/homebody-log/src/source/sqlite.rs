@@ -75,7 +75,8 @@ fn columns(connection: &Connection, table: &str) -> rusqlite::Result<Vec<String>
     statement.query_map([table], |row| row.get(0))?.collect()
 }
 
-/// The first text that is an instant is the time, the next other texts are sensor and value.
+/// The first text that is an instant is the time, the next two texts are sensor and value. Neither of these is an
+/// instant: what has a beginning and an end is no log.
 fn by_first_row(connection: &Connection, table: &str, reading: &mut Reading) -> rusqlite::Result<Option<Places>> {
     let mut statement = connection.prepare(&format!("SELECT * FROM {} LIMIT 1", quoted(table)))?;
     let columns = statement.column_count();
@@ -85,14 +86,15 @@ fn by_first_row(connection: &Connection, table: &str, reading: &mut Reading) -> 
     for column in 0..columns {
         let ValueRef::Text(text) = row.get_ref(column)? else { continue };
         let text = String::from_utf8_lossy(text);
-        if time.is_none() && text.contains(':') && reading.instants.read(&text).is_some() {
-            time = Some(column);
-        } else {
-            texts.push(column);
+        let is_instant = text.contains(':') && reading.instants.read(&text).is_some();
+        match time {
+            None if is_instant => time = Some(column),
+            None => {}
+            Some(_) => texts.push((column, is_instant)),
         }
     }
     Ok(match (time, &texts[..]) {
-        (Some(time), &[sensor, value, ..]) => Some(Places { time, sensor, value }),
+        (Some(time), &[(sensor, false), (value, false), ..]) => Some(Places { time, sensor, value }),
         _ => None,
     })
 }
@@ -117,7 +119,7 @@ fn read_table(
         let runs: i64 =
             connection.query_row(&format!("SELECT count(DISTINCT {run}) FROM {name}"), [], |row| row.get(0))?;
         if runs > 1 {
-            reading.skip(0, format!("of {runs} runs in the database only the first is read"));
+            reading.log.remarks.push(format!("of {runs} runs in it only the first is read"));
             sql += &format!(" WHERE {run} = (SELECT min({run}) FROM {name})");
         }
     }

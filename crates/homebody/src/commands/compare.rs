@@ -1,6 +1,6 @@
 //! `homebody compare`: how alike two logs are.
 
-use super::convert::place;
+use super::convert::{place, tell_remarks};
 use crate::failure::Failure;
 use crate::print::{print_json, print_text, tell};
 use homebody_core::scenario::logger::LoggerFile;
@@ -39,6 +39,7 @@ fn log(text: &str) -> Result<Log, Failure> {
     if truth.is_file() {
         log.activities = activities(&truth)?;
     }
+    tell_remarks(text, &log);
     if log.skipped > 0 {
         tell(format_args!("{text}: {} lines were left out; homebody convert says which", log.skipped));
     }

@@ -6,10 +6,11 @@ use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::fresh::same_file;
 use homebody_log::source::recognise;
-use homebody_log::{RunInfo, Url, convert, read};
+use homebody_log::{Log, RunInfo, Url, convert, read};
 use std::path::PathBuf;
 
-/// Carries a log from one form into another; times and values stay exactly what they were.
+/// Carries a log from one form into another. Instants stay the same to the microsecond, and names and values what they
+/// were, as far as the form can write them: that of CASAS knows local time only, and no blanks in names.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody convert log.db --to casas:log.txt
@@ -36,6 +37,7 @@ impl Arguments {
         if same_file(from.path(), self.to.path()) {
             return Err(Failure::Io(format!("{} cannot become itself\n  hint: name another file", self.log)));
         }
+        tell_remarks(&self.log, &log);
         for skipped in &log.problems {
             tell(format_args!("{}:{}: left out: {}", self.log, skipped.line, skipped.why));
         }
@@ -49,6 +51,11 @@ impl Arguments {
         tell(format_args!("{}: {rows} rows of {} sensors", self.to, log.sensors.len()));
         Ok(())
     }
+}
+
+/// Tells what of a log was left out, but for single lines.
+pub fn tell_remarks(name: &str, log: &Log) {
+    log.remarks.iter().for_each(|remark| tell(format_args!("{name}: {remark}")));
 }
 
 /// A log by its URL, by its path alone, or by the folder of its run.

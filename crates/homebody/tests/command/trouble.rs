@@ -86,7 +86,7 @@ fn where_no_room_is_left_nothing_is_half_written() {
     folder.run("run flat --quiet --for 1h --out csv:given.csv").ok();
     let given = folder.files();
     for (kib, words, said) in [
-        (64, "run flat --for 10d --out sqlite:log.db", "log.db: "),
+        (64, "run flat --for 10d --out sqlite:log.db", "log.db: writing failed\n  hint: "),
         (64, "run flat --for 10d --out csv:log.csv", "log.csv: "),
         (64, "run flat --for 10d --out casas:log.txt", "log.txt: "),
         (64, "run flat --for 10d --out csv:log.csv --out sqlite:log.db --truth truth.db --record r.json", "error: "),
