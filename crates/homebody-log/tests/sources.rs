@@ -139,6 +139,23 @@ fn a_mapping_leads_to_its_own_table() {
 }
 
 #[test]
+fn a_mapping_that_nobody_tells_is_found_by_what_rows_hold() {
+    let folder = Folder::new("unnamed");
+    for (index, time) in [TimeFormat::EpochS, TimeFormat::EpochMs, TimeFormat::Local].into_iter().enumerate() {
+        let mut file = LoggerFile { table: Some("hits".into()), time, ..Default::default() };
+        (file.columns.time, file.columns.sensor, file.columns.value) = ("ts_x".into(), "who".into(), "what".into());
+        for scheme in ["sqlite", "csv"] {
+            let url = folder.url(&format!("{scheme}:log{index}.{scheme}"));
+            stage::store(stage::open(std::slice::from_ref(&url), &file, false).unwrap(), &stage::firings(10), 3)
+                .unwrap();
+            let log = read(&url, &LoggerFile::default()).unwrap();
+            assert_eq!((log.events.len(), log.skipped), (10, 0), "{url} in {time:?}");
+            assert_eq!(log.sensor(&log.events[0]), "bedroom motion");
+        }
+    }
+}
+
+#[test]
 fn of_several_runs_one_is_read() {
     let folder = Folder::new("runs");
     let url = folder.url("sqlite:log.db");

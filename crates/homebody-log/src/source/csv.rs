@@ -50,9 +50,9 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading) -> Res
     }
 }
 
-/// The first text that is an instant is the time.
+/// The first text that is an instant, or a number since 1970, is the time.
 fn by_content(fields: &[String], reading: &mut Reading) -> Option<Places> {
-    let time = fields.iter().position(|text| text.contains(':') && reading.instants.read(text).is_some())?;
+    let time = fields.iter().position(|text| reading.instants.read(text).is_some())?;
     (time + 2 < fields.len()).then(|| after(time))
 }
 

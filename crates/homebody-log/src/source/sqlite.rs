@@ -75,7 +75,7 @@ fn columns(connection: &Connection, table: &str) -> rusqlite::Result<Vec<String>
     statement.query_map([table], |row| row.get(0))?.collect()
 }
 
-/// The first text that is an instant is the time, the next two texts are sensor and value. Neither of these is an
+/// The first instant, as text or as a number since 1970, is the time; the next two texts are sensor and value. Neither of these is an
 /// instant: what has a beginning and an end is no log.
 fn by_first_row(connection: &Connection, table: &str, reading: &mut Reading) -> rusqlite::Result<Option<Places>> {
     let mut statement = connection.prepare(&format!("SELECT * FROM {} LIMIT 1", quoted(table)))?;
@@ -84,13 +84,15 @@ fn by_first_row(connection: &Connection, table: &str, reading: &mut Reading) -> 
     let Some(row) = rows.next()? else { return Ok(None) };
     let (mut time, mut texts) = (None, Vec::new());
     for column in 0..columns {
-        let ValueRef::Text(text) = row.get_ref(column)? else { continue };
-        let text = String::from_utf8_lossy(text);
-        let is_instant = text.contains(':') && reading.instants.read(&text).is_some();
+        let (is_text, is_instant) = match row.get_ref(column)? {
+            ValueRef::Integer(number) => (false, since_1970(number as f64).is_some()),
+            ValueRef::Real(number) => (false, since_1970(number).is_some()),
+            value => (true, reading.instants.read(&text(value)).is_some()),
+        };
         match time {
             None if is_instant => time = Some(column),
-            None => {}
-            Some(_) => texts.push((column, is_instant)),
+            Some(_) if is_text => texts.push((column, is_instant)),
+            _ => {}
         }
     }
     Ok(match (time, &texts[..]) {
