@@ -155,16 +155,6 @@ impl Plan {
         rooms
     }
 
-    /// The first solid that stops a point moving from `a` to `b`.
-    pub fn first_stop(&self, a: Point, b: Point) -> Option<&Solid> {
-        self.solids
-            .iter()
-            .filter(|solid| solid.stops_bodies)
-            .filter_map(|solid| Some((geometry::segment_inside_convex(&solid.outline, a, b)?.0, solid)))
-            .min_by(|(a, _), (b, _)| a.total_cmp(b))
-            .map(|(_, solid)| solid)
-    }
-
     /// Where a spot of a path is; nothing if the home has no place of that name.
     pub fn spot(&self, spot: &Spot) -> Option<Point> {
         match spot {

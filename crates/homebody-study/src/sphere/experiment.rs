@@ -154,13 +154,13 @@ impl fmt::Display for Experiment {
 }
 
 #[cfg(test)]
-mod tests {
+pub mod tests {
     use super::super::{Texts, parse};
     use super::*;
     use std::collections::BTreeMap;
     use std::fs;
 
-    const ENTRY: &str = "scenario.json";
+    pub const ENTRY: &str = "scenario.json";
 
     fn files() -> BTreeMap<String, String> {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/sphere-house");
@@ -170,7 +170,7 @@ mod tests {
             .collect()
     }
 
-    fn house() -> Scenario {
+    pub fn house() -> Scenario {
         Scenario::load(&files(), ENTRY).unwrap()
     }
 

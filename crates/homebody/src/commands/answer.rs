@@ -1,7 +1,8 @@
 //! What commands that answer a question leave: words for people, figures as JSON, pictures.
 
 use crate::failure::Failure;
-use crate::print::{print_json, print_text, write_file};
+use crate::places::keep;
+use crate::print::{print_json, print_text, tell, write_file};
 use homebody_log::fresh::all_can_be_written;
 use homebody_study::picture::{PngError, png};
 use serde::Serialize;
@@ -52,9 +53,13 @@ pub struct CheckedPictures<'a, const N: usize> {
 
 impl Answer {
     /// Makes sure that all files can be written, before anybody waits for the answer. Pictures are named by what their
-    /// files' names end in: nothing for the first.
-    pub fn check<const N: usize>(&self, names: [&'static str; N]) -> Result<Checked<'_, N>, Failure> {
-        let pictures = self.pictures.check_beside(names, self.json_file())?;
+    /// files' names end in: nothing for the first. `sources` are what the command reads, which nothing replaces.
+    pub fn check<const N: usize>(
+        &self,
+        names: [&'static str; N],
+        sources: &[PathBuf],
+    ) -> Result<Checked<'_, N>, Failure> {
+        let pictures = self.pictures.check_beside(names, self.json_file(), sources)?;
         Ok(Checked { answer: self, pictures })
     }
 
@@ -86,19 +91,25 @@ impl Pictures {
         self.svg.is_none() && self.png.is_none()
     }
 
-    /// Makes sure that all pictures can be written.
-    pub fn check<const N: usize>(&self, names: [&'static str; N]) -> Result<CheckedPictures<'_, N>, Failure> {
-        self.check_beside(names, None)
+    /// Makes sure that all pictures can be written, over none of the `sources`.
+    pub fn check<const N: usize>(
+        &self,
+        names: [&'static str; N],
+        sources: &[PathBuf],
+    ) -> Result<CheckedPictures<'_, N>, Failure> {
+        self.check_beside(names, None, sources)
     }
 
     fn check_beside<const N: usize>(
         &self,
         names: [&'static str; N],
         file: Option<&Path>,
+        sources: &[PathBuf],
     ) -> Result<CheckedPictures<'_, N>, Failure> {
         let paths = self.svg.iter().chain(&self.png);
         let files: Vec<PathBuf> = paths.flat_map(|path| names.map(|name| named(path, name))).collect();
         let all: Vec<&Path> = files.iter().map(PathBuf::as_path).chain(file).collect();
+        keep(sources, &all)?;
         all_can_be_written(&all, self.force)?;
         Ok(CheckedPictures { pictures: self, names })
     }
@@ -121,7 +132,11 @@ impl<const N: usize> CheckedPictures<'_, N> {
                 files.push((named(path, name), svg.into_bytes()));
             }
         }
-        files.iter().try_for_each(|(path, bytes)| write_file(path, bytes, asked.force))
+        for (path, bytes) in &files {
+            write_file(path, bytes, asked.force)?;
+            tell(format_args!("{} is drawn", path.display()));
+        }
+        Ok(())
     }
 }
 

@@ -26,8 +26,8 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check([""])?;
         let (scenario, _) = folder::load(&self.scenario)?;
+        let answer = self.answer.check([""], &folder::files(&self.scenario, &scenario))?;
         // Without residents, an adult: the defaults of a resident's file.
         let adult = || Build { radius_m: 0.22, height_m: 1.65 };
         let build = scenario.residents.first().map_or_else(adult, |resident| Build::of(&resident.file));

@@ -24,8 +24,8 @@ impl Arguments {
         if self.pictures.is_empty() {
             return Err(Failure::usage("there is no file to draw into\n  hint: name one with --svg or --png"));
         }
-        let pictures = self.pictures.check([""])?;
         let (scenario, _) = folder::load(&self.scenario)?;
+        let pictures = self.pictures.check([""], &folder::files(&self.scenario, &scenario))?;
         pictures.draw([&|| floor_plan(&scenario.home)])
     }
 }

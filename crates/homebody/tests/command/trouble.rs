@@ -147,6 +147,8 @@ fn what_a_run_comes_from_is_never_replaced() {
         "run flat/scenario.json --out csv:a.csv --record flat/../flat/home.json",
         "replay r.json --out casas:r.json",
         "replay r.json --truth r.json",
+        "plan flat --png flat/home.json",
+        "coverage flat --json=flat/home.json",
     ] {
         folder.run(&format!("{words} --force")).fails(1, "is read by this command");
     }

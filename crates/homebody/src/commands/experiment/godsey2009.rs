@@ -18,7 +18,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check(["", "totals"])?;
+        let answer = self.answer.check(["", "totals"], &[])?;
         let experiment = Experiment::run(self.seed)?;
         answer.give(&experiment, [&|| firings(&experiment), &|| totals(&experiment)])
     }

@@ -32,7 +32,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check([""])?;
+        let answer = self.answer.check([""], &[])?;
         let (house, entry) = match &self.house {
             Some(path) => folder::load(path)?,
             None => folder::load_own("sphere-house")?,
@@ -50,7 +50,13 @@ impl Arguments {
 fn recordings(data: &Path) -> Result<Vec<(String, AnnotatedRun)>, Failure> {
     let train = data.join("train");
     let data = if train.is_dir() { &train } else { data };
-    let entries = fs::read_dir(data).map_err(|error| Failure::io(data, error))?;
+    let entries = fs::read_dir(data).map_err(|error| match error.kind() {
+        ErrorKind::NotFound => Failure::io(
+            data,
+            "there is no such folder\n  hint: the recordings of the SPHERE challenge are not part of this program",
+        ),
+        _ => Failure::io(data, error),
+    })?;
     let mut folders = Vec::new();
     for entry in entries {
         let folder = entry.map_err(|error| Failure::io(data, error))?.path();
