@@ -12,8 +12,8 @@ use std::path::{Path, PathBuf};
 /// Where an answer goes, besides standard output.
 #[derive(clap::Args)]
 pub struct Answer {
-    /// Print all figures as one JSON object instead of words; or write them into this file, and print the words
-    #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true, default_missing_value = "-")]
+    /// Print all figures as one JSON object instead of words; or write them into this file, and print the words. Without a file it comes after the other arguments
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
     json: Option<PathBuf>,
     #[command(flatten)]
     pictures: Pictures,

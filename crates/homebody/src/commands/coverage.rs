@@ -16,7 +16,7 @@ use std::path::PathBuf;
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody coverage scenarios/tigerplace
-  homebody coverage my-home --png map.png --json=coverage.json")]
+  homebody coverage my-home --png map.png --json coverage.json")]
 pub struct Arguments {
     /// The scenario's folder, or its scenario.json
     scenario: PathBuf,

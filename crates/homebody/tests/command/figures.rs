@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 #[test]
 fn coverage_is_told_and_drawn() {
     let folder = flat();
-    let done = folder.run("coverage flat --json=figures.json --svg map.svg --png map.png --width 400").ok();
+    let done = folder.run("coverage flat --json figures.json --svg map.svg --png map.png --width 400").ok();
     assert!(done.out.contains("kitchen") && done.out.contains("study"), "{}", done.out);
     let figures: Value = serde_json::from_str(&folder.read("figures.json")).unwrap();
     assert_eq!(figures, folder.run("coverage flat --json").ok().json());

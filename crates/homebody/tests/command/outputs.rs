@@ -150,7 +150,7 @@ fn scripts_get_one_object_and_people_their_words_apart() {
 
     folder.run("replay r.json --json --out csv:again.csv").ok().json();
     folder.run("coverage flat --json").ok().json();
-    folder.run("coverage --json flat --svg map.svg").ok().json();
+    folder.run("coverage flat --json --svg map.svg").ok().json();
     folder.run("compare log.db again.csv --json").ok().json();
     let check = folder.run("check flat --json").ok();
     assert_eq!(check.json()["problems"].as_array().unwrap().len(), 0);
