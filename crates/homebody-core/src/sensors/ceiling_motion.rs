@@ -9,7 +9,8 @@
 //! The area is a convex outline. A body of radius r touches it while its centre is within r of the
 //! area, which begins, from outside, at one of the outline's sides: each side is a beam.
 //!
-//! Left out: the height of the body (the beam widens downward), furniture above the area.
+//! Left out: the height of the body (the beam widens downward), furniture above the area, and walls: the checks refuse
+//! an area that reaches through one.
 
 use crate::geometry::{self, Point, point};
 use crate::scenario::home::CeilingMotionFile;

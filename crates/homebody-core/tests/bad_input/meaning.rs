@@ -369,3 +369,17 @@ fn held_keys_do_not_begin_in_a_door_that_leads_out() {
         the body's radius is 0.22 m: move the start inside";
     assert_eq!(said(&files), expected);
 }
+
+#[test]
+fn an_area_does_not_reach_through_a_wall() {
+    let over =
+        |area: &str| said(&broken(&[("home.json", r#""area": [[6, 1.5], [7.9, 1.5], [7.9, 2.9], [6, 2.9]]"#, area)]));
+    assert_eq!(
+        over(r#""area": [[3.5, 0.2], [4.5, 0.2], [4.5, 0.8], [3.5, 0.8]]"#),
+        "home.json:30:56: the area of \"bed\" \
+        reaches through the wall from (4, 0) to (4, 3); a sensor on the ceiling sees one side of a wall: let its area end there"
+    );
+    // Into the wall and up to its middle is no harm; nor is through a door that stands open.
+    assert_eq!(over(r#""area": [[4, 0], [5, 0], [5, 0.8], [4, 0.8]]"#), "");
+    assert_eq!(over(r#""area": [[3.5, 1.0], [4.5, 1.0], [4.5, 2.0], [3.5, 2.0]]"#), "");
+}

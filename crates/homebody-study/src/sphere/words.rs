@@ -151,7 +151,11 @@ impl fmt::Display for Comparison {
         }
         writeln!(
             f,
-            "\nAlike means: counts and times within a factor of {LIKE_FACTOR}, shares within {} points, latencies within \
+            "\nLatency is from entry to the first ON, and 0 where the sensor was ON already, as one is that looks out of the door."
+        )?;
+        writeln!(
+            f,
+            "Alike means: counts and times within a factor of {LIKE_FACTOR}, shares within {} points, latencies within \
              {LIKE_LATENCY_S} s, kappa from {LIKE_KAPPA}.",
             LIKE_SHARE * 100.0
         )?;

@@ -2,12 +2,15 @@
 
 use super::{Report, TOLERANCE_M, at, check_convex, distance_outside, is_flat, is_within, keeps_within, solid_name};
 use crate::geometry::{self, Point, point};
-use crate::home::plan::Plan;
+use crate::home::plan::{Plan, Solid};
 use crate::scenario::home::{HomeFile, Level, MotionFile, SensorFile};
 use crate::sensors::motion::LENS_OFF_WALL_M;
 
 /// The beams of all sensors together that a run can follow.
 const MOST_BEAMS: u32 = 4096;
+
+/// An area that goes so far beyond a wall, along so much of it, reaches through it (ours).
+const REACH_THROUGH_M: f64 = 0.05;
 
 /// The lines that a sensor sees along: beams, the zones of all rows, or the sides of an area.
 fn beams_of(sensor: &SensorFile) -> u32 {
@@ -85,10 +88,31 @@ pub fn check_within(report: &mut Report, home: &HomeFile, plan: &Plan) {
                 if !is_flat(&area) && !keeps_within(plan, &area) {
                     let what = format!("the area of {:?} reaches out of the home", ceiling.name);
                     report.add(&format!("/sensors/{index}/area"), what);
+                } else if let Some(solid) = plan.solids.iter().find(|solid| reaches_through(&area, solid)) {
+                    let what = format!("the area of {:?} reaches through {}", ceiling.name, solid_name(home, solid));
+                    let hint = "a sensor on the ceiling sees one side of a wall: let its area end there";
+                    report.hinted(&format!("/sensors/{index}/area"), what, hint);
                 }
             }
         }
     }
+}
+
+/// Whether a wall or closed door has parts of the area on both of its sides.
+fn reaches_through(area: &[Point], solid: &Solid) -> bool {
+    let &[a, b, c, d] = &solid.outline[..] else { return false };
+    if solid.height_m.is_finite() {
+        return false;
+    }
+    // The corners run along the wall, then across it.
+    let middle = [(a + d) / 2.0, (b + c) / 2.0];
+    let inside = geometry::segment_inside_convex(area, middle[0], middle[1]);
+    let shared_m = inside.map_or(0.0, |(enter, leave)| (leave - enter) * middle[0].distance(middle[1]));
+    let across = (c - b) / 2.0;
+    let half_m = across.length();
+    let side_m = |corner: &Point| (*corner - middle[0]).dot(across / half_m);
+    let beyond = |side: f64| area.iter().any(|corner| side * side_m(corner) > half_m + REACH_THROUGH_M);
+    shared_m > REACH_THROUGH_M && beyond(1.0) && beyond(-1.0)
 }
 
 fn check_mounting(report: &mut Report, index: usize, motion: &MotionFile, home: &HomeFile, plan: &Plan) {
