@@ -2,7 +2,7 @@
 
 use crate::time::{Micros, SECOND};
 use jiff::civil::DateTime;
-use jiff::tz::{TimeZone, TimeZoneDatabase};
+use jiff::tz::{AmbiguousOffset, TimeZone, TimeZoneDatabase};
 use jiff::{SignedDuration, Timestamp, Zoned};
 
 /// Ties a run's microseconds to the clock on the wall of the home.
@@ -17,7 +17,14 @@ impl Calendar {
         let zone = Calendar::zone(time_zone)?;
         let start: DateTime =
             start.parse().map_err(|_| format!("{start:?} is no date and time; write it as 2009-03-02T00:00:00"))?;
-        let start = start.to_zoned(zone).map_err(|error| error.to_string())?;
+        let start = zone.into_ambiguous_zoned(start);
+        if matches!(start.offset(), AmbiguousOffset::Gap { .. }) {
+            return Err(format!(
+                "there is no {} in {time_zone}: clocks skip it as daylight saving time begins",
+                start.datetime()
+            ));
+        }
+        let start = start.compatible().map_err(|error| error.to_string())?;
         Ok(Calendar { start })
     }
 
