@@ -235,3 +235,23 @@ fn who_walks_off_at_the_very_start_is_unnoticed() {
     let life = Life::new().walk(1.0, BEFORE_THE_LENS, (4.0, 4.0));
     assert_eq!(alone(&zones(2, 2.0), life), NONE);
 }
+
+#[test]
+fn a_walk_across_zones_makes_the_sensor_fire_within_one_to_two_seconds() {
+    let sensor = json!({ "level": { "zones": {} } });
+    let mut delays_s = Vec::new();
+    for x in [2.0, 3.0, 4.0] {
+        for pace in [0.6, 0.8, 1.0, 1.2] {
+            for start in 0..10 {
+                let from = (x, 3.0 + f64::from(start) * 0.07);
+                let life = Life::new().rest(1.0, Posture::Standing, from).walk(pace, from, (x, 7.0));
+                let first = alone(&sensor, life).first().copied().expect("a walk across is noticed");
+                // Half-way between 0.3 and 0.8 s after the second pulse.
+                delays_s.push((first - SECOND) as f64 / SECOND as f64 + 0.55);
+            }
+        }
+    }
+    delays_s.sort_by(f64::total_cmp);
+    let median_s = delays_s[delays_s.len() / 2];
+    assert!((1.0..2.0).contains(&median_s), "{median_s}");
+}

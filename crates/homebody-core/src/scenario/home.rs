@@ -148,14 +148,20 @@ impl SensorFile {
     }
 
     /// The numbers of the timing state machine: the preset's, with whatever the file overrides.
+    ///
+    /// A device's first delay holds the time of the pulses that it counts. A sensor at level `zones` has counted them
+    /// when it sees, so that only its electronics are left: at most 0.3 to 0.8 s (ours).
     pub fn timing(&self) -> Timing {
+        let has_counted = matches!(self, SensorFile::Motion(MotionFile { level: Level::Zones(_), .. }));
         let (preset, first, refire, persist) = match self {
             SensorFile::Motion(s) => (s.preset, s.first_fire_s, s.refire_s, s.persist_s),
             SensorFile::CeilingMotion(s) => (s.preset, s.first_fire_s, s.refire_s, s.persist_s),
         };
         let timing = preset.timing();
+        let [least, most] = timing.first_fire_s;
+        let delay = if has_counted { [least.min(0.3), most.min(0.8)] } else { [least, most] };
         Timing {
-            first_fire_s: first.unwrap_or(timing.first_fire_s),
+            first_fire_s: first.unwrap_or(delay),
             refire_s: refire.unwrap_or(timing.refire_s),
             persist_s: persist.unwrap_or(timing.persist_s),
         }
