@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 pub(crate) const BATCH: usize = 4096;
 
 /// Batches on their way to the thread.
-const ON_THEIR_WAY: usize = 16;
+const ON_THEIR_WAY: usize = 4;
 
 /// How long rows wait for a batch to fill. Whoever watches a live run sees them a little later.
 pub(crate) const BATCH_WAITS: Duration = Duration::from_millis(100);

@@ -89,7 +89,7 @@ impl Database {
             connection.busy_timeout(BUSY)?;
             connection.execute_batch(database.flow.journal())?;
             // FULL: a committed transaction survives a loss of power, too. The cache is in KiB.
-            connection.execute_batch("PRAGMA synchronous = FULL; PRAGMA cache_size = -2048")?;
+            connection.execute_batch("PRAGMA synchronous = FULL; PRAGMA cache_size = -1024")?;
             connection.execute_batch("BEGIN IMMEDIATE")?;
             for table in tables {
                 connection.execute_batch(table)?;
