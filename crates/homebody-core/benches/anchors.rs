@@ -27,7 +27,7 @@ use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::input::{InputFile, Key, KeysFile};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::path::Posture;
-use homebody_core::time::{Micros, SECOND, seconds};
+use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use homebody_core::world::World;
 use homebody_log::{Logger, RunInfo, Url};
 use rusqlite::{Connection, params};
@@ -36,7 +36,6 @@ use std::sync::Arc;
 use std::time::Instant;
 
 const ROUNDS: usize = 7;
-const DAY: Micros = 86_400 * SECOND;
 /// How often a run into a database hands over what it has.
 const STEP: Micros = 3600 * SECOND;
 /// So many excerpts, each so long, are a round of a loop.

@@ -6,6 +6,9 @@ pub type Micros = i64;
 /// One second.
 pub const SECOND: Micros = 1_000_000;
 
+/// A day of 24 hours.
+pub const DAY: Micros = 24 * 60 * 60 * SECOND;
+
 /// An instant that does not come.
 pub const NEVER: Micros = Micros::MAX;
 

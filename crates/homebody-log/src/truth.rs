@@ -55,13 +55,11 @@ enum Known {
     Activity { resident: u32, at: Micros, name: Option<String> },
 }
 
-#[derive(Clone, Copy)]
+/// What somebody's body did.
+#[derive(Clone)]
 struct Movement {
     resident: u32,
-    begin: Micros,
-    end: Micros,
-    doing: Doing,
-    posture: Posture,
+    span: Move,
 }
 
 impl TruthLog {
@@ -118,7 +116,7 @@ fn known(fact: &Fact, firings: &[Firing]) -> Known {
             Known::Cause { seq, resident, seen_at, firing: firing.copied() }
         }
         Fact::Movement { resident, begin, end, doing, posture } => {
-            Known::Movement(Movement { resident, begin, end, doing, posture })
+            Known::Movement(Movement { resident, span: Move { begin, end, doing, posture } })
         }
         Fact::Room { resident, at, room } => Known::Room { resident, at, room },
         Fact::Activity { resident, at, ref name } => Known::Activity { resident, at, name: name.clone() },
@@ -202,16 +200,16 @@ impl TruthSink {
         database.change(movements.len(), |connection| {
             inserts.movement.rows(connection, movements, |movement, row| {
                 row.put(&residents[movement.resident as usize])?;
-                row.put(clock.stamp(movement.begin))?;
-                row.put(clock.stamp(movement.end))?;
-                let (kind, from, to, amplitude) = told(&movement.doing);
+                row.put(clock.stamp(movement.span.begin))?;
+                row.put(clock.stamp(movement.span.end))?;
+                let (kind, from, to, amplitude) = told(&movement.span.doing);
                 row.put(kind)?;
                 for point in [from, to] {
                     row.put(point.map(|point| point.x))?;
                     row.put(point.map(|point| point.y))?;
                 }
                 row.put(amplitude)?;
-                row.put(posture_name(movement.posture))
+                row.put(posture_name(movement.span.posture))
             })
         })
     }
@@ -225,15 +223,6 @@ impl TruthSink {
                 row.put(room.map(|room| &rooms[room as usize]))
             })
         })
-    }
-}
-
-impl Movement {
-    /// The part of it before the run's end.
-    fn until(self, run_end: Micros) -> Movement {
-        let Movement { resident, begin, end, doing, posture } = self;
-        let Move { begin, end, doing, posture } = Move { begin, end, doing, posture }.until(run_end);
-        Movement { resident, begin, end, doing, posture }
     }
 }
 
@@ -267,9 +256,10 @@ impl Sink for TruthSink {
             match fact {
                 Known::Cause { seq, resident, seen_at, firing } => causes.push((*seq, *resident, *seen_at, firing)),
                 Known::Movement(movement) => {
-                    let begun = |room: &mut (u32, Micros, _)| room.0 == movement.resident && room.1 <= movement.begin;
+                    let begun =
+                        |room: &mut (u32, Micros, _)| room.0 == movement.resident && room.1 <= movement.span.begin;
                     rooms.extend(self.coming.extract_if(.., begun));
-                    movements.extend(self.moving[movement.resident as usize].replace(*movement));
+                    movements.extend(self.moving[movement.resident as usize].replace(movement.clone()));
                 }
                 Known::Room { resident, at, room } => self.coming.push((*resident, *at, *room)),
                 Known::Activity { resident, at, name } => done.extend(self.turn(*resident, *at, name.clone())),
@@ -311,8 +301,8 @@ impl Sink for TruthSink {
         let nothing = |resident| Known::Activity { resident, at: end, name: None };
         let last: Vec<Known> = (0..self.residents.len() as u32).map(nothing).collect();
         self.write(&last)?;
-        let last: Vec<Movement> =
-            self.moving.iter_mut().filter_map(|moving| moving.take().map(|moving| moving.until(end))).collect();
+        let cut = |moving: Movement| Movement { span: moving.span.until(end), ..moving };
+        let last: Vec<Movement> = self.moving.iter_mut().filter_map(|moving| moving.take().map(cut)).collect();
         self.write_movements(&last)?;
         let last: Vec<_> = self.coming.drain(..).filter(|&(_, at, _)| at < end).collect();
         self.write_rooms(&last)?;

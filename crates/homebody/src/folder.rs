@@ -33,12 +33,11 @@ pub fn load(path: &Path) -> Result<(Scenario, String), Failure> {
         }
         _ => Failure::io(path, error),
     })?;
-    let (folder, entry) = if meta.is_dir() {
-        (path, "scenario.json".to_owned())
-    } else {
-        let entry = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        (path.parent().unwrap_or(Path::new("")), entry)
+    let entry = match meta.is_dir() {
+        true => "scenario.json".to_owned(),
+        false => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
     };
+    let folder = folder_of(path);
     let file = folder.join(&entry);
     if !file.is_file() {
         return Err(Failure::io(&file, "there is no such file\n  hint: a scenario folder holds a scenario.json"));
@@ -48,8 +47,12 @@ pub fn load(path: &Path) -> Result<(Scenario, String), Failure> {
 
 /// The files that a scenario was loaded from.
 pub fn files(path: &Path, scenario: &Scenario) -> Vec<PathBuf> {
-    let folder = if path.is_dir() { path } else { path.parent().unwrap_or(Path::new("")) };
-    scenario.sources.keys().map(|name| folder.join(name)).collect()
+    scenario.sources.keys().map(|name| folder_of(path).join(name)).collect()
+}
+
+/// The folder of a scenario that is named by its folder or by a file in it.
+fn folder_of(path: &Path) -> &Path {
+    if path.is_dir() { path } else { path.parent().unwrap_or(Path::new("")) }
 }
 
 /// Loads a scenario that came with the program; returns also the entry's name.

@@ -24,11 +24,12 @@ impl Places {
         truth: Option<PathBuf>,
         recording: Option<PathBuf>,
         scenario: &Scenario,
+        sources: &[PathBuf],
         force: bool,
     ) -> Result<Places, Failure> {
         let mut places = Places { log, truth, recording, made: Vec::new() };
         let asked = if places.log.is_empty() { places.default_to_folder(scenario) } else { Ok(()) };
-        match asked.and_then(|()| places.check(force)) {
+        match asked.and_then(|()| can_be_written(&places.files(), sources, force)) {
             Ok(()) => Ok(places),
             Err(failure) => {
                 places.give_up();
@@ -95,26 +96,21 @@ impl Places {
     }
 
     /// All files that are going to be written.
-    pub fn files(&self) -> Vec<&Path> {
+    fn files(&self) -> Vec<&Path> {
         let logs = self.log.iter().map(Url::path);
         logs.chain(self.truth.as_deref()).chain(self.recording.as_deref()).collect()
     }
-
-    fn check(&self, force: bool) -> Result<(), Failure> {
-        Ok(all_can_be_written(&self.files(), force)?)
-    }
 }
 
-/// Refuses to replace what a command reads, also where that is forced.
-pub fn keep(sources: &[PathBuf], written: &[&Path]) -> Result<(), Failure> {
+/// Looks at all files that a command is going to write, before the first is touched. None of the `sources`, which the
+/// command reads, is replaced, also where that is forced.
+pub fn can_be_written(files: &[&Path], sources: &[PathBuf], force: bool) -> Result<(), Failure> {
     let is_source = |path: &&&Path| sources.iter().any(|source| same_file(source, path));
-    match written.iter().find(is_source) {
-        Some(path) => {
-            let what = "is read by this command, which cannot replace it\n  hint: name another file";
-            Err(Failure::Io(format!("{} {what}", path.display())))
-        }
-        None => Ok(()),
+    if let Some(path) = files.iter().find(is_source) {
+        let what = "is read by this command, which cannot replace it\n  hint: name another file";
+        return Err(Failure::Io(format!("{} {what}", path.display())));
     }
+    Ok(all_can_be_written(files, force)?)
 }
 
 /// A scenario's name as that of a folder.

@@ -4,10 +4,14 @@ use crate::failure::Failure;
 use homebody_log::fresh::FreshFile;
 use std::path::Path;
 
+/// A JSON object as files and scripts get it.
+pub fn json_text(value: &impl serde::Serialize) -> Result<String, Failure> {
+    Ok(serde_json::to_string_pretty(value).map_err(Failure::usage)? + "\n")
+}
+
 /// Prints the one JSON object that `--json` promises.
 pub fn print_json(value: &impl serde::Serialize) -> Result<(), Failure> {
-    let text = serde_json::to_string_pretty(value).map_err(Failure::usage)?;
-    print_text(&(text + "\n"))
+    print_text(&json_text(value)?)
 }
 
 /// Prints on standard output; a reader that has gone away is no error.

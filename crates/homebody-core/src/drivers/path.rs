@@ -18,13 +18,11 @@ use crate::geometry::Point;
 use crate::home::plan::Plan;
 use crate::scenario::calendar::time_of_day;
 use crate::scenario::path::{self as file, PathFile, Posture};
-use crate::time::{Micros, SECOND, micros, seconds};
+use crate::time::{DAY, Micros, micros, seconds};
 use std::sync::Arc;
 
 /// Nobody walks faster (ours): whoever would have to comes too late.
 pub(crate) const GREATEST_SPEED_MPS: f64 = 10.0;
-
-const DAY: Micros = 24 * 60 * 60 * SECOND;
 
 /// A resident who follows a path description.
 #[derive(Clone, Debug)]
@@ -341,6 +339,7 @@ fn later(begin: Micros, span_s: f64) -> Micros {
 mod tests {
     use super::*;
     use crate::geometry::point;
+    use crate::time::SECOND;
     use serde_json::{Value, json};
 
     const HOUR: Micros = 60 * 60 * SECOND;

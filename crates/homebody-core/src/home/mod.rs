@@ -6,7 +6,7 @@ pub mod plan;
 
 use crate::scenario::home::HomeFile;
 use crate::scenario::path::Posture;
-use crate::scenario::resident::ResidentFile;
+use crate::scenario::resident::{self, ResidentFile};
 use crate::sensors::Sensor;
 use field::{Field, Size};
 use plan::Plan;
@@ -33,6 +33,11 @@ impl Build {
     /// The body that a resident's file describes.
     pub fn of(file: &ResidentFile) -> Build {
         Build { radius_m: file.radius_m, height_m: file.height_m }
+    }
+
+    /// An adult: the body of a resident's file that says nothing of it.
+    pub fn adult() -> Build {
+        Build { radius_m: resident::radius(), height_m: resident::height() }
     }
 
     /// The body as sensors see it in a posture. A seated adult reaches to about 0.8 of the standing

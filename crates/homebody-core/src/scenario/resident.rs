@@ -61,10 +61,10 @@ pub struct LiveFile {
 }
 
 /// Ours: half the shoulder breadth of an adult, arms at the sides.
-fn radius() -> f64 {
+pub(crate) fn radius() -> f64 {
     0.22
 }
-fn height() -> f64 {
+pub(crate) fn height() -> f64 {
     1.65
 }
 /// In-home walking speed of people aged 86 on average: 0.61 m/s (SD 0.17), Kaye 2012.

@@ -4,7 +4,7 @@ use crate::good::good;
 use homebody_core::event::Events;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::time::{Micros, SECOND};
+use homebody_core::time::DAY;
 use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 use std::collections::BTreeMap;
@@ -39,8 +39,6 @@ fn no_mutation_of_a_scenario_makes_the_loader_or_a_run_panic() {
     // The mutations reach both sides of the border.
     assert!(refused > 1000 && accepted > 100, "{refused} refused, {accepted} accepted");
 }
-
-const DAY: Micros = 24 * 3600 * SECOND;
 
 /// What JSON's grammar hangs on.
 const MARKS: &[u8] = b"{}[],:\"-.0123456789e\\\n\r\t tfn";

@@ -13,7 +13,7 @@ use crate::url::Url;
 use activities::Notes;
 pub use activities::{Activity, activities};
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::{Micros, SECOND};
+use homebody_core::time::{DAY, Micros};
 use instant::{Instant, Instants};
 use jiff::Timestamp;
 use serde::Serialize;
@@ -182,7 +182,6 @@ impl Reading {
 
 /// Whether the instant can be told in every zone: some write 9999-12-31 for never.
 fn is_on_any_clock(at: Micros) -> bool {
-    const DAY: Micros = 24 * 3600 * SECOND;
     (Timestamp::MIN.as_microsecond() + DAY..Timestamp::MAX.as_microsecond() - DAY).contains(&at)
 }
 

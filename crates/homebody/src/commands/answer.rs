@@ -1,9 +1,8 @@
 //! What commands that answer a question leave: words for people, figures as JSON, pictures.
 
 use crate::failure::Failure;
-use crate::places::keep;
-use crate::print::{print_json, print_text, tell, write_file};
-use homebody_log::fresh::all_can_be_written;
+use crate::places::can_be_written;
+use crate::print::{json_text, print_json, print_text, tell, write_file};
 use homebody_study::picture::{PngError, png};
 use serde::Serialize;
 use std::fmt::Display;
@@ -75,8 +74,7 @@ impl<const N: usize> Checked<'_, N> {
         self.pictures.draw(pictures)?;
         match self.answer.json_file() {
             Some(path) => {
-                let text = serde_json::to_string_pretty(answer).map_err(Failure::usage)? + "\n";
-                write_file(path, text.as_bytes(), self.answer.pictures.force)?;
+                write_file(path, json_text(answer)?.as_bytes(), self.answer.pictures.force)?;
                 print_text(&answer.to_string())
             }
             None if self.answer.json.is_some() => print_json(answer),
@@ -109,8 +107,7 @@ impl Pictures {
         let paths = self.svg.iter().chain(&self.png);
         let files: Vec<PathBuf> = paths.flat_map(|path| names.map(|name| named(path, name))).collect();
         let all: Vec<&Path> = files.iter().map(PathBuf::as_path).chain(file).collect();
-        keep(sources, &all)?;
-        all_can_be_written(&all, self.force)?;
+        can_be_written(&all, sources, self.force)?;
         Ok(CheckedPictures { pictures: self, names })
     }
 }

@@ -4,7 +4,6 @@ use super::answer::Answer;
 use crate::failure::Failure;
 use crate::folder;
 use homebody_core::geometry::Point;
-use homebody_core::home::plan::Plan;
 use homebody_core::home::{Build, Home};
 use homebody_core::scenario::path::Posture;
 use homebody_study::coverage::{STEP_M, coverage};
@@ -28,13 +27,11 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let (scenario, _) = folder::load(&self.scenario)?;
         let answer = self.answer.check([""], &folder::files(&self.scenario, &scenario))?;
-        // Without residents, an adult: the defaults of a resident's file.
-        let adult = || Build { radius_m: 0.22, height_m: 1.65 };
-        let build = scenario.residents.first().map_or_else(adult, |resident| Build::of(&resident.file));
+        let build = scenario.residents.first().map_or_else(Build::adult, |resident| Build::of(&resident.file));
         let home = Home::bake(&scenario.home, &[build]);
         let names: Vec<String> = home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
         let field = home.field(0, Posture::Standing);
-        let coverage = coverage(&Plan::new(&scenario.home), build.radius_m, &names, STEP_M, &|p| field.seen_at(p));
+        let coverage = coverage(&home.plan, build.radius_m, &names, STEP_M, &|p| field.seen_at(p));
         let map = || picture::coverage_map(&scenario.home, &coverage, &beams(&home));
         answer.give(&coverage, [&map])
     }

@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use crate::pace::{Asked, Pace};
-use crate::places::{Places, keep};
-use crate::print::{print_json, print_text};
+use crate::places::Places;
+use crate::print::{json_text, print_json, print_text};
 use homebody_core::event::Events;
 use homebody_core::recording::{Recording, Seal};
 use homebody_core::run::Run;
@@ -64,11 +64,8 @@ impl Live<'_> {
     /// Lives the run to its end, or until it is told to stop.
     pub fn live(self, mut run: Run, pace: &Asked) -> Result<(), Failure> {
         let Output { out, truth, force, .. } = &self.output;
-        let places = Places::find(out.clone(), truth.clone(), self.record.clone(), self.scenario, *force)?;
-        if let Err(failure) = keep(&self.sources, &places.files()) {
-            places.give_up();
-            return Err(failure);
-        }
+        let (out, truth, record) = (out.clone(), truth.clone(), self.record.clone());
+        let places = Places::find(out, truth, record, self.scenario, &self.sources, *force)?;
         match self.live_into(&places, &mut run, pace) {
             Ok(lived) => self.report(&places, &run, &lived),
             Err(failure) => {
@@ -101,8 +98,7 @@ impl Live<'_> {
             ..self.recording.clone()
         };
         if let Some(mut file) = record {
-            let text = serde_json::to_string_pretty(&recording).map_err(Failure::usage)? + "\n";
-            file.write(text.as_bytes())?;
+            file.write(json_text(&recording)?.as_bytes())?;
             file.finish()?;
         }
         Ok(Lived { recording, stored, took: started.elapsed() })

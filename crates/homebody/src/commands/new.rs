@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::folder::OWN;
-use crate::print::{tell, write_file};
+use crate::print::{json_text, tell, write_file};
 use homebody_core::scenario::schema::schemas;
 use include_dir::Dir;
 use serde_json::json;
@@ -56,7 +56,7 @@ impl Arguments {
         let schemas_folder = self.folder.join("schemas");
         fs::create_dir(&schemas_folder).map_err(|error| Failure::io(&schemas_folder, error))?;
         for (name, schema) in schemas() {
-            write_file(&schemas_folder.join(name), format!("{schema:#}\n").as_bytes(), false)?;
+            write_file(&schemas_folder.join(name), json_text(&schema)?.as_bytes(), false)?;
         }
         let (name, template) = (json!(name), json!(self.template.path().display().to_string()));
         for file in self.template.files() {

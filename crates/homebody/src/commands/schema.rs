@@ -1,7 +1,7 @@
 //! `homebody schema`: the JSON Schemas of the scenario files.
 
 use crate::failure::Failure;
-use crate::print::{tell, write_file};
+use crate::print::{json_text, tell, write_file};
 use homebody_core::scenario::schema::schemas;
 use std::fs;
 use std::path::PathBuf;
@@ -21,9 +21,8 @@ impl Arguments {
         fs::create_dir_all(&self.folder).map_err(|error| Failure::io(&self.folder, error))?;
         for (name, schema) in schemas() {
             let path = self.folder.join(name);
-            let text = serde_json::to_string_pretty(&schema).map_err(Failure::usage)? + "\n";
             // Schemas are made, never written by hand: newer ones replace them.
-            write_file(&path, text.as_bytes(), true)?;
+            write_file(&path, json_text(&schema)?.as_bytes(), true)?;
             tell(path.display());
         }
         Ok(())

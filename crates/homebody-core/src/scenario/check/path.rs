@@ -9,12 +9,10 @@ use crate::scenario::calendar::time_of_day;
 use crate::scenario::path::{Go, PathFile, Repeat, Spot, Step, StirFile};
 use crate::scenario::resident::ResidentFile;
 use crate::scenario::source::Source;
-use crate::time::{Micros, SECOND, micros, seconds};
+use crate::time::{DAY, Micros, micros, seconds};
 
 /// Who walks slower does not arrive when that was meant (ours): at this speed a room takes several minutes.
 const LEAST_SPEED_MPS: f64 = 0.01;
-
-const DAY: Micros = 24 * 3600 * SECOND;
 
 /// Shorter ways may take no time at all, rounded to microseconds.
 const LEAST_WAY_M: f64 = 1e-4;
