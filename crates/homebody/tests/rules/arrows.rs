@@ -5,11 +5,12 @@ use std::fs;
 use toml::{Table, Value};
 
 /// On which of our crates each of them may depend.
-const ARROWS: [(&str, &[&str]); 4] = [
+const ARROWS: [(&str, &[&str]); 5] = [
     ("homebody-core", &[]),
     ("homebody-log", &["homebody-core"]),
+    ("homebody-routine", &["homebody-core"]),
     ("homebody-study", &["homebody-core", "homebody-log"]),
-    ("homebody", &["homebody-core", "homebody-log", "homebody-study"]),
+    ("homebody", &["homebody-core", "homebody-log", "homebody-routine", "homebody-study"]),
 ];
 
 /// Dev-dependencies that point the other way, and why.

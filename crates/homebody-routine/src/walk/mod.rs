@@ -1,0 +1,1 @@
+//! How a body gets from place to place.
