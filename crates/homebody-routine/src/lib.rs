@@ -2,5 +2,9 @@
 //!
 //! In reading order:
 
+// What a routine says: fuzzy numbers and quantifiers, habits, rules, changes.
+pub mod fuzzy;
+pub mod routine;
+
 // How a body gets from place to place: paths with clearance, gait, and what disturbs both.
 pub mod walk;

@@ -1,0 +1,310 @@
+//! A routine, understood: where the language and the living meet.
+//!
+//! The language makes it from text; the living asks it what to do. It holds what was said, no more: what
+//! nobody said, such as how long a breakfast takes, is for the living to fill in.
+
+use crate::fuzzy::{Fuzzy, Quantifier};
+use serde::Serialize;
+
+/// A routine file, or a condition file, which is about nobody in particular.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Routine {
+    /// The file's name.
+    pub file: String,
+    /// Whom it is about; nobody in a condition.
+    pub person: Option<Person>,
+    /// In the order of the file.
+    pub habits: Vec<Habit>,
+    pub rules: Vec<Rule>,
+    pub changes: Vec<Change>,
+}
+
+/// Whom a routine is about.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Person {
+    pub name: String,
+    pub kind: Kind,
+    pub age_years: Option<f64>,
+    /// Usual walking speed in metres a second.
+    pub pace_mps: Option<Fuzzy>,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    #[default]
+    Person,
+    Cat,
+    Dog,
+}
+
+/// The words that something was understood from.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Said {
+    /// Counted from 1.
+    pub line: u32,
+    /// Counted from 1, in characters.
+    pub column: u32,
+    /// The sentence as it stands in the file.
+    pub text: String,
+}
+
+/// Something that is done.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Habit {
+    pub said: Said,
+    /// Who does it: nothing for the person themself, else the name of who visits, such as `daughter`.
+    pub visitor: Option<String>,
+    pub activity: Activity,
+    /// Where, if it was said: the name of a place, a piece of furniture or a room.
+    pub place: Option<String>,
+    pub chance: Chance,
+    pub days: Days,
+    pub phase: Phase,
+    pub when: When,
+    /// How long, in seconds, if it was said.
+    pub lasts: Option<Fuzzy>,
+    /// Until what time of day, in seconds since midnight, if it was said.
+    pub until: Option<Fuzzy>,
+    /// How many times in each span that `when` names: the least and the most.
+    pub times: (u32, u32),
+}
+
+/// What can be done. Most are done at a place that the home names after them.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Activity {
+    GetUp,
+    UseBathroom,
+    Shower,
+    Wash,
+    Dress,
+    TakeMedicine,
+    Prepare(Meal),
+    Eat(Meal),
+    WashUp,
+    WatchTelevision,
+    Read,
+    Phone,
+    Nap,
+    Laundry,
+    Housework,
+    Leave,
+    ComeHome,
+    /// Somebody who does not live there comes and stays a while.
+    Visit,
+    GoToBed,
+    /// Coffee, tea or water.
+    Drink,
+    Snack,
+    Exercise,
+    UseComputer,
+    /// Sitting and doing nothing in particular.
+    Relax,
+    /// Walking without a goal.
+    Wander,
+    /// Walking to and fro.
+    Pace,
+    /// Walking round and round.
+    Lap,
+    /// Lying awake in bed.
+    LieAwake,
+    /// Losing one's footing, and lying on the floor for a while.
+    Fall,
+    /// What the user names, by place and duration, such as `knits`.
+    Other(String),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Meal {
+    Breakfast,
+    Lunch,
+    Dinner,
+}
+
+/// How likely something is on each day, night or occasion that it is meant for.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Chance {
+    /// The word it was understood from, if it was a quantifier.
+    pub quantifier: Option<Quantifier>,
+    pub probability: f64,
+    /// Where it goes, and on which day it gets there, if it changes: "rarely at first, often by day 160".
+    pub becomes: Option<(f64, Moment)>,
+}
+
+/// On which days.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Days {
+    /// Bit 0 is Monday, bit 6 Sunday.
+    pub weekdays: u8,
+    /// Bit 0 is January, bit 11 December.
+    pub months: u16,
+    /// Every so many days, counted from the first; 1 is every day.
+    pub every: u32,
+}
+
+/// When on such a day. Times of day are seconds since local midnight; later than 86,400 is after midnight.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum When {
+    /// Whenever it fits.
+    AnyTime,
+    At(Fuzzy),
+    /// At some time between.
+    Within(PartOfDay),
+    /// So many seconds after the end of something, at once where it is not said.
+    After(Activity, Option<Fuzzy>),
+    Before(Activity, Option<Fuzzy>),
+    /// Together with something: at its beginning.
+    With(Activity),
+    /// Once the habit before it in the file is done; it is done only if that one is.
+    Then,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum PartOfDay {
+    Morning,
+    Noon,
+    Afternoon,
+    Evening,
+    Night,
+    Day,
+}
+
+/// From when on, how gradually, until when.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Phase {
+    /// Nothing: from the beginning.
+    pub from: Option<Moment>,
+    /// How many days until it is fully there.
+    pub over_days: f64,
+    pub until: Option<Moment>,
+    /// How many days until it is fully gone again, after `until`.
+    pub fading_days: f64,
+}
+
+/// A day of the run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Moment {
+    /// Days since the first, which is 0.
+    Day(i32),
+    /// Year, month and day of the calendar.
+    Date(i16, u8, u8),
+}
+
+/// Something that interrupts whatever is done.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Rule {
+    pub said: Said,
+    pub whenever: Trigger,
+    /// How long it has to last, in seconds.
+    pub lasts: Fuzzy,
+    pub probability: f64,
+    pub phase: Phase,
+    pub response: Response,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Trigger {
+    /// A thing is on, or open.
+    On(String),
+    /// The person is there: a place, a piece of furniture or a room.
+    At(String),
+    /// The person is out.
+    Away,
+    /// The person is in bed.
+    InBed,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Response {
+    /// Goes there and turns it on or opens it (true), or turns it off or closes it (false).
+    Turn { thing: String, on: bool },
+    /// Does this, there if it was said, for so many seconds if it was said.
+    Do { activity: Activity, place: Option<String>, lasts: Option<Fuzzy> },
+}
+
+/// A change of how things are done.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Change {
+    pub said: Said,
+    pub phase: Phase,
+    pub effect: Effect,
+}
+
+/// What changes, at full strength. A factor of 1 changes nothing.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Effect {
+    /// The changes of a condition file; a severity of 1 is a moderate case.
+    Shows { condition: String, severity: f64 },
+    /// So many times the walking speed.
+    Pace(Fuzzy),
+    /// So many metres a second are added to the walking speed for every week that the phase has lasted.
+    PaceEachWeek(Fuzzy),
+    /// So many seconds later; earlier where negative.
+    Later { activity: Activity, by: Fuzzy },
+    /// So many times as long.
+    Longer { activity: Activity, factor: Fuzzy },
+    /// So many seconds longer; shorter where negative.
+    LongerBy { activity: Activity, by: Fuzzy },
+    /// So many times as often.
+    Oftener { activity: Activity, part: Option<PartOfDay>, factor: Fuzzy },
+    /// The chance that it is left out on a day.
+    Skips { activity: Activity, chance: f64 },
+    /// So many times as much variation of times and durations from day to day.
+    Irregular(Fuzzy),
+    /// So many times the movement while awake and at home, in a part of the day if it was said.
+    Active { part: Option<PartOfDay>, factor: Fuzzy },
+    /// So many times as much turning in bed.
+    Restless(Fuzzy),
+    /// The chance that a thing is left on, or open, after each use.
+    Forgets { thing: String, chance: f64 },
+    /// So many beats a minute more.
+    Pulse(Fuzzy),
+    /// So many breaths a minute more.
+    Respiration(Fuzzy),
+}
+
+impl Days {
+    pub const ALL: Days = Days { weekdays: 0x7f, months: 0xfff, every: 1 };
+}
+
+impl Chance {
+    pub const ALWAYS: Chance = Chance { quantifier: Some(Quantifier::Every), probability: 1.0, becomes: None };
+
+    pub fn of(quantifier: Quantifier) -> Chance {
+        Chance { quantifier: Some(quantifier), probability: quantifier.probability(), becomes: None }
+    }
+}
+
+impl PartOfDay {
+    /// From when to when, in seconds since midnight (ours, but that naps have their peaks at 14:30-15:00 and 20:30-21:00).
+    pub fn hours(self) -> (f64, f64) {
+        let hours = |from: f64, to: f64| (from * 3600.0, to * 3600.0);
+        match self {
+            PartOfDay::Morning => hours(8.0, 11.5),
+            PartOfDay::Noon => hours(11.5, 13.5),
+            PartOfDay::Afternoon => hours(13.0, 17.5),
+            PartOfDay::Evening => hours(18.5, 21.5),
+            PartOfDay::Night => hours(23.5, 29.5),
+            PartOfDay::Day => hours(9.0, 20.0),
+        }
+    }
+
+    pub fn word(self) -> &'static str {
+        match self {
+            PartOfDay::Morning => "morning",
+            PartOfDay::Noon => "noon",
+            PartOfDay::Afternoon => "afternoon",
+            PartOfDay::Evening => "evening",
+            PartOfDay::Night => "night",
+            PartOfDay::Day => "day",
+        }
+    }
+}
