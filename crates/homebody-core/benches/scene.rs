@@ -16,6 +16,7 @@ pub fn home() -> HomeFile {
     let mut home = HomeFile {
         schema: None,
         name: "bench scene".into(),
+        latitude_deg: 38.95,
         about: String::new(),
         rooms: Vec::new(),
         walls: Vec::new(),

@@ -3,6 +3,7 @@
 use crate::geometry::Point;
 use crate::scenario::path::Posture;
 use crate::time::Micros;
+use std::fmt;
 
 /// One message of a sensor as it leaves the device. Never holds ground truth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,13 +13,121 @@ pub struct Firing {
     pub at: Micros,
     /// Index into the home's sensors.
     pub sensor: u32,
+    pub value: Value,
+}
+
+/// What a sensor says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Value {
+    /// That it saw movement; a motion sensor has no more to say.
+    Fire,
+    On,
+    Off,
+    Open,
+    Close,
+    /// Somebody is in the bed, or no longer.
+    In,
+    Out,
+    /// How restless somebody in bed is, from 1 to 4.
+    Restless(u8),
+    Pulse(Band),
+    Respiration(Band),
+    /// A number, in thousandths of the sensor's unit.
+    Reading(i32),
+}
+
+/// Where a number lies beside what is normal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Band {
+    Low,
+    Normal,
+    High,
+}
+
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let band = |band: Band| match band {
+            Band::Low => "LOW",
+            Band::Normal => "NORMAL",
+            Band::High => "HIGH",
+        };
+        match *self {
+            Value::Fire | Value::On => f.write_str("ON"),
+            Value::Off => f.write_str("OFF"),
+            Value::Open => f.write_str("OPEN"),
+            Value::Close => f.write_str("CLOSE"),
+            Value::In => f.write_str("IN"),
+            Value::Out => f.write_str("OUT"),
+            Value::Restless(level) => write!(f, "RESTLESS_{level}"),
+            Value::Pulse(of) => write!(f, "PULSE_{}", band(of)),
+            Value::Respiration(of) => write!(f, "RESPIRATION_{}", band(of)),
+            Value::Reading(thousandths) => {
+                let sign = if thousandths < 0 { "-" } else { "" };
+                let (whole, rest) = (thousandths.unsigned_abs() / 1000, thousandths.unsigned_abs() % 1000);
+                match rest {
+                    0 => write!(f, "{sign}{whole}"),
+                    _ if rest % 100 == 0 => write!(f, "{sign}{whole}.{}", rest / 100),
+                    _ if rest % 10 == 0 => write!(f, "{sign}{whole}.{:02}", rest / 10),
+                    _ => write!(f, "{sign}{whole}.{rest:03}"),
+                }
+            }
+        }
+    }
+}
+
+/// Why a sensor fired.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cause {
+    /// Whose doing it was, if it was anybody's.
+    pub resident: Option<u32>,
+    /// When what it was began to be noticed.
+    pub seen_at: Micros,
+    pub why: Why,
+}
+
+/// What kind of cause it was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Why {
+    /// A body moved, came or left.
+    Movement,
+    /// A thing was used: index into the home's things.
+    Act(u32),
+    /// It was time for a reading, or what is measured has changed by itself.
+    Reading,
+    /// The message came twice.
+    Duplicate,
+    /// Nothing real: sun, warm air, a fault.
+    False,
+}
+
+/// Why the logger never had a message.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Loss {
+    /// By chance, on the way.
+    Radio,
+    /// Another sensor sent at the same time.
+    Collision,
+    /// The sensor did not notice.
+    Miss,
+    /// Its battery was empty.
+    Battery,
+    /// It had come off its place, or was elsewhere.
+    Place,
+    /// It was stuck.
+    Stuck,
+    /// Its id was garbled into one that nobody has.
+    Garbled,
+    /// The logger was not running.
+    Outage,
 }
 
 /// One piece of ground truth.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Fact {
     /// Why a firing came: whose movement the sensor saw, and when it saw it.
-    Cause { seq: u64, resident: u32, seen_at: Micros },
+    Cause { seq: u64, cause: Cause },
+    /// A message that left its sensor at `at` and never reached the logger.
+    Lost { at: Micros, sensor: u32, value: Value, cause: Cause, loss: Loss },
     /// What a resident's body does over a span; the spans of a resident follow each other without gaps.
     Movement { resident: u32, begin: Micros, end: Micros, doing: Doing, posture: Posture },
     /// From `at` on, the resident is in this room (index into the plan's rooms), or in none: between
@@ -26,6 +135,39 @@ pub enum Fact {
     Room { resident: u32, at: Micros, room: Option<u32> },
     /// From `at` on, the resident does this; nothing ends what was done before.
     Activity { resident: u32, at: Micros, name: Option<String> },
+    /// A resident used a thing.
+    Act { resident: u32, at: Micros, act: Act },
+    /// How strong a need of a resident is, from 0 (met) to 1 (pressing).
+    Need { resident: u32, at: Micros, need: Need, level: f64 },
+    /// From `at` on, until it is told again, a resident's condition is this severe; 1 is a moderate case.
+    Condition { resident: u32, at: Micros, name: String, severity: f64 },
+}
+
+/// Using a thing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Act {
+    /// Index into the home's things.
+    pub thing: u32,
+    /// How it is afterwards: on or open, or off or closed.
+    pub on: bool,
+}
+
+/// What builds up until something is done about it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Need {
+    Toilet,
+    Thirst,
+    Hunger,
+    Tiredness,
+}
+
+/// A heart and lungs, as a bed sensor feels them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vitals {
+    /// Beats a minute.
+    pub pulse: f64,
+    /// Breaths a minute.
+    pub respiration: f64,
 }
 
 /// What a body does over a span.

@@ -1,9 +1,9 @@
 //! A recording: the scenario with its live input, the seed, the length, and a sign by which a replay can
 //! be told to be the same. That is all a run depends on, so it is enough to live it again, byte for byte.
 
-use crate::event::Firing;
+use crate::event::{Firing, Value};
 use crate::problem::Problems;
-use crate::run::Run;
+use crate::run::{Lives, Run};
 use crate::scenario::load::Scenario;
 use crate::time::Micros;
 use serde::{Deserialize, Serialize};
@@ -23,6 +23,9 @@ pub struct Recording {
     pub seed: u64,
     /// How long the run was, in microseconds.
     pub length_us: Micros,
+    /// Conditions that the routines show, but this run does not.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub without: Vec<String>,
     /// How many firings it had, and the SHA-256 of them.
     pub firings: u64,
     pub sha256: String,
@@ -35,12 +38,12 @@ impl Recording {
     }
 
     /// The recorded run from its start.
-    pub fn run(&self, scenario: &Scenario) -> Run {
-        Run::new(scenario, self.seed, self.length_us)
+    pub fn run(&self, scenario: &Scenario, lives: &dyn Lives) -> Run {
+        Run::new(scenario, lives, self.seed, self.length_us)
     }
 }
 
-/// A sign of all firings of a run: the SHA-256 of their instants and sensors.
+/// A sign of all firings of a run: the SHA-256 of their instants, sensors and values.
 #[derive(Clone, Debug, Default)]
 pub struct Seal {
     hash: Sha256,
@@ -52,6 +55,10 @@ impl Seal {
         for firing in firings {
             self.hash.update(firing.at.to_le_bytes());
             self.hash.update(firing.sensor.to_le_bytes());
+            // Motion sensors have but one thing to say.
+            if firing.value != Value::Fire {
+                self.hash.update(firing.value.to_string());
+            }
         }
         self.firings += firings.len() as u64;
     }

@@ -2,10 +2,10 @@
 
 use crate::drivers::live::{KeyTrack, LiveDriver};
 use crate::drivers::path::PathDriver;
-use crate::drivers::{Body, Driver, Move, Next};
+use crate::drivers::{Body, Decide, Driver, Move, Next};
 use crate::event::{Doing, Events, Fact};
 use crate::home::plan::Plan;
-use crate::home::{Build, Home};
+use crate::home::{Build, Home, Sun};
 use crate::scenario::load::{self, Scenario};
 use crate::stride::Stride;
 use crate::time::{Micros, NEVER, SECOND};
@@ -31,13 +31,49 @@ struct Resident {
     located: bool,
 }
 
+/// Who decides for those whose driver is not of this crate.
+pub trait Lives {
+    /// Who comes into the home besides the scenario's residents.
+    fn guests(&self) -> Vec<Guest>;
+
+    /// The driver of a body: the scenario's residents first, then the guests. Nothing where the scenario says all.
+    fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn Decide>>;
+}
+
+/// A scenario of paths and keys needs nobody.
+impl Lives for () {
+    fn guests(&self) -> Vec<Guest> {
+        Vec::new()
+    }
+
+    fn driver(&self, _body: usize, _home: &Arc<Home>, _seed: u64) -> Option<Box<dyn Decide>> {
+        None
+    }
+}
+
+/// Somebody who comes and goes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Guest {
+    pub name: String,
+    pub build: Build,
+}
+
 impl Run {
     /// A run of a scenario from its start, `length` long.
-    pub fn new(scenario: &Scenario, seed: u64, length: Micros) -> Run {
-        let builds: Vec<Build> = scenario.residents.iter().map(|resident| Build::of(&resident.file)).collect();
-        let home = Arc::new(Home::bake(&scenario.home, &builds));
+    pub fn new(scenario: &Scenario, lives: &dyn Lives, seed: u64, length: Micros) -> Run {
+        let guests = lives.guests();
+        let residents = scenario.residents.iter().map(|resident| Build::of(&resident.file));
+        let builds: Vec<Build> = residents.chain(guests.iter().map(|guest| guest.build)).collect();
+        let mut home = Home::bake(&scenario.home, &builds);
+        home.sun = Sun::of(&scenario.calendar, scenario.home.latitude_deg);
+        let home = Arc::new(home);
         let start_of_day = scenario.calendar.start_of_day();
-        let drivers = scenario.residents.iter().map(|resident| driver(resident, &home.plan, start_of_day));
+        let drivers = (0..builds.len()).map(|body| {
+            let given = || lives.driver(body, &home, seed).map(Driver::Other);
+            let resident = scenario.residents.get(body);
+            let own = resident.and_then(|resident| driver(resident, &home.plan, start_of_day));
+            own.or_else(given).unwrap_or(Driver::Absent)
+        });
         let drivers = drivers.collect();
         Run::of(home, builds, drivers, seed, length)
     }
@@ -105,13 +141,24 @@ impl Run {
                 Next::Activity(name) => {
                     events.facts.push(Fact::Activity { resident: resident as u32, at: now, name });
                 }
+                Next::Act(act) => {
+                    events.facts.push(Fact::Act { resident: resident as u32, at: now, act });
+                    self.world.act(resident, act, events);
+                }
+                Next::Vitals(vitals) => self.world.feel(resident, vitals, events),
+                Next::Need(need, level) => {
+                    events.facts.push(Fact::Need { resident: resident as u32, at: now, need, level });
+                }
+                Next::Condition(name, severity) => {
+                    events.facts.push(Fact::Condition { resident: resident as u32, at: now, name, severity });
+                }
                 Next::Move(next) => break next,
                 Next::Done => break self.rest(resident),
             }
         };
         self.residents[resident].until = next.end;
         self.tell_rooms(resident, &next, events);
-        self.world.begin(resident, &next);
+        self.world.begin(resident, &next, events);
         let Move { end, doing, posture, .. } = next.until(self.length);
         events.facts.push(Fact::Movement { resident: resident as u32, begin: now, end, doing, posture });
     }
@@ -152,14 +199,15 @@ impl Run {
     }
 }
 
-/// The driver that a resident's files ask for.
-fn driver(resident: &load::Resident, plan: &Plan, start_of_day: Micros) -> Driver {
+/// The driver that a resident's files ask for, if this crate knows it.
+fn driver(resident: &load::Resident, plan: &Plan, start_of_day: Micros) -> Option<Driver> {
     let load::Resident { file, driver } = resident;
     match driver {
-        load::Driver::Path(path) => Driver::Path(PathDriver::new(path, plan, file.pace_mps, start_of_day)),
+        load::Driver::Path(path) => Some(Driver::Path(PathDriver::new(path, plan, file.pace_mps, start_of_day))),
         load::Driver::Live { input, start } => {
             let keys = KeyTrack::written(input);
-            Driver::Live(Box::new(LiveDriver::new(plan, *start, file.radius_m, file.pace_mps, keys)))
+            Some(Driver::Live(Box::new(LiveDriver::new(plan, *start, file.radius_m, file.pace_mps, keys))))
         }
+        load::Driver::Routine { .. } => None,
     }
 }

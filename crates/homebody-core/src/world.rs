@@ -9,12 +9,13 @@
 //! its end belongs to the next. At one instant, touching comes before timers.
 
 use crate::drivers::Move;
-use crate::event::{Doing, Events, Fact, Firing};
+use crate::event::{Act as Using, Cause, Doing, Events, Fact, Firing, Value, Vitals, Why};
 use crate::geometry::Point;
 use crate::home::Home;
 use crate::home::field::{Cell, Field, Mask, bits};
 use crate::random::Stream;
 use crate::scenario::path::Posture;
+use crate::sensors::device::{Change, Device, Said};
 use crate::sensors::motion::{Level, Motion};
 use crate::sensors::timing::{Due, Machine, Seen};
 use crate::sensors::zones::Pulses;
@@ -31,6 +32,11 @@ pub struct World {
     now: Micros,
     bodies: Vec<Body>,
     machines: Vec<Machine>,
+    /// The sensors that are told what happens, by sensor; the others look for movement.
+    devices: Vec<Option<Device>>,
+    told: Mask,
+    /// Those of them that want to be told what bodies do.
+    feeling: Mask,
     /// Sensors whose machine wants to be told of movement.
     want: Mask,
     timers: Timers,
@@ -73,7 +79,21 @@ impl World {
             Machine::new(sensor.timing, Stream::named(seed, &format!("sensor/{}/timing", sensor.name)))
         };
         let machines: Vec<Machine> = home.sensors.iter().map(machine).collect();
-        let all: Mask = (0..machines.len()).fold(0, |mask, sensor| mask | 1 << sensor);
+        let looking = |&sensor: &usize| home.sensors[sensor].looks();
+        let all: Mask = (0..machines.len()).filter(looking).fold(0, |mask, sensor| mask | 1 << sensor);
+        let device = |sensor: &Sensor| match &sensor.kind {
+            Kind::Device(device) => Some(device.begin(Stream::named(seed, &format!("sensor/{}/device", sensor.name)))),
+            Kind::Motion(_) | Kind::CeilingMotion(_) => None,
+        };
+        let devices: Vec<Option<Device>> = home.sensors.iter().map(device).collect();
+        let mut timers = Timers::new(machines.len());
+        let (mut told, mut feeling) = (0, 0);
+        for (sensor, device) in devices.iter().enumerate() {
+            let Some(device) = device else { continue };
+            timers.set(sensor, device.timer());
+            told |= 1 << sensor;
+            feeling |= Mask::from(device.feels_bodies()) << sensor;
+        }
         let of_level = |wanted: fn(&Level) -> bool| {
             let is = |sensor: &Sensor| matches!(&sensor.kind, Kind::Motion(motion) if wanted(&motion.level));
             (0..machines.len()).filter(|&i| is(&home.sensors[i])).fold(0, |mask: Mask, sensor| mask | 1 << sensor)
@@ -83,7 +103,10 @@ impl World {
             now: 0,
             bodies: vec![Body { posture: Posture::Standing, act: Act::Away }; residents],
             want: all,
-            timers: Timers::new(machines.len()),
+            timers,
+            devices,
+            told,
+            feeling,
             plain: all & !zoned & !of_level(|level| matches!(level, Level::Sensitivity { .. })),
             zoned,
             pulses: bits(zoned).map(|sensor| Pulses::new(sensor, residents)).collect(),
@@ -105,7 +128,7 @@ impl World {
 
     /// From now until the move's end, the resident does this; the move may have begun before now. The
     /// caller advances no further than its end before it says what comes next.
-    pub fn begin(&mut self, resident: usize, next: &Move) {
+    pub fn begin(&mut self, resident: usize, next: &Move, events: &mut Events) {
         let posture = next.posture;
         let act = match next.doing {
             Doing::Stride { from, to } => Act::Stride(Stride::new(from, to, next.begin, next.end)),
@@ -119,6 +142,39 @@ impl World {
         if settles && self.zoned != 0 {
             self.settle(resident);
         }
+        let Move { begin, end, doing, posture } = *next;
+        self.tell(self.feeling, &Change::Body { resident: resident as u32, begin, end, doing, posture }, events);
+    }
+
+    /// A resident uses a thing, now.
+    pub fn act(&mut self, resident: usize, act: Using, events: &mut Events) {
+        let Using { thing, on } = act;
+        self.tell(Mask::MAX, &Change::Act { resident: resident as u32, thing, on }, events);
+    }
+
+    /// From now on a resident's heart and lungs are like this.
+    pub fn feel(&mut self, resident: usize, vitals: Vitals, events: &mut Events) {
+        self.tell(self.feeling, &Change::Vitals { resident: resident as u32, vitals }, events);
+    }
+
+    /// Tells the devices among the sensors what happens now.
+    fn tell(&mut self, sensors: Mask, change: &Change, events: &mut Events) {
+        let mut said = Said::default();
+        for sensor in bits(sensors & self.told) {
+            let Some(device) = &mut self.devices[sensor] else { continue };
+            device.told(self.now, change, &mut said);
+            self.timers.set(sensor, device.timer());
+            for (value, cause) in said.0.drain(..) {
+                self.send(self.now, sensor, value, cause, events);
+            }
+        }
+    }
+
+    /// A message leaves its sensor.
+    fn send(&mut self, at: Micros, sensor: usize, value: Value, cause: Cause, events: &mut Events) {
+        events.firings.push(Firing { seq: self.seq, at, sensor: sensor as u32, value });
+        events.facts.push(Fact::Cause { seq: self.seq, cause });
+        self.seq += 1;
     }
 
     /// A body that changes its posture or appears touches other beams from one instant to the next; that is no pulse.
@@ -167,7 +223,7 @@ impl World {
             && at < unseen
         {
             self.ring(at, sensor, events);
-            if self.machines[sensor].wants() {
+            if self.devices[sensor].is_none() && self.machines[sensor].wants() {
                 unseen = self.unseen_until(1 << sensor, at, unseen);
                 // It decides unseen: at once, as that says nothing to anybody.
                 let machine = &mut self.machines[sensor];
@@ -242,10 +298,15 @@ impl World {
 
     /// A sensor's timer runs out; what its machine wants then is for [`World::note`].
     fn ring(&mut self, at: Micros, sensor: usize, events: &mut Events) {
-        if let Due::Fired(seen) = self.machines[sensor].due() {
-            events.firings.push(Firing { seq: self.seq, at, sensor: sensor as u32 });
-            events.facts.push(Fact::Cause { seq: self.seq, resident: seen.resident, seen_at: seen.at });
-            self.seq += 1;
+        if let Some(device) = &mut self.devices[sensor] {
+            let mut said = Said::default();
+            device.due(at, &mut said);
+            for (value, cause) in said.0 {
+                self.send(at, sensor, value, cause, events);
+            }
+        } else if let Due::Fired(seen) = self.machines[sensor].due() {
+            let cause = Cause { resident: Some(seen.resident), seen_at: seen.at, why: Why::Movement };
+            self.send(at, sensor, Value::Fire, cause, events);
         }
     }
 
@@ -271,6 +332,9 @@ impl World {
 
     /// Keeps what a machine wants and when its timer is due.
     fn note(&mut self, sensor: usize) {
+        if let Some(device) = &self.devices[sensor] {
+            return self.timers.set(sensor, device.timer());
+        }
         let machine = &self.machines[sensor];
         let bit = 1 << sensor;
         self.want = if machine.wants() { self.want | bit } else { self.want & !bit };

@@ -5,7 +5,7 @@ mod random_home;
 
 use homebody_core::drivers::path::PathDriver;
 use homebody_core::drivers::{Driver, Move};
-use homebody_core::event::{Doing, Events, Fact, Firing};
+use homebody_core::event::{Cause, Doing, Events, Fact, Firing};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
 use homebody_core::run::Run;
@@ -44,7 +44,7 @@ impl Case {
             for (resident, life) in self.lives.iter().enumerate() {
                 let next = &life[life.partition_point(|next| next.end <= now)];
                 // Beginning the same move again in its middle is what cutting it means.
-                self.world.begin(resident, next);
+                self.world.begin(resident, next, events);
                 end = end.min(next.end);
             }
             let cut = cuts.partition_point(|&cut| cut <= now);
@@ -91,7 +91,7 @@ fn cutting_a_stride_changes_nothing() {
         let dice = &mut Dice::new(case, "cuts");
         let mut cuts: Vec<Micros> = (0..400).map(|_| dice.below(300 * SECOND)).collect();
         for (fact, firing) in whole.facts.iter().zip(&whole.firings) {
-            let Fact::Cause { seen_at, .. } = fact else { continue };
+            let Fact::Cause { cause: Cause { seen_at, .. }, .. } = fact else { continue };
             cuts.extend([seen_at - 1, *seen_at, seen_at + 1, firing.at - 1, firing.at, firing.at + 1]);
         }
         cuts.sort_unstable();
@@ -143,7 +143,7 @@ fn who_hardly_moves_is_seen_at_once_or_never() {
         }
         let whole = still.clone().events(&[]);
         for fact in &whole.facts {
-            let Fact::Cause { seen_at, .. } = fact else { continue };
+            let Fact::Cause { cause: Cause { seen_at, .. }, .. } = fact else { continue };
             assert!((0..still.length).contains(seen_at), "case {case}: seen at {seen_at}");
         }
         assert_eq!(whole, still.events(&[7, SECOND, 100 * SECOND]), "case {case}");
@@ -188,10 +188,7 @@ fn adding_a_sensor_changes_no_other() {
         let before = Case::with(case, file.clone(), builds.clone()).events(&[]);
         let mut more = file.clone();
         let mut added = random_home::home(case + 1_000_000, Model::Whole).sensors.remove(0);
-        match &mut added {
-            homebody_core::scenario::home::SensorFile::Motion(sensor) => sensor.name = "added".into(),
-            homebody_core::scenario::home::SensorFile::CeilingMotion(sensor) => sensor.name = "added".into(),
-        }
+        *added.name_mut() = "added".into();
         more.sensors.insert(0, added);
         let after = Case::with(case, more, builds).events(&[]);
         let others: Vec<(Micros, u32)> =

@@ -68,14 +68,14 @@ fn noticed(sensor: &Value, furniture: &Value, lives: &[Life]) -> Vec<(Micros, u3
         for (resident, life) in lives.iter().enumerate() {
             let next = &life.0[life.0.partition_point(|next| next.end <= now)];
             if next.begin == now {
-                world.begin(resident, next);
+                world.begin(resident, next, &mut events);
             }
             until = until.min(next.end);
         }
         world.advance(until, &mut events);
     }
     let cause = |fact| match fact {
-        Fact::Cause { seen_at, resident, .. } => Some((seen_at, resident)),
+        Fact::Cause { cause, .. } => Some((cause.seen_at, cause.resident?)),
         _ => None,
     };
     events.facts.into_iter().filter_map(cause).collect()

@@ -63,7 +63,7 @@ impl Case {
         let mut world = World::new(self.home.clone(), 1, self.number);
         let mut events = Events::default();
         for next in &self.life {
-            world.begin(0, next);
+            world.begin(0, next, &mut events);
             world.advance(next.end.min(LENGTH), &mut events);
         }
         events
@@ -194,7 +194,7 @@ impl Case {
 fn seen_at(events: &Events, sensor: usize, index: usize) -> Option<Micros> {
     let seq = events.firings.iter().filter(|firing| firing.sensor as usize == sensor).nth(index)?.seq;
     events.facts.iter().find_map(|fact| match fact {
-        Fact::Cause { seq: of, seen_at, .. } if *of == seq => Some(*seen_at),
+        Fact::Cause { seq: of, cause } if *of == seq => Some(cause.seen_at),
         _ => None,
     })
 }

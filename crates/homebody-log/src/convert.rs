@@ -4,7 +4,7 @@
 use crate::error::LogError;
 use crate::logger::RunInfo;
 use crate::mapping::{Columns, Shown};
-use crate::messages::Row;
+use crate::messages::{Row, Said};
 use crate::sink::Opening;
 use crate::source::{Clock, Log};
 use crate::url::Url;
@@ -24,13 +24,14 @@ pub fn convert(log: &Log, to: &Url, run: &RunInfo, zone: &str, force: bool) -> R
     let calendar = Calendar::new("1970-01-01T00:00:00", zone).map_err(LogError::Zone)?;
     let start = calendar.timestamp(0).as_microsecond();
     let columns = Columns::new(&LoggerFile::default())?;
-    let shown = Shown { sensors: log.sensors.clone(), values: log.values.clone(), time };
+    let shown =
+        Shown { sensors: log.sensors.clone(), values: [String::new(), String::new()], texts: log.values.clone(), time };
     let mut sink = Opening { columns: &columns, shown: &shown, calendar: &calendar, run, force }.open(to)?;
     let mut seq = 0;
     for events in log.events.chunks(BATCH) {
         let rows = events.iter().zip(seq..);
         let rows: Vec<Row> = rows
-            .map(|(event, seq)| Row { seq, at: event.at - start, sensor: event.sensor, value: event.value })
+            .map(|(event, seq)| Row { seq, at: event.at - start, sensor: event.sensor, value: Said::Text(event.value) })
             .collect();
         sink.write(&rows)?;
         seq += rows.len() as u64;

@@ -1,8 +1,11 @@
 //! `logger.json` checked: the names and texts under which rows are stored.
 
 use crate::error::LogError;
+use crate::messages::Said;
+use homebody_core::event::Value;
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, TimeFormat};
 use std::collections::BTreeMap;
+use std::fmt::Write;
 
 /// The table that tells about runs, beside the rows' own.
 const RUN_TABLE: &str = "run";
@@ -22,7 +25,10 @@ pub(crate) struct Columns {
 #[derive(Clone, Debug)]
 pub(crate) struct Shown {
     pub sensors: Vec<String>,
-    pub values: Vec<String>,
+    /// What is shown for ON and OFF.
+    pub values: [String; 2],
+    /// What a log that was read says.
+    pub texts: Vec<String>,
     pub time: TimeFormat,
 }
 
@@ -62,7 +68,22 @@ impl Shown {
         };
         let shown = sensors.iter().map(|name| file.ids.get(name).unwrap_or(name).clone()).collect();
         apart(sensors, &shown)?;
-        Ok(Shown { sensors: shown, values: values.map(String::from).to_vec(), time: file.time })
+        Ok(Shown { sensors: shown, values: values.map(String::from), texts: Vec::new(), time: file.time })
+    }
+
+    /// The text of what a row says; `buffer` is where it is put together if it has to be.
+    pub fn value<'a>(&'a self, said: Said, buffer: &'a mut String) -> &'a str {
+        match said {
+            Said::Text(index) => &self.texts[index as usize],
+            Said::Value(Value::Fire | Value::On) => &self.values[0],
+            Said::Value(Value::Off) => &self.values[1],
+            Said::Value(value) => {
+                buffer.clear();
+                // A string takes whatever is written to it.
+                let _ = write!(buffer, "{value}");
+                buffer
+            }
+        }
     }
 }
 

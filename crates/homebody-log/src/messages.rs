@@ -1,9 +1,9 @@
 //! What of a firing reaches the log: the firing alone, or an ON and, once the sensor has been quiet, an OFF.
 //!
-//! A held sensor is ON from a firing while it was OFF until the hold after its last firing; firings meanwhile only
+//! Only motion sensors are held; what others say is stored as they say it. A held sensor is ON from a firing while it was OFF until the hold after its last firing; firings meanwhile only
 //! prolong it. At one instant OFF comes before ON, and OFFs come in the order of sensors.
 
-use homebody_core::event::Firing;
+use homebody_core::event::{Firing, Value};
 use homebody_core::scenario::logger::MessagesFile;
 use homebody_core::time::{Micros, micros};
 use std::cmp::Reverse;
@@ -16,12 +16,16 @@ pub(crate) struct Row {
     pub seq: u64,
     pub at: Micros,
     pub sensor: u32,
-    /// Index into the log's values.
-    pub value: u32,
+    pub value: Said,
 }
 
-pub(crate) const ON: u32 = 0;
-pub(crate) const OFF: u32 = 1;
+/// What a row says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Said {
+    Value(Value),
+    /// Index into the texts of a log that was read.
+    Text(u32),
+}
 
 /// Turns firings into rows.
 pub(crate) struct Messages {
@@ -51,19 +55,20 @@ impl Messages {
 
     /// The rows of a firing: what has become due by then, then its own.
     pub fn firing(&mut self, firing: &Firing, rows: &mut Vec<Row>) {
-        let Some(hold) = &mut self.hold else {
-            return push(rows, &mut self.next_seq, firing.at, firing.sensor, ON);
-        };
-        hold.release(firing.at, |at, sensor| push(rows, &mut self.next_seq, at, sensor, OFF));
-        if hold.prolong(firing) {
-            push(rows, &mut self.next_seq, firing.at, firing.sensor, ON);
+        let mut first = true;
+        if let Some(hold) = &mut self.hold {
+            hold.release(firing.at, |at, sensor| push(rows, &mut self.next_seq, at, sensor, Value::Off));
+            first = firing.value != Value::Fire || hold.prolong(firing);
+        }
+        if first {
+            push(rows, &mut self.next_seq, firing.at, firing.sensor, firing.value);
         }
     }
 
     /// The rows due before `until`, given that no firing comes before it.
     pub fn quiet(&mut self, until: Micros, rows: &mut Vec<Row>) {
         if let Some(hold) = &mut self.hold {
-            hold.release(until - 1, |at, sensor| push(rows, &mut self.next_seq, at, sensor, OFF));
+            hold.release(until - 1, |at, sensor| push(rows, &mut self.next_seq, at, sensor, Value::Off));
         }
     }
 }
@@ -98,8 +103,8 @@ impl Hold {
     }
 }
 
-fn push(rows: &mut Vec<Row>, next_seq: &mut u64, at: Micros, sensor: u32, value: u32) {
-    rows.push(Row { seq: *next_seq, at, sensor, value });
+fn push(rows: &mut Vec<Row>, next_seq: &mut u64, at: Micros, sensor: u32, value: Value) {
+    rows.push(Row { seq: *next_seq, at, sensor, value: Said::Value(value) });
     *next_seq += 1;
 }
 
@@ -109,24 +114,31 @@ mod tests {
     use homebody_core::scenario::logger::OnOffFile;
 
     const SENSORS: u32 = 4;
+    const ON: Value = Value::Fire;
+    const OFF: Value = Value::Off;
+
+    fn value(row: &Row) -> Value {
+        let Said::Value(value) = row.value else { panic!("{row:?} is of a log that was read") };
+        value
+    }
 
     fn on_off(hold: Micros) -> MessagesFile {
         MessagesFile::OnOff(OnOffFile { hold_s: hold as f64 / 1e6 })
     }
 
-    fn stored(firings: &[(Micros, u32)], hold: Micros, until: Micros) -> Vec<(Micros, u32, u32)> {
+    fn stored(firings: &[(Micros, u32)], hold: Micros, until: Micros) -> Vec<(Micros, u32, Value)> {
         let mut messages = Messages::new(&on_off(hold), SENSORS as usize);
         let mut rows = Vec::new();
         for (seq, &(at, sensor)) in firings.iter().enumerate() {
-            messages.firing(&Firing { seq: seq as u64, at, sensor }, &mut rows);
+            messages.firing(&Firing { seq: seq as u64, at, sensor, value: Value::Fire }, &mut rows);
         }
         messages.quiet(until, &mut rows);
         assert!(rows.iter().enumerate().all(|(seq, row)| row.seq == seq as u64));
-        rows.iter().map(|row| (row.at, row.sensor, row.value)).collect()
+        rows.iter().map(|row| (row.at, row.sensor, value(row))).collect()
     }
 
     /// Looks at each microsecond and each sensor, and asks whether it has fired within the hold.
-    fn reference(firings: &[(Micros, u32)], hold: Micros, until: Micros) -> Vec<(Micros, u32, u32)> {
+    fn reference(firings: &[(Micros, u32)], hold: Micros, until: Micros) -> Vec<(Micros, u32, Value)> {
         let mut rows = Vec::new();
         let mut on = [false; SENSORS as usize];
         for now in 0..until {
@@ -152,9 +164,23 @@ mod tests {
     fn firings_alone_are_stored_as_they_are() {
         let mut messages = Messages::new(&MessagesFile::FireOnly, 2);
         let mut rows = Vec::new();
-        messages.firing(&Firing { seq: 7, at: 5, sensor: 1 }, &mut rows);
+        messages.firing(&Firing { seq: 7, at: 5, sensor: 1, value: Value::Fire }, &mut rows);
         messages.quiet(1_000_000_000, &mut rows);
-        assert_eq!(rows, [Row { seq: 0, at: 5, sensor: 1, value: ON }]);
+        assert_eq!(rows, [Row { seq: 0, at: 5, sensor: 1, value: Said::Value(ON) }]);
+    }
+
+    #[test]
+    fn what_other_sensors_say_is_not_held() {
+        let mut messages = Messages::new(&on_off(5), 2);
+        let mut rows = Vec::new();
+        for (at, sensor, value) in [(0, 0, Value::Fire), (1, 1, Value::Open), (2, 1, Value::Open), (9, 1, Value::Close)]
+        {
+            messages.firing(&Firing { seq: at as u64, at, sensor, value }, &mut rows);
+        }
+        let stored: Vec<_> = rows.iter().map(|row| (row.at, row.sensor, value(row))).collect();
+        let opened = [(1, 1, Value::Open), (2, 1, Value::Open)];
+        assert_eq!(stored[..3], [(0, 0, ON), opened[0], opened[1]]);
+        assert_eq!(stored[3..], [(5, 0, OFF), (9, 1, Value::Close)]);
     }
 
     #[test]

@@ -6,6 +6,10 @@
 //! | `movement` | what a body did over a span; the spans of a resident follow each other without gaps |
 //! | `room` | in which room a resident is from an instant on; none between rooms or away |
 //! | `activity` | what a resident did over a span |
+//! | `act` | how a resident left a thing that they used: 1 is on or open |
+//! | `need` | how strong a need was, from 0 (met) to 1 (pressing) |
+//! | `condition` | how severe a condition is from an instant on; 1 is a moderate case |
+//! | `lost` | a message that left its sensor and never reached the logger, and why |
 //! | `run` | which run it was |
 //!
 //! Instants are written as in the log, sensors under the ids they have there.
@@ -15,12 +19,13 @@ use crate::error::LogError;
 use crate::fresh::same_file;
 use crate::logger::RunInfo;
 use crate::mapping::Shown;
+use crate::messages::Said;
 use crate::sink::database::{Database, Insert};
 use crate::sink::run;
 use crate::url::Url;
 use crate::writer::{BATCH, BATCH_WAITS, Sink, Writer};
 use homebody_core::drivers::Move;
-use homebody_core::event::{Doing, Events, Fact, Firing};
+use homebody_core::event::{Act, Cause, Doing, Events, Fact, Firing, Loss, Need, Value, Why};
 use homebody_core::geometry::Point;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::LoggerFile;
@@ -36,6 +41,7 @@ use std::time::Instant;
 pub struct Names<'a> {
     pub residents: &'a [String],
     pub rooms: &'a [String],
+    pub things: &'a [String],
     pub sensors: &'a [String],
 }
 
@@ -49,7 +55,11 @@ pub struct TruthLog {
 
 /// What is stored of a fact.
 enum Known {
-    Cause { seq: u64, resident: u32, seen_at: Micros, firing: Option<Firing> },
+    Cause { seq: u64, cause: Cause, firing: Option<Firing> },
+    Lost { at: Micros, sensor: u32, value: Value, cause: Cause, loss: Loss },
+    Act { resident: u32, at: Micros, act: Act },
+    Need { resident: u32, at: Micros, need: Need, level: f64 },
+    Condition { resident: u32, at: Micros, name: String, severity: f64 },
     Movement(Movement),
     Room { resident: u32, at: Micros, room: Option<u32> },
     Activity { resident: u32, at: Micros, name: Option<String> },
@@ -109,17 +119,23 @@ impl TruthLog {
 /// A fact, with the firing it is about.
 fn known(fact: &Fact, firings: &[Firing]) -> Known {
     match *fact {
-        Fact::Cause { seq, resident, seen_at } => {
+        Fact::Cause { seq, cause } => {
             // Firings are numbered without gaps.
             let place = firings.first().and_then(|first| seq.checked_sub(first.seq));
             let firing = place.and_then(|place| firings.get(place as usize)).filter(|firing| firing.seq == seq);
-            Known::Cause { seq, resident, seen_at, firing: firing.copied() }
+            Known::Cause { seq, cause, firing: firing.copied() }
         }
         Fact::Movement { resident, begin, end, doing, posture } => {
             Known::Movement(Movement { resident, span: Move { begin, end, doing, posture } })
         }
         Fact::Room { resident, at, room } => Known::Room { resident, at, room },
         Fact::Activity { resident, at, ref name } => Known::Activity { resident, at, name: name.clone() },
+        Fact::Lost { at, sensor, value, cause, loss } => Known::Lost { at, sensor, value, cause, loss },
+        Fact::Act { resident, at, act } => Known::Act { resident, at, act },
+        Fact::Need { resident, at, need, level } => Known::Need { resident, at, need, level },
+        Fact::Condition { resident, at, ref name, severity } => {
+            Known::Condition { resident, at, name: name.clone(), severity }
+        }
     }
 }
 
@@ -129,7 +145,8 @@ struct TruthSink {
     clock: Clock,
     residents: Vec<String>,
     rooms: Vec<String>,
-    sensors: Vec<String>,
+    things: Vec<String>,
+    shown: Shown,
     /// What each resident is doing, and since when.
     doing: Vec<Option<(Micros, String)>>,
     /// Each resident's last movement: where the run is stopped, it ends sooner than it was going to.
@@ -145,6 +162,10 @@ struct Inserts {
     movement: Insert,
     room: Insert,
     activity: Insert,
+    act: Insert,
+    need: Insert,
+    condition: Insert,
+    lost: Insert,
 }
 
 /// An activity that is over.
@@ -174,16 +195,21 @@ impl TruthSink {
             clock,
             residents: names.residents.to_vec(),
             rooms: names.rooms.to_vec(),
-            sensors: Shown::new(file, names.sensors)?.sensors,
+            things: names.things.to_vec(),
+            shown: Shown::new(file, names.sensors)?,
             doing: vec![None; names.residents.len()],
             moving: vec![None; names.residents.len()],
             coming: Vec::new(),
             run: run.id,
             inserts: Inserts {
-                cause: insert("cause", &["firing", "resident", "seen_at", "fired_at", "sensor"]),
+                cause: insert("cause", &["firing", "resident", "seen_at", "why", "thing", "fired_at", "sensor"]),
                 movement: insert("movement", &MOVEMENT),
                 room: insert("room", &["resident", "at", "room"]),
                 activity: insert("activity", &["resident", "begin_at", "end_at", "name"]),
+                act: insert("act", &["resident", "at", "thing", "is_on"]),
+                need: insert("need", &["resident", "at", "need", "level"]),
+                condition: insert("condition", &["resident", "at", "name", "severity"]),
+                lost: insert("lost", &["fired_at", "sensor", "value", "loss", "resident", "seen_at", "why", "thing"]),
             },
         })
     }
@@ -224,21 +250,130 @@ impl TruthSink {
             })
         })
     }
+
+    fn write_activities(&mut self, done: &[Done]) -> Result<(), LogError> {
+        let TruthSink { database, clock, residents, inserts, .. } = self;
+        database.change(done.len(), |connection| {
+            inserts.activity.rows(connection, done, |done, row| {
+                row.put(&residents[done.resident as usize])?;
+                row.put(clock.stamp(done.begin))?;
+                row.put(clock.stamp(done.end))?;
+                row.put(&done.name)
+            })
+        })
+    }
+
+    /// Why messages came, and which ones never did.
+    fn write_messages(&mut self, known: &[Known]) -> Result<(), LogError> {
+        let TruthSink { database, clock, residents, things, shown, inserts, .. } = self;
+        let causes: Vec<_> = known
+            .iter()
+            .filter_map(|fact| match fact {
+                Known::Cause { seq, cause, firing } => Some((*seq, cause, firing)),
+                _ => None,
+            })
+            .collect();
+        let lost: Vec<_> = known
+            .iter()
+            .filter_map(|fact| match fact {
+                Known::Lost { at, sensor, value, cause, loss } => Some((*at, *sensor, *value, cause, *loss)),
+                _ => None,
+            })
+            .collect();
+        let mut text = String::new();
+        database.change(causes.len() + lost.len(), |connection| {
+            inserts.cause.rows(connection, &causes, |(seq, cause, firing), row| {
+                row.put(*seq as i64)?;
+                row.put(cause.resident.map(|resident| &residents[resident as usize]))?;
+                row.put(clock.stamp(cause.seen_at))?;
+                let (why, thing) = reason(cause.why);
+                row.put(why)?;
+                row.put(thing.map(|thing| &things[thing]))?;
+                match firing {
+                    Some(firing) => {
+                        row.put(clock.stamp(firing.at))?;
+                        row.put(&shown.sensors[firing.sensor as usize])
+                    }
+                    None => {
+                        row.put(Null)?;
+                        row.put(Null)
+                    }
+                }
+            })?;
+            inserts.lost.rows(connection, &lost, |(at, sensor, value, cause, loss), row| {
+                row.put(clock.stamp(*at))?;
+                row.put(&shown.sensors[*sensor as usize])?;
+                row.put(shown.value(Said::Value(*value), &mut text))?;
+                row.put(loss_name(*loss))?;
+                row.put(cause.resident.map(|resident| &residents[resident as usize]))?;
+                row.put(clock.stamp(cause.seen_at))?;
+                let (why, thing) = reason(cause.why);
+                row.put(why)?;
+                row.put(thing.map(|thing| &things[thing]))
+            })
+        })
+    }
+
+    /// What was used, needs and conditions.
+    fn write_the_rest(&mut self, known: &[Known]) -> Result<(), LogError> {
+        let TruthSink { database, clock, residents, things, inserts, .. } = self;
+        let (mut acts, mut needs, mut conditions) = (Vec::new(), Vec::new(), Vec::new());
+        for fact in known {
+            match fact {
+                Known::Act { resident, at, act } => acts.push((*resident, *at, *act)),
+                Known::Need { resident, at, need, level } => needs.push((*resident, *at, *need, *level)),
+                Known::Condition { resident, at, name, severity } => {
+                    conditions.push((*resident, *at, name, *severity));
+                }
+                _ => {}
+            }
+        }
+        database.change(acts.len() + needs.len() + conditions.len(), |connection| {
+            inserts.act.rows(connection, &acts, |(resident, at, act), row| {
+                row.put(&residents[*resident as usize])?;
+                row.put(clock.stamp(*at))?;
+                row.put(&things[act.thing as usize])?;
+                row.put(act.on)
+            })?;
+            inserts.need.rows(connection, &needs, |(resident, at, need, level), row| {
+                row.put(&residents[*resident as usize])?;
+                row.put(clock.stamp(*at))?;
+                row.put(need_name(*need))?;
+                row.put(*level)
+            })?;
+            inserts.condition.rows(connection, &conditions, |(resident, at, name, severity), row| {
+                row.put(&residents[*resident as usize])?;
+                row.put(clock.stamp(*at))?;
+                row.put(*name)?;
+                row.put(*severity)
+            })
+        })
+    }
 }
 
 const MOVEMENT: [&str; 10] =
     ["resident", "begin_at", "end_at", "kind", "from_x", "from_y", "to_x", "to_y", "amplitude_m", "posture"];
 
 /// The statements that create the tables.
-fn tables(time: &str) -> [String; 4] {
+fn tables(time: &str) -> [String; 8] {
     [
-        format!("cause (run_id INTEGER, firing INTEGER, resident TEXT, seen_at {time}, fired_at {time}, sensor TEXT)"),
+        format!(
+            "cause (run_id INTEGER, firing INTEGER, resident TEXT, seen_at {time}, why TEXT, thing TEXT, \
+             fired_at {time}, sensor TEXT)"
+        ),
         format!(
             "movement (run_id INTEGER, resident TEXT, begin_at {time}, end_at {time}, kind TEXT, \
              from_x REAL, from_y REAL, to_x REAL, to_y REAL, amplitude_m REAL, posture TEXT)"
         ),
         format!("room (run_id INTEGER, resident TEXT, at {time}, room TEXT)"),
         format!("activity (run_id INTEGER, resident TEXT, begin_at {time}, end_at {time}, name TEXT)"),
+        format!("act (run_id INTEGER, resident TEXT, at {time}, thing TEXT, is_on INTEGER)"),
+        format!("need (run_id INTEGER, resident TEXT, at {time}, need TEXT, level REAL)"),
+        format!("condition (run_id INTEGER, resident TEXT, at {time}, name TEXT, severity REAL)"),
+        format!(
+            "lost (run_id INTEGER, fired_at {time}, sensor TEXT, value TEXT, loss TEXT, resident TEXT, seen_at {time}, \
+             why TEXT, thing TEXT)"
+        ),
     ]
     .map(|table| format!("CREATE TABLE {table}"))
 }
@@ -251,10 +386,9 @@ impl Sink for TruthSink {
     }
 
     fn write(&mut self, known: &[Known]) -> Result<(), LogError> {
-        let (mut causes, mut movements, mut rooms, mut done) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let (mut movements, mut rooms, mut done) = (Vec::new(), Vec::new(), Vec::new());
         for fact in known {
             match fact {
-                Known::Cause { seq, resident, seen_at, firing } => causes.push((*seq, *resident, *seen_at, firing)),
                 Known::Movement(movement) => {
                     let begun =
                         |room: &mut (u32, Micros, _)| room.0 == movement.resident && room.1 <= movement.span.begin;
@@ -263,34 +397,14 @@ impl Sink for TruthSink {
                 }
                 Known::Room { resident, at, room } => self.coming.push((*resident, *at, *room)),
                 Known::Activity { resident, at, name } => done.extend(self.turn(*resident, *at, name.clone())),
+                _ => {}
             }
         }
         self.write_movements(&movements)?;
         self.write_rooms(&rooms)?;
-        let TruthSink { database, clock, residents, sensors, inserts, .. } = self;
-        database.change(known.len(), |connection| {
-            inserts.cause.rows(connection, &causes, |(seq, resident, seen_at, firing), row| {
-                row.put(*seq as i64)?;
-                row.put(&residents[*resident as usize])?;
-                row.put(clock.stamp(*seen_at))?;
-                match firing {
-                    Some(firing) => {
-                        row.put(clock.stamp(firing.at))?;
-                        row.put(&sensors[firing.sensor as usize])
-                    }
-                    None => {
-                        row.put(Null)?;
-                        row.put(Null)
-                    }
-                }
-            })?;
-            inserts.activity.rows(connection, &done, |done, row| {
-                row.put(&residents[done.resident as usize])?;
-                row.put(clock.stamp(done.begin))?;
-                row.put(clock.stamp(done.end))?;
-                row.put(&done.name)
-            })
-        })
+        self.write_activities(&done)?;
+        self.write_messages(known)?;
+        self.write_the_rest(known)
     }
 
     fn settle(&mut self) -> Result<(), LogError> {
@@ -326,5 +440,38 @@ fn told(doing: &Doing) -> (&'static str, Option<Point>, Option<Point>, Option<f6
         Doing::Stir { at, amplitude_m } => ("stir", Some(at), Some(at), Some(amplitude_m)),
         Doing::Rest { at } => ("rest", Some(at), Some(at), None),
         Doing::Away => ("away", None, None, None),
+    }
+}
+
+/// The kind of a cause, and the thing that was used where one was.
+fn reason(why: Why) -> (&'static str, Option<usize>) {
+    match why {
+        Why::Movement => ("movement", None),
+        Why::Act(thing) => ("act", Some(thing as usize)),
+        Why::Reading => ("reading", None),
+        Why::Duplicate => ("duplicate", None),
+        Why::False => ("false", None),
+    }
+}
+
+fn loss_name(loss: Loss) -> &'static str {
+    match loss {
+        Loss::Radio => "radio",
+        Loss::Collision => "collision",
+        Loss::Miss => "miss",
+        Loss::Battery => "battery",
+        Loss::Place => "place",
+        Loss::Stuck => "stuck",
+        Loss::Garbled => "garbled",
+        Loss::Outage => "outage",
+    }
+}
+
+fn need_name(need: Need) -> &'static str {
+    match need {
+        Need::Toilet => "toilet",
+        Need::Thirst => "thirst",
+        Need::Hunger => "hunger",
+        Need::Tiredness => "tiredness",
     }
 }

@@ -2,7 +2,7 @@
 
 mod stage;
 
-use homebody_core::event::{Events, Fact, Firing};
+use homebody_core::event::{Cause, Events, Fact, Firing, Why};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::{TruthLog, truth};
 use rusqlite::{Connection, params};
@@ -54,12 +54,15 @@ fn causes_are_written() {
     let folder = Folder::new("rate-truth");
     let firings = stage::firings(ROWS);
     let (residents, rooms, sensors) = (["margaret".to_string()], [], stage::sensors());
-    let names = truth::Names { residents: &residents, rooms: &rooms, sensors: &sensors };
+    let names = truth::Names { residents: &residents, rooms: &rooms, things: &[], sensors: &sensors };
     let (path, file, calendar) = (folder.path().join("truth.db"), LoggerFile::default(), stage::calendar());
     let mut log = TruthLog::open(&path, &[], &file, names, &calendar, &stage::run(), false).unwrap();
     let began = Instant::now();
     for step in firings.chunks(500) {
-        let cause = |firing: &Firing| Fact::Cause { seq: firing.seq, resident: 0, seen_at: firing.at - 1 };
+        let cause = |firing: &Firing| Fact::Cause {
+            seq: firing.seq,
+            cause: Cause { resident: Some(0), seen_at: firing.at - 1, why: Why::Movement },
+        };
         log.store(&Events { firings: step.to_vec(), facts: step.iter().map(cause).collect() }).unwrap();
     }
     log.finish(firings[firings.len() - 1].at).unwrap();

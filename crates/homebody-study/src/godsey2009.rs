@@ -197,7 +197,7 @@ struct Walk {
 impl Walk {
     /// When the sensor fires, the run being advanced `step` at a time.
     fn firings(&self, seed: u64, step: Micros) -> Result<Vec<Micros>, Problems> {
-        let mut run = Run::new(&self.scenario()?, seed, LENGTH);
+        let mut run = Run::new(&self.scenario()?, &(), seed, LENGTH);
         let mut events = Events::default();
         while run.now() < LENGTH {
             run.advance(run.now() + step, &mut events);
@@ -208,7 +208,7 @@ impl Walk {
     /// How often the sensor fires in the paper's own loop at a multiple of real time.
     fn paper_loop(&self, speed: i64) -> Result<usize, Problems> {
         let scenario = self.scenario()?;
-        let run = Run::new(&scenario, 0, LENGTH);
+        let run = Run::new(&scenario, &(), 0, LENGTH);
         let moves = run.moves();
         let build = Build::of(&scenario.residents[0].file);
         let eye = PaperEye::new(run.home(), build.size(Posture::Standing), 1);

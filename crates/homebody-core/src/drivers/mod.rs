@@ -7,13 +7,14 @@
 pub mod live;
 pub mod path;
 
-use crate::event::Doing;
+use crate::event::{Act, Doing, Need, Vitals};
 use crate::geometry::Point;
 use crate::scenario::path::Posture;
 use crate::stride::Stride;
-use crate::time::Micros;
+use crate::time::{Micros, NEVER};
 use live::LiveDriver;
 use path::PathDriver;
+use std::fmt;
 
 /// What a body does over a span; the spans of one resident follow each other without gaps.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,6 +48,14 @@ pub enum Next {
     Move(Move),
     /// From this instant on the resident does this, or nothing that has a name. It takes no time: ask again.
     Activity(Option<String>),
+    /// The resident uses a thing. It takes no time: ask again.
+    Act(Act),
+    /// From this instant on heart and lungs are like this. It takes no time: ask again.
+    Vitals(Vitals),
+    /// For the truth: how strong a need is, from 0 to 1. It takes no time: ask again.
+    Need(Need, f64),
+    /// For the truth: from this instant on a condition is this severe. It takes no time: ask again.
+    Condition(String, f64),
     /// The resident rests where it is for ever.
     Done,
 }
@@ -63,6 +72,24 @@ pub struct Body {
 pub enum Driver {
     Path(PathDriver),
     Live(Box<LiveDriver>),
+    /// One that this crate does not know, such as a routine.
+    Other(Box<dyn Decide>),
+    /// Nobody: the resident is out for the whole run.
+    Absent,
+}
+
+/// What every driver does that is written elsewhere; see [`Driver`] for what each answer means.
+pub trait Decide: fmt::Debug + Send + Sync {
+    fn next(&mut self, now: Micros, others: &[Body]) -> Next;
+    fn pose(&self) -> (Point, Posture);
+    /// A copy that decides as the original.
+    fn copy(&self) -> Box<dyn Decide>;
+}
+
+impl Clone for Box<dyn Decide> {
+    fn clone(&self) -> Box<dyn Decide> {
+        self.copy()
+    }
 }
 
 impl Driver {
@@ -72,6 +99,10 @@ impl Driver {
         match self {
             Driver::Path(driver) => driver.next(now),
             Driver::Live(driver) => driver.next(now, others),
+            Driver::Other(driver) => driver.next(now, others),
+            Driver::Absent => {
+                Next::Move(Move { begin: now, end: NEVER, doing: Doing::Away, posture: Posture::Standing })
+            }
         }
     }
 
@@ -80,6 +111,8 @@ impl Driver {
         match self {
             Driver::Path(driver) => driver.pose(),
             Driver::Live(driver) => driver.pose(),
+            Driver::Other(driver) => driver.pose(),
+            Driver::Absent => (Point::ZERO, Posture::Standing),
         }
     }
 }

@@ -372,8 +372,8 @@ mod tests {
                     at = driver.pose().0;
                     spans.push(span);
                 }
-                Next::Activity(_) => {}
                 Next::Done => break,
+                _ => {}
             }
         }
         spans

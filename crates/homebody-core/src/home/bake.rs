@@ -14,6 +14,7 @@ pub fn beams(sensor: &Sensor, plan: &Plan, body_m: f64) -> Vec<Beam> {
     match &sensor.kind {
         Kind::Motion(motion) => blades(motion, plan, body_m),
         Kind::CeilingMotion(area) => area.beams(),
+        Kind::Device(_) => Vec::new(),
     }
 }
 

@@ -89,7 +89,7 @@ impl Field {
             .iter()
             .map(|sensor| match &sensor.kind {
                 Kind::CeilingMotion(area) => Some(area.outline.clone()),
-                Kind::Motion(_) => None,
+                Kind::Motion(_) | Kind::Device(_) => None,
             })
             .collect();
         let (least, most) = plan.bounds();
@@ -281,8 +281,9 @@ mod tests {
             ],
         }));
         let home = home.expect("a home");
-        let sensors: Vec<Sensor> = home.sensors.iter().map(Sensor::new).collect();
-        Field::bake(&Plan::new(&home), &sensors, Size { radius_m: 0.2, top_m })
+        let plan = Plan::new(&home);
+        let sensors: Vec<Sensor> = home.sensors.iter().map(|sensor| Sensor::new(sensor, &plan)).collect();
+        Field::bake(&plan, &sensors, Size { radius_m: 0.2, top_m })
     }
 
     /// Where the beam of the wall sensor is lit, as distances from its lens.

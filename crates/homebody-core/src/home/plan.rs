@@ -33,10 +33,21 @@ pub struct Solid {
     pub stops_bodies: bool,
 }
 
+/// Something that can be used: opened and closed, or turned on and off.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Thing {
+    pub name: String,
+    pub at: Point,
+    /// How it is when a run begins: open or on.
+    pub on: bool,
+}
+
 /// The floor plan of a home.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     pub rooms: Vec<Room>,
+    /// What can be used: doors, then furniture, then the lamps of rooms, under the rooms' names.
+    pub things: Vec<Thing>,
     pub solids: Vec<Solid>,
     /// The openings of doors that stand open, as rectangles through the wall.
     pub openings: Vec<Vec<Point>>,
@@ -93,12 +104,23 @@ impl Plan {
             .iter()
             .map(|room| Room { name: room.name.clone(), outline: room.outline.iter().map(|&at| point(at)).collect() })
             .collect();
+        let thing = |name: &str, at, on| Thing { name: name.into(), at, on };
+        let doors = home.doors.iter().map(|door| {
+            // The way out stands open to bodies, not to the draught.
+            thing(&door.name, (point(door.from) + point(door.to)) / 2.0, door.open && !door.outside)
+        });
+        let furniture = home
+            .furniture
+            .iter()
+            .map(|piece| thing(&piece.name, geometry::inner_point(&furniture_outline(piece)), false));
+        let lamps = rooms.iter().map(|room| thing(&room.name, geometry::inner_point(&room.outline), false));
+        let things = doors.chain(furniture).chain(lamps).collect();
         let places = home.places.iter().map(|place| (place.name.clone(), point(place.at)));
         let seats = home.furniture.iter().filter(|piece| piece.enterable);
         let seats = seats.map(|piece| (piece.name.clone(), geometry::inner_point(&furniture_outline(piece))));
         let named_rooms = rooms.iter().map(|room| (room.name.clone(), geometry::inner_point(&room.outline)));
         let places = places.chain(seats).chain(named_rooms).collect();
-        Plan { rooms, solids, openings, places }
+        Plan { rooms, things, solids, openings, places }
     }
 
     /// The room a point lies in. A border belongs to the room to the east of it, or to the north where it runs from east
@@ -153,6 +175,11 @@ impl Plan {
             }
         }
         rooms
+    }
+
+    /// The index of the thing of a name; of several, the first.
+    pub fn thing(&self, name: &str) -> Option<usize> {
+        self.things.iter().position(|thing| thing.name == name)
     }
 
     /// Where a spot of a path is; nothing if the home has no place of that name.

@@ -8,7 +8,7 @@ pub mod brute;
 pub mod paper;
 
 use crate::drivers::Move;
-use crate::event::{Doing, Firing};
+use crate::event::{Doing, Firing, Value};
 use crate::geometry::Point;
 use crate::home::Home;
 use crate::random::Stream;
@@ -76,7 +76,7 @@ impl<E: Eye> Loop<E> {
         let first = self.update == 0;
         for (sensor, counter) in self.counters.iter_mut().enumerate() {
             counter.update(now, self.changed[sensor] && !first, self.remainder, |at| {
-                firings.push(Firing { seq: self.seq, at, sensor: sensor as u32 });
+                firings.push(Firing { seq: self.seq, at, sensor: sensor as u32, value: Value::Fire });
                 self.seq += 1;
             });
         }

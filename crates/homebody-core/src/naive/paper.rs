@@ -51,7 +51,7 @@ impl PaperEye {
         physics.integration_parameters.dt = 1.0 / 60.0;
         let lens = |sensor: &Sensor| match &sensor.kind {
             Kind::Motion(motion) => motion.height_m,
-            Kind::CeilingMotion(_) => 0.0,
+            Kind::CeilingMotion(_) | Kind::Device(_) => 0.0,
         };
         let highest = home.sensors.iter().map(lens).fold(0.0, f64::max);
         for solid in &home.plan.solids {
@@ -122,6 +122,7 @@ fn seeing(sensor: &Sensor, size: Size, walls: &PhysicsWorld) -> Seeing {
             );
         }
         Kind::Motion(motion) => motion,
+        Kind::Device(_) => return Seeing::Rays(Vec::new(), QueryFilter::default()),
     };
     let tall = QueryFilter::default().groups(InteractionGroups::new(Group::ALL, TALL, InteractionTestMode::And));
     let rays = motion.blades.iter().filter_map(|blade| {

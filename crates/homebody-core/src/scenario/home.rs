@@ -20,6 +20,10 @@ pub struct HomeFile {
     /// What was measured, what was assumed.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub about: String,
+    /// How far north it is: how long days are in which season.
+    #[serde(default = "latitude", skip_serializing_if = "is_missouri")]
+    #[schemars(range(min = -65, max = 65))]
+    pub latitude_deg: f64,
     /// The rooms; their outlines do not overlap.
     #[schemars(length(min = 1, max = 1_000))]
     pub rooms: Vec<RoomFile>,
@@ -137,6 +141,7 @@ pub struct PlaceFile {
 pub enum SensorFile {
     Motion(MotionFile),
     CeilingMotion(CeilingMotionFile),
+    Contact(ContactFile),
 }
 
 impl SensorFile {
@@ -144,6 +149,23 @@ impl SensorFile {
         match self {
             SensorFile::Motion(sensor) => &sensor.name,
             SensorFile::CeilingMotion(sensor) => &sensor.name,
+            SensorFile::Contact(sensor) => &sensor.name,
+        }
+    }
+
+    pub fn name_mut(&mut self) -> &mut String {
+        match self {
+            SensorFile::Motion(sensor) => &mut sensor.name,
+            SensorFile::CeilingMotion(sensor) => &mut sensor.name,
+            SensorFile::Contact(sensor) => &mut sensor.name,
+        }
+    }
+
+    /// The thing that it hangs on, where it hangs on one.
+    pub fn on(&self) -> Option<&str> {
+        match self {
+            SensorFile::Motion(_) | SensorFile::CeilingMotion(_) => None,
+            SensorFile::Contact(sensor) => Some(&sensor.on),
         }
     }
 
@@ -156,6 +178,7 @@ impl SensorFile {
         let (preset, first, refire, persist) = match self {
             SensorFile::Motion(s) => (s.preset, s.first_fire_s, s.refire_s, s.persist_s),
             SensorFile::CeilingMotion(s) => (s.preset, s.first_fire_s, s.refire_s, s.persist_s),
+            SensorFile::Contact(_) => (Preset::default(), None, None, None),
         };
         let timing = preset.timing();
         let [least, most] = timing.first_fire_s;
@@ -241,6 +264,17 @@ pub struct CeilingMotionFile {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 86_400))]
     pub persist_s: Option<f64>,
+}
+
+/// A contact on a door or a piece of furniture: says `OPEN` and `CLOSE`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "contact sensor")]
+pub struct ContactFile {
+    #[schemars(length(min = 1, max = 100))]
+    pub name: String,
+    /// The door or piece of furniture that it hangs on.
+    pub on: String,
 }
 
 /// What a wall sensor takes for movement.
@@ -345,6 +379,13 @@ impl Preset {
     }
 }
 
+/// Columbia, Missouri, where TigerPlace is.
+pub(crate) fn latitude() -> f64 {
+    38.95
+}
+fn is_missouri(value: &f64) -> bool {
+    *value == latitude()
+}
 fn yes() -> bool {
     true
 }

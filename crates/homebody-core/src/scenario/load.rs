@@ -56,7 +56,15 @@ pub struct Resident {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Driver {
     Path(PathFile),
-    Live { input: InputFile, start: Point },
+    Live {
+        input: InputFile,
+        start: Point,
+    },
+    /// The text as it is: what it says is for those who know the language.
+    Routine {
+        file: String,
+        text: String,
+    },
 }
 
 impl Scenario {
@@ -74,6 +82,9 @@ impl Scenario {
         }
     }
 }
+
+/// What to do about a link that leads out of the folder.
+const WHERE: &str = "name a file relative to the scenario's folder, with / between folders";
 
 struct Loader<'a> {
     files: &'a dyn Files,
@@ -153,6 +164,9 @@ impl Loader<'_> {
             let walker = file.clone().unwrap_or_else(somebody);
             check::path::check(&path.source, &data, &walker, surroundings, &mut self.problems);
             Driver::Path(data)
+        } else if let Some(name) = root.pointer("/driver/routine").and_then(serde_json::Value::as_str) {
+            let text = self.text(&source, "/driver/routine", name)?;
+            Driver::Routine { file: name.into(), text }
         } else {
             let live = match &file {
                 Some(ResidentFile { driver: DriverFile::Live(live), .. }) => Some(live),
@@ -181,6 +195,33 @@ impl Loader<'_> {
         self.linked(from, link, name, kind)
     }
 
+    /// Reads a linked file that is no JSON.
+    fn text(&mut self, from: &Source, link: &str, name: &str) -> Option<String> {
+        let problem = match outside_folder(name) {
+            Some(what) => Some((what, Some(WHERE.to_string()))),
+            None if self.order.iter().any(|(known, _)| known == name) => {
+                Some((format!("{name:?} is a routine and another file at once"), None))
+            }
+            None => None,
+        };
+        let read = match problem {
+            Some((what, hint)) => Err(from.problem(link, what, hint)),
+            None => {
+                self.files.read(name).map_err(|why| from.problem(link, format!("{name:?} cannot be read: {why}"), None))
+            }
+        };
+        match read {
+            Ok(text) => {
+                self.sources.insert(name.into(), text.clone());
+                Some(text)
+            }
+            Err(problem) => {
+                self.problems.push(problem);
+                None
+            }
+        }
+    }
+
     /// Reads a file that another links; a file that is missing is a problem of the link.
     fn linked<T: DeserializeOwned>(
         &mut self,
@@ -190,8 +231,7 @@ impl Loader<'_> {
         kind: FileKind,
     ) -> Option<Read<T>> {
         if let Some(what) = outside_folder(name) {
-            let hint = "name a file relative to the scenario's folder, with / between folders".to_string();
-            self.problems.push(from.problem(link, what, Some(hint)));
+            self.problems.push(from.problem(link, what, Some(WHERE.to_string())));
             return None;
         }
         let used = self.order.iter().find(|(known, _)| known == name).map(|(_, used)| *used);

@@ -44,6 +44,8 @@ impl ResidentFile {
 pub enum DriverFile {
     /// A path description file to act out.
     Path(String),
+    /// A routine in plain language to live by.
+    Routine(String),
     /// A file of key states over time that drives the body through the physics.
     Live(LiveFile),
 }

@@ -6,7 +6,7 @@ use super::Opening;
 use crate::clock::Clock;
 use crate::error::LogError;
 use crate::fresh::FreshFile;
-use crate::mapping::apart;
+use crate::mapping::{Shown, apart};
 use crate::messages::Row;
 use crate::writer::Sink;
 use homebody_core::scenario::logger::TimeFormat;
@@ -18,7 +18,8 @@ pub(crate) struct Casas {
     file: FreshFile,
     clock: Clock,
     sensors: Vec<String>,
-    values: Vec<String>,
+    shown: Shown,
+    value: String,
     line: Vec<u8>,
 }
 
@@ -27,9 +28,18 @@ impl Casas {
         let shown = opening.shown;
         let sensors = shown.sensors.iter().map(|name| one_word(name)).collect();
         apart(&shown.sensors, &sensors)?;
-        let values = shown.values.iter().map(|value| one_word(value)).collect();
         let clock = Clock::new(opening.calendar, TimeFormat::Local);
-        Ok(Casas { file: FreshFile::create(path, opening.force)?, clock, sensors, values, line: Vec::new() })
+        // Values are one word, too.
+        let mut shown = shown.clone();
+        shown.texts.iter_mut().for_each(|text| *text = one_word(text));
+        Ok(Casas {
+            file: FreshFile::create(path, opening.force)?,
+            clock,
+            sensors,
+            shown: shown.clone(),
+            value: String::new(),
+            line: Vec::new(),
+        })
     }
 }
 
@@ -47,7 +57,7 @@ impl Sink for Casas {
             self.line.push(b'\t');
             self.line.extend_from_slice(self.sensors[row.sensor as usize].as_bytes());
             self.line.push(b'\t');
-            self.line.extend_from_slice(self.values[row.value as usize].as_bytes());
+            self.line.extend_from_slice(self.shown.value(row.value, &mut self.value).as_bytes());
             self.line.push(b'\n');
             self.file.write(&self.line)?;
         }

@@ -4,6 +4,7 @@ use super::Opening;
 use crate::clock::Clock;
 use crate::error::LogError;
 use crate::fresh::FreshFile;
+use crate::mapping::Shown;
 use crate::messages::Row;
 use crate::writer::Sink;
 use homebody_core::time::Micros;
@@ -13,14 +14,17 @@ use std::path::Path;
 pub(crate) struct Csv {
     file: FreshFile,
     clock: Clock,
+    /// Quoted where they need it, as texts are.
     sensors: Vec<String>,
-    values: Vec<String>,
+    shown: Shown,
+    value: String,
     line: Vec<u8>,
 }
 
 impl Csv {
     pub fn open(path: &Path, opening: &Opening) -> Result<Csv, LogError> {
-        let (columns, shown) = (opening.columns, opening.shown);
+        let (columns, mut shown) = (opening.columns, opening.shown.clone());
+        shown.texts.iter_mut().for_each(|text| *text = quoted(text));
         let mut file = FreshFile::create(path, opening.force)?;
         let header = [&columns.seq, &columns.time, &columns.sensor, &columns.value].map(|name| quoted(name));
         file.write(format!("{}\n", header.join(",")).as_bytes())?;
@@ -28,7 +32,8 @@ impl Csv {
             file,
             clock: opening.clock(),
             sensors: shown.sensors.iter().map(|name| quoted(name)).collect(),
-            values: shown.values.iter().map(|value| quoted(value)).collect(),
+            shown,
+            value: String::new(),
             line: Vec::new(),
         })
     }
@@ -50,7 +55,7 @@ impl Sink for Csv {
             self.line.push(b',');
             self.line.extend_from_slice(self.sensors[row.sensor as usize].as_bytes());
             self.line.push(b',');
-            self.line.extend_from_slice(self.values[row.value as usize].as_bytes());
+            self.line.extend_from_slice(self.shown.value(row.value, &mut self.value).as_bytes());
             self.line.push(b'\n');
             self.file.write(&self.line)?;
         }

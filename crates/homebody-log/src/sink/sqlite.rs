@@ -5,6 +5,7 @@ use super::database::{Database, Insert};
 use super::run;
 use crate::clock::Clock;
 use crate::error::LogError;
+use crate::mapping::Shown;
 use crate::messages::Row;
 use crate::writer::Sink;
 use homebody_core::time::Micros;
@@ -15,8 +16,8 @@ pub(crate) struct Sqlite {
     database: Database,
     insert: Insert,
     clock: Clock,
-    sensors: Vec<String>,
-    values: Vec<String>,
+    shown: Shown,
+    value: String,
     run: i64,
 }
 
@@ -45,8 +46,8 @@ impl Sqlite {
             database,
             insert: Insert::new(&columns.table, (&columns.run, opening.run.id), &names),
             clock,
-            sensors: shown.sensors.clone(),
-            values: shown.values.clone(),
+            shown: shown.clone(),
+            value: String::new(),
             run: opening.run.id,
         })
     }
@@ -64,8 +65,8 @@ impl Sink for Sqlite {
             self.insert.rows(connection, rows, |row, binding| {
                 binding.put(row.seq as i64)?;
                 binding.put(self.clock.stamp(row.at))?;
-                binding.put(&self.sensors[row.sensor as usize])?;
-                binding.put(&self.values[row.value as usize])
+                binding.put(&self.shown.sensors[row.sensor as usize])?;
+                binding.put(self.shown.value(row.value, &mut self.value))
             })
         })
     }

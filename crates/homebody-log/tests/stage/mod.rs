@@ -1,7 +1,7 @@
 //! What the tests of this folder share: a folder of their own, and a run to log.
 #![allow(dead_code, reason = "each test file uses a part of it")]
 
-use homebody_core::event::Firing;
+use homebody_core::event::{Firing, Value};
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{Micros, SECOND};
@@ -64,7 +64,7 @@ pub fn firings(count: u64) -> Vec<Firing> {
     (0..count)
         .map(|seq| {
             at += 1 + (seq * 7_919_993 % 31) as Micros * SECOND / 4 + (seq % 1000) as Micros;
-            Firing { seq, at, sensor: (seq * 31 % 3) as u32 }
+            Firing { seq, at, sensor: (seq * 31 % 3) as u32, value: Value::Fire }
         })
         .collect()
 }

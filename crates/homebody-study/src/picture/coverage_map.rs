@@ -44,7 +44,7 @@ pub fn coverage_map(home: &HomeFile, coverage: &Coverage, beams: &[(usize, Point
     layers::walls(&mut sheet, home, &plan);
     sheet.dimensions(layers::ways_in_on_west(home, &plan));
     layers::doors(&mut sheet, home, &plan);
-    layers::sensors(&mut sheet, home);
+    layers::sensors(&mut sheet, home, &plan);
     dead_zone_numbers(&mut sheet, coverage);
     layers::names(&mut sheet, home, &plan, Type { halo: true, ..Type::new(12.0, INK) });
     counts(&mut sheet, coverage);

@@ -25,7 +25,7 @@ pub fn floor_plan(home: &HomeFile) -> String {
     layers::walls(&mut sheet, home, &plan);
     sheet.dimensions(layers::ways_in_on_west(home, &plan));
     layers::doors(&mut sheet, home, &plan);
-    layers::sensors(&mut sheet, home);
+    layers::sensors(&mut sheet, home, &plan);
     layers::names(&mut sheet, home, &plan, layers::FURNITURE_NAME);
     sheet.labels.draw(&mut sheet.svg);
 

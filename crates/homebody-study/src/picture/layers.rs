@@ -3,6 +3,7 @@
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::{Origin, Plan, furniture_outline, span_on_wall};
 use homebody_core::scenario::home::{DoorFile, HomeFile, SensorFile};
+use homebody_core::sensors::Sensor;
 
 use super::paint::{FLOOR, FURNITURE_EDGE, INK, MUTED, Paint, SENSOR, WALL, WHITE};
 use super::sheet::Sheet;
@@ -179,10 +180,10 @@ pub fn ceiling_areas(sheet: &mut Sheet, home: &HomeFile, fill: &str) {
     }
 }
 
-/// Wall sensors as triangles that point where they look, ceiling sensors as rings.
-pub fn sensors(sheet: &mut Sheet, home: &HomeFile) {
+/// Wall sensors as triangles that point where they look, ceiling sensors as rings, all others as squares.
+pub fn sensors(sheet: &mut Sheet, home: &HomeFile, plan: &Plan) {
     for sensor in &home.sensors {
-        let at = sheet.at(mounting(sensor));
+        let at = sheet.at(Sensor::new(sensor, plan).at);
         let bulk = match sensor {
             SensorFile::Motion(motion) => {
                 let triangle = dart(at, flipped(geometry::direction(motion.facing_deg)));
@@ -197,6 +198,13 @@ pub fn sensors(sheet: &mut Sheet, home: &HomeFile) {
                     svg.circle(at, 1.8, &Paint::fill(SENSOR));
                 });
                 geometry::thick_segment(at - Point::new(6.5, 0.0), at + Point::new(6.5, 0.0), 13.0)
+            }
+            _ => {
+                let (corner, size) = (at - Point::splat(4.0), Point::splat(8.0));
+                sheet.svg.group("sensor", sensor.name(), |svg| {
+                    svg.rectangle(corner, size, &Paint::fill(SENSOR).outlined(WHITE, 1.5));
+                });
+                geometry::thick_segment(at - Point::new(5.0, 0.0), at + Point::new(5.0, 0.0), 10.0)
             }
         };
         sheet.labels.solid.push(bulk);
@@ -221,10 +229,10 @@ pub fn names(sheet: &mut Sheet, home: &HomeFile, plan: &Plan, furniture: Type) {
         }
     }
     for sensor in &home.sensors {
-        let at = sheet.at(mounting(sensor));
+        let at = sheet.at(Sensor::new(sensor, plan).at);
         let facing_deg = match sensor {
             SensorFile::Motion(motion) => motion.facing_deg,
-            SensorFile::CeilingMotion(_) => 0.0,
+            _ => 0.0,
         };
         sheet.labels.beside(sensor.name(), at, facing_deg, SENSOR_NAME);
     }
@@ -245,6 +253,12 @@ pub fn explain(sheet: &mut Sheet, legend: &mut super::legend::Legend, home: &Hom
             let middle = (least + most) / 2.0;
             svg.rectangle(least, most - least, &Paint::line(SENSOR, 1.6).dashed("5 3"));
             svg.circle(middle, 4.5, &Paint::fill(WHITE).outlined(SENSOR, 2.0));
+        });
+    }
+    if home.sensors.iter().any(|sensor| sensor.on().is_some()) {
+        legend.entry(svg, "sensor on what it is named after", |svg, least, most| {
+            let middle = (least + most) / 2.0;
+            svg.rectangle(middle - Point::splat(4.0), Point::splat(8.0), &Paint::fill(SENSOR).outlined(WHITE, 1.5));
         });
     }
     if home.doors.iter().any(|door| door.open) {
@@ -280,14 +294,6 @@ pub fn explain(sheet: &mut Sheet, legend: &mut super::legend::Legend, home: &Hom
         legend.entry(svg, "furniture that people get on or into", |svg, least, most| {
             svg.rectangle(least, most - least, &ENTERABLE);
         });
-    }
-}
-
-/// Where a sensor's mark goes.
-pub fn mounting(sensor: &SensorFile) -> Point {
-    match sensor {
-        SensorFile::Motion(motion) => geometry::point(motion.at),
-        SensorFile::CeilingMotion(ceiling) => geometry::inner_point(&corners(&ceiling.area)),
     }
 }
 

@@ -114,7 +114,7 @@ fn act(
     files.insert(path_name.clone(), serde_json::to_string_pretty(&path).expect("a path has only text and numbers"));
     let scenario = Scenario::load(&files, entry)?;
 
-    let mut lived = Run::new(&scenario, seed, micros(run.end_s() - run.begin_s()));
+    let mut lived = Run::new(&scenario, &(), seed, micros(run.end_s() - run.begin_s()));
     let (mut events, mut firings) = (Events::default(), Vec::new());
     while lived.now() < lived.length() {
         lived.advance(lived.now() + STEP, &mut events);

@@ -59,6 +59,7 @@ pub fn sees(home: &HomeFile, plan: &Plan, p: Point) -> u128 {
             let area: Vec<Point> = ceiling.area.iter().map(|&at| point(at)).collect();
             homebody_core::geometry::contains(&area, p)
         }
+        _ => false,
     });
     seen.map(|(index, _)| 1 << index).sum()
 }

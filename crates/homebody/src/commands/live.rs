@@ -107,12 +107,13 @@ impl Live<'_> {
     fn open(&self, places: &Places, run: &Run) -> Result<(Logger, Option<TruthLog>), Failure> {
         let sensors: Vec<String> = run.home().sensors.iter().map(|sensor| sensor.name.clone()).collect();
         let rooms: Vec<String> = run.home().plan.rooms.iter().map(|room| room.name.clone()).collect();
+        let things: Vec<String> = run.home().plan.things.iter().map(|thing| thing.name.clone()).collect();
         let residents: Vec<String> = self.scenario.residents.iter().map(|one| one.file.name.clone()).collect();
         let Scenario { file, logger, calendar, .. } = self.scenario;
         let info = RunInfo { id: 1, scenario: file.name.clone(), seed: self.recording.seed, version: VERSION.into() };
         let force = self.output.force;
         let log = Logger::open(&places.log, logger, &sensors, calendar, &info, force)?;
-        let names = Names { residents: &residents, rooms: &rooms, sensors: &sensors };
+        let names = Names { residents: &residents, rooms: &rooms, things: &things, sensors: &sensors };
         let truth = places.truth.as_ref();
         let truth = truth.map(|path| TruthLog::open(path, &places.log, logger, names, calendar, &info, force));
         Ok((log, truth.transpose()?))

@@ -28,7 +28,7 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let recording = self.recording()?;
         let scenario = recording.scenario()?;
-        let run = recording.run(&scenario);
+        let run = recording.run(&scenario, &());
         let sources = vec![self.recording];
         let live = Live { scenario: &scenario, recording, record: None, output: self.output, sources };
         live.live(run, &self.pace)

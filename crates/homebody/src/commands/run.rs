@@ -42,13 +42,14 @@ impl Arguments {
         let (scenario, entry) = folder::load(&self.scenario)?;
         let seed = self.seed.unwrap_or(scenario.file.seed);
         let length = self.length.unwrap_or_else(|| micros(scenario.file.days * 86_400.0));
-        let run = Run::new(&scenario, seed, length);
+        let run = Run::new(&scenario, &(), seed, length);
         let recording = Recording {
             version: env!("CARGO_PKG_VERSION").into(),
             entry,
             files: scenario.sources.clone(),
             seed,
             length_us: length,
+            without: Vec::new(),
             firings: 0,
             sha256: String::new(),
         };

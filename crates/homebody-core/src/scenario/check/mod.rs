@@ -40,6 +40,10 @@ impl Report<'_> {
         self.problems.push(self.source.problem(pointer, what, Some(hint.into())));
     }
 
+    fn problem(&mut self, pointer: &str, what: impl Into<String>, hint: Option<String>) {
+        self.problems.push(self.source.problem(pointer, what, hint));
+    }
+
     fn count(&self) -> usize {
         self.problems.len()
     }
