@@ -164,6 +164,18 @@ impl Mesh {
             && !self.borders.iter().any(|&(a, b)| geometry::segments_meet(from, to, a, b))
     }
 
+    /// The nearest point of anything that stops the body.
+    pub(super) fn nearest_obstacle(&self, p: Point) -> Option<Point> {
+        let sides = self.obstacles.iter().flat_map(|obstacle| geometry::sides(&obstacle.outline));
+        let nearest = sides.chain(self.borders.iter().copied()).map(|(a, b)| geometry::nearest_on_segment(p, a, b));
+        nearest.min_by(|a, b| a.distance_squared(p).total_cmp(&b.distance_squared(p)))
+    }
+
+    /// Whether the body can go straight from one free point to the other with its whole radius.
+    pub(super) fn is_clear_way(&self, from: Point, to: Point) -> bool {
+        self.grounds.first().is_some_and(|ground| self.is_clear(from, to, ground.clearance_m))
+    }
+
     fn path_over(&self, ground: &Ground, from: Point, to: Point) -> Option<Vec<Point>> {
         let (starts, ends) = (self.footings(ground, from), self.footings(ground, to));
         let pairs = starts.iter().flat_map(|start| ends.iter().map(move |end| (start, end)));

@@ -4,8 +4,9 @@
 pub mod mesh;
 pub mod routes;
 
-// What a way becomes when somebody walks it.
+// What a way becomes when somebody walks it, or wanders without one.
 pub mod gait;
+pub mod schemas;
 
 // What kind of travel it is.
 pub mod pattern;
@@ -17,3 +18,4 @@ pub use gait::{Gait, rise, sit, walk};
 pub use mesh::Mesh;
 pub use pattern::{Pattern, pattern_of};
 pub use routes::Routes;
+pub use schemas::{Wandering, wander};

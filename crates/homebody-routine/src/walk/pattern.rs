@@ -14,7 +14,7 @@ pub enum Pattern {
 }
 
 /// A return after more places than this is no lap (ours).
-const LONGEST_LAP: usize = 6;
+pub(super) const LONGEST_LAP: usize = 6;
 
 /// The pattern of a sequence of places or rooms.
 ///
