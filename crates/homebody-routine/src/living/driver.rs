@@ -59,8 +59,6 @@ struct Playing {
     is_interrupted: bool,
     /// Whether the stay's next move is a movement.
     stirs: bool,
-    /// What the day's plan calls it; needs and what fills the time have none.
-    over: Option<Micros>,
 }
 
 impl RoutineDriver {
@@ -144,6 +142,7 @@ impl RoutineDriver {
     /// What was interrupted for the script that has ended goes on.
     fn end_script(&mut self) {
         self.scripts.pop();
+        self.watches.leave_behind();
         if let Some(below) = self.scripts.last_mut() {
             below.is_interrupted = true;
         }
@@ -194,7 +193,8 @@ impl RoutineDriver {
 
     /// Puts a walk on its way: in the dark, the lamp of the room that is left goes off, that of the other on.
     fn lamps(&mut self, from: Option<usize>, to: Option<usize>, now: Micros, moves: Vec<Move>) {
-        let lamp = |room: Option<usize>| room.and_then(|room| self.places.thing_named(&self.home.plan.rooms[room].name));
+        let lamp =
+            |room: Option<usize>| room.and_then(|room| self.places.thing_named(&self.home.plan.rooms[room].name));
         let (off, on) = (lamp(from), lamp(to));
         let dark = self.home.sun.height(now) < DARK;
         if from != to && off.is_some_and(|lamp| self.watches.is_on(lamp)) {
@@ -225,7 +225,8 @@ impl RoutineDriver {
     /// Stays for as long as nothing ends it, one movement or rest after the other.
     fn stay(&mut self, now: Micros) {
         let interrupted_at = self.interrupted_at(now);
-        let next_start = self.agenda.items.get(self.next_item).map_or(self.agenda.bed, |item| item.start.min(self.agenda.bed));
+        let next_start =
+            self.agenda.items.get(self.next_item).map_or(self.agenda.bed, |item| item.start.min(self.agenda.bed));
         let active = self.activity(now);
         let Some(playing) = self.scripts.last_mut() else { return };
         let Some(Step::Stay(stay)) = playing.steps.front_mut() else { return };
@@ -328,7 +329,14 @@ impl RoutineDriver {
         match response {
             Response::Turn { thing, on } => {
                 let Some(index) = self.places.thing_named(&thing) else { return };
-                self.begin(&Activity::Other(format!("turning_{}_{thing}", if on { "on" } else { "off" })), None, 0, None, "rule", now);
+                self.begin(
+                    &Activity::Other(format!("turning_{}_{thing}", if on { "on" } else { "off" })),
+                    None,
+                    0,
+                    None,
+                    "rule",
+                    now,
+                );
                 let at = self.places.named(&thing).cloned();
                 if let Some(playing) = self.scripts.last_mut() {
                     playing.steps.truncate(1);
@@ -340,7 +348,10 @@ impl RoutineDriver {
                 let key = format!("rule/{}", self.begun);
                 let mut stream = self.life.stream_of_day(self.agenda.day, &key);
                 let (median_min, sigma) = activity.usual_minutes();
-                let lasts_s = lasts.map_or_else(|| stream.lognormal(median_min * 60.0, sigma), |lasts| lasts.draw(&mut stream));
+                let lasts_s = match lasts {
+                    Some(lasts) => lasts.draw(&mut stream),
+                    None => stream.lognormal(median_min * 60.0, sigma),
+                };
                 let place = place.and_then(|place| self.places.named(&place).cloned());
                 self.begin(&activity, place.as_ref(), micros(lasts_s), None, &key, now);
             }
@@ -348,7 +359,15 @@ impl RoutineDriver {
     }
 
     /// Begins a script on top of what goes on.
-    fn begin(&mut self, activity: &Activity, place: Option<&Spot>, lasts: Micros, until: Option<Micros>, key: &str, _now: Micros) {
+    fn begin(
+        &mut self,
+        activity: &Activity,
+        place: Option<&Spot>,
+        lasts: Micros,
+        until: Option<Micros>,
+        key: &str,
+        _now: Micros,
+    ) {
         let mut stream = self.life.stream_of_day(self.agenda.day, &format!("{key}/doing"));
         let stove = self.places.thing(Role::Stove);
         let forgotten = stove.filter(|&stove| {
@@ -371,7 +390,7 @@ impl RoutineDriver {
         if let Some(below) = self.scripts.last_mut() {
             below.spot = below.spot.take().or(here);
         }
-        self.scripts.push(Playing { steps, stream, name, spot, is_interrupted: false, stirs: true, over: None });
+        self.scripts.push(Playing { steps, stream, name, spot, is_interrupted: false, stirs: true });
     }
 
     /// Nothing is being done: what is next?
@@ -417,7 +436,13 @@ impl RoutineDriver {
         let activity = &fillers[stream.pick(&weights)];
         if gap < 3 * MINUTE {
             let posture = self.body.posture();
-            let stay = Stay { posture, manner: Manner::STILL, left: gap.max(SECOND), until: Some(until.max(now + SECOND)), may: May::Interrupt };
+            let stay = Stay {
+                posture,
+                manner: Manner::STILL,
+                left: gap.max(SECOND),
+                until: Some(until.max(now + SECOND)),
+                may: May::Interrupt,
+            };
             let steps = [Step::Name(Activity::Relax.name()), Step::Stay(stay)];
             return self.play(steps.into(), stream, Activity::Relax.name());
         }
@@ -449,14 +474,22 @@ impl RoutineDriver {
         let mut stream = self.life.stream_of_day(self.agenda.day, "night");
         let tomorrow = self.agenda.day + 1;
         let up = super::agenda::up(&self.life, tomorrow, &self.life.mood(tomorrow)).max(now + MINUTE);
-        let stay = |manner, left, until| Step::Stay(Stay { posture: Posture::Lying, manner, left, until, may: May::Interrupt });
+        let stay = |manner, left, until| {
+            Step::Stay(Stay { posture: Posture::Lying, manner, left, until, may: May::Interrupt })
+        };
         let mut steps = VecDeque::new();
         let mut asleep = now;
         if !already {
             steps.push_back(Step::Name(Activity::GoToBed.name()));
             steps.extend(self.places.of(Role::Bed).cloned().map(Step::Go));
             let sitting = micros(stream.lognormal(75.0, 0.4));
-            let turning = Stay { posture: Posture::Sitting, manner: Manner::TURNING, left: sitting, until: Some(up), may: May::Nothing };
+            let turning = Stay {
+                posture: Posture::Sitting,
+                manner: Manner::TURNING,
+                left: sitting,
+                until: Some(up),
+                may: May::Nothing,
+            };
             steps.push_back(Step::Stay(turning));
             steps.push_back(Step::LieDown);
             // Falling asleep takes 19.7 (SD 11) minutes (polysomnography at 73.9 years).
@@ -528,7 +561,7 @@ impl RoutineDriver {
             Met::Hunger => NeedKind::Hunger,
             Met::Tiredness => NeedKind::Tiredness,
         };
-        let before = self.needs.meet(kind, now, &self.life);
+        let before = self.needs.meet(kind, now);
         self.ready.push_back(Next::Need(kind, before));
         self.ready.push_back(Next::Need(kind, 0.0));
     }
@@ -537,7 +570,8 @@ impl RoutineDriver {
     fn await_visit(&mut self, now: Micros) {
         let name = self.visitor.clone();
         for _ in 0..400 {
-            let visit = self.agenda.items.iter().skip(self.next_item).position(|item| item.visitor == name && item.start > now);
+            let visit =
+                self.agenda.items.iter().skip(self.next_item).position(|item| item.visitor == name && item.start > now);
             if let Some(visit) = visit {
                 self.next_item += visit + 1;
                 return self.come_to_visit(self.next_item - 1, now);
@@ -558,7 +592,8 @@ impl RoutineDriver {
         if let Some(door) = &door {
             self.body.place(door.clone(), Posture::Standing);
         }
-        let talk = |posture, left| Step::Stay(Stay { posture, manner: Manner::TALKING, left, until: None, may: May::Nothing });
+        let talk =
+            |posture, left| Step::Stay(Stay { posture, manner: Manner::TALKING, left, until: None, may: May::Nothing });
         let mut steps = VecDeque::from([Step::Away { lasts: 0, until: Some(item.start + 20 * SECOND) }]);
         steps.push_back(Step::Name("visiting".into()));
         steps.push_back(talk(Posture::Standing, 40 * SECOND));

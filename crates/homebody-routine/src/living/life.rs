@@ -190,7 +190,11 @@ impl Life {
         };
         let left = match phase.until.map(day_of) {
             Some(until) if day > until => {
-                if phase.fading_days > 0.0 { (1.0 - (day - until) / phase.fading_days).max(0.0) } else { 0.0 }
+                if phase.fading_days > 0.0 {
+                    (1.0 - (day - until) / phase.fading_days).max(0.0)
+                } else {
+                    0.0
+                }
             }
             _ => 1.0,
         };
@@ -236,7 +240,8 @@ impl Life {
                 if full > 0.0 {
                     let key = format!("change/{}:{}", source.routine.file, change.said.line);
                     let share = self.stream(&key).unit();
-                    let weeks = change.phase.from.map_or(f64::from(day), |from| f64::from(day - self.day_of(from))) / 7.0;
+                    let weeks =
+                        change.phase.from.map_or(f64::from(day), |from| f64::from(day - self.day_of(from))) / 7.0;
                     mood.change(&change.effect, full, share, weeks);
                 }
             }
@@ -291,7 +296,9 @@ impl Mood {
             // In metres a second of somebody who walks at the mean pace at home.
             Effect::PaceEachWeek(by) => self.pace = (self.pace + amount(by) * weeks.max(0.0) / 0.65).max(0.2),
             Effect::Later { activity, by } => *self.later_s.entry(activity.clone()).or_default() += amount(by),
-            Effect::Longer { activity, factor: by } => *self.longer.entry(activity.clone()).or_insert(1.0) *= factor(by),
+            Effect::Longer { activity, factor: by } => {
+                *self.longer.entry(activity.clone()).or_insert(1.0) *= factor(by)
+            }
             Effect::LongerBy { activity, by } => *self.longer_s.entry(activity.clone()).or_default() += amount(by),
             Effect::Oftener { activity, part, factor: by } => self.oftener.push((activity.clone(), *part, factor(by))),
             Effect::Skips { activity, chance } => {
@@ -301,7 +308,9 @@ impl Mood {
             Effect::Irregular(by) => self.irregular *= factor(by),
             Effect::Active { part, factor: by } => self.active.push((*part, factor(by))),
             Effect::Restless(by) => self.restless *= factor(by),
-            Effect::Forgets { thing, chance } => self.forgets.push((thing.to_lowercase(), (chance * strength).min(1.0))),
+            Effect::Forgets { thing, chance } => {
+                self.forgets.push((thing.to_lowercase(), (chance * strength).min(1.0)))
+            }
             Effect::Pulse(by) => self.pulse += amount(by),
             Effect::Respiration(by) => self.respiration += amount(by),
         }
@@ -343,7 +352,9 @@ impl Mood {
 
     /// How likely a thing stays on after its use.
     pub fn forgets(&self, thing: &str) -> f64 {
-        self.forgets.iter().filter(|(of, _)| of == thing).fold(0.0, |chance, (_, more)| 1.0 - (1.0 - chance) * (1.0 - more))
+        self.forgets
+            .iter()
+            .filter(|(of, _)| of == thing)
+            .fold(0.0, |chance, (_, more)| 1.0 - (1.0 - chance) * (1.0 - more))
     }
 }
-

@@ -52,20 +52,25 @@ impl Role {
             Role::Toilet => (&["toilet", "wc", "lavatory", "loo", "bathroom"], &[]),
             Role::Washbasin => (&["washbasin", "basin", "bathroom sink", "bathroom"], &[Role::Toilet]),
             Role::Shower => (&["shower", "bathtub", "bath", "bath tub", "bathroom"], &[Role::Washbasin]),
-            Role::Wardrobe => (&["wardrobe", "closet", "dresser", "chest of drawers", "bedside", "bedroom"], &[Role::Bed]),
+            Role::Wardrobe => {
+                (&["wardrobe", "closet", "dresser", "chest of drawers", "bedside", "bedroom"], &[Role::Bed])
+            }
             Role::Fridge => (&["fridge", "refrigerator", "freezer", "kitchen"], &[]),
             Role::Stove => (&["stove", "cooker", "oven", "hob", "kettle", "kitchen"], &[]),
             Role::Counter => (&["counter", "kitchen counter", "worktop", "kitchen table", "kitchen"], &[Role::Stove]),
             Role::Sink => (&["sink", "kitchen sink", "kitchen"], &[Role::Counter]),
-            Role::Drawers => (&["drawers", "drawer", "cupboard", "kitchen drawers", "cabinet", "kitchen"], &[Role::Counter]),
+            Role::Drawers => {
+                (&["drawers", "drawer", "cupboard", "kitchen drawers", "cabinet", "kitchen"], &[Role::Counter])
+            }
             Role::Medicine => (&["medicine cabinet", "medicine", "pill box"], &[Role::Counter, Role::Washbasin]),
             Role::DiningSeat => (
                 &["dining chair", "kitchen chair", "chair", "dining table", "kitchen table", "dining room"],
                 &[Role::Armchair],
             ),
-            Role::Armchair => {
-                (&["armchair", "recliner", "easy chair", "rocking chair", "living room"], &[Role::Sofa, Role::DiningSeat])
-            }
+            Role::Armchair => (
+                &["armchair", "recliner", "easy chair", "rocking chair", "living room"],
+                &[Role::Sofa, Role::DiningSeat],
+            ),
             Role::Sofa => (&["sofa", "couch", "settee"], &[Role::Armchair]),
             Role::GuestSeat => (&["guest chair", "second armchair", "sofa", "couch", "settee"], &[Role::DiningSeat]),
             Role::Television => (&["tv", "television", "tv bench", "tv set", "tv stand"], &[]),
@@ -119,7 +124,12 @@ impl Places {
             let solid = plan.solids.iter().find(|solid| solid.origin == Origin::Furniture(index));
             if let (false, Some(solid)) = (known, solid) {
                 let at = geometry::inner_point(&solid.outline);
-                spots.push(Spot { name: piece.name.to_lowercase(), at, posture: Posture::Standing, room: plan.room_at(at) });
+                spots.push(Spot {
+                    name: piece.name.to_lowercase(),
+                    at,
+                    posture: Posture::Standing,
+                    room: plan.room_at(at),
+                });
             }
         }
         let things = plan.things.iter().map(|thing| thing.name.to_lowercase()).collect();
@@ -146,7 +156,8 @@ impl Places {
         }
         let (names, instead) = role.names();
         let own = names.iter().find_map(|name| self.spot(&format!("{} {name}", self.whose)));
-        own.or_else(|| names.iter().find_map(|name| self.spot(name))).or_else(|| instead.iter().find_map(|&role| self.of(role)))
+        own.or_else(|| names.iter().find_map(|name| self.spot(name)))
+            .or_else(|| instead.iter().find_map(|&role| self.of(role)))
     }
 
     /// The thing of a role, to turn on or open.
@@ -185,10 +196,16 @@ impl Places {
         let (names, _) = Role::FrontDoor.names();
         let outside = home.doors.iter().position(|door| door.outside);
         let place = names.iter().find_map(|name| self.spot(name)).cloned();
-        let thing = outside.or_else(|| names.iter().find_map(|name| self.things.iter().position(|thing| thing == name)));
+        let thing =
+            outside.or_else(|| names.iter().find_map(|name| self.things.iter().position(|thing| thing == name)));
         let at_door = || {
             let door = &plan.things[outside?];
-            Some(Spot { name: door.name.to_lowercase(), at: door.at, posture: Posture::Standing, room: plan.room_at(door.at) })
+            Some(Spot {
+                name: door.name.to_lowercase(),
+                at: door.at,
+                posture: Posture::Standing,
+                room: plan.room_at(door.at),
+            })
         };
         place.or_else(at_door).map(|spot| (spot, thing))
     }
@@ -203,7 +220,8 @@ impl Places {
         if !stations.is_empty() {
             return stations;
         }
-        let rooms = self.spots.iter().filter(|spot| home.rooms.iter().any(|room| room.name.to_lowercase() == spot.name));
+        let rooms =
+            self.spots.iter().filter(|spot| home.rooms.iter().any(|room| room.name.to_lowercase() == spot.name));
         rooms.cloned().collect()
     }
 }

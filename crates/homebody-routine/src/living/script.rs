@@ -20,9 +20,15 @@ pub enum Step {
     Act(u32, bool),
     Stay(Stay),
     /// Out of the home for so long, or until then.
-    Away { lasts: Micros, until: Option<Micros> },
+    Away {
+        lasts: Micros,
+        until: Option<Micros>,
+    },
     /// Through the home without a goal, or to and fro.
-    Wander { kind: Wandering, lasts: Micros },
+    Wander {
+        kind: Wandering,
+        lasts: Micros,
+    },
     /// The clothes of the night, or of the day: heart and lungs are told anew.
     LieDown,
     /// A need is met.
@@ -79,7 +85,13 @@ struct Steps<'a, 'b> {
 }
 
 /// The steps of an activity that lasts so long in all, at a place that was said or where it is usually done.
-pub fn script(activity: &Activity, place: Option<&Spot>, lasts: Micros, until: Option<Micros>, setting: &mut Setting) -> VecDeque<Step> {
+pub fn script(
+    activity: &Activity,
+    place: Option<&Spot>,
+    lasts: Micros,
+    until: Option<Micros>,
+    setting: &mut Setting,
+) -> VecDeque<Step> {
     let mut steps = Steps { steps: VecDeque::new(), setting };
     steps.push(Step::Name(activity.name()));
     steps.act_out(activity, place, lasts, until);
@@ -89,7 +101,9 @@ pub fn script(activity: &Activity, place: Option<&Spot>, lasts: Micros, until: O
 impl Steps<'_, '_> {
     fn act_out(&mut self, activity: &Activity, place: Option<&Spot>, lasts: Micros, until: Option<Micros>) {
         match activity {
-            Activity::GetUp => self.stay(Posture::Sitting, Manner::TURNING, micros(seconds(lasts).clamp(30.0, 600.0)), May::Nothing),
+            Activity::GetUp => {
+                self.stay(Posture::Sitting, Manner::TURNING, micros(seconds(lasts).clamp(30.0, 600.0)), May::Nothing)
+            }
             Activity::UseBathroom => self.use_bathroom(lasts),
             Activity::Shower => self.shower(place, lasts),
             Activity::Wash => self.with_water(Role::Washbasin, place, lasts, Manner::WASHING),
@@ -226,7 +240,8 @@ impl Steps<'_, '_> {
         }
         while left > 0 {
             // Most of the time at the stove or the counter.
-            let roles = [if hot { Role::Stove } else { Role::Counter }, Role::Counter, Role::Sink, Role::Fridge, Role::Drawers];
+            let roles =
+                [if hot { Role::Stove } else { Role::Counter }, Role::Counter, Role::Sink, Role::Fridge, Role::Drawers];
             let role = roles[self.setting.stream.pick(&[0.45, 0.25, 0.12, 0.09, 0.09])];
             left -= self.station(role, left);
         }
