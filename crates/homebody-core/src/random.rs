@@ -27,7 +27,111 @@ impl Stream {
         let values = (range.most - range.least + 1) as u128;
         range.least + ((self.0.next_u64() as u128 * values) >> 64) as Micros
     }
+
+    /// A number from 0 up to, but not including, 1, in steps of 2^-53. Draws one value.
+    pub fn unit(&mut self) -> f64 {
+        (self.0.next_u64() >> 11) as f64 * UNIT_STEP
+    }
+
+    /// True with this probability; never for 0 or less, always for 1 or more. Draws one value in any case.
+    pub fn chance(&mut self, probability: f64) -> bool {
+        self.unit() < probability
+    }
+
+    /// A number between `least` and `most`, every one equally likely. Draws one value.
+    pub fn between(&mut self, least: f64, most: f64) -> f64 {
+        least + (most - least) * self.unit()
+    }
+
+    /// A number of the normal distribution, by Box & Muller (1958). Draws two values.
+    pub fn normal(&mut self, mean: f64, sd: f64) -> f64 {
+        // Not 0, whose logarithm is infinite; so no number is further out than 8.6 standard deviations.
+        let away = 1.0 - self.unit();
+        let turn = self.unit();
+        mean + sd * libm::sqrt(-2.0 * libm::log(away)) * libm::cos(std::f64::consts::TAU * turn)
+    }
+
+    /// A number whose logarithm is normal with this standard deviation, half of them below the median. Draws two values.
+    ///
+    /// The mean is median * exp(sigma^2 / 2), and the standard deviation mean * sqrt(exp(sigma^2) - 1).
+    pub fn lognormal(&mut self, median: f64, sigma: f64) -> f64 {
+        median * libm::exp(self.normal(0.0, sigma))
+    }
+
+    /// A number of the gamma distribution of this shape (above 0) and mean, whose standard deviation is
+    /// mean / sqrt(shape); by Marsaglia & Tsang (2000). Draws four values as a rule, and never more than 97.
+    pub fn gamma(&mut self, shape: f64, mean: f64) -> f64 {
+        // A shape below 1 is drawn as that shape + 1, and made smaller.
+        let smaller = 1.0 - self.unit();
+        let (d, factor) = if shape < 1.0 {
+            (shape + 1.0 - 1.0 / 3.0, libm::pow(smaller, 1.0 / shape))
+        } else {
+            (shape - 1.0 / 3.0, 1.0)
+        };
+        let c = 1.0 / libm::sqrt(9.0 * d);
+        let mut drawn = 1.0;
+        for _ in 0..GAMMA_TRIES {
+            let x = self.normal(0.0, 1.0);
+            let v = 1.0 + c * x;
+            let cube = v * v * v;
+            let accepting = 1.0 - self.unit();
+            if v > 0.0 && libm::log(accepting) < 0.5 * x * x + d * (1.0 - cube + libm::log(cube)) {
+                drawn = cube;
+                break;
+            }
+        }
+        d * drawn * factor * mean / shape
+    }
+
+    /// How often something happens that happens `mean` times on average; 0 for a mean of 0 or less. Draws one value up to
+    /// a mean of 256, by inversion; beyond, where the normal distribution of the same mean and variance stands in, two.
+    pub fn poisson(&mut self, mean: f64) -> u32 {
+        if mean > POISSON_BY_INVERSION {
+            return libm::round(self.normal(mean, libm::sqrt(mean))).max(0.0) as u32;
+        }
+        let drawn = self.unit();
+        let mut count = 0;
+        let mut share = libm::exp(-mean.max(0.0));
+        let mut up_to = share;
+        while drawn >= up_to {
+            count += 1;
+            share *= mean / f64::from(count);
+            // The shares have become too small to add to the sum, which rounding has left below 1.
+            if f64::from(count) > mean && up_to + share == up_to {
+                break;
+            }
+            up_to += share;
+        }
+        count
+    }
+
+    /// An index, each as likely as its weight says; weights below 0 count as 0. Draws one value.
+    ///
+    /// If no weight is above 0, it is 0.
+    pub fn pick(&mut self, weights: &[f64]) -> usize {
+        let positive = || weights.iter().map(|weight| weight.max(0.0));
+        let mut left = self.unit() * positive().sum::<f64>();
+        let mut picked = 0;
+        for (index, weight) in positive().enumerate().filter(|(_, weight)| *weight > 0.0) {
+            // Rounding may leave a rest after the last one.
+            picked = index;
+            if left < weight {
+                break;
+            }
+            left -= weight;
+        }
+        picked
+    }
 }
+
+/// 2^-53: the distance of the numbers just below 1.
+const UNIT_STEP: f64 = 1.0 / (1u64 << 53) as f64;
+
+/// Of a try, more than 19 in 20 are accepted, so that the last is never reached (ours).
+const GAMMA_TRIES: u32 = 32;
+
+/// Above this mean a Poisson distribution is normal to within a skewness of 1/16 (ours).
+const POISSON_BY_INVERSION: f64 = 256.0;
 
 /// A range of spans.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,6 +159,122 @@ mod tests {
             counts[stream.span(Range { least: 10, most: 14 }) as usize - 10] += 1;
         }
         assert!(counts.iter().all(|&count| (9_500..10_500).contains(&count)), "{counts:?}");
+    }
+
+    /// Mean, standard deviation and skewness of many draws.
+    fn moments(mut draw: impl FnMut(&mut Stream) -> f64) -> [f64; 3] {
+        let mut stream = Stream::named(11, "moments");
+        let drawn: Vec<f64> = (0..100_000).map(|_| draw(&mut stream)).collect();
+        let mean_of = |of: &dyn Fn(f64) -> f64| drawn.iter().map(|&x| of(x)).sum::<f64>() / drawn.len() as f64;
+        let mean = mean_of(&|x| x);
+        let sd = mean_of(&|x| (x - mean) * (x - mean)).sqrt();
+        [mean, sd, mean_of(&|x| libm::pow((x - mean) / sd, 3.0))]
+    }
+
+    /// How many raw values a draw takes.
+    fn values<T>(draw: impl Fn(&mut Stream) -> T) -> usize {
+        let (mut drawn, mut counted) = (Stream::named(5, "values"), Stream::named(5, "values"));
+        draw(&mut drawn);
+        let mut count = 0;
+        while counted != drawn {
+            counted.unit();
+            count += 1;
+            assert!(count < 200, "it draws without end");
+        }
+        count
+    }
+
+    fn assert_near(found: [f64; 3], expected: [f64; 3], tolerance: f64) {
+        let is_near = found.iter().zip(expected).all(|(found, expected)| (found - expected).abs() <= tolerance);
+        assert!(is_near, "{found:?} instead of {expected:?}");
+    }
+
+    #[test]
+    fn evenly_spread_numbers_have_their_moments_and_keep_in_their_range() {
+        assert_near(moments(Stream::unit), [0.5, 1.0 / 12.0_f64.sqrt(), 0.0], 0.01);
+        assert_near(moments(|stream| stream.between(-3.0, 9.0)), [3.0, 12.0_f64.sqrt(), 0.0], 0.05);
+        let mut stream = Stream::named(2, "range");
+        assert!((0..100_000).all(|_| (0.0..1.0).contains(&stream.unit())));
+    }
+
+    #[test]
+    fn a_chance_comes_as_often_as_it_says() {
+        let often = |probability| moments(|stream| f64::from(u8::from(stream.chance(probability))))[0];
+        assert!((often(0.3) - 0.3).abs() < 0.005);
+        assert_eq!([often(0.0), often(-1.0), often(1.0), often(f64::NAN)], [0.0, 0.0, 1.0, 0.0]);
+    }
+
+    #[test]
+    fn normal_and_lognormal_numbers_have_their_moments() {
+        assert_near(moments(|stream| stream.normal(5.0, 2.0)), [5.0, 2.0, 0.0], 0.03);
+        // exp(0.02), times sqrt(exp(0.04) - 1); the skewness is (exp(0.04) + 2) times that root.
+        assert_near(moments(|stream| stream.lognormal(1.0, 0.2)), [1.0202, 0.2061, 0.6143], 0.03);
+        let mut stream = Stream::named(3, "median");
+        let below = (0..100_000).filter(|_| stream.lognormal(0.65, 0.5) < 0.65).count();
+        assert!((49_000..51_000).contains(&below), "{below}");
+    }
+
+    #[test]
+    fn gamma_numbers_have_their_moments() {
+        for shape in [0.5_f64, 1.0, 3.0, 40.0] {
+            let skewness = 2.0 / shape.sqrt();
+            assert_near(moments(|stream| stream.gamma(shape, 2.0)), [2.0, 2.0 / shape.sqrt(), skewness], 0.1);
+        }
+    }
+
+    #[test]
+    fn poisson_numbers_have_their_moments() {
+        for mean in [0.01_f64, 0.7, 4.0, 30.0, 255.0, 400.0] {
+            let [found, sd, _] = moments(|stream| f64::from(stream.poisson(mean)));
+            assert!((found - mean).abs() < 0.02 * mean.sqrt(), "{found} instead of {mean}");
+            assert!((sd / mean.sqrt() - 1.0).abs() < 0.05, "{sd} instead of {}", mean.sqrt());
+        }
+        let mut stream = Stream::named(4, "none");
+        assert_eq!([0.0, -1.0, f64::NAN].map(|mean| stream.poisson(mean)), [0, 0, 0]);
+    }
+
+    #[test]
+    fn picks_follow_their_weights() {
+        let mut counts = [0; 4];
+        let mut stream = Stream::named(6, "picks");
+        for _ in 0..60_000 {
+            counts[stream.pick(&[1.0, 0.0, 3.0, 2.0])] += 1;
+        }
+        for (count, expected) in counts.into_iter().zip([10_000, 0, 30_000, 20_000_i32]) {
+            assert!((count - expected).abs() < 600 && (expected > 0 || count == 0), "{counts:?}");
+        }
+        assert_eq!([stream.pick(&[]), stream.pick(&[0.0, -1.0]), stream.pick(&[-1.0, 0.0, 2.0])], [0, 0, 2]);
+    }
+
+    #[test]
+    fn draws_take_as_many_values_as_they_say() {
+        let of_one: [fn(&mut Stream) -> f64; 5] = [
+            |stream| stream.unit(),
+            |stream| f64::from(u8::from(stream.chance(0.0))),
+            |stream| stream.between(1.0, 1.0),
+            |stream| f64::from(stream.poisson(200.0)),
+            |stream| stream.pick(&[0.0]) as f64,
+        ];
+        assert_eq!(of_one.map(values), [1; 5]);
+        let of_two: [fn(&mut Stream) -> f64; 3] = [
+            |stream| stream.normal(0.0, 1.0),
+            |stream| stream.lognormal(1.0, 1.0),
+            |stream| f64::from(stream.poisson(300.0)),
+        ];
+        assert_eq!(of_two.map(values), [2; 3]);
+        assert_eq!(values(|stream| stream.gamma(3.0, 1.0)), 4);
+    }
+
+    /// A change of method, or of how many values it draws, changes every log made with it.
+    #[test]
+    fn a_stream_draws_what_it_always_drew() {
+        let mut stream = Stream::named(1, "always");
+        let drawn = [stream.unit(), stream.normal(0.0, 1.0), stream.lognormal(1.0, 0.5), stream.gamma(0.7, 2.0)];
+        assert_eq!(
+            drawn.map(|number| libm::round(number * 1e9) as i64),
+            [790_033_040, 462_250_241, 523_572_490, 1_637_024_423]
+        );
+        assert_eq!((stream.poisson(20.0), stream.pick(&[1.0, 2.0, 3.0]), stream.chance(0.5)), (15, 1, true));
     }
 
     #[test]
