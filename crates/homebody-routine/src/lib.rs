@@ -6,5 +6,8 @@
 pub mod fuzzy;
 pub mod routine;
 
+// How text becomes a routine.
+pub mod language;
+
 // How a body gets from place to place: paths with clearance, gait, and what disturbs both.
 pub mod walk;
