@@ -6,8 +6,12 @@
 pub mod fuzzy;
 pub mod routine;
 
-// The living of it.
+// How text becomes a routine.
+pub mod language;
+
+// The living of it, and everybody of a scenario who does.
 pub mod living;
+pub mod household;
 
 // How a body gets from place to place: paths with clearance, gait, and what disturbs both.
 pub mod walk;
