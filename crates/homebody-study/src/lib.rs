@@ -5,6 +5,10 @@
 /// Where in a home the sensors see, from the very fields that make the data.
 pub mod coverage;
 
+/// Dates on the clock on the wall, and which rows of a log are signs of somebody.
+pub mod dates;
+pub mod signs;
+
 /// How alike two logs are.
 pub mod compare;
 
@@ -14,3 +18,6 @@ pub mod sphere;
 
 /// Floor plans, maps and charts.
 pub mod picture;
+
+#[cfg(test)]
+mod sample;
