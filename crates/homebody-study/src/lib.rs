@@ -12,6 +12,9 @@ pub mod signs;
 /// How alike two logs are.
 pub mod compare;
 
+/// How much somebody moved in each hour of each day, and when nobody was at home.
+pub mod density;
+
 /// What was measured in the real world, done again.
 pub mod godsey2009;
 pub mod sphere;
