@@ -15,6 +15,10 @@ pub mod compare;
 /// How much somebody moved in each hour of each day, and when nobody was at home.
 pub mod density;
 
+/// One day: what sensors said, and what residents did.
+pub mod activity_kind;
+pub mod day;
+
 /// What was measured in the real world, done again.
 pub mod godsey2009;
 pub mod sphere;
