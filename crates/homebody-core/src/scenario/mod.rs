@@ -11,7 +11,7 @@ pub mod home;
 pub mod input;
 pub mod load;
 pub mod logger;
-mod nearest;
+pub mod nearest;
 pub mod path;
 pub mod resident;
 pub mod schema;
