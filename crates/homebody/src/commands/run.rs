@@ -63,7 +63,7 @@ impl Arguments {
 pub const LONGEST: Micros = 36_525 * 86_400 * SECOND;
 
 /// A span of time as people write it.
-fn span(text: &str) -> Result<Micros, String> {
+pub fn span(text: &str) -> Result<Micros, String> {
     let (number, unit) = text.split_at(text.trim_end_matches(|c: char| c.is_ascii_alphabetic()).len());
     let unit = match unit {
         "s" => 1.0,
@@ -76,7 +76,7 @@ fn span(text: &str) -> Result<Micros, String> {
     let number: f64 = number.parse().map_err(|_| "write one number with its unit: 90s, 15m, 2h, 7d or 52w")?;
     let span = micros(number * unit);
     let is_span = span > 0 && span <= LONGEST;
-    is_span.then_some(span).ok_or_else(|| "a run is longer than nothing and at most 100 years long".into())
+    is_span.then_some(span).ok_or_else(|| "it is longer than nothing and at most 100 years long".into())
 }
 
 #[cfg(test)]
