@@ -17,6 +17,7 @@ use std::sync::Arc;
 pub struct Run {
     world: World,
     residents: Vec<Resident>,
+    names: Vec<String>,
     length: Micros,
 }
 
@@ -75,18 +76,27 @@ impl Run {
             own.or_else(given).unwrap_or(Driver::Absent)
         });
         let drivers = drivers.collect();
-        Run::of(home, builds, drivers, seed, length)
+        let mut run = Run::of(home, builds, drivers, seed, length);
+        let names = scenario.residents.iter().map(|resident| resident.file.name.clone());
+        run.names = names.chain(guests.into_iter().map(|guest| guest.name)).collect();
+        run
     }
 
     /// A run of any drivers in a baked home.
     pub fn of(home: Arc<Home>, builds: Vec<Build>, drivers: Vec<Driver>, seed: u64, length: Micros) -> Run {
         let world = World::new(home, drivers.len(), seed);
         let resident = |(build, driver)| Resident { build, driver, until: 0, room: None, located: false };
-        Run { world, residents: builds.into_iter().zip(drivers).map(resident).collect(), length }
+        let names = (1..=drivers.len()).map(|number| format!("resident {number}")).collect();
+        Run { world, residents: builds.into_iter().zip(drivers).map(resident).collect(), names, length }
     }
 
     pub fn home(&self) -> &Home {
         self.world.home()
+    }
+
+    /// The names of the scenario's residents, then of those who come to visit.
+    pub fn names(&self) -> Vec<String> {
+        self.names.clone()
     }
 
     /// How far the run has come.

@@ -143,7 +143,8 @@ impl Household {
 
 impl Lives for Household {
     fn guests(&self) -> Vec<Guest> {
-        let name = |visitor: &Visitor| format!("{}'s {}", self.scenario.residents[visitor.host].file.name, visitor.name);
+        let name =
+            |visitor: &Visitor| format!("{}'s {}", self.scenario.residents[visitor.host].file.name, visitor.name);
         self.guests.iter().map(|visitor| Guest { name: name(visitor), build: Build::adult() }).collect()
     }
 
@@ -164,7 +165,7 @@ impl Lives for Household {
         let own = self.body(body, home, life.pace_mps);
         match kind {
             Kind::Person => Some(Box::new(RoutineDriver::new(life, home.clone(), places, own))),
-            Kind::Cat | Kind::Dog => Some(Box::new(PetDriver::new(life, home.clone(), places, own))),
+            Kind::Cat | Kind::Dog => Some(Box::new(PetDriver::new(life, places, own))),
         }
     }
 }
@@ -187,6 +188,7 @@ fn known(scenario: &Scenario, plan: &Plan, person: Option<&str>, conditions: Vec
         things: plan.things.iter().map(|thing| thing.name.clone()).collect(),
         rooms: plan.rooms.iter().map(|room| room.name.clone()).collect(),
         conditions,
+        first_date: Some(scenario.calendar.date(0)),
     }
 }
 
@@ -227,7 +229,8 @@ impl Reader<'_> {
             let Effect::Shows { condition, .. } = &change.effect else { continue };
             if path.contains(condition) {
                 let what = format!("the conditions {} show each other in a circle", path.join(" and "));
-                let mut problem = Problem::of_file(&routine.file, what, Some("let one of them not show the other".into()));
+                let mut problem =
+                    Problem::of_file(&routine.file, what, Some("let one of them not show the other".into()));
                 (problem.line, problem.column) = (change.said.line, change.said.column);
                 self.problems.push(problem);
                 continue;
@@ -272,7 +275,12 @@ fn check_home(
         problems.push(problem);
     };
     let Some(bed) = places.of(Role::Bed) else {
-        return say(0, 0, "there is nowhere in this home to sleep".into(), "give it a piece of furniture \"bed\" that is enterable");
+        return say(
+            0,
+            0,
+            "there is nowhere in this home to sleep".into(),
+            "give it a piece of furniture \"bed\" that is enterable",
+        );
     };
     let is_person = routine.person.as_ref().is_none_or(|person| person.kind == Kind::Person);
     if is_person {
@@ -307,4 +315,3 @@ fn check_home(
         say(habit.said.line, habit.said.column, "there is no way out of this home".into(), hint);
     }
 }
-

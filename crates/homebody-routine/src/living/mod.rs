@@ -15,5 +15,6 @@ mod needs;
 mod watch;
 
 // Who carries it out.
-mod body;
+pub mod body;
 pub mod driver;
+pub mod pet;

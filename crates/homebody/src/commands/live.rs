@@ -108,7 +108,7 @@ impl Live<'_> {
         let sensors: Vec<String> = run.home().sensors.iter().map(|sensor| sensor.name.clone()).collect();
         let rooms: Vec<String> = run.home().plan.rooms.iter().map(|room| room.name.clone()).collect();
         let things: Vec<String> = run.home().plan.things.iter().map(|thing| thing.name.clone()).collect();
-        let residents: Vec<String> = self.scenario.residents.iter().map(|one| one.file.name.clone()).collect();
+        let residents = run.names();
         let Scenario { file, logger, calendar, .. } = self.scenario;
         let info = RunInfo { id: 1, scenario: file.name.clone(), seed: self.recording.seed, version: VERSION.into() };
         let force = self.output.force;

@@ -28,6 +28,11 @@ pub struct Arguments {
     /// The number all randomness comes from, instead of the scenario's
     #[arg(long)]
     seed: Option<u64>,
+    /// Leave out a condition that a routine shows; may be given several times
+    ///
+    /// All that the condition does not touch draws the same random numbers with it and without.
+    #[arg(long, value_name = "CONDITION")]
+    without: Vec<String>,
     #[command(flatten)]
     output: Output,
     /// Record what is needed to replay the run into this file
@@ -39,17 +44,17 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let (scenario, entry) = folder::load(&self.scenario)?;
+        let (scenario, entry, household) = folder::load_lives(&self.scenario, &self.without)?;
         let seed = self.seed.unwrap_or(scenario.file.seed);
         let length = self.length.unwrap_or_else(|| micros(scenario.file.days * 86_400.0));
-        let run = Run::new(&scenario, &(), seed, length);
+        let run = Run::new(&scenario, &household, seed, length);
         let recording = Recording {
             version: env!("CARGO_PKG_VERSION").into(),
             entry,
             files: scenario.sources.clone(),
             seed,
             length_us: length,
-            without: Vec::new(),
+            without: self.without,
             firings: 0,
             sha256: String::new(),
         };
