@@ -25,6 +25,7 @@ pub struct Household {
     routines: Vec<Option<Routine>>,
     conditions: BTreeMap<String, Routine>,
     guests: Vec<Visitor>,
+    is_one_of_many: bool,
 }
 
 /// Somebody who visits a resident.
@@ -95,9 +96,16 @@ impl Household {
         let mut conditions = reader.known;
         conditions.retain(|name, _| !without.contains(name));
         scenario.sources.extend(reader.sources);
-        let mut household = Household { scenario: scenario.clone(), routines, conditions, guests: Vec::new() };
+        let mut household =
+            Household { scenario: scenario.clone(), routines, conditions, guests: Vec::new(), is_one_of_many: false };
         household.guests = household.find_guests();
         Ok(household)
+    }
+
+    /// The same household as one of a cohort: everybody differs from what is written as people differ, each seed in its
+    /// own way.
+    pub fn one_of_many(&self) -> Household {
+        Household { is_one_of_many: true, ..self.clone() }
     }
 
     /// The routine of a resident, if they live by one.
@@ -120,7 +128,16 @@ impl Household {
             _ => language::condition("ordinary.routine", ORDINARY, &known(&self.scenario, &plan, None, Vec::new())),
         };
         let calendar = &self.scenario.calendar;
-        Some(Life::new(&file.name, seed, calendar, file.pace_mps, routine, ordinary, &self.conditions))
+        Some(Life::new(
+            &file.name,
+            seed,
+            calendar,
+            file.pace_mps,
+            routine,
+            ordinary,
+            &self.conditions,
+            self.is_one_of_many,
+        ))
     }
 
     fn find_guests(&self) -> Vec<Visitor> {

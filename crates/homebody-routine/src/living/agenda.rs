@@ -37,6 +37,13 @@ pub struct Item {
     pub latest: Micros,
 }
 
+impl Item {
+    /// Something that nobody planned, to be done at once.
+    pub fn now(key: String, activity: Activity, lasts: Micros) -> Item {
+        Item { key, activity, place: None, visitor: None, start: 0, lasts, until: None, latest: Micros::MAX }
+    }
+}
+
 /// An item whose start may hang on another's.
 struct Draft {
     item: Item,
@@ -79,7 +86,7 @@ impl Agenda {
 pub fn up(life: &Life, day: i32, mood: &Mood) -> Micros {
     let time = clock_of(life, day, mood, &Activity::GetUp).unwrap_or_else(|| {
         varied(&UP, life.stream_of_day(day, "up").unit(), mood.irregular) + mood.later_s(&Activity::GetUp)
-    });
+    }) + life.person.up_s;
     life.instant(day, time.clamp(2.0 * HOUR, 14.0 * HOUR))
 }
 
@@ -87,7 +94,7 @@ pub fn up(life: &Life, day: i32, mood: &Mood) -> Micros {
 fn bed(life: &Life, day: i32, mood: &Mood) -> Micros {
     let time = clock_of(life, day, mood, &Activity::GoToBed).unwrap_or_else(|| {
         varied(&BED, life.stream_of_day(day, "bed").unit(), mood.irregular) + mood.later_s(&Activity::GoToBed)
-    });
+    }) + life.person.bed_s;
     // Half past midnight is the end of the day before.
     let time = if time < 12.0 * HOUR { time + 24.0 * HOUR } else { time };
     life.instant(day, time.clamp(17.0 * HOUR, 28.0 * HOUR))
@@ -197,8 +204,8 @@ impl Planner<'_> {
                 stream.lognormal(median_min * MINUTE, sigma * mood.irregular.min(2.0))
             }
         };
-        let lasts = micros(mood.lasting_s(&activity, lasts_s).clamp(1.0, 20.0 * HOUR));
-        let later = micros(mood.later_s(&activity));
+        let lasts = micros((mood.lasting_s(&activity, lasts_s) * self.life.person.length).clamp(1.0, 20.0 * HOUR));
+        let later = micros(mood.later_s(&activity) + self.life.person.clock_s);
         let at = |time: f64| self.life.instant(self.day, time);
         let mut patience = 2.5 * HOUR;
         let (start, known) = match &habit.when {
@@ -234,7 +241,7 @@ impl Planner<'_> {
             When::Then => (0, Start::Then(before?)),
         };
         let until = habit.until.map(|until| at(varied(&until, share("until"), mood.irregular)));
-        let start = start + if matches!(known, Start::Known) { later } else { 0 };
+        let start = start.saturating_add(if matches!(known, Start::Known) { later } else { 0 });
         let item = Item {
             key,
             activity,

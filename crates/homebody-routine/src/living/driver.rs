@@ -40,6 +40,9 @@ pub struct RoutineDriver {
     scripts: Vec<Playing>,
     /// What comes next before anything is decided: the strides of a walk, facts.
     ready: VecDeque<Next>,
+    /// What is being done by name, as it was told, and as it is now: what takes no time is not told.
+    told: String,
+    name: String,
     needs: Needs,
     watches: Watches,
     /// How many scripts there have been today: each has random numbers of its own.
@@ -79,6 +82,8 @@ impl RoutineDriver {
             watches: Watches::new(&life, agenda.day),
             scripts: Vec::new(),
             ready: VecDeque::new(),
+            told: String::new(),
+            name: String::new(),
             begun: 0,
             visitor: None,
             needs,
@@ -106,10 +111,16 @@ impl RoutineDriver {
 
     fn step(&mut self, now: Micros) -> Next {
         loop {
-            if let Some(next) = self.ready.pop_front() {
-                if let Next::Move(next) = &next {
+            if let Some(next) = self.ready.front() {
+                if matches!(next, Next::Move(_) | Next::Act(_)) && self.told != self.name {
+                    self.told.clone_from(&self.name);
+                    return Next::Activity(Some(self.name.clone()));
+                }
+                if let Next::Move(next) = next {
                     self.body.follow(next);
                 }
+            }
+            if let Some(next) = self.ready.pop_front() {
                 return next;
             }
             let Some(playing) = self.scripts.last_mut() else {
@@ -120,12 +131,10 @@ impl RoutineDriver {
                 continue;
             };
             if std::mem::take(&mut playing.is_interrupted) {
-                let back = playing.spot.clone().map(Step::Go);
-                let name = Step::Name(playing.name.clone());
-                playing.steps.push_front(name);
-                if let Some(back) = back {
-                    playing.steps.push_front(back);
+                if let Some(back) = playing.spot.clone() {
+                    playing.steps.push_front(Step::Go(back));
                 }
+                playing.steps.push_front(Step::Name(playing.name.clone()));
             }
             match playing.steps.front() {
                 None => self.end_script(),
@@ -155,7 +164,7 @@ impl RoutineDriver {
                 if let Some(playing) = self.scripts.last_mut() {
                     playing.name.clone_from(&name);
                 }
-                self.ready.push_back(Next::Activity(Some(name)));
+                self.name = name;
             }
             Step::Go(spot) => self.go(spot, now),
             Step::Act(thing, on) => self.act(thing, on, now),
@@ -279,14 +288,16 @@ impl RoutineDriver {
     /// Does whatever presses now.
     fn interrupt(&mut self, now: Micros) {
         if let Some(response) = self.watches.due(now) {
-            return self.respond(response, now);
+            return self.respond(response);
         }
         if let Some(item) = self.agenda.breaks.get(self.next_break).cloned()
             && item.start <= now
         {
             self.next_break += 1;
-            if now <= item.latest {
-                self.break_in(&item, now);
+            // Nobody lies awake who is up.
+            let is_idle = item.activity == Activity::LieAwake && !self.needs.asleep();
+            if now <= item.latest && !is_idle {
+                self.begin(&item);
             }
             return;
         }
@@ -299,44 +310,16 @@ impl RoutineDriver {
                 ref activity => activity.usual_minutes(),
             };
             let lasts = self.mood.lasting_s(&activity, stream.lognormal(median_min * 60.0, sigma));
-            self.begin(&activity, None, micros(lasts), None, &key, now);
+            self.begin(&Item::now(key, activity, micros(lasts)));
         }
     }
 
-    /// Something that interrupts begins.
-    fn break_in(&mut self, item: &Item, now: Micros) {
-        if item.activity == Activity::LieAwake && !self.needs.asleep() {
-            return;
-        }
-        let place = item.place.as_deref().and_then(|place| self.places.named(place)).cloned();
-        self.begin(&item.activity, place.as_ref(), item.lasts, item.until, &item.key, now);
-        let at = match item.activity {
-            // One falls on the way somewhere.
-            Activity::Fall => {
-                let stations = self.places.stations();
-                let mut stream = self.life.stream_of_day(self.agenda.day, &format!("{}/where", item.key));
-                let index = (stream.unit() * stations.len() as f64) as usize;
-                stations.get(index).cloned().map(Step::Go)
-            }
-            _ => place.map(Step::Go),
-        };
-        if let Some((playing, at)) = self.scripts.last_mut().zip(at) {
-            playing.steps.push_front(at);
-        }
-    }
-
-    fn respond(&mut self, response: Response, now: Micros) {
+    fn respond(&mut self, response: Response) {
         match response {
             Response::Turn { thing, on } => {
                 let Some(index) = self.places.thing_named(&thing) else { return };
-                self.begin(
-                    &Activity::Other(format!("turning_{}_{thing}", if on { "on" } else { "off" })),
-                    None,
-                    0,
-                    None,
-                    "rule",
-                    now,
-                );
+                let activity = Activity::Other(format!("turning_{}_{thing}", if on { "on" } else { "off" }));
+                self.begin(&Item::now("rule".into(), activity, 0));
                 let at = self.places.named(&thing).cloned();
                 if let Some(playing) = self.scripts.last_mut() {
                     playing.steps.truncate(1);
@@ -352,22 +335,15 @@ impl RoutineDriver {
                     Some(lasts) => lasts.draw(&mut stream),
                     None => stream.lognormal(median_min * 60.0, sigma),
                 };
-                let place = place.and_then(|place| self.places.named(&place).cloned());
-                self.begin(&activity, place.as_ref(), micros(lasts_s), None, &key, now);
+                self.begin(&Item { place, ..Item::now(key, activity, micros(lasts_s)) });
             }
         }
     }
 
     /// Begins a script on top of what goes on.
-    fn begin(
-        &mut self,
-        activity: &Activity,
-        place: Option<&Spot>,
-        lasts: Micros,
-        until: Option<Micros>,
-        key: &str,
-        _now: Micros,
-    ) {
+    fn begin(&mut self, item: &Item) {
+        let Item { key, activity, place, lasts, until, .. } = item;
+        let place = place.as_deref().and_then(|place| self.places.named(place));
         let mut stream = self.life.stream_of_day(self.agenda.day, &format!("{key}/doing"));
         let stove = self.places.thing(Role::Stove);
         let forgotten = stove.filter(|&stove| {
@@ -375,7 +351,17 @@ impl RoutineDriver {
             chance > 0.0 && self.life.stream_of_day(self.agenda.day, &format!("{key}/forgets")).chance(chance)
         });
         let mut setting = Setting { places: &self.places, mood: &self.mood, stream: &mut stream, forgotten };
-        let steps = script(activity, place, lasts, until, &mut setting);
+        let mut steps = script(activity, place, *lasts, *until, &mut setting);
+        let stations = self.places.stations();
+        let first = match activity {
+            Activity::Wander | Activity::Pace | Activity::Lap => place.cloned(),
+            // One falls on the way somewhere.
+            Activity::Fall => stations.get((stream.unit() * stations.len() as f64) as usize).cloned(),
+            _ => None,
+        };
+        if let Some(first) = first {
+            steps.push_front(Step::Go(first));
+        }
         if let Some(thing) = forgotten {
             self.watches.forget(thing);
         }
@@ -412,8 +398,7 @@ impl RoutineDriver {
         match next {
             Some(item) if item.start <= now + MINUTE => {
                 self.next_item += 1;
-                let place = item.place.as_deref().and_then(|place| self.places.named(place)).cloned();
-                self.begin(&item.activity, place.as_ref(), item.lasts, item.until, &item.key, now);
+                self.begin(&item);
             }
             Some(item) => self.fill(item.start.min(self.agenda.bed), now),
             None => self.fill(self.agenda.bed, now),
@@ -451,7 +436,7 @@ impl RoutineDriver {
             activity => activity.usual_minutes(),
         };
         let lasts = micros(stream.lognormal(median_min * 60.0, sigma)).min(gap);
-        self.begin(activity, None, lasts, None, &key, now);
+        self.begin(&Item::now(key, activity.clone(), lasts));
         for step in self.scripts.last_mut().into_iter().flat_map(|playing| playing.steps.iter_mut()) {
             if let Step::Stay(stay) = step
                 && stay.may == May::Interrupt
@@ -466,7 +451,7 @@ impl RoutineDriver {
         self.sleep(now, false);
         let bathroom = Activity::UseBathroom.usual_minutes();
         let lasts = self.life.stream_of_day(self.agenda.day, "before bed").lognormal(bathroom.0 * 60.0, 0.4);
-        self.begin(&Activity::UseBathroom, None, micros(lasts), None, "before bed", now);
+        self.begin(&Item::now("before bed".into(), Activity::UseBathroom, micros(lasts)));
     }
 
     /// The night: falling asleep, waking now and then, getting up.
@@ -540,9 +525,9 @@ impl RoutineDriver {
         self.watches.wake(day, &self.life);
         // On top of the night's script, which ends with this.
         let bathroom = micros(self.life.stream_of_day(day, "first thing").lognormal(300.0, 0.5));
-        self.begin(&Activity::UseBathroom, None, bathroom, None, "first thing", now);
+        self.begin(&Item::now("first thing".into(), Activity::UseBathroom, bathroom));
         let rising = micros(self.life.stream_of_day(day, "rising").lognormal(120.0, 0.4));
-        self.begin(&Activity::GetUp, None, rising, None, "rising", now);
+        self.begin(&Item::now("rising".into(), Activity::GetUp, rising));
         if let Some(below) = self.scripts.iter_mut().rev().nth(1) {
             below.spot = None;
         }
@@ -574,7 +559,7 @@ impl RoutineDriver {
                 self.agenda.items.iter().skip(self.next_item).position(|item| item.visitor == name && item.start > now);
             if let Some(visit) = visit {
                 self.next_item += visit + 1;
-                return self.come_to_visit(self.next_item - 1, now);
+                return self.come_to_visit(self.next_item - 1);
             }
             let day = self.agenda.day + 1;
             self.mood = self.life.mood(day);
@@ -585,7 +570,7 @@ impl RoutineDriver {
         self.ready.push_back(Next::Move(Move { begin: now, end, doing: Doing::Away, posture: Posture::Standing }));
     }
 
-    fn come_to_visit(&mut self, item: usize, now: Micros) {
+    fn come_to_visit(&mut self, item: usize) {
         let item = self.agenda.items[item].clone();
         let stream = self.life.stream_of_day(self.agenda.day, &format!("{}/visitor", item.key));
         let door = self.places.of(Role::FrontDoor).cloned();
@@ -604,7 +589,6 @@ impl RoutineDriver {
         steps.extend(door.map(Step::Go));
         steps.push_back(talk(Posture::Standing, 40 * SECOND));
         steps.push_back(Step::Name("away".into()));
-        let _ = now;
         self.play(steps, stream, "visiting".into());
     }
 }

@@ -30,6 +30,7 @@ impl Arguments {
         let recording = self.recording()?;
         let mut scenario = recording.scenario()?;
         let household = Household::read(&mut scenario, &recording.files, &recording.without)?;
+        let household = if recording.one_of_many { household.one_of_many() } else { household };
         let run = recording.run(&scenario, &household);
         let sources = vec![self.recording];
         let live = Live { scenario: &scenario, recording, record: None, output: self.output, sources };

@@ -55,6 +55,7 @@ impl Arguments {
             seed,
             length_us: length,
             without: self.without,
+            one_of_many: false,
             firings: 0,
             sha256: String::new(),
         };
