@@ -153,7 +153,7 @@ impl RoutineDriver {
         self.scripts.pop();
         self.watches.leave_behind();
         if let Some(below) = self.scripts.last_mut() {
-            below.is_interrupted = true;
+            below.is_interrupted = !below.steps.is_empty();
         }
     }
 
@@ -528,9 +528,6 @@ impl RoutineDriver {
         self.begin(&Item::now("first thing".into(), Activity::UseBathroom, bathroom));
         let rising = micros(self.life.stream_of_day(day, "rising").lognormal(120.0, 0.4));
         self.begin(&Item::now("rising".into(), Activity::GetUp, rising));
-        if let Some(below) = self.scripts.iter_mut().rev().nth(1) {
-            below.spot = None;
-        }
     }
 
     fn tell_conditions(&mut self) {
