@@ -2,6 +2,7 @@
 
 mod answer;
 mod check;
+mod cohort;
 mod compare;
 mod completions;
 mod convert;
