@@ -8,6 +8,7 @@ pub mod routine;
 
 // How text becomes a routine.
 pub mod language;
+pub mod explain;
 
 // How a body gets from place to place: paths with clearance, gait, and what disturbs both.
 pub mod walk;

@@ -276,5 +276,5 @@ fn needed_chance(reader: &mut Reader, clause: &Clause, example: &str) -> Option<
 
 /// The last word of a stretch.
 fn last_word(span: Span, reader: &Reader) -> Span {
-    reader.words.iter().map(|word| word.span).filter(|word| word.end <= span.end).last().unwrap_or(span)
+    reader.words.iter().rev().map(|word| word.span).find(|word| word.end <= span.end).unwrap_or(span)
 }

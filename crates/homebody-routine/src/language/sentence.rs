@@ -82,9 +82,9 @@ fn clauses(
         let Some(goes_on) = tail(reader, &mut clause, from) else { return };
         clause.span = reader.span(start.unwrap_or(0));
         if let Some(then) = goes_on {
-            let before = reader.words.iter().map(|word| word.span).filter(|word| word.end <= then.start);
-            let before = before.filter(|word| reader.text.get(word.start..word.end) != Some(","));
-            clause.span.end = before.last().map_or(then.start, |word| word.end);
+            let before = reader.words.iter().map(|word| word.span).rev().filter(|word| word.end <= then.start);
+            let mut before = before.filter(|word| reader.text.get(word.start..word.end) != Some(","));
+            clause.span.end = before.next().map_or(then.start, |word| word.end);
         }
         if let Predicate::Does(Activity::Prepare(meal)) = clause.predicate {
             cooked = Some(meal);
