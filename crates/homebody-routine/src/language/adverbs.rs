@@ -70,9 +70,9 @@ impl Adverbs {
             Adverbs::phase,
             Adverbs::gradually,
             Adverbs::duration,
+            Adverbs::then,
             Adverbs::order,
             Adverbs::counts,
-            Adverbs::then,
         ];
         read.iter().any(|read| {
             let (before, faults) = (self.clone(), reader.faults.count());
@@ -96,7 +96,15 @@ impl Adverbs {
 
     fn often(&mut self, reader: &mut Reader) -> Option<()> {
         let from = reader.at;
-        let often = often::at_first(reader).or_else(|| often::often(reader))?;
+        let often = often::at_first(reader).or_else(|| often::often(reader));
+        let Some(often) = often else {
+            if !reader.eat("at first") {
+                return None;
+            }
+            let hint = "write \"rarely at first, often by day 160\"".to_owned();
+            reader.fault(reader.span(from), "\"at first\" needs how often that is", hint);
+            return Some(());
+        };
         let span = reader.span(from);
         self.put_often(reader, often, span);
         Some(())

@@ -4,7 +4,7 @@ use super::activities;
 use super::adverbs::Adverbs;
 use super::amounts::{Unit, amount};
 use super::faults::did_you_mean;
-use super::measures::{Measure, Of, rises_by};
+use super::measures::{Measure, Of, measure, rises_by};
 use super::reader::{Reader, Sort, is_determiner};
 use super::words::{Span, Token};
 use crate::routine::{Activity, Kind};
@@ -137,7 +137,7 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
         reader.eat("ever");
         return negated(reader);
     }
-    for read in [changing, illness, forgetting, skipping] {
+    for read in [walking, changing, illness, forgetting, skipping] {
         if let Some(found) = reader.attempt(read) {
             return Some(found);
         }
@@ -148,19 +148,27 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
         }
         return Some(Predicate::Does(activity));
     }
-    if reader.eat("walks|walk") {
-        return Some(walking(reader));
-    }
-    None
+    reader.eat("walks|walk").then_some(Predicate::Walks)
 }
 
-fn walking(reader: &mut Reader) -> Predicate {
+/// "walks" where a speed or a change of it follows.
+fn walking(reader: &mut Reader) -> Option<Predicate> {
+    if !reader.eat("walks|walk") {
+        return None;
+    }
     let pace = reader.attempt(|reader| {
         reader.eat("at");
         let pace = amount(reader).filter(|amount| amount.unit == Unit::Speed)?;
         (!["slower", "faster", "quicker"].contains(&reader.peek(0))).then_some(pace)
     });
-    pace.map_or(Predicate::Walks, Predicate::Pace)
+    if pace.is_some() {
+        return pace.map(Predicate::Pace);
+    }
+    let (at, faults) = (reader.at, reader.faults.count());
+    let changes = measure(reader).is_some();
+    reader.at = at;
+    reader.faults.forget_since(faults);
+    changes.then_some(Predicate::Walks)
 }
 
 fn being(reader: &mut Reader, adverbs: &mut Adverbs) -> Predicate {
@@ -284,11 +292,11 @@ pub fn of_body(reader: &mut Reader, subject: &Subject) -> Option<Predicate> {
         Subject::Pulse => {
             reader.eat("beats|beat");
             let rises = rises_by(reader, Of::Beats);
-            rises.or_else(|| super::measures::measure(reader)).map(Predicate::Rises)
+            rises.or_else(|| measure(reader)).map(Predicate::Rises)
         }
         Subject::Breathing => {
             let rises = rises_by(reader, Of::Breaths);
-            rises.or_else(|| super::measures::measure(reader)).map(Predicate::Rises)
+            rises.or_else(|| measure(reader)).map(Predicate::Rises)
         }
         Subject::Hours => (reader.eat("vary|varies|change|changes|are|is")).then_some(Predicate::Vary),
         _ => None,
@@ -353,10 +361,29 @@ pub fn meant(words: &str) -> Option<String> {
 
 /// Whether two phrases differ as slips do: most letters are the same, in order.
 fn is_slip(said: &str, phrase: &str) -> bool {
-    let (said, phrase): (Vec<char>, Vec<char>) = (said.chars().collect(), phrase.chars().collect());
-    let same = said.iter().zip(&phrase).take_while(|(a, b)| a == b).count();
-    let rest = said.iter().rev().zip(phrase.iter().rev()).take_while(|(a, b)| a == b).count();
-    same + rest + 2 >= said.len().max(phrase.len())
+    let (same, longer) = same_letters(said, phrase);
+    same + 2 >= longer
+}
+
+/// Whether these words are a phrase but for a letter in each: too near to be something new.
+pub fn is_nearly_known(words: &str) -> bool {
+    let words: Vec<&str> = words.split(' ').filter(|word| !is_determiner(word)).collect();
+    let near = |(said, known): (&&str, &str)| {
+        let (same, longer) = same_letters(said, known);
+        **said == *known || longer >= 4 && same + 1 >= longer
+    };
+    let is_near =
+        |phrase: &String| phrase.split(' ').count() <= words.len() && words.iter().zip(phrase.split(' ')).all(near);
+    activities::all_phrases().iter().any(is_near)
+}
+
+/// How many letters agree at the two ends of both, and how many the longer one has.
+fn same_letters(a: &str, b: &str) -> (usize, usize) {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    let shorter = a.len().min(b.len());
+    let front = a.iter().zip(&b).take_while(|(a, b)| a == b).count();
+    let back = a.iter().rev().zip(b.iter().rev()).take(shorter - front).take_while(|(a, b)| a == b).count();
+    (front + back, a.len().max(b.len()))
 }
 
 fn capital(text: &str) -> String {

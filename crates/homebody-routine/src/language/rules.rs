@@ -151,7 +151,7 @@ fn response(reader: &mut Reader, whenever: &Trigger, adverbs: &mut Adverbs) -> O
         predicates::unknown_verb(reader, &words, here);
         return None;
     };
-    if predicates::meant(&words).is_some() {
+    if predicates::is_nearly_known(&words) {
         predicates::unknown_verb(reader, &words, span);
         return None;
     }

@@ -39,7 +39,7 @@ pub fn sentence(reader: &mut Reader, draft: &mut Draft, heading: Option<&Adverbs
         return None;
     }
     let from = reader.at;
-    let Some(subject) = predicates::subject(reader).or_else(|| stranger(reader, draft)) else {
+    let Some(subject) = predicates::subject(reader).or_else(|| stranger(reader)) else {
         no_subject(reader);
         return None;
     };
@@ -163,7 +163,7 @@ fn predicate(
         predicates::unknown_verb(reader, &words, span);
         return None;
     };
-    if predicates::meant(&words).is_some() {
+    if predicates::is_nearly_known(&words) {
         predicates::unknown_verb(reader, &words, span);
         return None;
     }
@@ -271,7 +271,7 @@ fn not_understood(reader: &mut Reader, clause: &Clause, from: usize) {
 }
 
 /// A name that nobody here has, in front of a verb.
-fn stranger(reader: &mut Reader, draft: &Draft) -> Option<Subject> {
+fn stranger(reader: &mut Reader) -> Option<Subject> {
     const LONGEST: usize = 4;
     let from = reader.at;
     let is_capital =
@@ -282,7 +282,11 @@ fn stranger(reader: &mut Reader, draft: &Draft) -> Option<Subject> {
     }
     let is_known = activities::activity(reader).is_some();
     reader.at = from;
-    while !is_known && reader.at < from + LONGEST && reader.token(0) == Some(Token::Word) {
+    let is_name = |reader: &Reader| {
+        let pronoun = ["she", "he", "they", "it"].contains(&reader.peek(0));
+        reader.token(0) == Some(Token::Word) && !pronoun && !predicates::begins_adverb(reader)
+    };
+    while !is_known && reader.at < from + LONGEST && is_name(reader) {
         reader.at += 1;
         let at = reader.at;
         let mut between = Adverbs::default();
@@ -295,7 +299,6 @@ fn stranger(reader: &mut Reader, draft: &Draft) -> Option<Subject> {
         }
     }
     reader.at = from;
-    let _ = draft;
     None
 }
 

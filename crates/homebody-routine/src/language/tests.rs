@@ -39,5 +39,4 @@ fn the_example_of_the_design_is_understood() {
     assert_eq!(problems, [], "{}", homebody_core::problem::Problems(problems.clone()).render());
     assert_eq!(routine.habits.len(), 11);
     assert_eq!(routine.changes.len(), 1);
-    println!("{}", crate::explain::explain(&routine).to_text());
 }
