@@ -226,13 +226,16 @@ fn of_activity(
     Some((effect, PHASE.to_vec()))
 }
 
+/// What may stand after "is".
+pub const IS: &str = "write \"is 82\", \"is a cat\", \"is out\" or \"is 30 % less active\"";
+
 fn not_a_change(reader: &mut Reader, clause: &Clause) {
     let hint = match &clause.predicate {
         Predicate::Walks => {
             "write \"walks 10 % slower\", \"walks 0.02 m/s slower every week\", \"wanders around\", \
             \"walks up and down\" or \"goes for a walk\""
         }
-        Predicate::Is => "write \"is 82\", \"is a cat\", \"is out\" or \"is 30 % less active\"",
+        Predicate::Is => IS,
         Predicate::Sleeps => "write \"sleeps 30 % more restlessly\", or \"goes to bed\" for when",
         Predicate::Vary => "write \"her hours vary twice as much\"",
         Predicate::Breathes => "write \"breathes 6 breaths a minute faster\"",

@@ -76,8 +76,10 @@ pub fn subject(reader: &mut Reader) -> Option<Subject> {
         None => {}
     }
     if ["her", "his", "their", "its"].contains(&reader.peek(0)) {
-        reader.at += 1;
-        return of_the_person(reader);
+        return reader.attempt(|reader| {
+            reader.at += 1;
+            of_the_person(reader)
+        });
     }
     if is_determiner(reader.peek(0)) {
         return reader.attempt(|reader| {
@@ -351,7 +353,7 @@ pub fn meant(words: &str) -> Option<String> {
     for phrase in all {
         let length = phrase.split(' ').count();
         let said = words.get(..length).map(|words| words.join(" "));
-        let is_near = said.is_some_and(|said| nearest(&said, [phrase]).is_some() && is_slip(&said, phrase));
+        let is_near = said.is_some_and(|said| is_slip(&said, phrase) && nearest(&said, [phrase]).is_some());
         if is_near && best.is_none_or(|(longest, _)| length > longest) {
             best = Some((length, phrase));
         }

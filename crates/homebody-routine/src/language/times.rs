@@ -100,8 +100,11 @@ fn clock(reader: &mut Reader, bare: bool) -> Option<f64> {
     let (span, by_twelve) = (reader.span(from), (1.0..=12.0).contains(&hours));
     let is_time = hours.fract() == 0.0 && minutes < 60.0 && (hours < 24.0 || hours == 24.0 && minutes == 0.0);
     if !is_time || said_half.is_some() && !by_twelve {
-        let hint = "times go from 00:00 to 24:00, or from 1 am to 12 pm".to_owned();
-        reader.fault(span, format!("there is no time {:?}", reader.said(span)), hint);
+        let hint = match hours.fract() == 0.0 {
+            true => "times go from 00:00 to 24:00, or from 1 am to 12 pm",
+            false => "hours and minutes have a colon between them: \"06:45\"",
+        };
+        reader.fault(span, format!("there is no time {:?}", reader.said(span)), hint.to_owned());
         return Some(12.0 * HOUR_S);
     }
     if !is_clear {
