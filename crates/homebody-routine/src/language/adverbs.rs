@@ -5,7 +5,7 @@ use super::amounts::{self, Amount, Unit, amount};
 use super::often::{self, Often};
 use super::reader::Reader;
 use super::times::{self, DAY_S};
-use super::words::Span;
+use super::words::{Span, Token};
 use crate::fuzzy::Fuzzy;
 use crate::routine::{Chance, Days, Moment, PartOfDay, Phase, When};
 
@@ -70,9 +70,9 @@ impl Adverbs {
             Adverbs::phase,
             Adverbs::gradually,
             Adverbs::duration,
+            Adverbs::then,
             Adverbs::order,
             Adverbs::counts,
-            Adverbs::then,
         ];
         read.iter().any(|read| {
             let (before, faults) = (self.clone(), reader.faults.count());
@@ -96,7 +96,15 @@ impl Adverbs {
 
     fn often(&mut self, reader: &mut Reader) -> Option<()> {
         let from = reader.at;
-        let often = often::at_first(reader).or_else(|| often::often(reader))?;
+        let often = often::at_first(reader).or_else(|| often::often(reader));
+        let Some(often) = often else {
+            if !reader.eat("at first") {
+                return None;
+            }
+            let hint = "write \"rarely at first, often by day 160\"".to_owned();
+            reader.fault(reader.span(from), "\"at first\" needs how often that is", hint);
+            return Some(());
+        };
         let span = reader.span(from);
         self.put_often(reader, often, span);
         Some(())
@@ -260,7 +268,16 @@ impl Adverbs {
         if !reader.eat("for|lasting") {
             return None;
         }
-        let amount = amount(reader)?;
+        let Some(amount) = amount(reader) else {
+            let from = reader.at;
+            while !reader.is_over() && reader.token(0) != Some(Token::Comma) && reader.at < from + 3 {
+                reader.at += 1;
+            }
+            let span = if from == reader.at { reader.span(start) } else { reader.span(from) };
+            let hint = "say minutes, hours, days or weeks, such as \"for 20 minutes\"".to_owned();
+            reader.fault(span, format!("{:?} is no length of time", reader.said(span)), hint);
+            return Some(());
+        };
         match amount.unit {
             Unit::Second => {
                 let lasts = amounts::duration(reader, &amount);
@@ -297,11 +314,15 @@ impl Adverbs {
         let other = activities::event(reader);
         let Some(other) = other else {
             reader.at = at;
-            let span = reader.here();
             let what = match times::time(reader, true) {
-                Some(_) => format!("{:?} leaves open when", reader.said(reader.span(start))),
-                None => format!("{:?} is nothing that Homebody knows to come before or after", reader.said(span)),
+                Some(_) => "leaves open when",
+                None => {
+                    reader.skip_determiners();
+                    reader.at += 1;
+                    "names nothing that Homebody knows to come before or after"
+                }
             };
+            let what = format!("{:?} {what}", reader.said(reader.span(start)));
             let hint = "write \"after breakfast\", \"before she goes to bed\", or \"between 20:00 and 22:00\"";
             reader.fault(reader.span(start), what, hint.to_owned());
             reader.at = reader.words.len();

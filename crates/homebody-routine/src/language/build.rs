@@ -226,13 +226,16 @@ fn of_activity(
     Some((effect, PHASE.to_vec()))
 }
 
+/// What may stand after "is".
+pub const IS: &str = "write \"is 82\", \"is a cat\", \"is out\" or \"is 30 % less active\"";
+
 fn not_a_change(reader: &mut Reader, clause: &Clause) {
     let hint = match &clause.predicate {
         Predicate::Walks => {
             "write \"walks 10 % slower\", \"walks 0.02 m/s slower every week\", \"wanders around\", \
             \"walks up and down\" or \"goes for a walk\""
         }
-        Predicate::Is => "write \"is 82\", \"is a cat\", \"is out\" or \"is 30 % less active\"",
+        Predicate::Is => IS,
         Predicate::Sleeps => "write \"sleeps 30 % more restlessly\", or \"goes to bed\" for when",
         Predicate::Vary => "write \"her hours vary twice as much\"",
         Predicate::Breathes => "write \"breathes 6 breaths a minute faster\"",
@@ -276,5 +279,5 @@ fn needed_chance(reader: &mut Reader, clause: &Clause, example: &str) -> Option<
 
 /// The last word of a stretch.
 fn last_word(span: Span, reader: &Reader) -> Span {
-    reader.words.iter().map(|word| word.span).filter(|word| word.end <= span.end).last().unwrap_or(span)
+    reader.words.iter().rev().map(|word| word.span).find(|word| word.end <= span.end).unwrap_or(span)
 }

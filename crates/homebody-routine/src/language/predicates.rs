@@ -4,7 +4,7 @@ use super::activities;
 use super::adverbs::Adverbs;
 use super::amounts::{Unit, amount};
 use super::faults::did_you_mean;
-use super::measures::{Measure, Of, rises_by};
+use super::measures::{Measure, Of, measure, rises_by};
 use super::reader::{Reader, Sort, is_determiner};
 use super::words::{Span, Token};
 use crate::routine::{Activity, Kind};
@@ -76,8 +76,10 @@ pub fn subject(reader: &mut Reader) -> Option<Subject> {
         None => {}
     }
     if ["her", "his", "their", "its"].contains(&reader.peek(0)) {
-        reader.at += 1;
-        return of_the_person(reader);
+        return reader.attempt(|reader| {
+            reader.at += 1;
+            of_the_person(reader)
+        });
     }
     if is_determiner(reader.peek(0)) {
         return reader.attempt(|reader| {
@@ -137,7 +139,7 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
         reader.eat("ever");
         return negated(reader);
     }
-    for read in [changing, illness, forgetting, skipping] {
+    for read in [walking, changing, illness, forgetting, skipping] {
         if let Some(found) = reader.attempt(read) {
             return Some(found);
         }
@@ -148,19 +150,27 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
         }
         return Some(Predicate::Does(activity));
     }
-    if reader.eat("walks|walk") {
-        return Some(walking(reader));
-    }
-    None
+    reader.eat("walks|walk").then_some(Predicate::Walks)
 }
 
-fn walking(reader: &mut Reader) -> Predicate {
+/// "walks" where a speed or a change of it follows.
+fn walking(reader: &mut Reader) -> Option<Predicate> {
+    if !reader.eat("walks|walk") {
+        return None;
+    }
     let pace = reader.attempt(|reader| {
         reader.eat("at");
         let pace = amount(reader).filter(|amount| amount.unit == Unit::Speed)?;
         (!["slower", "faster", "quicker"].contains(&reader.peek(0))).then_some(pace)
     });
-    pace.map_or(Predicate::Walks, Predicate::Pace)
+    if pace.is_some() {
+        return pace.map(Predicate::Pace);
+    }
+    let (at, faults) = (reader.at, reader.faults.count());
+    let changes = measure(reader).is_some();
+    reader.at = at;
+    reader.faults.forget_since(faults);
+    changes.then_some(Predicate::Walks)
 }
 
 fn being(reader: &mut Reader, adverbs: &mut Adverbs) -> Predicate {
@@ -284,11 +294,11 @@ pub fn of_body(reader: &mut Reader, subject: &Subject) -> Option<Predicate> {
         Subject::Pulse => {
             reader.eat("beats|beat");
             let rises = rises_by(reader, Of::Beats);
-            rises.or_else(|| super::measures::measure(reader)).map(Predicate::Rises)
+            rises.or_else(|| measure(reader)).map(Predicate::Rises)
         }
         Subject::Breathing => {
             let rises = rises_by(reader, Of::Breaths);
-            rises.or_else(|| super::measures::measure(reader)).map(Predicate::Rises)
+            rises.or_else(|| measure(reader)).map(Predicate::Rises)
         }
         Subject::Hours => (reader.eat("vary|varies|change|changes|are|is")).then_some(Predicate::Vary),
         _ => None,
@@ -343,7 +353,7 @@ pub fn meant(words: &str) -> Option<String> {
     for phrase in all {
         let length = phrase.split(' ').count();
         let said = words.get(..length).map(|words| words.join(" "));
-        let is_near = said.is_some_and(|said| nearest(&said, [phrase]).is_some() && is_slip(&said, phrase));
+        let is_near = said.is_some_and(|said| is_slip(&said, phrase) && nearest(&said, [phrase]).is_some());
         if is_near && best.is_none_or(|(longest, _)| length > longest) {
             best = Some((length, phrase));
         }
@@ -353,10 +363,29 @@ pub fn meant(words: &str) -> Option<String> {
 
 /// Whether two phrases differ as slips do: most letters are the same, in order.
 fn is_slip(said: &str, phrase: &str) -> bool {
-    let (said, phrase): (Vec<char>, Vec<char>) = (said.chars().collect(), phrase.chars().collect());
-    let same = said.iter().zip(&phrase).take_while(|(a, b)| a == b).count();
-    let rest = said.iter().rev().zip(phrase.iter().rev()).take_while(|(a, b)| a == b).count();
-    same + rest + 2 >= said.len().max(phrase.len())
+    let (same, longer) = same_letters(said, phrase);
+    same + 2 >= longer
+}
+
+/// Whether these words are a phrase but for a letter in each: too near to be something new.
+pub fn is_nearly_known(words: &str) -> bool {
+    let words: Vec<&str> = words.split(' ').filter(|word| !is_determiner(word)).collect();
+    let near = |(said, known): (&&str, &str)| {
+        let (same, longer) = same_letters(said, known);
+        **said == *known || longer >= 4 && same + 1 >= longer
+    };
+    let is_near =
+        |phrase: &String| phrase.split(' ').count() <= words.len() && words.iter().zip(phrase.split(' ')).all(near);
+    activities::all_phrases().iter().any(is_near)
+}
+
+/// How many letters agree at the two ends of both, and how many the longer one has.
+fn same_letters(a: &str, b: &str) -> (usize, usize) {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    let shorter = a.len().min(b.len());
+    let front = a.iter().zip(&b).take_while(|(a, b)| a == b).count();
+    let back = a.iter().rev().zip(b.iter().rev()).take(shorter - front).take_while(|(a, b)| a == b).count();
+    (front + back, a.len().max(b.len()))
 }
 
 fn capital(text: &str) -> String {

@@ -57,6 +57,11 @@ impl Names {
         self.person_words = person.map(name_words).unwrap_or_default();
     }
 
+    /// Whether something of this sort has this name, whatever its case.
+    pub fn has(&self, name: &str, sort: Sort) -> bool {
+        self.of(&[sort]).any(|known| known.to_lowercase() == name)
+    }
+
     /// All names of these sorts, for hints.
     pub fn of<'a>(&'a self, sorts: &'a [Sort]) -> impl Iterator<Item = &'a str> + Clone {
         let all = self.names.values().flatten();

@@ -151,7 +151,7 @@ fn response(reader: &mut Reader, whenever: &Trigger, adverbs: &mut Adverbs) -> O
         predicates::unknown_verb(reader, &words, here);
         return None;
     };
-    if predicates::meant(&words).is_some() {
+    if predicates::is_nearly_known(&words) {
         predicates::unknown_verb(reader, &words, span);
         return None;
     }
@@ -200,7 +200,7 @@ fn done(reader: &mut Reader, predicate: Predicate, from: usize, adverbs: &mut Ad
         measure: None,
         adverbs: adverbs.clone(),
     };
-    let then = tail(reader, &mut clause, from)?;
+    let then = tail(reader, &mut clause)?;
     if let Some(span) = then.or(clause.measure.map(|measure| measure.span)) {
         let what = format!("{:?} does not fit here: a rule says one thing that is done", reader.said(span));
         reader.fault(span, what, None);
