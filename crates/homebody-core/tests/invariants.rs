@@ -44,7 +44,7 @@ impl Case {
             for (resident, life) in self.lives.iter().enumerate() {
                 let next = &life[life.partition_point(|next| next.end <= now)];
                 // Beginning the same move again in its middle is what cutting it means.
-                self.world.begin(resident, next, events);
+                self.world.begin(resident, next);
                 end = end.min(next.end);
             }
             let cut = cuts.partition_point(|&cut| cut <= now);
