@@ -153,9 +153,9 @@ impl Run {
                 }
                 Next::Act(act) => {
                     events.facts.push(Fact::Act { resident: resident as u32, at: now, act });
-                    self.world.act(resident, act, events);
+                    self.world.act(resident, act);
                 }
-                Next::Vitals(vitals) => self.world.feel(resident, vitals, events),
+                Next::Vitals(vitals) => self.world.feel(resident, vitals),
                 Next::Need(need, level) => {
                     events.facts.push(Fact::Need { resident: resident as u32, at: now, need, level });
                 }
@@ -168,7 +168,7 @@ impl Run {
         };
         self.residents[resident].until = next.end;
         self.tell_rooms(resident, &next, events);
-        self.world.begin(resident, &next, events);
+        self.world.begin(resident, &next);
         let Move { end, doing, posture, .. } = next.until(self.length);
         events.facts.push(Fact::Movement { resident: resident as u32, begin: now, end, doing, posture });
     }
