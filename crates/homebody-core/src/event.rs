@@ -5,13 +5,14 @@ use crate::scenario::path::Posture;
 use crate::time::Micros;
 use std::fmt;
 
-/// One message of a sensor as it leaves the device. Never holds ground truth.
+/// One message of a sensor as it reaches the logger. Never holds ground truth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Firing {
     /// The run's firings are numbered from 0, in order of time and, at one instant, of sensors.
     pub seq: u64,
+    /// The time that the log gives it.
     pub at: Micros,
-    /// Index into the home's sensors.
+    /// Index into the run's sensors.
     pub sensor: u32,
     pub value: Value,
 }

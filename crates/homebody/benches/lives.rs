@@ -95,7 +95,7 @@ fn kernel(home: &Arc<Home>, moves: &[Vec<Move>], length: Micros) -> f64 {
         let mut until = length;
         for (body, moves) in moves.iter().enumerate() {
             if let Some(due) = moves.get(next[body]).filter(|due| due.begin <= world.now()) {
-                world.begin(body, due, &mut events);
+                world.begin(body, due);
                 next[body] += 1;
             }
             until = until.min(moves.get(next[body]).map_or(length, |due| due.begin));

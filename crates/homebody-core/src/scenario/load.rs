@@ -5,6 +5,7 @@ use super::calendar::Calendar;
 use super::check;
 use super::home::HomeFile;
 use super::input::InputFile;
+use super::link::LinkFile;
 use super::logger::LoggerFile;
 use super::path::PathFile;
 use super::resident::{DriverFile, ResidentFile};
@@ -36,6 +37,8 @@ impl Files for BTreeMap<String, String> {
 pub struct Scenario {
     pub file: ScenarioFile,
     pub home: HomeFile,
+    /// Nothing where all that sensors say reaches the logger at once.
+    pub link: Option<LinkFile>,
     /// The defaults where the scenario links none.
     pub logger: LoggerFile,
     /// In the order in which the scenario links them.
@@ -120,6 +123,17 @@ impl Loader<'_> {
         let home = home.map(|(_, home)| home);
         let surroundings = check::Surroundings { home: home.as_ref(), plan: plan.as_ref() };
 
+        let link = if root["link"].is_null() {
+            Some(None)
+        } else {
+            let link: Option<Read<LinkFile>> = self.link(&source, &root, "/link", FileKind::Link);
+            link.and_then(|Read { source, data }| {
+                let link = data?;
+                check::link::check(&source, &link, &surroundings, &mut self.problems);
+                Some(Some(link))
+            })
+        };
+
         let logger = if root["logger"].is_null() {
             Some(LoggerFile::default())
         } else {
@@ -146,6 +160,7 @@ impl Loader<'_> {
         Some(Scenario {
             calendar: calendar?,
             home: home?,
+            link: link?,
             logger: logger?,
             residents: residents.into_iter().collect::<Option<_>>()?,
             sources: std::mem::take(&mut self.sources),

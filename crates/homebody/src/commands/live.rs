@@ -122,7 +122,7 @@ impl Live<'_> {
     }
 
     fn open(&self, places: &Places, run: &Run) -> Result<(Logger, Option<TruthLog>), Failure> {
-        let sensors: Vec<String> = run.home().sensors.iter().map(|sensor| sensor.name.clone()).collect();
+        let sensors: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
         let rooms: Vec<String> = run.home().plan.rooms.iter().map(|room| room.name.clone()).collect();
         let things: Vec<String> = run.home().plan.things.iter().map(|thing| thing.name.clone()).collect();
         let residents = run.names();
@@ -177,7 +177,7 @@ impl Live<'_> {
     }
 
     fn by_sensor<'s>(&self, run: &'s Run, stored: &'s Stored) -> impl Iterator<Item = (&'s str, u64)> {
-        run.home().sensors.iter().map(|sensor| sensor.name.as_str()).zip(stored.by_sensor.iter().copied())
+        run.sensors().iter().map(|sensor| sensor.name.as_str()).zip(stored.by_sensor.iter().copied())
     }
 
     fn summary(&self, places: &Places, run: &Run, lived: &Lived, agrees: Option<bool>) -> String {
@@ -226,7 +226,7 @@ fn advance(
         let Some(until) = pace.next(before) else { break };
         run.advance(until, &mut events);
         seal.add(&events.firings);
-        logger.store(&events.firings, run.now())?;
+        logger.store(&events.firings, run.settled())?;
         if let Some(truth) = &mut truth {
             truth.store(&events)?;
         }

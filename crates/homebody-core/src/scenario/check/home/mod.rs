@@ -8,6 +8,8 @@ mod rooms;
 mod sensors;
 mod walls;
 
+pub(in crate::scenario::check) use sensors::check_mounting;
+
 use super::{Report, TOLERANCE_M, at, blocking, distance_outside, is_within, solid_name};
 use crate::geometry::{self, Point, point};
 use crate::home::plan::Plan;

@@ -88,7 +88,7 @@ fn check_lens(report: &mut Report, place: &str, motion: &MotionFile) {
 pub fn check_within(report: &mut Report, home: &HomeFile, plan: &Plan) {
     for (index, sensor) in home.sensors.iter().enumerate() {
         match sensor {
-            SensorFile::Motion(motion) => check_mounting(report, index, motion, home, plan),
+            SensorFile::Motion(motion) => check_mounting(report, &format!("/sensors/{index}"), motion, home, plan),
             SensorFile::CeilingMotion(ceiling) => {
                 let area: Vec<Point> = ceiling.area.iter().map(|&at| point(at)).collect();
                 if !is_flat(&area) && !keeps_within(plan, &area) {
@@ -122,8 +122,15 @@ fn reaches_through(area: &[Point], solid: &Solid) -> bool {
     shared_m > REACH_THROUGH_M && beyond(1.0) && beyond(-1.0)
 }
 
-fn check_mounting(report: &mut Report, index: usize, motion: &MotionFile, home: &HomeFile, plan: &Plan) {
-    let (place, name, lens) = (format!("/sensors/{index}"), &motion.name, point(motion.at));
+/// Checks the place of a wall sensor, which the file gives at the pointer `place`.
+pub(in crate::scenario::check) fn check_mounting(
+    report: &mut Report,
+    place: &str,
+    motion: &MotionFile,
+    home: &HomeFile,
+    plan: &Plan,
+) {
+    let (name, lens) = (&motion.name, point(motion.at));
     let tall = || plan.solids.iter().filter(|solid| solid.height_m >= motion.height_m);
     let hint = "mount it on the surface, on the side from which it should see";
     if let Some(solid) = tall().find(|solid| is_within(solid, lens)) {
