@@ -459,6 +459,8 @@ impl RoutineDriver {
         let mut stream = self.life.stream_of_day(self.agenda.day, "night");
         let tomorrow = self.agenda.day + 1;
         let up = super::agenda::up(&self.life, tomorrow, &self.life.mood(tomorrow)).max(now + MINUTE);
+        // A change that begins tomorrow does not touch tonight's wakings.
+        let usual_up = super::agenda::up(&self.life, tomorrow, &self.mood);
         let stay = |manner, left, until| {
             Step::Stay(Stay { posture: Posture::Lying, manner, left, until, may: May::Interrupt })
         };
@@ -489,7 +491,7 @@ impl RoutineDriver {
         let mut wakings: Vec<f64> = (0..stream.poisson(awake_min / 10.0)).map(|_| stream.unit()).collect();
         wakings.sort_by(f64::total_cmp);
         for share in wakings {
-            let at = asleep + ((up - asleep).max(0) as f64 * share) as Micros;
+            let at = asleep + ((usual_up - asleep).max(0) as f64 * share) as Micros;
             steps.push_back(Step::Name("sleeping".into()));
             steps.push_back(stay(Manner::ASLEEP, Micros::MAX / 4, Some(at)));
             steps.push_back(Step::Name(Activity::LieAwake.name()));
