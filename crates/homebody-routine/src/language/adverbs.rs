@@ -17,6 +17,114 @@ pub struct Slot<T> {
     pub own: bool,
 }
 
+/// The words that may begin one of these parts: whatever begins otherwise need not be tried.
+const FIRST: [&str; 96] = [
+    "a",
+    "about",
+    "after",
+    "afterwards",
+    "all",
+    "almost",
+    "always",
+    "an",
+    "and",
+    "approximately",
+    "around",
+    "at",
+    "before",
+    "beginning",
+    "between",
+    "by",
+    "daily",
+    "during",
+    "each",
+    "every",
+    "fade",
+    "fades",
+    "fading",
+    "few",
+    "for",
+    "frequently",
+    "from",
+    "give",
+    "half",
+    "hardly",
+    "immediately",
+    "in",
+    "just",
+    "lasting",
+    "many",
+    "midday",
+    "midnight",
+    "most",
+    "mostly",
+    "nearly",
+    "noon",
+    "normally",
+    "now",
+    "occasionally",
+    "often",
+    "on",
+    "once",
+    "one",
+    "over",
+    "plus",
+    "rarely",
+    "right",
+    "roughly",
+    "seldom",
+    "several",
+    "shortly",
+    "since",
+    "some",
+    "sometimes",
+    "soon",
+    "starting",
+    "straight",
+    "then",
+    "thrice",
+    "till",
+    "twice",
+    "until",
+    "usually",
+    "weekday",
+    "weekdays",
+    "weekend",
+    "weekends",
+    "with",
+    "within",
+    "exactly",
+    "the",
+    "two",
+    "three",
+    "four",
+    "five",
+    "six",
+    "seven",
+    "eight",
+    "nine",
+    "ten",
+    "eleven",
+    "twelve",
+    "fifteen",
+    "twenty",
+    "thirty",
+    "forty",
+    "fifty",
+    "sixty",
+    "ninety",
+    "seventy",
+    "eighty",
+];
+
+fn may_begin(reader: &Reader) -> bool {
+    match reader.token(0) {
+        Some(Token::Number(_) | Token::Clock(..)) => true,
+        Some(Token::Word) => FIRST.contains(&reader.peek(0)) || times::is_weekday(reader.peek(0)),
+        _ => false,
+    }
+}
+
 /// All that was said of when, how long and how often.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Adverbs {
@@ -58,8 +166,11 @@ fn put<T>(reader: &mut Reader, slot: &mut Option<Slot<T>>, value: T, span: Span,
 }
 
 impl Adverbs {
-    /// Reads the next part of a sentence if it is one of these.
+    /// Reads the next part of a sentence if it is one of these. Each reader changes nothing unless it succeeds.
     pub fn next(&mut self, reader: &mut Reader) -> bool {
+        if !may_begin(reader) {
+            return false;
+        }
         let start = reader.at;
         let read: [fn(&mut Adverbs, &mut Reader) -> Option<()>; 11] = [
             Adverbs::give_or_take,
@@ -75,10 +186,9 @@ impl Adverbs {
             Adverbs::counts,
         ];
         read.iter().any(|read| {
-            let (before, faults) = (self.clone(), reader.faults.count());
+            let faults = reader.faults.count();
             let found = read(self, reader).is_some();
             if !found {
-                *self = before;
                 reader.faults.forget_since(faults);
                 reader.at = start;
             }

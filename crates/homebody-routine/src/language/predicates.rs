@@ -322,13 +322,65 @@ pub fn own_words(reader: &mut Reader) -> Option<(String, Span)> {
 }
 
 /// Words that begin a place, a time, how often or how much.
-const BEGINNINGS: &str = "in on at by near beside to from until till over for after before with between during then \
-    about around every each once twice half almost nearly always never often usually sometimes rarely seldom most \
-    some several give plus fading daily now occasionally frequently and but while or has have is are been";
+const BEGINNINGS: [&str; 53] = [
+    "in",
+    "on",
+    "at",
+    "by",
+    "near",
+    "beside",
+    "to",
+    "from",
+    "until",
+    "till",
+    "over",
+    "for",
+    "after",
+    "before",
+    "with",
+    "between",
+    "during",
+    "then",
+    "about",
+    "around",
+    "every",
+    "each",
+    "once",
+    "twice",
+    "half",
+    "almost",
+    "nearly",
+    "always",
+    "never",
+    "often",
+    "usually",
+    "sometimes",
+    "rarely",
+    "seldom",
+    "most",
+    "some",
+    "several",
+    "give",
+    "plus",
+    "fading",
+    "daily",
+    "now",
+    "occasionally",
+    "frequently",
+    "and",
+    "but",
+    "while",
+    "or",
+    "has",
+    "have",
+    "is",
+    "are",
+    "been",
+];
 
 pub fn begins_adverb(reader: &Reader) -> bool {
     matches!(reader.token(0), Some(Token::Number(_) | Token::Clock(..) | Token::Date(..)))
-        || BEGINNINGS.split_whitespace().any(|word| word == reader.peek(0))
+        || BEGINNINGS.contains(&reader.peek(0))
 }
 
 /// Says that nobody knows how to do this, with what was probably meant.
