@@ -1,7 +1,8 @@
 //! What a clause means, once all of it is read: a habit, a change, or who the person is.
 
 use super::Draft;
-use super::adverbs::{Adverbs, Kind as Part};
+use super::adverbs::Adverbs;
+use super::meaning::Kind as Part;
 use super::measures::{Measure, Of};
 use super::predicates::{Predicate, Subject};
 use super::reader::Reader;
@@ -85,6 +86,7 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
         let span = adverbs.when.as_ref().map_or(clause.span, |slot| slot.span);
         reader.fault(span, "\"then\" has nothing before it", "say first what is done before".to_owned());
     }
+    let until = adverbs.until_meant(&when);
     let inherited_then = when == When::Then && adverbs.chance.as_ref().is_some_and(|chance| !chance.own);
     let chance = adverbs.chance.as_ref().filter(|_| !inherited_then).map_or(Chance::ALWAYS, |slot| slot.value);
     let phase = adverbs.phase_meant(reader, draft.is_condition);
@@ -102,7 +104,7 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
         phase,
         when,
         lasts: adverbs.lasts.as_ref().map(|slot| slot.value),
-        until: adverbs.until_time.as_ref().map(|slot| slot.value),
+        until,
         times: adverbs.times.as_ref().map_or((1, 1), |slot| slot.value),
     };
     draft.routine.habits.push(habit);

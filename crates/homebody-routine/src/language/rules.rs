@@ -2,9 +2,10 @@
 
 use super::Draft;
 use super::activities;
-use super::adverbs::{Adverbs, Kind};
+use super::adverbs::Adverbs;
 use super::amounts::{self, Unit, amount};
 use super::build::only;
+use super::meaning::Kind;
 use super::predicates::{self, Predicate, Subject};
 use super::reader::{Reader, Sort};
 use super::sentence::{Clause, PLACES, eat_preposition, tail};
