@@ -41,6 +41,7 @@ static PHRASES: [(Activity, &[&str]); 32] = [
         &[
             "~talk|speak|chat on phone|telephone [with|to] [WHOM]",
             "~phone|telephone|ring|call [WHOM]",
+            "~phone|telephone|ring|call WHOM on phone|telephone",
             "~make phone|telephone call",
             "~talk|speak|chat to|with WHOM on phone|telephone",
         ],
@@ -81,7 +82,10 @@ static PHRASES: [(Activity, &[&str]); 32] = [
     (Activity::Exercise, &["~exercise", "~do exercises|exercise|gymnastics|yoga"]),
     (Activity::UseComputer, &["~use computer|laptop|internet", "~sit|work at|on computer|laptop"]),
     (Activity::Relax, &["~relax", "~rest", "~sit [down] [quietly|still]", "~do nothing"]),
-    (Activity::Wander, &["~wander [around|about]", "~roam [around|about]", "~walk around|about"]),
+    (
+        Activity::Wander,
+        &["~wander|roam [around|about] [apartment|house|flat|home]", "~walk around|about [apartment|house|flat|home]"],
+    ),
     (
         Activity::Pace,
         &["~pace [up|to|back] [and] [down|fro|forth]", "~walk up and down", "~walk to and fro", "~walk back and forth"],

@@ -333,6 +333,13 @@ impl Adverbs {
         if !(reader.eat("from") || reader.eat("since") || reader.eat("starting|beginning on|in|from|with")) {
             return None;
         }
+        let month = reader.at;
+        if times::months(reader).is_some() {
+            let span = reader.span(month);
+            let hint = "write a date such as 2009-03-01, or \"from March to May\" for those months of all years";
+            reader.fault(span, format!("it is not clear from which day of {:?}", reader.said(span)), hint.to_owned());
+            return Some(());
+        }
         let (moment, _) = times::moment(reader)?;
         let _ = reader.eat("on|onward|onwards");
         let span = reader.span(start);

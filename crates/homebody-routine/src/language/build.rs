@@ -77,6 +77,9 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
         let words = reader.said(clause.predicate_span).to_lowercase();
         return super::predicates::unknown_verb(reader, &words, clause.predicate_span);
     }
+    if matches!(activity, Activity::GetUp | Activity::GoToBed) {
+        once_a_day(reader, &clause);
+    }
     if let Some(measure) = &clause.measure {
         misfit(reader, measure, "this is something new, not a change");
     }
@@ -109,6 +112,18 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
     };
     draft.routine.habits.push(habit);
     draft.habit_spans.push(clause.predicate_span);
+}
+
+/// A day begins and ends once; what interrupts a night has words of its own.
+fn once_a_day(reader: &mut Reader, clause: &Clause) {
+    let at_night = clause.adverbs.part.as_ref().filter(|part| part.value == PartOfDay::Night);
+    let gets_up = clause.predicate == Predicate::Does(Activity::GetUp);
+    let span = clause.adverbs.times.as_ref().filter(|times| times.value != (1, 1)).map(|times| times.span);
+    if let Some(span) = span.or(at_night.filter(|_| gets_up).map(|part| part.span)) {
+        let what = format!("{:?} does not fit here: a day begins and ends once", reader.said(span));
+        let hint = "for the nights, write \"goes to the bathroom\", \"lies awake\" or \"wanders\"".to_owned();
+        reader.fault(span, what, hint);
+    }
 }
 
 /// The time of day is within the part of the day that was said, and the end after the beginning.
@@ -144,7 +159,7 @@ fn check_times(reader: &mut Reader, adverbs: &Adverbs, when: &When) {
 
 fn change(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     let Some((effect, allowed)) = effect(reader, clause) else { return };
-    let why = "a change holds at all times from its beginning on";
+    let why = "a change holds on all days from its beginning on";
     only(reader, &clause.adverbs, &allowed, why);
     no_place(reader, clause);
     let phase = clause.adverbs.phase_meant(reader, draft.is_condition);
@@ -238,7 +253,7 @@ fn not_a_change(reader: &mut Reader, clause: &Clause) {
             \"walks up and down\" or \"goes for a walk\""
         }
         Predicate::Is => IS,
-        Predicate::Sleeps => "write \"sleeps 30 % more restlessly\", or \"goes to bed\" for when",
+        Predicate::Sleeps => "write \"sleeps 30 % more restlessly\", \"goes to bed at 22:30\" or \"gets up at 09:00\"",
         Predicate::Vary => "write \"her hours vary twice as much\"",
         Predicate::Breathes => "write \"breathes 6 breaths a minute faster\"",
         _ => "such changes are \"later\", \"longer\" and \"more often\"",

@@ -67,6 +67,7 @@ fn trigger(reader: &mut Reader) -> Option<Trigger> {
             reader.fault(reader.here(), "it is not said where she is", hint);
             return None;
         }
+        let _ = reader.eat("sitting|lying|standing|staying");
         if reader.eat("away|out|gone|outside") || reader.eat("away from home") {
             return Some(Trigger::Away);
         }

@@ -398,6 +398,12 @@ fn no_subject(reader: &mut Reader) {
         return reader.fault(span, what, hint);
     }
     let (here, word) = (reader.here(), reader.peek(0).to_owned());
+    if predicates::begins_adverb(reader) {
+        reader.at = (from + 3).min(reader.words.len());
+        let what = format!("{:?} is not understood here", reader.said(reader.span(from)));
+        let hint = "expected when or where: \"in the morning\", \"on Monday\", \"from week 6\", \"in the kitchen\"";
+        return reader.fault(reader.span(from), what, hint.to_owned());
+    }
     let known = did_you_mean(&word, vocabulary().filter(|known| *known != word));
     let hint = known.filter(|hint| hint.starts_with("did")).unwrap_or_else(|| {
         "a sentence says who does what: \"she gets up at about 06:45\", \"her daughter visits on Sunday\"".into()
