@@ -79,6 +79,7 @@ fn an_unknown_word() {
     refused("She reads @ noon.", "@", "is not understood here", "");
     refused("She reads 2 hours.", "2", "is not understood here", "write \"for 2 hours\"");
     refused("She gets up later.", "later", "is not understood here", "say by how much");
+    refused("In the first week she reads.", "In the first", "is not understood here", "from week 6");
     refused("She is happy.", "happy", "is not understood here", "is 30 % less active");
 }
 
@@ -162,6 +163,12 @@ fn two_times_of_getting_up_on_the_same_day() {
 }
 
 #[test]
+fn getting_up_more_than_once() {
+    refused("She gets up twice a night.", "twice a night", "a day begins and ends once", "goes to the bathroom");
+    refused("At night she gets up.", "At night", "a day begins and ends once", "wanders");
+}
+
+#[test]
 fn bed_before_getting_up() {
     let text = "She gets up at 7:00.\nShe goes to bed at 6:30.";
     refused(text, "goes to bed", "before she gets up, by line 1", "22:30");
@@ -236,6 +243,7 @@ fn a_phase_that_ends_before_it_begins() {
     refused("From 2009-05-01 to 2009-04-01 she reads.", "to 2009-04-01", "is not after it begins", "");
     refused("From day 100 until 2009-04-01 she reads.", "until 2009-04-01", "is not after it begins", "");
     refused("From day 0 she reads.", "day 0", "there is no \"day 0\"", "the first is day 1");
+    refused("From March she reads.", "March", "not clear from which day", "2009-03-01");
     refused("From 2009-02-30 she reads.", "2009-02-30", "there is no such date", "2009-05-01");
 }
 

@@ -104,10 +104,11 @@ fn of_the_person(reader: &mut Reader) -> Option<Subject> {
     visitor(reader)
 }
 
-/// One to four words, up to the verb.
+/// A few words, up to the verb.
 fn visitor(reader: &mut Reader) -> Option<Subject> {
+    const MOST: usize = 5;
     let from = reader.at;
-    while reader.at < from + 4 && reader.token(0) == Some(Token::Word) {
+    while reader.at < from + MOST && reader.token(0) == Some(Token::Word) {
         let at = reader.at;
         if at > from {
             let mut between = Adverbs::default();
@@ -219,14 +220,30 @@ fn changing(reader: &mut Reader) -> Option<Predicate> {
     reader.eat("breathes|breathe").then_some(Predicate::Breathes)
 }
 
+/// What severity these words stand for; without one, a case is moderate.
+pub const SEVERITIES: [(&str, f64); 3] =
+    [("mild|slight|light", 0.5), ("moderate", 1.0), ("severe|serious|strong", 1.5)];
+
+/// "has depression": only what is known, since much else can be had.
+fn has_condition(reader: &mut Reader) -> Option<Predicate> {
+    if !reader.eat("has|have") {
+        return None;
+    }
+    reader.skip_determiners();
+    let severity = reader.eat_any(&SEVERITIES).unwrap_or(1.0);
+    reader.name(&[Sort::Condition]).map(|name| Predicate::Shows(name, severity))
+}
+
 fn illness(reader: &mut Reader) -> Option<Predicate> {
+    if let Some(found) = reader.attempt(has_condition) {
+        return Some(found);
+    }
     if !(reader.eat("shows|show|develops|develop") || reader.eat("suffers|suffer from") || reader.eat("has signs of")) {
         return None;
     }
     reader.eat("signs of");
     reader.skip_determiners();
-    let degrees = [("mild|slight|light", 0.5), ("moderate", 1.0), ("severe|serious|strong", 1.5)];
-    let severity = reader.eat_any(&degrees).unwrap_or(1.0);
+    let severity = reader.eat_any(&SEVERITIES).unwrap_or(1.0);
     if let Some(name) = reader.name(&[Sort::Condition]) {
         return Some(Predicate::Shows(name, severity));
     }
@@ -322,13 +339,65 @@ pub fn own_words(reader: &mut Reader) -> Option<(String, Span)> {
 }
 
 /// Words that begin a place, a time, how often or how much.
-const BEGINNINGS: &str = "in on at by near beside to from until till over for after before with between during then \
-    about around every each once twice half almost nearly always never often usually sometimes rarely seldom most \
-    some several give plus fading daily now occasionally frequently and but while or has have is are been";
+const BEGINNINGS: [&str; 53] = [
+    "in",
+    "on",
+    "at",
+    "by",
+    "near",
+    "beside",
+    "to",
+    "from",
+    "until",
+    "till",
+    "over",
+    "for",
+    "after",
+    "before",
+    "with",
+    "between",
+    "during",
+    "then",
+    "about",
+    "around",
+    "every",
+    "each",
+    "once",
+    "twice",
+    "half",
+    "almost",
+    "nearly",
+    "always",
+    "never",
+    "often",
+    "usually",
+    "sometimes",
+    "rarely",
+    "seldom",
+    "most",
+    "some",
+    "several",
+    "give",
+    "plus",
+    "fading",
+    "daily",
+    "now",
+    "occasionally",
+    "frequently",
+    "and",
+    "but",
+    "while",
+    "or",
+    "has",
+    "have",
+    "is",
+    "are",
+    "been",
+];
 
 pub fn begins_adverb(reader: &Reader) -> bool {
     matches!(reader.token(0), Some(Token::Number(_) | Token::Clock(..) | Token::Date(..)))
-        || BEGINNINGS.split_whitespace().any(|word| word == reader.peek(0))
+        || BEGINNINGS.contains(&reader.peek(0))
 }
 
 /// Says that nobody knows how to do this, with what was probably meant.

@@ -2,9 +2,10 @@
 
 use super::Draft;
 use super::activities;
-use super::adverbs::{Adverbs, Kind};
+use super::adverbs::Adverbs;
 use super::amounts::{self, Unit, amount};
 use super::build::only;
+use super::meaning::Kind;
 use super::predicates::{self, Predicate, Subject};
 use super::reader::{Reader, Sort};
 use super::sentence::{Clause, PLACES, eat_preposition, tail};
@@ -66,6 +67,7 @@ fn trigger(reader: &mut Reader) -> Option<Trigger> {
             reader.fault(reader.here(), "it is not said where she is", hint);
             return None;
         }
+        let _ = reader.eat("sitting|lying|standing|staying");
         if reader.eat("away|out|gone|outside") || reader.eat("away from home") {
             return Some(Trigger::Away);
         }

@@ -33,12 +33,25 @@ pub struct Clause {
 
 /// Reads a sentence into the draft. If it has no verb, it is a heading: what it says is returned.
 pub fn sentence(reader: &mut Reader, draft: &mut Draft, heading: Option<&Adverbs>) -> Option<Adverbs> {
-    let mut adverbs = Adverbs::default();
-    adverbs.all(reader);
-    if reader.is_over() {
+    let (mut adverbs, mut at) = (Adverbs::default(), None);
+    loop {
+        reader.skip_commas();
+        // A place goes first, since a room may be named after a part of the day.
+        let here = if at.is_none() { place(reader) } else { None };
+        if here.is_some() {
+            at = here;
+        } else if !adverbs.next(reader) {
+            break;
+        }
+    }
+    if reader.is_over() && at.is_none() {
         return Some(adverbs);
     }
     if reader.eat("whenever|when|if") || reader.eat("each|every time") {
+        if let Some((_, span)) = at {
+            let hint = "write \"whenever she has been in the kitchen for 20 minutes\"".to_owned();
+            reader.fault(span, format!("{:?} does not fit before a rule", reader.said(span)), hint);
+        }
         rules::rule(reader, draft, &adverbs);
         return None;
     }
@@ -53,19 +66,21 @@ pub fn sentence(reader: &mut Reader, draft: &mut Draft, heading: Option<&Adverbs
     {
         return None;
     }
-    clauses(reader, draft, subject, who, adverbs, heading);
+    clauses(reader, draft, Start { subject, who, adverbs, place: at }, heading);
     None
 }
 
-fn clauses(
-    reader: &mut Reader,
-    draft: &mut Draft,
+/// What stands before the verb.
+struct Start {
     subject: Subject,
     who: Span,
-    front: Adverbs,
-    heading: Option<&Adverbs>,
-) {
-    let (mut adverbs, mut start, mut cooked) = (front, None, None);
+    adverbs: Adverbs,
+    place: Option<(String, Span)>,
+}
+
+fn clauses(reader: &mut Reader, draft: &mut Draft, front: Start, heading: Option<&Adverbs>) {
+    let Start { subject, who, mut adverbs, mut place } = front;
+    let (mut start, mut cooked) = (None, None);
     let (mut follows, mut clauses): (Option<Adverbs>, usize) = (None, 0);
     loop {
         reader.eat("also|still|again");
@@ -78,7 +93,7 @@ fn clauses(
             subject: subject.clone(),
             predicate,
             predicate_span,
-            place: None,
+            place: place.take(),
             measure: None,
             adverbs,
         };
@@ -227,7 +242,7 @@ pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<Span>> {
             clause.measure = Some(measure);
             continue;
         }
-        if place(reader, clause) || clause.adverbs.next(reader) {
+        if put_place(reader, clause) || clause.adverbs.next(reader) {
             continue;
         }
         not_understood(reader, clause);
@@ -235,16 +250,22 @@ pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<Span>> {
     }
 }
 
-/// "in the armchair", or the kitchen of "cleans the kitchen".
-fn place(reader: &mut Reader, clause: &mut Clause) -> bool {
+/// "in the armchair".
+fn place(reader: &mut Reader) -> Option<(String, Span)> {
     let start = reader.at;
-    let found = reader.attempt(|reader| {
-        let at = eat_preposition(reader);
-        let may_lack = matches!(&clause.predicate, Predicate::Does(Activity::Housework));
-        if at || may_lack { reader.name(&PLACES) } else { None }
+    let name = reader.attempt(|reader| if eat_preposition(reader) { reader.name(&PLACES) } else { None })?;
+    Some((name, reader.span(start)))
+}
+
+/// A place within the rest of a clause; the kitchen of "cleans the kitchen" is one too.
+fn put_place(reader: &mut Reader, clause: &mut Clause) -> bool {
+    let start = reader.at;
+    let cleans = matches!(&clause.predicate, Predicate::Does(Activity::Housework));
+    let found = place(reader).or_else(|| {
+        let name = if cleans { reader.name(&PLACES) } else { None }?;
+        Some((name, reader.span(start)))
     });
-    let Some(name) = found else { return false };
-    let span = reader.span(start);
+    let Some((name, span)) = found else { return false };
     if let Some((first, _)) = &clause.place {
         let what = format!("{:?} is a second place beside {first:?}", reader.said(span));
         reader.fault(span, what, "leave one of them out, or make two sentences".to_owned());
@@ -377,6 +398,12 @@ fn no_subject(reader: &mut Reader) {
         return reader.fault(span, what, hint);
     }
     let (here, word) = (reader.here(), reader.peek(0).to_owned());
+    if predicates::begins_adverb(reader) {
+        reader.at = (from + 3).min(reader.words.len());
+        let what = format!("{:?} is not understood here", reader.said(reader.span(from)));
+        let hint = "expected when or where: \"in the morning\", \"on Monday\", \"from week 6\", \"in the kitchen\"";
+        return reader.fault(reader.span(from), what, hint.to_owned());
+    }
     let known = did_you_mean(&word, vocabulary().filter(|known| *known != word));
     let hint = known.filter(|hint| hint.starts_with("did")).unwrap_or_else(|| {
         "a sentence says who does what: \"she gets up at about 06:45\", \"her daughter visits on Sunday\"".into()

@@ -279,6 +279,10 @@ fn whole(reader: &mut Reader) -> Option<u32> {
     }
 }
 
+pub fn is_weekday(word: &str) -> bool {
+    WEEKDAYS.iter().any(|(names, _)| names.split('|').any(|name| name == word))
+}
+
 /// A list of weekdays, or a stretch of them, as bits.
 pub fn weekdays(reader: &mut Reader) -> Option<u8> {
     if reader.eat("weekday|weekdays") {
