@@ -6,7 +6,7 @@
 //! timers bring their firings into order.
 //!
 //! Times are compared as whole microseconds, never as floats. A slice is half-open: what happens at
-//! its end belongs to the next. At one instant, touching comes before timers.
+//! its end belongs to the next. At one instant, touching and being told come before timers.
 
 use crate::drivers::Move;
 use crate::event::{Act as Using, Cause, Doing, Events, Fact, Firing, Value, Vitals, Why};

@@ -1,5 +1,14 @@
-//! What the sensors that do not look for movement have in common: they are told what happens to things and bodies,
-//! and speak up at once or when their timer runs out.
+//! What the sensors that do not look for movement have in common.
+//!
+//! They are told what happens to things and bodies, and speak up at once or when their timer runs out.
+//!
+//! We assume that whoever tells them does so as it happens, and of what began earlier with the same words as at first.
+//!
+//! A device that is told something keeps what it must and says when its timer is due, which may be now: then it has been told
+//! all that happens at this instant, in whatever order. Only a change of state is a message, so that being told again changes
+//! nothing. Those that measure do so in rounds, each from an instant of its own on.
+//!
+//! Left out: what becomes of a message on its way to the logger.
 
 use super::bed::Bed;
 use super::contact::Contact;
