@@ -113,6 +113,11 @@ impl Household {
         self.routines.get(resident)?.as_ref()
     }
 
+    /// What the routine of a resident leaves unsaid, and goes as it usually does.
+    pub fn unsaid(&self, resident: usize) -> Option<Routine> {
+        self.life(resident, 0).map(|life| life.unsaid().clone())
+    }
+
     /// The conditions that are shown, by name.
     pub fn conditions(&self) -> &BTreeMap<String, Routine> {
         &self.conditions
