@@ -108,7 +108,7 @@ fn how_long(reader: &mut Reader) -> Option<(Fuzzy, Span)> {
         reader.fault(reader.here(), "it is not said for how long", hint);
         return None;
     }
-    reader.eat("more|longer than") || reader.eat("over");
+    let _ = reader.eat("more|longer than") || reader.eat("over");
     let Some(amount) = amount(reader).filter(|amount| amount.unit == Unit::Second) else {
         reader.fault(reader.here(), "it is not said for how long", hint);
         return None;
