@@ -23,7 +23,7 @@ mod check;
 #[cfg(test)]
 mod tests;
 
-use crate::routine::{Phase, Routine, Said};
+use crate::routine::{Moment, Phase, Routine, Said};
 use adverbs::Adverbs;
 use faults::Faults;
 use homebody_core::problem::Problem;
@@ -172,8 +172,16 @@ impl Draft<'_> {
         Said { line: index as u32 + 1, column, text }
     }
 
-    /// A phase has to begin before it ends.
+    /// A phase has to begin before it ends, and before how often changes.
     fn phase(&self, reader: &mut Reader, phase: &Phase, adverbs: &Adverbs, span: Span) {
+        let becomes = adverbs.chance.as_ref().and_then(|slot| Some((slot.span, slot.value.becomes?.1)));
+        if let Some((at, by)) = becomes {
+            let from = phase.from.unwrap_or(Moment::Day(0));
+            if times::days_between(from, by, self.first_date).is_some_and(|days| days <= 0) {
+                let what = format!("{:?} changes before it begins", reader.said(at));
+                reader.fault(at, what, "say a later day after \"by\"".to_owned());
+            }
+        }
         let (Some(from), Some(until)) = (phase.from, phase.until) else { return };
         if times::days_between(from, until, self.first_date).is_some_and(|days| days <= 0) {
             let span = adverbs.until.as_ref().map_or(span, |slot| slot.span);
