@@ -13,7 +13,8 @@ use homebody_core::home::plan::Plan;
 use homebody_core::home::{Build, Home};
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::run::{Guest, Lives};
-use homebody_core::scenario::load::{Driver, Files, Scenario};
+use homebody_core::scenario::home::HomeFile;
+use homebody_core::scenario::load::{Driver, Files, Language, Said, Scenario};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -66,10 +67,11 @@ impl Household {
                 routines.push(None);
                 continue;
             };
-            let known = known(scenario, &plan, Some(&resident.file.name), reader.names(text));
+            let first = Some(scenario.calendar.date(0));
+            let known = known(&scenario.home, &plan, Some(&resident.file.name), reader.names(text), first);
             let (routine, problems) = language::routine(file, text, &known);
             reader.problems.extend(problems);
-            reader.follow(&routine, scenario, &plan, &mut Vec::new());
+            reader.follow(&routine, &scenario.home, &plan, first, &mut Vec::new());
             routines.push(Some(routine));
         }
         for name in without {
@@ -130,7 +132,10 @@ impl Household {
         let plan = Plan::new(&self.scenario.home);
         let (ordinary, _) = match routine.person.as_ref().map(|person| person.kind) {
             Some(Kind::Cat | Kind::Dog) => (Routine::default(), Vec::new()),
-            _ => language::condition("ordinary.routine", ORDINARY, &known(&self.scenario, &plan, None, Vec::new())),
+            _ => {
+                let known = known(&self.scenario.home, &plan, None, Vec::new(), None);
+                language::condition("ordinary.routine", ORDINARY, &known)
+            }
         };
         let calendar = &self.scenario.calendar;
         Some(Life::new(
@@ -192,6 +197,21 @@ impl Lives for Household {
     }
 }
 
+/// What is wrong with routines, for those who load scenarios.
+pub struct Spoken;
+
+impl Language for Spoken {
+    fn problems(&self, said: &Said, home: &HomeFile, plan: &Plan, files: &dyn Files) -> Vec<Problem> {
+        let mut reader = Reader { files, known: BTreeMap::new(), sources: BTreeMap::new(), problems: Vec::new() };
+        let first = said.calendar.map(|calendar| calendar.date(0));
+        let known = known(home, plan, said.resident, reader.names(said.text), first);
+        let (routine, mut problems) = language::routine(said.file, said.text, &known);
+        reader.follow(&routine, home, plan, first, &mut Vec::new());
+        problems.extend(reader.problems);
+        problems
+    }
+}
+
 /// The conditions that a routine shows.
 fn shows(routine: &Routine) -> impl Iterator<Item = &str> {
     routine.changes.iter().filter_map(|change| match &change.effect {
@@ -201,8 +221,14 @@ fn shows(routine: &Routine) -> impl Iterator<Item = &str> {
 }
 
 /// What may be named in a scenario's routines.
-fn known(scenario: &Scenario, plan: &Plan, person: Option<&str>, conditions: Vec<String>) -> Known {
-    let furniture = scenario.home.furniture.iter().map(|piece| piece.name.clone());
+fn known(
+    home: &HomeFile,
+    plan: &Plan,
+    person: Option<&str>,
+    conditions: Vec<String>,
+    first_date: Option<(i16, u8, u8)>,
+) -> Known {
+    let furniture = home.furniture.iter().map(|piece| piece.name.clone());
     let places = plan.places.iter().map(|(name, _)| name.clone());
     Known {
         person: person.map(String::from),
@@ -210,7 +236,7 @@ fn known(scenario: &Scenario, plan: &Plan, person: Option<&str>, conditions: Vec
         things: plan.things.iter().map(|thing| thing.name.clone()).collect(),
         rooms: plan.rooms.iter().map(|room| room.name.clone()).collect(),
         conditions,
-        first_date: Some(scenario.calendar.date(0)),
+        first_date,
     }
 }
 
@@ -246,7 +272,14 @@ impl Reader<'_> {
     }
 
     /// Reads the conditions that a routine shows, and those that these show; `path` are the ones on the way here.
-    fn follow(&mut self, routine: &Routine, scenario: &Scenario, plan: &Plan, path: &mut Vec<String>) {
+    fn follow(
+        &mut self,
+        routine: &Routine,
+        home: &HomeFile,
+        plan: &Plan,
+        first: Option<(i16, u8, u8)>,
+        path: &mut Vec<String>,
+    ) {
         for change in &routine.changes {
             let Effect::Shows { condition, .. } = &change.effect else { continue };
             if path.contains(condition) {
@@ -265,12 +298,12 @@ impl Reader<'_> {
             let built_in = || CONDITIONS.iter().find(|(name, _)| name == condition).map(|(_, text)| (*text).to_owned());
             let Some(text) = own.or_else(built_in) else { continue };
             let names = self.names(&text);
-            let (routine, problems) = language::condition(&file, &text, &known(scenario, plan, None, names));
+            let (routine, problems) = language::condition(&file, &text, &known(home, plan, None, names, first));
             self.problems.extend(problems);
             self.sources.insert(file, text);
             self.known.insert(condition.clone(), routine.clone());
             path.push(condition.clone());
-            self.follow(&routine, scenario, plan, path);
+            self.follow(&routine, home, plan, first, path);
             path.pop();
         }
     }
