@@ -6,7 +6,7 @@ use crate::living::driver::RoutineDriver;
 use crate::living::life::Life;
 use crate::living::pet::PetDriver;
 use crate::living::places::{Places, Role};
-use crate::routine::{Activity, Effect, Kind, Routine};
+use crate::routine::{Activity, Effect, Kind, Meal, Routine};
 use crate::walk::Mesh;
 use homebody_core::drivers::Decide;
 use homebody_core::home::plan::Plan;
@@ -52,6 +52,29 @@ pub const CONDITIONS: [(&str, &str); 8] = [
 
 /// What a routine that says nothing of it leaves to be ordinary.
 const ORDINARY: &str = include_str!("ordinary.routine");
+
+/// What everybody does without its being said: what [`ORDINARY`] says, what needs drive to, and what fills the time.
+const USUAL: [Activity; 19] = [
+    Activity::GetUp,
+    Activity::Dress,
+    Activity::Wash,
+    Activity::Prepare(Meal::Breakfast),
+    Activity::Eat(Meal::Breakfast),
+    Activity::Prepare(Meal::Lunch),
+    Activity::Eat(Meal::Lunch),
+    Activity::Prepare(Meal::Dinner),
+    Activity::Eat(Meal::Dinner),
+    Activity::WashUp,
+    Activity::GoToBed,
+    Activity::Laundry,
+    Activity::Leave,
+    Activity::Phone,
+    Activity::UseBathroom,
+    Activity::Drink,
+    Activity::Snack,
+    Activity::WatchTelevision,
+    Activity::Read,
+];
 
 impl Household {
     /// Reads the routines of a scenario and the conditions that they show, each from the scenario's own folder or, if it
@@ -237,6 +260,7 @@ fn known(
         rooms: plan.rooms.iter().map(|room| room.name.clone()).collect(),
         conditions,
         first_date,
+        usual: USUAL.to_vec(),
     }
 }
 

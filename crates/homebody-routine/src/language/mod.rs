@@ -23,7 +23,7 @@ mod check;
 #[cfg(test)]
 mod tests;
 
-use crate::routine::{Moment, Phase, Routine, Said};
+use crate::routine::{Activity, Moment, Phase, Routine, Said};
 use adverbs::Adverbs;
 use faults::Faults;
 use homebody_core::problem::Problem;
@@ -44,6 +44,8 @@ pub struct Known {
     pub conditions: Vec<String>,
     /// Year, month and day of the run's first day, which ties dates to days.
     pub first_date: Option<(i16, u8, u8)>,
+    /// What is done without being said.
+    pub usual: Vec<Activity>,
 }
 
 /// Longer lines are refused.
@@ -73,6 +75,7 @@ pub(crate) struct Draft<'t> {
     /// Where each rule says what happens, and for how long.
     rule_spans: Vec<(Span, Span)>,
     first_date: Option<(i16, u8, u8)>,
+    usual: Vec<Activity>,
     text: &'t str,
     lines: Vec<Line<'t>>,
 }
@@ -93,6 +96,7 @@ fn read(file: &str, text: &str, known: &Known, is_condition: bool) -> (Routine, 
         habit_spans: Vec::new(),
         rule_spans: Vec::new(),
         first_date: known.first_date,
+        usual: known.usual.clone(),
         text,
         lines: words::lines(text),
     };
