@@ -29,6 +29,13 @@ pub struct Excerpt {
     pub text: String,
     /// How many characters of the text come before the problem.
     pub before: u32,
+    /// How many characters the problem is about, at least one.
+    #[serde(skip_serializing_if = "is_one")]
+    pub width: u32,
+}
+
+fn is_one(width: &u32) -> bool {
+    *width == 1
 }
 
 /// Everything that is wrong, in the order of files and places.
@@ -36,7 +43,7 @@ pub struct Excerpt {
 pub struct Problems(pub Vec<Problem>);
 
 impl Problems {
-    /// All problems as plain text, each with its source line and a caret under the place.
+    /// All problems as plain text, each with its source line and carets under the place.
     pub fn render(&self) -> String {
         self.0.iter().map(Problem::render).collect::<Vec<_>>().join("\n")
     }
@@ -52,7 +59,8 @@ impl Problem {
         let mut text = format!("{}\n", self.headline());
         if let Some(excerpt) = &self.excerpt {
             text += &format!("{:>5} | {}\n", self.line, excerpt.text);
-            text += &format!("{:>5} | {}^\n", "", " ".repeat(excerpt.before as usize));
+            let (before, carets) = (" ".repeat(excerpt.before as usize), "^".repeat(excerpt.width as usize));
+            text += &format!("{:>5} | {before}{carets}\n", "");
         }
         if let Some(hint) = &self.hint {
             text += &format!("  hint: {hint}\n");
@@ -76,7 +84,13 @@ impl Excerpt {
         let place = (column as usize).saturating_sub(1);
         let start = if line.chars().count() <= WIDTH { 0 } else { place.saturating_sub(BEFORE) };
         let text = line.chars().skip(start).take(WIDTH).map(|c| if c.is_control() { ' ' } else { c }).collect();
-        Excerpt { text, before: (place - start) as u32 }
+        Excerpt { text, before: (place - start) as u32, width: 1 }
+    }
+
+    /// The same with so many characters underlined, as far as they are in sight.
+    pub fn underlining(self, width: usize) -> Excerpt {
+        let left = self.text.chars().count().saturating_sub(self.before as usize);
+        Excerpt { width: width.min(left).max(1) as u32, ..self }
     }
 }
 

@@ -26,9 +26,16 @@ pub struct Recording {
     /// Conditions that the routines show, but this run does not.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub without: Vec<String>,
+    /// Whether the residents are one of many: not quite as their routines are written.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub one_of_many: bool,
     /// How many firings it had, and the SHA-256 of them.
     pub firings: u64,
     pub sha256: String,
+}
+
+fn is_false(value: &bool) -> bool {
+    !value
 }
 
 impl Recording {

@@ -20,6 +20,7 @@ use std::sync::Arc;
 pub struct Run {
     world: World,
     residents: Vec<Resident>,
+    names: Vec<String>,
     /// Nothing where all that sensors say reaches the logger at once.
     link: Option<Box<Link>>,
     length: Micros,
@@ -85,18 +86,27 @@ impl Run {
             own.or_else(given).unwrap_or(Driver::Absent)
         });
         let drivers = drivers.collect();
-        Run { link: link.map(Box::new), ..Run::of(home, builds, drivers, seed, length) }
+        let mut run = Run { link: link.map(Box::new), ..Run::of(home, builds, drivers, seed, length) };
+        let names = scenario.residents.iter().map(|resident| resident.file.name.clone());
+        run.names = names.chain(guests.into_iter().map(|guest| guest.name)).collect();
+        run
     }
 
     /// A run of any drivers in a baked home.
     pub fn of(home: Arc<Home>, builds: Vec<Build>, drivers: Vec<Driver>, seed: u64, length: Micros) -> Run {
         let world = World::new(home, drivers.len(), seed);
         let resident = |(build, driver)| Resident { build, driver, until: 0, room: None, located: false };
-        Run { world, residents: builds.into_iter().zip(drivers).map(resident).collect(), link: None, length }
+        let names = (1..=drivers.len()).map(|number| format!("resident {number}")).collect();
+        Run { world, residents: builds.into_iter().zip(drivers).map(resident).collect(), names, link: None, length }
     }
 
     pub fn home(&self) -> &Home {
         self.world.home()
+    }
+
+    /// The names of the scenario's residents, then of those who come to visit.
+    pub fn names(&self) -> Vec<String> {
+        self.names.clone()
     }
 
     /// The sensors that the logger knows, in the order in which firings count them. The home has more where a sensor
@@ -179,9 +189,9 @@ impl Run {
                 }
                 Next::Act(act) => {
                     events.facts.push(Fact::Act { resident: resident as u32, at: now, act });
-                    self.world.act(resident, act, events);
+                    self.world.act(resident, act);
                 }
-                Next::Vitals(vitals) => self.world.feel(resident, vitals, events),
+                Next::Vitals(vitals) => self.world.feel(resident, vitals),
                 Next::Need(need, level) => {
                     events.facts.push(Fact::Need { resident: resident as u32, at: now, need, level });
                 }
@@ -194,7 +204,7 @@ impl Run {
         };
         self.residents[resident].until = next.end;
         self.tell_rooms(resident, &next, events);
-        self.world.begin(resident, &next, events);
+        self.world.begin(resident, &next);
         let Move { end, doing, posture, .. } = next.until(self.length);
         events.facts.push(Fact::Movement { resident: resident as u32, begin: now, end, doing, posture });
     }

@@ -33,6 +33,6 @@ pub mod source;
 pub use convert::convert;
 pub use error::LogError;
 pub use logger::{Logger, RunInfo, Stored};
-pub use source::{Activity, Event, Log, activities, read};
+pub use source::{Activity, Event, Life, Log, activities, lives, read};
 pub use truth::TruthLog;
 pub use url::Url;

@@ -6,5 +6,13 @@
 pub mod fuzzy;
 pub mod routine;
 
+// How text becomes a routine.
+pub mod language;
+pub mod explain;
+
+// The living of it, and everybody of a scenario who does.
+pub mod living;
+pub mod household;
+
 // How a body gets from place to place: paths with clearance, gait, and what disturbs both.
 pub mod walk;

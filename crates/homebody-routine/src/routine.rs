@@ -180,6 +180,7 @@ pub struct Phase {
     pub from: Option<Moment>,
     /// How many days until it is fully there.
     pub over_days: f64,
+    /// The first moment at which it is no longer so, or begins to fade.
     pub until: Option<Moment>,
     /// How many days until it is fully gone again, after `until`.
     pub fading_days: f64,
@@ -269,6 +270,50 @@ pub enum Effect {
     Pulse(Fuzzy),
     /// So many breaths a minute more.
     Respiration(Fuzzy),
+}
+
+impl Activity {
+    /// What the truth calls it: `watching_television`; what the user named, as the user named it.
+    pub fn name(&self) -> String {
+        let meal = |meal: &Meal| match meal {
+            Meal::Breakfast => "breakfast",
+            Meal::Lunch => "lunch",
+            Meal::Dinner => "dinner",
+        };
+        match self {
+            Activity::GetUp => "getting_up",
+            Activity::UseBathroom => "using_bathroom",
+            Activity::Shower => "showering",
+            Activity::Wash => "washing",
+            Activity::Dress => "dressing",
+            Activity::TakeMedicine => "taking_medicine",
+            Activity::Prepare(of) => return format!("preparing_{}", meal(of)),
+            Activity::Eat(of) => return format!("eating_{}", meal(of)),
+            Activity::WashUp => "washing_up",
+            Activity::WatchTelevision => "watching_television",
+            Activity::Read => "reading",
+            Activity::Phone => "telephoning",
+            Activity::Nap => "napping",
+            Activity::Laundry => "laundry",
+            Activity::Housework => "housework",
+            Activity::Leave => "away",
+            Activity::ComeHome => "coming_home",
+            Activity::Visit => "visit",
+            Activity::GoToBed => "going_to_bed",
+            Activity::Drink => "drinking",
+            Activity::Snack => "having_a_snack",
+            Activity::Exercise => "exercising",
+            Activity::UseComputer => "using_computer",
+            Activity::Relax => "relaxing",
+            Activity::Wander => "wandering",
+            Activity::Pace => "pacing",
+            Activity::Lap => "lapping",
+            Activity::LieAwake => "lying_awake",
+            Activity::Fall => "fallen",
+            Activity::Other(words) => return words.clone(),
+        }
+        .into()
+    }
 }
 
 impl Days {

@@ -15,6 +15,7 @@
 //! `1` and the like; all other rows, such as those that end it, are left out. Where the reference has no firings, there
 //! is no agreement to speak of.
 
+use crate::signs::{Says, says};
 use homebody_core::time::{Micros, seconds};
 use homebody_log::{Activity, Log};
 use serde::Serialize;
@@ -150,9 +151,7 @@ fn natural(name: &str) -> Vec<(usize, &str)> {
 
 /// Whether a value says that something began.
 pub fn begins(value: &str) -> bool {
-    ["on", "open", "present", "true", "1", "detected", "occupied"]
-        .iter()
-        .any(|begins| begins.eq_ignore_ascii_case(value))
+    matches!(says(value), Says::Begins | Says::Opens)
 }
 
 fn agreement(apart: u64, reference: u64) -> Option<f64> {

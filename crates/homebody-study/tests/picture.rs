@@ -5,10 +5,12 @@ mod home;
 use homebody_core::geometry::{Point, direction, point};
 use homebody_core::home::plan::Plan;
 use homebody_core::scenario::home::{HomeFile, SensorFile};
+use homebody_log::{Event, Log};
 use homebody_study::coverage::{STEP_M, coverage};
+use homebody_study::density::{Asked, density};
 use homebody_study::picture::{
-    Activity, Lane, Panel, PngError, Reference, TotalsLine, coverage_map, firing_chart, floor_plan, png, span_chart,
-    totals_chart,
+    Activity, Band, DayChart, Holds, Lane, Panel, PngError, Reference, TotalsLine, coverage_map, day_chart,
+    density_map, firing_chart, floor_plan, png, span_chart, totals_chart,
 };
 use resvg::usvg;
 use serde_json::json;
@@ -46,6 +48,28 @@ fn spans() -> String {
     span_chart("Spans", "is there", ["real", "simulated"], &panels)
 }
 
+/// A log of a sensor that fires every ten minutes, for so many days.
+fn steady(days: i64) -> Log {
+    const TEN_MINUTES: i64 = 600_000_000;
+    let events = (0..days * 144).map(|number| Event { at: number * TEN_MINUTES, sensor: 0, value: 0 });
+    Log { sensors: vec!["hall <&>".into()], values: vec!["ON".into()], events: events.collect(), ..Log::default() }
+}
+
+fn days_map(days: i64) -> String {
+    let (log, asked) = (steady(days), Asked::default());
+    density_map(&density(("a & <b>", &log, &asked), Some(("other", &log, &asked))).expect("a map"))
+}
+
+fn planned_day() -> DayChart {
+    let spans = vec![(0.0, 25_000.0, "sleeping".to_owned()), (25_000.0, 25_060.0, "taking <pills>".to_owned())];
+    let rooms = vec![(0.0, 99_999.0, "bedroom".to_owned())];
+    let bands = vec![
+        Band { name: "Ann & Bob".to_owned(), holds: Holds::Activities, spans },
+        Band { name: "rooms".to_owned(), holds: Holds::Rooms, spans: rooms },
+    ];
+    DayChart { title: "A plan".to_owned(), bands, ticks: Vec::new() }
+}
+
 /// The beams of the wall sensors' fans.
 fn beams(home: &HomeFile, plan: &Plan) -> Vec<(usize, Point, Point)> {
     let mut beams = Vec::new();
@@ -73,6 +97,34 @@ fn every_picture_is_well_formed() {
     for svg in [floor_plan(&file), map(&file), firing_chart("A & <B>", &activities(), 300.0), totals(), spans()] {
         well_formed(&svg);
     }
+}
+
+#[test]
+fn maps_of_few_and_of_many_days_are_well_formed() {
+    for days in [1, 7, 70, 730, 3660] {
+        let svg = days_map(days);
+        well_formed(&svg);
+        assert!(svg.contains("a &amp; &lt;b&gt;, 1970-01-01 to") && svg.contains("and more"), "{days}");
+    }
+    assert!(days_map(7).contains(">Sat 3 Jan<") && days_map(730).contains("Jan 1971<"));
+    assert!(days_map(730).len() < 1_000_000);
+}
+
+#[test]
+fn a_day_is_drawn_with_firings_or_without() {
+    let plan = planned_day();
+    let svg = day_chart(&plan);
+    well_formed(&svg);
+    for words in ["2 activities<", "Ann &amp; Bob", ">sleeping<", ">bedroom<", "medicine", "24:00"] {
+        assert!(svg.contains(words), "the chart lacks {words}");
+    }
+    assert!(!svg.contains("firings") && !svg.contains("meals"), "there are none");
+    let spans = vec![(-10.0, 5.0), (5.0, 5.0), (86_399.0, 90_000.0), (100_000.0, 100_001.0)];
+    let lived = DayChart { ticks: vec![("door".to_owned(), spans), ("silent".to_owned(), Vec::new())], ..plan };
+    let svg = day_chart(&lived);
+    well_formed(&svg);
+    assert!(svg.contains("2 activities, 4 firings of 2 sensors") && svg.contains(">silent<"));
+    well_formed(&day_chart(&DayChart::default()));
 }
 
 #[test]

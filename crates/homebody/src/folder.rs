@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use homebody_core::scenario::load::{Files, Scenario};
+use homebody_routine::household::Household;
 use include_dir::{Dir, include_dir};
 use std::collections::BTreeMap;
 use std::fs;
@@ -43,6 +44,13 @@ pub fn load(path: &Path) -> Result<(Scenario, String), Failure> {
         return Err(Failure::io(&file, "there is no such file\n  hint: a scenario folder holds a scenario.json"));
     }
     Ok((Scenario::load(&Folder(folder.to_owned()), &entry)?, entry))
+}
+
+/// Loads a scenario with the routines of those who live there; conditions named in `without` are left out.
+pub fn load_lives(path: &Path, without: &[String]) -> Result<(Scenario, String, Household), Failure> {
+    let (mut scenario, entry) = load(path)?;
+    let household = Household::read(&mut scenario, &Folder(folder_of(path).to_owned()), without)?;
+    Ok((scenario, entry, household))
 }
 
 /// The files that a scenario was loaded from.

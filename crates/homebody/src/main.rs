@@ -3,6 +3,7 @@
 mod commands;
 mod failure;
 mod folder;
+mod given;
 mod pace;
 mod places;
 mod print;

@@ -1,6 +1,6 @@
 //! Local time at the edges: the world itself knows only microseconds since the start.
 
-use crate::time::{Micros, SECOND};
+use crate::time::{DAY, Micros, SECOND};
 use jiff::civil::DateTime;
 use jiff::tz::{AmbiguousOffset, TimeZone, TimeZoneDatabase};
 use jiff::{SignedDuration, Timestamp, Zoned};
@@ -45,6 +45,44 @@ impl Calendar {
         self.timestamp(at).to_zoned(self.start.time_zone().clone())
     }
 
+    /// The day that an instant lies in, by the clock on the wall; the start's is 0.
+    pub fn day(&self, at: Micros) -> i32 {
+        (self.local(at).date() - self.start.date()).get_days()
+    }
+
+    /// The instant of a time of day, given since midnight; beyond 24 hours it is of the days after. A time that the clock
+    /// skips is as much later as it skips; of a time that comes twice, it is the first.
+    pub fn instant(&self, day: i32, time_of_day: Micros) -> Micros {
+        let day = i64::from(day) + time_of_day.div_euclid(DAY);
+        let time = jiff::SignedDuration::from_micros(time_of_day.rem_euclid(DAY));
+        // Beyond the calendar's end time goes on without dates.
+        let beyond = || day.saturating_mul(DAY).saturating_add(time_of_day.rem_euclid(DAY)) - self.start_of_day();
+        let Ok(date) = self.start.date().checked_add(jiff::Span::new().days(day.clamp(-4_000_000, 4_000_000))) else {
+            return beyond();
+        };
+        let Ok(local) = date.to_datetime(jiff::civil::Time::midnight()).checked_add(time) else { return beyond() };
+        let zoned = self.start.time_zone().to_ambiguous_zoned(local).compatible();
+        zoned.map_or_else(|_| beyond(), |zoned| self.micros(zoned.timestamp()))
+    }
+
+    /// Year, month and day of the month.
+    pub fn date(&self, day: i32) -> (i16, u8, u8) {
+        let date = self.start.date().saturating_add(jiff::Span::new().days(day));
+        (date.year(), date.month() as u8, date.day() as u8)
+    }
+
+    /// The day of the week, Monday being 0.
+    pub fn weekday(&self, day: i32) -> u8 {
+        let monday = i64::from(self.start.weekday().to_monday_zero_offset());
+        (monday + i64::from(day)).rem_euclid(7) as u8
+    }
+
+    /// The day of a date, the start's being 0; nothing if there is no such date.
+    pub fn day_of(&self, year: i16, month: u8, day: u8) -> Option<i32> {
+        let date = jiff::civil::Date::new(year, i8::try_from(month).ok()?, i8::try_from(day).ok()?).ok()?;
+        Some((date - self.start.date()).get_days())
+    }
+
     /// The time of day at the start, since midnight.
     pub fn start_of_day(&self) -> Micros {
         let time = self.start.time();
@@ -87,6 +125,27 @@ mod tests {
         assert_eq!(time_of_day("07:30"), Some(450 * minute));
         assert_eq!(time_of_day("07:30:15.5"), Some(450 * minute + 15_500_000));
         assert_eq!(time_of_day("23:59:59.999999"), Some(24 * 60 * minute - 1));
+    }
+
+    #[test]
+    fn days_and_times_are_the_homes_own() {
+        let hour = 3600 * SECOND;
+        // Clocks go forward on 2009-03-08 at 2:00 in Chicago, back on 2009-11-01.
+        let calendar = Calendar::new("2009-03-06T18:00:00", "America/Chicago").unwrap();
+        assert_eq!(calendar.instant(0, 20 * hour), 2 * hour);
+        assert_eq!(calendar.instant(1, 0), 6 * hour);
+        assert_eq!(calendar.instant(0, 30 * hour), 12 * hour, "6:00 on the next day");
+        assert_eq!(calendar.instant(2, 3 * hour) - calendar.instant(2, hour), hour, "an hour is skipped");
+        assert_eq!(calendar.instant(2, 2 * hour + hour / 2), calendar.instant(2, 3 * hour + hour / 2));
+        assert_eq!(calendar.instant(3, 0) - calendar.instant(2, 0), 23 * hour);
+        assert_eq!(calendar.day(6 * hour - 1), 0);
+        assert_eq!(calendar.day(6 * hour), 1);
+        assert_eq!(calendar.day(calendar.instant(400, 0)), 400);
+        assert_eq!(calendar.weekday(0), 4);
+        assert_eq!(calendar.weekday(-5), 6);
+        assert_eq!(calendar.date(26), (2009, 4, 1));
+        assert_eq!(calendar.day_of(2009, 4, 1), Some(26));
+        assert_eq!(calendar.day_of(2009, 2, 30), None);
     }
 
     #[test]

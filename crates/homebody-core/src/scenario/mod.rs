@@ -1,18 +1,19 @@
 //! The scenario as its author wrote it: the JSON files of a scenario folder, as plain data.
 //!
 //! `scenario.json` links the home, the link, the logger and the residents; a resident links a driver.
-//! Reading order: this file, [`home`], [`resident`], [`path`], [`input`], [`link`], [`logger`], then how the
+//! Reading order: this file, [`home`], [`device`], [`resident`], [`path`], [`input`], [`link`], [`logger`], then how the
 //! text becomes data ([`load`]): places in the text ([`source`]), the right shape (`shape`, by the
 //! [`schema`]), the right meaning (`check`).
 
 pub mod calendar;
 mod check;
+pub mod device;
 pub mod home;
 pub mod input;
 pub mod link;
 pub mod load;
 pub mod logger;
-mod nearest;
+pub mod nearest;
 pub mod path;
 pub mod resident;
 pub mod schema;

@@ -1,6 +1,7 @@
 //! What is wrong with a scenario is said with its place, in words that help.
 
 mod all_at_once;
+mod devices;
 mod good;
 mod link;
 mod meaning;

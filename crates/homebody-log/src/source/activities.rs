@@ -5,6 +5,7 @@ use super::sqlite::{connect, text};
 use crate::error::LogError;
 use homebody_core::time::Micros;
 use rusqlite::types::ValueRef;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// What somebody did over a span, on the log's clock; the end is no part of it.
@@ -15,30 +16,83 @@ pub struct Activity {
     pub end: Micros,
 }
 
+/// What a run's truth tells of one resident.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Life {
+    pub resident: String,
+    /// In order of their beginnings.
+    pub activities: Vec<Activity>,
+    /// The rooms as spans, named by the room; none between rooms and away.
+    pub rooms: Vec<Activity>,
+}
+
 /// The activities that a run's truth tells, in order of their beginnings.
 pub fn activities(truth: &Path) -> Result<Vec<Activity>, LogError> {
+    let sql = "SELECT begin_at, end_at, NULL, name FROM activity WHERE name IS NOT NULL ORDER BY begin_at";
+    let told = told(truth, sql)?;
+    let spans = told.into_iter().filter_map(|row| Some((row.at[0]?, row.at[1]?, row.what?)));
+    Ok(spans.map(|(begin, end, name)| Activity { name, begin, end }).collect())
+}
+
+/// What a run's truth tells of each resident, by name.
+pub fn lives(truth: &Path) -> Result<Vec<Life>, LogError> {
+    let mut lives: BTreeMap<String, Life> = BTreeMap::new();
+    let mut end = Micros::MIN;
+    let sql = "SELECT begin_at, end_at, resident, name FROM activity WHERE name IS NOT NULL ORDER BY begin_at";
+    for row in told(truth, sql)? {
+        if let (Some(begin), Some(until), Some(name)) = (row.at[0], row.at[1], row.what) {
+            end = end.max(until);
+            lives.entry(row.who).or_default().activities.push(Activity { name, begin, end: until });
+        }
+    }
+    // Where somebody goes ends where they are; the last room ends with the run, or when no more is known.
+    let runs = told(truth, "SELECT max(ended_at), NULL, NULL, NULL FROM run")?;
+    end = runs.into_iter().filter_map(|row| row.at[0]).fold(end, Micros::max);
+    let mut open: BTreeMap<String, (Micros, Option<String>)> = BTreeMap::new();
+    let mut rows = told(truth, "SELECT at, NULL, resident, room FROM room ORDER BY at, rowid")?;
+    let residents: BTreeSet<String> = rows.iter().map(|row| row.who.clone()).collect();
+    rows.extend(residents.into_iter().map(|who| Told { at: [Some(end), None], who, what: None }));
+    for row in rows {
+        let Some(at) = row.at[0] else { continue };
+        if let Some((begin, Some(room))) = open.insert(row.who.clone(), (at, row.what))
+            && begin < at
+        {
+            lives.entry(row.who).or_default().rooms.push(Activity { name: room, begin, end: at });
+        }
+    }
+    Ok(lives.into_iter().map(|(resident, life)| Life { resident, ..life }).collect())
+}
+
+/// A row of the truth.
+struct Told {
+    at: [Option<Micros>; 2],
+    who: String,
+    what: Option<String>,
+}
+
+/// Rows of two instants, who, and what.
+fn told(truth: &Path, sql: &str) -> Result<Vec<Told>, LogError> {
     let database = |error| LogError::database(truth, error);
     let connection = connect(truth).map_err(database)?;
-    let sql = "SELECT begin_at, end_at, name FROM activity WHERE name IS NOT NULL ORDER BY begin_at";
     let mut statement = connection.prepare(sql).map_err(database)?;
     let mut rows = statement.query([]).map_err(database)?;
     let mut instants = Instants::default();
-    let mut activities = Vec::new();
+    let mut told = Vec::new();
     while let Some(row) = rows.next().map_err(database)? {
-        let value = |column| row.get_ref(column).map_err(database);
         let mut instant = |column| {
-            let instant = match value(column)? {
+            let instant = match row.get_ref(column).map_err(database)? {
                 ValueRef::Integer(number) => since_1970(number as f64),
                 ValueRef::Real(number) => since_1970(number),
                 other => instants.read(&text(other)),
             };
             Ok::<_, LogError>(instant.map(|(Instant::Local(at) | Instant::Utc(at))| at))
         };
-        if let (Some(begin), Some(end)) = (instant(0)?, instant(1)?) {
-            activities.push(Activity { name: text(value(2)?), begin, end });
-        }
+        let at = [instant(0)?, instant(1)?];
+        let who = text(row.get_ref(2).map_err(database)?);
+        let what = Some(text(row.get_ref(3).map_err(database)?)).filter(|what| !what.is_empty());
+        told.push(Told { at, who, what });
     }
-    Ok(activities)
+    Ok(told)
 }
 
 /// Puts together what a log notes apart: that an activity begins, and that it ends.

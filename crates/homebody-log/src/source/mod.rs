@@ -11,7 +11,7 @@ mod sqlite;
 use crate::error::LogError;
 use crate::url::Url;
 use activities::Notes;
-pub use activities::{Activity, activities};
+pub use activities::{Activity, Life, activities, lives};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{DAY, Micros};
 use instant::{Instant, Instants};

@@ -9,6 +9,8 @@
 
 mod chart;
 mod coverage_map;
+mod day_chart;
+mod density_map;
 mod floor_plan;
 mod font;
 mod label;
@@ -23,6 +25,8 @@ use resvg::{tiny_skia, usvg};
 
 pub use chart::{Activity, Lane, Panel, Reference, TotalsLine, firing_chart, span_chart, totals_chart};
 pub use coverage_map::coverage_map;
+pub use day_chart::{Band, DayChart, Holds, day_chart};
+pub use density_map::density_map;
 pub use floor_plan::floor_plan;
 
 /// Why an SVG did not become a PNG.

@@ -19,6 +19,12 @@ pub const DEAD_GROUND: &str = "#fde9dc";
 /// One, two, three and more sensors: viridis from light to dark, so that grey tells them apart too.
 pub const SEEN: [&str; 3] = ["#f2e96b", "#4fbf83", "#31688e"];
 
+/// At home, but nothing moves.
+pub const QUIET: &str = "#ffffff";
+/// Eight levels of motion: viridis from light to dark. Its darkest end would look like black, and its lightest is paler, as
+/// most of the nights are.
+pub const DENSITY: [&str; 8] = ["#fbf1a9", "#d3e25b", "#8fd14f", "#48c06f", "#22a884", "#21918c", "#2f6c8e", "#414487"];
+
 /// Okabe & Ito's palette in the order in which lines of a chart take it; the yellow is too pale for lines.
 pub const SERIES: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"];
 
@@ -86,6 +92,12 @@ mod tests {
             assert!(contrast(text, WHITE) >= 4.5 && contrast(text, FLOOR) >= 4.5, "{text}");
         }
         assert!(contrast(DEAD, WHITE) >= 3.0);
+    }
+
+    #[test]
+    fn more_motion_is_darker_and_never_black() {
+        assert!(DENSITY.map(luminance).is_sorted_by(|a, b| a > b));
+        assert!(luminance(QUIET) > luminance(DENSITY[0]) && contrast(DENSITY[7], INK) > 1.8);
     }
 
     #[test]

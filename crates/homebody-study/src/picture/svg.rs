@@ -135,6 +135,13 @@ impl Svg {
         self.body.push_str("</g>\n");
     }
 
+    /// Draws without soft edges: cells side by side then show no seams.
+    pub fn crisp(&mut self, draw: impl FnOnce(&mut Svg)) {
+        self.open("g", &[("shape-rendering", &"crispEdges")]);
+        draw(self);
+        self.body.push_str("</g>\n");
+    }
+
     /// A pattern of slanted lines, to fill shapes with as `url(#id)`.
     pub fn hatch(&mut self, id: &str, ground: &str, ink: &str) {
         self.body.push_str("<defs>");

@@ -42,6 +42,7 @@ pub type Picture<'a> = &'a dyn Fn() -> String;
 pub struct Checked<'a, const N: usize> {
     answer: &'a Answer,
     pictures: CheckedPictures<'a, N>,
+    table: Option<&'a Path>,
 }
 
 /// Pictures whose files can be written.
@@ -58,8 +59,19 @@ impl Answer {
         names: [&'static str; N],
         sources: &[PathBuf],
     ) -> Result<Checked<'_, N>, Failure> {
-        let pictures = self.pictures.check_beside(names, self.json_file(), sources)?;
-        Ok(Checked { answer: self, pictures })
+        self.check_beside(names, None, sources)
+    }
+
+    /// The same with a table beside them, if its file is named.
+    pub fn check_beside<'a, const N: usize>(
+        &'a self,
+        names: [&'static str; N],
+        table: Option<&'a Path>,
+        sources: &[PathBuf],
+    ) -> Result<Checked<'a, N>, Failure> {
+        let files: Vec<&Path> = self.json_file().into_iter().chain(table).collect();
+        let pictures = self.pictures.check_beside(names, &files, sources)?;
+        Ok(Checked { answer: self, pictures, table })
     }
 
     fn json_file(&self) -> Option<&Path> {
@@ -71,7 +83,20 @@ impl<const N: usize> Checked<'_, N> {
     /// Writes the pictures and figures that are asked for into files, then tells the answer: to scripts where figures are
     /// asked for but no file of them is, else to people. No file is written unless all pictures can be drawn.
     pub fn give(&self, answer: &(impl Serialize + Display), pictures: [Picture; N]) -> Result<(), Failure> {
+        self.give_beside(answer, pictures, &String::new)
+    }
+
+    /// The same with the table, where it is asked for.
+    pub fn give_beside(
+        &self,
+        answer: &(impl Serialize + Display),
+        pictures: [Picture; N],
+        table: &dyn Fn() -> String,
+    ) -> Result<(), Failure> {
         self.pictures.draw(pictures)?;
+        if let Some(path) = self.table {
+            write_file(path, table().as_bytes(), self.answer.pictures.force)?;
+        }
         match self.answer.json_file() {
             Some(path) => {
                 write_file(path, json_text(answer)?.as_bytes(), self.answer.pictures.force)?;
@@ -95,18 +120,18 @@ impl Pictures {
         names: [&'static str; N],
         sources: &[PathBuf],
     ) -> Result<CheckedPictures<'_, N>, Failure> {
-        self.check_beside(names, None, sources)
+        self.check_beside(names, &[], sources)
     }
 
     fn check_beside<const N: usize>(
         &self,
         names: [&'static str; N],
-        file: Option<&Path>,
+        others: &[&Path],
         sources: &[PathBuf],
     ) -> Result<CheckedPictures<'_, N>, Failure> {
         let paths = self.svg.iter().chain(&self.png);
         let files: Vec<PathBuf> = paths.flat_map(|path| names.map(|name| named(path, name))).collect();
-        let all: Vec<&Path> = files.iter().map(PathBuf::as_path).chain(file).collect();
+        let all: Vec<&Path> = files.iter().map(PathBuf::as_path).chain(others.iter().copied()).collect();
         can_be_written(&all, sources, self.force)?;
         Ok(CheckedPictures { pictures: self, names })
     }

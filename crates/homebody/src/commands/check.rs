@@ -19,7 +19,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let loaded = folder::load(&self.scenario);
+        let loaded = folder::load_lives(&self.scenario, &[]);
         if self.json {
             match &loaded {
                 Ok(_) => print_json(&json!({ "problems": [] }))?,
@@ -27,7 +27,7 @@ impl Arguments {
                 Err(_) => {}
             }
         }
-        let (scenario, _) = loaded?;
+        let (scenario, ..) = loaded?;
         let home = &scenario.home;
         tell(format_args!(
             "{}: nothing is wrong. {}, {}, {}, {}; {}.",

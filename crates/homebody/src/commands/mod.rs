@@ -2,10 +2,13 @@
 
 mod answer;
 mod check;
+mod cohort;
 mod compare;
 mod completions;
 mod convert;
 mod coverage;
+mod day;
+mod density;
 mod experiment;
 mod live;
 mod new;
@@ -16,6 +19,8 @@ mod schema;
 
 use crate::failure::Failure;
 use clap::Subcommand;
+
+pub use convert::{place, tell_remarks};
 
 #[derive(Subcommand)]
 pub enum Command {
@@ -31,6 +36,10 @@ pub enum Command {
     Coverage(coverage::Arguments),
     /// Compare the firings of two logs
     Compare(compare::Arguments),
+    /// Say how much somebody moves in each hour of each day, with a map
+    Density(density::Arguments),
+    /// Say what happened on one day, with a chart
+    Day(day::Arguments),
     /// Do an experiment again that was done in the real world
     Experiment(experiment::Arguments),
     /// Carry a log from one form into another
@@ -52,6 +61,8 @@ impl Command {
             Command::Plan(arguments) => arguments.run(),
             Command::Coverage(arguments) => arguments.run(),
             Command::Compare(arguments) => arguments.run(),
+            Command::Density(arguments) => arguments.run(),
+            Command::Day(arguments) => arguments.run(),
             Command::Experiment(arguments) => arguments.run(),
             Command::Convert(arguments) => arguments.run(),
             Command::Schema(arguments) => arguments.run(),

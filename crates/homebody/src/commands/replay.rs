@@ -5,6 +5,7 @@ use super::run::LONGEST;
 use crate::failure::Failure;
 use crate::pace::Asked;
 use homebody_core::recording::Recording;
+use homebody_routine::household::Household;
 use std::fmt::Display;
 use std::fs;
 use std::io::ErrorKind;
@@ -27,8 +28,10 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let recording = self.recording()?;
-        let scenario = recording.scenario()?;
-        let run = recording.run(&scenario, &());
+        let mut scenario = recording.scenario()?;
+        let household = Household::read(&mut scenario, &recording.files, &recording.without)?;
+        let household = if recording.one_of_many { household.one_of_many() } else { household };
+        let run = recording.run(&scenario, &household);
         let sources = vec![self.recording];
         let live = Live { scenario: &scenario, recording, record: None, output: self.output, sources };
         live.live(run, &self.pace)

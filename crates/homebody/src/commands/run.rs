@@ -1,5 +1,6 @@
 //! `homebody run`: live a scenario.
 
+use super::cohort::Cohort;
 use super::live::{Live, Output};
 use crate::failure::Failure;
 use crate::folder;
@@ -17,6 +18,8 @@ use std::path::PathBuf;
 #[command(after_help = "Examples:
   homebody run scenarios/tigerplace
   homebody run scenarios/tigerplace --for 2h --speed 60
+  homebody run scenarios/tigerplace-depression --without depression
+  homebody run scenarios/tigerplace --residents 100 --for 28d
   homebody run my-home --out sqlite:log.db --out csv:log.csv --truth truth.db --force
   printf 'step 60\\nstop\\n' | homebody run my-home --control --paused")]
 pub struct Arguments {
@@ -28,6 +31,16 @@ pub struct Arguments {
     /// The number all randomness comes from, instead of the scenario's
     #[arg(long)]
     seed: Option<u64>,
+    /// Leave out a condition that a routine shows; may be given several times
+    ///
+    /// All that the condition does not touch draws the same random numbers with it and without.
+    #[arg(long, value_name = "CONDITION")]
+    without: Vec<String>,
+    /// Live so many lives side by side, on all processors: each differs from the routines as people differ, and goes into
+    /// a folder of its own
+    #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..=100_000),
+          conflicts_with_all = ["out", "truth", "record", "force", "control", "speed", "paused"])]
+    residents: Option<u32>,
     #[command(flatten)]
     output: Output,
     /// Record what is needed to replay the run into this file
@@ -39,21 +52,26 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let (scenario, entry) = folder::load(&self.scenario)?;
+        let (scenario, entry, household) = folder::load_lives(&self.scenario, &self.without)?;
         let seed = self.seed.unwrap_or(scenario.file.seed);
         let length = self.length.unwrap_or_else(|| micros(scenario.file.days * 86_400.0));
-        let run = Run::new(&scenario, &(), seed, length);
         let recording = Recording {
             version: env!("CARGO_PKG_VERSION").into(),
             entry,
             files: scenario.sources.clone(),
             seed,
             length_us: length,
-            without: Vec::new(),
+            without: self.without,
+            one_of_many: false,
             firings: 0,
             sha256: String::new(),
         };
         let sources = folder::files(&self.scenario, &scenario);
+        if let Some(residents) = self.residents {
+            let cohort = Cohort { scenario: &scenario, household: &household, recording, sources, output: self.output };
+            return cohort.live(residents);
+        }
+        let run = Run::new(&scenario, &household, seed, length);
         let live = Live { scenario: &scenario, recording, record: self.record, output: self.output, sources };
         live.live(run, &self.pace)
     }
@@ -63,7 +81,7 @@ impl Arguments {
 pub const LONGEST: Micros = 36_525 * 86_400 * SECOND;
 
 /// A span of time as people write it.
-fn span(text: &str) -> Result<Micros, String> {
+pub fn span(text: &str) -> Result<Micros, String> {
     let (number, unit) = text.split_at(text.trim_end_matches(|c: char| c.is_ascii_alphabetic()).len());
     let unit = match unit {
         "s" => 1.0,
@@ -76,7 +94,7 @@ fn span(text: &str) -> Result<Micros, String> {
     let number: f64 = number.parse().map_err(|_| "write one number with its unit: 90s, 15m, 2h, 7d or 52w")?;
     let span = micros(number * unit);
     let is_span = span > 0 && span <= LONGEST;
-    is_span.then_some(span).ok_or_else(|| "a run is longer than nothing and at most 100 years long".into())
+    is_span.then_some(span).ok_or_else(|| "it is longer than nothing and at most 100 years long".into())
 }
 
 #[cfg(test)]

@@ -13,4 +13,5 @@ mod trouble;
 mod stops;
 mod bad_input;
 mod logs;
+mod days;
 mod figures;

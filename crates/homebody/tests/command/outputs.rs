@@ -69,7 +69,7 @@ fn several_outputs_hold_the_same_rows() {
 }
 
 /// Words, each with the files it writes.
-const WRITES: [(&str, &[&str]); 10] = [
+const WRITES: [(&str, &[&str]); 13] = [
     ("run flat --for 1m --out sqlite:new.db --out csv:kept", &["kept", "new.db"]),
     ("run flat --for 1m --out csv:new.csv --out sqlite:kept", &["kept", "new.csv"]),
     ("run flat --for 1m --out csv:new.csv --out casas:kept", &["kept", "new.csv"]),
@@ -80,6 +80,9 @@ const WRITES: [(&str, &[&str]); 10] = [
     ("coverage flat --png new.png --json=kept", &["kept", "new.png"]),
     ("plan flat --svg new.svg --png kept", &["kept", "new.svg"]),
     ("convert given.csv --to sqlite:kept", &["kept"]),
+    ("density given.csv --svg new.svg --csv kept", &["kept", "new.svg"]),
+    ("density given.csv --csv new.csv --json=kept", &["kept", "new.csv"]),
+    ("day given.csv first --svg new.svg --png kept", &["kept", "new.svg"]),
 ];
 
 #[test]
@@ -191,6 +194,9 @@ fn talkative(folder: &Folder) -> Vec<String> {
         "compare dirty.txt dirty.txt",
         "compare dirty.txt dirty.txt --json",
         "convert dirty.txt --to csv:a.csv --force",
+        "density dirty.txt",
+        "density dirty.txt --against log.csv --json",
+        "day dirty.txt first",
         "completions bash",
         "schema schemas",
         "help",

@@ -13,8 +13,20 @@ const DOCUMENTS: [&str; 3] = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"];
 const STARTS: [&[&str]; 3] = [&["cargo", "run", "--release", "--"], &["./target/release/homebody"], &["homebody"]];
 
 /// The commands that need only files and take no more than seconds.
-const QUICK: [&str; 10] =
-    ["check", "compare", "completions", "convert", "coverage", "new", "plan", "replay", "run", "schema"];
+const QUICK: [&str; 12] = [
+    "check",
+    "compare",
+    "completions",
+    "convert",
+    "coverage",
+    "day",
+    "density",
+    "new",
+    "plan",
+    "replay",
+    "run",
+    "schema",
+];
 
 /// The commands that make what they name first.
 const MAKERS: [&str; 2] = ["new", "schema"];

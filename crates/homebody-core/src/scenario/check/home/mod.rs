@@ -1,5 +1,6 @@
 //! `home.json`: names, then the building, then what hangs in it.
 
+mod devices;
 mod furniture;
 mod names;
 mod overlap;

@@ -1,0 +1,334 @@
+//! Everybody of a scenario who lives by a routine: the residents, and those who visit them.
+
+use crate::language::{self, Known};
+use crate::living::body::Body;
+use crate::living::driver::RoutineDriver;
+use crate::living::life::Life;
+use crate::living::pet::PetDriver;
+use crate::living::places::{Places, Role};
+use crate::routine::{Activity, Effect, Kind, Routine};
+use crate::walk::Mesh;
+use homebody_core::drivers::Decide;
+use homebody_core::home::plan::Plan;
+use homebody_core::home::{Build, Home};
+use homebody_core::problem::{Problem, Problems};
+use homebody_core::run::{Guest, Lives};
+use homebody_core::scenario::load::{Driver, Files, Scenario};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// The routines of a scenario, understood.
+#[derive(Clone, Debug)]
+pub struct Household {
+    scenario: Scenario,
+    /// By resident; nothing for those who follow a path or keys.
+    routines: Vec<Option<Routine>>,
+    conditions: BTreeMap<String, Routine>,
+    guests: Vec<Visitor>,
+    is_one_of_many: bool,
+}
+
+/// Somebody who visits a resident.
+#[derive(Clone, Debug)]
+struct Visitor {
+    /// Index of the one who is visited.
+    host: usize,
+    /// What the routine calls them: `daughter`.
+    name: String,
+}
+
+/// The conditions that the program knows, by name, as texts.
+pub const CONDITIONS: [(&str, &str); 8] = [
+    ("cognitive-decline", include_str!("../../../conditions/cognitive-decline.routine")),
+    ("depression", include_str!("../../../conditions/depression.routine")),
+    ("frailty", include_str!("../../../conditions/frailty.routine")),
+    ("grief", include_str!("../../../conditions/grief.routine")),
+    ("heart-failure", include_str!("../../../conditions/heart-failure.routine")),
+    ("insomnia", include_str!("../../../conditions/insomnia.routine")),
+    ("recovery", include_str!("../../../conditions/recovery.routine")),
+    ("urinary-tract-infection", include_str!("../../../conditions/urinary-tract-infection.routine")),
+];
+
+/// What a routine that says nothing of it leaves to be ordinary.
+const ORDINARY: &str = include_str!("ordinary.routine");
+
+impl Household {
+    /// Reads the routines of a scenario and the conditions that they show, each from the scenario's own folder or, if it
+    /// has none of that name, from those the program knows. The texts that were read join the scenario's sources.
+    ///
+    /// `without` names conditions that are left out; one that nobody shows is a problem.
+    pub fn read(scenario: &mut Scenario, files: &dyn Files, without: &[String]) -> Result<Household, Problems> {
+        let plan = Plan::new(&scenario.home);
+        let mut reader = Reader { files, known: BTreeMap::new(), sources: BTreeMap::new(), problems: Vec::new() };
+        let mut routines = Vec::new();
+        for resident in &scenario.residents {
+            let Driver::Routine { file, text } = &resident.driver else {
+                routines.push(None);
+                continue;
+            };
+            let known = known(scenario, &plan, Some(&resident.file.name), reader.names(text));
+            let (routine, problems) = language::routine(file, text, &known);
+            reader.problems.extend(problems);
+            reader.follow(&routine, scenario, &plan, &mut Vec::new());
+            routines.push(Some(routine));
+        }
+        for name in without {
+            let shown = |routine: &Routine| shows(routine).any(|condition| condition == name);
+            if !routines.iter().flatten().chain(reader.known.values()).any(shown) {
+                let names: Vec<&str> = routines.iter().flatten().flat_map(shows).collect();
+                let hint = match names.is_empty() {
+                    true => "no routine of this scenario shows a condition".to_owned(),
+                    false => format!("its routines show {}", names.join(", ")),
+                };
+                let file = &scenario.file.name;
+                reader.problems.push(Problem::of_file(file, format!("nobody shows {name:?}"), Some(hint)));
+            }
+        }
+        let mut problems = reader.problems;
+        for (resident, routine) in scenario.residents.iter().zip(&routines) {
+            if let Some(routine) = routine {
+                check_home(scenario, &plan, resident.file.radius_m, &resident.file.name, routine, &mut problems);
+            }
+        }
+        if !problems.is_empty() {
+            return Err(Problems(problems));
+        }
+        let mut conditions = reader.known;
+        conditions.retain(|name, _| !without.contains(name));
+        scenario.sources.extend(reader.sources);
+        let mut household =
+            Household { scenario: scenario.clone(), routines, conditions, guests: Vec::new(), is_one_of_many: false };
+        household.guests = household.find_guests();
+        Ok(household)
+    }
+
+    /// The same household as one of a cohort: everybody differs from what is written as people differ, each seed in its
+    /// own way.
+    pub fn one_of_many(&self) -> Household {
+        Household { is_one_of_many: true, ..self.clone() }
+    }
+
+    /// The routine of a resident, if they live by one.
+    pub fn routine(&self, resident: usize) -> Option<&Routine> {
+        self.routines.get(resident)?.as_ref()
+    }
+
+    /// The conditions that are shown, by name.
+    pub fn conditions(&self) -> &BTreeMap<String, Routine> {
+        &self.conditions
+    }
+
+    /// The life of a resident who lives by a routine.
+    pub fn life(&self, resident: usize, seed: u64) -> Option<Life> {
+        let routine = self.routine(resident)?.clone();
+        let file = &self.scenario.residents[resident].file;
+        let plan = Plan::new(&self.scenario.home);
+        let (ordinary, _) = match routine.person.as_ref().map(|person| person.kind) {
+            Some(Kind::Cat | Kind::Dog) => (Routine::default(), Vec::new()),
+            _ => language::condition("ordinary.routine", ORDINARY, &known(&self.scenario, &plan, None, Vec::new())),
+        };
+        let calendar = &self.scenario.calendar;
+        Some(Life::new(
+            &file.name,
+            seed,
+            calendar,
+            file.pace_mps,
+            routine,
+            ordinary,
+            &self.conditions,
+            self.is_one_of_many,
+        ))
+    }
+
+    fn find_guests(&self) -> Vec<Visitor> {
+        let of = |(host, routine): (usize, &Option<Routine>)| {
+            let habits = routine.iter().flat_map(|routine| &routine.habits);
+            let mut names: Vec<String> = habits.filter_map(|habit| habit.visitor.clone()).collect();
+            names.sort();
+            names.dedup();
+            names.into_iter().map(move |name| Visitor { host, name }).collect::<Vec<_>>()
+        };
+        self.routines.iter().enumerate().flat_map(of).collect()
+    }
+
+    fn body(&self, body: usize, home: &Arc<Home>, pace_mps: f64) -> Body {
+        let radius_m = self.scenario.residents.get(body).map_or(Build::adult().radius_m, |one| one.file.radius_m);
+        let mesh = Arc::new(Mesh::new(&home.plan, radius_m));
+        Body::new(home.clone(), mesh, pace_mps)
+    }
+}
+
+impl Lives for Household {
+    fn guests(&self) -> Vec<Guest> {
+        let name =
+            |visitor: &Visitor| format!("{}'s {}", self.scenario.residents[visitor.host].file.name, visitor.name);
+        self.guests.iter().map(|visitor| Guest { name: name(visitor), build: Build::adult() }).collect()
+    }
+
+    fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn Decide>> {
+        let places = |name: &str| Arc::new(Places::new(&self.scenario.home, &home.plan, name));
+        if let Some(guest) = body.checked_sub(self.scenario.residents.len()) {
+            let Visitor { host, name } = self.guests.get(guest)?;
+            let life = Arc::new(self.life(*host, seed)?);
+            let places = places(&life.name);
+            /// Metres a second: somebody younger who takes their time (ours).
+            const PACE_MPS: f64 = 0.9;
+            let body = self.body(body, home, PACE_MPS);
+            return Some(Box::new(RoutineDriver::visitor(life, home.clone(), places, body, name)));
+        }
+        let life = Arc::new(self.life(body, seed)?);
+        let places = places(&life.name);
+        let kind = self.routine(body)?.person.as_ref().map_or(Kind::Person, |person| person.kind);
+        let own = self.body(body, home, life.pace_mps);
+        match kind {
+            Kind::Person => Some(Box::new(RoutineDriver::new(life, home.clone(), places, own))),
+            Kind::Cat | Kind::Dog => Some(Box::new(PetDriver::new(life, places, own))),
+        }
+    }
+}
+
+/// The conditions that a routine shows.
+fn shows(routine: &Routine) -> impl Iterator<Item = &str> {
+    routine.changes.iter().filter_map(|change| match &change.effect {
+        Effect::Shows { condition, .. } => Some(condition.as_str()),
+        _ => None,
+    })
+}
+
+/// What may be named in a scenario's routines.
+fn known(scenario: &Scenario, plan: &Plan, person: Option<&str>, conditions: Vec<String>) -> Known {
+    let furniture = scenario.home.furniture.iter().map(|piece| piece.name.clone());
+    let places = plan.places.iter().map(|(name, _)| name.clone());
+    Known {
+        person: person.map(String::from),
+        places: places.chain(furniture).collect(),
+        things: plan.things.iter().map(|thing| thing.name.clone()).collect(),
+        rooms: plan.rooms.iter().map(|room| room.name.clone()).collect(),
+        conditions,
+        first_date: Some(scenario.calendar.date(0)),
+    }
+}
+
+/// Reads conditions as routines ask for them.
+struct Reader<'a> {
+    files: &'a dyn Files,
+    known: BTreeMap<String, Routine>,
+    sources: BTreeMap<String, String>,
+    problems: Vec<Problem>,
+}
+
+impl Reader<'_> {
+    /// The names of the conditions that may be meant in a text: those the program knows, and the scenario's own files.
+    fn names(&self, text: &str) -> Vec<String> {
+        let mut names: Vec<String> = CONDITIONS.iter().map(|(name, _)| (*name).to_owned()).collect();
+        for line in text.lines().filter(|line| line.len() < 1_000) {
+            let words: Vec<String> = line
+                .split(|c: char| !c.is_alphanumeric() && c != '-')
+                .filter(|word| !word.is_empty())
+                .map(str::to_lowercase)
+                .collect();
+            let Some(verb) = words.iter().position(|word| word == "shows" || word == "show") else { continue };
+            for first in verb + 1..words.len().min(verb + 6) {
+                for last in first + 1..=words.len().min(first + 4) {
+                    let name = words[first..last].join("-");
+                    if !names.contains(&name) && self.files.read(&file_of(&name)).is_ok() {
+                        names.push(name);
+                    }
+                }
+            }
+        }
+        names
+    }
+
+    /// Reads the conditions that a routine shows, and those that these show; `path` are the ones on the way here.
+    fn follow(&mut self, routine: &Routine, scenario: &Scenario, plan: &Plan, path: &mut Vec<String>) {
+        for change in &routine.changes {
+            let Effect::Shows { condition, .. } = &change.effect else { continue };
+            if path.contains(condition) {
+                let what = format!("the conditions {} show each other in a circle", path.join(" and "));
+                let mut problem =
+                    Problem::of_file(&routine.file, what, Some("let one of them not show the other".into()));
+                (problem.line, problem.column) = (change.said.line, change.said.column);
+                self.problems.push(problem);
+                continue;
+            }
+            if self.known.contains_key(condition) {
+                continue;
+            }
+            let file = file_of(condition);
+            let own = self.files.read(&file).ok();
+            let built_in = || CONDITIONS.iter().find(|(name, _)| name == condition).map(|(_, text)| (*text).to_owned());
+            let Some(text) = own.or_else(built_in) else { continue };
+            let names = self.names(&text);
+            let (routine, problems) = language::condition(&file, &text, &known(scenario, plan, None, names));
+            self.problems.extend(problems);
+            self.sources.insert(file, text);
+            self.known.insert(condition.clone(), routine.clone());
+            path.push(condition.clone());
+            self.follow(&routine, scenario, plan, path);
+            path.pop();
+        }
+    }
+}
+
+fn file_of(condition: &str) -> String {
+    format!("conditions/{condition}.routine")
+}
+
+/// What the routine needs of the home: a bed, a way to each place, somewhere to do what it says.
+fn check_home(
+    scenario: &Scenario,
+    plan: &Plan,
+    radius_m: f64,
+    name: &str,
+    routine: &Routine,
+    problems: &mut Vec<Problem>,
+) {
+    let places = Places::new(&scenario.home, plan, name);
+    let mesh = Mesh::new(plan, radius_m);
+    let mut say = |line: u32, column: u32, what: String, hint: &str| {
+        let mut problem = Problem::of_file(&routine.file, what, Some(hint.to_owned()));
+        (problem.line, problem.column) = (line, column);
+        problems.push(problem);
+    };
+    let Some(bed) = places.of(Role::Bed) else {
+        return say(
+            0,
+            0,
+            "there is nowhere in this home to sleep".into(),
+            "give it a piece of furniture \"bed\" that is enterable",
+        );
+    };
+    let is_person = routine.person.as_ref().is_none_or(|person| person.kind == Kind::Person);
+    if is_person {
+        for (role, what, hint) in [
+            (Role::Toilet, "there is no toilet in this home", "give it a piece of furniture or a place \"toilet\""),
+            (Role::Fridge, "there is no kitchen in this home", "give it a room \"kitchen\", or a place \"fridge\""),
+        ] {
+            match places.of(role) {
+                None => say(0, 0, what.into(), hint),
+                Some(spot) if !mesh.can_reach(bed.at, spot.at) => {
+                    let what = format!("{name} cannot get from {:?} to {:?}", bed.name, spot.name);
+                    say(0, 0, what, "see with `homebody plan` what is in the way: a closed door, a wall, furniture");
+                }
+                Some(_) => {}
+            }
+        }
+    }
+    let mut told: Vec<&str> = Vec::new();
+    for habit in &routine.habits {
+        let Some(place) = habit.place.as_deref().filter(|place| !told.contains(place)) else { continue };
+        let Some(spot) = places.named(place) else { continue };
+        if !mesh.can_reach(bed.at, spot.at) {
+            told.push(place);
+            let what = format!("{name} cannot get from {:?} to {place:?}", bed.name);
+            let hint = "see with `homebody plan` what is in the way: a closed door, a wall, furniture";
+            say(habit.said.line, habit.said.column, what, hint);
+        }
+    }
+    let goes_out = routine.habits.iter().find(|habit| matches!(habit.activity, Activity::Leave | Activity::Visit));
+    if let (Some(habit), None) = (goes_out, places.of(Role::FrontDoor)) {
+        let hint = "mark a door as \"outside\", or name a place \"front door\"";
+        say(habit.said.line, habit.said.column, "there is no way out of this home".into(), hint);
+    }
+}

@@ -1,0 +1,513 @@
+//! When, how long, how often: the parts of a sentence that may stand before or after the rest, in any order.
+
+use super::activities;
+use super::amounts::{self, Amount, Unit, amount};
+use super::often::{self, Often};
+use super::reader::Reader;
+use super::times;
+use super::words::{Span, Token};
+use crate::fuzzy::Fuzzy;
+use crate::routine::{Chance, Moment, PartOfDay, When};
+
+/// Something that was said, where, and whether by this sentence or by the heading above it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Slot<T> {
+    pub value: T,
+    pub span: Span,
+    pub own: bool,
+}
+
+/// The words that may begin one of these parts: whatever begins otherwise need not be tried.
+const FIRST: [&str; 96] = [
+    "a",
+    "about",
+    "after",
+    "afterwards",
+    "all",
+    "almost",
+    "always",
+    "an",
+    "and",
+    "approximately",
+    "around",
+    "at",
+    "before",
+    "beginning",
+    "between",
+    "by",
+    "daily",
+    "during",
+    "each",
+    "every",
+    "fade",
+    "fades",
+    "fading",
+    "few",
+    "for",
+    "frequently",
+    "from",
+    "give",
+    "half",
+    "hardly",
+    "immediately",
+    "in",
+    "just",
+    "lasting",
+    "many",
+    "midday",
+    "midnight",
+    "most",
+    "mostly",
+    "nearly",
+    "noon",
+    "normally",
+    "now",
+    "occasionally",
+    "often",
+    "on",
+    "once",
+    "one",
+    "over",
+    "plus",
+    "rarely",
+    "right",
+    "roughly",
+    "seldom",
+    "several",
+    "shortly",
+    "since",
+    "some",
+    "sometimes",
+    "soon",
+    "starting",
+    "straight",
+    "then",
+    "thrice",
+    "till",
+    "twice",
+    "until",
+    "usually",
+    "weekday",
+    "weekdays",
+    "weekend",
+    "weekends",
+    "with",
+    "within",
+    "exactly",
+    "the",
+    "two",
+    "three",
+    "four",
+    "five",
+    "six",
+    "seven",
+    "eight",
+    "nine",
+    "ten",
+    "eleven",
+    "twelve",
+    "fifteen",
+    "twenty",
+    "thirty",
+    "forty",
+    "fifty",
+    "sixty",
+    "ninety",
+    "seventy",
+    "eighty",
+];
+
+fn may_begin(reader: &Reader) -> bool {
+    match reader.token(0) {
+        Some(Token::Number(_) | Token::Clock(..)) => true,
+        Some(Token::Word) => FIRST.contains(&reader.peek(0)) || times::is_weekday(reader.peek(0)),
+        _ => false,
+    }
+}
+
+/// All that was said of when, how long and how often.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Adverbs {
+    pub chance: Option<Slot<Chance>>,
+    pub weekdays: Option<Slot<u8>>,
+    pub months: Option<Slot<u16>>,
+    pub every: Option<Slot<u32>>,
+    pub part: Option<Slot<PartOfDay>>,
+    pub when: Option<Slot<When>>,
+    pub lasts: Option<Slot<Fuzzy>>,
+    pub until_time: Option<Slot<Fuzzy>>,
+    pub times: Option<Slot<(u32, u32)>>,
+    pub from: Option<Slot<Moment>>,
+    pub until: Option<Slot<Moment>>,
+    /// Days after the beginning at which it ends.
+    pub for_days: Option<Slot<f64>>,
+    pub over: Option<Slot<f64>>,
+    pub fading: Option<Slot<f64>>,
+    /// Which number "give or take" would be about.
+    pub last: Last,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Last {
+    #[default]
+    Nothing,
+    When,
+    Lasts,
+    Until,
+}
+
+fn put<T>(reader: &mut Reader, slot: &mut Option<Slot<T>>, value: T, span: Span, kind: &str) {
+    if let Some(first) = slot {
+        let what = format!("{:?} comes after {:?}: {kind}", reader.said(span), reader.said(first.span));
+        reader.fault(span, what, "leave one of them out, or make two sentences".to_owned());
+    } else {
+        *slot = Some(Slot { value, span, own: true });
+    }
+}
+
+impl Adverbs {
+    /// Reads the next part of a sentence if it is one of these. Each reader changes nothing unless it succeeds.
+    pub fn next(&mut self, reader: &mut Reader) -> bool {
+        if !may_begin(reader) {
+            return false;
+        }
+        let start = reader.at;
+        let read: [fn(&mut Adverbs, &mut Reader) -> Option<()>; 11] = [
+            Adverbs::give_or_take,
+            Adverbs::often,
+            Adverbs::days,
+            Adverbs::parts,
+            Adverbs::clock,
+            Adverbs::phase,
+            Adverbs::gradually,
+            Adverbs::duration,
+            Adverbs::then,
+            Adverbs::order,
+            Adverbs::counts,
+        ];
+        read.iter().any(|read| {
+            let faults = reader.faults.count();
+            let found = read(self, reader).is_some();
+            if !found {
+                reader.faults.forget_since(faults);
+                reader.at = start;
+            }
+            found
+        })
+    }
+
+    /// Reads all that come next.
+    pub fn all(&mut self, reader: &mut Reader) {
+        reader.skip_commas();
+        while self.next(reader) {
+            reader.skip_commas();
+        }
+    }
+
+    fn often(&mut self, reader: &mut Reader) -> Option<()> {
+        let from = reader.at;
+        let often = often::at_first(reader).or_else(|| often::often(reader));
+        let Some(often) = often else {
+            if !reader.eat("at first") {
+                return None;
+            }
+            let hint = "write \"rarely at first, often by day 160\"".to_owned();
+            reader.fault(reader.span(from), "\"at first\" needs how often that is", hint);
+            return Some(());
+        };
+        let span = reader.span(from);
+        self.put_often(reader, often, span);
+        Some(())
+    }
+
+    fn put_often(&mut self, reader: &mut Reader, often: Often, span: Span) {
+        if let Some(chance) = often.chance {
+            put(reader, &mut self.chance, chance, span, "both say how often");
+        }
+        if let Some(weekdays) = often.weekdays {
+            put(reader, &mut self.weekdays, weekdays, span, "both say on which days");
+        }
+        if let Some(part) = often.part {
+            put(reader, &mut self.part, part, span, "both say at which time of the day");
+        }
+        if let Some(every) = often.every {
+            put(reader, &mut self.every, every, span, "both say on which days");
+        }
+        if let Some(times) = often.times {
+            put(reader, &mut self.times, times, span, "both say how many times");
+        }
+    }
+
+    /// "on Tuesday and Friday", "at weekends", "in winter", "from May to September".
+    fn days(&mut self, reader: &mut Reader) -> Option<()> {
+        let from = reader.at;
+        if reader.eat("from") {
+            if let Some(months) = times::month_range(reader) {
+                let span = reader.span(from);
+                put(reader, &mut self.months, months, span, "both say in which months");
+                return Some(());
+            }
+        } else if reader.eat("in|during") {
+            let months = times::months(reader)?;
+            let span = reader.span(from);
+            put(reader, &mut self.months, months, span, "both say in which months");
+            return Some(());
+        } else {
+            reader.eat("on|at");
+            reader.eat("the");
+        }
+        let weekdays = times::weekdays(reader)?;
+        let part = reader.eat_any(&times::PARTS);
+        let span = reader.span(from);
+        let often = Often { chance: None, weekdays: Some(weekdays), part, every: None, times: None };
+        self.put_often(reader, often, span);
+        Some(())
+    }
+
+    /// "in the morning", "at night", "during the day".
+    fn parts(&mut self, reader: &mut Reader) -> Option<()> {
+        let from = reader.at;
+        let part = if reader.eat("in|during") {
+            reader.eat("the");
+            reader.eat_any(&times::PARTS)?
+        } else if reader.eat("at|around") {
+            reader.eat_any(&[times::PARTS[1], times::PARTS[2], times::PARTS[5]])?
+        } else {
+            return None;
+        };
+        let span = reader.span(from);
+        put(reader, &mut self.part, part, span, "both say at which time of the day");
+        Some(())
+    }
+
+    /// "at about 06:45", "around 8 pm", "between 14:00 and 16:00", "from 10:00 to 12:00", "until 12:00".
+    fn clock(&mut self, reader: &mut Reader) -> Option<()> {
+        let from = reader.at;
+        let kind = "both say at which time";
+        if reader.eat("between") {
+            let (first, last) = times::time_range(reader, "and")?;
+            let span = reader.span(from);
+            put(reader, &mut self.when, When::At(Fuzzy::between(first.at, last.at)), span, kind);
+            self.last = Last::Nothing;
+            return Some(());
+        }
+        if reader.eat("from") {
+            let (first, last) = times::time_range(reader, "to|until|till")?;
+            let span = reader.span(from);
+            put(reader, &mut self.when, When::At(first.fuzzy()), span, kind);
+            put(reader, &mut self.until_time, last.fuzzy(), span, "both say until when");
+            self.last = Last::Nothing;
+            return Some(());
+        }
+        if reader.eat("until|till") {
+            let time = times::time(reader, true)?;
+            let span = reader.span(from);
+            put(reader, &mut self.until_time, time.fuzzy(), span, "both say until when");
+            self.last = Last::Until;
+            return Some(());
+        }
+        let at = reader.eat("at");
+        let time = times::time(reader, at)?;
+        let span = reader.span(from);
+        put(reader, &mut self.when, When::At(time.fuzzy()), span, kind);
+        self.last = Last::When;
+        Some(())
+    }
+
+    /// "from week 6", "from day 100 to day 120", "until 2009-05-01", "in week 6", "on 2009-05-01".
+    fn phase(&mut self, reader: &mut Reader) -> Option<()> {
+        let start = reader.at;
+        if reader.eat("until|till") {
+            let (moment, _) = times::moment(reader)?;
+            let span = reader.span(start);
+            put(reader, &mut self.until, moment, span, "both say until when");
+            return Some(());
+        }
+        if reader.eat("in|on") {
+            let (moment, length) = times::moment(reader)?;
+            let span = reader.span(start);
+            put(reader, &mut self.from, moment, span, "both say from when");
+            put(reader, &mut self.until, times::end_of(moment, length), span, "both say until when");
+            return Some(());
+        }
+        if !(reader.eat("from") || reader.eat("since") || reader.eat("starting|beginning on|in|from|with")) {
+            return None;
+        }
+        let month = reader.at;
+        if times::months(reader).is_some() {
+            let span = reader.span(month);
+            let hint = "write a date such as 2009-03-01, or \"from March to May\" for those months of all years";
+            reader.fault(span, format!("it is not clear from which day of {:?}", reader.said(span)), hint.to_owned());
+            return Some(());
+        }
+        let (moment, _) = times::moment(reader)?;
+        let _ = reader.eat("on|onward|onwards");
+        let span = reader.span(start);
+        put(reader, &mut self.from, moment, span, "both say from when");
+        let from = reader.at;
+        if reader.eat("to|through")
+            && let Some((moment, length)) = times::moment(reader)
+        {
+            let span = reader.span(from);
+            put(reader, &mut self.until, times::end_of(moment, length), span, "both say until when");
+        } else {
+            reader.at = from;
+        }
+        Some(())
+    }
+
+    /// "over 4 weeks", "fading over 2 weeks".
+    fn gradually(&mut self, reader: &mut Reader) -> Option<()> {
+        let start = reader.at;
+        reader.eat("and");
+        let fading = reader.eat("fading|fades|fade");
+        if fading {
+            reader.eat("out|away");
+        }
+        if !reader.eat("over|within") {
+            return None;
+        }
+        reader.skip_determiners();
+        let days = times::days(reader)?;
+        let span = reader.span(start);
+        if days.is_range() {
+            let hint = "say one number, such as \"over 4 weeks\"".to_owned();
+            reader.fault(span, "a change has to take one length of time", hint);
+        }
+        let slot = if fading { &mut self.fading } else { &mut self.over };
+        put(reader, slot, days.from, span, "both say over which time");
+        Some(())
+    }
+
+    /// "for about 2 hours", or "for 10 days", which is until when.
+    fn duration(&mut self, reader: &mut Reader) -> Option<()> {
+        let start = reader.at;
+        if !reader.eat("for|lasting") {
+            return None;
+        }
+        let Some(amount) = amount(reader) else {
+            let from = reader.at;
+            while !reader.is_over() && reader.token(0) != Some(Token::Comma) && reader.at < from + 3 {
+                reader.at += 1;
+            }
+            let span = if from == reader.at { reader.span(start) } else { reader.span(from) };
+            let hint = "say minutes, hours, days or weeks, such as \"for 20 minutes\"".to_owned();
+            reader.fault(span, format!("{:?} is no length of time", reader.said(span)), hint);
+            return Some(());
+        };
+        match amount.unit {
+            Unit::Second => {
+                let lasts = amounts::duration(reader, &amount);
+                let span = reader.span(start);
+                put(reader, &mut self.lasts, lasts, span, "both say how long");
+                self.last = Last::Lasts;
+            }
+            Unit::Day if !amount.is_range() && amount.from >= 1.0 => {
+                let span = reader.span(start);
+                put(reader, &mut self.for_days, amount.from, span, "both say for how long");
+            }
+            Unit::Day => {
+                let hint = "say one number, such as \"for 10 days\"".to_owned();
+                reader.fault(amount.span, "this has to be one number of days, at least 1", hint);
+            }
+            _ => {
+                let what = format!("{:?} is no length of time", reader.said(amount.span));
+                let hint = "say minutes, hours, days or weeks, such as \"for 20 minutes\"".to_owned();
+                reader.fault(amount.span, what, hint);
+            }
+        }
+        Some(())
+    }
+
+    /// "after breakfast", "30 minutes before bed", "with lunch".
+    fn order(&mut self, reader: &mut Reader) -> Option<()> {
+        let start = reader.at;
+        let gap = reader.attempt(|reader| amount(reader).filter(|amount| amount.unit == Unit::Second));
+        if gap.is_none() {
+            reader.eat("right|shortly|soon|immediately|just|straight");
+        }
+        let after = reader.eat_any(&[("after", 0), ("before", 1), ("with|during", 2)])?;
+        let at = reader.at;
+        let other = activities::event(reader);
+        let Some(other) = other else {
+            reader.at = at;
+            let what = match times::time(reader, true) {
+                Some(_) => "leaves open when",
+                None => {
+                    reader.skip_determiners();
+                    reader.at += 1;
+                    "names nothing that Homebody knows to come before or after"
+                }
+            };
+            let what = format!("{:?} {what}", reader.said(reader.span(start)));
+            let hint = "write \"after breakfast\", \"before she goes to bed\", or \"between 20:00 and 22:00\"";
+            reader.fault(reader.span(start), what, hint.to_owned());
+            reader.at = reader.words.len();
+            return Some(());
+        };
+        let gap = gap.map(|gap| amounts::duration(reader, &gap));
+        let span = reader.span(start);
+        let when = match after {
+            0 => When::After(other, gap),
+            1 => When::Before(other, gap),
+            _ if gap.is_some() => return None,
+            _ => When::With(other),
+        };
+        put(reader, &mut self.when, when, span, "both say at which time");
+        self.last = Last::Nothing;
+        Some(())
+    }
+
+    /// "once or twice", "3 times a week", "8 times a day".
+    fn counts(&mut self, reader: &mut Reader) -> Option<()> {
+        let start = reader.at;
+        let amount = amount(reader).filter(|amount| amount.unit == Unit::Times)?;
+        if ["as", "more", "less", "longer", "later", "earlier"].contains(&reader.peek(0)) {
+            return None;
+        }
+        let often = often::times_in(reader, &amount);
+        let often = often.unwrap_or_else(|| {
+            let times = Some(often::count(reader, &amount));
+            Often { chance: None, weekdays: None, part: None, every: None, times }
+        });
+        let span = reader.span(start);
+        self.put_often(reader, often, span);
+        Some(())
+    }
+
+    fn give_or_take(&mut self, reader: &mut Reader) -> Option<()> {
+        let start = reader.at;
+        if !(reader.eat("give or take") || reader.eat("plus or minus")) {
+            return None;
+        }
+        let spread: Amount = amount(reader).filter(|amount| amount.unit == Unit::Second)?;
+        let span = reader.span(start);
+        let around = |fuzzy: &Fuzzy| Fuzzy::around((fuzzy.from + fuzzy.to) / 2.0, spread.to);
+        let (lasts, until) = (self.lasts.as_mut(), self.until_time.as_mut());
+        match (self.last, self.when.as_mut().map(|slot| &mut slot.value), lasts, until) {
+            (Last::When, Some(When::At(at)), _, _) => *at = around(at),
+            (Last::Until, _, _, Some(until)) => until.value = around(&until.value),
+            (Last::Lasts, _, Some(lasts), _) if spread.to < lasts.value.from => lasts.value = around(&lasts.value),
+            (Last::Lasts, _, Some(_), _) => {
+                reader.fault(span, "this leaves no time at all", "say less than the time itself".to_owned());
+            }
+            _ => {
+                let hint = "write \"at about 06:45, give or take 30 minutes\"".to_owned();
+                reader.fault(span, format!("{:?} has no time or duration before it", reader.said(span)), hint);
+            }
+        }
+        self.last = Last::Nothing;
+        Some(())
+    }
+
+    /// "then", "after that".
+    fn then(&mut self, reader: &mut Reader) -> Option<()> {
+        let start = reader.at;
+        if !(reader.eat("then|afterwards") || reader.eat("after that|this")) {
+            return None;
+        }
+        let span = reader.span(start);
+        put(reader, &mut self.when, When::Then, span, "both say at which time");
+        Some(())
+    }
+}

@@ -1,0 +1,253 @@
+//! Numbers with their units: durations, percent, how many times, speeds.
+
+use super::reader::Reader;
+use super::words::{Span, Token};
+use crate::fuzzy::Fuzzy;
+
+/// What a number counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    Second,
+    Day,
+    Percent,
+    Times,
+    /// Metres a second.
+    Speed,
+    /// Heartbeats a minute.
+    Beats,
+    /// Breaths a minute.
+    Breaths,
+    Years,
+    /// A number alone.
+    None,
+}
+
+/// An amount as it was said: one value, or from one to another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Amount {
+    pub from: f64,
+    pub to: f64,
+    pub about: bool,
+    pub unit: Unit,
+    pub span: Span,
+}
+
+/// How far "about" reaches, as a share of the number.
+pub const ABOUT_SHARE: f64 = 0.25;
+/// How far a duration said without "about" reaches.
+pub const PLAIN_SHARE: f64 = 0.1;
+/// How far "about" reaches for a walking speed, which hardly varies from day to day.
+pub const ABOUT_PACE_SHARE: f64 = 0.1;
+
+const DAY_S: f64 = 86_400.0;
+/// What a month is worth where days are counted.
+pub const MONTH_DAYS: f64 = 30.0;
+pub const YEAR_DAYS: f64 = 365.0;
+
+const NUMBERS: [(&str, f64); 20] = [
+    ("one", 1.0),
+    ("two", 2.0),
+    ("three", 3.0),
+    ("four", 4.0),
+    ("five", 5.0),
+    ("six", 6.0),
+    ("seven", 7.0),
+    ("eight", 8.0),
+    ("nine", 9.0),
+    ("ten", 10.0),
+    ("eleven", 11.0),
+    ("twelve", 12.0),
+    ("fifteen", 15.0),
+    ("twenty", 20.0),
+    ("thirty", 30.0),
+    ("forty", 40.0),
+    ("forty five", 45.0),
+    ("fifty", 50.0),
+    ("sixty", 60.0),
+    ("ninety", 90.0),
+];
+
+const UNITS: [(&str, (Unit, f64)); 19] = [
+    ("m/s", (Unit::Speed, 1.0)),
+    ("metres|meters|metre|meter|m per|a second", (Unit::Speed, 1.0)),
+    ("beats|beat per|a minute", (Unit::Beats, 1.0)),
+    ("beats|beat|bpm", (Unit::Beats, 1.0)),
+    ("breaths|breath per|a minute", (Unit::Breaths, 1.0)),
+    ("breaths|breath", (Unit::Breaths, 1.0)),
+    ("s|sec|secs|second|seconds", (Unit::Second, 1.0)),
+    ("min|mins|minute|minutes", (Unit::Second, 60.0)),
+    ("h|hr|hrs|hour|hours", (Unit::Second, 3600.0)),
+    ("day|days|night|nights", (Unit::Day, 1.0)),
+    ("week|weeks", (Unit::Day, 7.0)),
+    ("month|months", (Unit::Day, MONTH_DAYS)),
+    ("year|years old", (Unit::Years, 1.0)),
+    ("year|years of age", (Unit::Years, 1.0)),
+    ("year|years", (Unit::Day, YEAR_DAYS)),
+    ("%", (Unit::Percent, 1.0)),
+    ("percent", (Unit::Percent, 1.0)),
+    ("per cent", (Unit::Percent, 1.0)),
+    ("times", (Unit::Times, 1.0)),
+];
+
+pub const ABOUT: [(&str, ()); 5] =
+    [("about", ()), ("around", ()), ("roughly", ()), ("approximately", ()), ("some", ())];
+
+/// An amount, if one comes next.
+pub fn amount(reader: &mut Reader) -> Option<Amount> {
+    reader.attempt(|reader| {
+        let start = reader.at;
+        let about = reader.eat_any(&ABOUT).is_some();
+        let (from, to, unit) = if reader.eat("between") { pair(reader, "and")? } else { one_or_two(reader)? };
+        let span = reader.span(start);
+        if !from.is_finite() || !to.is_finite() || to > 1e9 {
+            reader.fault(span, format!("{:?} is too large a number", reader.said(span)), None);
+        } else if to < from {
+            let hint = "the smaller number goes first".to_owned();
+            reader.fault(span, format!("{:?} is upside down", reader.said(span)), hint);
+        }
+        let (from, to) = if to.is_finite() && to <= 1e9 { (from.min(to), from.max(to)) } else { (1.0, 1.0) };
+        Some(Amount { from, to, about, unit, span })
+    })
+}
+
+/// Two values with a word between them; a unit may be said once, after the second.
+fn pair(reader: &mut Reader, between: &str) -> Option<(f64, f64, Unit)> {
+    let (from, factor, unit) = scalar(reader)?;
+    if !reader.eat(between) {
+        return None;
+    }
+    let (to, to_factor, to_unit) = scalar(reader)?;
+    match unit {
+        Unit::None => Some((from * to_factor, to * to_factor, to_unit)),
+        _ if unit == to_unit => Some((from * factor, to * to_factor, unit)),
+        _ => None,
+    }
+}
+
+fn one_or_two(reader: &mut Reader) -> Option<(f64, f64, Unit)> {
+    for (phrase, from, to) in [
+        ("once or twice", 1.0, 2.0),
+        ("once to twice", 1.0, 2.0),
+        ("once", 1.0, 1.0),
+        ("twice", 2.0, 2.0),
+        ("thrice", 3.0, 3.0),
+    ] {
+        if reader.eat(phrase) {
+            return Some((from, to, Unit::Times));
+        }
+    }
+    if reader.peek(0) == "half" && reader.peek(1) == "as" {
+        reader.at += 1;
+        return Some((0.5, 0.5, Unit::Times));
+    }
+    for (phrase, from, to) in [("several", 3.0, 5.0), ("a few", 3.0, 5.0), ("a couple of", 2.0, 2.0)] {
+        if reader.eat(phrase) {
+            let (unit, factor) = reader.eat_any(&UNITS)?;
+            return Some((from * factor, to * factor, unit));
+        }
+    }
+    if let Some(pair) = reader.attempt(|reader| pair(reader, "to|or")) {
+        return Some(pair);
+    }
+    let (value, factor, unit) = scalar(reader)?;
+    Some((value * factor, value * factor, unit))
+}
+
+/// A number, what its unit is worth, and the unit; `1 hour and 30 minutes` is one number.
+fn scalar(reader: &mut Reader) -> Option<(f64, f64, Unit)> {
+    for (phrase, minutes) in [("half an hour", 30.0), ("a quarter of an hour", 15.0), ("half a minute", 0.5)] {
+        if reader.eat(phrase) {
+            return Some((minutes * 60.0, 1.0, Unit::Second));
+        }
+    }
+    let start = reader.at;
+    let article = reader.eat("a|an");
+    let mut value = if article { 1.0 } else { number(reader)? };
+    if reader.eat("and a half") {
+        value += 0.5;
+    }
+    let Some((unit, factor)) = reader.eat_any(&UNITS) else {
+        if article {
+            reader.at = start;
+            return None;
+        }
+        return Some((value, 1.0, Unit::None));
+    };
+    if reader.eat("and a half") {
+        value += 0.5;
+    }
+    let more = (unit == Unit::Second).then(|| reader.attempt(|reader| smaller(reader, factor))).flatten();
+    Some((value + more.unwrap_or(0.0) / factor, factor, unit))
+}
+
+/// The minutes after the hours.
+fn smaller(reader: &mut Reader, than: f64) -> Option<f64> {
+    reader.eat("and");
+    let value = number(reader)?;
+    let (unit, factor) = reader.eat_any(&UNITS)?;
+    (unit == Unit::Second && factor < than).then_some(value * factor)
+}
+
+/// A number in digits or as a word.
+pub fn number(reader: &mut Reader) -> Option<f64> {
+    if let Some(Token::Number(value)) = reader.token(0) {
+        reader.at += 1;
+        return Some(value);
+    }
+    reader.eat_any(&NUMBERS)
+}
+
+impl Amount {
+    /// As how something lasts: the plain number is meant less strictly than it sounds.
+    pub fn as_duration(&self) -> Fuzzy {
+        let share = if self.about { ABOUT_SHARE } else { PLAIN_SHARE };
+        if self.is_range() && !self.about {
+            return Fuzzy::between(self.from, self.to);
+        }
+        Fuzzy { low: self.from * (1.0 - share), from: self.from, to: self.to, high: self.to * (1.0 + share) }
+    }
+
+    /// As how far something changes: a plain number is exact.
+    pub fn as_change(&self) -> Fuzzy {
+        if self.about { self.as_duration() } else { Fuzzy::between(self.from, self.to) }
+    }
+
+    pub fn as_pace(&self) -> Fuzzy {
+        let share = if self.about { ABOUT_PACE_SHARE } else { 0.0 };
+        Fuzzy { low: self.from * (1.0 - share), from: self.from, to: self.to, high: self.to * (1.0 + share) }
+    }
+
+    pub fn is_range(&self) -> bool {
+        self.from != self.to
+    }
+
+    /// The least and the most of whole numbers; nothing if they are none.
+    pub fn as_count(&self) -> Option<(u32, u32)> {
+        let whole = |value: f64| (value.fract() == 0.0 && (1.0..=100.0).contains(&value)).then_some(value as u32);
+        Some((whole(self.from)?, whole(self.to)?))
+    }
+}
+
+/// How long something lasts, which is neither nothing nor more than a day.
+pub fn duration(reader: &mut Reader, amount: &Amount) -> Fuzzy {
+    if amount.from <= 0.0 {
+        let what = format!("{:?} is no time at all", reader.said(amount.span));
+        reader.fault(amount.span, what, "say how long it lasts, such as \"for 20 minutes\"".to_owned());
+    } else if amount.to > DAY_S {
+        let what = format!("{:?} is more than a day", reader.said(amount.span));
+        reader.fault(amount.span, what, "nothing that is done lasts longer than 24 hours".to_owned());
+    }
+    amount.as_duration()
+}
+
+/// A share from 0 to 1.
+pub fn share(reader: &mut Reader, amount: &Amount) -> f64 {
+    if amount.to > 100.0 {
+        let what = format!("{:?} is more than all", reader.said(amount.span));
+        reader.fault(amount.span, what, "say at most 100 %".to_owned());
+    } else if amount.to <= 0.0 {
+        let what = format!("{:?} never happens", reader.said(amount.span));
+        reader.fault(amount.span, what, "say \"does not\", or leave the sentence out".to_owned());
+    }
+    (amount.from + amount.to) / 200.0
+}

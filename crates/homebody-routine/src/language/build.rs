@@ -1,0 +1,300 @@
+//! What a clause means, once all of it is read: a habit, a change, or who the person is.
+
+use super::Draft;
+use super::adverbs::Adverbs;
+use super::meaning::Kind as Part;
+use super::measures::{Measure, Of};
+use super::predicates::{Predicate, Subject};
+use super::reader::Reader;
+use super::sentence::Clause;
+use super::words::Span;
+use crate::fuzzy::{Fuzzy, Quantifier};
+use crate::routine::{Activity, Chance, Change, Effect, Habit, PartOfDay, Person, When};
+
+pub fn build(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
+    match clause.predicate {
+        Predicate::Age(_) | Predicate::Kind(_) | Predicate::Pace(_) => person(reader, draft, &clause),
+        Predicate::Visits | Predicate::Own(_) => habit(reader, draft, clause),
+        Predicate::Does(_) if clause.measure.is_none() => habit(reader, draft, clause),
+        _ => change(reader, draft, &clause),
+    }
+}
+
+/// Says of each part of the sentence that is of no allowed kind that it does not fit.
+pub fn only(reader: &mut Reader, adverbs: &Adverbs, allowed: &[Part], why: &str) {
+    let others: Vec<Part> = Part::ALL.into_iter().filter(|kind| !allowed.contains(kind)).collect();
+    for span in adverbs.spans(&others) {
+        let what = format!("{:?} does not fit here: {why}", reader.said(span));
+        reader.fault(span, what, "leave it out".to_owned());
+    }
+}
+
+fn person(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
+    let span = clause.predicate_span;
+    if draft.is_condition {
+        let what = format!("a condition is about nobody in particular, so nobody {:?}", reader.said(span));
+        return reader.fault(span, what, "say what changes: \"she walks 10 % slower\"".to_owned());
+    }
+    only(reader, &clause.adverbs, &[], "this is always so");
+    no_place(reader, clause);
+    if let Some(measure) = &clause.measure {
+        misfit(reader, measure, "this is no change");
+    }
+    let name = draft.name.clone().or_else(|| reader.names.person.clone()).unwrap_or_default();
+    let person =
+        draft.routine.person.get_or_insert(Person { name, kind: Default::default(), age_years: None, pace_mps: None });
+    let again = match &clause.predicate {
+        Predicate::Age(age) => person.age_years.replace(*age).is_some(),
+        Predicate::Pace(pace) => person.pace_mps.replace(pace.as_pace()).is_some(),
+        Predicate::Kind(kind) => {
+            person.kind = *kind;
+            false
+        }
+        _ => false,
+    };
+    if again {
+        let hint = "leave one of the two sentences out".to_owned();
+        reader.fault(span, format!("{:?} has been said differently before", reader.said(span)), hint);
+    }
+    if let Predicate::Pace(pace) = &clause.predicate
+        && !(0.05..=3.0).contains(&pace.from)
+    {
+        let hint = "people walk at 0.2 to 1.6 m/s".to_owned();
+        reader.fault(pace.span, format!("nobody walks at {:?}", reader.said(pace.span)), hint);
+    }
+}
+
+fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
+    let (activity, is_own) = match &clause.predicate {
+        Predicate::Visits => (Activity::Visit, false),
+        Predicate::Does(activity) => (activity.clone(), false),
+        Predicate::Own(words) => (Activity::Other(words.clone()), true),
+        _ => return,
+    };
+    let adverbs = &clause.adverbs;
+    let lacks = clause.place.is_none() || adverbs.lasts.is_none() && adverbs.until_time.is_none();
+    if is_own && lacks {
+        let words = reader.said(clause.predicate_span).to_lowercase();
+        return super::predicates::unknown_verb(reader, &words, clause.predicate_span);
+    }
+    if matches!(activity, Activity::GetUp | Activity::GoToBed) {
+        once_a_day(reader, &clause);
+    }
+    if let Some(measure) = &clause.measure {
+        misfit(reader, measure, "this is something new, not a change");
+    }
+    let when = adverbs.time_meant(activity == Activity::GoToBed);
+    check_times(reader, adverbs, &when);
+    if when == When::Then && draft.routine.habits.is_empty() {
+        let span = adverbs.when.as_ref().map_or(clause.span, |slot| slot.span);
+        reader.fault(span, "\"then\" has nothing before it", "say first what is done before".to_owned());
+    }
+    let until = adverbs.until_meant(&when);
+    let inherited_then = when == When::Then && adverbs.chance.as_ref().is_some_and(|chance| !chance.own);
+    let chance = adverbs.chance.as_ref().filter(|_| !inherited_then).map_or(Chance::ALWAYS, |slot| slot.value);
+    let phase = adverbs.phase_meant(reader, draft.is_condition);
+    draft.phase(reader, &phase, adverbs, clause.span);
+    let habit = Habit {
+        said: draft.said(clause.span),
+        visitor: match clause.subject {
+            Subject::Visitor(name) => Some(name),
+            _ => None,
+        },
+        activity,
+        place: clause.place.map(|(name, _)| name),
+        chance,
+        days: adverbs.days_meant(),
+        phase,
+        when,
+        lasts: adverbs.lasts.as_ref().map(|slot| slot.value),
+        until,
+        times: adverbs.times.as_ref().map_or((1, 1), |slot| slot.value),
+    };
+    draft.routine.habits.push(habit);
+    draft.habit_spans.push(clause.predicate_span);
+}
+
+/// A day begins and ends once; what interrupts a night has words of its own.
+fn once_a_day(reader: &mut Reader, clause: &Clause) {
+    let at_night = clause.adverbs.part.as_ref().filter(|part| part.value == PartOfDay::Night);
+    let gets_up = clause.predicate == Predicate::Does(Activity::GetUp);
+    let span = clause.adverbs.times.as_ref().filter(|times| times.value != (1, 1)).map(|times| times.span);
+    if let Some(span) = span.or(at_night.filter(|_| gets_up).map(|part| part.span)) {
+        let what = format!("{:?} does not fit here: a day begins and ends once", reader.said(span));
+        let hint = "for the nights, write \"goes to the bathroom\", \"lies awake\" or \"wanders\"".to_owned();
+        reader.fault(span, what, hint);
+    }
+}
+
+/// The time of day is within the part of the day that was said, and the end after the beginning.
+fn check_times(reader: &mut Reader, adverbs: &Adverbs, when: &When) {
+    if let (Some(part), When::At(at)) = (adverbs.part.as_ref().filter(|part| part.own), when) {
+        let (from, to) = match part.value {
+            PartOfDay::Morning => (3.0, 12.5),
+            PartOfDay::Noon => (11.0, 14.5),
+            PartOfDay::Afternoon => (11.5, 18.5),
+            PartOfDay::Evening => (16.0, 24.0),
+            PartOfDay::Night => (19.0, 33.0),
+            PartOfDay::Day => (5.0, 22.0),
+        };
+        if at.to < from * 3600.0 || at.from > to * 3600.0 {
+            let time = adverbs.when.as_ref().map_or(part.span, |slot| slot.span);
+            let what = format!("{:?} is not in the {}", reader.said(time), part.value.word());
+            reader.fault(time, what, format!("say either the time or {:?}", reader.said(part.span)));
+        }
+    }
+    if let (Some(lasts), Some(until)) = (&adverbs.lasts, &adverbs.until_time) {
+        let what = format!("{:?} and {:?} both say when it ends", reader.said(lasts.span), reader.said(until.span));
+        reader.fault(until.span, what, "leave one of them out".to_owned());
+    }
+    if let (When::At(at), Some(until)) = (when, &adverbs.until_time)
+        && at.from < 86_400.0
+        && until.value.from <= at.from
+        && until.value.from > 9.0 * 3600.0
+    {
+        let what = format!("{:?} is before it begins", reader.said(until.span));
+        reader.fault(until.span, what, "the earlier time goes first".to_owned());
+    }
+}
+
+fn change(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
+    let Some((effect, allowed)) = effect(reader, clause) else { return };
+    let why = "a change holds on all days from its beginning on";
+    only(reader, &clause.adverbs, &allowed, why);
+    no_place(reader, clause);
+    let phase = clause.adverbs.phase_meant(reader, draft.is_condition);
+    draft.phase(reader, &phase, &clause.adverbs, clause.span);
+    draft.routine.changes.push(Change { said: draft.said(clause.span), phase, effect });
+}
+
+const PHASE: &[Part] = &[Part::Phase];
+const PHASE_AND_PART: &[Part] = &[Part::Phase, Part::Part];
+const PHASE_AND_CHANCE: &[Part] = &[Part::Phase, Part::Chance];
+
+/// What changes, and which other parts the sentence may have.
+fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
+    let measure = clause.measure.as_ref();
+    let part = clause.adverbs.part.as_ref().map(|slot| slot.value);
+    let found = match (&clause.predicate, measure.map(|measure| (measure.of, measure.by))) {
+        (Predicate::Does(activity), Some((of, by))) => {
+            return of_activity(reader, clause, activity, of, by, part);
+        }
+        (Predicate::Walks | Predicate::Is, Some((Of::Faster, by))) => (Effect::Pace(by), PHASE),
+        (Predicate::Walks, Some((Of::FasterBy { each_week: true }, by))) => (Effect::PaceEachWeek(by), PHASE),
+        (Predicate::Is, Some((Of::Active, factor))) => (Effect::Active { part, factor }, PHASE_AND_PART),
+        (Predicate::Sleeps, Some((Of::Restless | Of::Much, by))) => (Effect::Restless(by), PHASE),
+        (Predicate::Vary, Some((Of::Much, by))) => (Effect::Irregular(by), PHASE),
+        (Predicate::Breathes, Some((Of::Breaths, by))) => (Effect::Respiration(by), PHASE),
+        (Predicate::Rises(Measure { of: Of::Beats, by, .. }), None) => (Effect::Pulse(*by), PHASE),
+        (Predicate::Rises(Measure { of: Of::Breaths, by, .. }), None) => (Effect::Respiration(*by), PHASE),
+        (Predicate::Shows(condition, severity), None) => {
+            (Effect::Shows { condition: condition.clone(), severity: *severity }, PHASE)
+        }
+        (Predicate::Not(activity), None) => match chance(clause) {
+            Some(chance) => (Effect::Skips { activity: activity.clone(), chance }, PHASE_AND_CHANCE),
+            None => {
+                let factor = Fuzzy::exactly(0.0);
+                (Effect::Oftener { activity: activity.clone(), part, factor }, PHASE_AND_PART)
+            }
+        },
+        (Predicate::Skips(activity), None) => {
+            let example =
+                format!("she skips {} on 30 % of days", reader.said(last_word(clause.predicate_span, reader)));
+            let chance = needed_chance(reader, clause, &example)?;
+            (Effect::Skips { activity: activity.clone(), chance }, PHASE_AND_CHANCE)
+        }
+        (Predicate::Forgets(thing), None) => {
+            let chance = needed_chance(reader, clause, &format!("she forgets the {thing} on 5 % of occasions"))?;
+            (Effect::Forgets { thing: thing.clone(), chance }, PHASE_AND_CHANCE)
+        }
+        _ => {
+            not_a_change(reader, clause);
+            return None;
+        }
+    };
+    Some((found.0, found.1.to_vec()))
+}
+
+fn of_activity(
+    reader: &mut Reader,
+    clause: &Clause,
+    activity: &Activity,
+    of: Of,
+    by: Fuzzy,
+    part: Option<PartOfDay>,
+) -> Option<(Effect, Vec<Part>)> {
+    let activity = activity.clone();
+    let effect = match of {
+        Of::Later => Effect::Later { activity, by },
+        Of::Longer => Effect::Longer { activity, factor: by },
+        Of::LongerBy => Effect::LongerBy { activity, by },
+        Of::Oftener => return Some((Effect::Oftener { activity, part, factor: by }, PHASE_AND_PART.to_vec())),
+        Of::Much => {
+            let span = clause.measure.as_ref().map_or(clause.span, |measure| measure.span);
+            let what = format!("{:?} may mean more often or for longer", reader.said(span));
+            reader.fault(span, what, "write \"30 % longer\" or \"30 % more often\"".to_owned());
+            return None;
+        }
+        _ => {
+            not_a_change(reader, clause);
+            return None;
+        }
+    };
+    Some((effect, PHASE.to_vec()))
+}
+
+/// What may stand after "is".
+pub const IS: &str = "write \"is 82\", \"is a cat\", \"is out\" or \"is 30 % less active\"";
+
+fn not_a_change(reader: &mut Reader, clause: &Clause) {
+    let hint = match &clause.predicate {
+        Predicate::Walks => {
+            "write \"walks 10 % slower\", \"walks 0.02 m/s slower every week\", \"wanders around\", \
+            \"walks up and down\" or \"goes for a walk\""
+        }
+        Predicate::Is => IS,
+        Predicate::Sleeps => "write \"sleeps 30 % more restlessly\", \"goes to bed at 22:30\" or \"gets up at 09:00\"",
+        Predicate::Vary => "write \"her hours vary twice as much\"",
+        Predicate::Breathes => "write \"breathes 6 breaths a minute faster\"",
+        _ => "such changes are \"later\", \"longer\" and \"more often\"",
+    };
+    let span = clause.measure.as_ref().map_or(clause.predicate_span, |measure| measure.span);
+    let what = match &clause.measure {
+        Some(_) => format!("{:?} does not fit here", reader.said(span)),
+        None => format!("{:?} leaves open how", reader.said(span)),
+    };
+    reader.fault(span, what, hint.to_owned());
+}
+
+fn misfit(reader: &mut Reader, measure: &Measure, why: &str) {
+    reader.fault(measure.span, format!("{:?} does not fit here: {why}", reader.said(measure.span)), None);
+}
+
+fn no_place(reader: &mut Reader, clause: &Clause) {
+    if let Some((_, span)) = &clause.place {
+        let what = format!("{:?} does not fit here: a change has no place", reader.said(*span));
+        reader.fault(*span, what, "leave it out".to_owned());
+    }
+}
+
+/// How likely it is, if the sentence or its heading says so; "every day" above a change says nothing.
+fn chance(clause: &Clause) -> Option<f64> {
+    let chance = clause.adverbs.chance.as_ref()?;
+    let says = chance.own || chance.value.quantifier != Some(Quantifier::Every);
+    says.then_some(chance.value.probability)
+}
+
+fn needed_chance(reader: &mut Reader, clause: &Clause, example: &str) -> Option<f64> {
+    let chance = chance(clause);
+    if chance.is_none() {
+        let span = clause.predicate_span;
+        let what = format!("it is not said how often she {:?}", reader.said(span));
+        reader.fault(span, what, format!("write {example:?}"));
+    }
+    chance
+}
+
+/// The last word of a stretch.
+fn last_word(span: Span, reader: &Reader) -> Span {
+    reader.words.iter().rev().map(|word| word.span).find(|word| word.end <= span.end).unwrap_or(span)
+}

@@ -1,0 +1,168 @@
+//! How much something changes: "45 to 90 minutes later", "twice as often", "30 % slower".
+
+use super::amounts::{Amount, Unit, amount};
+use super::reader::Reader;
+use super::words::Span;
+use crate::fuzzy::Fuzzy;
+
+/// How much, and of what.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measure {
+    pub of: Of,
+    pub by: Fuzzy,
+    pub span: Span,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Of {
+    /// Seconds later; earlier where negative.
+    Later,
+    /// Seconds longer; shorter where negative.
+    LongerBy,
+    /// So many times as long.
+    Longer,
+    /// So many times as often.
+    Oftener,
+    /// So many times as much, of whatever it is.
+    Much,
+    /// So many times as fast.
+    Faster,
+    /// Metres a second faster, slower where negative, and whether for every week.
+    FasterBy { each_week: bool },
+    /// So many times as active.
+    Active,
+    /// So many times as restless.
+    Restless,
+    /// Beats a minute more.
+    Beats,
+    /// Breaths a minute more.
+    Breaths,
+}
+
+/// An amount and what it changes, if they come next.
+pub fn measure(reader: &mut Reader) -> Option<Measure> {
+    let start = reader.at;
+    reader.attempt(|reader| {
+        if let Some((of, by)) = reader.attempt(later_by) {
+            return Some(Measure { of, by, span: reader.span(start) });
+        }
+        let _ = reader.eat("by");
+        let amount = amount(reader)?;
+        let (of, by) = match amount.unit {
+            Unit::Second => time(reader, &amount)?,
+            Unit::Percent => percent(reader, &amount)?,
+            Unit::Times => factor(reader, &amount)?,
+            Unit::Speed => speed(reader, &amount)?,
+            Unit::Beats => (Of::Beats, rate(reader, &amount)?),
+            Unit::Breaths => (Of::Breaths, rate(reader, &amount)?),
+            Unit::Day | Unit::Years | Unit::None => return None,
+        };
+        Some(Measure { of, by, span: reader.span(start) })
+    })
+}
+
+/// "later by 30 minutes".
+fn later_by(reader: &mut Reader) -> Option<(Of, Fuzzy)> {
+    let (of, is_less) = reader.eat_any(&[
+        ("later by", (Of::Later, false)),
+        ("earlier by", (Of::Later, true)),
+        ("longer by", (Of::LongerBy, false)),
+        ("shorter by", (Of::LongerBy, true)),
+    ])?;
+    let amount = amount(reader).filter(|amount| amount.unit == Unit::Second)?;
+    Some((of, signed(&amount, is_less)))
+}
+
+/// The amount, or its opposite.
+fn signed(amount: &Amount, is_less: bool) -> Fuzzy {
+    let by = amount.as_change();
+    if is_less { Fuzzy { low: -by.high, from: -by.to, to: -by.from, high: -by.low } } else { by }
+}
+
+fn time(reader: &mut Reader, amount: &Amount) -> Option<(Of, Fuzzy)> {
+    let (of, is_less) = reader.eat_any(&[
+        ("later", (Of::Later, false)),
+        ("earlier", (Of::Later, true)),
+        ("longer|more", (Of::LongerBy, false)),
+        ("shorter|less", (Of::LongerBy, true)),
+    ])?;
+    reader.eat("a|each|every|per day|night");
+    if amount.to > 86_400.0 {
+        let what = format!("{:?} is more than a day", reader.said(amount.span));
+        reader.fault(amount.span, what, None);
+    }
+    Some((of, signed(amount, is_less)))
+}
+
+fn percent(reader: &mut Reader, amount: &Amount) -> Option<(Of, Fuzzy)> {
+    let (of, is_less) = reader.eat_any(&[
+        ("more often", (Of::Oftener, false)),
+        ("less often", (Of::Oftener, true)),
+        ("more active", (Of::Active, false)),
+        ("less active", (Of::Active, true)),
+        ("more restlessly|restless", (Of::Restless, false)),
+        ("less restlessly|restless", (Of::Restless, true)),
+        ("more slowly", (Of::Faster, true)),
+        ("more quickly", (Of::Faster, false)),
+        ("slower", (Of::Faster, true)),
+        ("faster|quicker", (Of::Faster, false)),
+        ("longer", (Of::Longer, false)),
+        ("shorter", (Of::Longer, true)),
+        ("more irregular|irregularly|widely", (Of::Much, false)),
+        ("less regular|regularly", (Of::Much, false)),
+        ("more", (Of::Much, false)),
+        ("less", (Of::Much, true)),
+    ])?;
+    if is_less && amount.to > 100.0 {
+        let what = format!("nothing can be {:?}", reader.said(amount.span.to(reader.span(reader.at - 1))));
+        reader.fault(amount.span, what, "say at most 100 %".to_owned());
+    }
+    let by = signed(amount, is_less).map(|percent| (1.0 + percent / 100.0).max(0.0));
+    Some((of, by))
+}
+
+fn factor(reader: &mut Reader, amount: &Amount) -> Option<(Of, Fuzzy)> {
+    let of = reader.eat_any(&[
+        ("as often", Of::Oftener),
+        ("as long", Of::Longer),
+        ("as much|irregular|irregularly|widely", Of::Much),
+        ("as active", Of::Active),
+        ("as restlessly|restless", Of::Restless),
+        ("as fast|quickly", Of::Faster),
+    ])?;
+    Some((of, amount.as_change()))
+}
+
+fn speed(reader: &mut Reader, amount: &Amount) -> Option<(Of, Fuzzy)> {
+    let is_less = reader.eat_any(&[("slower", true), ("faster|quicker", false)])?;
+    let each_week = reader.eat("every|each|a|per week");
+    Some((Of::FasterBy { each_week }, signed(amount, is_less)))
+}
+
+fn rate(reader: &mut Reader, amount: &Amount) -> Option<Fuzzy> {
+    let is_less = reader.eat_any(&[("faster|higher|more|quicker", false), ("slower|lower|less", true)])?;
+    Some(signed(amount, is_less))
+}
+
+/// "rises by 20 beats", after "pulse" or "breathing".
+pub fn rises_by(reader: &mut Reader, of: Of) -> Option<Measure> {
+    let start = reader.at;
+    reader.attempt(|reader| {
+        let is_less = reader.eat_any(&[
+            ("rises|increases|rise|increase", false),
+            ("goes|go up", false),
+            ("falls|drops|decreases|sinks|fall|drop", true),
+            ("goes|go down", true),
+            ("is", false),
+        ])?;
+        reader.eat("by");
+        let amount = amount(reader)?;
+        let unit = if of == Of::Beats { Unit::Beats } else { Unit::Breaths };
+        if amount.unit != unit && amount.unit != Unit::None {
+            return None;
+        }
+        reader.eat("a|per minute");
+        let lower = reader.eat_any(&[("higher|faster", false), ("lower|slower", true)]);
+        Some(Measure { of, by: signed(&amount, is_less || lower == Some(true)), span: reader.span(start) })
+    })
+}

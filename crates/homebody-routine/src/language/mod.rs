@@ -1,0 +1,184 @@
+//! The routine language: a life in sentences that a nurse can read aloud.
+//!
+//! In reading order: text becomes sentences of words ([`words`]); a [`reader`] goes through them and knows the names of
+//! the home; [`sentence`] reads who does what, with [`adverbs`] (when, how long, how often) in any order around it,
+//! and [`meaning`] says what those come to; [`build`] makes habits and changes of that, [`rules`] rules; [`check`]
+//! finds sentences that contradict each other. Whatever is wrong is collected in [`faults`] and told all at once.
+
+mod words;
+mod faults;
+mod reader;
+pub mod amounts;
+pub mod times;
+mod often;
+mod adverbs;
+mod meaning;
+pub mod activities;
+mod measures;
+mod predicates;
+mod sentence;
+mod build;
+mod rules;
+mod check;
+#[cfg(test)]
+mod tests;
+
+use crate::routine::{Phase, Routine, Said};
+use adverbs::Adverbs;
+use faults::Faults;
+use homebody_core::problem::Problem;
+use reader::{Names, Reader};
+use words::{Line, Sentence, Span};
+
+/// What a text may name.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Known {
+    /// The resident's name, where there is one.
+    pub person: Option<String>,
+    /// Places where something can be done, seats and beds among them.
+    pub places: Vec<String>,
+    /// Doors, furniture, lamps: what can be on, or open.
+    pub things: Vec<String>,
+    pub rooms: Vec<String>,
+    /// Names of conditions, as their files are called.
+    pub conditions: Vec<String>,
+    /// Year, month and day of the run's first day, which ties dates to days.
+    pub first_date: Option<(i16, u8, u8)>,
+}
+
+/// Longer lines are refused.
+pub const LONGEST_LINE: usize = 2_000;
+/// More sentences than this are refused.
+pub const MOST_SENTENCES: usize = 2_000;
+
+/// Reads a person's routine: all that was understood, and all that is wrong, in the order of places.
+pub fn routine(file: &str, text: &str, known: &Known) -> (Routine, Vec<Problem>) {
+    read(file, text, known, false)
+}
+
+/// Reads a condition: the same language, but about nobody in particular.
+pub fn condition(file: &str, text: &str, known: &Known) -> (Routine, Vec<Problem>) {
+    let known = Known { person: None, ..known.clone() };
+    read(file, text, &known, true)
+}
+
+/// What has been understood so far.
+pub(crate) struct Draft<'t> {
+    routine: Routine,
+    is_condition: bool,
+    /// The person's name, where only the text says it.
+    name: Option<String>,
+    /// Where the verb of each habit stands.
+    habit_spans: Vec<Span>,
+    /// Where each rule says what happens, and for how long.
+    rule_spans: Vec<(Span, Span)>,
+    first_date: Option<(i16, u8, u8)>,
+    text: &'t str,
+    lines: Vec<Line<'t>>,
+}
+
+/// The heading above indented lines.
+struct Heading {
+    adverbs: Adverbs,
+    span: Span,
+    is_used: bool,
+}
+
+fn read(file: &str, text: &str, known: &Known, is_condition: bool) -> (Routine, Vec<Problem>) {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let mut draft = Draft {
+        routine: Routine { file: file.into(), ..Routine::default() },
+        is_condition,
+        name: None,
+        habit_spans: Vec::new(),
+        rule_spans: Vec::new(),
+        first_date: known.first_date,
+        text,
+        lines: words::lines(text),
+    };
+    let (mut names, mut faults) = (Names::new(known), Faults::default());
+    let (mut heading, mut count): (Option<Heading>, usize) = (None, 0);
+    for line in draft.lines.clone() {
+        if line.text.chars().nth(LONGEST_LINE).is_some() {
+            let span = Span { start: line.start, end: line.start };
+            let what = format!("this line has more than {LONGEST_LINE} characters");
+            faults.add(span, what, Some("write one sentence a line".into()));
+            continue;
+        }
+        for sentence in words::sentences(line) {
+            count += 1;
+            if count > MOST_SENTENCES {
+                let what = format!("a routine has at most {MOST_SENTENCES} sentences");
+                faults.add(sentence.span(), what, None);
+                return finish(draft, faults);
+            }
+            one(&mut draft, &mut names, &mut faults, &mut heading, &sentence);
+        }
+    }
+    close(&mut faults, heading.take());
+    check::check(&draft, &mut faults);
+    finish(draft, faults)
+}
+
+fn finish(draft: Draft, faults: Faults) -> (Routine, Vec<Problem>) {
+    let problems = faults.problems(&draft.routine.file, &draft.lines);
+    (draft.routine, problems)
+}
+
+/// Reads one sentence, below the heading if its line is indented.
+fn one(draft: &mut Draft, names: &mut Names, faults: &mut Faults, heading: &mut Option<Heading>, sentence: &Sentence) {
+    if !sentence.indented {
+        close(faults, heading.take());
+    } else if let Some(heading) = heading.as_mut() {
+        heading.is_used = true;
+    } else {
+        let hint = "indent only what stands below a heading such as \"Every day\"".to_owned();
+        faults.add(sentence.span(), "this line is indented, but no heading stands above it", Some(hint));
+    }
+    let above = heading.as_ref().map(|heading| &heading.adverbs);
+    let mut reader = Reader { words: &sentence.words, at: 0, names, faults, text: draft.text };
+    let before = reader.faults.count();
+    let Some(adverbs) = sentence::sentence(&mut reader, draft, above) else {
+        if let Some(name) = draft.name.as_ref().filter(|_| names.person.is_none()) {
+            names.is_about(Some(name));
+        }
+        return;
+    };
+    let failed = faults.count() > before;
+    if sentence.indented && !failed {
+        let hint = "a heading is not indented; a sentence says who does what".to_owned();
+        faults.add(sentence.span(), "nothing is done in this sentence", Some(hint));
+    }
+    if !sentence.indented {
+        *heading = Some(Heading { adverbs, span: sentence.span(), is_used: failed });
+    }
+}
+
+/// A heading has to have something below it.
+fn close(faults: &mut Faults, heading: Option<Heading>) {
+    if let Some(heading) = heading.filter(|heading| !heading.is_used) {
+        let hint = "indent the lines that it is about, or say in the same sentence what is done".to_owned();
+        faults.add(heading.span, "nothing stands below this heading", Some(hint));
+    }
+}
+
+impl Draft<'_> {
+    /// The words at a place, with line and column.
+    fn said(&self, span: Span) -> Said {
+        let index = self.lines.partition_point(|line| line.start <= span.start).saturating_sub(1);
+        let start = self.lines.get(index).map_or(0, |line| line.start);
+        let column = self.text.get(start..span.start).map_or(0, |before| before.chars().count()) as u32 + 1;
+        let text = self.text.get(span.start..span.end).unwrap_or_default().to_owned();
+        Said { line: index as u32 + 1, column, text }
+    }
+
+    /// A phase has to begin before it ends.
+    fn phase(&self, reader: &mut Reader, phase: &Phase, adverbs: &Adverbs, span: Span) {
+        let (Some(from), Some(until)) = (phase.from, phase.until) else { return };
+        if times::days_between(from, until, self.first_date).is_some_and(|days| days <= 0) {
+            let span = adverbs.until.as_ref().map_or(span, |slot| slot.span);
+            let what = format!("{:?} is not after it begins", reader.said(span));
+            reader.fault(span, what, "the earlier day goes first".to_owned());
+        }
+    }
+}

@@ -1,0 +1,230 @@
+//! How often: quantifiers, shares of days, times a week.
+
+use super::amounts::{ABOUT, Amount, Unit, amount, number, share};
+use super::reader::Reader;
+use super::times;
+use crate::fuzzy::Quantifier;
+use crate::routine::{Chance, PartOfDay};
+
+const QUANTIFIERS: [(&str, Quantifier); 20] = [
+    ("almost never", Quantifier::AlmostNever),
+    ("hardly ever", Quantifier::AlmostNever),
+    ("nearly never", Quantifier::AlmostNever),
+    ("rarely", Quantifier::Rarely),
+    ("seldom", Quantifier::Rarely),
+    ("sometimes", Quantifier::Sometimes),
+    ("occasionally", Quantifier::Sometimes),
+    ("now and then", Quantifier::Sometimes),
+    ("half of the time", Quantifier::AboutHalf),
+    ("half the time", Quantifier::AboutHalf),
+    ("often", Quantifier::Often),
+    ("frequently", Quantifier::Often),
+    ("most of the time", Quantifier::Most),
+    ("usually", Quantifier::Most),
+    ("mostly", Quantifier::Most),
+    ("normally", Quantifier::Most),
+    ("almost always", Quantifier::AlmostAlways),
+    ("nearly always", Quantifier::AlmostAlways),
+    ("always", Quantifier::Every),
+    ("daily", Quantifier::Every),
+];
+
+/// Those that stand before the name of a day or of a part of it.
+const OF_DAYS: [(&str, Quantifier); 12] = [
+    ("few", Quantifier::Rarely),
+    ("some", Quantifier::Sometimes),
+    ("half of the", Quantifier::AboutHalf),
+    ("half the", Quantifier::AboutHalf),
+    ("half of", Quantifier::AboutHalf),
+    ("many", Quantifier::Often),
+    ("most of the", Quantifier::Most),
+    ("most", Quantifier::Most),
+    ("almost every|all", Quantifier::AlmostAlways),
+    ("nearly every|all", Quantifier::AlmostAlways),
+    ("every|each", Quantifier::Every),
+    ("all", Quantifier::Every),
+];
+
+/// How often, with the days or the part of the day that were named with it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Often {
+    pub chance: Option<Chance>,
+    pub weekdays: Option<u8>,
+    pub part: Option<PartOfDay>,
+    /// Every so many days.
+    pub every: Option<u32>,
+    /// How many times in each span.
+    pub times: Option<(u32, u32)>,
+}
+
+impl Often {
+    const NOTHING: Often = Often { chance: None, weekdays: None, part: None, every: None, times: None };
+}
+
+/// A quantifier, with the days it is about.
+pub fn often(reader: &mut Reader) -> Option<Often> {
+    let found = reader.attempt(every_so_many).or_else(|| reader.attempt(quantified))?;
+    let is_chance = found.chance.is_some() && found.every.is_none();
+    if is_chance && reader.eat("at first") {
+        return changing(reader, found);
+    }
+    Some(found)
+}
+
+/// "every other day", "every 3 days", "every week".
+fn every_so_many(reader: &mut Reader) -> Option<Often> {
+    if !reader.eat("every|each") {
+        return None;
+    }
+    if reader.eat("other|second day|night") {
+        return Some(Often { every: Some(2), ..Often::NOTHING });
+    }
+    if reader.eat("third day|night") {
+        return Some(Often { every: Some(3), ..Often::NOTHING });
+    }
+    for (span, days) in [("week", 7.0), ("month", MONTH), ("year", 365.0)] {
+        if reader.eat(span) {
+            return Some(Often { chance: Some(with_probability(1.0 / days)), ..Often::NOTHING });
+        }
+    }
+    let from = reader.at;
+    let days = number(reader)?;
+    if !reader.eat("days|nights") {
+        return None;
+    }
+    let span = reader.span(from);
+    if days.fract() != 0.0 || !(1.0..=365.0).contains(&days) {
+        let what = format!("nothing is done every {:?}", reader.said(span));
+        reader.fault(span, what, "write a whole number of days, such as \"every 3 days\"".to_owned());
+    }
+    Some(Often { every: Some(days.clamp(1.0, 365.0) as u32), ..Often::NOTHING })
+}
+
+fn quantified(reader: &mut Reader) -> Option<Often> {
+    if let Some(quantifier) = reader.eat_any(&QUANTIFIERS) {
+        return Some(of(quantifier));
+    }
+    reader.eat("on");
+    let from = reader.at;
+    if let Some(amount) = reader.attempt(|reader| amount(reader).filter(|amount| amount.unit == Unit::Percent)) {
+        if !reader.eat("of") {
+            return None;
+        }
+        let probability = share(reader, &amount);
+        reader.eat("the|all");
+        let (weekdays, part) = kind_of_day(reader)?;
+        return Some(Often { chance: Some(with_probability(probability)), weekdays, part, ..Often::NOTHING });
+    }
+    if let Some(days) = reader.attempt(days_a_week) {
+        return Some(days);
+    }
+    reader.at = from;
+    reader.eat_any(&ABOUT[..4]);
+    if let Some(quantifier) = reader.eat_any(&QUANTIFIERS) {
+        return Some(of(quantifier));
+    }
+    let quantifier = reader.eat_any(&OF_DAYS)?;
+    let (weekdays, part) = kind_of_day(reader)?;
+    Some(Often { weekdays, part, ..of(quantifier) })
+}
+
+/// "3 days a week".
+fn days_a_week(reader: &mut Reader) -> Option<Often> {
+    let amount = amount(reader).filter(|amount| amount.unit == Unit::Day)?;
+    if !(reader.eat("a|per|each|every week") || reader.eat("of the week")) {
+        return None;
+    }
+    let probability = (amount.from + amount.to) / 14.0;
+    if probability > 1.0 {
+        let what = format!("a week has no {:?}", reader.said(amount.span));
+        reader.fault(amount.span, what, "say at most 7 days".to_owned());
+    }
+    Some(Often { chance: Some(with_probability(probability.min(1.0))), ..Often::NOTHING })
+}
+
+/// What a quantifier counts: days, nights, mornings, Sundays, occasions.
+fn kind_of_day(reader: &mut Reader) -> Option<(Option<u8>, Option<PartOfDay>)> {
+    if reader.eat("day|days|time|occasions|occasion|cases|times") {
+        return Some((None, None));
+    }
+    if let Some(weekdays) = times::weekdays(reader) {
+        return Some((Some(weekdays), reader.eat_any(&times::PARTS)));
+    }
+    reader.eat_any(&times::PARTS).map(|part| (None, Some(part)))
+}
+
+/// "rarely at first, often by day 160".
+fn changing(reader: &mut Reader, first: Often) -> Option<Often> {
+    reader.skip_commas();
+    reader.eat("and");
+    reader.eat("then|later");
+    let from = reader.at;
+    let Some(then) = reader.attempt(quantified) else {
+        let (here, hint) = (reader.here(), "write \"rarely at first, often by day 160\"".to_owned());
+        reader.fault(here, "\"at first\" needs how often it is later", hint);
+        return Some(first);
+    };
+    reader.skip_commas();
+    let moment = if reader.eat("by") { times::moment(reader) } else { None };
+    let Some((moment, _)) = moment else {
+        let (span, hint) = (reader.span(from), "write \"rarely at first, often by day 160\"".to_owned());
+        reader.fault(span, "it is not said by when it is so", hint);
+        return Some(first);
+    };
+    let becomes = then.chance.map(|chance| (chance.probability, moment));
+    Some(Often { chance: first.chance.map(|chance| Chance { becomes, ..chance }), ..first })
+}
+
+/// "at first rarely, later often by day 160".
+pub fn at_first(reader: &mut Reader) -> Option<Often> {
+    reader.attempt(|reader| {
+        if !reader.eat("at first") {
+            return None;
+        }
+        reader.skip_commas();
+        let first = quantified(reader)?;
+        changing(reader, first)
+    })
+}
+
+const MONTH: f64 = 30.4375;
+
+/// What comes after a number of times: how often that is, if a span is named.
+pub fn times_in(reader: &mut Reader, amount: &Amount) -> Option<Often> {
+    let from = reader.at;
+    if !reader.eat("a|per|each|every") {
+        return None;
+    }
+    let rate = [("week", 7.0), ("month", MONTH), ("year", 365.25)];
+    if let Some(days) = reader.eat_any(&rate) {
+        let probability = (amount.from + amount.to) / 2.0 / days;
+        if probability > 1.0 {
+            let hint = "say how many times a day".to_owned();
+            reader.fault(amount.span, format!("{:?} is more than once a day", reader.said(amount.span)), hint);
+        }
+        return Some(Often { chance: Some(with_probability(probability.min(1.0))), ..Often::NOTHING });
+    }
+    let part = reader.eat_any(&times::PARTS);
+    let Some(part) = part else {
+        reader.at = from;
+        return None;
+    };
+    Some(Often { part: (part != PartOfDay::Day).then_some(part), times: Some(count(reader, amount)), ..Often::NOTHING })
+}
+
+/// How many times, in whole numbers.
+pub fn count(reader: &mut Reader, amount: &Amount) -> (u32, u32) {
+    amount.as_count().unwrap_or_else(|| {
+        let what = format!("{:?} is no number of times", reader.said(amount.span));
+        reader.fault(amount.span, what, "write a whole number from 1 to 100, such as \"2 to 3 times\"".to_owned());
+        (1, 1)
+    })
+}
+
+fn of(quantifier: Quantifier) -> Often {
+    Often { chance: Some(Chance::of(quantifier)), ..Often::NOTHING }
+}
+
+fn with_probability(probability: f64) -> Chance {
+    Chance { quantifier: None, probability, becomes: None }
+}

@@ -1,0 +1,209 @@
+//! Goes through the words of a sentence, and knows which names it may meet.
+
+use super::Known;
+use super::faults::Faults;
+use super::words::{self, Span, Token, Word};
+use std::collections::BTreeMap;
+
+/// Words that say nothing where a thing is named.
+const DETERMINERS: [&str; 9] = ["a", "an", "the", "her", "his", "their", "its", "some", "my"];
+
+pub fn is_determiner(word: &str) -> bool {
+    DETERMINERS.contains(&word)
+}
+
+/// What a name may stand for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Sort {
+    Place,
+    Thing,
+    Room,
+    Condition,
+}
+
+/// The names of a home, by their words.
+#[derive(Debug, Default)]
+pub struct Names {
+    pub person: Option<String>,
+    person_words: Vec<String>,
+    /// By first word: all words, what it is, and the name itself.
+    names: BTreeMap<String, Vec<(Vec<String>, Sort, String)>>,
+}
+
+impl Names {
+    pub fn new(known: &Known) -> Names {
+        let mut names = Names::default();
+        names.is_about(known.person.as_deref());
+        let sorts = [
+            (&known.places, Sort::Place),
+            (&known.rooms, Sort::Room),
+            (&known.things, Sort::Thing),
+            (&known.conditions, Sort::Condition),
+        ];
+        for (list, sort) in sorts {
+            for name in list {
+                let words = name_words(name);
+                if let Some(first) = words.first() {
+                    names.names.entry(first.clone()).or_default().push((words, sort, name.clone()));
+                }
+            }
+        }
+        names
+    }
+
+    /// From here on, this is the person's name.
+    pub fn is_about(&mut self, person: Option<&str>) {
+        self.person = person.map(str::to_owned);
+        self.person_words = person.map(name_words).unwrap_or_default();
+    }
+
+    /// Whether something of this sort has this name, whatever its case.
+    pub fn has(&self, name: &str, sort: Sort) -> bool {
+        self.of(&[sort]).any(|known| known.to_lowercase() == name)
+    }
+
+    /// All names of these sorts, for hints.
+    pub fn of<'a>(&'a self, sorts: &'a [Sort]) -> impl Iterator<Item = &'a str> + Clone {
+        let all = self.names.values().flatten();
+        all.filter(|(_, sort, _)| sorts.contains(sort)).map(|(_, _, name)| name.as_str())
+    }
+}
+
+fn name_words(name: &str) -> Vec<String> {
+    let words = words::of_name(name).into_iter().filter(|word| word.token != Token::Comma);
+    words.map(|word| word.text).skip_while(|word| is_determiner(word)).collect()
+}
+
+/// A place in the words of a sentence.
+pub struct Reader<'a> {
+    pub words: &'a [Word],
+    pub at: usize,
+    pub names: &'a Names,
+    pub faults: &'a mut Faults,
+    /// The whole file.
+    pub text: &'a str,
+}
+
+impl Reader<'_> {
+    /// The word so many ahead, or nothing after the last.
+    pub fn peek(&self, ahead: usize) -> &str {
+        self.words.get(self.at + ahead).map_or("", |word| &word.text)
+    }
+
+    pub fn token(&self, ahead: usize) -> Option<Token> {
+        self.words.get(self.at + ahead).map(|word| word.token)
+    }
+
+    pub fn is_over(&self) -> bool {
+        self.at >= self.words.len()
+    }
+
+    pub fn skip_commas(&mut self) {
+        while self.token(0) == Some(Token::Comma) {
+            self.at += 1;
+        }
+    }
+
+    pub fn skip_determiners(&mut self) {
+        while is_determiner(self.peek(0)) {
+            self.at += 1;
+        }
+    }
+
+    /// Passes over these words if all of them come next; `a|b` stands for either.
+    pub fn eat(&mut self, phrase: &str) -> bool {
+        let mut ahead = 0;
+        // Bytes part faster than characters, and most phrases do not come next.
+        for wanted in phrase.as_bytes().split(|&byte| byte == b' ') {
+            let word = self.peek(ahead).as_bytes();
+            if !wanted.split(|&byte| byte == b'|').any(|wanted| wanted == word) {
+                return false;
+            }
+            ahead += 1;
+        }
+        self.at += ahead;
+        true
+    }
+
+    /// Passes over the first of these phrases that comes next, and says what it stands for.
+    pub fn eat_any<T: Copy>(&mut self, phrases: &[(&str, T)]) -> Option<T> {
+        phrases.iter().find(|(phrase, _)| self.eat(phrase)).map(|(_, value)| *value)
+    }
+
+    /// From the word of this index to the one before the present.
+    pub fn span(&self, from: usize) -> Span {
+        let last = self.at.saturating_sub(1).max(from).min(self.words.len().saturating_sub(1));
+        match (self.words.get(from.min(last)), self.words.get(last)) {
+            (Some(first), Some(last)) => first.span.to(last.span),
+            _ => Span::default(),
+        }
+    }
+
+    /// The present word, or the last one after the end.
+    pub fn here(&self) -> Span {
+        self.words.get(self.at).or(self.words.last()).map_or(Span::default(), |word| word.span)
+    }
+
+    /// The words from this index up to the present one.
+    pub fn passed(&self, from: usize) -> String {
+        let words = self.words.get(from..self.at.min(self.words.len())).unwrap_or_default();
+        words.iter().map(|word| word.text.as_str()).collect::<Vec<_>>().join(" ")
+    }
+
+    /// What stands in the file there, cut to what a message bears.
+    pub fn said(&self, span: Span) -> String {
+        const LONGEST: usize = 60;
+        let said = self.text.get(span.start..span.end).unwrap_or_default();
+        let said: String = said.split_whitespace().collect::<Vec<_>>().join(" ");
+        if said.chars().count() <= LONGEST { said } else { said.chars().take(LONGEST).chain(['.', '.', '.']).collect() }
+    }
+
+    pub fn fault(&mut self, span: Span, what: impl Into<String>, hint: impl Into<Option<String>>) {
+        self.faults.add(span, what, hint.into());
+    }
+
+    /// Tries something; goes back to where it was if nothing comes of it.
+    pub fn attempt<T>(&mut self, what: impl FnOnce(&mut Self) -> Option<T>) -> Option<T> {
+        let (at, faults) = (self.at, self.faults.count());
+        let result = what(self);
+        if result.is_none() {
+            self.at = at;
+            self.faults.forget_since(faults);
+        }
+        result
+    }
+
+    /// Passes over the longest name of these sorts that comes next; earlier sorts go first.
+    pub fn name(&mut self, sorts: &[Sort]) -> Option<String> {
+        let at = self.at;
+        self.skip_determiners();
+        let found = self.names.names.get(self.peek(0)).and_then(|names| {
+            let fits = |words: &[String]| (0..words.len()).all(|i| words[i] == self.peek(i));
+            let rank = |sort: &Sort| sorts.iter().position(|wanted| wanted == sort);
+            let names = names.iter().filter(|(words, sort, _)| rank(sort).is_some() && fits(words));
+            names.max_by_key(|(words, sort, _)| (words.len(), std::cmp::Reverse(rank(sort))))
+        });
+        let Some((words, _, name)) = found else {
+            self.at = at;
+            return None;
+        };
+        self.at += words.len();
+        Some(name.clone())
+    }
+
+    /// Passes over the person's name; the last word may be a possessive, which is true then.
+    pub fn person(&mut self) -> Option<bool> {
+        let words = &self.names.person_words;
+        let (last, first) = words.split_last()?;
+        if !(0..first.len()).all(|i| first[i] == self.peek(i)) {
+            return None;
+        }
+        let word = self.peek(first.len());
+        let possessive = word != last;
+        if possessive && word.strip_suffix("'s") != Some(last) {
+            return None;
+        }
+        self.at += words.len();
+        Some(possessive)
+    }
+}

@@ -1,0 +1,347 @@
+//! Times of day, parts of the day, days of the run and of the calendar.
+
+use super::amounts::{ABOUT, Amount, Unit, amount};
+use super::reader::Reader;
+use super::words::Token;
+use crate::fuzzy::Fuzzy;
+use crate::routine::{Moment, PartOfDay};
+
+/// How far "about" a time of day reaches, in seconds.
+pub const ABOUT_TIME_S: f64 = 20.0 * 60.0;
+/// How far a time of day said without "about" reaches.
+pub const PLAIN_TIME_S: f64 = 5.0 * 60.0;
+
+const HOUR_S: f64 = 3600.0;
+pub const DAY_S: f64 = 86_400.0;
+
+pub const PARTS: [(&str, PartOfDay); 8] = [
+    ("morning|mornings", PartOfDay::Morning),
+    ("noon|midday", PartOfDay::Noon),
+    ("lunchtime", PartOfDay::Noon),
+    ("afternoon|afternoons", PartOfDay::Afternoon),
+    ("evening|evenings", PartOfDay::Evening),
+    ("night|nights", PartOfDay::Night),
+    ("daytime", PartOfDay::Day),
+    ("day", PartOfDay::Day),
+];
+
+const WEEKDAYS: [(&str, u8); 7] = [
+    ("monday|mondays|mon", 0),
+    ("tuesday|tuesdays|tue|tues", 1),
+    ("wednesday|wednesdays|wed", 2),
+    ("thursday|thursdays|thu|thurs", 3),
+    ("friday|fridays|fri", 4),
+    ("saturday|saturdays|sat", 5),
+    ("sunday|sundays|sun", 6),
+];
+
+const MONTHS: [(&str, u32); 12] = [
+    ("january|jan", 0),
+    ("february|feb", 1),
+    ("march|mar", 2),
+    ("april|apr", 3),
+    ("may", 4),
+    ("june|jun", 5),
+    ("july|jul", 6),
+    ("august|aug", 7),
+    ("september|sep|sept", 8),
+    ("october|oct", 9),
+    ("november|nov", 10),
+    ("december|dec", 11),
+];
+
+/// The seasons of the northern half of the world, by whole months.
+pub const SEASONS: [(&str, u16); 5] =
+    [("spring", 0b11_100), ("summer", 0b11_100_000), ("autumn", 0x700), ("fall", 0x700), ("winter", 0x803)];
+
+/// A time of day, about or plainly: seconds since midnight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Time {
+    pub at: f64,
+    pub about: bool,
+}
+
+impl Time {
+    pub fn fuzzy(self) -> Fuzzy {
+        Fuzzy::around(self.at, if self.about { ABOUT_TIME_S } else { PLAIN_TIME_S })
+    }
+}
+
+/// A time of day, if one comes next. `bare` says whether a number alone is taken for one that lacks its half of the day.
+pub fn time(reader: &mut Reader, bare: bool) -> Option<Time> {
+    reader.attempt(|reader| {
+        let about = reader.eat_any(&ABOUT).is_some();
+        reader.eat("exactly");
+        Some(Time { at: clock(reader, bare)?, about })
+    })
+}
+
+fn clock(reader: &mut Reader, bare: bool) -> Option<f64> {
+    let from = reader.at;
+    if reader.eat("noon|midday") {
+        return Some(12.0 * HOUR_S);
+    }
+    if reader.eat("midnight") {
+        return Some(DAY_S);
+    }
+    let (hours, minutes, has_minutes) = match reader.token(0)? {
+        Token::Clock(hours, minutes) => (f64::from(hours), f64::from(minutes), true),
+        Token::Number(hours) => (hours, 0.0, false),
+        _ => return None,
+    };
+    reader.at += 1;
+    let oclock = reader.eat("o'clock");
+    let said_half = reader.eat_any(&[("am", false), ("pm", true)]);
+    let half = said_half.or_else(|| half_by_part(reader));
+    let is_clear = half.is_some() || has_minutes;
+    if !(is_clear || oclock || bare && ends_here(reader)) {
+        return None;
+    }
+    let (span, by_twelve) = (reader.span(from), (1.0..=12.0).contains(&hours));
+    let is_time = hours.fract() == 0.0 && minutes < 60.0 && (hours < 24.0 || hours == 24.0 && minutes == 0.0);
+    if !is_time || said_half.is_some() && !by_twelve {
+        let hint = match hours.fract() == 0.0 {
+            true => "times go from 00:00 to 24:00, or from 1 am to 12 pm",
+            false => "hours and minutes have a colon between them: \"06:45\"",
+        };
+        reader.fault(span, format!("there is no time {:?}", reader.said(span)), hint.to_owned());
+        return Some(12.0 * HOUR_S);
+    }
+    if !is_clear {
+        let hint = match hours {
+            1.0..=12.0 => format!("write \"{hours} am\" or \"{hours} pm\""),
+            _ => format!("write \"{hours}:00\""),
+        };
+        reader.fault(span, format!("it is not clear which time of day {:?} is", reader.said(span)), hint);
+    }
+    let hours = match half {
+        Some(is_pm) if by_twelve => hours % 12.0 + if is_pm { 12.0 } else { 0.0 },
+        _ => hours,
+    };
+    Some(hours * HOUR_S + minutes * 60.0)
+}
+
+/// Whether an hour is of the second half of the day, by the part of the day that follows: `8 in the evening`.
+fn half_by_part(reader: &Reader) -> Option<bool> {
+    match (reader.peek(0), reader.peek(1), reader.peek(2)) {
+        ("in", "the", "morning") => Some(false),
+        ("in", "the", "afternoon" | "evening") => Some(true),
+        _ => None,
+    }
+}
+
+/// Whether a number is the last of its kind: no unit follows.
+fn ends_here(reader: &mut Reader) -> bool {
+    let word = reader.peek(0);
+    word.is_empty()
+        || matches!(reader.token(0), Some(Token::Comma))
+        || ["and", "for", "on", "in", "until", "then", "every", "give", "with", "to", "from", "at"].contains(&word)
+}
+
+/// Two times with a word between them, the second the later one.
+pub fn time_range(reader: &mut Reader, between: &str) -> Option<(Time, Time)> {
+    reader.attempt(|reader| {
+        let start = reader.at;
+        let from = time(reader, true)?;
+        if !reader.eat(between) {
+            return None;
+        }
+        let mut to = time(reader, true)?;
+        // From the evening into the night.
+        if to.at <= from.at && from.at >= 15.0 * HOUR_S && to.at <= 9.0 * HOUR_S {
+            to.at += DAY_S;
+        } else if to.at <= from.at {
+            let span = reader.span(start);
+            let what = format!("{:?} is upside down", reader.said(span));
+            reader.fault(span, what, "the earlier time goes first".to_owned());
+            to.at = from.at;
+        }
+        Some((from, to))
+    })
+}
+
+/// A day, the beginning of a week, or a date of the calendar.
+pub fn moment(reader: &mut Reader) -> Option<(Moment, Length)> {
+    reader.attempt(|reader| {
+        reader.eat("the");
+        if let Some(Token::Date(year, month, day)) = reader.token(0) {
+            reader.at += 1;
+            return Some((date(reader, year, month, day), Length::Day));
+        }
+        let by_month = |reader: &mut Reader| {
+            let month_first = reader.eat_any(&MONTHS);
+            let day = whole(reader)?;
+            let month = month_first.or_else(|| reader.eat_any(&MONTHS))?;
+            reader.skip_commas();
+            let year = whole(reader)?;
+            Some(date(reader, year, month + 1, day))
+        };
+        let start = reader.at;
+        if let Some(date) = reader.attempt(by_month) {
+            return Some((date, Length::Day));
+        }
+        let length = reader.eat_any(&[("day", Length::Day), ("week", Length::Week)])?;
+        let number = super::amounts::number(reader)?;
+        let span = reader.span(start);
+        if number.fract() != 0.0 || !(1.0..=36_525.0).contains(&number) {
+            let what = format!("there is no {:?}", reader.said(span));
+            reader.fault(span, what, "the first is day 1, in week 1".to_owned());
+            return Some((Moment::Day(0), length));
+        }
+        Some((Moment::Day((number as i32 - 1) * length.days()), length))
+    })
+}
+
+/// How long the time is that a moment names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Length {
+    Day,
+    Week,
+}
+
+impl Length {
+    fn days(self) -> i32 {
+        match self {
+            Length::Day => 1,
+            Length::Week => 7,
+        }
+    }
+}
+
+/// The moment at which that day or week is over.
+pub fn end_of(moment: Moment, length: Length) -> Moment {
+    later(moment, length.days())
+}
+
+/// So many days after a moment.
+pub fn later(moment: Moment, days: i32) -> Moment {
+    match moment {
+        Moment::Day(day) => Moment::Day(day.saturating_add(days)),
+        Moment::Date(year, month, day) => of_number(number_of(year, month, day) + i64::from(days)),
+    }
+}
+
+/// Days from one moment to another, if both count from the same or the first date is known.
+pub fn days_between(from: Moment, to: Moment, first: Option<(i16, u8, u8)>) -> Option<i64> {
+    let number = |moment| match (moment, first) {
+        (Moment::Day(day), Some((y, m, d))) => Some(number_of(y, m, d) + i64::from(day)),
+        (Moment::Date(y, m, d), _) => Some(number_of(y, m, d)),
+        (Moment::Day(_), None) => None,
+    };
+    match (from, to) {
+        (Moment::Day(from), Moment::Day(to)) => Some(i64::from(to) - i64::from(from)),
+        _ => Some(number(to)? - number(from)?),
+    }
+}
+
+fn date(reader: &mut Reader, year: u32, month: u32, day: u32) -> Moment {
+    let is_date = (1900..=2200).contains(&year) && (1..=12).contains(&month) && day >= 1;
+    if is_date && day <= days_of(year as i16, month as u8) {
+        return Moment::Date(year as i16, month as u8, day as u8);
+    }
+    let span = reader.span(reader.at.saturating_sub(1));
+    let hint = "write year, month and day, such as 2009-05-01".to_owned();
+    reader.fault(span, "there is no such date between 1900 and 2200", hint);
+    Moment::Day(0)
+}
+
+fn days_of(year: i16, month: u8) -> u32 {
+    match month {
+        2 if year % 4 == 0 && (year % 100 != 0 || year % 400 == 0) => 29,
+        2 => 28,
+        4 | 6 | 9 | 11 => 30,
+        _ => 31,
+    }
+}
+
+/// Days since the first of 1900; before it, negative.
+fn number_of(year: i16, month: u8, day: u8) -> i64 {
+    let years = (1900..year).map(|year| if days_of(year, 2) == 29 { 366 } else { 365 }).sum::<i64>();
+    years + (1..month).map(|month| i64::from(days_of(year, month))).sum::<i64>() + i64::from(day) - 1
+}
+
+fn of_number(mut days: i64) -> Moment {
+    let (mut year, mut month) = (1900, 1);
+    while days >= i64::from(days_of(year, month)) && year < 9999 {
+        days -= i64::from(days_of(year, month));
+        (year, month) = if month == 12 { (year + 1, 1) } else { (year, month + 1) };
+    }
+    Moment::Date(year, month, days.clamp(0, 30) as u8 + 1)
+}
+
+fn whole(reader: &mut Reader) -> Option<u32> {
+    match reader.token(0) {
+        Some(Token::Number(value)) if value.fract() == 0.0 && (0.0..10_000.0).contains(&value) => {
+            reader.at += 1;
+            Some(value as u32)
+        }
+        _ => None,
+    }
+}
+
+pub fn is_weekday(word: &str) -> bool {
+    WEEKDAYS.iter().any(|(names, _)| names.split('|').any(|name| name == word))
+}
+
+/// A list of weekdays, or a stretch of them, as bits.
+pub fn weekdays(reader: &mut Reader) -> Option<u8> {
+    if reader.eat("weekday|weekdays") {
+        return Some(0b001_1111);
+    }
+    if reader.eat("weekend|weekends") {
+        return Some(0b110_0000);
+    }
+    let first = reader.eat_any(&WEEKDAYS)?;
+    let mut days = 1_u8 << first;
+    if let Some(last) = reader.attempt(|reader| if reader.eat("to|until") { reader.eat_any(&WEEKDAYS) } else { None }) {
+        let length = (last + 7 - first) % 7;
+        return Some((0..=length).fold(0, |days, ahead| days | 1 << ((first + ahead) % 7)));
+    }
+    let next = |reader: &mut Reader| {
+        reader.skip_commas();
+        reader.eat("and|or");
+        reader.eat("on");
+        reader.eat_any(&WEEKDAYS)
+    };
+    while let Some(day) = reader.attempt(next) {
+        days |= 1 << day;
+    }
+    Some(days)
+}
+
+/// A list of months and seasons, or a stretch of months, as bits.
+pub fn months(reader: &mut Reader) -> Option<u16> {
+    let one = |reader: &mut Reader| {
+        reader.eat("the");
+        reader.eat_any(&MONTHS).map(|month| 1_u16 << month).or_else(|| reader.eat_any(&SEASONS))
+    };
+    let mut months = reader.attempt(one)?;
+    let next = |reader: &mut Reader| {
+        reader.skip_commas();
+        reader.eat("and|or");
+        reader.eat("in");
+        one(reader)
+    };
+    while let Some(more) = reader.attempt(next) {
+        months |= more;
+    }
+    Some(months)
+}
+
+/// From one month to another, both included.
+pub fn month_range(reader: &mut Reader) -> Option<u16> {
+    reader.attempt(|reader| {
+        let first = reader.eat_any(&MONTHS)?;
+        if !reader.eat("to|until|through") {
+            return None;
+        }
+        let last = reader.eat_any(&MONTHS)?;
+        let length = (last + 12 - first) % 12;
+        Some((0..=length).fold(0, |months, ahead| months | 1 << ((first + ahead) % 12)))
+    })
+}
+
+/// A span of days said in days, weeks, months or years.
+pub fn days(reader: &mut Reader) -> Option<Amount> {
+    reader.attempt(|reader| amount(reader).filter(|amount| amount.unit == Unit::Day))
+}

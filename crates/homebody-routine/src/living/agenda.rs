@@ -1,0 +1,395 @@
+//! The plan of a day: what is to be done, in which order, from getting up to going to bed and through the night after.
+//!
+//! Each habit that is meant for the day is drawn: whether, how often, when, for how long. What is said relative to
+//! something else is put beside it. The order is that of the starts; how the day really goes is for the living.
+
+use super::life::{Life, Mood};
+use crate::fuzzy::Fuzzy;
+use crate::routine::{Activity, Habit, Meal, PartOfDay, When};
+use homebody_core::time::{Micros, SECOND, micros, seconds};
+
+/// A day's plan.
+#[derive(Clone, Debug)]
+pub struct Agenda {
+    pub day: i32,
+    /// When the resident gets up, and goes to bed.
+    pub up: Micros,
+    pub bed: Micros,
+    /// What is done one after the other, in order of start.
+    pub items: Vec<Item>,
+    /// What interrupts whatever goes on then, in order of start; also in the night after the day.
+    pub breaks: Vec<Item>,
+}
+
+/// One thing to do.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Item {
+    /// Tells its random numbers from those of all others of the day.
+    pub key: String,
+    pub activity: Activity,
+    pub place: Option<String>,
+    pub visitor: Option<String>,
+    pub start: Micros,
+    pub lasts: Micros,
+    /// It ends then, however late it begins.
+    pub until: Option<Micros>,
+    /// It is left out if it cannot begin by then.
+    pub latest: Micros,
+}
+
+impl Item {
+    /// Something that nobody planned, to be done at once.
+    pub fn now(key: String, activity: Activity, lasts: Micros) -> Item {
+        Item { key, activity, place: None, visitor: None, start: 0, lasts, until: None, latest: Micros::MAX }
+    }
+}
+
+/// An item whose start may hang on another's.
+struct Draft {
+    item: Item,
+    start: Start,
+}
+
+enum Start {
+    Known,
+    After(Activity, Micros),
+    Before(Activity, Micros),
+    With(Activity),
+    /// The end of the draft of this index.
+    Then(usize),
+}
+
+const MINUTE: f64 = 60.0;
+const HOUR: f64 = 3600.0;
+
+/// Getting up and going to bed where nothing is said or the quantifier says no: 06:44 and 23:23 of healthy older adults
+/// (Scientific Reports 2015, actigraphy), give or take half an hour (ours).
+const UP: Fuzzy = Fuzzy { low: 6.23 * HOUR, from: 6.73 * HOUR, to: 6.73 * HOUR, high: 7.23 * HOUR };
+const BED: Fuzzy = Fuzzy { low: 22.9 * HOUR, from: 23.38 * HOUR, to: 23.38 * HOUR, high: 23.9 * HOUR };
+
+impl Agenda {
+    /// The plan of a day of a life, as it is with the day's mood.
+    pub fn of(life: &Life, day: i32, mood: &Mood) -> Agenda {
+        let (up, bed) = (up(life, day, mood), bed(life, day, mood));
+        // As it would be if tomorrow were as today: a change that begins tomorrow does not touch tonight.
+        let next_up = self::up(life, day + 1, mood);
+        let mut planner = Planner { life, mood, day, up, bed, next_up, drafts: Vec::new(), breaks: Vec::new() };
+        planner.draw();
+        let mut items = planner.resolve();
+        items.sort_by_key(|item| item.start);
+        let mut breaks = planner.breaks;
+        breaks.sort_by_key(|item| item.start);
+        Agenda { day, up, bed, items, breaks }
+    }
+}
+
+/// When the resident gets up on a day.
+pub fn up(life: &Life, day: i32, mood: &Mood) -> Micros {
+    let time = clock_of(life, day, mood, &Activity::GetUp).unwrap_or_else(|| {
+        varied(&UP, life.stream_of_day(day, "up").unit(), mood.irregular) + mood.later_s(&Activity::GetUp)
+    }) + life.person.up_s;
+    life.instant(day, time.clamp(2.0 * HOUR, 14.0 * HOUR))
+}
+
+/// When the resident goes to bed at the end of a day.
+fn bed(life: &Life, day: i32, mood: &Mood) -> Micros {
+    let time = clock_of(life, day, mood, &Activity::GoToBed).unwrap_or_else(|| {
+        varied(&BED, life.stream_of_day(day, "bed").unit(), mood.irregular) + mood.later_s(&Activity::GoToBed)
+    }) + life.person.bed_s;
+    // Half past midnight is the end of the day before.
+    let time = if time < 12.0 * HOUR { time + 24.0 * HOUR } else { time };
+    life.instant(day, time.clamp(17.0 * HOUR, 28.0 * HOUR))
+}
+
+/// The time of day that the habits say for getting up or going to bed, if one of them holds on this day.
+fn clock_of(life: &Life, day: i32, mood: &Mood, activity: &Activity) -> Option<f64> {
+    life.habits(day).find_map(|(habit, strength, file)| {
+        if habit.activity != *activity || habit.visitor.is_some() || !life.is_on(&habit.days, day) {
+            return None;
+        }
+        let When::At(time) = &habit.when else { return None };
+        let key = key(habit, file, 0);
+        let holds = life.stream_of_day(day, &format!("{key}/whether")).unit() < life.chance(habit, strength, day);
+        let share = life.stream_of_day(day, &format!("{key}/start")).unit();
+        holds.then(|| varied(time, share, mood.irregular) + mood.later_s(activity))
+    })
+}
+
+fn key(habit: &Habit, file: &str, number: u32) -> String {
+    format!("{file}:{}:{}/{number}", habit.said.line, habit.said.column)
+}
+
+/// A number of a fuzzy number, so many times as far from its mean as it would be.
+fn varied(fuzzy: &Fuzzy, share: f64, irregular: f64) -> f64 {
+    let mean = fuzzy.mean();
+    mean + (fuzzy.at(share) - mean) * irregular
+}
+
+struct Planner<'a> {
+    life: &'a Life,
+    mood: &'a Mood,
+    day: i32,
+    up: Micros,
+    bed: Micros,
+    next_up: Micros,
+    drafts: Vec<Draft>,
+    breaks: Vec<Item>,
+}
+
+impl Planner<'_> {
+    /// Draws every habit of the day.
+    fn draw(&mut self) {
+        let life = self.life;
+        // The last habit of the file, and where its last draft is if it is done today.
+        let mut before: (&str, Option<usize>) = ("", None);
+        for (habit, strength, file) in life.habits(self.day) {
+            if before.0 != file {
+                before = (file, None);
+            }
+            if matches!(habit.activity, Activity::GetUp | Activity::GoToBed) && habit.visitor.is_none() {
+                before.1 = None;
+                continue;
+            }
+            let count = self.count(habit, strength, file);
+            if habit.when == When::Then && before.1.is_none() {
+                continue;
+            }
+            let mut last = None;
+            for number in 0..count {
+                last = self.add(habit, file, number, before.1).or(last);
+            }
+            before.1 = last;
+        }
+    }
+
+    /// How many times the habit is done today.
+    fn count(&self, habit: &Habit, strength: f64, file: &str) -> u32 {
+        if !self.life.is_on(&habit.days, self.day) {
+            return 0;
+        }
+        let key = key(habit, file, 0);
+        let share = |purpose: &str| self.life.stream_of_day(self.day, &format!("{key}/{purpose}")).unit();
+        let within = match habit.when {
+            When::Within(part) => Some(part),
+            _ => None,
+        };
+        let chance = self.life.chance(habit, strength, self.day);
+        let oftener = self.mood.oftener(&habit.activity, within);
+        // Who skips a meal does not prepare it either.
+        let skipped = match habit.activity {
+            Activity::Prepare(meal) => Activity::Eat(meal),
+            ref activity => activity.clone(),
+        };
+        let skip = self.life.stream_of_day(self.day, &format!("skip/{}", skipped.name())).unit();
+        if share("whether") >= (chance * oftener.min(1.0)).min(1.0) || skip < self.mood.skips(&skipped) {
+            return 0;
+        }
+        let (least, most) = habit.times;
+        let drawn = f64::from(least) + libm::floor(share("times") * f64::from(most - least + 1));
+        // So many times as often: a part of a time is a chance.
+        let times = drawn * oftener.max(1.0);
+        let whole = libm::floor(times);
+        (whole as u32 + u32::from(share("once more") < times - whole)).min(200)
+    }
+
+    /// Adds one time of a habit; the index of its draft if it is not a break.
+    fn add(&mut self, habit: &Habit, file: &str, number: u32, before: Option<usize>) -> Option<usize> {
+        let key = key(habit, file, number);
+        let share = |purpose: &str| self.life.stream_of_day(self.day, &format!("{key}/{purpose}")).unit();
+        let (activity, mood) = (habit.activity.clone(), self.mood);
+        let lasts_s = match &habit.lasts {
+            Some(lasts) => varied(lasts, share("lasts"), mood.irregular),
+            None => {
+                let (median_min, sigma) = activity.usual_minutes();
+                let mut stream = self.life.stream_of_day(self.day, &format!("{key}/lasts"));
+                stream.lognormal(median_min * MINUTE, sigma * mood.irregular.min(2.0))
+            }
+        };
+        let lasts = micros((mood.lasting_s(&activity, lasts_s) * self.life.person.length).clamp(1.0, 20.0 * HOUR));
+        let later = micros(mood.later_s(&activity) + self.life.person.clock_s);
+        let at = |time: f64| self.life.instant(self.day, time);
+        let mut patience = 2.5 * HOUR;
+        let (start, known) = match &habit.when {
+            When::At(time) => {
+                patience = 4.0 * HOUR;
+                (at(varied(time, share("start"), mood.irregular)), Start::Known)
+            }
+            When::Within(PartOfDay::Night) => {
+                let (from, to) = (self.bed + 1800 * SECOND, self.next_up - 1200 * SECOND);
+                (from + ((to - from).max(0) as f64 * share("start")) as Micros, Start::Known)
+            }
+            When::Within(part) => {
+                let (from, to) = part.hours();
+                let to = (to - seconds(lasts)).max(from + 0.2 * (to - from));
+                patience = (to - from) + HOUR;
+                (at(from + (to - from) * share("start")), Start::Known)
+            }
+            When::AnyTime => match activity.usual_clock() {
+                Some(time) => (at(varied(&time, share("start"), mood.irregular)), Start::Known),
+                None => {
+                    patience = 6.0 * HOUR;
+                    let (from, to) = (self.up + 3600 * SECOND, self.bed - 3600 * SECOND);
+                    (from + ((to - from).max(0) as f64 * share("start")) as Micros, Start::Known)
+                }
+            },
+            When::After(activity, gap) => {
+                (0, Start::After(activity.clone(), micros(gap.map_or(0.0, |gap| gap.at(share("start"))))))
+            }
+            When::Before(activity, gap) => {
+                (0, Start::Before(activity.clone(), micros(gap.map_or(0.0, |gap| gap.at(share("start"))))))
+            }
+            When::With(activity) => (0, Start::With(activity.clone())),
+            When::Then => (0, Start::Then(before?)),
+        };
+        let until = habit.until.map(|until| at(varied(&until, share("until"), mood.irregular)));
+        let start = start.saturating_add(if matches!(known, Start::Known) { later } else { 0 });
+        let item = Item {
+            key,
+            activity,
+            place: habit.place.clone(),
+            visitor: habit.visitor.clone(),
+            start,
+            lasts,
+            until,
+            latest: start + micros(patience),
+        };
+        if matches!(known, Start::Known) && item.activity.interrupts(habit.when == When::Within(PartOfDay::Night)) {
+            self.breaks.push(Item { latest: start + 3600 * SECOND, ..item });
+            return None;
+        }
+        self.drafts.push(Draft { item, start: known });
+        Some(self.drafts.len() - 1)
+    }
+
+    /// Puts what hangs on something beside it.
+    fn resolve(&mut self) -> Vec<Item> {
+        let mut known: Vec<bool> = self.drafts.iter().map(|draft| matches!(draft.start, Start::Known)).collect();
+        // Each pass settles at least one, or none is left that can be.
+        for last in (0..=self.drafts.len()).rev() {
+            for index in 0..self.drafts.len() {
+                if !known[index]
+                    && let Some(start) = self.start_of(index, &known, last == 0)
+                {
+                    let item = &mut self.drafts[index].item;
+                    (item.start, item.latest) = (start, start + micros(4.0 * HOUR));
+                    known[index] = true;
+                }
+            }
+            if known.iter().all(|&known| known) {
+                break;
+            }
+        }
+        let is_done = |activity: &Activity| self.drafts.iter().any(|draft| draft.item.activity == *activity);
+        // There is nothing to wash up after a meal that was skipped.
+        let is_idle = |draft: &Draft| match &draft.start {
+            Start::After(meal, _) => draft.item.activity == Activity::WashUp && !is_done(meal),
+            _ => false,
+        };
+        self.drafts.iter().filter(|draft| !is_idle(draft)).map(|draft| draft.item.clone()).collect()
+    }
+
+    /// The start of a draft whose reference is known; `at_last` it is guessed where the reference is never.
+    fn start_of(&self, index: usize, known: &[bool], at_last: bool) -> Option<Micros> {
+        let Draft { item, start } = &self.drafts[index];
+        let span = |activity: &Activity| self.span_of(activity, known, at_last);
+        match start {
+            Start::Known => Some(item.start),
+            Start::After(activity, gap) => Some(span(activity)?.1 + gap),
+            Start::Before(activity, gap) => Some(span(activity)?.0 - gap - item.lasts),
+            // One microsecond before, so that it comes first.
+            Start::With(activity) => Some(span(activity)?.0 - 1),
+            Start::Then(of) => {
+                let of_item = &self.drafts[*of].item;
+                known[*of].then_some(of_item.start + of_item.lasts)
+            }
+        }
+    }
+
+    /// From when to when something is done today; where it is not done, when it usually would be.
+    fn span_of(&self, activity: &Activity, known: &[bool], at_last: bool) -> Option<(Micros, Micros)> {
+        match activity {
+            Activity::GetUp => return Some((self.up, self.up + 60 * SECOND)),
+            Activity::GoToBed => return Some((self.bed, self.bed + 60 * SECOND)),
+            _ => {}
+        }
+        let mut of = self.drafts.iter().zip(known).filter(|(draft, _)| draft.item.activity == *activity);
+        match of.next() {
+            Some((draft, true)) => Some((draft.item.start, draft.item.start + draft.item.lasts)),
+            Some((_, false)) if !at_last => None,
+            _ => {
+                let usual = activity.usual_clock().map_or(12.0 * HOUR, |clock| clock.mean());
+                let start = self.life.instant(self.day, usual);
+                Some((start, start + micros(activity.usual_minutes().0 * MINUTE)))
+            }
+        }
+    }
+}
+
+impl Activity {
+    /// How long it usually takes: the median in minutes, and the spread of its logarithm.
+    ///
+    /// Toilet by day and night, eating and preparing are defaults of the field without a source; durations of smart
+    /// homes have coefficients of variation of 0.4-0.8. All are ours.
+    pub(crate) fn usual_minutes(&self) -> (f64, f64) {
+        match self {
+            Activity::GetUp => (2.0, 0.4),
+            Activity::UseBathroom => (5.0, 0.6),
+            Activity::Shower => (12.0, 0.35),
+            Activity::Wash => (6.0, 0.4),
+            Activity::Dress => (8.0, 0.4),
+            Activity::TakeMedicine => (2.0, 0.4),
+            Activity::Prepare(Meal::Breakfast) => (14.0, 0.35),
+            Activity::Prepare(Meal::Lunch) => (24.0, 0.4),
+            Activity::Prepare(Meal::Dinner) => (28.0, 0.4),
+            Activity::Eat(Meal::Breakfast) => (22.0, 0.3),
+            Activity::Eat(_) => (27.0, 0.3),
+            Activity::WashUp => (9.0, 0.4),
+            Activity::WatchTelevision => (75.0, 0.5),
+            Activity::Read => (35.0, 0.5),
+            Activity::Phone => (14.0, 0.7),
+            Activity::Nap => (40.0, 0.5),
+            Activity::Laundry => (12.0, 0.4),
+            Activity::Housework => (35.0, 0.5),
+            Activity::Leave => (110.0, 0.5),
+            Activity::ComeHome => (2.0, 0.3),
+            Activity::Visit => (90.0, 0.4),
+            Activity::GoToBed => (5.0, 0.4),
+            Activity::Drink => (4.0, 0.5),
+            Activity::Snack => (7.0, 0.5),
+            Activity::Exercise => (16.0, 0.4),
+            Activity::UseComputer => (30.0, 0.5),
+            Activity::Relax => (25.0, 0.5),
+            // 20.1 cycles and 43.9 minutes a day of residents who wander (Algase 1997): 2.2 minutes each.
+            Activity::Wander | Activity::Pace | Activity::Lap => (1.7, 0.7),
+            Activity::LieAwake => (25.0, 0.5),
+            Activity::Fall => (20.0, 0.8),
+            Activity::Other(_) => (30.0, 0.4),
+        }
+    }
+
+    /// When it is usually done, where nothing is said. Meals: ours, as no norms were found.
+    fn usual_clock(&self) -> Option<Fuzzy> {
+        let around = |hours: f64, minutes: f64| Some(Fuzzy::around(hours * HOUR, minutes * MINUTE));
+        match self {
+            Activity::Prepare(Meal::Breakfast) | Activity::TakeMedicine => around(7.75, 30.0),
+            Activity::Eat(Meal::Breakfast) => around(8.0, 30.0),
+            Activity::Prepare(Meal::Lunch) => around(11.8, 30.0),
+            Activity::Eat(Meal::Lunch) => around(12.25, 30.0),
+            Activity::Prepare(Meal::Dinner) => around(17.25, 40.0),
+            Activity::Eat(Meal::Dinner) => around(17.75, 40.0),
+            Activity::Shower | Activity::Wash | Activity::Dress => around(7.25, 40.0),
+            Activity::Nap => around(14.75, 45.0),
+            Activity::Visit => around(15.0, 90.0),
+            _ => None,
+        }
+    }
+
+    /// Whether it interrupts what goes on rather than waiting for its turn.
+    fn interrupts(&self, at_night: bool) -> bool {
+        match self {
+            Activity::Wander | Activity::Pace | Activity::Lap | Activity::Fall | Activity::LieAwake => true,
+            Activity::UseBathroom => true,
+            _ => at_night,
+        }
+    }
+}

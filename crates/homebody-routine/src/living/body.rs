@@ -1,0 +1,131 @@
+//! The body of somebody who lives by a routine: where it is, how it gets from place to place.
+
+use super::places::Spot;
+use crate::walk::{Gait, Mesh, Routes, Wandering, rise, sit, walk, wander};
+use homebody_core::drivers::Move;
+use homebody_core::event::Doing;
+use homebody_core::geometry::Point;
+use homebody_core::home::Home;
+use homebody_core::random::Stream;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, SECOND, micros};
+use std::sync::Arc;
+
+/// Where a body is, and what it walks by.
+#[derive(Clone, Debug)]
+pub struct Body {
+    home: Arc<Home>,
+    routes: Routes,
+    pace_mps: f64,
+    at: Point,
+    posture: Posture,
+    spot: Option<Spot>,
+}
+
+/// Nearer than this is there.
+const THERE_M: f64 = 0.01;
+
+/// Who walks slower than this is frail in rising and sitting, wholly so at half of it: 0.4-0.8 m/s is limited community
+/// walking.
+const FRAIL_MPS: f64 = 0.6;
+
+impl Body {
+    pub fn new(home: Arc<Home>, mesh: Arc<Mesh>, pace_mps: f64) -> Body {
+        Body { home, routes: Routes::new(mesh), pace_mps, at: Point::ZERO, posture: Posture::Standing, spot: None }
+    }
+
+    /// Puts the body somewhere, at the beginning of a run or behind the door.
+    pub fn place(&mut self, spot: Spot, posture: Posture) {
+        (self.at, self.posture, self.spot) = (spot.at, posture, Some(spot));
+    }
+
+    /// The body has begun a move: where it will be.
+    pub fn follow(&mut self, next: &Move) {
+        match next.doing {
+            Doing::Stride { to, .. } => self.at = to,
+            Doing::Stir { at, .. } | Doing::Rest { at } => self.at = at,
+            Doing::Away => return,
+        }
+        self.posture = next.posture;
+    }
+
+    pub fn at(&self) -> Point {
+        self.at
+    }
+
+    pub fn posture(&self) -> Posture {
+        self.posture
+    }
+
+    /// The place that it went to last.
+    pub fn spot(&self) -> Option<&Spot> {
+        self.spot.as_ref()
+    }
+
+    pub fn room(&self) -> Option<usize> {
+        self.home.plan.room_at(self.at)
+    }
+
+    /// The moves that take it to a place: rising, walking, sitting or lying down. None if it is there, or if there is no way.
+    pub fn go(&mut self, spot: &Spot, now: Micros, hour: f64, pace: f64, stream: &mut Stream) -> Vec<Move> {
+        self.spot = Some(spot.clone());
+        if self.at.distance(spot.at) < THERE_M {
+            return Vec::new();
+        }
+        let Some(path) = self.routes.path(self.at, spot.at) else { return Vec::new() };
+        let mut moves = self.stand_up(now, pace, stream);
+        let set_out = moves.last().map_or(now, |last| last.end);
+        let gait = Gait::of_walk(self.pace_mps * pace, hour, 0.0, stream);
+        moves.extend(walk(&path, self.at, set_out, &gait));
+        if spot.posture != Posture::Standing {
+            let arrived = moves.last().map_or(set_out, |last| last.end);
+            moves.push(sit(spot.at, arrived, self.frailty(pace), spot.posture, stream));
+        }
+        moves
+    }
+
+    /// The moves of a walk without a goal.
+    pub fn wander(
+        &mut self,
+        kind: Wandering,
+        lasts: Micros,
+        now: Micros,
+        hour: f64,
+        pace: f64,
+        stream: &mut Stream,
+    ) -> Vec<Move> {
+        let mut moves = self.stand_up(now, pace, stream);
+        let gait = Gait::of_walk(self.pace_mps * pace, hour, 0.0, stream);
+        let mut from = self.at;
+        let begin = moves.last().map_or(now, |last| last.end);
+        // Out of the bed or the chair first.
+        if let Some(beside) = self.routes.mesh().approach(from).filter(|beside| beside.distance(from) > THERE_M) {
+            moves.extend(walk(&[beside], from, begin, &gait));
+            from = beside;
+        }
+        let begin = moves.last().map_or(now, |last| last.end);
+        let mesh = self.routes.mesh();
+        moves.extend(wander(kind, mesh, &self.home.plan, from, begin, lasts.max(10 * SECOND), &gait, stream));
+        self.spot = None;
+        moves
+    }
+
+    /// Sitting up and rising, if it does not stand.
+    fn stand_up(&self, now: Micros, pace: f64, stream: &mut Stream) -> Vec<Move> {
+        let mut moves = Vec::new();
+        if self.posture == Posture::Lying {
+            let end = now + micros(stream.lognormal(8.0, 0.3));
+            let doing = Doing::Stir { at: self.at, amplitude_m: 0.4 };
+            moves.push(Move { begin: now, end, doing, posture: Posture::Sitting });
+        }
+        if self.posture != Posture::Standing {
+            let begin = moves.last().map_or(now, |last| last.end);
+            moves.push(rise(self.at, begin, self.frailty(pace), stream));
+        }
+        moves
+    }
+
+    fn frailty(&self, pace: f64) -> f64 {
+        ((FRAIL_MPS - self.pace_mps * pace) / (FRAIL_MPS / 2.0)).clamp(0.0, 1.0)
+    }
+}

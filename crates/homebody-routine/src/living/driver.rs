@@ -1,0 +1,628 @@
+//! Lives a routine: carries out the day's plan, interrupts it for needs and rules, walks the body from place to place.
+//!
+//! Three layers decide, the higher over the lower (Brooks 1986): needs that press, rules and what happens to one
+//! interrupt; the plan of the day says what is next; and where it says nothing, the time is filled. What is interrupted
+//! goes on where it was.
+
+use super::agenda::{Agenda, Item};
+use super::body::Body;
+use super::life::{Life, Mood};
+use super::manner::Manner;
+use super::needs::Needs;
+use super::places::{Places, Role, Spot};
+use super::script::{May, Met, Setting, Stay, Step, script};
+use super::watch::Watches;
+use crate::routine::{Activity, Response};
+use homebody_core::drivers::{self, Decide, Move, Next};
+use homebody_core::event::{Act, Doing, Need as NeedKind, Vitals};
+use homebody_core::geometry::Point;
+use homebody_core::home::Home;
+use homebody_core::random::Stream;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, SECOND, micros};
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+const MINUTE: Micros = 60 * SECOND;
+
+/// A resident who lives by a routine.
+#[derive(Clone, Debug)]
+pub struct RoutineDriver {
+    life: Arc<Life>,
+    home: Arc<Home>,
+    places: Arc<Places>,
+    body: Body,
+    mood: Mood,
+    agenda: Agenda,
+    next_item: usize,
+    next_break: usize,
+    /// What is being done, and under it what was interrupted for it.
+    scripts: Vec<Playing>,
+    /// What comes next before anything is decided: the strides of a walk, facts.
+    ready: VecDeque<Next>,
+    /// What is being done by name, as it was told, and as it is now: what takes no time is not told.
+    told: String,
+    name: String,
+    needs: Needs,
+    watches: Watches,
+    /// How many scripts there have been today: each has random numbers of its own.
+    begun: u32,
+    /// What a visitor, rather than somebody who lives here, is called.
+    visitor: Option<String>,
+}
+
+/// A script that is being played.
+#[derive(Clone, Debug)]
+struct Playing {
+    steps: VecDeque<Step>,
+    stream: Stream,
+    name: String,
+    /// Where it was when it was interrupted.
+    spot: Option<Spot>,
+    is_interrupted: bool,
+    /// Whether the stay's next move is a movement.
+    stirs: bool,
+}
+
+impl RoutineDriver {
+    /// A resident at the beginning of a run: in bed before getting up, else up and about.
+    pub fn new(life: Arc<Life>, home: Arc<Home>, places: Arc<Places>, mut body: Body) -> RoutineDriver {
+        let mood = life.mood(0);
+        let today = Agenda::of(&life, 0, &mood);
+        let in_bed = today.up > 0 || today.bed < 0;
+        let agenda = if today.up > 0 { Agenda::of(&life, -1, &life.mood(-1)) } else { today };
+        let role = if in_bed { Role::Bed } else { Role::Armchair };
+        if let Some(spot) = places.of(role) {
+            body.place(spot.clone(), if in_bed { Posture::Lying } else { spot.posture });
+        }
+        let needs = Needs::new(&life, 0);
+        let mut driver = RoutineDriver {
+            next_item: if in_bed { agenda.items.len() } else { agenda.items.partition_point(|item| item.start < 0) },
+            next_break: agenda.breaks.partition_point(|item| item.start < 0),
+            watches: Watches::new(&life, agenda.day),
+            scripts: Vec::new(),
+            ready: VecDeque::new(),
+            told: String::new(),
+            name: String::new(),
+            begun: 0,
+            visitor: None,
+            needs,
+            agenda,
+            mood,
+            body,
+            places,
+            home,
+            life,
+        };
+        driver.tell_conditions();
+        driver.needs.waking(0, &driver.mood);
+        if in_bed {
+            driver.sleep(0, true);
+        }
+        driver
+    }
+
+    /// Somebody who comes to visit the one whose life this is.
+    pub fn visitor(life: Arc<Life>, home: Arc<Home>, places: Arc<Places>, body: Body, name: &str) -> RoutineDriver {
+        let mut driver = RoutineDriver::new(life, home, places, body);
+        (driver.scripts, driver.ready, driver.visitor) = (Vec::new(), VecDeque::new(), Some(name.into()));
+        driver
+    }
+
+    fn step(&mut self, now: Micros) -> Next {
+        loop {
+            if let Some(next) = self.ready.front() {
+                if matches!(next, Next::Move(_) | Next::Act(_)) && self.told != self.name {
+                    self.told.clone_from(&self.name);
+                    return Next::Activity(Some(self.name.clone()));
+                }
+                if let Next::Move(next) = next {
+                    self.body.follow(next);
+                }
+            }
+            if let Some(next) = self.ready.pop_front() {
+                return next;
+            }
+            let Some(playing) = self.scripts.last_mut() else {
+                match &self.visitor {
+                    None => self.decide(now),
+                    Some(_) => self.await_visit(now),
+                }
+                continue;
+            };
+            if std::mem::take(&mut playing.is_interrupted) {
+                if let Some(back) = playing.spot.clone() {
+                    playing.steps.push_front(Step::Go(back));
+                }
+                playing.steps.push_front(Step::Name(playing.name.clone()));
+            }
+            match playing.steps.front() {
+                None => self.end_script(),
+                Some(Step::Stay(_)) => self.stay(now),
+                Some(_) => {
+                    if let Some(step) = playing.steps.pop_front() {
+                        self.take(step, now);
+                    }
+                }
+            }
+        }
+    }
+
+    /// What was interrupted for the script that has ended goes on.
+    fn end_script(&mut self) {
+        self.scripts.pop();
+        self.watches.leave_behind();
+        if let Some(below) = self.scripts.last_mut() {
+            below.is_interrupted = !below.steps.is_empty();
+        }
+    }
+
+    /// Does a step that is no stay.
+    fn take(&mut self, step: Step, now: Micros) {
+        match step {
+            Step::Name(name) => {
+                if let Some(playing) = self.scripts.last_mut() {
+                    playing.name.clone_from(&name);
+                }
+                self.name = name;
+            }
+            Step::Go(spot) => self.go(spot, now),
+            Step::Act(thing, on) => self.act(thing, on, now),
+            Step::Away { lasts, until } => self.away(lasts, until, now),
+            Step::Wander { kind, lasts } => {
+                let hour = self.life.hour(now);
+                if let Some(playing) = self.scripts.last_mut() {
+                    let moves = self.body.wander(kind, lasts, now, hour, self.mood.pace, &mut playing.stream);
+                    self.ready.extend(moves.into_iter().map(Next::Move));
+                }
+            }
+            Step::LieDown => self.lie_down(now),
+            Step::Meet(met) => self.meet(met, now),
+            Step::Wake => self.wake(now),
+            Step::Stay(_) => {}
+        }
+    }
+
+    fn go(&mut self, spot: Spot, now: Micros) {
+        let hour = self.life.hour(now);
+        let Some(playing) = self.scripts.last_mut() else { return };
+        playing.spot = Some(spot.clone());
+        let from = self.body.room();
+        let moves = self.body.go(&spot, now, hour, self.mood.pace, &mut playing.stream);
+        let arrival = moves.last().map_or(now, |last| last.end);
+        self.lamps(from, spot.room, now, moves);
+        self.watches.arrive(spot.room, &spot.name, &self.home.plan, arrival, &self.life);
+        // Who comes by sees what was left on.
+        for thing in self.watches.left_on() {
+            if self.home.plan.room_at(self.home.plan.things[thing as usize].at) == spot.room {
+                self.act(thing, false, arrival);
+            }
+        }
+    }
+
+    /// Puts a walk on its way: in the dark, the lamp of the room that is left goes off, that of the other on.
+    fn lamps(&mut self, from: Option<usize>, to: Option<usize>, now: Micros, moves: Vec<Move>) {
+        let lamp =
+            |room: Option<usize>| room.and_then(|room| self.places.thing_named(&self.home.plan.rooms[room].name));
+        let (off, on) = (lamp(from), lamp(to));
+        let dark = self.home.sun.height(now) < DARK;
+        if from != to && off.is_some_and(|lamp| self.watches.is_on(lamp)) {
+            self.act(off.unwrap_or(0), false, now);
+        }
+        let arrival = moves.last().map_or(now, |last| last.end);
+        self.ready.extend(moves.into_iter().map(Next::Move));
+        if dark && on.is_some_and(|lamp| !self.watches.is_on(lamp)) {
+            self.act(on.unwrap_or(0), true, arrival);
+        }
+    }
+
+    fn act(&mut self, thing: u32, on: bool, at: Micros) {
+        self.watches.turn(thing, on, at, &self.life, &self.places);
+        self.ready.push_back(Next::Act(Act { thing, on }));
+    }
+
+    fn away(&mut self, lasts: Micros, until: Option<Micros>, now: Micros) {
+        let end = until.filter(|&until| until > now + 5 * MINUTE).unwrap_or(now.saturating_add(lasts));
+        let end = self.watches.leave(now, end, &self.life).max(now + SECOND);
+        self.needs.pause(now);
+        self.ready.push_back(Next::Move(Move { begin: now, end, doing: Doing::Away, posture: Posture::Standing }));
+        if self.visitor.is_none() {
+            self.needs.waking(end, &self.mood);
+        }
+    }
+
+    /// Stays for as long as nothing ends it, one movement or rest after the other.
+    fn stay(&mut self, now: Micros) {
+        let interrupted_at = self.interrupted_at(now);
+        let next_start =
+            self.agenda.items.get(self.next_item).map_or(self.agenda.bed, |item| item.start.min(self.agenda.bed));
+        let active = self.activity(now);
+        let Some(playing) = self.scripts.last_mut() else { return };
+        let Some(Step::Stay(stay)) = playing.steps.front_mut() else { return };
+        let mut end = now.saturating_add(stay.left).min(stay.until.unwrap_or(Micros::MAX));
+        if stay.may == May::Yield {
+            end = end.min(next_start);
+        }
+        if end <= now {
+            playing.steps.pop_front();
+            return;
+        }
+        if stay.may != May::Nothing {
+            if interrupted_at <= now {
+                return self.interrupt(now);
+            }
+            end = end.min(interrupted_at);
+        }
+        let span = match playing.stirs {
+            true => stay.manner.bout(&mut playing.stream),
+            false => stay.manner.gap(active(&stay.manner), &mut playing.stream),
+        };
+        let until = end.min(now.saturating_add(span));
+        let at = self.body.at();
+        let doing = match playing.stirs {
+            true => Doing::Stir { at, amplitude_m: stay.manner.amplitude_m },
+            false => Doing::Rest { at },
+        };
+        playing.stirs = !playing.stirs;
+        stay.left -= until - now;
+        self.ready.push_back(Next::Move(Move { begin: now, end: until, doing, posture: stay.posture }));
+    }
+
+    /// How many times the usual movement there is now, for each manner of staying.
+    fn activity(&self, now: Micros) -> impl Fn(&Manner) -> f64 + use<> {
+        let (restless, awake) = (self.mood.restless, self.mood.activity(self.life.hour(now)));
+        move |manner| if *manner == Manner::ASLEEP || *manner == Manner::AWAKE_IN_BED { restless } else { awake }
+    }
+
+    /// When what may be interrupted will be.
+    fn interrupted_at(&self, now: Micros) -> Micros {
+        let event = self.agenda.breaks.get(self.next_break).map_or(Micros::MAX, |item| item.start);
+        if self.visitor.is_some() {
+            return Micros::MAX;
+        }
+        // What is being done about a need is not interrupted by another.
+        let needs = if self.scripts.len() > 2 { Micros::MAX } else { self.needs.presses_at() };
+        event.min(needs).min(self.watches.due_at()).max(now)
+    }
+
+    /// Does whatever presses now.
+    fn interrupt(&mut self, now: Micros) {
+        if let Some(response) = self.watches.due(now) {
+            return self.respond(response);
+        }
+        if let Some(item) = self.agenda.breaks.get(self.next_break).cloned()
+            && item.start <= now
+        {
+            self.next_break += 1;
+            // Nobody lies awake who is up.
+            let is_idle = item.activity == Activity::LieAwake && !self.needs.asleep();
+            if now <= item.latest && !is_idle {
+                self.begin(&item);
+            }
+            return;
+        }
+        if let Some(activity) = self.needs.pressing(now, self.life.hour(now)) {
+            let key = format!("need/{}", self.begun);
+            let mut stream = self.life.stream_of_day(self.agenda.day, &key);
+            let (median_min, sigma) = match activity {
+                // By night visits are shorter.
+                Activity::UseBathroom if self.needs.asleep() => (4.0, 0.4),
+                ref activity => activity.usual_minutes(),
+            };
+            let lasts = self.mood.lasting_s(&activity, stream.lognormal(median_min * 60.0, sigma));
+            self.begin(&Item::now(key, activity, micros(lasts)));
+        }
+    }
+
+    fn respond(&mut self, response: Response) {
+        match response {
+            Response::Turn { thing, on } => {
+                let Some(index) = self.places.thing_named(&thing) else { return };
+                let activity = Activity::Other(format!("turning_{}_{thing}", if on { "on" } else { "off" }));
+                self.begin(&Item::now("rule".into(), activity, 0));
+                let at = self.places.named(&thing).cloned();
+                if let Some(playing) = self.scripts.last_mut() {
+                    playing.steps.truncate(1);
+                    playing.steps.extend(at.map(Step::Go));
+                    playing.steps.push_back(Step::Act(index, on));
+                }
+            }
+            Response::Do { activity, place, lasts } => {
+                let key = format!("rule/{}", self.begun);
+                let mut stream = self.life.stream_of_day(self.agenda.day, &key);
+                let (median_min, sigma) = activity.usual_minutes();
+                let lasts_s = match lasts {
+                    Some(lasts) => lasts.draw(&mut stream),
+                    None => stream.lognormal(median_min * 60.0, sigma),
+                };
+                self.begin(&Item { place, ..Item::now(key, activity, micros(lasts_s)) });
+            }
+        }
+    }
+
+    /// Begins a script on top of what goes on.
+    fn begin(&mut self, item: &Item) {
+        let Item { key, activity, place, lasts, until, .. } = item;
+        let place = place.as_deref().and_then(|place| self.places.named(place));
+        let mut stream = self.life.stream_of_day(self.agenda.day, &format!("{key}/doing"));
+        let stove = self.places.thing(Role::Stove);
+        let forgotten = stove.filter(|&stove| {
+            let chance = self.mood.forgets(self.places.thing_name(stove));
+            chance > 0.0 && self.life.stream_of_day(self.agenda.day, &format!("{key}/forgets")).chance(chance)
+        });
+        let mut setting = Setting { places: &self.places, mood: &self.mood, stream: &mut stream, forgotten };
+        let mut steps = script(activity, place, *lasts, *until, &mut setting);
+        let stations = self.places.stations();
+        let first = match activity {
+            Activity::Wander | Activity::Pace | Activity::Lap => place.cloned(),
+            // One falls on the way somewhere.
+            Activity::Fall => stations.get((stream.unit() * stations.len() as f64) as usize).cloned(),
+            _ => None,
+        };
+        if let Some(first) = first {
+            steps.push_front(Step::Go(first));
+        }
+        if let Some(thing) = forgotten {
+            self.watches.forget(thing);
+        }
+        self.play(steps, stream, activity.name());
+    }
+
+    fn play(&mut self, steps: VecDeque<Step>, stream: Stream, name: String) {
+        self.begun += 1;
+        let spot = None;
+        // What is interrupted is resumed where it is.
+        let here = self.body.spot().cloned();
+        if let Some(below) = self.scripts.last_mut() {
+            below.spot = below.spot.take().or(here);
+        }
+        self.scripts.push(Playing { steps, stream, name, spot, is_interrupted: false, stirs: true });
+    }
+
+    /// Nothing is being done: what is next?
+    fn decide(&mut self, now: Micros) {
+        if self.interrupted_at(now) <= now {
+            let before = (self.next_break, self.begun);
+            self.interrupt(now);
+            if self.begun != before.1 || self.next_break != before.0 {
+                return;
+            }
+        }
+        while self.agenda.items.get(self.next_item).is_some_and(|item| item.latest < now) {
+            self.next_item += 1;
+        }
+        let next = self.agenda.items.get(self.next_item).cloned();
+        if now >= self.agenda.bed && next.as_ref().is_none_or(|item| !item.can_wait_for_bed(self.agenda.bed)) {
+            return self.go_to_bed(now);
+        }
+        match next {
+            Some(item) if item.start <= now + MINUTE => {
+                self.next_item += 1;
+                self.begin(&item);
+            }
+            Some(item) => self.fill(item.start.min(self.agenda.bed), now),
+            None => self.fill(self.agenda.bed, now),
+        }
+    }
+
+    /// Fills the time until something is due, by the weights of older adults' days.
+    fn fill(&mut self, until: Micros, now: Micros) {
+        let gap = until - now;
+        let key = format!("fill/{}", self.begun);
+        let mut stream = self.life.stream_of_day(self.agenda.day, &key);
+        let said: Vec<&Activity> = self.life.habits(self.agenda.day).map(|(habit, _, _)| &habit.activity).collect();
+        let (mut fillers, mut weights) = (Vec::new(), Vec::new());
+        for (activity, weight) in FILLERS {
+            if activity == Activity::Relax || !said.contains(&&activity) {
+                weights.push(weight);
+                fillers.push(activity);
+            }
+        }
+        let activity = &fillers[stream.pick(&weights)];
+        if gap < 3 * MINUTE {
+            let posture = self.body.posture();
+            let stay = Stay {
+                posture,
+                manner: Manner::STILL,
+                left: gap.max(SECOND),
+                until: Some(until.max(now + SECOND)),
+                may: May::Interrupt,
+            };
+            let steps = [Step::Name(Activity::Relax.name()), Step::Stay(stay)];
+            return self.play(steps.into(), stream, Activity::Relax.name());
+        }
+        let (median_min, sigma) = match activity {
+            Activity::Housework => (4.0, 0.5),
+            activity => activity.usual_minutes(),
+        };
+        let lasts = micros(stream.lognormal(median_min * 60.0, sigma)).min(gap);
+        self.begin(&Item::now(key, activity.clone(), lasts));
+        for step in self.scripts.last_mut().into_iter().flat_map(|playing| playing.steps.iter_mut()) {
+            if let Step::Stay(stay) = step
+                && stay.may == May::Interrupt
+            {
+                stay.may = May::Yield;
+            }
+        }
+    }
+
+    fn go_to_bed(&mut self, now: Micros) {
+        self.next_item = self.agenda.items.len();
+        self.sleep(now, false);
+        let bathroom = Activity::UseBathroom.usual_minutes();
+        let lasts = self.life.stream_of_day(self.agenda.day, "before bed").lognormal(bathroom.0 * 60.0, 0.4);
+        self.begin(&Item::now("before bed".into(), Activity::UseBathroom, micros(lasts)));
+    }
+
+    /// The night: falling asleep, waking now and then, getting up.
+    fn sleep(&mut self, now: Micros, already: bool) {
+        let mut stream = self.life.stream_of_day(self.agenda.day, "night");
+        let tomorrow = self.agenda.day + 1;
+        let up = super::agenda::up(&self.life, tomorrow, &self.life.mood(tomorrow)).max(now + MINUTE);
+        // A change that begins tomorrow does not touch tonight's wakings.
+        let usual_up = super::agenda::up(&self.life, tomorrow, &self.mood);
+        let stay = |manner, left, until| {
+            Step::Stay(Stay { posture: Posture::Lying, manner, left, until, may: May::Interrupt })
+        };
+        let mut steps = VecDeque::new();
+        let mut asleep = now;
+        if !already {
+            steps.push_back(Step::Name(Activity::GoToBed.name()));
+            steps.extend(self.places.of(Role::Bed).cloned().map(Step::Go));
+            let sitting = micros(stream.lognormal(75.0, 0.4));
+            let turning = Stay {
+                posture: Posture::Sitting,
+                manner: Manner::TURNING,
+                left: sitting,
+                until: Some(up),
+                may: May::Nothing,
+            };
+            steps.push_back(Step::Stay(turning));
+            steps.push_back(Step::LieDown);
+            // Falling asleep takes 19.7 (SD 11) minutes (polysomnography at 73.9 years).
+            let latency = micros(stream.gamma(3.2, 19.7 * 60.0));
+            steps.push_back(stay(Manner::AWAKE_IN_BED, latency, Some(up)));
+            asleep += sitting + latency;
+        } else {
+            steps.push_back(Step::LieDown);
+        }
+        // Awake for about ten minutes at a time.
+        let awake_min = self.life.constitution.awake_min * self.mood.restless;
+        let mut wakings: Vec<f64> = (0..stream.poisson(awake_min / 10.0)).map(|_| stream.unit()).collect();
+        wakings.sort_by(f64::total_cmp);
+        for share in wakings {
+            let at = asleep + ((usual_up - asleep).max(0) as f64 * share) as Micros;
+            steps.push_back(Step::Name("sleeping".into()));
+            steps.push_back(stay(Manner::ASLEEP, Micros::MAX / 4, Some(at)));
+            steps.push_back(Step::Name(Activity::LieAwake.name()));
+            steps.push_back(stay(Manner::AWAKE_IN_BED, micros(stream.gamma(2.0, 600.0)), Some(up)));
+        }
+        steps.push_back(Step::Name("sleeping".into()));
+        steps.push_back(stay(Manner::ASLEEP, Micros::MAX / 4, Some(up)));
+        steps.push_back(Step::Wake);
+        self.play(steps, stream, "sleeping".into());
+    }
+
+    fn lie_down(&mut self, now: Micros) {
+        self.needs.sleeping(now, &self.mood);
+        self.watches.lie_down(now, &self.life);
+        let mut stream = self.life.stream_of_day(self.agenda.day, "vitals");
+        let body = &self.life.constitution;
+        self.ready.push_back(Next::Vitals(Vitals {
+            pulse: body.pulse + self.mood.pulse + stream.normal(0.0, 2.0),
+            respiration: body.respiration + self.mood.respiration + stream.normal(0.0, 0.5),
+        }));
+    }
+
+    /// The next day begins.
+    fn wake(&mut self, now: Micros) {
+        let day = self.agenda.day + 1;
+        self.mood = self.life.mood(day);
+        self.agenda = Agenda::of(&self.life, day, &self.mood);
+        (self.next_item, self.next_break, self.begun) = (0, 0, 0);
+        self.next_break = self.agenda.breaks.partition_point(|item| item.start < now);
+        self.tell_conditions();
+        self.needs.waking(now, &self.mood);
+        self.needs.wake(now);
+        self.watches.wake(day, &self.life);
+        // On top of the night's script, which ends with this.
+        let bathroom = micros(self.life.stream_of_day(day, "first thing").lognormal(300.0, 0.5));
+        self.begin(&Item::now("first thing".into(), Activity::UseBathroom, bathroom));
+        let rising = micros(self.life.stream_of_day(day, "rising").lognormal(120.0, 0.4));
+        self.begin(&Item::now("rising".into(), Activity::GetUp, rising));
+    }
+
+    fn tell_conditions(&mut self) {
+        for (name, severity) in &self.mood.severities {
+            self.ready.push_back(Next::Condition(name.clone(), *severity));
+        }
+    }
+
+    fn meet(&mut self, met: Met, now: Micros) {
+        let kind = match met {
+            Met::Toilet => NeedKind::Toilet,
+            Met::Thirst => NeedKind::Thirst,
+            Met::Hunger => NeedKind::Hunger,
+            Met::Tiredness => NeedKind::Tiredness,
+        };
+        let before = self.needs.meet(kind, now);
+        self.ready.push_back(Next::Need(kind, before));
+        self.ready.push_back(Next::Need(kind, 0.0));
+    }
+
+    /// A visitor is out until the next visit.
+    fn await_visit(&mut self, now: Micros) {
+        let name = self.visitor.clone();
+        for _ in 0..400 {
+            let visit =
+                self.agenda.items.iter().skip(self.next_item).position(|item| item.visitor == name && item.start > now);
+            if let Some(visit) = visit {
+                self.next_item += visit + 1;
+                return self.come_to_visit(self.next_item - 1);
+            }
+            let day = self.agenda.day + 1;
+            self.mood = self.life.mood(day);
+            self.agenda = Agenda::of(&self.life, day, &self.mood);
+            self.next_item = 0;
+        }
+        let end = now.saturating_add(30 * 1440 * MINUTE);
+        self.ready.push_back(Next::Move(Move { begin: now, end, doing: Doing::Away, posture: Posture::Standing }));
+    }
+
+    fn come_to_visit(&mut self, item: usize) {
+        let item = self.agenda.items[item].clone();
+        let stream = self.life.stream_of_day(self.agenda.day, &format!("{}/visitor", item.key));
+        let door = self.places.of(Role::FrontDoor).cloned();
+        if let Some(door) = &door {
+            self.body.place(door.clone(), Posture::Standing);
+        }
+        let talk =
+            |posture, left| Step::Stay(Stay { posture, manner: Manner::TALKING, left, until: None, may: May::Nothing });
+        let mut steps = VecDeque::from([Step::Away { lasts: 0, until: Some(item.start + 20 * SECOND) }]);
+        steps.push_back(Step::Name("visiting".into()));
+        steps.push_back(talk(Posture::Standing, 40 * SECOND));
+        if let Some(seat) = self.places.of(Role::GuestSeat) {
+            steps.push_back(Step::Go(seat.clone()));
+            steps.push_back(talk(seat.posture, item.lasts));
+        }
+        steps.extend(door.map(Step::Go));
+        steps.push_back(talk(Posture::Standing, 40 * SECOND));
+        steps.push_back(Step::Name("away".into()));
+        self.play(steps, stream, "visiting".into());
+    }
+}
+
+/// The sine of the sun's height below which lamps are lit (ours).
+const DARK: f64 = 0.08;
+
+/// What fills the time, with weights: hours of a day of people of 75 and more (American Time Use Survey), of what is not
+/// planned anyway; housework stands for the small errands that nobody plans.
+const FILLERS: [(Activity, f64); 6] = [
+    (Activity::WatchTelevision, 1.0),
+    (Activity::Relax, 0.6),
+    (Activity::Read, 0.3),
+    (Activity::Housework, 1.1),
+    (Activity::Phone, 0.15),
+    (Activity::UseComputer, 0.15),
+];
+
+impl Item {
+    /// Whether it is still done before bed although it is late.
+    fn can_wait_for_bed(&self, bed: Micros) -> bool {
+        self.start < bed && self.lasts <= 20 * MINUTE
+    }
+}
+
+impl Decide for RoutineDriver {
+    fn next(&mut self, now: Micros, _others: &[drivers::Body]) -> Next {
+        self.step(now)
+    }
+
+    fn pose(&self) -> (Point, Posture) {
+        (self.body.at(), self.body.posture())
+    }
+
+    fn copy(&self) -> Box<dyn Decide> {
+        Box::new(self.clone())
+    }
+}

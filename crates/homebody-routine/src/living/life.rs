@@ -1,0 +1,411 @@
+//! Whose life it is, and how it is on a day: habits, and what conditions have made of them by then.
+//!
+//! Every random number of a life comes from a stream with the day and the purpose in its name, never from one that was
+//! drawn from before. So two lives that differ in one condition draw the same numbers for all that it does not touch.
+
+use crate::fuzzy::Fuzzy;
+use crate::routine::{Activity, Change, Days, Effect, Habit, Moment, PartOfDay, Phase, Routine, Rule};
+use homebody_core::random::Stream;
+use homebody_core::scenario::calendar::Calendar;
+use homebody_core::time::{Micros, micros};
+use std::collections::BTreeMap;
+
+/// A person's life as it was written, with the conditions that it shows.
+#[derive(Clone, Debug)]
+pub struct Life {
+    /// The resident's name.
+    pub name: String,
+    pub calendar: Calendar,
+    /// Metres a second, as the resident's file says or, before it, the routine.
+    pub pace_mps: f64,
+    pub age_years: f64,
+    seed: u64,
+    /// The routine first, then what it leaves unsaid, then the conditions.
+    sources: Vec<Source>,
+    pub constitution: Constitution,
+    pub person: Person,
+}
+
+/// A routine or a condition, and when it is in force.
+#[derive(Clone, Debug)]
+struct Source {
+    routine: Routine,
+    /// The name of the condition, if it is one.
+    condition: Option<String>,
+    /// What shows it: all of these phases, at these severities.
+    shown: Vec<(Phase, f64)>,
+}
+
+/// What a body is like, drawn once for a life.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constitution {
+    /// Visits to the toilet in a night and in a day.
+    pub toilet_at_night: f64,
+    pub toilet_by_day: f64,
+    /// How likely tiredness in the afternoon ends in a nap.
+    pub naps: f64,
+    /// Minutes awake in a night after falling asleep.
+    pub awake_min: f64,
+    pub pulse: f64,
+    pub respiration: f64,
+}
+
+/// How one member of a cohort differs from the routine that all of them share.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Person {
+    /// So many seconds later they get up, go to bed, and do all else that has its time.
+    pub up_s: f64,
+    pub bed_s: f64,
+    pub clock_s: f64,
+    /// So many times as long they take.
+    pub length: f64,
+    /// So many times as fast they walk.
+    pub pace: f64,
+    /// So many times as much they move while they stay somewhere.
+    pub activity: f64,
+    /// So many times as much their days differ.
+    pub irregular: f64,
+}
+
+impl Person {
+    /// As the routine says.
+    pub const AS_WRITTEN: Person =
+        Person { up_s: 0.0, bed_s: 0.0, clock_s: 0.0, length: 1.0, pace: 1.0, activity: 1.0, irregular: 1.0 };
+
+    /// Somebody. Gait at home has a standard deviation of 0.17 m/s around 0.61 (Kaye 2012). That clock times differ by an
+    /// hour from person to person, and the rest, is ours.
+    fn draw(stream: &mut Stream) -> Person {
+        let early = stream.normal(0.0, 2400.0);
+        Person {
+            up_s: early + stream.normal(0.0, 2400.0),
+            bed_s: early + stream.normal(0.0, 2400.0),
+            clock_s: early / 2.0 + stream.normal(0.0, 900.0),
+            length: stream.lognormal(1.0, 0.15),
+            pace: stream.lognormal(1.0, 0.26).clamp(0.5, 1.7),
+            activity: stream.lognormal(1.0, 0.3),
+            irregular: stream.lognormal(1.0, 0.3),
+        }
+    }
+}
+
+/// How things are on one day.
+#[derive(Clone, Debug)]
+pub struct Mood {
+    /// So many times the walking speed.
+    pub pace: f64,
+    pub irregular: f64,
+    pub restless: f64,
+    pub pulse: f64,
+    pub respiration: f64,
+    active: Vec<(Option<PartOfDay>, f64)>,
+    later_s: BTreeMap<Activity, f64>,
+    longer: BTreeMap<Activity, f64>,
+    longer_s: BTreeMap<Activity, f64>,
+    oftener: Vec<(Activity, Option<PartOfDay>, f64)>,
+    skips: BTreeMap<Activity, f64>,
+    forgets: Vec<(String, f64)>,
+    /// The conditions in force, and how severe each is; 1 is a moderate case.
+    pub severities: Vec<(String, f64)>,
+}
+
+/// How many conditions may show each other; deeper is a loop.
+const DEPTH: usize = 8;
+
+impl Life {
+    /// A life of a routine; `ordinary` fills in what it does not mention, `conditions` are those it shows, by name. One of
+    /// many is not quite as it is written.
+    #[expect(clippy::too_many_arguments, reason = "they are the whole of what a life is made of")]
+    pub fn new(
+        name: &str,
+        seed: u64,
+        calendar: &Calendar,
+        pace_mps: f64,
+        routine: Routine,
+        ordinary: Routine,
+        conditions: &BTreeMap<String, Routine>,
+        is_one_of_many: bool,
+    ) -> Life {
+        let person = routine.person.clone();
+        let pace = person.as_ref().and_then(|person| person.pace_mps);
+        let mut constitution = Stream::named(seed, &format!("resident/{name}/constitution"));
+        let mut life = Life {
+            name: name.into(),
+            calendar: calendar.clone(),
+            pace_mps: pace.map_or(pace_mps, |pace| pace.mean()),
+            age_years: person.and_then(|person| person.age_years).unwrap_or(80.0),
+            seed,
+            sources: Vec::new(),
+            constitution: Constitution::draw(&mut constitution),
+            person: match is_one_of_many {
+                true => Person::draw(&mut Stream::named(seed, &format!("resident/{name}/person"))),
+                false => Person::AS_WRITTEN,
+            },
+        };
+        life.pace_mps *= life.person.pace;
+        let mentioned: Vec<&Habit> = routine.habits.iter().collect();
+        let unsaid = |habit: &Habit| !mentioned.iter().any(|said| said.activity == habit.activity);
+        let habits = ordinary.habits.into_iter().filter(unsaid).collect();
+        let ordinary = Routine { habits, ..ordinary };
+        life.add_conditions(&routine.changes.clone(), &[], conditions, 0);
+        let always = |routine| Source { routine, condition: None, shown: Vec::new() };
+        life.sources.splice(0..0, [always(routine), always(ordinary)]);
+        life
+    }
+
+    fn add_conditions(
+        &mut self,
+        changes: &[Change],
+        shown: &[(Phase, f64)],
+        conditions: &BTreeMap<String, Routine>,
+        depth: usize,
+    ) {
+        for change in changes {
+            let Effect::Shows { condition, severity } = &change.effect else { continue };
+            let Some(routine) = conditions.get(condition).filter(|_| depth < DEPTH) else { continue };
+            let shown: Vec<(Phase, f64)> = shown.iter().copied().chain([(change.phase, *severity)]).collect();
+            self.add_conditions(&routine.changes, &shown, conditions, depth + 1);
+            self.sources.push(Source { routine: routine.clone(), condition: Some(condition.clone()), shown });
+        }
+    }
+
+    /// A stream of random numbers of this life, for one purpose.
+    pub fn stream(&self, purpose: &str) -> Stream {
+        Stream::named(self.seed, &format!("resident/{}/{purpose}", self.name))
+    }
+
+    /// The stream of one purpose on one day.
+    pub fn stream_of_day(&self, day: i32, purpose: &str) -> Stream {
+        self.stream(&format!("day/{day}/{purpose}"))
+    }
+
+    /// The instant of a time of day, in seconds since midnight.
+    pub fn instant(&self, day: i32, time_s: f64) -> Micros {
+        self.calendar.instant(day, micros(time_s))
+    }
+
+    /// The time of day of an instant, in hours.
+    pub fn hour(&self, at: Micros) -> f64 {
+        let time = self.calendar.local(at).time();
+        f64::from(time.hour()) + f64::from(time.minute()) / 60.0 + f64::from(time.second()) / 3600.0
+    }
+
+    /// The habits in force on a day, each with the strength of what it comes from.
+    pub fn habits(&self, day: i32) -> impl Iterator<Item = (&Habit, f64, &str)> {
+        self.in_force(day).flat_map(move |(source, strength)| {
+            let file = source.routine.file.as_str();
+            source.routine.habits.iter().map(move |habit| (habit, strength, file))
+        })
+    }
+
+    /// The rules in force on a day.
+    pub fn rules(&self, day: i32) -> impl Iterator<Item = (&Rule, f64, &str)> {
+        self.in_force(day).flat_map(move |(source, strength)| {
+            let file = source.routine.file.as_str();
+            source.routine.rules.iter().map(move |rule| (rule, strength, file))
+        })
+    }
+
+    /// Everybody who may come to visit.
+    pub fn visitors(&self) -> Vec<String> {
+        let habits = self.sources.iter().flat_map(|source| &source.routine.habits);
+        let mut visitors: Vec<String> = habits.filter_map(|habit| habit.visitor.clone()).collect();
+        visitors.sort();
+        visitors.dedup();
+        visitors
+    }
+
+    fn in_force(&self, day: i32) -> impl Iterator<Item = (&Source, f64)> {
+        self.sources.iter().filter_map(move |source| {
+            let strength = self.strength(source, day);
+            (strength > 0.0).then_some((source, strength))
+        })
+    }
+
+    fn strength(&self, source: &Source, day: i32) -> f64 {
+        source.shown.iter().map(|(phase, severity)| self.phase(phase, day) * severity).product()
+    }
+
+    /// How far a phase has come on a day: 0 before it, 1 once it is fully there.
+    pub fn phase(&self, phase: &Phase, day: i32) -> f64 {
+        let day_of = |moment: Moment| f64::from(self.day_of(moment));
+        let day = f64::from(day);
+        let ramp = |from: f64, over: f64| if over > 0.0 { ((day - from + 1.0) / over).min(1.0) } else { 1.0 };
+        let risen = match phase.from.map(day_of) {
+            Some(from) if day < from => 0.0,
+            Some(from) => ramp(from, phase.over_days),
+            None => ramp(0.0, phase.over_days),
+        };
+        let left = match phase.until.map(day_of) {
+            Some(until) if day > until => {
+                if phase.fading_days > 0.0 {
+                    (1.0 - (day - until) / phase.fading_days).max(0.0)
+                } else {
+                    0.0
+                }
+            }
+            _ => 1.0,
+        };
+        risen * left
+    }
+
+    /// The day of a moment, the run's first being 0.
+    pub fn day_of(&self, moment: Moment) -> i32 {
+        match moment {
+            Moment::Day(day) => day,
+            Moment::Date(year, month, day) => self.calendar.day_of(year, month, day).unwrap_or(i32::MAX),
+        }
+    }
+
+    /// Whether a habit is meant for a day at all.
+    pub fn is_on(&self, days: &Days, day: i32) -> bool {
+        let (_, month, _) = self.calendar.date(day);
+        days.weekdays >> self.calendar.weekday(day) & 1 == 1
+            && days.months >> (month - 1) & 1 == 1
+            && day.rem_euclid(days.every.max(1) as i32) == 0
+    }
+
+    /// How likely a habit is on a day that it is meant for.
+    pub fn chance(&self, habit: &Habit, strength: f64, day: i32) -> f64 {
+        let mut chance = habit.chance.probability;
+        if let Some((later, moment)) = habit.chance.becomes {
+            let from = habit.phase.from.map_or(0, |moment| self.day_of(moment));
+            let whole = f64::from(self.day_of(moment) - from).max(1.0);
+            chance += (later - chance) * (f64::from(day - from) / whole).clamp(0.0, 1.0);
+        }
+        (chance * strength * self.phase(&habit.phase, day)).min(1.0)
+    }
+
+    /// How things are on a day.
+    pub fn mood(&self, day: i32) -> Mood {
+        let mut mood = Mood::ordinary();
+        mood.irregular = self.person.irregular;
+        if self.person.activity != 1.0 {
+            mood.active.push((None, self.person.activity));
+        }
+        for (source, strength) in self.in_force(day) {
+            if let Some(condition) = &source.condition {
+                mood.severities.push((condition.clone(), strength));
+            }
+            for change in &source.routine.changes {
+                let full = strength * self.phase(&change.phase, day);
+                if full > 0.0 {
+                    let key = format!("change/{}:{}", source.routine.file, change.said.line);
+                    let share = self.stream(&key).unit();
+                    let weeks =
+                        change.phase.from.map_or(f64::from(day), |from| f64::from(day - self.day_of(from))) / 7.0;
+                    mood.change(&change.effect, full, share, weeks);
+                }
+            }
+        }
+        mood
+    }
+}
+
+impl Constitution {
+    /// Toilet at night: a Poisson rate of mean 1.7 and standard deviation 0.8 fits the published shares of nocturia; by
+    /// day 5.0 (BLSA). Naps: 25 % of those of 75 and more nap regularly. Awake at night 39 minutes (actigraphs, 62-90
+    /// years). How these vary from person to person, and pulse and breath, are ours.
+    fn draw(stream: &mut Stream) -> Constitution {
+        Constitution {
+            toilet_at_night: stream.gamma(4.5, 1.7).clamp(0.1, 5.0),
+            toilet_by_day: stream.normal(5.0, 0.9).clamp(3.0, 8.0),
+            naps: if stream.chance(0.25) { 0.7 } else { 0.1 },
+            awake_min: stream.gamma(4.0, 39.0).clamp(5.0, 150.0),
+            pulse: stream.normal(62.0, 5.0).clamp(48.0, 80.0),
+            respiration: stream.normal(15.0, 1.2).clamp(11.0, 20.0),
+        }
+    }
+}
+
+impl Mood {
+    fn ordinary() -> Mood {
+        Mood {
+            pace: 1.0,
+            irregular: 1.0,
+            restless: 1.0,
+            pulse: 0.0,
+            respiration: 0.0,
+            active: Vec::new(),
+            later_s: BTreeMap::new(),
+            longer: BTreeMap::new(),
+            longer_s: BTreeMap::new(),
+            oftener: Vec::new(),
+            skips: BTreeMap::new(),
+            forgets: Vec::new(),
+            severities: Vec::new(),
+        }
+    }
+
+    /// Adds an effect at so much of its full strength; `share` says where in its range it lies for this person.
+    fn change(&mut self, effect: &Effect, strength: f64, share: f64, weeks: f64) {
+        // A factor of 1.3 at twice its strength is 1.6; of 0.4 it is not below nothing.
+        let factor = |fuzzy: &Fuzzy| (1.0 + (fuzzy.at(share) - 1.0) * strength).max(0.0);
+        let amount = |fuzzy: &Fuzzy| fuzzy.at(share) * strength;
+        match effect {
+            Effect::Shows { .. } => {}
+            Effect::Pace(by) => self.pace *= factor(by),
+            // In metres a second of somebody who walks at the mean pace at home.
+            Effect::PaceEachWeek(by) => self.pace = (self.pace + amount(by) * weeks.max(0.0) / 0.65).max(0.2),
+            Effect::Later { activity, by } => *self.later_s.entry(activity.clone()).or_default() += amount(by),
+            Effect::Longer { activity, factor: by } => {
+                *self.longer.entry(activity.clone()).or_insert(1.0) *= factor(by)
+            }
+            Effect::LongerBy { activity, by } => *self.longer_s.entry(activity.clone()).or_default() += amount(by),
+            Effect::Oftener { activity, part, factor: by } => self.oftener.push((activity.clone(), *part, factor(by))),
+            Effect::Skips { activity, chance } => {
+                let skips = self.skips.entry(activity.clone()).or_default();
+                *skips = 1.0 - (1.0 - *skips) * (1.0 - (chance * strength).min(1.0));
+            }
+            Effect::Irregular(by) => self.irregular *= factor(by),
+            Effect::Active { part, factor: by } => self.active.push((*part, factor(by))),
+            Effect::Restless(by) => self.restless *= factor(by),
+            Effect::Forgets { thing, chance } => {
+                self.forgets.push((thing.to_lowercase(), (chance * strength).min(1.0)))
+            }
+            Effect::Pulse(by) => self.pulse += amount(by),
+            Effect::Respiration(by) => self.respiration += amount(by),
+        }
+    }
+
+    /// How many times the usual movement there is at an hour of the day.
+    pub fn activity(&self, hour: f64) -> f64 {
+        let holds = |part: &Option<PartOfDay>| {
+            part.is_none_or(|part| {
+                let (from, to) = part.hours();
+                let (from, to) = (from / 3600.0, to / 3600.0);
+                (from..to).contains(&hour) || (from..to).contains(&(hour + 24.0))
+            })
+        };
+        self.active.iter().filter(|(part, _)| holds(part)).map(|(_, factor)| factor).product()
+    }
+
+    /// How many seconds later something is done.
+    pub fn later_s(&self, activity: &Activity) -> f64 {
+        self.later_s.get(activity).copied().unwrap_or(0.0)
+    }
+
+    /// How long something takes that would take so many seconds.
+    pub fn lasting_s(&self, activity: &Activity, seconds: f64) -> f64 {
+        let factor = self.longer.get(activity).copied().unwrap_or(1.0);
+        (seconds * factor + self.longer_s.get(activity).copied().unwrap_or(0.0)).max(0.0)
+    }
+
+    /// How many times as often something is done, in a part of the day.
+    pub fn oftener(&self, activity: &Activity, within: Option<PartOfDay>) -> f64 {
+        let holds = |part: &Option<PartOfDay>| part.is_none() || *part == within;
+        self.oftener.iter().filter(|(of, part, _)| of == activity && holds(part)).map(|(_, _, factor)| factor).product()
+    }
+
+    /// How likely something is left out.
+    pub fn skips(&self, activity: &Activity) -> f64 {
+        self.skips.get(activity).copied().unwrap_or(0.0)
+    }
+
+    /// How likely a thing stays on after its use.
+    pub fn forgets(&self, thing: &str) -> f64 {
+        self.forgets
+            .iter()
+            .filter(|(of, _)| of == thing)
+            .fold(0.0, |chance, (_, more)| 1.0 - (1.0 - chance) * (1.0 - more))
+    }
+}

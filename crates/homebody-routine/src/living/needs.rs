@@ -1,0 +1,151 @@
+//! The needs of one resident together: how fast each rises, and what is done when it presses.
+
+use super::life::{Constitution, Life, Mood};
+use super::need::Need;
+use crate::routine::{Activity, PartOfDay, When};
+use homebody_core::event::Need as Kind;
+use homebody_core::random::Stream;
+use homebody_core::time::Micros;
+
+/// Toilet, thirst, hunger, tiredness.
+#[derive(Clone, Debug)]
+pub struct Needs {
+    toilet: Need,
+    thirst: Need,
+    hunger: Need,
+    tiredness: Need,
+    asleep: bool,
+    constitution: Constitution,
+    /// Whether the routine itself plans visits to the bathroom by night, and by day: the need then does not rise.
+    plans_nights: bool,
+    plans_days: bool,
+    /// Thresholds, and whether one naps.
+    stream: Stream,
+}
+
+/// So many times a day of waking it would press (ours, but for the toilet): a drink every four hours beside meals, a
+/// snack after seven without one.
+const THIRST: f64 = 24.0 / 4.0;
+const HUNGER: f64 = 24.0 / 7.0;
+/// Eight hours after getting up, as naps have their peak at 14:30-15:00.
+const TIREDNESS: f64 = 24.0 / 8.0;
+
+/// Shape of the gamma distribution of thresholds (ours).
+const SHAPE: f64 = 3.0;
+
+/// Hours awake and asleep that visits a day and a night are counted over (ours).
+const WAKING_H: f64 = 16.0;
+const SLEEPING_H: f64 = 7.5;
+
+/// Visits that are there anyway, first thing in the morning and before bed.
+const ANYWAY: f64 = 2.0;
+
+impl Needs {
+    pub fn new(life: &Life, now: Micros) -> Needs {
+        let plans = |at_night: bool| {
+            life.habits(0).any(|(habit, _, _)| {
+                let of_night = matches!(habit.when, When::Within(PartOfDay::Night));
+                habit.activity == Activity::UseBathroom && habit.visitor.is_none() && of_night == at_night
+            })
+        };
+        let mut stream = life.stream("needs");
+        let mut need = || Need::new(now, stream.gamma(SHAPE, 1.0));
+        let (toilet, thirst, hunger) = (need(), need(), need());
+        Needs {
+            toilet,
+            thirst,
+            hunger,
+            tiredness: Need::new(now, 1.0),
+            asleep: false,
+            constitution: life.constitution,
+            plans_nights: plans(true),
+            plans_days: plans(false),
+            stream,
+        }
+    }
+
+    pub fn asleep(&self) -> bool {
+        self.asleep
+    }
+
+    /// From now on at the rates of waking.
+    pub fn waking(&mut self, now: Micros, mood: &Mood) {
+        self.asleep = false;
+        // In a renewal process that begins anew a third of a visit is missing at this shape.
+        let visits = (self.constitution.toilet_by_day - ANYWAY + 0.33).max(0.5);
+        let toilet = visits * 24.0 / WAKING_H * mood.oftener(&Activity::UseBathroom, Some(PartOfDay::Day));
+        self.toilet.rise(now, if self.plans_days { 0.0 } else { toilet });
+        self.thirst.rise(now, THIRST * mood.oftener(&Activity::Drink, None));
+        self.hunger.rise(now, HUNGER * mood.oftener(&Activity::Snack, None));
+        self.tiredness.rise(now, TIREDNESS);
+    }
+
+    /// From now on at the rates of the night.
+    pub fn sleeping(&mut self, now: Micros, mood: &Mood) {
+        self.asleep = true;
+        let visits = self.constitution.toilet_at_night + 0.33;
+        let toilet = visits * 24.0 / SLEEPING_H * mood.oftener(&Activity::UseBathroom, Some(PartOfDay::Night));
+        self.toilet.rise(now, if self.plans_nights { 0.0 } else { toilet });
+        for need in [&mut self.thirst, &mut self.hunger, &mut self.tiredness] {
+            need.rise(now, 0.0);
+        }
+    }
+
+    /// Nothing rises while away: elsewhere there are toilets and meals, too.
+    pub fn pause(&mut self, now: Micros) {
+        for need in [&mut self.toilet, &mut self.thirst, &mut self.hunger, &mut self.tiredness] {
+            need.rise(now, 0.0);
+        }
+    }
+
+    /// A night's sleep has met tiredness.
+    pub fn wake(&mut self, now: Micros) {
+        self.tiredness.meet(now, 1.0);
+    }
+
+    /// When the first of them presses.
+    pub fn presses_at(&self) -> Micros {
+        let awake = [&self.thirst, &self.hunger, &self.tiredness].map(Need::presses_at).into_iter().min();
+        let awake = if self.asleep { None } else { awake };
+        self.toilet.presses_at().min(awake.unwrap_or(Micros::MAX))
+    }
+
+    /// What is done about the one that presses now, the most urgent first; a need that is put off presses later.
+    pub fn pressing(&mut self, now: Micros, hour: f64) -> Option<Activity> {
+        if self.toilet.presses_at() <= now {
+            return Some(Activity::UseBathroom);
+        }
+        if self.asleep {
+            return None;
+        }
+        if self.thirst.presses_at() <= now {
+            return Some(Activity::Drink);
+        }
+        if self.hunger.presses_at() <= now {
+            return Some(Activity::Snack);
+        }
+        if self.tiredness.presses_at() > now {
+            return None;
+        }
+        if (12.5..17.5).contains(&hour) && self.stream.chance(self.constitution.naps) {
+            return Some(Activity::Nap);
+        }
+        // Overcome, until tomorrow.
+        self.tiredness.meet(now, 1.5);
+        None
+    }
+
+    /// A need is met; how strong it was.
+    pub fn meet(&mut self, kind: Kind, now: Micros) -> f64 {
+        let threshold = if kind == Kind::Tiredness { 1.5 } else { self.stream.gamma(SHAPE, 1.0) };
+        let need = match kind {
+            Kind::Toilet => &mut self.toilet,
+            Kind::Thirst => &mut self.thirst,
+            Kind::Hunger => &mut self.hunger,
+            Kind::Tiredness => &mut self.tiredness,
+        };
+        let strength = need.strength(now);
+        need.meet(now, threshold);
+        strength.min(1.0)
+    }
+}

@@ -1,0 +1,128 @@
+//! A cat or a dog: it sleeps here and there, roams, eats, and is liveliest at dawn and dusk.
+//!
+//! What a pet adds to a log is movement low above the floor, at hours when nobody else moves.
+//!
+//! We assume sleep in bouts of about an hour and a quarter, and between them short rounds: to the bowl, to a window, to
+//! nowhere. Cats sleep 12 to 16 hours a day and are most active at dawn and dusk; all numbers here are ours.
+//!
+//! The pet goes through the same rooms by the same paths as people, and its body is low: sensors see it so.
+//!
+//! Left out: jumping, playing with people, dogs that are taken out for walks, and whatever a routine says of a pet
+//! beyond how fast it walks.
+
+use super::body::Body;
+use super::life::Life;
+use super::manner::Manner;
+use super::places::{Places, Role, Spot};
+use crate::walk::Wandering;
+use homebody_core::drivers::{self, Decide, Move, Next};
+use homebody_core::event::Doing;
+use homebody_core::geometry::Point;
+use homebody_core::random::Stream;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, micros};
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+/// A pet that lives its own life.
+#[derive(Clone, Debug)]
+pub struct PetDriver {
+    life: Arc<Life>,
+    places: Arc<Places>,
+    body: Body,
+    stream: Stream,
+    ready: VecDeque<Next>,
+    /// What it stays for, until when.
+    stay: Option<(Manner, Micros)>,
+    stirs: bool,
+    asleep: bool,
+}
+
+impl PetDriver {
+    pub fn new(life: Arc<Life>, places: Arc<Places>, mut body: Body) -> PetDriver {
+        if let Some(spot) = places.of(Role::Basket) {
+            body.place(Spot { posture: Posture::Standing, ..spot.clone() }, Posture::Standing);
+        }
+        let stream = life.stream("pet");
+        PetDriver { life, places, body, stream, ready: VecDeque::new(), stay: None, stirs: false, asleep: true }
+    }
+
+    fn step(&mut self, now: Micros) -> Next {
+        loop {
+            if let Some(next) = self.ready.pop_front() {
+                if let Next::Move(next) = &next {
+                    self.body.follow(next);
+                }
+                return next;
+            }
+            match self.stay {
+                Some((manner, end)) if now < end => self.stay(manner, end, now),
+                _ => self.decide(now),
+            }
+        }
+    }
+
+    fn stay(&mut self, manner: Manner, end: Micros, now: Micros) {
+        let stirs = self.stirs;
+        self.stirs = !stirs;
+        let span = if stirs { manner.bout(&mut self.stream) } else { manner.gap(1.0, &mut self.stream) };
+        let at = self.body.at();
+        let doing = if stirs { Doing::Stir { at, amplitude_m: manner.amplitude_m } } else { Doing::Rest { at } };
+        let end = end.min(now.saturating_add(span));
+        // Curled up it is as low as it can be.
+        let posture = if self.asleep { Posture::Lying } else { Posture::Standing };
+        self.ready.push_back(Next::Move(Move { begin: now, end, doing, posture }));
+    }
+
+    fn decide(&mut self, now: Micros) {
+        let hour = self.life.hour(now);
+        let lively = (5.0..8.0).contains(&hour) || (18.0..22.0).contains(&hour);
+        let sleeps = self.stream.chance(if lively { 0.25 } else { 0.6 }) && !self.asleep;
+        self.asleep = sleeps;
+        let name = if sleeps { "sleeping" } else { "roaming" };
+        self.ready.push_back(Next::Activity(Some(name.into())));
+        let to = match (sleeps, self.stream.unit()) {
+            (true, share) if share < 0.4 => self.places.of(Role::Basket).cloned(),
+            (true, share) if share < 0.7 => self.places.of(Role::Sofa).cloned(),
+            (true, _) => self.places.of(Role::Bed).cloned(),
+            (false, share) if share < 0.3 => self.places.of(Role::FoodBowl).cloned(),
+            (false, share) if share < 0.7 => {
+                let stations = self.places.stations();
+                stations.get((self.stream.unit() * stations.len() as f64) as usize).cloned()
+            }
+            (false, _) => None,
+        };
+        match to {
+            Some(spot) => {
+                let spot = Spot { posture: Posture::Standing, ..spot };
+                let moves = self.body.go(&spot, now, hour, 1.0, &mut self.stream);
+                let arrival = moves.last().map_or(now, |last| last.end);
+                self.ready.extend(moves.into_iter().map(Next::Move));
+                let (manner, median_min) = if sleeps { (Manner::CURLED_UP, 65.0) } else { (Manner::BUSY, 3.0) };
+                let lasts = micros(self.stream.lognormal(median_min * 60.0, 0.6));
+                self.stay = Some((manner, arrival + lasts));
+            }
+            None => {
+                let lasts = micros(self.stream.lognormal(60.0, 0.6));
+                let moves = self.body.wander(Wandering::Random, lasts, now, hour, 1.0, &mut self.stream);
+                self.ready.extend(moves.into_iter().map(Next::Move));
+                self.stay = None;
+            }
+        }
+        self.stirs = false;
+    }
+}
+
+impl Decide for PetDriver {
+    fn next(&mut self, now: Micros, _others: &[drivers::Body]) -> Next {
+        self.step(now)
+    }
+
+    fn pose(&self) -> (Point, Posture) {
+        (self.body.at(), self.body.posture())
+    }
+
+    fn copy(&self) -> Box<dyn Decide> {
+        Box::new(self.clone())
+    }
+}

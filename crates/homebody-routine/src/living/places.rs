@@ -1,0 +1,232 @@
+//! Where things are done in this home: the places, seats and things that it names after them.
+
+use homebody_core::geometry::{self, Point};
+use homebody_core::home::plan::{Origin, Plan};
+use homebody_core::scenario::home::HomeFile;
+use homebody_core::scenario::path::Posture;
+
+/// A place to be, and how the body is there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spot {
+    pub name: String,
+    pub at: Point,
+    pub posture: Posture,
+    pub room: Option<usize>,
+}
+
+/// What an activity needs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Role {
+    Bed,
+    Toilet,
+    Washbasin,
+    Shower,
+    Wardrobe,
+    Fridge,
+    Stove,
+    Counter,
+    Sink,
+    Drawers,
+    Medicine,
+    DiningSeat,
+    Armchair,
+    Sofa,
+    GuestSeat,
+    Television,
+    Telephone,
+    Desk,
+    WashingMachine,
+    Dryer,
+    Coats,
+    Bookcase,
+    FrontDoor,
+    FoodBowl,
+    Basket,
+}
+
+impl Role {
+    /// The names that homes have for it, the best first, and what will do where there is none of them.
+    fn names(self) -> (&'static [&'static str], &'static [Role]) {
+        match self {
+            Role::Bed => (&["bed", "double bed", "single bed"], &[Role::Sofa, Role::Armchair]),
+            Role::Toilet => (&["toilet", "wc", "lavatory", "loo", "bathroom"], &[]),
+            Role::Washbasin => (&["washbasin", "basin", "bathroom sink", "bathroom"], &[Role::Toilet]),
+            Role::Shower => (&["shower", "bathtub", "bath", "bath tub", "bathroom"], &[Role::Washbasin]),
+            Role::Wardrobe => {
+                (&["wardrobe", "closet", "dresser", "chest of drawers", "bedside", "bedroom"], &[Role::Bed])
+            }
+            Role::Fridge => (&["fridge", "refrigerator", "freezer", "kitchen"], &[]),
+            Role::Stove => (&["stove", "cooker", "oven", "hob", "kettle", "kitchen"], &[]),
+            Role::Counter => (&["counter", "kitchen counter", "worktop", "kitchen table", "kitchen"], &[Role::Stove]),
+            Role::Sink => (&["sink", "kitchen sink", "kitchen"], &[Role::Counter]),
+            Role::Drawers => {
+                (&["drawers", "drawer", "cupboard", "kitchen drawers", "cabinet", "kitchen"], &[Role::Counter])
+            }
+            Role::Medicine => (&["medicine cabinet", "medicine", "pill box"], &[Role::Counter, Role::Washbasin]),
+            Role::DiningSeat => (
+                &["dining chair", "kitchen chair", "chair", "dining table", "kitchen table", "dining room"],
+                &[Role::Armchair],
+            ),
+            Role::Armchair => (
+                &["armchair", "recliner", "easy chair", "rocking chair", "living room"],
+                &[Role::Sofa, Role::DiningSeat],
+            ),
+            Role::Sofa => (&["sofa", "couch", "settee"], &[Role::Armchair]),
+            Role::GuestSeat => (&["guest chair", "second armchair", "sofa", "couch", "settee"], &[Role::DiningSeat]),
+            Role::Television => (&["tv", "television", "tv bench", "tv set", "tv stand"], &[]),
+            Role::Telephone => (&["telephone", "phone"], &[Role::Sofa]),
+            Role::Desk => (&["desk", "desk chair", "computer", "study"], &[Role::DiningSeat]),
+            Role::WashingMachine => (&["washing machine", "washer", "laundry", "laundry closet"], &[Role::Washbasin]),
+            Role::Dryer => (&["dryer", "tumble dryer", "clothes line"], &[Role::WashingMachine]),
+            Role::Coats => (&["coats", "coat rack", "coat cupboard", "coat hooks"], &[Role::FrontDoor]),
+            Role::Bookcase => (&["bookcase", "bookshelf", "shelf"], &[Role::Armchair]),
+            Role::FrontDoor => (&["front door", "entrance", "apartment door", "door", "entrance door", "hall"], &[]),
+            Role::FoodBowl => (&["food bowl", "bowl"], &[Role::Fridge, Role::Sink]),
+            Role::Basket => (&["basket", "cat bed", "dog bed"], &[Role::Sofa]),
+        }
+    }
+}
+
+/// The places of a home as one resident uses them: what is called after them is theirs before what is anybody's.
+#[derive(Clone, Debug)]
+pub struct Places {
+    spots: Vec<Spot>,
+    /// The resident's name in small letters, with an s: `margaret's`.
+    whose: String,
+    /// The way out, inside the door, and the door.
+    door: Option<(Spot, Option<usize>)>,
+    /// The things of the plan, in small letters.
+    things: Vec<String>,
+    /// What to look at or dust on a round through the home.
+    stations: Vec<Spot>,
+}
+
+impl Places {
+    pub fn new(home: &HomeFile, plan: &Plan, resident: &str) -> Places {
+        let seats = plan.solids.iter().filter_map(|solid| match solid.origin {
+            Origin::Furniture(index) if home.furniture[index].enterable => Some(&home.furniture[index].name),
+            _ => None,
+        });
+        let seats: Vec<&String> = seats.collect();
+        let spot = |(name, at): &(String, Point)| {
+            let lower = name.to_lowercase();
+            let posture = match () {
+                () if !seats.contains(&name) || is_stood_in(&lower) => Posture::Standing,
+                () if lower.contains("bed") && !lower.contains("bedside") => Posture::Lying,
+                () => Posture::Sitting,
+            };
+            Spot { name: lower, at: *at, posture, room: plan.room_at(*at) }
+        };
+        let mut spots: Vec<Spot> = plan.places.iter().map(spot).collect();
+        // Beside what nobody can be in, people stand: the nearest named place is no help, its own middle will do.
+        for (index, piece) in home.furniture.iter().enumerate() {
+            let known = spots.iter().any(|spot| spot.name == piece.name.to_lowercase());
+            let solid = plan.solids.iter().find(|solid| solid.origin == Origin::Furniture(index));
+            if let (false, Some(solid)) = (known, solid) {
+                let at = geometry::inner_point(&solid.outline);
+                spots.push(Spot {
+                    name: piece.name.to_lowercase(),
+                    at,
+                    posture: Posture::Standing,
+                    room: plan.room_at(at),
+                });
+            }
+        }
+        let things = plan.things.iter().map(|thing| thing.name.to_lowercase()).collect();
+        let mut places =
+            Places { spots, whose: format!("{}'s", resident.to_lowercase()), door: None, things, stations: Vec::new() };
+        places.door = places.find_door(home, plan);
+        places.stations = places.find_stations(home);
+        places
+    }
+
+    /// The spot of a name that the user wrote: a place, a piece of furniture, or a room.
+    pub fn named(&self, name: &str) -> Option<&Spot> {
+        let name = name.to_lowercase();
+        let own = format!("{} {name}", self.whose);
+        self.spot(&own).or_else(|| self.spot(&name))
+    }
+
+    /// Where the role is filled, if anything in the home will do.
+    pub fn of(&self, role: Role) -> Option<&Spot> {
+        if role == Role::FrontDoor
+            && let Some((spot, _)) = &self.door
+        {
+            return Some(spot);
+        }
+        let (names, instead) = role.names();
+        let own = names.iter().find_map(|name| self.spot(&format!("{} {name}", self.whose)));
+        own.or_else(|| names.iter().find_map(|name| self.spot(name)))
+            .or_else(|| instead.iter().find_map(|&role| self.of(role)))
+    }
+
+    /// The thing of a role, to turn on or open.
+    pub fn thing(&self, role: Role) -> Option<u32> {
+        if role == Role::FrontDoor
+            && let Some((_, thing)) = &self.door
+        {
+            return thing.map(|thing| thing as u32);
+        }
+        let (names, _) = role.names();
+        let own = names.iter().find_map(|name| self.thing_named(&format!("{} {name}", self.whose)));
+        own.or_else(|| names.iter().find_map(|name| self.thing_named(name)))
+    }
+
+    pub fn thing_named(&self, name: &str) -> Option<u32> {
+        let name = name.to_lowercase();
+        self.things.iter().position(|thing| *thing == name).map(|index| index as u32)
+    }
+
+    /// The name of a thing, in small letters.
+    pub fn thing_name(&self, thing: u32) -> &str {
+        &self.things[thing as usize]
+    }
+
+    /// What to look at on a round through the home.
+    pub fn stations(&self) -> &[Spot] {
+        &self.stations
+    }
+
+    fn spot(&self, name: &str) -> Option<&Spot> {
+        self.spots.iter().find(|spot| spot.name == name)
+    }
+
+    /// The way out, and its door: the one that the home calls so, else where a place of that name is.
+    fn find_door(&self, home: &HomeFile, plan: &Plan) -> Option<(Spot, Option<usize>)> {
+        let (names, _) = Role::FrontDoor.names();
+        let outside = home.doors.iter().position(|door| door.outside);
+        let place = names.iter().find_map(|name| self.spot(name)).cloned();
+        let thing =
+            outside.or_else(|| names.iter().find_map(|name| self.things.iter().position(|thing| thing == name)));
+        let at_door = || {
+            let door = &plan.things[outside?];
+            Some(Spot {
+                name: door.name.to_lowercase(),
+                at: door.at,
+                posture: Posture::Standing,
+                room: plan.room_at(door.at),
+            })
+        };
+        place.or_else(at_door).map(|spot| (spot, thing))
+    }
+
+    /// Places to stand at, of all rooms; beds, seats and doors aside.
+    fn find_stations(&self, home: &HomeFile) -> Vec<Spot> {
+        let named = home.places.iter().map(|place| place.name.to_lowercase());
+        let door = self.door.as_ref().map(|(spot, _)| spot.name.clone());
+        let named: Vec<String> = named.filter(|name| Some(name) != door.as_ref()).collect();
+        let standing = self.spots.iter().filter(|spot| spot.posture == Posture::Standing && named.contains(&spot.name));
+        let stations: Vec<Spot> = standing.cloned().collect();
+        if !stations.is_empty() {
+            return stations;
+        }
+        let rooms =
+            self.spots.iter().filter(|spot| home.rooms.iter().any(|room| room.name.to_lowercase() == spot.name));
+        rooms.cloned().collect()
+    }
+}
+
+/// What people stand in although they can enter it.
+fn is_stood_in(name: &str) -> bool {
+    ["shower", "rug", "mat", "carpet"].iter().any(|word| name.contains(word))
+}

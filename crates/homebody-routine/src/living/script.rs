@@ -1,0 +1,361 @@
+//! How things are done: each activity as steps from place to place, with the things that are used on the way.
+
+use super::life::Mood;
+use super::manner::Manner;
+use super::places::{Places, Role, Spot};
+use crate::routine::{Activity, Meal};
+use crate::walk::Wandering;
+use homebody_core::random::Stream;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, SECOND, micros, seconds};
+use std::collections::VecDeque;
+
+/// One step of a script.
+#[derive(Clone, Debug)]
+pub enum Step {
+    /// From now on the truth calls it this.
+    Name(String),
+    Go(Spot),
+    /// Turns a thing on or opens it (true), or off or closes it (false).
+    Act(u32, bool),
+    Stay(Stay),
+    /// Out of the home for so long, or until then.
+    Away {
+        lasts: Micros,
+        until: Option<Micros>,
+    },
+    /// Through the home without a goal, or to and fro.
+    Wander {
+        kind: Wandering,
+        lasts: Micros,
+    },
+    /// The clothes of the night, or of the day: heart and lungs are told anew.
+    LieDown,
+    /// A need is met.
+    Meet(Met),
+    /// The day is over: the next one's plan is made.
+    Wake,
+}
+
+/// Staying in one place.
+#[derive(Clone, Debug)]
+pub struct Stay {
+    pub posture: Posture,
+    pub manner: Manner,
+    /// How long it still lasts.
+    pub left: Micros,
+    /// It ends then in any case.
+    pub until: Option<Micros>,
+    pub may: May,
+}
+
+/// What may end or break a stay.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum May {
+    /// Nothing.
+    Nothing,
+    /// Needs, rules and what interrupts; it goes on afterwards.
+    Interrupt,
+    /// These, and whatever is next on the plan, which ends it.
+    Yield,
+}
+
+/// What an activity does for needs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Met {
+    Toilet,
+    Thirst,
+    Hunger,
+    Tiredness,
+}
+
+/// What a script is made from.
+pub struct Setting<'a> {
+    pub places: &'a Places,
+    pub mood: &'a Mood,
+    pub stream: &'a mut Stream,
+    /// Which thing stays on this time: the stove that is forgotten.
+    pub forgotten: Option<u32>,
+}
+
+/// A script that is being put together.
+struct Steps<'a, 'b> {
+    steps: VecDeque<Step>,
+    setting: &'b mut Setting<'a>,
+}
+
+/// The steps of an activity that lasts so long in all, at a place that was said or where it is usually done.
+pub fn script(
+    activity: &Activity,
+    place: Option<&Spot>,
+    lasts: Micros,
+    until: Option<Micros>,
+    setting: &mut Setting,
+) -> VecDeque<Step> {
+    let mut steps = Steps { steps: VecDeque::new(), setting };
+    steps.push(Step::Name(activity.name()));
+    steps.act_out(activity, place, lasts, until);
+    steps.steps
+}
+
+impl Steps<'_, '_> {
+    fn act_out(&mut self, activity: &Activity, place: Option<&Spot>, lasts: Micros, until: Option<Micros>) {
+        match activity {
+            Activity::GetUp => {
+                self.stay(Posture::Sitting, Manner::TURNING, micros(seconds(lasts).clamp(30.0, 600.0)), May::Nothing)
+            }
+            Activity::UseBathroom => self.use_bathroom(lasts),
+            Activity::Shower => self.shower(place, lasts),
+            Activity::Wash => self.with_water(Role::Washbasin, place, lasts, Manner::WASHING),
+            Activity::Dress => self.at(Role::Wardrobe, place, lasts, Manner::WASHING, May::Nothing),
+            Activity::TakeMedicine => self.take_medicine(place, lasts),
+            Activity::Prepare(meal) => self.prepare(*meal, lasts),
+            Activity::Eat(_) => {
+                self.at(Role::DiningSeat, place, lasts, Manner::EATING, May::Nothing);
+                self.push(Step::Meet(Met::Hunger));
+                self.push(Step::Meet(Met::Thirst));
+            }
+            Activity::WashUp => self.with_water(Role::Sink, place, lasts, Manner::BUSY),
+            Activity::WatchTelevision => self.watch_television(place, lasts, until),
+            Activity::Read => self.until(Role::Armchair, place, lasts, until, Manner::READING),
+            Activity::Phone => self.until(Role::Telephone, place, lasts, until, Manner::TALKING),
+            Activity::Nap => self.nap(place, lasts, until),
+            Activity::Laundry => self.laundry(lasts),
+            Activity::Housework => self.housework(lasts),
+            Activity::Leave => self.leave(lasts, until),
+            Activity::ComeHome | Activity::GoToBed => {}
+            Activity::Visit => self.visit(lasts),
+            Activity::Drink => self.drink(lasts),
+            Activity::Snack => self.snack(lasts),
+            Activity::Exercise => self.at(Role::Armchair, place, lasts, Manner::BUSY, May::Interrupt),
+            Activity::UseComputer => self.until(Role::Desk, place, lasts, until, Manner::READING),
+            Activity::Relax => self.until(Role::Armchair, place, lasts, until, Manner::STILL),
+            Activity::Wander => self.push(Step::Wander { kind: Wandering::Random, lasts }),
+            Activity::Pace => self.push(Step::Wander { kind: Wandering::Pacing, lasts }),
+            Activity::Lap => self.push(Step::Wander { kind: Wandering::Lapping, lasts }),
+            Activity::LieAwake => self.stay(Posture::Lying, Manner::AWAKE_IN_BED, lasts, May::Interrupt),
+            Activity::Fall => {
+                self.stay(Posture::Lying, Manner::FALLEN, lasts, May::Nothing);
+                self.stay(Posture::Sitting, Manner::TURNING, 60 * SECOND, May::Nothing);
+            }
+            Activity::Other(_) => {
+                let posture = place.map_or(Posture::Standing, |spot| spot.posture);
+                let manner = if posture == Posture::Standing { Manner::BUSY } else { Manner::READING };
+                self.until(Role::Armchair, place, lasts, until, manner);
+            }
+        }
+    }
+
+    fn push(&mut self, step: Step) {
+        self.steps.push_back(step);
+    }
+
+    fn go(&mut self, role: Role, place: Option<&Spot>) -> Posture {
+        let spot = place.or_else(|| self.setting.places.of(role)).cloned();
+        let posture = spot.as_ref().map_or(Posture::Standing, |spot| spot.posture);
+        self.steps.extend(spot.map(Step::Go));
+        posture
+    }
+
+    fn act(&mut self, role: Role, on: bool) {
+        let thing = self.setting.places.thing(role);
+        if let Some(thing) = thing.filter(|thing| on || self.setting.forgotten != Some(*thing)) {
+            self.push(Step::Act(thing, on));
+        }
+    }
+
+    fn stay(&mut self, posture: Posture, manner: Manner, lasts: Micros, may: May) {
+        self.push(Step::Stay(Stay { posture, manner, left: lasts, until: None, may }));
+    }
+
+    /// Goes to a place and stays there.
+    fn at(&mut self, role: Role, place: Option<&Spot>, lasts: Micros, manner: Manner, may: May) {
+        let posture = self.go(role, place);
+        self.stay(posture, manner, lasts, may);
+    }
+
+    /// The same, to be interrupted, and over at a time of day if it was said.
+    fn until(&mut self, role: Role, place: Option<&Spot>, lasts: Micros, until: Option<Micros>, manner: Manner) {
+        let posture = self.go(role, place);
+        let left = if until.is_some() { Micros::MAX / 4 } else { lasts };
+        self.push(Step::Stay(Stay { posture, manner, left, until, may: May::Interrupt }));
+    }
+
+    /// A span around so many seconds.
+    fn around(&mut self, median_s: f64) -> Micros {
+        micros(self.setting.stream.lognormal(median_s, 0.4))
+    }
+
+    fn use_bathroom(&mut self, lasts: Micros) {
+        self.at(Role::Toilet, None, lasts, Manner::ON_TOILET, May::Nothing);
+        self.act(Role::Toilet, true);
+        self.act(Role::Toilet, false);
+        self.push(Step::Meet(Met::Toilet));
+        let washing = self.around(25.0);
+        self.with_water(Role::Washbasin, None, washing, Manner::WASHING);
+    }
+
+    /// With the tap of a place running now and then; most of the time it is off.
+    fn with_water(&mut self, role: Role, place: Option<&Spot>, lasts: Micros, manner: Manner) {
+        let posture = self.go(role, place);
+        let mut left = lasts;
+        while left > 0 {
+            let span = self.around(60.0).min(left);
+            let running = self.around(15.0).min(span);
+            self.act(role, true);
+            self.stay(posture, manner, running, May::Nothing);
+            self.act(role, false);
+            self.stay(posture, manner, span - running, May::Nothing);
+            left -= span;
+        }
+    }
+
+    fn shower(&mut self, place: Option<&Spot>, lasts: Micros) {
+        self.go(Role::Shower, place);
+        self.act(Role::Shower, true);
+        self.stay(Posture::Standing, Manner::WASHING, lasts * 7 / 10, May::Nothing);
+        self.act(Role::Shower, false);
+        self.at(Role::Washbasin, None, lasts * 3 / 10, Manner::WASHING, May::Nothing);
+    }
+
+    fn take_medicine(&mut self, place: Option<&Spot>, lasts: Micros) {
+        self.go(Role::Medicine, place);
+        self.act(Role::Medicine, true);
+        self.stay(Posture::Standing, Manner::BUSY, lasts * 2 / 3, May::Nothing);
+        self.act(Role::Medicine, false);
+        self.with_water(Role::Sink, None, lasts / 3, Manner::BUSY);
+    }
+
+    /// To and fro between fridge, drawers, counter, sink and stove; what is hot has to be watched.
+    fn prepare(&mut self, meal: Meal, lasts: Micros) {
+        let hot = meal != Meal::Breakfast || self.setting.stream.chance(0.5);
+        let mut left = lasts;
+        let opening = [Role::Fridge, Role::Drawers, Role::Counter];
+        for role in opening {
+            left -= self.station(role, left);
+        }
+        if hot {
+            self.go(Role::Stove, None);
+            self.act(Role::Stove, true);
+        }
+        while left > 0 {
+            // Most of the time at the stove or the counter.
+            let roles =
+                [if hot { Role::Stove } else { Role::Counter }, Role::Counter, Role::Sink, Role::Fridge, Role::Drawers];
+            let role = roles[self.setting.stream.pick(&[0.45, 0.25, 0.12, 0.09, 0.09])];
+            left -= self.station(role, left);
+        }
+        if hot {
+            self.go(Role::Stove, None);
+            self.act(Role::Stove, false);
+        }
+    }
+
+    /// A moment at a place of the kitchen; how long.
+    fn station(&mut self, role: Role, left: Micros) -> Micros {
+        let span = match role {
+            Role::Fridge => self.around(18.0),
+            Role::Drawers => self.around(25.0),
+            Role::Sink => self.around(35.0),
+            _ => self.around(110.0),
+        };
+        let span = span.min(left);
+        match role {
+            Role::Sink => self.with_water(role, None, span, Manner::BUSY),
+            Role::Fridge | Role::Drawers => {
+                self.go(role, None);
+                self.act(role, true);
+                self.stay(Posture::Standing, Manner::BUSY, span, May::Nothing);
+                self.act(role, false);
+            }
+            _ => self.at(role, None, span, Manner::BUSY, May::Nothing),
+        }
+        span.max(SECOND)
+    }
+
+    fn watch_television(&mut self, place: Option<&Spot>, lasts: Micros, until: Option<Micros>) {
+        self.act(Role::Television, true);
+        self.until(Role::Armchair, place, lasts, until, Manner::STILL);
+        self.act(Role::Television, false);
+    }
+
+    fn nap(&mut self, place: Option<&Spot>, lasts: Micros, until: Option<Micros>) {
+        let role = if self.setting.stream.chance(0.5) { Role::Bed } else { Role::Armchair };
+        self.until(role, place, lasts, until, Manner::ASLEEP);
+        self.push(Step::Meet(Met::Tiredness));
+    }
+
+    fn laundry(&mut self, lasts: Micros) {
+        self.at(Role::WashingMachine, None, lasts * 6 / 10, Manner::BUSY, May::Nothing);
+        self.act(Role::WashingMachine, true);
+        self.at(Role::Dryer, None, lasts * 4 / 10, Manner::BUSY, May::Nothing);
+        self.act(Role::WashingMachine, false);
+    }
+
+    /// A round through the home, a few minutes here and there.
+    fn housework(&mut self, lasts: Micros) {
+        let stations = self.setting.places.stations();
+        let mut left = lasts;
+        while left > 0 && !stations.is_empty() {
+            let spot = &stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()];
+            let span = self.around(150.0).clamp(SECOND, left.max(SECOND));
+            self.push(Step::Go(spot.clone()));
+            self.stay(Posture::Standing, Manner::BUSY, span, May::Interrupt);
+            left -= span;
+        }
+    }
+
+    fn leave(&mut self, lasts: Micros, until: Option<Micros>) {
+        self.push(Step::Name("leaving_home".into()));
+        let dressing = self.around(80.0);
+        self.at(Role::Coats, None, dressing, Manner::BUSY, May::Nothing);
+        self.through_the_door();
+        self.push(Step::Name(Activity::Leave.name()));
+        self.push(Step::Away { lasts, until });
+        self.push(Step::Name(Activity::ComeHome.name()));
+        self.act(Role::FrontDoor, true);
+        let inside = self.around(6.0);
+        self.stay(Posture::Standing, Manner::BUSY, inside, May::Nothing);
+        self.act(Role::FrontDoor, false);
+        let undressing = self.around(60.0);
+        self.at(Role::Coats, None, undressing, Manner::BUSY, May::Nothing);
+    }
+
+    fn through_the_door(&mut self) {
+        self.go(Role::FrontDoor, None);
+        self.act(Role::FrontDoor, true);
+        let outside = self.around(5.0);
+        self.stay(Posture::Standing, Manner::BUSY, outside, May::Nothing);
+        self.act(Role::FrontDoor, false);
+    }
+
+    /// Opens the door, sits with the visitor, sees them off.
+    fn visit(&mut self, lasts: Micros) {
+        self.through_the_door();
+        let welcome = self.around(40.0);
+        self.at(Role::FrontDoor, None, welcome, Manner::TALKING, May::Nothing);
+        self.at(Role::Armchair, None, lasts, Manner::TALKING, May::Interrupt);
+        let farewell = self.around(60.0);
+        self.at(Role::FrontDoor, None, farewell, Manner::TALKING, May::Nothing);
+    }
+
+    fn drink(&mut self, lasts: Micros) {
+        let hot = self.setting.stream.chance(0.3);
+        if hot {
+            self.go(Role::Stove, None);
+            self.act(Role::Stove, true);
+            let boiling = self.around(150.0);
+            self.stay(Posture::Standing, Manner::BUSY, boiling, May::Nothing);
+            self.act(Role::Stove, false);
+        }
+        self.with_water(Role::Sink, None, (lasts / 4).max(10 * SECOND), Manner::BUSY);
+        self.at(Role::DiningSeat, None, lasts * 3 / 4, Manner::EATING, May::Nothing);
+        self.push(Step::Meet(Met::Thirst));
+    }
+
+    fn snack(&mut self, lasts: Micros) {
+        self.station(Role::Fridge, lasts);
+        self.at(Role::DiningSeat, None, lasts, Manner::EATING, May::Nothing);
+        self.push(Step::Meet(Met::Hunger));
+    }
+}

@@ -1,0 +1,152 @@
+//! What is on or open, and the rules that wait for something to have lasted long enough.
+
+use super::life::Life;
+use super::places::Places;
+use crate::routine::{Response, Rule, Trigger};
+use homebody_core::home::plan::Plan;
+use homebody_core::time::{Micros, NEVER, micros};
+
+/// The things that this resident has left on, and the rules that watch.
+#[derive(Clone, Debug)]
+pub struct Watches {
+    on: Vec<Left>,
+    rules: Vec<Watch>,
+    /// What the script that is being played will leave on.
+    forgotten: Option<u32>,
+}
+
+#[derive(Clone, Debug)]
+struct Left {
+    thing: u32,
+    /// Whether whoever turned it on has gone on to other things.
+    behind: bool,
+}
+
+#[derive(Clone, Debug)]
+struct Watch {
+    rule: Rule,
+    key: String,
+    /// What it waits for goes on.
+    holds: bool,
+    due: Micros,
+}
+
+impl Watches {
+    pub fn new(life: &Life, day: i32) -> Watches {
+        let mut watches = Watches { on: Vec::new(), rules: Vec::new(), forgotten: None };
+        watches.wake(day, life);
+        watches
+    }
+
+    /// The rules of a new day; those that go on go on waiting.
+    pub fn wake(&mut self, day: i32, life: &Life) {
+        let mut before = std::mem::take(&mut self.rules);
+        for (rule, strength, file) in life.rules(day) {
+            let key = format!("rule/{file}:{}", rule.said.line);
+            if strength * life.phase(&rule.phase, day) > 0.0 {
+                let kept = before.iter().position(|watch| watch.key == key).map(|index| before.swap_remove(index));
+                let new = || Watch { rule: rule.clone(), key: key.clone(), holds: false, due: NEVER };
+                self.rules.push(kept.unwrap_or_else(new));
+            }
+        }
+        self.end(&|trigger| *trigger == Trigger::InBed);
+    }
+
+    pub fn is_on(&self, thing: u32) -> bool {
+        self.on.iter().any(|left| left.thing == thing)
+    }
+
+    /// A thing is turned on or opened, or off or closed.
+    pub fn turn(&mut self, thing: u32, on: bool, at: Micros, life: &Life, places: &Places) {
+        let name = places.thing_name(thing);
+        let is_it = |trigger: &Trigger| matches!(trigger, Trigger::On(of) if of.to_lowercase() == name);
+        if on == self.is_on(thing) {
+            return;
+        }
+        if on {
+            self.on.push(Left { thing, behind: false });
+            self.begin(&is_it, at, life);
+        } else {
+            self.on.retain(|left| left.thing != thing);
+            self.end(&is_it);
+        }
+    }
+
+    /// This time a thing will stay on.
+    pub fn forget(&mut self, thing: u32) {
+        self.forgotten = Some(thing);
+    }
+
+    /// The script is over: what it has forgotten stays behind.
+    pub fn leave_behind(&mut self) {
+        if let Some(thing) = self.forgotten.take() {
+            self.on.iter_mut().filter(|left| left.thing == thing).for_each(|left| left.behind = true);
+        }
+    }
+
+    /// What stays on although nobody uses it.
+    pub fn left_on(&self) -> Vec<u32> {
+        self.on.iter().filter(|left| left.behind).map(|left| left.thing).collect()
+    }
+
+    /// The resident has come to a place.
+    pub fn arrive(&mut self, room: Option<usize>, spot: &str, plan: &Plan, at: Micros, life: &Life) {
+        let room = room.map(|room| plan.rooms[room].name.to_lowercase());
+        let is_here = |place: &str| {
+            let place = place.to_lowercase();
+            place == spot || room.as_ref() == Some(&place)
+        };
+        self.end(&|trigger| matches!(trigger, Trigger::At(place) if !is_here(place)));
+        self.begin(&|trigger| matches!(trigger, Trigger::At(place) if is_here(place)), at, life);
+    }
+
+    /// The resident is out until `end`, or until a rule brings them home.
+    pub fn leave(&mut self, now: Micros, end: Micros, life: &Life) -> Micros {
+        self.end(&|trigger| matches!(trigger, Trigger::At(_)));
+        self.begin(&|trigger| *trigger == Trigger::Away, now, life);
+        let home = self.rules.iter().filter(|watch| watch.rule.whenever == Trigger::Away).map(|watch| watch.due).min();
+        let end = end.min(home.unwrap_or(NEVER));
+        let comes_home = |watch: &mut Watch| {
+            // What was due in the meantime happens at home.
+            if watch.rule.whenever == Trigger::Away && watch.due > end {
+                (watch.holds, watch.due) = (false, NEVER);
+            }
+        };
+        self.rules.iter_mut().for_each(comes_home);
+        end
+    }
+
+    pub fn lie_down(&mut self, now: Micros, life: &Life) {
+        self.begin(&|trigger| *trigger == Trigger::InBed, now, life);
+    }
+
+    /// When the first rule is due.
+    pub fn due_at(&self) -> Micros {
+        self.rules.iter().map(|watch| watch.due).min().unwrap_or(NEVER)
+    }
+
+    /// What is to be done now, if a rule is due; it is not due again before what it waits for has ended and begun anew.
+    pub fn due(&mut self, now: Micros) -> Option<Response> {
+        let watch = self.rules.iter_mut().find(|watch| watch.due <= now)?;
+        watch.due = NEVER;
+        if watch.rule.whenever == Trigger::Away {
+            watch.holds = false;
+        }
+        Some(watch.rule.response.clone())
+    }
+
+    fn begin(&mut self, of: &dyn Fn(&Trigger) -> bool, at: Micros, life: &Life) {
+        for watch in self.rules.iter_mut().filter(|watch| !watch.holds && of(&watch.rule.whenever)) {
+            let mut stream = life.stream(&format!("{}/at/{at}", watch.key));
+            let lasts = micros(watch.rule.lasts.draw(&mut stream));
+            watch.holds = true;
+            watch.due = if stream.chance(watch.rule.probability) { at.saturating_add(lasts) } else { NEVER };
+        }
+    }
+
+    fn end(&mut self, of: &dyn Fn(&Trigger) -> bool) {
+        for watch in self.rules.iter_mut().filter(|watch| of(&watch.rule.whenever)) {
+            (watch.holds, watch.due) = (false, NEVER);
+        }
+    }
+}

@@ -1,0 +1,271 @@
+//! The ground that the middle of a body of one radius may be on, as convex pieces, and the shortest ways over it.
+
+use homebody_core::geometry::{self, Point};
+use polyanya::Triangulation;
+use std::collections::BTreeMap;
+
+/// How much further than its radius a body keeps off, so that what is rounded on the way takes nothing of the radius (ours).
+const MARGIN_M: f64 = 5e-4;
+
+/// Corners lie on a grid of this: the search reckons in single precision, which has these numbers exactly, and walls in
+/// one line stay in one line.
+const GRID_M: f64 = 1.0 / 4096.0;
+
+/// A corner is rounded by straight sides that turn by 45 degrees at most, whose cosine is a little less than this (ours):
+/// they keep up to 8 % of the radius more than they need, and a way around a corner has few corners itself.
+const TURN_COS: f64 = 0.707;
+
+/// How far outside a piece rounding may put a point of it.
+const ON_PIECE_M: f64 = 1e-4;
+
+#[derive(Clone, Debug)]
+pub(super) struct Ground {
+    pub(super) clearance_m: f64,
+    pieces: Vec<Piece>,
+    /// The size of each connected area, in square metres.
+    areas: Vec<f64>,
+    ways: polyanya::Mesh,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct Piece {
+    /// Convex, corners counter-clockwise.
+    corners: Vec<Point>,
+    least: Point,
+    most: Point,
+    area: usize,
+}
+
+/// A point of the ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Footing {
+    pub(super) at: Point,
+    /// Which connected area it belongs to.
+    pub(super) area: usize,
+    /// How far it is from the point asked about.
+    pub(super) away_m: f64,
+}
+
+impl Ground {
+    /// The ground within `bounds` that is `clearance_m` away from the obstacles, which are convex with corners counter-
+    /// clockwise, and on the inner side of the borders.
+    pub(super) fn new(
+        (least, most): (Point, Point),
+        obstacles: &[&[Point]],
+        borders: &[(Point, Point)],
+        clearance_m: f64,
+        is_inside: impl Fn(Point) -> bool,
+    ) -> Ground {
+        let (least, most) = (least - Point::splat(1.0), most + Point::splat(1.0));
+        let frame = [least, Point::new(most.x, least.y), most, Point::new(least.x, most.y)];
+        let mut triangulation = Triangulation::from_outer_edges(&frame.map(on_grid).map(|corner| corner.as_vec2()));
+        let grown: Vec<Vec<Point>> = obstacles.iter().map(|outline| grown(outline, clearance_m + MARGIN_M)).collect();
+        let is_covered = |&&(a, b): &&(Point, Point)| {
+            grown.iter().any(|outline| geometry::contains(outline, a) && geometry::contains(outline, b))
+        };
+        let fences: Vec<Vec<Point>> =
+            borders.iter().filter(|border| !is_covered(border)).map(|&(a, b)| fence(a, b)).collect();
+        for outline in grown.iter().chain(&fences) {
+            triangulation.add_obstacle(outline.iter().map(|&corner| on_grid(corner).as_vec2()));
+        }
+        let mut ways = triangulation.as_navmesh();
+        while ways.merge_polygons() {}
+        ways.bake();
+        ways.search_delta = ON_PIECE_M as f32;
+        let (pieces, areas) = pieces(&ways, is_inside);
+        Ground { clearance_m, pieces, areas, ways }
+    }
+
+    /// The connected area that a point of the ground belongs to.
+    pub(super) fn area_at(&self, p: Point) -> Option<usize> {
+        let reaches = |piece: &&Piece| {
+            p.cmpge(piece.least - ON_PIECE_M).all()
+                && p.cmple(piece.most + ON_PIECE_M).all()
+                && geometry::distance_to_area(&piece.corners, p) <= ON_PIECE_M
+        };
+        self.pieces.iter().find(reaches).map(|piece| piece.area)
+    }
+
+    pub(super) fn size(&self, area: usize) -> f64 {
+        self.areas[area]
+    }
+
+    /// Points of the ground within reach of a point, nearest first: of each piece the nearest, and some along its sides.
+    pub(super) fn around(&self, p: Point, reach_m: f64) -> Vec<Footing> {
+        let mut found = Vec::new();
+        for piece in &self.pieces {
+            if p.clamp(piece.least, piece.most).distance(p) > reach_m {
+                continue;
+            }
+            let mut add = |at: Point| {
+                let away_m = at.distance(p);
+                if away_m <= reach_m {
+                    found.push(Footing { at, area: piece.area, away_m });
+                }
+            };
+            if geometry::contains(&piece.corners, p) {
+                add(p);
+            }
+            for (a, b) in geometry::sides(&piece.corners) {
+                add(geometry::nearest_on_segment(p, a, b));
+                let steps = (a.distance(b) / ALONG_SIDE_M).ceil();
+                for step in 0..steps as u32 {
+                    add(a + (b - a) * (f64::from(step) / steps));
+                }
+            }
+        }
+        found.sort_by(|a, b| {
+            a.away_m.total_cmp(&b.away_m).then(a.at.x.total_cmp(&b.at.x)).then(a.at.y.total_cmp(&b.at.y))
+        });
+        found
+    }
+
+    /// The corners of the shortest way between two points of one area, and its end.
+    pub(super) fn way(&self, from: Point, to: Point) -> Option<Vec<Point>> {
+        let path = self.ways.path(from.as_vec2(), to.as_vec2())?;
+        let mut way: Vec<Point> = path.path.iter().map(|corner| corner.as_dvec2()).collect();
+        way.pop();
+        way.push(to);
+        Some(way)
+    }
+}
+
+/// How close together the points along a piece's sides are (ours).
+const ALONG_SIDE_M: f64 = 0.1;
+
+fn on_grid(p: Point) -> Point {
+    (p / GRID_M).round() * GRID_M
+}
+
+/// The convex outline moved out by a distance, its corners rounded.
+fn grown(outline: &[Point], by_m: f64) -> Vec<Point> {
+    let count = outline.len();
+    let outward = |i: usize| -(outline[(i + 1) % count] - outline[i % count]).normalize_or_zero().perp();
+    let mut grown = Vec::new();
+    for (i, &corner) in outline.iter().enumerate() {
+        let mut normals = vec![outward(i + count - 1)];
+        turn(normals[0], outward(i), &mut normals);
+        // The sides with these normals touch the circle around the corner, and meet here.
+        grown.extend(
+            normals.windows(2).map(|pair| corner + (pair[0] + pair[1]) * (by_m / (1.0 + pair[0].dot(pair[1])))),
+        );
+    }
+    grown
+}
+
+/// Appends the normals after `from`, up to and including `to`, none further from the one before it than `TURN_COS` says.
+fn turn(from: Point, to: Point, normals: &mut Vec<Point>) {
+    let middle = (from + to).normalize_or_zero();
+    if from.dot(to) < TURN_COS && middle != Point::ZERO {
+        turn(from, middle, normals);
+        turn(middle, to, normals);
+    } else {
+        normals.push(to);
+    }
+}
+
+/// A border as a thing to walk around, a little longer than it is so that the next one joins it.
+fn fence(a: Point, b: Point) -> Vec<Point> {
+    let along = (b - a).normalize_or_zero() * FENCE_M;
+    geometry::thick_segment(a - along, b + along, 2.0 * FENCE_M)
+}
+
+/// Half of how thick a fence is (ours).
+const FENCE_M: f64 = 0.002;
+
+/// The pieces inside the home, and the sizes of the areas that they make.
+fn pieces(ways: &polyanya::Mesh, is_inside: impl Fn(Point) -> bool) -> (Vec<Piece>, Vec<f64>) {
+    let (mut pieces, mut areas) = (Vec::new(), Vec::new());
+    let mut sides: BTreeMap<(u32, u32), usize> = BTreeMap::new();
+    for layer in &ways.layers {
+        for polygon in &layer.polygons {
+            let corners: Vec<Point> = polygon
+                .vertices
+                .iter()
+                .filter_map(|&vertex| layer.vertices.get(vertex as usize))
+                .map(|vertex| vertex.coords.as_dvec2())
+                .collect();
+            let middle = corners.iter().sum::<Point>() / corners.len() as f64;
+            if corners.len() < 3 || !is_inside(middle) {
+                continue;
+            }
+            let (least, most) = geometry::bounds(corners.iter().copied());
+            let own = areas.len();
+            areas.push(geometry::signed_area(&corners).abs());
+            pieces.push(Piece { corners, least, most, area: own });
+            let next = polygon.vertices.iter().cycle().skip(1);
+            for (&a, &b) in polygon.vertices.iter().zip(next) {
+                if let Some(neighbour) = sides.insert((a.min(b), a.max(b)), own) {
+                    join(&mut pieces, &mut areas, own, neighbour);
+                }
+            }
+        }
+    }
+    (pieces, areas)
+}
+
+/// Makes one area of those of two pieces. The area that is no longer has no size.
+fn join(pieces: &mut [Piece], areas: &mut [f64], piece: usize, neighbour: usize) {
+    let (gone, kept) = (pieces[piece].area, pieces[neighbour].area);
+    if gone != kept {
+        areas[kept] += areas[gone];
+        areas[gone] = 0.0;
+        for piece in pieces.iter_mut().filter(|piece| piece.area == gone) {
+            piece.area = kept;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square(x: f64, y: f64, side: f64) -> Vec<Point> {
+        vec![Point::new(x, y), Point::new(x + side, y), Point::new(x + side, y + side), Point::new(x, y + side)]
+    }
+
+    #[test]
+    fn a_grown_outline_keeps_at_least_the_distance_and_little_more() {
+        for outline in [square(0.0, 0.0, 1.0), vec![Point::ZERO, Point::new(3.0, 0.0), Point::new(0.0, 0.2)]] {
+            let grown = grown(&outline, 0.2);
+            assert!(geometry::is_convex(&grown) && geometry::signed_area(&grown) > 0.0);
+            for (a, b) in geometry::sides(&grown) {
+                for step in 0..=10 {
+                    let away = geometry::distance_to_area(&outline, a + (b - a) * (f64::from(step) / 10.0));
+                    assert!((0.2 - 1e-12..=0.2 * 1.09).contains(&away), "{away}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn areas_that_a_wall_parts_are_two() {
+        let wall = geometry::thick_segment(Point::new(2.0, -1.0), Point::new(2.0, 3.0), 0.1);
+        let home = square(0.0, 0.0, 4.0);
+        let ground = |walls: &[&[Point]]| {
+            let borders: Vec<_> = geometry::sides(&home).collect();
+            Ground::new((Point::ZERO, Point::splat(4.0)), walls, &borders, 0.2, |p| geometry::contains(&home, p))
+        };
+        let (west, east) = (Point::new(1.0, 1.0), Point::new(3.0, 1.0));
+        let open = ground(&[&wall]);
+        assert_eq!(open.area_at(west), open.area_at(east));
+        assert!(open.way(west, east).is_some_and(|way| way.len() > 1));
+        assert_eq!(open.area_at(Point::new(2.1, 1.0)), None);
+        let longer = geometry::thick_segment(Point::new(2.0, -1.0), Point::new(2.0, 5.0), 0.1);
+        let closed = ground(&[&longer]);
+        assert!(closed.area_at(west).is_some() && closed.area_at(west) != closed.area_at(east));
+        assert_eq!(closed.way(west, east), None);
+    }
+
+    /// The triangulation hashes; what comes of it must not depend on that.
+    #[test]
+    fn the_same_obstacles_make_the_same_ground() {
+        let obstacles: Vec<Vec<Point>> = (0..20)
+            .map(|i| square(f64::from(i % 5) * 0.83, f64::from(i / 5) * 0.71, 0.3 + 0.01 * f64::from(i)))
+            .collect();
+        let obstacles: Vec<&[Point]> = obstacles.iter().map(|outline| &outline[..]).collect();
+        let ground = || Ground::new((Point::ZERO, Point::splat(5.0)), &obstacles, &[], 0.1, |_| true);
+        let first = ground();
+        assert!((0..5).all(|_| ground().pieces == first.pieces));
+    }
+}

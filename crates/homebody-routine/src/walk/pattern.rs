@@ -1,0 +1,96 @@
+//! What kind of travel a sequence of places is: the four patterns of Martino-Saltzman et al. (1991).
+
+/// How somebody travels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Pattern {
+    /// From place to place, none of them twice.
+    Direct,
+    /// Here and there in no order.
+    Random,
+    /// In circles over three places or more.
+    Lapping,
+    /// To and fro between two places.
+    Pacing,
+}
+
+/// A return after more places than this is no lap (ours).
+pub(super) const LONGEST_LAP: usize = 6;
+
+/// The pattern of a sequence of places or rooms.
+///
+/// Without a repetition it is direct. Otherwise it is cut into cycles, each from the last time in a place to the return
+/// there: of two places (A-B-A) they are pacing, of three to six lapping. What remains between them is direct where
+/// nothing in it repeats, else random. The whole is what is most frequent of random, lapping and pacing; of those equally
+/// frequent, the first in this order. Staying in a place is no repetition.
+pub fn pattern_of(rooms_or_places: &[usize]) -> Pattern {
+    let mut places = rooms_or_places.to_vec();
+    places.dedup();
+    if !repeats(&places) {
+        return Pattern::Direct;
+    }
+    let (mut random, mut lapping, mut pacing) = (0, 0, 0);
+    let (mut open_from, mut remaining_from) = (0, 0);
+    for at in 0..places.len() {
+        let last = places[open_from..at].iter().rposition(|place| *place == places[at]).map(|index| open_from + index);
+        let Some(first) = last.filter(|first| at - first <= LONGEST_LAP) else { continue };
+        random += usize::from(places.get(remaining_from..first).is_some_and(repeats));
+        if at - first == 2 {
+            pacing += 1
+        } else {
+            lapping += 1
+        }
+        // The place that closes a cycle may open the next one, but is no part of what remains.
+        (open_from, remaining_from) = (at, at + 1);
+    }
+    random += usize::from(places.get(remaining_from..).is_some_and(repeats));
+    let most = random.max(lapping).max(pacing);
+    match () {
+        () if random == most => Pattern::Random,
+        () if lapping == most => Pattern::Lapping,
+        () => Pattern::Pacing,
+    }
+}
+
+fn repeats(places: &[usize]) -> bool {
+    places.iter().enumerate().any(|(index, place)| places[..index].contains(place))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(places: &str) -> Pattern {
+        pattern_of(&places.bytes().map(usize::from).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn no_repetition_is_direct() {
+        assert_eq!([of(""), of("A"), of("AAA"), of("ABCD"), of("AABBC")], [Pattern::Direct; 5]);
+    }
+
+    #[test]
+    fn to_and_fro_is_pacing() {
+        assert_eq!([of("ABA"), of("ABABAB"), of("AABBAA"), of("CDABABAB")], [Pattern::Pacing; 4]);
+        // Between two rooms on one hall.
+        assert_eq!(of("AHBHAHBHA"), Pattern::Pacing);
+    }
+
+    #[test]
+    fn circles_are_lapping() {
+        assert_eq!([of("ABCA"), of("ABCABCABC"), of("ABCDEFABCDEF"), of("XABCABCAY")], [Pattern::Lapping; 4]);
+    }
+
+    #[test]
+    fn returns_without_order_are_random() {
+        assert_eq!([of("ABCDEFGA"), of("ABCDEFGHBIJKLMDA")], [Pattern::Random; 2]);
+    }
+
+    #[test]
+    fn the_most_frequent_counts() {
+        // Two laps, one to and fro; the other way round; one of each.
+        assert_eq!(
+            [of("ABCABCADED"), of("ABABAXYZX"), of("ABCADED")],
+            [Pattern::Lapping, Pattern::Pacing, Pattern::Lapping]
+        );
+    }
+}

@@ -1,0 +1,147 @@
+//! Dates and hours on the clock on the wall, for what is told by the day.
+//!
+//! A log in local time is taken as it is; one in UTC is first put on the wall of a zone. A day has 24 hours: where a clock
+//! changes for daylight saving time, an hour of that day is empty or holds two.
+
+use homebody_core::time::{DAY, Micros, SECOND};
+use homebody_log::source::Clock;
+use homebody_log::{Activity, Log};
+use jiff::civil::{Date, date};
+use jiff::tz::TimeZone;
+use jiff::{SignedDuration, Span, Timestamp};
+use std::fmt;
+use std::str::FromStr;
+
+/// Midnight at the beginning of a date, in microseconds since 1970.
+pub fn midnight(day: Date) -> Micros {
+    let days = date(1970, 1, 1).until(day).map_or(0, |span| span.get_days());
+    i64::from(days) * DAY
+}
+
+/// The date of an instant.
+pub fn date_of(at: Micros) -> Date {
+    date(1970, 1, 1).saturating_add(Span::new().days(at.div_euclid(DAY)))
+}
+
+/// The time of day, as `07:12`; of the end of a day `24:00`.
+pub fn clock(since_midnight: Micros) -> String {
+    let minutes = since_midnight.div_euclid(60 * SECOND);
+    format!("{:02}:{:02}", minutes / 60, minutes % 60)
+}
+
+/// The time of day to the second, as `07:12:03`.
+pub fn clock_s(at: Micros) -> String {
+    format!("{}:{:02}", clock(at.rem_euclid(DAY)), at.div_euclid(SECOND).rem_euclid(60))
+}
+
+/// The first and the last date of a log; none of one without rows.
+pub fn dates(log: &Log) -> Option<(Date, Date)> {
+    let times = || log.events.iter().map(|event| event.at);
+    Some((date_of(times().min()?), date_of(times().max()?)))
+}
+
+/// Puts an instant of the world's clock on the wall of a zone.
+pub fn on_wall(at: Micros, zone: &TimeZone) -> Micros {
+    let instant = Timestamp::UNIX_EPOCH + SignedDuration::from_micros(at);
+    at + i64::from(zone.to_offset(instant).seconds()) * SECOND
+}
+
+/// Puts a log that is told in UTC on the wall of a zone; one in local time stays as it is.
+pub fn put_on_wall(log: &mut Log, zone: &TimeZone) {
+    if log.clock == Clock::Local {
+        return;
+    }
+    log.clock = Clock::Local;
+    log.events.iter_mut().for_each(|event| event.at = on_wall(event.at, zone));
+    for Activity { begin, end, .. } in &mut log.activities {
+        (*begin, *end) = (on_wall(*begin, zone), on_wall(*end, zone));
+    }
+}
+
+/// A day as somebody asks for it: `2009-03-02`, `first`, `last`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Asked {
+    First,
+    Last,
+    On(Date),
+}
+
+impl Asked {
+    /// The date, if it is one of those from `first` to `last`.
+    pub fn within(self, (first, last): (Date, Date)) -> Option<Date> {
+        match self {
+            Asked::First => Some(first),
+            Asked::Last => Some(last),
+            Asked::On(date) => (first..=last).contains(&date).then_some(date),
+        }
+    }
+}
+
+impl FromStr for Asked {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Asked, String> {
+        match text {
+            "first" => Ok(Asked::First),
+            "last" => Ok(Asked::Last),
+            // Nothing but a whole date: the parser takes times, too.
+            text if text.len() == 10 => text.parse().map(Asked::On).map_err(|_| NO_DATE.into()),
+            _ => Err(NO_DATE.into()),
+        }
+    }
+}
+
+const NO_DATE: &str = "write a date such as 2009-03-02, or first or last";
+
+impl fmt::Display for Asked {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Asked::First => f.write_str("first"),
+            Asked::Last => f.write_str("last"),
+            Asked::On(date) => date.fmt(f),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dates_are_found_and_told() {
+        let day = date(2009, 3, 2);
+        assert_eq!(midnight(day), 1_235_952_000 * SECOND);
+        assert_eq!([-1, 0, DAY - 1, DAY].map(|off| date_of(midnight(day) + off).day()), [1, 2, 2, 3]);
+        assert_eq!((clock(0), clock(DAY), clock_s(DAY - SECOND)), ("00:00".into(), "24:00".into(), "23:59:59".into()));
+        assert_eq!(date_of(midnight(date(1969, 12, 31)) + 1), date(1969, 12, 31));
+    }
+
+    #[test]
+    fn a_day_is_asked_for_as_people_write_it() {
+        assert_eq!("2009-03-02".parse(), Ok(Asked::On(date(2009, 3, 2))));
+        assert_eq!(("first".parse(), "last".parse()), (Ok(Asked::First), Ok(Asked::Last)));
+        for wrong in ["", "2009-02-29", "20090302", "2009-03-02T07:00", "yesterday", "2009/03/02", "2009-3-2"] {
+            assert!(wrong.parse::<Asked>().is_err(), "{wrong}");
+        }
+        let days = (date(2009, 3, 2), date(2009, 3, 4));
+        assert_eq!(Asked::Last.within(days), Some(days.1));
+        assert_eq!(Asked::On(date(2009, 3, 5)).within(days), None);
+    }
+
+    #[test]
+    fn a_log_in_utc_goes_on_the_wall_of_its_zone() {
+        let zone = homebody_core::scenario::calendar::Calendar::zone("America/Chicago").unwrap();
+        let hour = 3600 * SECOND;
+        // Daylight saving time began on 8 March 2009, at 08:00 UTC.
+        let change = midnight(date(2009, 3, 8)) + 8 * hour;
+        assert_eq!(on_wall(change - 1, &zone), change - 1 - 6 * hour);
+        assert_eq!(on_wall(change, &zone), change - 5 * hour);
+        let mut log = crate::sample::log(&[(0, "M1", "ON")]);
+        let local = log.clone();
+        put_on_wall(&mut log, &zone);
+        assert_eq!(log, local);
+        log.clock = Clock::Utc;
+        put_on_wall(&mut log, &zone);
+        assert_eq!((log.events[0].at, log.clock), (-6 * hour, Clock::Local));
+    }
+}

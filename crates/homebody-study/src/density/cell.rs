@@ -1,0 +1,70 @@
+//! The hours that a map is made of, and what they come to.
+
+use serde::Serialize;
+
+/// At home for less than this in an hour, it is away; Wang & Skubic give no number, this is ours.
+pub const LEAST_AT_HOME_H: f64 = 1.0 / 6.0;
+
+/// What some cells come to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Sum {
+    pub events: u64,
+    pub recorded_h: f64,
+    pub away_h: f64,
+    pub density_per_h: Option<f64>,
+}
+
+/// An hour of a day.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Cell {
+    pub events: u64,
+    /// For how much of the hour there is data, and for how much of that nobody was at home.
+    pub recorded_h: f64,
+    pub away_h: f64,
+}
+
+/// What is known of an hour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum State {
+    NoData,
+    Away,
+    /// Firings an hour at home.
+    Density(f64),
+}
+
+impl Cell {
+    pub fn at_home_h(&self) -> f64 {
+        (self.recorded_h - self.away_h).max(0.0)
+    }
+
+    pub fn state(&self) -> State {
+        match () {
+            () if self.recorded_h < LEAST_AT_HOME_H => State::NoData,
+            () if self.at_home_h() < LEAST_AT_HOME_H => State::Away,
+            () => State::Density(self.events as f64 / self.at_home_h()),
+        }
+    }
+
+    /// Firings an hour at home, if somebody was.
+    pub fn density(&self) -> Option<f64> {
+        if let State::Density(density) = self.state() { Some(density) } else { None }
+    }
+}
+
+impl Sum {
+    pub fn of<'a>(cells: impl IntoIterator<Item = &'a Cell>) -> Sum {
+        let mut sum = Sum::default();
+        let (mut events, mut at_home_h) = (0, 0.0);
+        for cell in cells {
+            sum.events += cell.events;
+            sum.recorded_h += cell.recorded_h;
+            sum.away_h += cell.away_h.min(cell.recorded_h);
+            if cell.density().is_some() {
+                events += cell.events;
+                at_home_h += cell.at_home_h();
+            }
+        }
+        sum.density_per_h = (at_home_h > 0.0).then(|| events as f64 / at_home_h);
+        sum
+    }
+}

@@ -1,0 +1,128 @@
+//! Which sensors stand at the entrance, and which at a bed or a chair: by what somebody says, or by their names.
+
+use serde::Serialize;
+
+use crate::signs::{Kind, words};
+
+/// The sensors by which somebody leaves and comes home.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Entrance {
+    pub sensors: Vec<String>,
+    pub chosen: Chosen,
+}
+
+/// Why they are taken for that.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Chosen {
+    /// Somebody says so.
+    Asked,
+    /// Their names speak of an entrance, or they are contacts of doors.
+    Known,
+    /// Their names speak of a door or a hall, and no better ones are there.
+    Guessed,
+    /// There is none.
+    None,
+}
+
+impl Entrance {
+    /// Those of the names that are asked for; else those that speak of an entrance, with all contacts but those of drawers
+    /// and the like; else those that speak of a door or a hall. A name that speaks of another room is of a door in there.
+    pub fn find(sensors: &[(&str, Kind)], asked: &[String]) -> Entrance {
+        let with = |chosen, takes: &dyn Fn(&str, Kind) -> bool| {
+            let taken = sensors.iter().filter(|&&(name, kind)| takes(name, kind)).map(|&(name, _)| name.to_owned());
+            Some(Entrance { sensors: taken.collect(), chosen }).filter(|entrance| !entrance.sensors.is_empty())
+        };
+        if !asked.is_empty() {
+            let asked = with(Chosen::Asked, &|name, _| asked.iter().any(|one| one == name));
+            return asked.unwrap_or(Entrance { sensors: Vec::new(), chosen: Chosen::None });
+        }
+        let senses = |kind| matches!(kind, Kind::Motion | Kind::Contact);
+        with(Chosen::Known, &|name, kind| {
+            senses(kind) && !is_inner(name) && (kind == Kind::Contact || speaks(name, &ENTRANCES))
+        })
+        .or_else(|| with(Chosen::Guessed, &|name, kind| senses(kind) && !is_inner(name) && speaks(name, &WAYS)))
+        .unwrap_or(Entrance { sensors: Vec::new(), chosen: Chosen::None })
+    }
+}
+
+/// Whether a name is that of a place to lie or sit: where such a sensor goes on, somebody is there.
+pub fn is_seat(name: &str) -> bool {
+    const SEATS: [&str; 7] = ["bed", "mattress", "chair", "armchair", "sofa", "couch", "seat"];
+    words(name).iter().any(|word| SEATS.contains(&word.as_str()))
+}
+
+/// How words begin that speak of an entrance. All these words are ours.
+const ENTRANCES: [&str; 6] = ["entr", "front", "foyer", "vestibule", "exit", "porch"];
+const WAYS: [&str; 2] = ["door", "hall"];
+/// Rooms and things whose doors lead out of no home.
+const INNER: [&str; 28] = [
+    "bed",
+    "bath",
+    "toilet",
+    "shower",
+    "kitchen",
+    "living",
+    "dining",
+    "office",
+    "study",
+    "closet",
+    "wardrobe",
+    "cabinet",
+    "cupboard",
+    "drawer",
+    "fridge",
+    "refrigerator",
+    "freezer",
+    "oven",
+    "microwave",
+    "stove",
+    "dishwasher",
+    "washer",
+    "laundry",
+    "medicine",
+    "pill",
+    "window",
+    "room",
+    "pantry",
+];
+
+fn speaks(name: &str, of: &[&str]) -> bool {
+    words(name).iter().any(|word| of.iter().any(|begin| word.starts_with(begin)))
+}
+
+fn is_inner(name: &str) -> bool {
+    speaks(name, &INNER)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(sensors: &[(&str, Kind)], asked: &[&str]) -> (Vec<String>, Chosen) {
+        let asked: Vec<String> = asked.iter().map(|name| (*name).into()).collect();
+        let entrance = Entrance::find(sensors, &asked);
+        (entrance.sensors, entrance.chosen)
+    }
+
+    #[test]
+    fn the_best_names_are_taken() {
+        use Kind::{Contact, Motion, Reading};
+        let names = |names: &[&str]| names.iter().map(|name| String::from(*name)).collect::<Vec<_>>();
+        let home = [("MainEntryway", Motion), ("BedroomADoor", Motion), ("HallwayA", Motion), ("front T", Reading)];
+        assert_eq!(found(&home, &[]), (names(&["MainEntryway"]), Chosen::Known));
+        assert_eq!(found(&home[1..], &[]), (names(&["HallwayA"]), Chosen::Guessed));
+        assert_eq!(found(&home[1..2], &[]), (names(&[]), Chosen::None));
+        assert_eq!(found(&home, &["BedroomADoor"]), (names(&["BedroomADoor"]), Chosen::Asked));
+        let contacts = [("D002", Contact), ("kitchen drawer", Contact), ("M001", Motion)];
+        assert_eq!(found(&contacts, &[]), (names(&["D002"]), Chosen::Known));
+    }
+
+    #[test]
+    fn seats_are_known_by_their_names() {
+        for (name, is) in [("BedroomABed", true), ("bedroom motion", false), ("OfficeAChair", true), ("sofa mat", true)]
+        {
+            assert_eq!(is_seat(name), is, "{name}");
+        }
+    }
+}

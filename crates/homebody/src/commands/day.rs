@@ -1,0 +1,45 @@
+//! `homebody day`: one day of a log.
+
+use super::answer::Answer;
+use crate::failure::Failure;
+use crate::given::Given;
+use homebody_study::dates::{Asked, dates};
+use homebody_study::day::Day;
+use homebody_study::picture::day_chart;
+
+/// Says and draws one day of a log: what each sensor said when, and, where a run's truth or the log's own notes tell it,
+/// what residents did and in which room.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  homebody day runs/tigerplace-1 first --png day.png
+  homebody day casas:aruba.txt 2010-11-04")]
+pub struct Arguments {
+    /// A log: a file, a run's folder, or sqlite:FILE, csv:FILE or casas:FILE
+    log: String,
+    /// The day, such as 2009-03-02; or first, or last
+    #[arg(value_name = "DATE")]
+    date: Asked,
+    /// The home's time zone, for logs in UTC; a run knows its own
+    #[arg(long, value_name = "ZONE")]
+    time_zone: Option<String>,
+    #[command(flatten)]
+    answer: Answer,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let given = Given::read(&self.log, self.time_zone.as_deref())?;
+        let answer = self.answer.check([""], &given.sources)?;
+        let no_rows = || Failure::usage(format!("{}: it has no rows, so no day", self.log));
+        let there = dates(&given.log).ok_or_else(no_rows)?;
+        let no_day = || {
+            let ((first, last), asked, log) = (there, self.date, &self.log);
+            Failure::usage(format!(
+                "{log} has no {asked}\n  hint: it goes from {first} to {last}; first and last are days, too"
+            ))
+        };
+        let date = self.date.within(there).ok_or_else(no_day)?;
+        let day = Day::of(&given.name, &given.log, &given.lives, date);
+        answer.give(&day, [&|| day_chart(&day.chart())])
+    }
+}

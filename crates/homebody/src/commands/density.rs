@@ -1,0 +1,111 @@
+//! `homebody density`: how much somebody moves in each hour of each day.
+
+use super::answer::Answer;
+use super::run::span;
+use crate::failure::Failure;
+use crate::given::Given;
+use homebody_core::scenario::nearest::nearest;
+use homebody_core::time::Micros;
+use homebody_study::dates::{self, dates};
+use homebody_study::density::{Asked, density};
+use homebody_study::picture::density_map;
+use std::path::PathBuf;
+
+/// Says and draws how much somebody moves in each hour of each day, and when nobody is at home: the motion density map of
+/// Wang and Skubic (2008). Density is firings of motion sensors an hour at home.
+///
+/// Nobody is at home between a firing at the entrance after which little follows for half an hour, and the next one there.
+/// Which sensors are at the entrance is told by their names; the answer says which are taken.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  homebody density runs/tigerplace-1 --png density.png
+  homebody density casas:tm000.txt --door MainEntryway --from 2016-07-12 --days 7 --csv density.csv
+  homebody density runs/tigerplace-1 --against real.csv --json")]
+pub struct Arguments {
+    /// A log: a file, a run's folder, or sqlite:FILE, csv:FILE or casas:FILE
+    log: String,
+    /// Hold it against this log: say how far the two maps are apart, and draw both
+    #[arg(long, value_name = "LOG")]
+    against: Option<String>,
+    /// A sensor at the entrance, instead of those that are taken by their names; may be given several times
+    #[arg(long, value_name = "SENSOR")]
+    door: Vec<String>,
+    /// The least time without anybody that counts as an absence: 10m, 30m, 2h
+    #[arg(long, value_name = "SPAN", default_value = "30m", value_parser = span)]
+    away_after: Micros,
+    /// The first day of the map, such as 2009-03-02; the log's first day without it
+    #[arg(long, value_name = "DATE")]
+    from: Option<dates::Asked>,
+    /// How many days; all that follow without it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=3660))]
+    days: Option<u32>,
+    /// The home's time zone, for logs in UTC; a run knows its own
+    #[arg(long, value_name = "ZONE")]
+    time_zone: Option<String>,
+    /// Write the hours of the first log as date,hour,events,athome_h,density
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    #[command(flatten)]
+    answer: Answer,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let zone = self.time_zone.as_deref();
+        let log = Given::read(&self.log, zone)?;
+        let other = self.against.as_deref().map(|other| Given::read(other, zone)).transpose()?;
+        let sources: Vec<PathBuf> =
+            [Some(&log), other.as_ref()].into_iter().flatten().flat_map(|log| log.sources.clone()).collect();
+        let csv = self.csv.as_deref();
+        let answer = self.answer.check_beside([""], csv, &sources)?;
+
+        let known: Vec<&Given> = [Some(&log), other.as_ref()].into_iter().flatten().collect();
+        let problems: Vec<String> = self.unknown_doors(&known).chain(self.unknown_day(&log)).collect();
+        if !problems.is_empty() {
+            return Err(Failure::usage(problems.join("\nerror: ")));
+        }
+        let from = self.from.and_then(|from| from.within(dates(&log.log)?));
+        let days = self.days.map(|days| days as usize);
+        let (doors, away_after) = (self.doors(&log), self.away_after);
+        let asked = Asked { doors, away_after, recorded: log.recorded.clone(), from, days };
+        // The days of the other log are its own.
+        let asked_of = |other: &Given| Asked {
+            doors: self.doors(other),
+            recorded: other.recorded.clone(),
+            from: None,
+            ..asked.clone()
+        };
+        let against = other.as_ref().map(|other| (other, asked_of(other)));
+        let against = against.as_ref().map(|(other, asked)| (other.name.as_str(), &other.log, asked));
+        let density = density((&log.name, &log.log, &asked), against)
+            .map_err(|why| Failure::usage(format!("{}: {why}", self.log)))?;
+        answer.give_beside(&density, [&|| density_map(&density)], &|| density.of.map.csv())
+    }
+
+    /// Of the doors that are asked for those that a log has.
+    fn doors(&self, log: &Given) -> Vec<String> {
+        self.door.iter().filter(|door| log.log.sensors.contains(door)).cloned().collect()
+    }
+
+    /// A problem for each door that no log has.
+    fn unknown_doors(&self, logs: &[&Given]) -> impl Iterator<Item = String> {
+        let sensors = || logs.iter().flat_map(|log| log.log.sensors.iter().map(String::as_str));
+        let unknown = self.door.iter().filter(move |door| !sensors().any(|sensor| sensor == **door));
+        unknown.map(move |door| {
+            let hint = match nearest(door, sensors()) {
+                Some(near) => format!("did you mean {near:?}?"),
+                None => format!("the sensors are {}", sensors().collect::<Vec<_>>().join(", ")),
+            };
+            format!("--door {door:?}: there is no such sensor\n  hint: {hint}")
+        })
+    }
+
+    fn unknown_day(&self, log: &Given) -> Option<String> {
+        let (asked, there) = (self.from?, dates(&log.log)?);
+        let problem = || {
+            let (first, last) = there;
+            format!("--from {asked}: {} has no such day\n  hint: it goes from {first} to {last}", self.log)
+        };
+        asked.within(there).is_none().then(problem)
+    }
+}

@@ -1,0 +1,90 @@
+//! A log that somebody names, and what lies beside it where a run left it: the truth, and the recording, which knows the
+//! sensors' own names, the time zone, and from when to when the run was.
+
+use crate::commands::{place, tell_remarks};
+use crate::failure::Failure;
+use crate::print::tell;
+use homebody_core::recording::Recording;
+use homebody_core::scenario::calendar::Calendar;
+use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::time::Micros;
+use homebody_log::source::Clock;
+use homebody_log::{Life, Log, lives, read};
+use homebody_study::dates::{on_wall, put_on_wall};
+use std::fs;
+use std::ops::Range;
+use std::path::PathBuf;
+
+/// A log on the clock on the wall of its home.
+pub struct Given {
+    /// What it is called.
+    pub name: String,
+    pub log: Log,
+    /// What the truth tells, where there is one.
+    pub lives: Vec<Life>,
+    /// From when to when the run was, if that is known.
+    pub recorded: Option<Range<Micros>>,
+    /// The files that it comes from, which nothing replaces.
+    pub sources: Vec<PathBuf>,
+}
+
+impl Given {
+    /// Reads a log by its URL, by its path alone, or by the folder of its run. One in UTC is put on the wall of `zone`, or
+    /// of its run's.
+    pub fn read(text: &str, zone: Option<&str>) -> Result<Given, Failure> {
+        let asked = zone.map(Calendar::zone).transpose().map_err(Failure::usage)?;
+        let url = place(text)?;
+        let mut log = read(&url, &LoggerFile::default())?;
+        tell_remarks(text, &log);
+        if log.skipped > 0 {
+            tell(format_args!("{text}: {} lines were left out; homebody convert says which", log.skipped));
+        }
+        let beside = |name: &str| Some(url.path().with_file_name(name)).filter(|path| path.is_file());
+        let (truth, recording) = (beside("truth.db"), beside("recording.json"));
+        let mut lives = truth.as_ref().map(|truth| lives(truth)).transpose()?.unwrap_or_default();
+        let run = recording.as_ref().and_then(|path| fs::read_to_string(path).ok());
+        let run: Option<Recording> = run.and_then(|text| serde_json::from_str(&text).ok());
+        let scenario = run.as_ref().and_then(|run| run.scenario().ok());
+        if let Some(scenario) = &scenario {
+            name_sensors(&mut log, scenario);
+        }
+        let zone = asked.or_else(|| Some(scenario.as_ref()?.calendar.local(0).time_zone().clone()));
+        let span = scenario.as_ref().zip(run.as_ref()).map(|(scenario, run)| {
+            let instant = |at| scenario.calendar.timestamp(at).as_microsecond();
+            let zone = scenario.calendar.local(0).time_zone().clone();
+            on_wall(instant(0), &zone)..on_wall(instant(run.length_us), &zone)
+        });
+        if log.clock == Clock::Utc {
+            match zone {
+                Some(zone) => {
+                    for part in lives.iter_mut().flat_map(|life| life.activities.iter_mut().chain(&mut life.rooms)) {
+                        (part.begin, part.end) = (on_wall(part.begin, &zone), on_wall(part.end, &zone));
+                    }
+                    put_on_wall(&mut log, &zone);
+                }
+                None => tell(format_args!("{text}: its hours are those of UTC; --time-zone tells the home's own")),
+            }
+        }
+        // A recording that lies there by chance is of another time.
+        let recorded = span.filter(|span| log.events.iter().all(|event| span.contains(&event.at)));
+        let sources = [Some(url.path().to_owned()), truth, recording].into_iter().flatten().collect();
+        Ok(Given { name: named(text), log, lives, recorded, sources })
+    }
+}
+
+/// Gives the sensors their names in the home for the ids that they have in the log.
+fn name_sensors(log: &mut Log, scenario: &Scenario) {
+    for sensor in &mut log.sensors {
+        if let Some((name, _)) = scenario.logger.ids.iter().find(|(_, id)| *id == sensor) {
+            sensor.clone_from(name);
+        }
+    }
+}
+
+/// What a log is called: as its file, or as the folder of its run.
+fn named(text: &str) -> String {
+    let path =
+        PathBuf::from(text.split_once(':').filter(|(scheme, _)| scheme.len() > 1).map_or(text, |(_, path)| path));
+    path.file_name().map_or(text.into(), |name| name.to_string_lossy().into_owned())
+}

@@ -1,0 +1,152 @@
+//! Density maps and single days of logs, told and drawn.
+
+use crate::flat::flat;
+use crate::folder::Folder;
+use serde_json::{Value, json};
+
+/// Two days of the apartment of the README, in its run's folder.
+fn lived() -> Folder {
+    let folder = Folder::new();
+    folder.copy_scenario("tigerplace");
+    folder.run("run tigerplace --quiet --for 2d").ok();
+    folder
+}
+
+#[test]
+fn a_density_map_is_told_drawn_and_tabled() {
+    let folder = lived();
+    let words = "density runs/tigerplace-1 --json figures.json --svg map.svg --png map.png --csv hours.csv --width 400";
+    let done = folder.run(words).ok();
+    for part in
+        ["2 days, 2009-03-02 to 2009-03-03", "Entrance: front door motion, by name", "2009-03-02 09:56", "Texture"]
+    {
+        assert!(done.out.contains(part), "{}", done.out);
+    }
+    let figures: Value = serde_json::from_str(&folder.read("figures.json")).unwrap();
+    assert_eq!(figures, folder.run("density runs/tigerplace-1 --json").ok().json());
+    // The run's own truth: she is out from 09:56 to 12:05.
+    let absences = figures["absences"].as_array().unwrap();
+    let hour = |absence: &Value, key: &str| absence[key].as_str().unwrap()[11..16].to_owned();
+    let told: Vec<_> = absences.iter().map(|absence| (hour(absence, "begin"), hour(absence, "end"))).collect();
+    assert_eq!(told, [("09:56".into(), "12:05".into()), ("09:56".into(), "12:05".into())]);
+    assert_eq!((&figures["recorded_h"], figures["days"].as_array().unwrap().len()), (&json!(48.0), 2));
+
+    let rows: Vec<Vec<String>> =
+        folder.read("hours.csv").lines().map(|line| line.split(',').map(String::from).collect()).collect();
+    assert_eq!((rows[0].join(","), rows.len()), ("date,hour,events,athome_h,density".into(), 49));
+    let events: u64 = rows[1..].iter().map(|row| row[2].parse::<u64>().unwrap()).sum();
+    let firings = folder.query("runs/tigerplace-1/log.db", "SELECT count(*) FROM event");
+    assert_eq!((events.to_string(), figures["events"].to_string()), (firings[0].clone(), firings[0].clone()));
+    assert_eq!(rows[12], ["2009-03-02", "11", "0", "0.0000", ""], "an hour away has no density");
+
+    assert!(folder.read("map.svg").starts_with("<svg"));
+    let png = std::fs::read(folder.path("map.png")).unwrap();
+    assert!(png.starts_with(b"\x89PNG") && png[16..20] == 400_u32.to_be_bytes());
+}
+
+#[test]
+fn two_maps_are_held_against_each_other() {
+    let folder = lived();
+    let same = folder.run("density runs/tigerplace-1 --against runs/tigerplace-1 --json").ok().json();
+    assert_eq!(same["against"]["distance"], json!(0.0));
+    folder.run("run tigerplace --quiet --for 14d --seed 3 --out csv:other.csv").ok();
+    let words = "density runs/tigerplace-1 --against other.csv --door A11 --json=both.json --svg both.svg";
+    let done = folder.run(words).ok();
+    assert!(done.out.contains("apart: 0 is alike") && done.out.contains("the weeks of other.csv"), "{}", done.out);
+    let both: Value = serde_json::from_str(&folder.read("both.json")).unwrap();
+    let distance = both["against"]["distance"].as_f64().unwrap();
+    assert!(distance > 0.0 && distance < 1.0, "{distance}");
+    // Its last hour is that of daylight saving time.
+    assert!(folder.read("both.svg").contains("other.csv, 2009-03-02 to 2009-03-16"));
+}
+
+#[test]
+fn a_part_of_a_log_is_asked_for() {
+    let folder = lived();
+    let part = folder.run("density runs/tigerplace-1 --from 2009-03-03 --days 5 --json").ok().json();
+    assert_eq!((&part["from"], part["days"].as_array().unwrap().len()), (&json!("2009-03-03"), 1));
+    // Three hours are longer than any absence.
+    let none = folder.run("density runs/tigerplace-1 --from first --away-after 3h --json").ok().json();
+    assert_eq!(none["absences"], json!([]));
+    let said = folder
+        .run("density runs/tigerplace-1 --door hall --door 'kitchen --from 2012-01-01")
+        .fails(2, "--door \"hall\": there is no such sensor")
+        .err;
+    for part in ["--door \"'kitchen\"", "--from 2012-01-01", "it goes from 2009-03-02 to 2009-03-03"] {
+        assert!(said.contains(part), "{said}");
+    }
+}
+
+#[test]
+fn a_day_is_told_and_drawn() {
+    let folder = lived();
+    let done = folder.run("day runs/tigerplace-1 last --json day.json --svg day.svg --png day.png").ok();
+    for part in
+        ["tigerplace-1: Tuesday 2009-03-03", "First:", "margaret", "09:56-12:05  away", "front door motion", "hour"]
+    {
+        assert!(done.out.contains(part), "{}", done.out);
+    }
+    let day: Value = serde_json::from_str(&folder.read("day.json")).unwrap();
+    assert_eq!(day, folder.run("day runs/tigerplace-1 2009-03-03 --json").ok().json());
+    let sql = "SELECT count(*) FROM event WHERE ts_local >= '2009-03-03' AND ts_local < '2009-03-04'";
+    assert_eq!(day["firings"].to_string(), folder.query("runs/tigerplace-1/log.db", sql)[0]);
+    let margaret = &day["residents"][0];
+    let bedroom = &margaret["rooms"][0];
+    assert_eq!((&bedroom["what"], &bedroom["begin_s"]), (&json!("bedroom"), &json!(0.0)), "she sleeps at midnight");
+    let svg = folder.read("day.svg");
+    assert!(svg.starts_with("<svg") && svg.contains("television") && svg.contains("laundry closet motion"));
+}
+
+#[test]
+fn a_log_alone_is_enough() {
+    let folder = Folder::new();
+    folder.write(
+        "home.txt",
+        "2009-03-02 07:12:03 M1 ON Cook begin\n2009-03-02 07:12:09 M1 OFF\n2009-03-02 08:00:00 D1 OPEN Cook end\n",
+    );
+    let done = folder.run("day home.txt first").ok();
+    for part in ["home.txt: Monday 2009-03-02, 2 firings of 2 sensors", "07:12-08:00  Cook"] {
+        assert!(done.out.contains(part), "{}", done.out);
+    }
+    assert!(folder.run("density home.txt").ok().out.contains("Entrance: D1"));
+    // UTC is put on the wall of the home.
+    folder.write("utc.csv", "time,sensor,value\n2009-03-02T03:00:00Z,M1,ON\n2009-03-02T03:00:05Z,M1,OFF\n");
+    let there = folder.run("day utc.csv first --time-zone America/Chicago --json").ok();
+    assert_eq!((&there.json()["date"], &there.json()["first"]["at"]), (&json!("2009-03-01"), &json!("21:00:00")));
+    assert!(folder.run("day utc.csv first").ok().err.contains("--time-zone tells the home's own"));
+}
+
+#[test]
+fn a_day_or_a_log_that_is_not_there_is_refused() {
+    let folder = flat();
+    folder.run("run flat --quiet").ok();
+    folder.write("room.txt", "2009-03-02 07:12:03 T1 21.5\n");
+    folder.write("nonsense.txt", "nonsense\n");
+    folder.write("empty.txt", "");
+    let given = folder.files();
+    for (words, code, said) in [
+        ("day runs/flat-1 2009-03-05", 2, "it goes from 2009-03-02 to 2009-03-02"),
+        ("day runs/flat-1 2009-02-30", 2, "write a date such as 2009-03-02, or first or last"),
+        ("day runs/flat-1 monday", 2, "write a date such as 2009-03-02, or first or last"),
+        ("day runs/flat-1", 2, "required arguments were not provided"),
+        ("day nowhere first", 1, "nowhere does not exist"),
+        ("day nonsense.txt first", 1, "cannot be read as a log"),
+        ("day empty.txt first", 2, "it has no rows"),
+        ("day runs/flat-1 first --time-zone Mars/Olympus", 2, "Mars/Olympus"),
+        ("density nowhere", 1, "nowhere does not exist"),
+        ("density room.txt", 2, "no sensor in it tells of motion"),
+        ("density empty.txt", 2, "no sensor in it tells of motion"),
+        ("density runs/flat-1 --days 0", 2, "1..=3660"),
+        ("density runs/flat-1 --away-after 30", 2, "write a number with its unit"),
+        ("density runs/flat-1 --from 2", 2, "write a date"),
+        ("density runs/flat-1 --against nowhere", 1, "nowhere does not exist"),
+        ("density runs/flat-1 --csv a.txt --svg a.txt", 2, "two outputs have the same file"),
+        ("density runs/flat-1 --csv runs/flat-1/log.db --force", 1, "which cannot replace it"),
+        ("density room.txt --against runs/flat-1 --csv runs/flat-1/log.db --force", 1, "which cannot replace it"),
+        ("density runs/flat-1 --svg runs/flat-1/recording.json --force", 1, "which cannot replace it"),
+        ("day runs/flat-1 first --png runs/flat-1/truth.db --force", 1, "which cannot replace it"),
+    ] {
+        folder.run(words).fails(code, said);
+    }
+    assert_eq!(folder.files(), given);
+}
