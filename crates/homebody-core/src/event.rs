@@ -127,7 +127,7 @@ pub enum Loss {
 pub enum Fact {
     /// Why a firing came: whose movement the sensor saw, and when it saw it.
     Cause { seq: u64, cause: Cause },
-    /// A message that left its sensor at `at` and never reached the logger.
+    /// What a sensor said at `at`, or should have said, that never reached the logger.
     Lost { at: Micros, sensor: u32, value: Value, cause: Cause, loss: Loss },
     /// What a resident's body does over a span; the spans of a resident follow each other without gaps.
     Movement { resident: u32, begin: Micros, end: Micros, doing: Doing, posture: Posture },

@@ -9,7 +9,7 @@
 //! | `act` | how a resident left a thing that they used: 1 is on or open |
 //! | `need` | how strong a need was, from 0 (met) to 1 (pressing) |
 //! | `condition` | how severe a condition is from an instant on; 1 is a moderate case |
-//! | `lost` | a message that left its sensor and never reached the logger, and why |
+//! | `lost` | what a sensor said, or should have said, that never reached the logger, and why |
 //! | `run` | which run it was |
 //!
 //! Instants are written as in the log, sensors under the ids they have there.

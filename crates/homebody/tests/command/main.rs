@@ -6,6 +6,7 @@ mod folder;
 
 mod beginnings;
 mod invariants;
+mod links;
 mod replays;
 mod outputs;
 mod trouble;
