@@ -253,9 +253,15 @@ fn known(
 ) -> Known {
     let furniture = home.furniture.iter().map(|piece| piece.name.clone());
     let places = plan.places.iter().map(|(name, _)| name.clone());
+    let mut places: Vec<String> = places.chain(furniture).collect();
+    // What is called after somebody is "his armchair" to himself.
+    let whose = person.map(|person| format!("{}'s ", person.to_lowercase()));
+    let own = |name: &String| Some(name.to_lowercase().strip_prefix(whose.as_ref()?)?.to_owned());
+    let own: Vec<String> = places.iter().filter_map(own).collect();
+    places.extend(own);
     Known {
         person: person.map(String::from),
-        places: places.chain(furniture).collect(),
+        places,
         things: plan.things.iter().map(|thing| thing.name.clone()).collect(),
         rooms: plan.rooms.iter().map(|room| room.name.clone()).collect(),
         conditions,
@@ -353,7 +359,9 @@ fn check_home(
         (problem.line, problem.column) = (line, column);
         problems.push(problem);
     };
-    let Some(bed) = places.of(Role::Bed) else {
+    let is_person = routine.person.as_ref().is_none_or(|person| person.kind == Kind::Person);
+    let anybodys = || places.anybodys(Role::Bed).into_iter().next().filter(|_| !is_person);
+    let Some(bed) = places.of(Role::Bed).or_else(anybodys) else {
         return say(
             0,
             0,
@@ -361,7 +369,6 @@ fn check_home(
             "give it a piece of furniture \"bed\" that is enterable",
         );
     };
-    let is_person = routine.person.as_ref().is_none_or(|person| person.kind == Kind::Person);
     if is_person {
         for (role, what, hint) in [
             (Role::Toilet, "there is no toilet in this home", "give it a piece of furniture or a place \"toilet\""),

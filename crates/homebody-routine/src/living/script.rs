@@ -281,8 +281,9 @@ impl Steps<'_, '_> {
 
     fn nap(&mut self, place: Option<&Spot>, lasts: Micros, until: Option<Micros>) {
         let role = if self.setting.stream.chance(0.5) { Role::Bed } else { Role::Armchair };
-        self.until(role, place, lasts, until, Manner::ASLEEP);
+        // Met as it begins: who naps does not take another nap for being tired.
         self.push(Step::Meet(Met::Tiredness));
+        self.until(role, place, lasts, until, Manner::ASLEEP);
     }
 
     fn laundry(&mut self, lasts: Micros) {

@@ -15,3 +15,4 @@ mod bad_input;
 mod logs;
 mod days;
 mod figures;
+mod lives;
