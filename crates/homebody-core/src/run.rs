@@ -3,7 +3,7 @@
 use crate::drivers::live::{KeyTrack, LiveDriver};
 use crate::drivers::path::PathDriver;
 use crate::drivers::{Body, Decide, Driver, Move, Next};
-use crate::event::{Doing, Events, Fact};
+use crate::event::{Act, Doing, Events, Fact};
 use crate::home::plan::Plan;
 use crate::home::{Build, Home, Sun};
 use crate::link::{self, Link};
@@ -21,6 +21,8 @@ pub struct Run {
     world: World,
     residents: Vec<Resident>,
     names: Vec<String>,
+    /// By thing of the plan: who has turned it on, or opened it.
+    users: Vec<Vec<u32>>,
     /// Nothing where all that sensors say reaches the logger at once.
     link: Option<Box<Link>>,
     length: Micros,
@@ -94,10 +96,11 @@ impl Run {
 
     /// A run of any drivers in a baked home.
     pub fn of(home: Arc<Home>, builds: Vec<Build>, drivers: Vec<Driver>, seed: u64, length: Micros) -> Run {
+        let users = vec![Vec::new(); home.plan.things.len()];
         let world = World::new(home, drivers.len(), seed);
         let resident = |(build, driver)| Resident { build, driver, until: 0, room: None, located: false };
         let names = (1..=drivers.len()).map(|number| format!("resident {number}")).collect();
-        Run { world, residents: builds.into_iter().zip(drivers).map(resident).collect(), names, link: None, length }
+        Run { world, residents: builds.into_iter().zip(drivers).map(resident).collect(), names, users, link: None, length }
     }
 
     pub fn home(&self) -> &Home {
@@ -187,10 +190,7 @@ impl Run {
                 Next::Activity(name) => {
                     events.facts.push(Fact::Activity { resident: resident as u32, at: now, name });
                 }
-                Next::Act(act) => {
-                    events.facts.push(Fact::Act { resident: resident as u32, at: now, act });
-                    self.world.act(resident, act);
-                }
+                Next::Act(act) => self.act(resident, act, now, events),
                 Next::Vitals(vitals) => self.world.feel(resident, vitals),
                 Next::Need(need, level) => {
                     events.facts.push(Fact::Need { resident: resident as u32, at: now, need, level });
@@ -207,6 +207,27 @@ impl Run {
         self.world.begin(resident, &next);
         let Move { end, doing, posture, .. } = next.until(self.length);
         events.facts.push(Fact::Movement { resident: resident as u32, begin: now, end, doing, posture });
+    }
+
+    /// A resident uses a thing. What several have turned on goes off with the last of them; what somebody else has left on,
+    /// anybody turns off.
+    fn act(&mut self, resident: usize, act: Act, now: Micros, events: &mut Events) {
+        let users = &mut self.users[act.thing as usize];
+        let was_on = !users.is_empty();
+        if act.on {
+            if !users.contains(&(resident as u32)) {
+                users.push(resident as u32);
+            }
+        } else if users.contains(&(resident as u32)) {
+            users.retain(|user| *user != resident as u32);
+        } else {
+            users.clear();
+        }
+        let changes = if act.on { !was_on } else { users.is_empty() };
+        if changes {
+            events.facts.push(Fact::Act { resident: resident as u32, at: now, act });
+            self.world.act(resident, act);
+        }
     }
 
     /// The bodies of the others, where they are now.

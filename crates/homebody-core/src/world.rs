@@ -51,6 +51,9 @@ pub struct World {
     movers: Vec<Mover>,
 }
 
+/// Bodies narrower than this are too light to be felt in beds and on mats (ours): that of a cat is 0.1 m.
+const LIGHT_M: f64 = 0.15;
+
 /// What a body is doing.
 #[derive(Clone, Debug)]
 struct Body {
@@ -145,6 +148,10 @@ impl World {
         self.bodies[resident] = Body { posture, act };
         if settles && self.zoned != 0 {
             self.settle(resident);
+        }
+        // A cat presses no mat, and lies beside the strip.
+        if self.home.field(resident, posture).size.radius_m < LIGHT_M {
+            return;
         }
         let Move { begin, end, doing, posture } = *next;
         self.tell(self.feeling, &Change::Body { resident: resident as u32, begin, end, doing, posture });
