@@ -243,6 +243,8 @@ fn a_phase_that_ends_before_it_begins() {
     refused("From 2009-05-01 to 2009-04-01 she reads.", "to 2009-04-01", "is not after it begins", "");
     refused("From day 100 until 2009-04-01 she reads.", "until 2009-04-01", "is not after it begins", "");
     refused("From day 0 she reads.", "day 0", "there is no \"day 0\"", "the first is day 1");
+    let text = "From week 6 she reads rarely at first, often by week 2.";
+    refused(text, "rarely at first, often by week 2", "changes before it begins", "a later day");
     refused("From March she reads.", "March", "not clear from which day", "2009-03-01");
     refused("From 2009-02-30 she reads.", "2009-02-30", "there is no such date", "2009-05-01");
 }

@@ -206,6 +206,13 @@ impl Adverbs {
 
     fn often(&mut self, reader: &mut Reader) -> Option<()> {
         let from = reader.at;
+        // "she rarely reads at first, often by day 160"
+        if let Some(chance) = self.chance.as_mut().filter(|chance| chance.own && chance.value.becomes.is_none())
+            && reader.eat("at first")
+        {
+            chance.value = often::becoming(reader, chance.value);
+            return Some(());
+        }
         let often = often::at_first(reader).or_else(|| often::often(reader));
         let Some(often) = often else {
             if !reader.eat("at first") {
@@ -341,7 +348,7 @@ impl Adverbs {
             return Some(());
         }
         let (moment, _) = times::moment(reader)?;
-        let _ = reader.eat("on|onward|onwards");
+        reader.eat("on|onward|onwards");
         let span = reader.span(start);
         put(reader, &mut self.from, moment, span, "both say from when");
         let from = reader.at;

@@ -44,7 +44,7 @@ fn own_habits<'a>(draft: &'a Draft) -> impl Iterator<Item = (usize, &'a Habit)> 
 }
 
 fn does(draft: &Draft, activity: &Activity) -> bool {
-    own_habits(draft).any(|(_, habit)| habit.activity == *activity)
+    own_habits(draft).any(|(_, habit)| habit.activity == *activity) || draft.usual.contains(activity)
 }
 
 /// Whether there may be a day on which both are meant.
@@ -181,10 +181,12 @@ fn idle_rules(draft: &Draft, faults: &mut Faults) {
             Trigger::Away => {
                 let outings: Vec<&Habit> =
                     own_habits(draft).map(|(_, habit)| habit).filter(|h| h.activity == Activity::Leave).collect();
-                if outings.is_empty() {
+                if outings.is_empty() && !does(draft, &Activity::Leave) {
                     let hint = "add a sentence such as \"she leaves the apartment at about 10:00\"".to_owned();
                     faults.add(*trigger, "this never comes true: no sentence says that she leaves", Some(hint));
-                } else if outings.iter().all(|habit| longest(habit).is_some_and(|most| most < rule.lasts.low)) {
+                } else if !outings.is_empty()
+                    && outings.iter().all(|habit| longest(habit).is_some_and(|most| most < rule.lasts.low))
+                {
                     let what = "this never comes true: she is never out for so long";
                     faults.add(*lasts, what, Some("compare how long she is out".into()));
                 }

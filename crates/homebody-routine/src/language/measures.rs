@@ -46,7 +46,7 @@ pub fn measure(reader: &mut Reader) -> Option<Measure> {
         if let Some((of, by)) = reader.attempt(later_by) {
             return Some(Measure { of, by, span: reader.span(start) });
         }
-        let _ = reader.eat("by");
+        reader.eat("by");
         let amount = amount(reader)?;
         let (of, by) = match amount.unit {
             Unit::Second => time(reader, &amount)?,

@@ -135,7 +135,7 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
     if reader.eat("is|are") {
         return Some(being(reader, adverbs));
     }
-    let not = reader.eat("does|do not") || reader.eat("doesn't|don't|never|doesn\u{2bc}t") || reader.eat("no longer");
+    let not = reader.eat("does|do not") || reader.eat("doesn't|don't|never") || reader.eat("no longer");
     if not {
         reader.eat("ever");
         return negated(reader);

@@ -21,7 +21,7 @@ pub fn rule(reader: &mut Reader, draft: &mut Draft, front: &Adverbs) {
     let trigger_span = reader.span(from);
     let Some((lasts, lasts_span)) = how_long(reader) else { return };
     reader.skip_commas();
-    let _ = reader.eat("then");
+    reader.eat("then");
     let mut adverbs = Adverbs::default();
     let start = reader.at;
     match predicates::subject(reader) {
@@ -67,7 +67,7 @@ fn trigger(reader: &mut Reader) -> Option<Trigger> {
             reader.fault(reader.here(), "it is not said where she is", hint);
             return None;
         }
-        let _ = reader.eat("sitting|lying|standing|staying");
+        reader.eat("sitting|lying|standing|staying");
         if reader.eat("away|out|gone|outside") || reader.eat("away from home") {
             return Some(Trigger::Away);
         }
@@ -88,7 +88,7 @@ fn trigger(reader: &mut Reader) -> Option<Trigger> {
         return None;
     };
     let is = is_or_was(reader);
-    let _ = reader.eat("left");
+    reader.eat("left");
     if is && reader.eat("on|open|running") {
         return Some(Trigger::On(thing));
     }

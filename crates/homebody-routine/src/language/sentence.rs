@@ -122,7 +122,7 @@ fn clauses(reader: &mut Reader, draft: &mut Draft, front: Start, heading: Option
         }
         adverbs = Adverbs { when: Some(Slot { value: When::Then, span: then, own: true }), ..Adverbs::default() };
         start = reader.words.iter().position(|word| word.span.start == then.start);
-        let _ = reader.eat("she|he|they|it");
+        reader.eat("she|he|they|it");
     }
 }
 
@@ -280,7 +280,7 @@ pub fn eat_preposition(reader: &mut Reader) -> bool {
 
 fn not_understood(reader: &mut Reader, clause: &Clause) {
     let (here, word) = (reader.here(), reader.peek(0).to_owned());
-    if word == "and" || word == "but" {
+    if word == "and" || word == "but" || word == "or" {
         let hint = "write \"then\" between things done one after another, or make two sentences".to_owned();
         return reader.fault(here, format!("{word:?} joins more than one sentence can say"), hint);
     }

@@ -18,6 +18,7 @@ pub fn home() -> Known {
         rooms: list("bedroom, bathroom, kitchen, living room, hall"),
         conditions: list("depression, heart-failure, urinary-tract-infection, cognitive-decline"),
         first_date: Some((2009, 3, 2)),
+        usual: Vec::new(),
     }
 }
 
