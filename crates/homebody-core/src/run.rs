@@ -100,7 +100,14 @@ impl Run {
         let world = World::new(home, drivers.len(), seed);
         let resident = |(build, driver)| Resident { build, driver, until: 0, room: None, located: false };
         let names = (1..=drivers.len()).map(|number| format!("resident {number}")).collect();
-        Run { world, residents: builds.into_iter().zip(drivers).map(resident).collect(), names, users, link: None, length }
+        Run {
+            world,
+            residents: builds.into_iter().zip(drivers).map(resident).collect(),
+            names,
+            users,
+            link: None,
+            length,
+        }
     }
 
     pub fn home(&self) -> &Home {

@@ -143,7 +143,7 @@ fn live_into(path: &Path, scenario: &Scenario, household: &Household, length: Mi
     let info = RunInfo { id: 1, scenario: "bench".into(), seed: 1, version: "bench".into() };
     let start = Instant::now();
     let mut run = Run::new(scenario, household, scenario.file.seed, length);
-    let sensors: Vec<String> = run.home().sensors.iter().map(|sensor| sensor.name.clone()).collect();
+    let sensors: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
     let file = Default::default();
     let mut logger = Logger::open(&[url], &file, &sensors, &scenario.calendar, &info, true).expect("an open database");
     let mut events = Events::default();

@@ -37,8 +37,6 @@ pub struct PetDriver {
     stay: Option<(Manner, Micros)>,
     stirs: bool,
     asleep: bool,
-    /// Whether it is in its own basket, or on the floor, and not on furniture of people.
-    is_low: bool,
 }
 
 impl PetDriver {
@@ -47,17 +45,7 @@ impl PetDriver {
             body.place(Spot { posture: Posture::Standing, ..spot.clone() }, Posture::Standing);
         }
         let stream = life.stream("pet");
-        PetDriver {
-            life,
-            places,
-            body,
-            stream,
-            ready: VecDeque::new(),
-            stay: None,
-            stirs: false,
-            asleep: true,
-            is_low: true,
-        }
+        PetDriver { life, places, body, stream, ready: VecDeque::new(), stay: None, stirs: false, asleep: true }
     }
 
     fn step(&mut self, now: Micros) -> Next {
@@ -84,7 +72,7 @@ impl PetDriver {
         let end = end.min(now.saturating_add(span));
         // Curled up it is as low as it can be; on furniture it is not, for pads and strips feel whoever sits or lies there,
         // and a pet is too light for them.
-        let posture = if self.asleep && self.is_low { Posture::Lying } else { Posture::Standing };
+        let posture = if self.asleep { Posture::Lying } else { Posture::Standing };
         self.ready.push_back(Next::Move(Move { begin: now, end, doing, posture }));
     }
 
@@ -114,7 +102,6 @@ impl PetDriver {
         };
         match to {
             Some(spot) => {
-                self.is_low = spot.posture == Posture::Standing || spot.is_of(Role::Basket);
                 let spot = Spot { posture: Posture::Standing, ..spot };
                 let moves = self.body.go(&spot, now, hour, 1.0, &mut self.stream);
                 let arrival = moves.last().map_or(now, |last| last.end);

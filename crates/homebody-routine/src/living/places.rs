@@ -168,6 +168,20 @@ impl Places {
             .or_else(|| instead.iter().find_map(|&role| self.of(role)))
     }
 
+    /// Whether the home has it itself, and not only something that will do.
+    pub fn has(&self, role: Role) -> bool {
+        self.spots.iter().any(|spot| spot.is_of(role))
+    }
+
+    /// Of several toilets or washbasins the nearest as the crow flies, else as [`Places::of`].
+    pub fn nearest(&self, role: Role, at: Point) -> Option<&Spot> {
+        let best = role.names().0[0];
+        let several = self.spots.iter().filter(|spot| spot.name.ends_with(best) && !spot.name.contains('\''));
+        let nearest = several.min_by(|a, b| a.at.distance(at).total_cmp(&b.at.distance(at)));
+        let is_own = self.of(role).is_some_and(|spot| spot.name.starts_with(&self.whose));
+        if is_own { self.of(role) } else { nearest.or_else(|| self.of(role)) }
+    }
+
     /// All that fill the role, whosever they are: a pet asks nobody.
     pub fn anybodys(&self, role: Role) -> Vec<&Spot> {
         self.spots.iter().filter(|spot| spot.is_of(role)).collect()
