@@ -59,10 +59,9 @@ pub fn nights(lived: &Lived, activities: &[Span]) -> Vec<Night> {
 fn night(lived: &Lived, activities: &[Span], day: i32) -> Option<Night> {
     let (noon, next) = (lived.midnight(day) + DAY / 2, lived.midnight(day + 1) + DAY / 2);
     let of_night: Vec<&Span> = activities.iter().filter(|span| (noon..next).contains(&span.begin)).collect();
-    let first = of_night.iter().position(|span| IN_BED.contains(&span.name))?;
-    let last = of_night.iter().rposition(|span| IN_BED.contains(&span.name))?;
-    let (first, of_night) = (of_night[first], &of_night[first..=last]);
-    let begin = lived.lies_from(first)?;
+    let mut in_bed = of_night.iter().enumerate().filter(|(_, span)| IN_BED.contains(&span.name));
+    let (first, begin) = in_bed.clone().find_map(|(index, span)| Some((index, lived.lies_from(span)?)))?;
+    let of_night = &of_night[first..=in_bed.next_back()?.0];
     let end = of_night.last()?.end;
     let asleep: Vec<&&Span> = of_night.iter().filter(|span| span.name == "sleeping").collect();
     let asleep_h = asleep.iter().map(|span| span.hours()).sum();
