@@ -412,13 +412,13 @@ impl RoutineDriver {
         let mut stream = self.life.stream_of_day(self.agenda.day, &key);
         let said: Vec<&Activity> = self.life.habits(self.agenda.day).map(|(habit, _, _)| &habit.activity).collect();
         let (mut fillers, mut weights) = (Vec::new(), Vec::new());
-        for (activity, weight) in FILLERS {
+        for (activity, weight, minutes) in FILLERS {
             if activity == Activity::Relax || !said.contains(&&activity) {
                 weights.push(weight);
-                fillers.push(activity);
+                fillers.push((activity, minutes));
             }
         }
-        let activity = &fillers[stream.pick(&weights)];
+        let (activity, minutes) = &fillers[stream.pick(&weights)];
         if gap < 3 * MINUTE {
             let posture = self.body.posture();
             let stay = Stay {
@@ -431,11 +431,7 @@ impl RoutineDriver {
             let steps = [Step::Name(Activity::Relax.name()), Step::Stay(stay)];
             return self.play(steps.into(), stream, Activity::Relax.name());
         }
-        let (median_min, sigma) = match activity {
-            Activity::Housework => (4.0, 0.5),
-            activity => activity.usual_minutes(),
-        };
-        let lasts = micros(stream.lognormal(median_min * 60.0, sigma)).min(gap);
+        let lasts = micros(stream.lognormal(minutes * 60.0, 0.5)).min(gap);
         self.begin(&Item::now(key, activity.clone(), lasts));
         for step in self.scripts.last_mut().into_iter().flat_map(|playing| playing.steps.iter_mut()) {
             if let Step::Stay(stay) = step
@@ -595,15 +591,16 @@ impl RoutineDriver {
 /// The sine of the sun's height below which lamps are lit (ours).
 const DARK: f64 = 0.08;
 
-/// What fills the time, with weights: hours of a day of people of 75 and more (American Time Use Survey), of what is not
-/// planned anyway; housework stands for the small errands that nobody plans.
-const FILLERS: [(Activity, f64); 6] = [
-    (Activity::WatchTelevision, 1.0),
-    (Activity::Relax, 0.6),
-    (Activity::Read, 0.3),
-    (Activity::Housework, 1.1),
-    (Activity::Phone, 0.15),
-    (Activity::UseComputer, 0.15),
+/// What fills the time, how often in comparison, and for how many minutes at a time. Both are ours, set so that the hours of
+/// a day come near those of people of 75 and more (American Time Use Survey); housework stands for the small errands that
+/// nobody plans, from which people of that age rise from their seats 46-60 times a day.
+const FILLERS: [(Activity, f64, f64); 6] = [
+    (Activity::WatchTelevision, 1.0, 25.0),
+    (Activity::Relax, 0.2, 12.0),
+    (Activity::Read, 0.165, 20.0),
+    (Activity::Housework, 2.2, 1.8),
+    (Activity::Phone, 0.1, 12.0),
+    (Activity::UseComputer, 0.125, 20.0),
 ];
 
 impl Item {
