@@ -413,8 +413,9 @@ impl RoutineDriver {
         let said: Vec<&Activity> = self.life.habits(self.agenda.day).map(|(habit, _, _)| &habit.activity).collect();
         let (mut fillers, mut weights) = (Vec::new(), Vec::new());
         for (activity, weight, minutes) in FILLERS {
+            let rises = activity == Activity::Housework && self.body.posture() != Posture::Standing;
             if activity == Activity::Relax || !said.contains(&&activity) {
-                weights.push(weight);
+                weights.push(if rises { weight * RISES } else { weight });
                 fillers.push((activity, minutes));
             }
         }
@@ -595,13 +596,16 @@ const DARK: f64 = 0.08;
 /// a day come near those of people of 75 and more (American Time Use Survey); housework stands for the small errands that
 /// nobody plans, from which people of that age rise from their seats 46-60 times a day.
 const FILLERS: [(Activity, f64, f64); 6] = [
-    (Activity::WatchTelevision, 1.0, 25.0),
-    (Activity::Relax, 0.2, 12.0),
-    (Activity::Read, 0.165, 20.0),
-    (Activity::Housework, 2.2, 1.8),
+    (Activity::WatchTelevision, 1.0, 15.0),
+    (Activity::Relax, 0.18, 8.0),
+    (Activity::Read, 0.14, 14.0),
+    (Activity::Housework, 0.5, 1.8),
     (Activity::Phone, 0.1, 12.0),
-    (Activity::UseComputer, 0.125, 20.0),
+    (Activity::UseComputer, 0.107, 14.0),
 ];
+
+/// So many times as often somebody who sits gets up for an errand as one errand follows another (ours).
+const RISES: f64 = 12.0;
 
 impl Item {
     /// Whether it is still done before bed although it is late.

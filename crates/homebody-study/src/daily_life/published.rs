@@ -507,9 +507,10 @@ fn nappers(persons: &[Person]) -> Option<f64> {
     super::statistics::share(persons, |person| person.days.naps >= REGULAR).map(|share| share * 100.0)
 }
 
-/// The middle of the half hour in which most time is napped, all people taken together.
+/// The middle of the hour and a half in which most time is napped, all people taken together.
 fn nap_peak(persons: &[Person]) -> Option<f64> {
-    let napped = |slot: usize| persons.iter().map(|person| person.days.nap_half_hours[slot]).sum::<f64>();
-    let most = (0..48).map(napped).enumerate().max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let napped = |slot: usize| persons.iter().map(|person| person.days.nap_half_hours[slot % 48]).sum::<f64>();
+    let around = |slot: usize| napped(slot + 47) + napped(slot) + napped(slot + 1);
+    let most = (0..48).map(around).enumerate().max_by(|a, b| a.1.total_cmp(&b.1))?;
     (most.1 > 0.0).then_some(most.0 as f64 / 2.0 + 0.25)
 }
