@@ -597,15 +597,15 @@ const DARK: f64 = 0.08;
 /// nobody plans, from which people of that age rise from their seats 46-60 times a day.
 const FILLERS: [(Activity, f64, f64); 6] = [
     (Activity::WatchTelevision, 1.0, 15.0),
-    (Activity::Relax, 0.18, 8.0),
+    (Activity::Relax, 0.21, 8.0),
     (Activity::Read, 0.14, 14.0),
-    (Activity::Housework, 0.5, 1.8),
+    (Activity::Housework, 0.5, 1.6),
     (Activity::Phone, 0.1, 12.0),
     (Activity::UseComputer, 0.107, 14.0),
 ];
 
 /// So many times as often somebody who sits gets up for an errand as one errand follows another (ours).
-const RISES: f64 = 12.0;
+const RISES: f64 = 16.0;
 
 impl Item {
     /// Whether it is still done before bed although it is late.

@@ -34,7 +34,7 @@ const TIREDNESS: f64 = 24.0 / 7.5;
 const SHAPE: f64 = 3.0;
 
 /// Hours awake and asleep that visits a day and a night are counted over (ours).
-const WAKING_H: f64 = 16.0;
+const WAKING_H: f64 = 15.5;
 const SLEEPING_H: f64 = 7.8;
 
 /// Visits that are there anyway, first thing in the morning and before bed.
