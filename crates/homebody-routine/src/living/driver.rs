@@ -412,10 +412,11 @@ impl RoutineDriver {
         let mut stream = self.life.stream_of_day(self.agenda.day, &key);
         let said: Vec<&Activity> = self.life.habits(self.agenda.day).map(|(habit, _, _)| &habit.activity).collect();
         let (mut fillers, mut weights) = (Vec::new(), Vec::new());
+        let rising = RISES * self.mood.activity(self.life.hour(now));
         for (activity, weight, minutes) in FILLERS {
             let rises = activity == Activity::Housework && self.body.posture() != Posture::Standing;
             if activity == Activity::Relax || !said.contains(&&activity) {
-                weights.push(if rises { weight * RISES } else { weight });
+                weights.push(if rises { weight * rising } else { weight });
                 fillers.push((activity, minutes));
             }
         }
@@ -596,16 +597,16 @@ const DARK: f64 = 0.08;
 /// a day come near those of people of 75 and more (American Time Use Survey); housework stands for the small errands that
 /// nobody plans, from which people of that age rise from their seats 46-60 times a day.
 const FILLERS: [(Activity, f64, f64); 6] = [
-    (Activity::WatchTelevision, 1.0, 15.0),
+    (Activity::WatchTelevision, 1.0, 14.0),
     (Activity::Relax, 0.21, 8.0),
-    (Activity::Read, 0.14, 14.0),
-    (Activity::Housework, 0.5, 1.6),
+    (Activity::Read, 0.14, 13.0),
+    (Activity::Housework, 0.5, 1.5),
     (Activity::Phone, 0.1, 12.0),
     (Activity::UseComputer, 0.107, 14.0),
 ];
 
 /// So many times as often somebody who sits gets up for an errand as one errand follows another (ours).
-const RISES: f64 = 16.0;
+const RISES: f64 = 20.0;
 
 impl Item {
     /// Whether it is still done before bed although it is late.
