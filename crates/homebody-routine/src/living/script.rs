@@ -257,7 +257,7 @@ impl Steps<'_, '_> {
             Role::Fridge => self.around(12.0),
             Role::Drawers => self.around(15.0),
             Role::Sink => self.around(30.0),
-            _ => self.around(50.0),
+            _ => self.around(80.0),
         };
         let span = span.min(left);
         match role {
