@@ -257,7 +257,7 @@ impl Steps<'_, '_> {
             Role::Fridge => self.around(12.0),
             Role::Drawers => self.around(15.0),
             Role::Sink => self.around(30.0),
-            _ => self.around(80.0),
+            _ => self.around(45.0),
         };
         let span = span.min(left);
         match role {
@@ -298,7 +298,7 @@ impl Steps<'_, '_> {
         let mut left = lasts;
         while left > 0 && !stations.is_empty() {
             let spot = &stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()];
-            let span = self.around(90.0).clamp(SECOND, left.max(SECOND));
+            let span = self.around(45.0).clamp(SECOND, left.max(SECOND));
             self.push(Step::Go(spot.clone()));
             self.stay(Posture::Standing, Manner::BUSY, span, May::Interrupt);
             left -= span;
