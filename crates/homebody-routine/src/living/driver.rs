@@ -600,13 +600,13 @@ const FILLERS: [(Activity, f64, f64); 6] = [
     (Activity::WatchTelevision, 1.0, 14.0),
     (Activity::Relax, 0.21, 8.0),
     (Activity::Read, 0.14, 13.0),
-    (Activity::Housework, 0.5, 1.5),
+    (Activity::Housework, 0.5, 1.3),
     (Activity::Phone, 0.1, 12.0),
     (Activity::UseComputer, 0.107, 14.0),
 ];
 
 /// So many times as often somebody who sits gets up for an errand as one errand follows another (ours).
-const RISES: f64 = 20.0;
+const RISES: f64 = 26.0;
 
 impl Item {
     /// Whether it is still done before bed although it is late.

@@ -85,10 +85,10 @@ impl Person {
     /// Somebody. Gait at home has a standard deviation of 0.17 m/s around 0.61 (Kaye 2012), the time in bed of 62 minutes
     /// (polysomnography at 73.9 years). That clock times differ by an hour from person to person, and the rest, is ours.
     fn draw(stream: &mut Stream) -> Person {
-        let early = stream.normal(0.0, 3000.0);
+        let early = stream.normal(0.0, 3100.0);
         Person {
-            up_s: early + stream.normal(0.0, 2700.0),
-            bed_s: early + stream.normal(0.0, 2700.0),
+            up_s: early + stream.normal(0.0, 2800.0),
+            bed_s: early + stream.normal(0.0, 2800.0),
             clock_s: early / 2.0 + stream.normal(0.0, 900.0),
             length: stream.lognormal(1.0, 0.15),
             pace: stream.lognormal(1.0, 0.26).clamp(0.5, 1.7),
