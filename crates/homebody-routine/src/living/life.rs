@@ -302,7 +302,7 @@ impl Life {
     /// How lively a day is: better days and worse ones, each somewhat like the day before (ours).
     fn level(&self, day: i32) -> f64 {
         let of = |day: i32| self.stream_of_day(day, "level").normal(0.0, 1.0);
-        libm::exp(0.2 * (of(day) + of(day - 1)))
+        libm::exp(0.25 * (of(day) + of(day - 1)))
     }
 
     /// How things are on a day.
