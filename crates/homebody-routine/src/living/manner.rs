@@ -33,7 +33,7 @@ const fn manner(gap_s: f64, sigma: f64, bout_s: f64, amplitude_m: f64) -> Manner
 
 impl Manner {
     /// Asleep: 10-20 gross movements an hour.
-    pub const ASLEEP: Manner = manner(60.0, 2.4, 3.0, 0.3);
+    pub const ASLEEP: Manner = manner(50.0, 2.4, 3.0, 0.3);
     /// Awake in bed.
     pub const AWAKE_IN_BED: Manner = manner(45.0, 1.5, 3.0, 0.3);
     /// Getting up, lying down, rising.

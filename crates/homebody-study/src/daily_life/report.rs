@@ -69,8 +69,8 @@ impl fmt::Display for Experiment {
             writeln!(f, "Outside, and why that may be:\n")?;
         }
         for line in self.outside() {
-            let guess = if line.guess.is_empty() { "no guess" } else { line.guess };
-            writeln!(f, "  {}: {} beside {}; {guess}", line.what, line.ours_in_words(), line.published)?;
+            let Line { what, published, guess, .. } = line;
+            writeln!(f, "  {what}: {} beside {published}; {guess}", line.ours_in_words())?;
         }
         Ok(())
     }
