@@ -316,6 +316,10 @@ impl Activity {
     }
 }
 
+impl Meal {
+    pub const ALL: [Meal; 3] = [Meal::Breakfast, Meal::Lunch, Meal::Dinner];
+}
+
 impl Days {
     pub const ALL: Days = Days { weekdays: 0x7f, months: 0xfff, every: 1 };
 }

@@ -23,6 +23,9 @@ pub mod day;
 pub mod godsey2009;
 pub mod sphere;
 
+/// Generated lives beside what was measured of real ones.
+pub mod daily_life;
+
 /// Floor plans, maps and charts.
 pub mod picture;
 

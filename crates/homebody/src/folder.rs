@@ -65,12 +65,23 @@ fn folder_of(path: &Path) -> &Path {
 
 /// Loads a scenario that came with the program; returns also the entry's name.
 pub fn load_own(name: &str) -> Result<(Scenario, String), Failure> {
+    let entry = "scenario.json";
+    Ok((Scenario::load(&own(name), entry)?, entry.to_owned()))
+}
+
+/// Loads a scenario that came with the program, with the routines of those who live there.
+pub fn load_own_lives(name: &str) -> Result<(Scenario, Household), Failure> {
+    let (mut scenario, _) = load_own(name)?;
+    let household = Household::read(&mut scenario, &own(name), &[])?;
+    Ok((scenario, household))
+}
+
+/// The files of a scenario that came with the program.
+fn own(name: &str) -> BTreeMap<String, String> {
     let files = OWN.get_dir(name).into_iter().flat_map(Dir::files);
     let text = |file: &include_dir::File| {
         let name = file.path().file_name().unwrap_or_default().to_string_lossy().into_owned();
         (name, String::from_utf8_lossy(file.contents()).into_owned())
     };
-    let files: BTreeMap<String, String> = files.map(text).collect();
-    let entry = "scenario.json";
-    Ok((Scenario::load(&files, entry)?, entry.to_owned()))
+    files.map(text).collect()
 }

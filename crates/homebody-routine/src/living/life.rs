@@ -4,7 +4,7 @@
 //! drawn from before. So two lives that differ in one condition draw the same numbers for all that it does not touch.
 
 use crate::fuzzy::Fuzzy;
-use crate::routine::{Activity, Change, Days, Effect, Habit, Moment, PartOfDay, Phase, Routine, Rule};
+use crate::routine::{Activity, Change, Days, Effect, Habit, Meal, Moment, PartOfDay, Phase, Routine, Rule};
 use homebody_core::random::Stream;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::{Micros, micros};
@@ -65,25 +65,49 @@ pub struct Person {
     pub activity: f64,
     /// So many times as much their days differ.
     pub irregular: f64,
+    /// How likely they leave out breakfast, lunch and dinner.
+    pub skips: [f64; 3],
 }
 
 impl Person {
     /// As the routine says.
-    pub const AS_WRITTEN: Person =
-        Person { up_s: 0.0, bed_s: 0.0, clock_s: 0.0, length: 1.0, pace: 1.0, activity: 1.0, irregular: 1.0 };
+    pub const AS_WRITTEN: Person = Person {
+        up_s: 0.0,
+        bed_s: 0.0,
+        clock_s: 0.0,
+        length: 1.0,
+        pace: 1.0,
+        activity: 1.0,
+        irregular: 1.0,
+        skips: [0.0; 3],
+    };
 
-    /// Somebody. Gait at home has a standard deviation of 0.17 m/s around 0.61 (Kaye 2012). That clock times differ by an
-    /// hour from person to person, and the rest, is ours.
+    /// Somebody. Gait at home has a standard deviation of 0.17 m/s around 0.61 (Kaye 2012), the time in bed of 62 minutes
+    /// (polysomnography at 73.9 years). That clock times differ by an hour from person to person, and the rest, is ours.
     fn draw(stream: &mut Stream) -> Person {
-        let early = stream.normal(0.0, 2400.0);
+        let early = stream.normal(0.0, 3100.0);
         Person {
-            up_s: early + stream.normal(0.0, 2400.0),
-            bed_s: early + stream.normal(0.0, 2400.0),
+            up_s: early + stream.normal(0.0, 2800.0),
+            bed_s: early + stream.normal(0.0, 2800.0),
             clock_s: early / 2.0 + stream.normal(0.0, 900.0),
             length: stream.lognormal(1.0, 0.15),
             pace: stream.lognormal(1.0, 0.26).clamp(0.5, 1.7),
             activity: stream.lognormal(1.0, 0.3),
             irregular: stream.lognormal(1.0, 0.3),
+            skips: Person::skips(stream),
+        }
+    }
+
+    /// Of people of 65-75 years 51.6 % eat three meals, 33.5 % leave one out, and 14.9 % eat irregularly. Which one is left
+    /// out, and how often the irregular leave out each, is ours.
+    fn skips(stream: &mut Stream) -> [f64; 3] {
+        let kind = stream.pick(&[51.6, 33.5, 14.9]);
+        let mut skips = [0.0; 3];
+        skips[stream.pick(&[0.35, 0.5, 0.15])] = 0.9;
+        match kind {
+            0 => [0.0; 3],
+            1 => skips,
+            _ => [0.3; 3],
         }
     }
 }
@@ -280,10 +304,22 @@ impl Life {
         (chance * strength * self.phase(&habit.phase, day)).min(1.0)
     }
 
+    /// How lively a day is: better days and worse ones, each somewhat like the day before (ours).
+    fn level(&self, day: i32) -> f64 {
+        let of = |day: i32| self.stream_of_day(day, "level").normal(0.0, 1.0);
+        libm::exp(0.25 * (of(day) + of(day - 1)))
+    }
+
     /// How things are on a day.
     pub fn mood(&self, day: i32) -> Mood {
         let mut mood = Mood::ordinary();
         mood.irregular = self.person.irregular;
+        for (meal, skips) in Meal::ALL.into_iter().zip(self.person.skips) {
+            if skips > 0.0 {
+                mood.skips.insert(Activity::Eat(meal), skips);
+            }
+        }
+        mood.active.push((None, self.level(day)));
         if self.person.activity != 1.0 {
             mood.active.push((None, self.person.activity));
         }
@@ -314,7 +350,7 @@ impl Constitution {
         Constitution {
             toilet_at_night: stream.gamma(4.5, 1.7).clamp(0.1, 5.0),
             toilet_by_day: stream.normal(5.0, 0.9).clamp(3.0, 8.0),
-            naps: if stream.chance(0.25) { 0.7 } else { 0.1 },
+            naps: if stream.chance(0.25) { 0.8 } else { 0.1 },
             awake_min: stream.gamma(4.0, 39.0).clamp(5.0, 150.0),
             pulse: stream.normal(62.0, 5.0).clamp(48.0, 80.0),
             respiration: stream.normal(15.0, 1.2).clamp(11.0, 20.0),

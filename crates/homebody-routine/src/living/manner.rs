@@ -33,21 +33,21 @@ const fn manner(gap_s: f64, sigma: f64, bout_s: f64, amplitude_m: f64) -> Manner
 
 impl Manner {
     /// Asleep: 10-20 gross movements an hour.
-    pub const ASLEEP: Manner = manner(170.0, 1.0, 3.0, 0.3);
+    pub const ASLEEP: Manner = manner(50.0, 2.4, 3.0, 0.3);
     /// Awake in bed.
-    pub const AWAKE_IN_BED: Manner = manner(50.0, 0.9, 4.0, 0.3);
+    pub const AWAKE_IN_BED: Manner = manner(45.0, 1.5, 3.0, 0.3);
     /// Getting up, lying down, rising.
     pub const TURNING: Manner = manner(4.0, 0.5, 4.0, 0.4);
     /// In front of a screen, or doing nothing.
-    pub const STILL: Manner = manner(130.0, 1.1, 3.0, 0.2);
-    pub const READING: Manner = manner(75.0, 0.9, 3.0, 0.25);
-    pub const TALKING: Manner = manner(30.0, 1.0, 3.0, 0.25);
-    pub const EATING: Manner = manner(18.0, 0.7, 4.0, 0.3);
-    pub const ON_TOILET: Manner = manner(40.0, 0.8, 4.0, 0.25);
+    pub const STILL: Manner = manner(300.0, 2.0, 2.0, 0.2);
+    pub const READING: Manner = manner(150.0, 2.0, 2.0, 0.25);
+    pub const TALKING: Manner = manner(25.0, 1.5, 3.0, 0.25);
+    pub const EATING: Manner = manner(40.0, 1.8, 4.0, 0.3);
+    pub const ON_TOILET: Manner = manner(90.0, 1.5, 3.0, 0.25);
     /// Standing and using the hands: at the stove, the sink, the wardrobe.
-    pub const BUSY: Manner = manner(9.0, 0.8, 4.0, 0.4);
+    pub const BUSY: Manner = manner(50.0, 1.5, 6.0, 0.4);
     /// Washing oneself.
-    pub const WASHING: Manner = manner(6.0, 0.6, 5.0, 0.4);
+    pub const WASHING: Manner = manner(35.0, 1.4, 6.0, 0.4);
     /// On the floor, trying to get up.
     pub const FALLEN: Manner = manner(45.0, 1.1, 4.0, 0.4);
     /// An animal asleep.

@@ -27,15 +27,15 @@ pub struct Needs {
 /// snack after seven without one.
 const THIRST: f64 = 24.0 / 4.0;
 const HUNGER: f64 = 24.0 / 7.0;
-/// Eight hours after getting up, as naps have their peak at 14:30-15:00.
-const TIREDNESS: f64 = 24.0 / 8.0;
+/// Seven hours after getting up, as naps have their peak at 14:30-15:00.
+const TIREDNESS: f64 = 24.0 / 7.0;
 
 /// Shape of the gamma distribution of thresholds (ours).
 const SHAPE: f64 = 3.0;
 
 /// Hours awake and asleep that visits a day and a night are counted over (ours).
-const WAKING_H: f64 = 16.0;
-const SLEEPING_H: f64 = 7.5;
+const WAKING_H: f64 = 15.5;
+const SLEEPING_H: f64 = 7.8;
 
 /// Visits that are there anyway, first thing in the morning and before bed.
 const ANYWAY: f64 = 2.0;
@@ -91,9 +91,9 @@ impl Needs {
         }
     }
 
-    /// Nothing rises while away: elsewhere there are toilets and meals, too.
+    /// Only tiredness rises while away: elsewhere there are toilets and meals, too, but no beds.
     pub fn pause(&mut self, now: Micros) {
-        for need in [&mut self.toilet, &mut self.thirst, &mut self.hunger, &mut self.tiredness] {
+        for need in [&mut self.toilet, &mut self.thirst, &mut self.hunger] {
             need.rise(now, 0.0);
         }
     }

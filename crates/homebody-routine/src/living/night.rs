@@ -15,10 +15,12 @@ use std::collections::VecDeque;
 impl RoutineDriver {
     pub(super) fn go_to_bed(&mut self, now: Micros) {
         self.next_item = self.agenda.items.len();
-        self.sleep(now, false);
         let bathroom = Activity::UseBathroom.usual_minutes();
         let lasts = self.life.stream_of_day(self.agenda.day, "before bed").lognormal(bathroom.0 * 60.0, 0.4);
         self.begin(&Item::now("before bed".into(), Activity::UseBathroom, micros(lasts)));
+        self.sleep(now, false);
+        // The night comes after: it has not begun, so there is nowhere to go back to.
+        self.scripts.reverse();
     }
 
     /// The night: falling asleep, waking now and then, getting up.

@@ -211,8 +211,8 @@ impl Steps<'_, '_> {
         let posture = self.go(role, place);
         let mut left = lasts;
         while left > 0 {
-            let span = self.around(60.0).min(left);
-            let running = self.around(15.0).min(span);
+            let span = self.around(120.0).min(left);
+            let running = self.around(20.0).min(span);
             self.act(role, true);
             self.stay(posture, manner, running, May::Nothing);
             self.act(role, false);
@@ -265,10 +265,10 @@ impl Steps<'_, '_> {
     /// A moment at a place of the kitchen; how long.
     fn station(&mut self, role: Role, left: Micros) -> Micros {
         let span = match role {
-            Role::Fridge => self.around(18.0),
-            Role::Drawers => self.around(25.0),
-            Role::Sink => self.around(35.0),
-            _ => self.around(110.0),
+            Role::Fridge => self.around(12.0),
+            Role::Drawers => self.around(15.0),
+            Role::Sink => self.around(30.0),
+            _ => self.around(45.0),
         };
         let span = span.min(left);
         match role {
@@ -310,7 +310,7 @@ impl Steps<'_, '_> {
         let mut left = lasts;
         while left > 0 && !stations.is_empty() {
             let spot = &stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()];
-            let span = self.around(150.0).clamp(SECOND, left.max(SECOND));
+            let span = self.around(45.0).clamp(SECOND, left.max(SECOND));
             self.push(Step::Go(spot.clone()));
             self.stay(Posture::Standing, Manner::BUSY, span, May::Interrupt);
             left -= span;

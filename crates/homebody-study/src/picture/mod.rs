@@ -23,7 +23,10 @@ mod svg;
 
 use resvg::{tiny_skia, usvg};
 
-pub use chart::{Activity, Lane, Panel, Reference, TotalsLine, firing_chart, span_chart, totals_chart};
+pub use chart::{
+    Activity, Hours, Lane, Measured, Panel, Reference, TotalsLine, firing_chart, hour_chart, range_chart, span_chart,
+    totals_chart,
+};
 pub use coverage_map::coverage_map;
 pub use day_chart::{Band, DayChart, Holds, day_chart};
 pub use density_map::density_map;

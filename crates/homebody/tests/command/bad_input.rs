@@ -65,7 +65,10 @@ fn what_is_asked_wrongly_is_refused() {
         ("run flat --out mysql:log", "the known ones are sqlite:, csv: and casas:"),
         ("run flat --out csv:", "names no file"),
         ("run flat --owt csv:a", "--out"),
-        ("new home --template castle", "there is none of that name; there are: by-hand, sphere-house, tigerplace"),
+        (
+            "new home --template castle",
+            "there is none of that name; there are: by-hand, older-adult, sphere-house, tigerplace",
+        ),
         ("convert flat/home.json --to csv:a --time-zone Mars/Olympus", "Mars/Olympus"),
         ("convert flat/home.json", "--to <URL>"),
         ("coverage flat --width 10", "200..=8000"),

@@ -86,6 +86,40 @@ fn the_papers_experiment_loses_nothing_at_any_speed() {
     assert!(folder.read("figure.svg").starts_with("<svg") && folder.read("figure-totals.svg").starts_with("<svg"));
 }
 
+#[test]
+fn generated_people_are_held_against_published_figures() {
+    let folder = Folder::new();
+    let words = "experiment daily-life --people 3 --days 3 --seed 7";
+    let done = folder.run(&format!("{words} --json=figures.json --svg people.svg")).ok();
+    let text = folder.read("figures.json");
+    let json: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!((&json["people"], &json["days"], &json["seed"]), (&json!(3), &json!(2), &json!(7)));
+    let lines = json["lines"].as_array().unwrap();
+    let (_, outside) =
+        done.out.split_once("Outside, and why that may be").expect("three days are too few for all norms");
+    for line in lines {
+        let named = outside.contains(&format!("  {}: ", line["what"].as_str().unwrap()));
+        assert_eq!(named, line["inside"] == json!(false), "{line}");
+        if let (Some(range), Some(ours)) = (line["range"].as_array(), line["ours"].as_f64()) {
+            let is_inside = (range[0].as_f64()..=range[1].as_f64()).contains(&Some(ours));
+            assert_eq!(line["inside"], json!(is_inside), "{line}");
+        }
+    }
+    for person in json["persons"].as_array().unwrap() {
+        let hours: f64 = person["days"]["hours"].as_array().unwrap().iter().map(|hours| hours.as_f64().unwrap()).sum();
+        assert!((hours - 24.0).abs() < 1e-6, "{person}");
+    }
+    assert!(folder.read("people.svg").starts_with("<svg") && folder.read("people-hours.svg").starts_with("<svg"));
+
+    // However many threads there are, the same people live the same days; the first two do among fewer, too.
+    folder.run(&format!("{words} --json=again.json")).ok();
+    assert_eq!(folder.read("again.json"), text);
+    let fewer = folder.run("experiment daily-life --people 2 --days 3 --seed 7 --json").ok().json();
+    assert_eq!(fewer["persons"].as_array().unwrap()[..], json["persons"].as_array().unwrap()[..2]);
+    let others = folder.run("experiment daily-life --people 2 --days 3 --seed 8 --json").ok().json();
+    assert_ne!(fewer["persons"], others["persons"]);
+}
+
 /// A minute in the kitchen, as the SPHERE challenge has it.
 fn record(folder: &Folder, name: &str) {
     for (file, what) in [("location_0", "kitchen"), ("annotations_0", "a_walk"), ("pir", "kitchen")] {

@@ -1,6 +1,9 @@
-//! Charts of an experiment: firings over time, spans beside the truth, and totals against what was assumed.
+//! Charts of an experiment: firings over time, spans beside the truth, totals against what was assumed, figures beside
+//! published ranges, and what the hours of a day go into.
 
 mod firings;
+mod hours;
+mod ranges;
 mod spans;
 mod totals;
 
@@ -10,6 +13,8 @@ use super::paint::{INK, MUTED, Paint};
 use super::svg::{Svg, Type};
 
 pub use firings::{Activity, firing_chart};
+pub use hours::{Hours, hour_chart};
+pub use ranges::{Measured, range_chart};
 pub use spans::{Lane, Panel, span_chart};
 pub use totals::{Reference, TotalsLine, totals_chart};
 

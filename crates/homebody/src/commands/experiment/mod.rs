@@ -1,5 +1,6 @@
 //! `homebody experiment`: what was measured in the real world, done again.
 
+mod daily_life;
 mod godsey2009;
 mod sphere;
 
@@ -9,7 +10,8 @@ use crate::failure::Failure;
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody experiment godsey2009 --svg firings.svg
-  homebody experiment sphere --data sphere_challenge --svg rooms.svg")]
+  homebody experiment sphere --data sphere_challenge --svg rooms.svg
+  homebody experiment daily-life --people 20 --days 14 --png people.png")]
 pub struct Arguments {
     #[command(subcommand)]
     experiment: Experiment,
@@ -21,6 +23,8 @@ enum Experiment {
     Godsey2009(godsey2009::Arguments),
     /// A real house whose sensors and whose resident's room were recorded, beside the same walks simulated
     Sphere(sphere::Arguments),
+    /// Generated older adults lived at home, beside what was published of real ones
+    DailyLife(daily_life::Arguments),
 }
 
 impl Arguments {
@@ -28,6 +32,7 @@ impl Arguments {
         match self.experiment {
             Experiment::Godsey2009(arguments) => arguments.run(),
             Experiment::Sphere(arguments) => arguments.run(),
+            Experiment::DailyLife(arguments) => arguments.run(),
         }
     }
 }

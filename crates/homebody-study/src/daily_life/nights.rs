@@ -1,0 +1,114 @@
+//! Nights: when somebody was in bed, slept, lay awake and went to the toilet.
+//!
+//! A night is what lies between lying down and getting up for good, from one noon to the next. What else is done in
+//! between, such as going to the toilet, is part of it.
+
+use super::life::{Lived, Span};
+use super::statistics::{mean, sd, share};
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{DAY, Micros, seconds};
+use serde::Serialize;
+
+/// One night.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Night {
+    /// Hours since the midnight before it: 23.5, or 24.5 after midnight.
+    pub to_bed_h: f64,
+    /// Hours since the midnight in it.
+    pub up_h: f64,
+    pub in_bed_h: f64,
+    pub asleep_h: f64,
+    pub latency_min: f64,
+    /// Minutes not asleep, after falling asleep and before getting up.
+    pub awake_min: f64,
+    pub trips: u32,
+    pub begin: Micros,
+    pub end: Micros,
+}
+
+/// The nights of one person.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Nights {
+    pub nights: usize,
+    pub to_bed_h: Option<f64>,
+    pub to_bed_sd_h: Option<f64>,
+    pub up_h: Option<f64>,
+    pub up_sd_h: Option<f64>,
+    pub in_bed_h: Option<f64>,
+    pub asleep_h: Option<f64>,
+    pub latency_min: Option<f64>,
+    pub awake_min: Option<f64>,
+    pub trips: Option<f64>,
+    /// Shares of the nights with at least one trip, and with at least two.
+    pub any_trip: Option<f64>,
+    pub two_trips: Option<f64>,
+    pub trip_min: Option<f64>,
+}
+
+/// What is done in bed at night.
+pub const IN_BED: [&str; 3] = ["going_to_bed", "sleeping", "lying_awake"];
+
+pub const TOILET: &str = "using_bathroom";
+
+/// The nights that end in the days that count; the first begins on the evening before them.
+pub fn nights(lived: &Lived, activities: &[Span]) -> Vec<Night> {
+    let days = lived.days.start - 1..lived.days.end - 1;
+    days.filter_map(|day| night(lived, activities, day)).collect()
+}
+
+fn night(lived: &Lived, activities: &[Span], day: i32) -> Option<Night> {
+    let (noon, next) = (lived.midnight(day) + DAY / 2, lived.midnight(day + 1) + DAY / 2);
+    let of_night: Vec<&Span> = activities.iter().filter(|span| (noon..next).contains(&span.begin)).collect();
+    let mut in_bed = of_night.iter().enumerate().filter(|(_, span)| IN_BED.contains(&span.name));
+    let (first, begin) = in_bed.clone().find_map(|(index, span)| Some((index, lived.lies_from(span)?)))?;
+    let of_night = &of_night[first..=in_bed.next_back()?.0];
+    let end = of_night.last()?.end;
+    let asleep: Vec<&&Span> = of_night.iter().filter(|span| span.name == "sleeping").collect();
+    let asleep_h = asleep.iter().map(|span| span.hours()).sum();
+    let fell_asleep = asleep.first()?.begin;
+    Some(Night {
+        to_bed_h: seconds(begin - lived.midnight(day)) / 3600.0,
+        up_h: seconds(end - lived.midnight(day + 1)) / 3600.0,
+        in_bed_h: seconds(end - begin) / 3600.0,
+        asleep_h,
+        latency_min: seconds(fell_asleep - begin) / 60.0,
+        awake_min: seconds(end - fell_asleep) / 60.0 - asleep_h * 60.0,
+        trips: of_night.iter().filter(|span| span.name == TOILET).count() as u32,
+        begin,
+        end,
+    })
+}
+
+impl Lived<'_> {
+    /// When the body first lies, in a span.
+    fn lies_from(&self, span: &Span) -> Option<Micros> {
+        let moves = self.moves();
+        let from = moves.partition_point(|moved| moved.end <= span.begin);
+        let lies = moves[from..].iter().find(|moved| moved.posture == Posture::Lying)?;
+        (lies.begin < span.end).then_some(lies.begin.max(span.begin))
+    }
+}
+
+impl Nights {
+    pub fn of(nights: &[Night], activities: &[Span]) -> Nights {
+        let all = |of: fn(&Night) -> f64| -> Vec<f64> { nights.iter().map(of).collect() };
+        let in_night = |at: Micros| nights.iter().any(|night| (night.begin..night.end).contains(&at));
+        let trips = activities.iter().filter(|span| span.name == TOILET && in_night(span.begin));
+        let trip_min: Vec<f64> = trips.map(Span::minutes).collect();
+        Nights {
+            nights: nights.len(),
+            to_bed_h: mean(&all(|night| night.to_bed_h)),
+            to_bed_sd_h: sd(&all(|night| night.to_bed_h)),
+            up_h: mean(&all(|night| night.up_h)),
+            up_sd_h: sd(&all(|night| night.up_h)),
+            in_bed_h: mean(&all(|night| night.in_bed_h)),
+            asleep_h: mean(&all(|night| night.asleep_h)),
+            latency_min: mean(&all(|night| night.latency_min)),
+            awake_min: mean(&all(|night| night.awake_min)),
+            trips: mean(&all(|night| f64::from(night.trips))),
+            any_trip: share(nights, |night| night.trips >= 1),
+            two_trips: share(nights, |night| night.trips >= 2),
+            trip_min: mean(&trip_min),
+        }
+    }
+}

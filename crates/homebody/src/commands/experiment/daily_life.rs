@@ -1,0 +1,94 @@
+//! `homebody experiment daily-life`.
+
+use crate::commands::answer::Answer;
+use crate::failure::Failure;
+use crate::folder;
+use homebody_core::event::Events;
+use homebody_core::random::Stream;
+use homebody_core::run::Run;
+use homebody_core::scenario::home::SensorFile;
+use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::logger::MessagesFile;
+use homebody_core::time::{DAY, micros};
+use homebody_routine::household::Household;
+use homebody_study::daily_life::{Experiment, Lived, Person};
+use indicatif::{ProgressBar, ProgressStyle};
+use rayon::prelude::*;
+
+/// Generated older adults lived at home, beside what was published of real ones.
+///
+/// Each lives an ordinary life in the apartment of the template `older-adult`, and differs from the others as people do.
+/// Sleep, toilet, meals, use of time, ways and what the sensors say are measured, and held against published figures. The
+/// first day is left out.
+#[derive(clap::Args)]
+#[command(after_help = "Example:\n  homebody experiment daily-life --people 20 --days 14 --png people.png")]
+pub struct Arguments {
+    /// How many people
+    #[arg(long, default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    people: u32,
+    /// How many days each lives; the first is left out
+    #[arg(long, default_value_t = 28, value_parser = clap::value_parser!(u32).range(2..=3660))]
+    days: u32,
+    /// The number all randomness comes from
+    #[arg(long, default_value_t = 2012)]
+    seed: u64,
+    #[command(flatten)]
+    answer: Answer,
+}
+
+/// The scenario that all of them live.
+const SCENARIO: &str = "older-adult";
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let answer = self.answer.check(["", "hours"], &[])?;
+        let (scenario, household) = folder::load_own_lives(SCENARIO)?;
+        let household = household.one_of_many();
+        let progress = ProgressBar::new(u64::from(self.people));
+        let style = ProgressStyle::with_template("{bar:40} {pos} of {len} people  {eta} left");
+        progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        let live = |number: u32| {
+            let seed = seed_of(self.seed, number);
+            let person = live(&scenario, &household, seed, self.days);
+            progress.inc(1);
+            person
+        };
+        // In order of their numbers, whichever is done first.
+        let persons: Vec<Person> = (0..self.people).into_par_iter().map(live).collect();
+        progress.finish_and_clear();
+        let experiment = Experiment::of(persons, self.seed);
+        answer.give(&experiment, [&|| experiment.chart(), &|| experiment.hours()])
+    }
+}
+
+/// A person's own seed: the same person, however many others there are.
+fn seed_of(seed: u64, number: u32) -> u64 {
+    const WHOLE: f64 = (1_u64 << 53) as f64;
+    (Stream::named(seed, &format!("experiment/daily-life/person/{number}")).unit() * WHOLE) as u64
+}
+
+/// One person's days, measured.
+fn live(scenario: &Scenario, household: &Household, seed: u64, days: u32) -> Person {
+    let length = i64::from(days) * DAY;
+    let mut run = Run::new(scenario, household, seed, length);
+    let mut events = Events::default();
+    run.advance(length, &mut events);
+    let is_motion = |sensor: &SensorFile| matches!(sensor, SensorFile::Motion(_) | SensorFile::CeilingMotion(_));
+    let is_motion: Vec<bool> = scenario.home.sensors.iter().map(is_motion).collect();
+    let hold = match &scenario.logger.messages {
+        MessagesFile::FireOnly => 1,
+        MessagesFile::OnOff(on_off) => micros(on_off.hold_s),
+        MessagesFile::Occupancy(occupancy) => micros(occupancy.timeout_s),
+    };
+    let rooms = &run.home().plan.rooms;
+    let hall = rooms.iter().position(|room| room.name == "hall").map(|index| index as u32);
+    Person::of(&Lived {
+        events: &events,
+        resident: 0,
+        calendar: &scenario.calendar,
+        days: 1..days as i32,
+        hall,
+        is_motion: &is_motion,
+        hold,
+    })
+}
