@@ -26,6 +26,7 @@ impl RoutineDriver {
             let day = self.agenda.day + 1;
             self.mood = self.life.mood(day);
             self.agenda = Agenda::of(&self.life, day, &self.mood);
+            self.midnight = self.life.midnight(day);
             self.next_item = 0;
         }
         let end = now.saturating_add(30 * 1440 * MINUTE);
