@@ -117,7 +117,7 @@ impl RoutineDriver {
             if let Some(next) = self.ready.front() {
                 if matches!(next, Next::Move(_) | Next::Act(_)) && self.told != self.name {
                     self.told.clone_from(&self.name);
-                    return Next::Activity(Some(self.name.clone()));
+                    return Next::Activity((!self.name.is_empty()).then(|| self.name.clone()));
                 }
                 if let Next::Move(next) = next {
                     self.body.follow(next);

@@ -51,7 +51,8 @@ impl RoutineDriver {
         }
         steps.extend(door.map(Step::Go));
         steps.push_back(talk(Posture::Standing, 40 * SECOND));
-        steps.push_back(Step::Name("away".into()));
+        // Out of the home is no activity of theirs.
+        steps.push_back(Step::Name(String::new()));
         self.play(steps, stream, "visiting".into());
     }
 }
