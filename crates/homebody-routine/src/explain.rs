@@ -321,6 +321,7 @@ fn when_words(when: &When) -> String {
     match when {
         When::AnyTime => "whenever it fits".into(),
         When::At(at) => format!("start {}", clock_words(at)),
+        When::Within(PartOfDay::Night) => "at any time of the night, while in bed".into(),
         When::Within(part) => {
             let (from, to) = part.hours();
             format!("start at any time from {} to {}", clock(from), clock(to))

@@ -174,14 +174,11 @@ impl Household {
     }
 
     fn find_guests(&self) -> Vec<Visitor> {
-        let of = |(host, routine): (usize, &Option<Routine>)| {
-            let habits = routine.iter().flat_map(|routine| &routine.habits);
-            let mut names: Vec<String> = habits.filter_map(|habit| habit.visitor.clone()).collect();
-            names.sort();
-            names.dedup();
+        let of = |host: usize| {
+            let names = self.life(host, 0).map(|life| life.visitors()).unwrap_or_default();
             names.into_iter().map(move |name| Visitor { host, name }).collect::<Vec<_>>()
         };
-        self.routines.iter().enumerate().flat_map(of).collect()
+        (0..self.routines.len()).flat_map(of).collect()
     }
 
     fn body(&self, body: usize, home: &Arc<Home>, pace_mps: f64) -> Body {
@@ -372,6 +369,7 @@ fn check_home(
     if is_person {
         for (role, what, hint) in [
             (Role::Toilet, "there is no toilet in this home", "give it a piece of furniture or a place \"toilet\""),
+            (Role::Armchair, "there is nowhere to sit in this home", "give it an \"armchair\" that is enterable"),
             (Role::Fridge, "there is no kitchen in this home", "give it a room \"kitchen\", or a place \"fridge\""),
         ] {
             match places.of(role) {

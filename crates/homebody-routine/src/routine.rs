@@ -131,6 +131,8 @@ pub struct Chance {
     pub probability: f64,
     /// Where it goes, and on which day it gets there, if it changes: "rarely at first, often by day 160".
     pub becomes: Option<(f64, Moment)>,
+    /// On exactly so many days of each week, whatever the probability.
+    pub days_a_week: Option<u8>,
 }
 
 /// On which days.
@@ -325,10 +327,11 @@ impl Days {
 }
 
 impl Chance {
-    pub const ALWAYS: Chance = Chance { quantifier: Some(Quantifier::Every), probability: 1.0, becomes: None };
+    pub const ALWAYS: Chance =
+        Chance { quantifier: Some(Quantifier::Every), probability: 1.0, becomes: None, days_a_week: None };
 
     pub fn of(quantifier: Quantifier) -> Chance {
-        Chance { quantifier: Some(quantifier), probability: quantifier.probability(), becomes: None }
+        Chance { quantifier: Some(quantifier), probability: quantifier.probability(), becomes: None, days_a_week: None }
     }
 }
 

@@ -199,7 +199,8 @@ fn stove_spans(events: &Events, stove: u32) -> Vec<Micros> {
 
 #[test]
 fn a_rule_turns_off_what_was_forgotten() {
-    let forgetful = "Margaret is 82.\nShe forgets the stove on 100 % of occasions.\n";
+    // Nobody turns off anything who is out.
+    let forgetful = "Margaret is 82.\nShe does not go out.\nShe forgets the stove on 100 % of occasions.\n";
     let rule = "Whenever the stove has been on for 40 minutes, she turns it off.\n";
     let live = |routine: &str| {
         let run = run(routine, 14);
@@ -222,6 +223,81 @@ fn visitors_come_stay_and_leave() {
     let here: Micros = moves[1].iter().filter(|next| next.doing != Doing::Away).map(|next| next.end - next.begin).sum();
     let hours = here as f64 / HOUR as f64;
     assert!((1.8..2.6).contains(&hours), "two visits take {hours} hours");
+}
+
+/// Activities of a resident by name, with the time of day in hours at which each begins.
+fn hours_of(routine: &str, days: i64, name: &str) -> Vec<f64> {
+    let lived = activities(&events(run(routine, days), DAY), 0, days * DAY);
+    lived.iter().filter(|(_, _, what)| what == name).map(|(at, _, _)| (at % DAY) as f64 / HOUR as f64).collect()
+}
+
+#[test]
+fn what_comes_then_comes_also_after_getting_up_and_after_the_toilet() {
+    let routine = "Margaret is 82.\nEvery day\n  she gets up at 7:00, then takes a shower\n\
+        \x20 she goes to the toilet at 16:00, then reads for 30 minutes\n";
+    let (showers, reading) = (hours_of(routine, 4, "showering"), hours_of(routine, 4, "reading"));
+    assert!(showers.len() == 4 && showers.iter().all(|hour| (7.0..7.7).contains(hour)), "{showers:?}");
+    assert!(reading.len() >= 4 && reading.iter().all(|hour| (16.0..17.7).contains(hour)), "{reading:?}");
+}
+
+#[test]
+fn what_has_its_time_in_the_night_is_done_in_the_night() {
+    let tea = hours_of("Margaret is 82.\nShe makes tea at 3:00 at night.\n", 4, "drinking");
+    assert!(tea.iter().filter(|hour| (2.9..3.6).contains(*hour)).count() >= 3, "{tea:?}");
+}
+
+#[test]
+fn an_outing_ends_as_she_comes_home() {
+    let home =
+        hours_of("Margaret is 82.\nEvery day\n  she goes out at 10:00\n  she comes home at 12:00\n", 4, "coming_home");
+    assert!(home.iter().filter(|hour| (11.8..12.2).contains(*hour)).count() == 4, "{home:?}");
+}
+
+#[test]
+fn once_a_week_is_once_in_each_week() {
+    let days = 42;
+    let routine = "Margaret is 82.\nShe exercises twice a week at about 11:00 for 10 minutes.\n";
+    let lived = activities(&events(run(routine, days), DAY), 0, days * DAY);
+    let mut weeks = vec![0; 6];
+    for (at, _, _) in lived.iter().filter(|(_, _, name)| name == "exercising") {
+        weeks[(at / DAY / 7) as usize] += 1;
+    }
+    assert_eq!(weeks, [2; 6]);
+}
+
+#[test]
+fn a_rule_breaks_off_a_meal() {
+    let routine = "Margaret is 82.\nEvery day she eats lunch at 12:00 for 60 minutes.\n\
+        Whenever she has been on the dining chair for 20 minutes, she relaxes in the armchair for 5 minutes.\n";
+    let run = run(routine, 3);
+    let lived = activities(&events(run, DAY), 0, 3 * DAY);
+    let longest =
+        lived.iter().filter(|(_, _, name)| name == "eating_lunch").map(|(from, to, _)| (to - from) / SECOND).max();
+    assert!(longest.is_some_and(|longest| longest < 27 * 60), "{longest:?}");
+}
+
+#[test]
+fn a_rule_about_the_host_does_not_bring_visitors() {
+    let routine = "Margaret is 82.\nOn Tuesday her daughter visits at 15:00 for 1 hour.\n\
+        On Wednesday she goes out at 9:00 for 6 hours.\n\
+        Whenever she has been out for 4 hours, she rests on the sofa for 20 minutes.\n";
+    let moves = run(routine, 7).moves();
+    let here: Micros = moves[1].iter().filter(|next| next.doing != Doing::Away).map(|next| next.end - next.begin).sum();
+    assert!((40 * 60 * SECOND..2 * HOUR).contains(&here), "{} minutes", here / SECOND / 60);
+}
+
+#[test]
+fn what_a_condition_does_not_last_for_is_over() {
+    let routine = "Margaret is 82.\nFrom day 3 to day 5 she shows insomnia.\n";
+    let told: Vec<(Micros, f64)> = events(run(routine, 9), DAY)
+        .facts
+        .iter()
+        .filter_map(|fact| match fact {
+            Fact::Condition { at, severity, .. } => Some((at / DAY, *severity)),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(told, [(2, 1.0), (3, 1.0), (4, 1.0), (5, 0.0)]);
 }
 
 #[test]

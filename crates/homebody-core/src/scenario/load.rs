@@ -364,7 +364,8 @@ impl Loader<'_> {
         /// Nobody reads more, and a file that is wrong throughout would bury the others.
         const MOST_PER_FILE: usize = 100;
         let mut problems = self.problems;
-        let rank = |file: &str| self.order.iter().position(|(known, _)| known == file);
+        // Routines come last: they are read when the home is known.
+        let rank = |file: &str| self.order.iter().position(|(known, _)| known == file).unwrap_or(usize::MAX);
         problems.sort_by_key(|problem| (rank(&problem.file), problem.line, problem.column));
         // What two link is looked at twice.
         let mut seen: Vec<Problem> = Vec::new();

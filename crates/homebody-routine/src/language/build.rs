@@ -175,6 +175,13 @@ const PHASE_AND_CHANCE: &[Part] = &[Part::Phase, Part::Chance];
 fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
     let measure = clause.measure.as_ref();
     let part = clause.adverbs.part.as_ref().map(|slot| slot.value);
+    if names_one_outing(reader, clause) {
+        let said = reader.said(clause.predicate_span);
+        let what = format!("{said:?} cannot change by itself: a change holds for everything she goes out for");
+        let hint = "write \"she goes out half as often\", or say until when: \"until week 12 she goes for a walk\"";
+        reader.fault(clause.predicate_span, what, hint.to_owned());
+        return None;
+    }
     let found = match (&clause.predicate, measure.map(|measure| (measure.of, measure.by))) {
         (Predicate::Does(activity), Some((of, by))) => {
             return of_activity(reader, clause, activity, of, by, part);
@@ -213,6 +220,17 @@ fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
         }
     };
     Some((found.0, found.1.to_vec()))
+}
+
+/// Whether what changes is one of several reasons to go out, which are one activity to the living.
+fn names_one_outing(reader: &Reader, clause: &Clause) -> bool {
+    const GENERAL: [&str; 8] = ["apartment", "flat", "home", "house", "building", "out", "outside", "away"];
+    let (Predicate::Does(activity) | Predicate::Not(activity) | Predicate::Skips(activity)) = &clause.predicate else {
+        return false;
+    };
+    let said = reader.said(clause.predicate_span).to_lowercase();
+    let last = said.split_whitespace().last().unwrap_or_default();
+    *activity == Activity::Leave && !GENERAL.contains(&last)
 }
 
 fn of_activity(

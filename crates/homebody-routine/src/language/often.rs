@@ -139,7 +139,8 @@ fn days_a_week(reader: &mut Reader) -> Option<Often> {
         let what = format!("a week has no {:?}", reader.said(amount.span));
         reader.fault(amount.span, what, "say at most 7 days".to_owned());
     }
-    Some(Often { chance: Some(with_probability(probability.min(1.0))), ..Often::NOTHING })
+    let chance = Chance { days_a_week: days_a_week_of(&amount), ..with_probability(probability.min(1.0)) };
+    Some(Often { chance: Some(chance), ..Often::NOTHING })
 }
 
 /// What a quantifier counts: days, nights, mornings, Sundays, occasions.
@@ -208,7 +209,9 @@ pub fn times_in(reader: &mut Reader, amount: &Amount) -> Option<Often> {
             let hint = "say how many times a day".to_owned();
             reader.fault(amount.span, format!("{:?} is more than once a day", reader.said(amount.span)), hint);
         }
-        return Some(Often { chance: Some(with_probability(probability.min(1.0))), ..Often::NOTHING });
+        let days_a_week = days_a_week_of(amount).filter(|_| days == 7.0);
+        let chance = Chance { days_a_week, ..with_probability(probability.min(1.0)) };
+        return Some(Often { chance: Some(chance), ..Often::NOTHING });
     }
     let part = reader.eat_any(&times::PARTS);
     let Some(part) = part else {
@@ -232,5 +235,11 @@ fn of(quantifier: Quantifier) -> Often {
 }
 
 fn with_probability(probability: f64) -> Chance {
-    Chance { quantifier: None, probability, becomes: None }
+    Chance { quantifier: None, probability, becomes: None, days_a_week: None }
+}
+
+/// Exactly so many days of each week, where it is a whole number of them.
+fn days_a_week_of(amount: &Amount) -> Option<u8> {
+    let days = amount.from;
+    (amount.from == amount.to && days >= 1.0 && days <= 7.0 && libm::floor(days) == days).then_some(days as u8)
 }

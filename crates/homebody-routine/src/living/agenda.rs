@@ -50,8 +50,10 @@ struct Draft {
     start: Start,
 }
 
+#[derive(Clone, Debug)]
 enum Start {
     Known,
+    At(Micros),
     After(Activity, Micros),
     Before(Activity, Micros),
     With(Activity),
@@ -61,6 +63,9 @@ enum Start {
 
 const MINUTE: f64 = 60.0;
 const HOUR: f64 = 3600.0;
+
+/// Outings shorter than this are left out (ours).
+const LEAST_OUT: Micros = 10 * 60 * SECOND;
 
 /// Getting up and going to bed where nothing is said or the quantifier says no: 06:44 and 23:23 of healthy older adults
 /// (Scientific Reports 2015, actigraphy), give or take half an hour (ours).
@@ -140,14 +145,14 @@ impl Planner<'_> {
     /// Draws every habit of the day.
     fn draw(&mut self) {
         let life = self.life;
-        // The last habit of the file, and where its last draft is if it is done today.
-        let mut before: (&str, Option<usize>) = ("", None);
+        // The last habit of the file, and when it is done if it is done today.
+        let mut before: (&str, Option<Start>) = ("", None);
         for (habit, strength, file) in life.habits(self.day) {
             if before.0 != file {
                 before = (file, None);
             }
             if matches!(habit.activity, Activity::GetUp | Activity::GoToBed) && habit.visitor.is_none() {
-                before.1 = None;
+                before.1 = Some(Start::After(habit.activity.clone(), 0));
                 continue;
             }
             let count = self.count(habit, strength, file);
@@ -156,7 +161,7 @@ impl Planner<'_> {
             }
             let mut last = None;
             for number in 0..count {
-                last = self.add(habit, file, number, before.1).or(last);
+                last = self.add(habit, file, number, before.1.as_ref()).or(last);
             }
             before.1 = last;
         }
@@ -181,6 +186,13 @@ impl Planner<'_> {
             ref activity => activity.clone(),
         };
         let skip = self.life.stream_of_day(self.day, &format!("skip/{}", skipped.name())).unit();
+        if let Some(days) = habit.chance.days_a_week
+            && !self.is_one_of(habit, &key, days)
+        {
+            return 0;
+        }
+        let chance =
+            if habit.chance.days_a_week.is_some() { (chance / habit.chance.probability).min(1.0) } else { chance };
         if share("whether") >= (chance * oftener.min(1.0)).min(1.0) || skip < self.mood.skips(&skipped) {
             return 0;
         }
@@ -192,8 +204,17 @@ impl Planner<'_> {
         (whole as u32 + u32::from(share("once more") < times - whole)).min(200)
     }
 
-    /// Adds one time of a habit; the index of its draft if it is not a break.
-    fn add(&mut self, habit: &Habit, file: &str, number: u32, before: Option<usize>) -> Option<usize> {
+    /// Whether today is one of so many days that are drawn from each week, of those that the habit is meant for.
+    fn is_one_of(&self, habit: &Habit, key: &str, days: u8) -> bool {
+        let monday = self.day - i32::from(self.life.calendar.weekday(self.day));
+        let meant = (monday..monday + 7).filter(|&day| self.life.is_on(&habit.days, day));
+        let share = |day: i32| self.life.stream_of_day(day, &format!("{key}/of the week")).unit();
+        let today = share(self.day);
+        meant.filter(|&day| day != self.day && share(day) < today).count() < usize::from(days)
+    }
+
+    /// Adds one time of a habit; when what is said to come then begins, if it is done.
+    fn add(&mut self, habit: &Habit, file: &str, number: u32, before: Option<&Start>) -> Option<Start> {
         let key = key(habit, file, number);
         let share = |purpose: &str| self.life.stream_of_day(self.day, &format!("{key}/{purpose}")).unit();
         let (activity, mood) = (habit.activity.clone(), self.mood);
@@ -239,9 +260,17 @@ impl Planner<'_> {
                 (0, Start::Before(activity.clone(), micros(gap.map_or(0.0, |gap| gap.at(share("start"))))))
             }
             When::With(activity) => (0, Start::With(activity.clone())),
-            When::Then => (0, Start::Then(before?)),
+            When::Then => (0, before?.clone()),
         };
-        let until = habit.until.map(|until| at(varied(&until, share("until"), mood.irregular)));
+        let (start, known) = match known {
+            Start::At(start) => (start, Start::Known),
+            known => (start, known),
+        };
+        let until = habit.until.map(|until| at(varied(&until, share("until"), mood.irregular)).saturating_add(later));
+        // Nobody goes out for a moment.
+        if activity == Activity::Leave && until.is_none() && lasts < LEAST_OUT {
+            return None;
+        }
         let start = start.saturating_add(if matches!(known, Start::Known) { later } else { 0 });
         let item = Item {
             key,
@@ -253,12 +282,14 @@ impl Planner<'_> {
             until,
             latest: start + micros(patience),
         };
-        if matches!(known, Start::Known) && item.activity.interrupts(habit.when == When::Within(PartOfDay::Night)) {
+        let in_the_night = habit.when == When::Within(PartOfDay::Night) || start >= self.bed;
+        let is_break = item.visitor.is_none() && item.activity.interrupts(in_the_night);
+        if matches!(known, Start::Known) && is_break {
             self.breaks.push(Item { latest: start + 3600 * SECOND, ..item });
-            return None;
+            return Some(Start::At(start + lasts));
         }
         self.drafts.push(Draft { item, start: known });
-        Some(self.drafts.len() - 1)
+        Some(Start::Then(self.drafts.len() - 1))
     }
 
     /// Puts what hangs on something beside it.
@@ -279,6 +310,7 @@ impl Planner<'_> {
                 break;
             }
         }
+        self.come_home();
         let is_done = |activity: &Activity| self.drafts.iter().any(|draft| draft.item.activity == *activity);
         // There is nothing to wash up after a meal that was skipped.
         let is_idle = |draft: &Draft| match &draft.start {
@@ -288,12 +320,30 @@ impl Planner<'_> {
         self.drafts.iter().filter(|draft| !is_idle(draft)).map(|draft| draft.item.clone()).collect()
     }
 
+    /// Coming home at a time ends the outing before it.
+    fn come_home(&mut self) {
+        let homes = self.drafts.iter().filter(|draft| draft.item.activity == Activity::ComeHome);
+        let homes: Vec<Micros> = homes.map(|draft| draft.item.start).collect();
+        for home in homes {
+            let outings = self.drafts.iter_mut().map(|draft| &mut draft.item);
+            let outings = outings.filter(|item| item.activity == Activity::Leave && item.start < home);
+            if let Some(outing) = outings.max_by_key(|item| item.start) {
+                outing.until = Some(home);
+            }
+        }
+        // It is in the outing.
+        self.drafts.iter_mut().filter(|draft| draft.item.activity == Activity::ComeHome).for_each(|draft| {
+            draft.item.latest = Micros::MIN;
+        });
+    }
+
     /// The start of a draft whose reference is known; `at_last` it is guessed where the reference is never.
     fn start_of(&self, index: usize, known: &[bool], at_last: bool) -> Option<Micros> {
         let Draft { item, start } = &self.drafts[index];
         let span = |activity: &Activity| self.span_of(activity, known, at_last);
         match start {
             Start::Known => Some(item.start),
+            Start::At(start) => Some(*start),
             Start::After(activity, gap) => Some(span(activity)?.1 + gap),
             Start::Before(activity, gap) => Some(span(activity)?.0 - gap - item.lasts),
             // One microsecond before, so that it comes first.
@@ -310,6 +360,7 @@ impl Planner<'_> {
         match activity {
             Activity::GetUp => return Some((self.up, self.up + 60 * SECOND)),
             Activity::GoToBed => return Some((self.bed, self.bed + 60 * SECOND)),
+            Activity::ComeHome => return Some((0, self.span_of(&Activity::Leave, known, at_last)?.1)),
             _ => {}
         }
         let mut of = self.drafts.iter().zip(known).filter(|(draft, _)| draft.item.activity == *activity);

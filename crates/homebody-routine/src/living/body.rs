@@ -66,13 +66,13 @@ impl Body {
         self.home.plan.room_at(self.at)
     }
 
-    /// The moves that take it to a place: rising, walking, sitting or lying down. None if it is there, or if there is no way.
-    pub fn go(&mut self, spot: &Spot, now: Micros, hour: f64, pace: f64, stream: &mut Stream) -> Vec<Move> {
+    /// The moves that take it to a place: rising, walking, sitting or lying down; nothing if there is no way.
+    pub fn go(&mut self, spot: &Spot, now: Micros, hour: f64, pace: f64, stream: &mut Stream) -> Option<Vec<Move>> {
         self.spot = Some(spot.clone());
         if self.at.distance(spot.at) < THERE_M {
-            return Vec::new();
+            return Some(Vec::new());
         }
-        let Some(path) = self.routes.path(self.at, spot.at) else { return Vec::new() };
+        let path = self.routes.path(self.at, spot.at)?;
         let mut moves = self.stand_up(now, pace, stream);
         let set_out = moves.last().map_or(now, |last| last.end);
         let gait = Gait::of_walk(self.pace_mps * pace, hour, 0.0, stream);
@@ -81,7 +81,7 @@ impl Body {
             let arrived = moves.last().map_or(set_out, |last| last.end);
             moves.push(sit(spot.at, arrived, self.frailty(pace), spot.posture, stream));
         }
-        moves
+        Some(moves)
     }
 
     /// The moves of a walk without a goal.

@@ -47,6 +47,8 @@ pub struct RoutineDriver {
     pub(super) watches: Watches,
     /// How many scripts there have been today: each has random numbers of its own.
     pub(super) begun: u32,
+    /// The conditions that were told last.
+    pub(super) shown: Vec<String>,
     /// From which the hours of the day are counted.
     pub(super) midnight: Micros,
     /// What a visitor, rather than somebody who lives here, is called.
@@ -62,6 +64,8 @@ pub(super) struct Playing {
     /// Where it was when it was interrupted.
     spot: Option<Spot>,
     is_interrupted: bool,
+    /// Whether it answers a rule.
+    is_response: bool,
     /// Whether the stay's next move is a movement.
     stirs: bool,
 }
@@ -87,6 +91,7 @@ impl RoutineDriver {
             told: String::new(),
             name: String::new(),
             begun: 0,
+            shown: Vec::new(),
             midnight: life.midnight(agenda.day),
             visitor: None,
             needs,
@@ -98,7 +103,7 @@ impl RoutineDriver {
             life,
         };
         driver.tell_conditions();
-        driver.needs.waking(0, &driver.mood);
+        driver.needs.waking(0, &driver.mood, driver.life.plans_toilet(driver.agenda.day, false));
         if in_bed {
             driver.sleep(0, true);
         }
@@ -109,6 +114,8 @@ impl RoutineDriver {
     pub fn visitor(life: Arc<Life>, home: Arc<Home>, places: Arc<Places>, body: Body, name: &str) -> RoutineDriver {
         let mut driver = RoutineDriver::new(life, home, places, body);
         (driver.scripts, driver.ready, driver.visitor) = (Vec::new(), VecDeque::new(), Some(name.into()));
+        // Neither the host's rules nor the host's illness are theirs.
+        (driver.watches, driver.mood) = (Watches::none(), Mood::ordinary());
         driver
     }
 
@@ -191,7 +198,10 @@ impl RoutineDriver {
         let Some(playing) = self.scripts.last_mut() else { return };
         playing.spot = Some(spot.clone());
         let from = self.body.room();
-        let moves = self.body.go(&spot, now, hour, self.mood.pace, &mut playing.stream);
+        let Some(moves) = self.body.go(&spot, now, hour, self.mood.pace, &mut playing.stream) else {
+            // Nothing is done where nobody can go.
+            return playing.steps.clear();
+        };
         let arrival = moves.last().map_or(now, |last| last.end);
         self.lamps(from, spot.room, now, moves);
         self.watches.arrive(spot.room, &spot.name, &self.home.plan, arrival, &self.life);
@@ -220,7 +230,7 @@ impl RoutineDriver {
     }
 
     fn lamp(&self, room: Option<usize>) -> Option<u32> {
-        self.places.thing_named(&self.home.plan.rooms[room?].name)
+        room.map(|room| self.places.lamp(room))
     }
 
     /// Turns off the lamp of the room it is in, if it is this resident who has it on.
@@ -236,19 +246,19 @@ impl RoutineDriver {
     }
 
     fn away(&mut self, lasts: Micros, until: Option<Micros>, now: Micros) {
-        let end = until.filter(|&until| until > now + 5 * MINUTE).unwrap_or(now.saturating_add(lasts));
+        let end = until.unwrap_or(now.saturating_add(lasts));
         let end = self.watches.leave(now, end, &self.life).max(now + SECOND);
         self.needs.pause(now);
         self.put_out_the_lamp(now);
         self.ready.push_back(Next::Move(Move { begin: now, end, doing: Doing::Away, posture: Posture::Standing }));
         if self.visitor.is_none() {
-            self.needs.waking(end, &self.mood);
+            self.needs.waking(end, &self.mood, self.life.plans_toilet(self.agenda.day, false));
         }
     }
 
     /// Stays for as long as nothing ends it, one movement or rest after the other.
     fn stay(&mut self, now: Micros) {
-        let interrupted_at = self.interrupted_at(now);
+        let (interrupted_at, rules_at) = (self.interrupted_at(now), self.rules_at().max(now));
         let next_start =
             self.agenda.items.get(self.next_item).map_or(self.agenda.bed, |item| item.start.min(self.agenda.bed));
         let active = self.activity(now);
@@ -262,7 +272,12 @@ impl RoutineDriver {
             playing.steps.pop_front();
             return;
         }
-        if stay.may != May::Nothing {
+        let interrupted_at = match stay.may {
+            May::Nothing => Micros::MAX,
+            May::Rules => rules_at,
+            May::Interrupt | May::Yield => interrupted_at,
+        };
+        if interrupted_at < Micros::MAX {
             if interrupted_at <= now {
                 return self.interrupt(now);
             }
@@ -289,6 +304,11 @@ impl RoutineDriver {
         move |manner| if *manner == Manner::ASLEEP || *manner == Manner::AWAKE_IN_BED { restless } else { awake }
     }
 
+    /// When a rule is due; what is done because of one is not interrupted by another.
+    fn rules_at(&self) -> Micros {
+        if self.scripts.iter().any(|playing| playing.is_response) { Micros::MAX } else { self.watches.due_at() }
+    }
+
     /// When what may be interrupted will be.
     fn interrupted_at(&self, now: Micros) -> Micros {
         let event = self.agenda.breaks.get(self.next_break).map_or(Micros::MAX, |item| item.start);
@@ -297,13 +317,19 @@ impl RoutineDriver {
         }
         // What is being done about a need is not interrupted by another.
         let needs = if self.scripts.len() > 2 { Micros::MAX } else { self.needs.presses_at() };
-        event.min(needs).min(self.watches.due_at()).max(now)
+        event.min(needs).min(self.rules_at()).max(now)
     }
 
     /// Does whatever presses now.
     fn interrupt(&mut self, now: Micros) {
-        if let Some(response) = self.watches.due(now) {
-            return self.respond(response);
+        if self.rules_at() <= now
+            && let Some(response) = self.watches.due(now)
+        {
+            self.respond(response, now);
+            if let Some(playing) = self.scripts.last_mut() {
+                playing.is_response = true;
+            }
+            return;
         }
         if let Some(item) = self.agenda.breaks.get(self.next_break).cloned()
             && item.start <= now
@@ -329,8 +355,20 @@ impl RoutineDriver {
         }
     }
 
-    fn respond(&mut self, response: Response) {
+    fn respond(&mut self, response: Response, now: Micros) {
         match response {
+            // The night is over, whatever is left of it.
+            Response::Do { activity: Activity::GetUp, .. } if self.needs.asleep() => {
+                for step in self.scripts.iter_mut().flat_map(|playing| playing.steps.iter_mut()) {
+                    if let Step::Stay(stay) = step {
+                        stay.until = Some(now);
+                    }
+                }
+            }
+            Response::Do { activity: Activity::GoToBed, .. } => {
+                self.scripts.clear();
+                self.go_to_bed(now);
+            }
             Response::Turn { thing, on } => {
                 let Some(index) = self.places.thing_named(&thing) else { return };
                 let activity = Activity::Other(format!("turning_{}_{thing}", if on { "on" } else { "off" }));
@@ -360,11 +398,13 @@ impl RoutineDriver {
         let Item { key, activity, place, lasts, until, .. } = item;
         let place = place.as_deref().and_then(|place| self.places.named(place));
         let mut stream = self.life.stream_of_day(self.agenda.day, &format!("{key}/doing"));
-        let stove = self.places.thing(Role::Stove);
-        let forgotten = stove.filter(|&stove| {
-            let chance = self.mood.forgets(self.places.thing_name(stove));
-            chance > 0.0 && self.life.stream_of_day(self.agenda.day, &format!("{key}/forgets")).chance(chance)
-        });
+        let mut forgotten = Vec::new();
+        for (name, chance) in self.mood.forgotten() {
+            let mut stream = self.life.stream_of_day(self.agenda.day, &format!("{key}/forgets/{name}"));
+            let thing = self.places.thing_named(name);
+            forgotten.extend(thing.filter(|_| stream.chance(chance)));
+        }
+        let left = forgotten.clone();
         let mut setting =
             Setting { places: &self.places, at: self.body.at(), mood: &self.mood, stream: &mut stream, forgotten };
         let mut steps = script(activity, place, *lasts, *until, &mut setting);
@@ -378,9 +418,7 @@ impl RoutineDriver {
         if let Some(first) = first {
             steps.push_front(Step::Go(first));
         }
-        if let Some(thing) = forgotten {
-            self.watches.forget(thing);
-        }
+        self.watches.forget(left);
         self.play(steps, stream, activity.name());
     }
 
@@ -392,7 +430,15 @@ impl RoutineDriver {
         if let Some(below) = self.scripts.last_mut() {
             below.spot = below.spot.take().or(here);
         }
-        self.scripts.push(Playing { steps, stream, name, spot, is_interrupted: false, stirs: true });
+        self.scripts.push(Playing {
+            steps,
+            stream,
+            name,
+            spot,
+            is_interrupted: false,
+            is_response: false,
+            stirs: true,
+        });
     }
 
     /// Nothing is being done: what is next?
@@ -404,7 +450,9 @@ impl RoutineDriver {
                 return;
             }
         }
-        while self.agenda.items.get(self.next_item).is_some_and(|item| item.latest < now) {
+        // What is too late, or would be over before it has begun, is left out.
+        let is_past = |item: &Item| item.latest < now || item.until.is_some_and(|until| until < now + 5 * MINUTE);
+        while self.agenda.items.get(self.next_item).is_some_and(is_past) {
             self.next_item += 1;
         }
         let next = self.agenda.items.get(self.next_item).cloned();
@@ -435,6 +483,7 @@ impl RoutineDriver {
             let planned = activity != Activity::Relax && activity != Activity::Housework && said.contains(&&activity);
             let rises = activity == Activity::Housework && self.body.posture() != Posture::Standing;
             if can && !planned {
+                let weight = weight * self.mood.oftener(&activity, None);
                 weights.push(if rises { weight * rising } else { weight });
                 fillers.push((activity, minutes));
             }
@@ -452,7 +501,7 @@ impl RoutineDriver {
             let steps = [Step::Name(Activity::Relax.name()), Step::Stay(stay)];
             return self.play(steps.into(), stream, Activity::Relax.name());
         }
-        let lasts = micros(stream.lognormal(minutes * 60.0, 0.5)).min(gap);
+        let lasts = micros(self.mood.lasting_s(activity, stream.lognormal(minutes * 60.0, 0.5)).max(20.0)).min(gap);
         self.begin(&Item::now(key, activity.clone(), lasts));
         for step in self.scripts.last_mut().into_iter().flat_map(|playing| playing.steps.iter_mut()) {
             if let Step::Stay(stay) = step
@@ -468,10 +517,15 @@ impl RoutineDriver {
         (now - self.midnight).rem_euclid(DAY) as f64 / (3600 * SECOND) as f64
     }
 
+    /// Tells how severe each condition is, and of those that are over that they are.
     pub(super) fn tell_conditions(&mut self) {
-        for (name, severity) in &self.mood.severities {
+        let now = &self.mood.severities;
+        let over = self.shown.iter().filter(|name| now.iter().all(|(of, _)| of != *name));
+        let over: Vec<(String, f64)> = over.map(|name| (name.clone(), 0.0)).collect();
+        for (name, severity) in over.iter().chain(now) {
             self.ready.push_back(Next::Condition(name.clone(), *severity));
         }
+        self.shown = now.iter().map(|(name, _)| name.clone()).collect();
     }
 
     fn meet(&mut self, met: Met, now: Micros) {

@@ -4,7 +4,7 @@
 //! drawn from before. So two lives that differ in one condition draw the same numbers for all that it does not touch.
 
 use crate::fuzzy::Fuzzy;
-use crate::routine::{Activity, Change, Days, Effect, Habit, Meal, Moment, PartOfDay, Phase, Routine, Rule};
+use crate::routine::{Activity, Change, Days, Effect, Habit, Meal, Moment, PartOfDay, Phase, Routine, Rule, When};
 use homebody_core::random::Stream;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::{DAY, Micros, micros};
@@ -234,6 +234,16 @@ impl Life {
         })
     }
 
+    /// Whether the routine itself plans visits to the bathroom in the nights, or on the days, of this time: the need then
+    /// does not rise. What conditions add comes on top.
+    pub fn plans_toilet(&self, day: i32, at_night: bool) -> bool {
+        self.sources[0].routine.habits.iter().any(|habit| {
+            let of_night = matches!(habit.when, When::Within(PartOfDay::Night));
+            let own = habit.activity == Activity::UseBathroom && habit.visitor.is_none();
+            own && of_night == at_night && self.phase(&habit.phase, day) > 0.0
+        })
+    }
+
     /// Everybody who may come to visit.
     pub fn visitors(&self) -> Vec<String> {
         let habits = self.sources.iter().flat_map(|source| &source.routine.habits);
@@ -265,12 +275,10 @@ impl Life {
             None => ramp(0.0, phase.over_days),
         };
         let left = match phase.until.map(day_of) {
-            Some(until) if day > until => {
-                if phase.fading_days > 0.0 {
-                    (1.0 - (day - until) / phase.fading_days).max(0.0)
-                } else {
-                    0.0
-                }
+            // From `until` on it is no longer so, but for what is left of it.
+            Some(until) if day >= until => {
+                let faded = (day - until + 1.0) / phase.fading_days;
+                if phase.fading_days > 0.0 { (1.0 - faded).max(0.0) } else { 0.0 }
             }
             _ => 1.0,
         };
@@ -325,16 +333,23 @@ impl Life {
         }
         for (source, strength) in self.in_force(day) {
             if let Some(condition) = &source.condition {
-                mood.severities.push((condition.clone(), strength));
+                match mood.severities.iter_mut().find(|(name, _)| name == condition) {
+                    Some((_, severity)) => *severity += strength,
+                    None => mood.severities.push((condition.clone(), strength)),
+                }
             }
             for change in &source.routine.changes {
                 let full = strength * self.phase(&change.phase, day);
                 if full > 0.0 {
-                    let key = format!("change/{}:{}", source.routine.file, change.said.line);
+                    let said = &change.said;
+                    let key = format!("change/{}:{}:{}", source.routine.file, said.line, said.column);
                     let share = self.stream(&key).unit();
-                    let weeks =
-                        change.phase.from.map_or(f64::from(day), |from| f64::from(day - self.day_of(from))) / 7.0;
-                    mood.change(&change.effect, full, share, weeks);
+                    // Counted from when it began: the change itself, or else the condition that brings it.
+                    let phases = source.shown.iter().map(|(phase, _)| phase);
+                    let shown = phases.filter_map(|phase| phase.from).map(|from| self.day_of(from)).max();
+                    let from = change.phase.from.map(|from| self.day_of(from)).or(shown).unwrap_or(0);
+                    let span = Span { weeks: f64::from(day - from) / 7.0, pace_mps: self.pace_mps };
+                    mood.change(&change.effect, full, share, span);
                 }
             }
         }
@@ -358,8 +373,20 @@ impl Constitution {
     }
 }
 
+/// How long a change has lasted, and whose pace it changes.
+#[derive(Clone, Copy)]
+struct Span {
+    weeks: f64,
+    pace_mps: f64,
+}
+
+/// Gait slows by so much a week over weeks, not for years (ours), and nobody who walks at all is slower than a third of
+/// their pace (ours).
+const MOST_WEEKS: f64 = 26.0;
+const LEAST_PACE: f64 = 0.33;
+
 impl Mood {
-    fn ordinary() -> Mood {
+    pub(super) fn ordinary() -> Mood {
         Mood {
             pace: 1.0,
             irregular: 1.0,
@@ -378,15 +405,17 @@ impl Mood {
     }
 
     /// Adds an effect at so much of its full strength; `share` says where in its range it lies for this person.
-    fn change(&mut self, effect: &Effect, strength: f64, share: f64, weeks: f64) {
+    fn change(&mut self, effect: &Effect, strength: f64, share: f64, span: Span) {
         // A factor of 1.3 at twice its strength is 1.6; of 0.4 it is not below nothing.
         let factor = |fuzzy: &Fuzzy| (1.0 + (fuzzy.at(share) - 1.0) * strength).max(0.0);
         let amount = |fuzzy: &Fuzzy| fuzzy.at(share) * strength;
         match effect {
             Effect::Shows { .. } => {}
             Effect::Pace(by) => self.pace *= factor(by),
-            // In metres a second of somebody who walks at the mean pace at home.
-            Effect::PaceEachWeek(by) => self.pace = (self.pace + amount(by) * weeks.max(0.0) / 0.65).max(0.2),
+            Effect::PaceEachWeek(by) => {
+                let mps = amount(by) * span.weeks.clamp(0.0, MOST_WEEKS);
+                self.pace = (self.pace + mps / span.pace_mps).max(LEAST_PACE);
+            }
             Effect::Later { activity, by } => *self.later_s.entry(activity.clone()).or_default() += amount(by),
             Effect::Longer { activity, factor: by } => {
                 *self.longer.entry(activity.clone()).or_insert(1.0) *= factor(by)
@@ -445,11 +474,8 @@ impl Mood {
         self.skips.get(activity).copied().unwrap_or(0.0)
     }
 
-    /// How likely a thing stays on after its use.
-    pub fn forgets(&self, thing: &str) -> f64 {
-        self.forgets
-            .iter()
-            .filter(|(of, _)| of == thing)
-            .fold(0.0, |chance, (_, more)| 1.0 - (1.0 - chance) * (1.0 - more))
+    /// What may stay on or open after its use, each with its chance.
+    pub fn forgotten(&self) -> impl Iterator<Item = (&str, f64)> {
+        self.forgets.iter().map(|(thing, chance)| (thing.as_str(), *chance))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::life::{Constitution, Life, Mood};
 use super::need::Need;
-use crate::routine::{Activity, PartOfDay, When};
+use crate::routine::{Activity, PartOfDay};
 use homebody_core::event::Need as Kind;
 use homebody_core::random::Stream;
 use homebody_core::time::Micros;
@@ -16,9 +16,6 @@ pub struct Needs {
     tiredness: Need,
     asleep: bool,
     constitution: Constitution,
-    /// Whether the routine itself plans visits to the bathroom by night, and by day: the need then does not rise.
-    plans_nights: bool,
-    plans_days: bool,
     /// Thresholds, and whether one naps.
     stream: Stream,
 }
@@ -42,12 +39,6 @@ const ANYWAY: f64 = 2.0;
 
 impl Needs {
     pub fn new(life: &Life, now: Micros) -> Needs {
-        let plans = |at_night: bool| {
-            life.habits(0).any(|(habit, _, _)| {
-                let of_night = matches!(habit.when, When::Within(PartOfDay::Night));
-                habit.activity == Activity::UseBathroom && habit.visitor.is_none() && of_night == at_night
-            })
-        };
         let mut stream = life.stream("needs");
         let mut need = || Need::new(now, stream.gamma(SHAPE, 1.0));
         let (toilet, thirst, hunger) = (need(), need(), need());
@@ -58,8 +49,6 @@ impl Needs {
             tiredness: Need::new(now, 1.0),
             asleep: false,
             constitution: life.constitution,
-            plans_nights: plans(true),
-            plans_days: plans(false),
             stream,
         }
     }
@@ -69,23 +58,24 @@ impl Needs {
     }
 
     /// From now on at the rates of waking.
-    pub fn waking(&mut self, now: Micros, mood: &Mood) {
+    /// The toilet's does not rise where visits are planned.
+    pub fn waking(&mut self, now: Micros, mood: &Mood, is_planned: bool) {
         self.asleep = false;
         // In a renewal process that begins anew a third of a visit is missing at this shape.
         let visits = (self.constitution.toilet_by_day - ANYWAY + 0.33).max(0.5);
         let toilet = visits * 24.0 / WAKING_H * mood.oftener(&Activity::UseBathroom, Some(PartOfDay::Day));
-        self.toilet.rise(now, if self.plans_days { 0.0 } else { toilet });
+        self.toilet.rise(now, if is_planned { 0.0 } else { toilet });
         self.thirst.rise(now, THIRST * mood.oftener(&Activity::Drink, None));
         self.hunger.rise(now, HUNGER * mood.oftener(&Activity::Snack, None));
         self.tiredness.rise(now, TIREDNESS);
     }
 
     /// From now on at the rates of the night.
-    pub fn sleeping(&mut self, now: Micros, mood: &Mood) {
+    pub fn sleeping(&mut self, now: Micros, mood: &Mood, is_planned: bool) {
         self.asleep = true;
         let visits = self.constitution.toilet_at_night + 0.33;
         let toilet = visits * 24.0 / SLEEPING_H * mood.oftener(&Activity::UseBathroom, Some(PartOfDay::Night));
-        self.toilet.rise(now, if self.plans_nights { 0.0 } else { toilet });
+        self.toilet.rise(now, if is_planned { 0.0 } else { toilet });
         for need in [&mut self.thirst, &mut self.hunger, &mut self.tiredness] {
             need.rise(now, 0.0);
         }

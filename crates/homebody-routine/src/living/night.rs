@@ -3,7 +3,7 @@
 use super::agenda::{self, Agenda, Item};
 use super::driver::{MINUTE, RoutineDriver};
 use super::manner::Manner;
-use super::places::Role;
+use super::places::{Role, Spot};
 use super::script::{May, Stay, Step};
 use crate::routine::Activity;
 use homebody_core::drivers::Next;
@@ -37,7 +37,9 @@ impl RoutineDriver {
         let mut asleep = now;
         if !already {
             steps.push_back(Step::Name(Activity::GoToBed.name()));
-            steps.extend(self.places.of(Role::Bed).cloned().map(Step::Go));
+            // First on its edge.
+            let edge = self.places.of(Role::Bed).map(|bed| Spot { posture: Posture::Sitting, ..bed.clone() });
+            steps.extend(edge.map(Step::Go));
             let sitting = micros(stream.lognormal(75.0, 0.4));
             let turning = Stay {
                 posture: Posture::Sitting,
@@ -56,7 +58,7 @@ impl RoutineDriver {
             steps.push_back(Step::LieDown);
         }
         // Awake for about ten minutes at a time.
-        let awake_min = self.life.constitution.awake_min * self.mood.restless;
+        let awake_min = self.life.constitution.awake_min;
         let mut wakings: Vec<f64> = (0..stream.poisson(awake_min / 10.0)).map(|_| stream.unit()).collect();
         wakings.sort_by(f64::total_cmp);
         for share in wakings {
@@ -73,7 +75,7 @@ impl RoutineDriver {
     }
 
     pub(super) fn lie_down(&mut self, now: Micros) {
-        self.needs.sleeping(now, &self.mood);
+        self.needs.sleeping(now, &self.mood, self.life.plans_toilet(self.agenda.day, true));
         self.put_out_the_lamp(now);
         self.watches.lie_down(now, &self.life);
         let mut stream = self.life.stream_of_day(self.agenda.day, "vitals");
@@ -93,7 +95,7 @@ impl RoutineDriver {
         (self.next_item, self.next_break, self.begun) = (0, 0, 0);
         self.next_break = self.agenda.breaks.partition_point(|item| item.start < now);
         self.tell_conditions();
-        self.needs.waking(now, &self.mood);
+        self.needs.waking(now, &self.mood, self.life.plans_toilet(day, false));
         self.needs.wake(now);
         self.watches.wake(day, &self.life);
         // On top of the night's script, which ends with this.

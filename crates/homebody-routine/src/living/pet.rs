@@ -105,7 +105,7 @@ impl PetDriver {
         match to {
             Some(spot) => {
                 let spot = Spot { posture: Posture::Standing, ..spot };
-                let moves = self.body.go(&spot, now, hour, 1.0, &mut self.stream);
+                let moves = self.body.go(&spot, now, hour, 1.0, &mut self.stream).unwrap_or_default();
                 let arrival = moves.last().map_or(now, |last| last.end);
                 self.ready.extend(moves.into_iter().map(Next::Move));
                 let (manner, median_min) = match (sleeps, rests) {

@@ -66,7 +66,7 @@ impl Role {
             Role::Fridge => (&["fridge", "refrigerator", "freezer", "kitchen"], &[]),
             Role::Stove => (&["stove", "cooker", "oven", "hob", "kettle", "kitchen"], &[]),
             Role::Counter => (&["counter", "kitchen counter", "worktop", "kitchen table", "kitchen"], &[Role::Stove]),
-            Role::Sink => (&["sink", "kitchen sink", "kitchen"], &[Role::Counter]),
+            Role::Sink => (&["sink", "kitchen sink", "kitchen"], &[Role::Counter, Role::Stove]),
             Role::Drawers => {
                 (&["drawers", "drawer", "cupboard", "kitchen drawers", "cabinet", "kitchen"], &[Role::Counter])
             }
@@ -79,18 +79,22 @@ impl Role {
                 &["armchair", "recliner", "easy chair", "rocking chair", "living room"],
                 &[Role::Sofa, Role::DiningSeat],
             ),
-            Role::Sofa => (&["sofa", "couch", "settee"], &[Role::Armchair]),
-            Role::GuestSeat => (&["guest chair", "second armchair", "sofa", "couch", "settee"], &[Role::DiningSeat]),
+            Role::Sofa => (&["sofa", "couch", "settee"], &[Role::Armchair, Role::DiningSeat]),
+            Role::GuestSeat => {
+                (&["guest chair", "second armchair", "sofa", "couch", "settee"], &[Role::DiningSeat, Role::Armchair])
+            }
             Role::Television => (&["tv", "television", "tv bench", "tv set", "tv stand"], &[]),
-            Role::Telephone => (&["telephone", "phone"], &[Role::Sofa]),
-            Role::Desk => (&["desk chair", "computer chair", "desk", "computer", "study"], &[Role::DiningSeat]),
+            Role::Telephone => (&["telephone", "phone"], &[Role::Sofa, Role::Armchair, Role::DiningSeat]),
+            Role::Desk => {
+                (&["desk chair", "computer chair", "desk", "computer", "study"], &[Role::DiningSeat, Role::Armchair])
+            }
             Role::WashingMachine => (&["washing machine", "washer", "laundry", "laundry closet"], &[Role::Washbasin]),
-            Role::Dryer => (&["dryer", "tumble dryer", "clothes line"], &[Role::WashingMachine]),
+            Role::Dryer => (&["dryer", "tumble dryer", "clothes line"], &[Role::WashingMachine, Role::Washbasin]),
             Role::Coats => (&["coats", "coat rack", "coat cupboard", "coat hooks"], &[Role::FrontDoor]),
             Role::Bookcase => (&["bookcase", "bookshelf", "shelf"], &[Role::Armchair]),
             Role::FrontDoor => (&["front door", "entrance", "apartment door", "door", "entrance door", "hall"], &[]),
             Role::FoodBowl => (&["food bowl", "bowl"], &[Role::Fridge, Role::Sink]),
-            Role::Basket => (&["basket", "cat bed", "dog bed"], &[Role::Sofa]),
+            Role::Basket => (&["basket", "cat bed", "dog bed"], &[Role::Sofa, Role::Armchair, Role::Bed]),
         }
     }
 }
@@ -103,8 +107,9 @@ pub struct Places {
     whose: String,
     /// The way out, inside the door, and the door.
     door: Option<(Spot, Option<usize>)>,
-    /// The things of the plan, in small letters.
+    /// The things of the plan, in small letters, and where the lamps begin among them.
     things: Vec<String>,
+    lamps: usize,
     /// What to look at or dust on a round through the home.
     stations: Vec<Spot>,
 }
@@ -126,12 +131,12 @@ impl Places {
             Spot { name: lower, at: *at, posture, room: plan.room_at(*at) }
         };
         let mut spots: Vec<Spot> = plan.places.iter().map(spot).collect();
-        // Beside what nobody can be in, people stand: the nearest named place is no help, its own middle will do.
+        // What nobody can be in, people stand beside.
         for (index, piece) in home.furniture.iter().enumerate() {
             let known = spots.iter().any(|spot| spot.name == piece.name.to_lowercase());
             let solid = plan.solids.iter().find(|solid| solid.origin == Origin::Furniture(index));
             if let (false, Some(solid)) = (known, solid) {
-                let at = geometry::inner_point(&solid.outline);
+                let at = beside(plan, &solid.outline);
                 spots.push(Spot {
                     name: piece.name.to_lowercase(),
                     at,
@@ -141,8 +146,14 @@ impl Places {
             }
         }
         let things = plan.things.iter().map(|thing| thing.name.to_lowercase()).collect();
-        let mut places =
-            Places { spots, whose: format!("{}'s", resident.to_lowercase()), door: None, things, stations: Vec::new() };
+        let mut places = Places {
+            spots,
+            whose: format!("{}'s", resident.to_lowercase()),
+            door: None,
+            things,
+            lamps: plan.things.len() - plan.rooms.len(),
+            stations: Vec::new(),
+        };
         places.door = places.find_door(home, plan);
         places.stations = places.find_stations(home);
         places
@@ -162,10 +173,14 @@ impl Places {
         {
             return Some(spot);
         }
-        let (names, instead) = role.names();
+        self.own(role).or_else(|| role.names().1.iter().find_map(|&role| self.own(role)))
+    }
+
+    /// Where the role itself is filled, by what is called after the resident before what is anybody's.
+    fn own(&self, role: Role) -> Option<&Spot> {
+        let (names, _) = role.names();
         let own = names.iter().find_map(|name| self.spot(&format!("{} {name}", self.whose)));
         own.or_else(|| names.iter().find_map(|name| self.spot(name)))
-            .or_else(|| instead.iter().find_map(|&role| self.of(role)))
     }
 
     /// Whether the home has it itself, and not only something that will do.
@@ -195,13 +210,20 @@ impl Places {
             return thing.map(|thing| thing as u32);
         }
         let (names, _) = role.names();
-        let own = names.iter().find_map(|name| self.thing_named(&format!("{} {name}", self.whose)));
-        own.or_else(|| names.iter().find_map(|name| self.thing_named(name)))
+        // The lamp of the kitchen is no stove.
+        let named = |name: &str| self.thing_named(name).filter(|&thing| (thing as usize) < self.lamps);
+        let own = names.iter().find_map(|name| named(&format!("{} {name}", self.whose)));
+        own.or_else(|| names.iter().find_map(|name| named(name)))
     }
 
     pub fn thing_named(&self, name: &str) -> Option<u32> {
         let name = name.to_lowercase();
         self.things.iter().position(|thing| *thing == name).map(|index| index as u32)
+    }
+
+    /// The lamp of a room.
+    pub fn lamp(&self, room: usize) -> u32 {
+        (self.lamps + room) as u32
     }
 
     /// The name of a thing, in small letters.
@@ -222,19 +244,17 @@ impl Places {
     fn find_door(&self, home: &HomeFile, plan: &Plan) -> Option<(Spot, Option<usize>)> {
         let (names, _) = Role::FrontDoor.names();
         let outside = home.doors.iter().position(|door| door.outside);
-        let place = names.iter().find_map(|name| self.spot(name)).cloned();
+        let is_place = |spot: &&Spot| home.places.iter().any(|place| place.name.to_lowercase() == spot.name);
+        let place = names.iter().find_map(|name| self.spot(name).filter(is_place)).cloned();
+        let room = names.iter().find_map(|name| self.spot(name)).cloned();
         let thing =
             outside.or_else(|| names.iter().find_map(|name| self.things.iter().position(|thing| thing == name)));
         let at_door = || {
             let door = &plan.things[outside?];
-            Some(Spot {
-                name: door.name.to_lowercase(),
-                at: door.at,
-                posture: Posture::Standing,
-                room: plan.room_at(door.at),
-            })
+            let at = just_inside(plan, door.at);
+            Some(Spot { name: door.name.to_lowercase(), at, posture: Posture::Standing, room: plan.room_at(at) })
         };
-        place.or_else(at_door).map(|spot| (spot, thing))
+        place.or_else(at_door).or(room).map(|spot| (spot, thing))
     }
 
     /// Places to stand at, of all rooms; beds, seats and doors aside.
@@ -251,6 +271,31 @@ impl Places {
             self.spots.iter().filter(|spot| home.rooms.iter().any(|room| room.name.to_lowercase() == spot.name));
         rooms.cloned().collect()
     }
+}
+
+/// A point in a room half a metre or so from a door in its wall.
+fn just_inside(plan: &Plan, door: Point) -> Point {
+    let around = (0..16).map(|part| door + geometry::direction(f64::from(part) * 22.5) * 0.5);
+    let free = around.filter(|&at| plan.room_at(at).is_some() && plan.is_walkable(at, 0.25));
+    // The farther from walls the better: straight ahead.
+    let room = |at: &Point| {
+        let solids = plan.solids.iter().filter(|solid| solid.stops_bodies);
+        solids.map(|solid| geometry::distance_to_area(&solid.outline, *at)).fold(f64::INFINITY, f64::min)
+    };
+    free.max_by(|a, b| room(a).total_cmp(&room(b))).unwrap_or(door)
+}
+
+/// Where somebody stands at a piece of furniture: before the middle of a side where there is room, else in its middle.
+fn beside(plan: &Plan, outline: &[Point]) -> Point {
+    /// From its edge, in metres: a body and a hand's breadth (ours).
+    const OFF_M: f64 = 0.32;
+    let middle = geometry::inner_point(outline);
+    let side = |(a, b): (Point, Point)| {
+        let off = (b - a).normalize_or_zero().perp() * -OFF_M;
+        (a + b) / 2.0 + off
+    };
+    let free = geometry::sides(outline).map(side).filter(|&at| plan.is_walkable(at, OFF_M - 0.05));
+    free.min_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle))).unwrap_or(middle)
 }
 
 /// What people stand in although they can enter it.

@@ -55,6 +55,8 @@ pub struct Stay {
 pub enum May {
     /// Nothing.
     Nothing,
+    /// Only rules.
+    Rules,
     /// Needs, rules and what interrupts; it goes on afterwards.
     Interrupt,
     /// These, and whatever is next on the plan, which ends it.
@@ -77,8 +79,8 @@ pub struct Setting<'a> {
     pub at: Point,
     pub mood: &'a Mood,
     pub stream: &'a mut Stream,
-    /// Which thing stays on this time: the stove that is forgotten.
-    pub forgotten: Option<u32>,
+    /// Which things stay on this time: the stove that is forgotten.
+    pub forgotten: Vec<u32>,
 }
 
 /// A script that is being put together.
@@ -105,16 +107,16 @@ impl Steps<'_, '_> {
     fn act_out(&mut self, activity: &Activity, place: Option<&Spot>, lasts: Micros, until: Option<Micros>) {
         match activity {
             Activity::GetUp => {
-                self.stay(Posture::Sitting, Manner::TURNING, micros(seconds(lasts).clamp(30.0, 600.0)), May::Nothing)
+                self.stay(Posture::Sitting, Manner::TURNING, micros(seconds(lasts).clamp(30.0, 600.0)), May::Rules)
             }
             Activity::UseBathroom => self.use_bathroom(lasts),
             Activity::Shower => self.shower(place, lasts),
             Activity::Wash => self.with_water(Role::Washbasin, place, lasts, Manner::WASHING),
-            Activity::Dress => self.at(Role::Wardrobe, place, lasts, Manner::WASHING, May::Nothing),
+            Activity::Dress => self.at(Role::Wardrobe, place, lasts, Manner::WASHING, May::Rules),
             Activity::TakeMedicine => self.take_medicine(place, lasts),
             Activity::Prepare(meal) => self.prepare(*meal, lasts),
             Activity::Eat(_) => {
-                self.at(Role::DiningSeat, place, lasts, Manner::EATING, May::Nothing);
+                self.at(Role::DiningSeat, place, lasts, Manner::EATING, May::Rules);
                 self.push(Step::Meet(Met::Hunger));
                 self.push(Step::Meet(Met::Thirst));
             }
@@ -170,7 +172,7 @@ impl Steps<'_, '_> {
 
     fn act(&mut self, role: Role, on: bool) {
         let thing = self.setting.places.thing(role);
-        if let Some(thing) = thing.filter(|thing| on || self.setting.forgotten != Some(*thing)) {
+        if let Some(thing) = thing.filter(|thing| on || !self.setting.forgotten.contains(thing)) {
             self.push(Step::Act(thing, on));
         }
     }
@@ -198,7 +200,7 @@ impl Steps<'_, '_> {
     }
 
     fn use_bathroom(&mut self, lasts: Micros) {
-        self.at(Role::Toilet, None, lasts, Manner::ON_TOILET, May::Nothing);
+        self.at(Role::Toilet, None, lasts, Manner::ON_TOILET, May::Rules);
         self.act(Role::Toilet, true);
         self.act(Role::Toilet, false);
         self.push(Step::Meet(Met::Toilet));
@@ -214,9 +216,9 @@ impl Steps<'_, '_> {
             let span = self.around(120.0).min(left);
             let running = self.around(20.0).min(span);
             self.act(role, true);
-            self.stay(posture, manner, running, May::Nothing);
+            self.stay(posture, manner, running, May::Rules);
             self.act(role, false);
-            self.stay(posture, manner, span - running, May::Nothing);
+            self.stay(posture, manner, span - running, May::Rules);
             left -= span;
         }
     }
@@ -224,15 +226,15 @@ impl Steps<'_, '_> {
     fn shower(&mut self, place: Option<&Spot>, lasts: Micros) {
         self.go(Role::Shower, place);
         self.act(Role::Shower, true);
-        self.stay(Posture::Standing, Manner::WASHING, lasts * 7 / 10, May::Nothing);
+        self.stay(Posture::Standing, Manner::WASHING, lasts * 7 / 10, May::Rules);
         self.act(Role::Shower, false);
-        self.at(Role::Washbasin, None, lasts * 3 / 10, Manner::WASHING, May::Nothing);
+        self.at(Role::Washbasin, None, lasts * 3 / 10, Manner::WASHING, May::Rules);
     }
 
     fn take_medicine(&mut self, place: Option<&Spot>, lasts: Micros) {
         self.go(Role::Medicine, place);
         self.act(Role::Medicine, true);
-        self.stay(Posture::Standing, Manner::BUSY, lasts * 2 / 3, May::Nothing);
+        self.stay(Posture::Standing, Manner::BUSY, lasts * 2 / 3, May::Rules);
         self.act(Role::Medicine, false);
         self.with_water(Role::Sink, None, lasts / 3, Manner::BUSY);
     }
@@ -276,17 +278,20 @@ impl Steps<'_, '_> {
             Role::Fridge | Role::Drawers => {
                 self.go(role, None);
                 self.act(role, true);
-                self.stay(Posture::Standing, Manner::BUSY, span, May::Nothing);
+                self.stay(Posture::Standing, Manner::BUSY, span, May::Rules);
                 self.act(role, false);
             }
-            _ => self.at(role, None, span, Manner::BUSY, May::Nothing),
+            _ => self.at(role, None, span, Manner::BUSY, May::Rules),
         }
         span.max(SECOND)
     }
 
     fn watch_television(&mut self, place: Option<&Spot>, lasts: Micros, until: Option<Micros>) {
-        self.act(Role::Television, true);
         self.until(Role::Armchair, place, lasts, until, Manner::STILL);
+        // On once one sits before it.
+        let sitting = self.steps.pop_back();
+        self.act(Role::Television, true);
+        self.steps.extend(sitting);
         self.act(Role::Television, false);
     }
 
@@ -298,9 +303,9 @@ impl Steps<'_, '_> {
     }
 
     fn laundry(&mut self, lasts: Micros) {
-        self.at(Role::WashingMachine, None, lasts * 6 / 10, Manner::BUSY, May::Nothing);
+        self.at(Role::WashingMachine, None, lasts * 6 / 10, Manner::BUSY, May::Rules);
         self.act(Role::WashingMachine, true);
-        self.at(Role::Dryer, None, lasts * 4 / 10, Manner::BUSY, May::Nothing);
+        self.at(Role::Dryer, None, lasts * 4 / 10, Manner::BUSY, May::Rules);
         self.act(Role::WashingMachine, false);
     }
 
@@ -320,24 +325,24 @@ impl Steps<'_, '_> {
     fn leave(&mut self, lasts: Micros, until: Option<Micros>) {
         self.push(Step::Name("leaving_home".into()));
         let dressing = self.around(80.0);
-        self.at(Role::Coats, None, dressing, Manner::BUSY, May::Nothing);
+        self.at(Role::Coats, None, dressing, Manner::BUSY, May::Rules);
         self.through_the_door();
         self.push(Step::Name(Activity::Leave.name()));
         self.push(Step::Away { lasts, until });
         self.push(Step::Name(Activity::ComeHome.name()));
         self.act(Role::FrontDoor, true);
         let inside = self.around(6.0);
-        self.stay(Posture::Standing, Manner::BUSY, inside, May::Nothing);
+        self.stay(Posture::Standing, Manner::BUSY, inside, May::Rules);
         self.act(Role::FrontDoor, false);
         let undressing = self.around(60.0);
-        self.at(Role::Coats, None, undressing, Manner::BUSY, May::Nothing);
+        self.at(Role::Coats, None, undressing, Manner::BUSY, May::Rules);
     }
 
     fn through_the_door(&mut self) {
         self.go(Role::FrontDoor, None);
         self.act(Role::FrontDoor, true);
         let outside = self.around(5.0);
-        self.stay(Posture::Standing, Manner::BUSY, outside, May::Nothing);
+        self.stay(Posture::Standing, Manner::BUSY, outside, May::Rules);
         self.act(Role::FrontDoor, false);
     }
 
@@ -345,10 +350,10 @@ impl Steps<'_, '_> {
     fn visit(&mut self, lasts: Micros) {
         self.through_the_door();
         let welcome = self.around(40.0);
-        self.at(Role::FrontDoor, None, welcome, Manner::TALKING, May::Nothing);
+        self.at(Role::FrontDoor, None, welcome, Manner::TALKING, May::Rules);
         self.at(Role::Armchair, None, lasts, Manner::TALKING, May::Interrupt);
         let farewell = self.around(60.0);
-        self.at(Role::FrontDoor, None, farewell, Manner::TALKING, May::Nothing);
+        self.at(Role::FrontDoor, None, farewell, Manner::TALKING, May::Rules);
     }
 
     fn drink(&mut self, lasts: Micros) {
@@ -357,17 +362,17 @@ impl Steps<'_, '_> {
             self.go(Role::Stove, None);
             self.act(Role::Stove, true);
             let boiling = self.around(150.0);
-            self.stay(Posture::Standing, Manner::BUSY, boiling, May::Nothing);
+            self.stay(Posture::Standing, Manner::BUSY, boiling, May::Rules);
             self.act(Role::Stove, false);
         }
         self.with_water(Role::Sink, None, (lasts / 4).max(10 * SECOND), Manner::BUSY);
-        self.at(Role::DiningSeat, None, lasts * 3 / 4, Manner::EATING, May::Nothing);
+        self.at(Role::DiningSeat, None, lasts * 3 / 4, Manner::EATING, May::Rules);
         self.push(Step::Meet(Met::Thirst));
     }
 
     fn snack(&mut self, lasts: Micros) {
         self.station(Role::Fridge, lasts);
-        self.at(Role::DiningSeat, None, lasts, Manner::EATING, May::Nothing);
+        self.at(Role::DiningSeat, None, lasts, Manner::EATING, May::Rules);
         self.push(Step::Meet(Met::Hunger));
     }
 }

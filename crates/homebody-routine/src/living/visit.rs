@@ -24,8 +24,7 @@ impl RoutineDriver {
                 return self.come_to_visit(self.next_item - 1);
             }
             let day = self.agenda.day + 1;
-            self.mood = self.life.mood(day);
-            self.agenda = Agenda::of(&self.life, day, &self.mood);
+            self.agenda = Agenda::of(&self.life, day, &self.life.mood(day));
             self.midnight = self.life.midnight(day);
             self.next_item = 0;
         }

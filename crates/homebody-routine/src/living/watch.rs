@@ -12,7 +12,7 @@ pub struct Watches {
     on: Vec<Left>,
     rules: Vec<Watch>,
     /// What the script that is being played will leave on.
-    forgotten: Option<u32>,
+    forgotten: Vec<u32>,
 }
 
 #[derive(Clone, Debug)]
@@ -33,16 +33,21 @@ struct Watch {
 
 impl Watches {
     pub fn new(life: &Life, day: i32) -> Watches {
-        let mut watches = Watches { on: Vec::new(), rules: Vec::new(), forgotten: None };
+        let mut watches = Watches { on: Vec::new(), rules: Vec::new(), forgotten: Vec::new() };
         watches.wake(day, life);
         watches
+    }
+
+    /// Nothing is on, and nobody watches.
+    pub fn none() -> Watches {
+        Watches { on: Vec::new(), rules: Vec::new(), forgotten: Vec::new() }
     }
 
     /// The rules of a new day; those that go on go on waiting.
     pub fn wake(&mut self, day: i32, life: &Life) {
         let mut before = std::mem::take(&mut self.rules);
         for (rule, strength, file) in life.rules(day) {
-            let key = format!("rule/{file}:{}", rule.said.line);
+            let key = format!("rule/{file}:{}:{}", rule.said.line, rule.said.column);
             if strength * life.phase(&rule.phase, day) > 0.0 {
                 let kept = before.iter().position(|watch| watch.key == key).map(|index| before.swap_remove(index));
                 let new = || Watch { rule: rule.clone(), key: key.clone(), holds: false, due: NEVER };
@@ -72,14 +77,14 @@ impl Watches {
         }
     }
 
-    /// This time a thing will stay on.
-    pub fn forget(&mut self, thing: u32) {
-        self.forgotten = Some(thing);
+    /// This time these things will stay on.
+    pub fn forget(&mut self, things: Vec<u32>) {
+        self.forgotten.extend(things);
     }
 
     /// The script is over: what it has forgotten stays behind.
     pub fn leave_behind(&mut self) {
-        if let Some(thing) = self.forgotten.take() {
+        for thing in self.forgotten.drain(..) {
             self.on.iter_mut().filter(|left| left.thing == thing).for_each(|left| left.behind = true);
         }
     }

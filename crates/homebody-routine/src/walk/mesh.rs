@@ -53,9 +53,23 @@ pub struct Mesh {
 struct Obstacle {
     outline: Vec<Point>,
     is_seat: bool,
+    /// The corners of the box around it.
+    least: Point,
+    most: Point,
 }
 
 impl Obstacle {
+    /// Whether it may be nearer than that to a box: a look at the boxes spares most of the geometry.
+    fn may_be_near(&self, least: Point, most: Point, distance_m: f64) -> bool {
+        let reach = Point::splat(distance_m);
+        (self.least - reach).cmple(most).all() && (self.most + reach).cmpge(least).all()
+    }
+
+    /// A lower bound of its distance to a point.
+    fn away(&self, p: Point) -> f64 {
+        p.distance(p.clamp(self.least, self.most))
+    }
+
     /// Whether it is a seat, and somebody at the point is in it.
     fn holds(&self, p: Point) -> bool {
         self.is_seat && geometry::contains(&self.outline, p)
@@ -74,7 +88,10 @@ impl Mesh {
             .solids
             .iter()
             .filter(|solid| solid.stops_bodies || solid.height_m > RUG_M)
-            .map(|solid| Obstacle { outline: solid.outline.clone(), is_seat: !solid.stops_bodies })
+            .map(|solid| {
+                let (least, most) = geometry::bounds(solid.outline.iter().copied());
+                Obstacle { outline: solid.outline.clone(), is_seat: !solid.stops_bodies, least, most }
+            })
             .collect();
         let borders = borders(plan);
         let outlines: Vec<&[Point]> = obstacles.iter().map(|obstacle| &obstacle.outline[..]).collect();
@@ -157,7 +174,11 @@ impl Mesh {
 
     /// Whether a straight line keeps that far away from everything, and stays in the home.
     fn is_clear(&self, from: Point, to: Point, clearance_m: f64) -> bool {
-        let is_near = |obstacle: &Obstacle| distance_of_segment(&obstacle.outline, from, to) < clearance_m;
+        let (least, most) = (from.min(to), from.max(to));
+        let is_near = |obstacle: &Obstacle| {
+            obstacle.may_be_near(least, most, clearance_m)
+                && distance_of_segment(&obstacle.outline, from, to) < clearance_m
+        };
         self.plan.is_inside(from)
             && self.plan.is_inside(to)
             && !self.obstacles.iter().any(is_near)
@@ -166,9 +187,27 @@ impl Mesh {
 
     /// The nearest point of anything that stops the body.
     pub(super) fn nearest_obstacle(&self, p: Point) -> Option<Point> {
-        let sides = self.obstacles.iter().flat_map(|obstacle| geometry::sides(&obstacle.outline));
-        let nearest = sides.chain(self.borders.iter().copied()).map(|(a, b)| geometry::nearest_on_segment(p, a, b));
-        nearest.min_by(|a, b| a.distance_squared(p).total_cmp(&b.distance_squared(p)))
+        let mut nearest: Option<(f64, Point)> = None;
+        let mut consider = |(a, b): (Point, Point)| {
+            let at = geometry::nearest_on_segment(p, a, b);
+            let away = at.distance(p);
+            if nearest.is_none_or(|(least, _)| away < least) {
+                nearest = Some((away, at));
+            }
+            away
+        };
+        let mut least = f64::INFINITY;
+        for obstacle in &self.obstacles {
+            if obstacle.away(p) <= least {
+                least = geometry::sides(&obstacle.outline).map(&mut consider).fold(least, f64::min);
+            }
+        }
+        for &(a, b) in &self.borders {
+            if p.distance(p.clamp(a.min(b), a.max(b))) <= least {
+                least = least.min(consider((a, b)));
+            }
+        }
+        nearest.map(|(_, at)| at)
     }
 
     /// Whether the body can go straight from one free point to the other with its whole radius.
@@ -266,8 +305,10 @@ impl Mesh {
 
     /// The distance to the nearest obstacle.
     fn room_around(&self, p: Point) -> f64 {
-        let distances = self.obstacles.iter().map(|obstacle| geometry::distance_to_area(&obstacle.outline, p));
-        distances.fold(f64::INFINITY, f64::min)
+        self.obstacles.iter().fold(f64::INFINITY, |least, obstacle| match obstacle.away(p) <= least {
+            true => least.min(geometry::distance_to_area(&obstacle.outline, p)),
+            false => least,
+        })
     }
 }
 

@@ -30,12 +30,17 @@ pub struct Cohort<'a> {
     pub output: Output,
 }
 
+/// Threads for each processor (ours).
+const THREADS_EACH: usize = 4;
+
 /// What has become of one member.
 struct Member {
     name: String,
     seed: u64,
     firings: u64,
     rows: u64,
+    /// How far it was lived: less than asked for if it was stopped.
+    lived: Micros,
 }
 
 impl Cohort<'_> {
@@ -48,16 +53,23 @@ impl Cohort<'_> {
         let length = self.recording.length_us;
         let progress = self.output.progress(length.saturating_mul(Micros::from(members)));
         let width = members.to_string().len().max(4);
-        let lived: Result<Vec<Option<Member>>, Failure> = (1..=members)
-            .into_par_iter()
-            .map(|number| {
-                if stop.load(Ordering::Relaxed) {
-                    return Ok(None);
-                }
-                let name = format!("{number:0width$}");
-                self.member(&folder, name, &household, &stop, &progress).map(Some)
-            })
-            .collect();
+        // More threads than processors: who waits for the disk lets others go on.
+        let threads = std::thread::available_parallelism().map_or(1, usize::from) * THREADS_EACH;
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        let pool = pool.map_err(|error| Failure::io(&folder, format!("there are no threads: {error}")))?;
+        let all = || {
+            (1..=members)
+                .into_par_iter()
+                .map(|number| {
+                    if stop.load(Ordering::Relaxed) {
+                        return Ok(None);
+                    }
+                    let name = format!("{number:0width$}");
+                    self.member(&folder, number, name, &household, &stop, &progress).map(Some)
+                })
+                .collect()
+        };
+        let lived: Result<Vec<Option<Member>>, Failure> = pool.install(all);
         progress.finish_and_clear();
         let lived: Vec<Member> = lived?.into_iter().flatten().collect();
         let list = folder.join("cohort.json");
@@ -70,12 +82,13 @@ impl Cohort<'_> {
     fn member(
         &self,
         folder: &Path,
+        number: u32,
         name: String,
         household: &Household,
         stop: &Arc<AtomicBool>,
         progress: &ProgressBar,
     ) -> Result<Member, Failure> {
-        let seed = seed_of(self.recording.seed, &name);
+        let seed = seed_of(self.recording.seed, number);
         let places = Places::member(folder, &name, self.scenario)?;
         let recording = Recording { seed, one_of_many: true, ..self.recording.clone() };
         let mut run = Run::new(self.scenario, household, seed, recording.length_us);
@@ -83,11 +96,14 @@ impl Cohort<'_> {
         let live = Live { scenario: self.scenario, recording, record: None, output, sources: self.sources.clone() };
         let pace = Pace::new(&Asked::unpaced(), stop.clone());
         let lived = live.live_into(&places, &mut run, pace, progress)?;
-        Ok(Member { name, seed, firings: lived.recording.firings, rows: lived.stored.rows })
+        Ok(Member { name, seed, firings: lived.recording.firings, rows: lived.stored.rows, lived: run.now() })
     }
 
     fn list(&self, lived: &[Member]) -> Value {
-        let member = |member: &Member| json!({ "name": member.name, "seed": member.seed, "firings": member.firings, "rows": member.rows });
+        let member = |member: &Member| {
+            json!({ "name": member.name, "seed": member.seed, "firings": member.firings, "rows": member.rows,
+                "days": seconds(member.lived) / 86_400.0 })
+        };
         json!({
             "scenario": self.scenario.file.name,
             "seed": self.recording.seed,
@@ -108,7 +124,7 @@ impl Cohort<'_> {
         if self.output.quiet {
             return Ok(());
         }
-        let all = self.recording.length_us.saturating_mul(lived.len() as Micros);
+        let all = lived.iter().map(|member| member.lived).sum();
         let (name, count) = (&self.scenario.file.name, lived.len());
         let stopped = if count < members as usize { format!(" of {members}, stopped") } else { String::new() };
         print_text(&format!(
@@ -122,8 +138,12 @@ impl Cohort<'_> {
 }
 
 /// A seed for each member, whoever else is one; at most what every JSON reader keeps exactly.
-fn seed_of(seed: u64, member: &str) -> u64 {
-    let hash = Sha256::new().chain_update(seed.to_le_bytes()).chain_update("member/").chain_update(member).finalize();
+fn seed_of(seed: u64, member: u32) -> u64 {
+    let hash = Sha256::new()
+        .chain_update(seed.to_le_bytes())
+        .chain_update("member/")
+        .chain_update(member.to_le_bytes())
+        .finalize();
     let bytes: [u8; 8] = std::array::from_fn(|index| hash[index]);
     u64::from_le_bytes(bytes) >> 11
 }
