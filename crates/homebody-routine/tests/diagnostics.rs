@@ -374,3 +374,11 @@ fn two_ends_and_parts_of_days() {
     refused("From day 20, for 1.5 days, she naps.", "1.5 days", "one number of whole days", "for 10 days");
     refused("She reads at 10:00 until 8:00.", "until 8:00", "is before it begins", "the earlier time goes first");
 }
+
+#[test]
+fn what_was_looked_at_before_it_was_read_is_told_once() {
+    refused("Her daughter at 25:00 visits.", "25:00", "there is no time", "");
+    refused("Her nice daughter for 0 minutes visits.", "0 minutes", "no time at all", "");
+    refused("Anna at 25:00 visits.", "Anna", "this routine is about", "");
+    refused("Her sister often reads.", "Her sister", "a visitor only visits", "her sister visits on Sunday");
+}
