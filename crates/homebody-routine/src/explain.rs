@@ -3,7 +3,7 @@
 use crate::fuzzy::Fuzzy;
 use crate::language::activities::phrase;
 use crate::routine::{
-    Chance, Change, Days, Effect, Habit, Moment, PartOfDay, Phase, Response, Routine, Rule, Trigger, When,
+    Chance, Change, Days, Effect, Habit, Moment, PartOfDay, Person, Phase, Response, Routine, Rule, Trigger, When,
 };
 use serde::Serialize;
 
@@ -71,7 +71,7 @@ impl Spread {
 
 pub fn explain(routine: &Routine) -> Explanation {
     let mut rows: Vec<(u32, Row)> = Vec::new();
-    rows.extend(routine.person.iter().map(|_| (0, person(routine))));
+    rows.extend(routine.person.iter().map(|person| (person.said.column, of_person(person))));
     rows.extend(routine.habits.iter().map(|habit| (habit.said.column, of_habit(habit))));
     rows.extend(routine.rules.iter().map(|rule| (rule.said.column, of_rule(rule))));
     rows.extend(routine.changes.iter().map(|change| (change.said.column, of_change(change))));
@@ -105,22 +105,22 @@ impl Explanation {
     }
 }
 
-fn person(routine: &Routine) -> Row {
-    let person = routine.person.as_ref();
-    let name = person.map_or("", |person| person.name.as_str());
+fn of_person(person: &Person) -> Row {
     let mut facts = Vec::new();
-    if let Some(age) = person.and_then(|person| person.age_years) {
+    if let Some(age) = person.age_years {
         facts.push(format!("{} years old", number(age)));
     }
-    match person.map(|person| person.kind) {
-        Some(crate::routine::Kind::Cat) => facts.push("a cat".into()),
-        Some(crate::routine::Kind::Dog) => facts.push("a dog".into()),
-        _ => {}
+    match person.kind {
+        crate::routine::Kind::Cat => facts.push("a cat".into()),
+        crate::routine::Kind::Dog => facts.push("a dog".into()),
+        crate::routine::Kind::Person => {}
     }
-    if let Some(pace) = person.and_then(|person| person.pace_mps) {
+    if let Some(pace) = person.pace_mps {
         facts.push(format!("walks at {} m/s", numbers(pace.low, pace.high)));
     }
-    Row { in_words: format!("{name}: {}.", facts.join(", ")), ..row(1, name, Kind::Person, facts.join(", ")) }
+    let facts = facts.join(", ");
+    let in_words = format!("{}: {facts}.", person.name);
+    Row { in_words, ..row(person.said.line, &person.said.text, Kind::Person, facts) }
 }
 
 fn row(line: u32, said: &str, kind: Kind, what: String) -> Row {
@@ -283,12 +283,15 @@ fn named(bits: u16, names: &[&str]) -> Option<String> {
 }
 
 fn days_words(days: &Days, chance: &Chance) -> String {
-    let mut words = match (named(days.weekdays.into(), &WEEKDAYS), days.every) {
-        (Some(weekdays), 0 | 1) => format!("on each {weekdays}"),
-        (Some(weekdays), every) => format!("on every {every}th day, if it is {weekdays},"),
-        (None, 0 | 1) => "on each day".into(),
-        (None, 2) => "on every other day".into(),
-        (None, every) => format!("on every {every}th day"),
+    let every = match days.every {
+        0 | 1 => "on each day".into(),
+        2 => "on every other day".into(),
+        every => format!("every {every} days"),
+    };
+    let mut words = match named(days.weekdays.into(), &WEEKDAYS) {
+        Some(weekdays) if days.every <= 1 => format!("on each {weekdays}"),
+        Some(weekdays) => format!("{every}, if it is {weekdays},"),
+        None => every,
     };
     if let Some(months) = named(days.months, &MONTHS) {
         words += &format!(" in {months}");

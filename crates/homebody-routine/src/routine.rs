@@ -22,6 +22,8 @@ pub struct Routine {
 /// Whom a routine is about.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Person {
+    /// The first sentence about them.
+    pub said: Said,
     pub name: String,
     pub kind: Kind,
     pub age_years: Option<f64>,

@@ -150,7 +150,8 @@ fn two_of_a_kind() {
     refused("She reads for 20 minutes for 30 minutes.", "for 30 minutes", "both say how long", "");
     refused("She reads for 1 hour until 19:00.", "until 19:00", "both say when it ends", "");
     refused("She reads on the sofa in the armchair.", "in the armchair", "is a second place", "");
-    refused("She is 82. She is 83.", "is 83", "has been said differently before", "");
+    refused("She is 82. She is 83.", "is 83", "has been said before", "");
+    refused("Margaret is a cat. Margaret is a dog.", "is a dog", "has been said before", "");
 }
 
 #[test]
@@ -344,4 +345,40 @@ fn texts_that_are_too_long_are_refused() {
     assert!(found[0].what.contains("more than 2000 characters"));
     let found = problems(&"She reads.\n".repeat(2_001));
     assert!(found[0].what.contains("at most 2000 sentences"), "{}", found[0].what);
+}
+
+#[test]
+fn changes_beyond_all_bounds() {
+    refused("She gets up later by 100 hours.", "100 hours", "is more than a day", "say at most a day");
+    refused("She gets up 100 hours later.", "100 hours", "is more than a day", "say at most a day");
+    refused("She drinks 1000 times as often.", "1000 times", "is more than 100 times", "say at most 100 times");
+    refused("She naps 100000 % longer.", "100000 %", "is more than 100 times", "say at most 100 times");
+    refused("Her pulse rises by 1000 beats.", "1000 beats", "is more than 100 a minute", "");
+    refused("She breathes 1000 breaths a minute faster.", "1000 breaths a minute", "is more than 100 a minute", "");
+    refused("She walks 5 m/s faster every week.", "5 m/s", "is more than 3 m/s", "");
+    refused("She walks at 0.5 to 500 m/s.", "0.5 to 500 m/s", "nobody walks at", "0.2 to 1.6 m/s");
+    let text = "She gets up at 7:00, give or take 13 hours.";
+    refused(text, "give or take 13 hours", "leaves open at which time", "at most 12 hours");
+}
+
+#[test]
+fn what_never_happens() {
+    refused("She reads on 0 days a week.", "0 days", "never happens", "leave the sentence out");
+    refused("She falls 0 times a month.", "0 times", "never happens", "leave the sentence out");
+}
+
+#[test]
+fn two_ends_and_parts_of_days() {
+    let text = "From day 20, for 10 days, until day 25, she naps.";
+    refused(text, "for 10 days", "both say until when", "leave one of them out");
+    refused("From day 20, for 1.5 days, she naps.", "1.5 days", "one number of whole days", "for 10 days");
+    refused("She reads at 10:00 until 8:00.", "until 8:00", "is before it begins", "the earlier time goes first");
+}
+
+#[test]
+fn what_was_looked_at_before_it_was_read_is_told_once() {
+    refused("Her daughter at 25:00 visits.", "25:00", "there is no time", "");
+    refused("Her nice daughter for 0 minutes visits.", "0 minutes", "no time at all", "");
+    refused("Anna at 25:00 visits.", "Anna", "this routine is about", "");
+    refused("Her sister often reads.", "Her sister", "a visitor only visits", "her sister visits on Sunday");
 }

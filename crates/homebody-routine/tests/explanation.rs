@@ -23,6 +23,10 @@ fn every_sentence_is_said_again_in_words() {
              (mean 10:00, 5 % before 09:39, 5 % after 10:21).",
         ),
         (
+            "She reads every 3 days on Monday.",
+            "Every 3 days, if it is Monday, with probability 1, the person reads; whenever it fits.",
+        ),
+        (
             "In January she reads every other day, 2 to 3 times.",
             "On every other day in January with probability 1, the person reads; 2 to 3 times; whenever it fits.",
         ),
@@ -59,6 +63,13 @@ line  what                                       on   when         lasts        
 3     walking speed 0.9 times
 ";
     assert!(text.starts_with(wanted), "{text}");
+}
+
+#[test]
+fn who_it_is_about_is_said_with_its_line() {
+    let row = row("# Well until the sixth week.\nMargaret is 82. She walks at 0.65 m/s.");
+    assert_eq!((row.line, row.said.as_str()), (2, "Margaret is 82"));
+    assert_eq!(row.in_words, "Margaret: 82 years old, walks at 0.65 m/s.");
 }
 
 #[test]

@@ -73,10 +73,11 @@ impl Person {
     /// Measures a life.
     pub fn of(lived: &Lived) -> Person {
         let activities = lived.activities();
-        let nights = nights::nights(lived, &activities);
+        let moves = lived.moves();
+        let nights = nights::nights(lived, &activities, &moves);
         Person {
             nights: Nights::of(&nights, &activities),
-            days: Days::of(lived, &activities),
+            days: Days::of(lived, &activities, &moves),
             sensing: Sensing::of(lived),
         }
     }

@@ -11,7 +11,7 @@ use std::fmt;
 
 use crate::activity_kind::ActivityKind;
 use crate::dates::{clock, clock_s, midnight};
-use crate::picture::{Band, DayChart, Holds};
+use crate::picture::{Band, DayChart, Holds, Ticks};
 use crate::signs::{Kind, kinds, spans};
 
 /// What was so on one day.
@@ -84,7 +84,8 @@ impl Day {
                 by_hour[((at - begin) * 24 / DAY) as usize] += 1;
                 ends.push((at, sensors.len()));
             }
-            let shown = spans.iter().filter(|&&(from, to)| from < within.end && to >= begin);
+            // What ends as the day begins is not of it; what begins then is.
+            let shown = spans.iter().filter(|&&(from, to)| from < within.end && (to > begin || from == begin));
             let spans_s = shown.map(|&(from, to)| part(from, to, begin)).collect();
             sensors.push(Sensor { sensor: sensor.clone(), kind, firings: by_hour.iter().sum(), by_hour, spans_s });
         }
@@ -126,8 +127,13 @@ impl Day {
                 }
             }
         }
-        let ticks = self.sensors.iter().map(|sensor| (sensor.sensor.clone(), sensor.spans_s.clone())).collect();
-        DayChart { title: format!("{}: {}", self.name, self.date.strftime("%A %-d %B %Y")), bands, ticks }
+        let ticks = self.sensors.iter().map(|Sensor { sensor, spans_s, firings, .. }| Ticks {
+            sensor: sensor.clone(),
+            spans: spans_s.clone(),
+            firings: *firings,
+        });
+        let title = format!("{}: {}", self.name, self.date.strftime("%A %-d %B %Y"));
+        DayChart { title, bands, ticks: ticks.collect() }
     }
 }
 
@@ -213,6 +219,7 @@ impl Day {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::picture::day_chart;
     use crate::sample::log;
     use jiff::civil::date;
 
@@ -226,6 +233,8 @@ mod tests {
             (30 * H, "door", "OPEN"),
             (47 * H, "hall", "ON"),
             (49 * H, "hall", "OFF"),
+            (20 * H, "door", "OPEN"),
+            (24 * H, "door", "CLOSE"),
             (30 * H + 5, "door", "CLOSE"),
         ]);
         let second = homebody_core::time::SECOND;
@@ -244,6 +253,7 @@ mod tests {
         // What goes on at midnight is shown on both days, and counts on the first.
         assert_eq!(day.sensors[0].spans_s, [(0.0, 3600.0), (82_800.0, 86_400.0)]);
         assert_eq!((day.sensors[0].firings, day.sensors[0].by_hour[23]), (1, 1));
+        assert_eq!(day.sensors[1].spans_s, [(21_600.0, 21_605.0)]);
         let spans: Vec<_> = day.residents[0].activities.iter().map(|part| (part.begin_s, part.end_s)).collect();
         assert_eq!(spans, [(60.0, 3600.0), (57_600.0, 86_400.0)]);
     }
@@ -262,6 +272,9 @@ mod tests {
         }
         let chart = day.chart();
         assert_eq!((chart.bands.len(), chart.ticks.len()), (1, 2));
+        // As many as are told, though three of them are seen.
+        assert_eq!(chart.ticks.iter().map(|ticks| ticks.firings).collect::<Vec<_>>(), [1, 1]);
+        assert!(day_chart(&chart).contains("2 firings of 2 sensors"));
         assert_eq!(chart.bands[0].spans[1], (57_600.0, 86_400.0, "Cook".to_owned()));
     }
 }

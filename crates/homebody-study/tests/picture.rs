@@ -9,7 +9,7 @@ use homebody_log::{Event, Log};
 use homebody_study::coverage::{STEP_M, coverage};
 use homebody_study::density::{Asked, density};
 use homebody_study::picture::{
-    Activity, Band, DayChart, Holds, Lane, Panel, PngError, Reference, TotalsLine, coverage_map, day_chart,
+    Activity, Band, DayChart, Holds, Lane, Panel, PngError, Reference, Ticks, TotalsLine, coverage_map, day_chart,
     density_map, firing_chart, floor_plan, png, span_chart, totals_chart,
 };
 use resvg::usvg;
@@ -120,10 +120,11 @@ fn a_day_is_drawn_with_firings_or_without() {
     }
     assert!(!svg.contains("firings") && !svg.contains("meals"), "there are none");
     let spans = vec![(-10.0, 5.0), (5.0, 5.0), (86_399.0, 90_000.0), (100_000.0, 100_001.0)];
-    let lived = DayChart { ticks: vec![("door".to_owned(), spans), ("silent".to_owned(), Vec::new())], ..plan };
+    let ticks = |sensor: &str, spans, firings| Ticks { sensor: sensor.to_owned(), spans, firings };
+    let lived = DayChart { ticks: vec![ticks("door", spans, 2), ticks("silent", Vec::new(), 0)], ..plan };
     let svg = day_chart(&lived);
     well_formed(&svg);
-    assert!(svg.contains("2 activities, 4 firings of 2 sensors") && svg.contains(">silent<"));
+    assert!(svg.contains("2 activities, 2 firings of 2 sensors") && svg.contains(">silent<"));
     well_formed(&day_chart(&DayChart::default()));
 }
 

@@ -94,8 +94,7 @@ impl Link {
     /// The link of a home's sensors, as a file that has passed its checks describes it. In the world, the sensors of the
     /// home come first, then their other places.
     pub fn new(file: &LinkFile, sensors: &[SensorFile], start_of_day: Micros, seed: u64) -> Link {
-        let looks = |sensor: &SensorFile| matches!(sensor, SensorFile::Motion(_) | SensorFile::CeilingMotion(_));
-        let way = |sensor: &SensorFile| Way::new(file, sensor.name(), looks(sensor), seed);
+        let way = |sensor: &SensorFile| Way::new(file, sensor.name(), sensor.looks(), seed);
         let mut ways: Vec<Way> = sensors.iter().map(way).collect();
         let mut places = Vec::new();
         for moved in moves(file).filter(|moved| moved_sensor(moved, sensors).is_some()) {
@@ -103,7 +102,7 @@ impl Link {
             ways[owner].moves(of_days(moved.from_day), (sensors.len() + places.len()) as u32);
             places.push(owner as u32);
         }
-        let rate = |sensor: &SensorFile| file.rates(sensor.name(), looks(sensor)).false_fires_per_h;
+        let rate = |sensor: &SensorFile| file.rates(sensor.name(), sensor.looks()).false_fires_per_h;
         let rates: Vec<(&str, f64)> = sensors.iter().map(|sensor| (sensor.name(), rate(sensor))).collect();
         let radio = file.channel().map(|file| Radio::new(&file));
         let on_air = radio.as_ref().map_or(0, Radio::longest);

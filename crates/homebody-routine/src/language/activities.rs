@@ -236,6 +236,10 @@ pub fn phrase(activity: &Activity) -> String {
         Activity::UseBathroom => "goes to the bathroom".into(),
         Activity::Leave => "leaves the apartment".into(),
         Activity::TakeMedicine => "takes medicine".into(),
+        Activity::Shower => "takes a shower".into(),
+        Activity::Phone => "talks on the phone".into(),
+        Activity::Drink => "has a drink".into(),
+        Activity::Snack => "has a snack".into(),
         known => PHRASES
             .iter()
             .find(|(activity, _)| activity == known)

@@ -17,6 +17,9 @@ pub struct Slot<T> {
     pub own: bool,
 }
 
+/// A time of day may be off by this at most: beyond it, any time would do.
+const HALF_A_DAY_S: f64 = 12.0 * 3600.0;
+
 /// The words that may begin one of these parts: whatever begins otherwise need not be tried.
 const FIRST: [&str; 96] = [
     "a",
@@ -409,13 +412,13 @@ impl Adverbs {
                 put(reader, &mut self.lasts, lasts, span, "both say how long");
                 self.last = Last::Lasts;
             }
-            Unit::Day if !amount.is_range() && amount.from >= 1.0 => {
+            Unit::Day if !amount.is_range() && amount.from >= 1.0 && amount.from.fract() == 0.0 => {
                 let span = reader.span(start);
                 put(reader, &mut self.for_days, amount.from, span, "both say for how long");
             }
             Unit::Day => {
-                let hint = "say one number, such as \"for 10 days\"".to_owned();
-                reader.fault(amount.span, "this has to be one number of days, at least 1", hint);
+                let hint = "say one whole number, such as \"for 10 days\"".to_owned();
+                reader.fault(amount.span, "this has to be one number of whole days, at least 1", hint);
             }
             _ => {
                 let what = format!("{:?} is no length of time", reader.said(amount.span));
@@ -492,6 +495,9 @@ impl Adverbs {
         let around = |fuzzy: &Fuzzy| Fuzzy::around((fuzzy.from + fuzzy.to) / 2.0, spread.to);
         let (lasts, until) = (self.lasts.as_mut(), self.until_time.as_mut());
         match (self.last, self.when.as_mut().map(|slot| &mut slot.value), lasts, until) {
+            (Last::When | Last::Until, ..) if spread.to > HALF_A_DAY_S => {
+                reader.fault(span, "this leaves open at which time", "say at most 12 hours".to_owned());
+            }
             (Last::When, Some(When::At(at)), _, _) => *at = around(at),
             (Last::Until, _, _, Some(until)) => until.value = around(&until.value),
             (Last::Lasts, _, Some(lasts), _) if spread.to < lasts.value.from => lasts.value = around(&lasts.value),

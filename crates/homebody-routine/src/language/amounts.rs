@@ -245,9 +245,16 @@ pub fn share(reader: &mut Reader, amount: &Amount) -> f64 {
     if amount.to > 100.0 {
         let what = format!("{:?} is more than all", reader.said(amount.span));
         reader.fault(amount.span, what, "say at most 100 %".to_owned());
-    } else if amount.to <= 0.0 {
+    } else {
+        happens(reader, amount);
+    }
+    (amount.from + amount.to) / 200.0
+}
+
+/// What is said to be done is done at all.
+pub fn happens(reader: &mut Reader, amount: &Amount) {
+    if amount.to <= 0.0 {
         let what = format!("{:?} never happens", reader.said(amount.span));
         reader.fault(amount.span, what, "say \"does not\", or leave the sentence out".to_owned());
     }
-    (amount.from + amount.to) / 200.0
 }

@@ -7,9 +7,10 @@ use super::measures::{Measure, Of};
 use super::predicates::{Predicate, Subject};
 use super::reader::Reader;
 use super::sentence::Clause;
+use super::times::is_of_next_day;
 use super::words::Span;
 use crate::fuzzy::{Fuzzy, Quantifier};
-use crate::routine::{Activity, Chance, Change, Effect, Habit, PartOfDay, Person, When};
+use crate::routine::{Activity, Chance, Change, Effect, Habit, Kind, PartOfDay, Person, When};
 
 pub fn build(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
     match clause.predicate {
@@ -29,6 +30,9 @@ pub fn only(reader: &mut Reader, adverbs: &Adverbs, allowed: &[Part], why: &str)
     }
 }
 
+/// Nobody walks faster (ours).
+pub const FASTEST_MPS: f64 = 3.0;
+
 fn person(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     let span = clause.predicate_span;
     if draft.is_condition {
@@ -41,23 +45,26 @@ fn person(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
         misfit(reader, measure, "this is no change");
     }
     let name = draft.name.clone().or_else(|| reader.names.person.clone()).unwrap_or_default();
-    let person =
-        draft.routine.person.get_or_insert(Person { name, kind: Default::default(), age_years: None, pace_mps: None });
+    let said = draft.said(clause.span);
+    let person = draft.routine.person.get_or_insert(Person {
+        said,
+        name,
+        kind: Kind::default(),
+        age_years: None,
+        pace_mps: None,
+    });
     let again = match &clause.predicate {
         Predicate::Age(age) => person.age_years.replace(*age).is_some(),
         Predicate::Pace(pace) => person.pace_mps.replace(pace.as_pace()).is_some(),
-        Predicate::Kind(kind) => {
-            person.kind = *kind;
-            false
-        }
+        Predicate::Kind(kind) => std::mem::replace(&mut person.kind, *kind) != Kind::default(),
         _ => false,
     };
     if again {
         let hint = "leave one of the two sentences out".to_owned();
-        reader.fault(span, format!("{:?} has been said differently before", reader.said(span)), hint);
+        reader.fault(span, format!("{:?} has been said before, in this way or another", reader.said(span)), hint);
     }
     if let Predicate::Pace(pace) = &clause.predicate
-        && !(0.05..=3.0).contains(&pace.from)
+        && !(pace.from >= 0.05 && pace.to <= FASTEST_MPS)
     {
         let hint = "people walk at 0.2 to 1.6 m/s".to_owned();
         reader.fault(pace.span, format!("nobody walks at {:?}", reader.said(pace.span)), hint);
@@ -148,9 +155,8 @@ fn check_times(reader: &mut Reader, adverbs: &Adverbs, when: &When) {
         reader.fault(until.span, what, "leave one of them out".to_owned());
     }
     if let (When::At(at), Some(until)) = (when, &adverbs.until_time)
-        && at.from < 86_400.0
         && until.value.from <= at.from
-        && until.value.from > 9.0 * 3600.0
+        && !is_of_next_day(until.value.from, at.from)
     {
         let what = format!("{:?} is before it begins", reader.said(until.span));
         reader.fault(until.span, what, "the earlier time goes first".to_owned());

@@ -63,9 +63,7 @@ impl Adverbs {
     pub fn until_meant(&self, when: &When) -> Option<Fuzzy> {
         let until = self.until_time.as_ref()?.value;
         match when {
-            When::At(at) if until.from <= at.from && (until.from < 9.0 * 3600.0 || at.from > DAY_S) => {
-                Some(until.map(|until| until + DAY_S))
-            }
+            When::At(at) if times::is_of_next_day(until.from, at.from) => Some(until.map(|until| until + DAY_S)),
             _ => Some(until),
         }
     }
@@ -77,6 +75,11 @@ impl Adverbs {
             reader.fault(over.span, "it is not said from when the change begins", hint);
         }
         let days = self.for_days.as_ref().map(|slot| slot.value as i32);
+        if let (Some(until), Some(for_days)) = (&self.until, &self.for_days) {
+            let what =
+                format!("{:?} and {:?} both say until when", reader.said(until.span), reader.said(for_days.span));
+            reader.fault(for_days.span, what, "leave one of them out".to_owned());
+        }
         let until = self.until.as_ref().map(|slot| slot.value);
         let until = until.or(days.map(|days| times::later(from.unwrap_or(Moment::Day(0)), days)));
         if let (Some(fading), None) = (&self.fading, until) {

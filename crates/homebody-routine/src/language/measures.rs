@@ -1,9 +1,15 @@
 //! How much something changes: "45 to 90 minutes later", "twice as often", "30 % slower".
 
 use super::amounts::{Amount, Unit, amount};
+use super::build::FASTEST_MPS;
 use super::reader::Reader;
+use super::times::DAY_S;
 use super::words::Span;
 use crate::fuzzy::Fuzzy;
+
+/// Beyond this a change is a slip of the pen (ours); so it is for heartbeats and breaths a minute.
+const MOST_TIMES: f64 = 100.0;
+const MOST_A_MINUTE: f64 = 100.0;
 
 /// How much, and of what.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,6 +76,7 @@ fn later_by(reader: &mut Reader) -> Option<(Of, Fuzzy)> {
         ("shorter by", (Of::LongerBy, true)),
     ])?;
     let amount = amount(reader).filter(|amount| amount.unit == Unit::Second)?;
+    at_most(reader, &amount, amount.to, DAY_S, "a day");
     Some((of, signed(&amount, is_less)))
 }
 
@@ -77,6 +84,14 @@ fn later_by(reader: &mut Reader) -> Option<(Of, Fuzzy)> {
 fn signed(amount: &Amount, is_less: bool) -> Fuzzy {
     let by = amount.as_change();
     if is_less { Fuzzy { low: -by.high, from: -by.to, to: -by.from, high: -by.low } } else { by }
+}
+
+/// A change may be so great, and no greater.
+fn at_most(reader: &mut Reader, amount: &Amount, value: f64, most: f64, in_words: &str) {
+    if value > most {
+        let what = format!("{:?} is more than {in_words}", reader.said(amount.span));
+        reader.fault(amount.span, what, format!("say at most {in_words}"));
+    }
 }
 
 fn time(reader: &mut Reader, amount: &Amount) -> Option<(Of, Fuzzy)> {
@@ -87,10 +102,7 @@ fn time(reader: &mut Reader, amount: &Amount) -> Option<(Of, Fuzzy)> {
         ("shorter|less", (Of::LongerBy, true)),
     ])?;
     reader.eat("a|each|every|per day|night");
-    if amount.to > 86_400.0 {
-        let what = format!("{:?} is more than a day", reader.said(amount.span));
-        reader.fault(amount.span, what, None);
-    }
+    at_most(reader, amount, amount.to, DAY_S, "a day");
     Some((of, signed(amount, is_less)))
 }
 
@@ -118,6 +130,7 @@ fn percent(reader: &mut Reader, amount: &Amount) -> Option<(Of, Fuzzy)> {
         reader.fault(amount.span, what, "say at most 100 %".to_owned());
     }
     let by = signed(amount, is_less).map(|percent| (1.0 + percent / 100.0).max(0.0));
+    at_most(reader, amount, by.to, MOST_TIMES, "100 times as much");
     Some((of, by))
 }
 
@@ -130,18 +143,25 @@ fn factor(reader: &mut Reader, amount: &Amount) -> Option<(Of, Fuzzy)> {
         ("as restlessly|restless", Of::Restless),
         ("as fast|quickly", Of::Faster),
     ])?;
+    at_most(reader, amount, amount.to, MOST_TIMES, "100 times as much");
     Some((of, amount.as_change()))
 }
 
 fn speed(reader: &mut Reader, amount: &Amount) -> Option<(Of, Fuzzy)> {
     let is_less = reader.eat_any(&[("slower", true), ("faster|quicker", false)])?;
     let each_week = reader.eat("every|each|a|per week");
+    at_most(reader, amount, amount.to, FASTEST_MPS, "3 m/s");
     Some((Of::FasterBy { each_week }, signed(amount, is_less)))
 }
 
 fn rate(reader: &mut Reader, amount: &Amount) -> Option<Fuzzy> {
     let is_less = reader.eat_any(&[("faster|higher|more|quicker", false), ("slower|lower|less", true)])?;
+    per_minute(reader, amount);
     Some(signed(amount, is_less))
+}
+
+fn per_minute(reader: &mut Reader, amount: &Amount) {
+    at_most(reader, amount, amount.to, MOST_A_MINUTE, "100 a minute");
 }
 
 /// "rises by 20 beats", after "pulse" or "breathing".
@@ -163,6 +183,7 @@ pub fn rises_by(reader: &mut Reader, of: Of) -> Option<Measure> {
         }
         reader.eat("a|per minute");
         let lower = reader.eat_any(&[("higher|faster", false), ("lower|slower", true)]);
+        per_minute(reader, &amount);
         Some(Measure { of, by: signed(&amount, is_less || lower == Some(true)), span: reader.span(start) })
     })
 }

@@ -1,6 +1,6 @@
 //! How often: quantifiers, shares of days, times a week.
 
-use super::amounts::{ABOUT, Amount, Unit, amount, number, share};
+use super::amounts::{ABOUT, Amount, Unit, amount, happens, number, share};
 use super::reader::Reader;
 use super::times;
 use crate::fuzzy::Quantifier;
@@ -82,10 +82,8 @@ fn every_so_many(reader: &mut Reader) -> Option<Often> {
     if reader.eat("third day|night") {
         return Some(Often { every: Some(3), ..Often::NOTHING });
     }
-    for (span, days) in [("week", 7.0), ("month", MONTH), ("year", 365.0)] {
-        if reader.eat(span) {
-            return Some(Often { chance: Some(with_probability(1.0 / days)), ..Often::NOTHING });
-        }
+    if let Some(days) = reader.eat_any(&PERIODS) {
+        return Some(Often { chance: Some(with_probability(1.0 / days)), ..Often::NOTHING });
     }
     let from = reader.at;
     let days = number(reader)?;
@@ -134,13 +132,21 @@ fn days_a_week(reader: &mut Reader) -> Option<Often> {
     if !(reader.eat("a|per|each|every week") || reader.eat("of the week")) {
         return None;
     }
-    let probability = (amount.from + amount.to) / 14.0;
+    let what = format!("a week has no {:?}", reader.said(amount.span));
+    Some(once_in_a_while(reader, &amount, 7.0, (what, "say at most 7 days")))
+}
+
+/// So many times in so many days; what is said, and advised, where these are too few for it.
+fn once_in_a_while(reader: &mut Reader, amount: &Amount, days: f64, too_often: (String, &str)) -> Often {
+    let probability = (amount.from + amount.to) / 2.0 / days;
     if probability > 1.0 {
-        let what = format!("a week has no {:?}", reader.said(amount.span));
-        reader.fault(amount.span, what, "say at most 7 days".to_owned());
+        reader.fault(amount.span, too_often.0, too_often.1.to_owned());
+    } else {
+        happens(reader, amount);
     }
-    let chance = Chance { days_a_week: days_a_week_of(&amount), ..with_probability(probability.min(1.0)) };
-    Some(Often { chance: Some(chance), ..Often::NOTHING })
+    let days_a_week = days_a_week_of(amount).filter(|_| days == 7.0);
+    let chance = Chance { days_a_week, ..with_probability(probability.min(1.0)) };
+    Often { chance: Some(chance), ..Often::NOTHING }
 }
 
 /// What a quantifier counts: days, nights, mornings, Sundays, occasions.
@@ -194,7 +200,8 @@ pub fn at_first(reader: &mut Reader) -> Option<Often> {
     })
 }
 
-const MONTH: f64 = 30.4375;
+/// How many days these have on average.
+const PERIODS: [(&str, f64); 3] = [("week", 7.0), ("month", 30.4375), ("year", 365.25)];
 
 /// What comes after a number of times: how often that is, if a span is named.
 pub fn times_in(reader: &mut Reader, amount: &Amount) -> Option<Often> {
@@ -202,16 +209,9 @@ pub fn times_in(reader: &mut Reader, amount: &Amount) -> Option<Often> {
     if !reader.eat("a|per|each|every") {
         return None;
     }
-    let rate = [("week", 7.0), ("month", MONTH), ("year", 365.25)];
-    if let Some(days) = reader.eat_any(&rate) {
-        let probability = (amount.from + amount.to) / 2.0 / days;
-        if probability > 1.0 {
-            let hint = "say how many times a day".to_owned();
-            reader.fault(amount.span, format!("{:?} is more than once a day", reader.said(amount.span)), hint);
-        }
-        let days_a_week = days_a_week_of(amount).filter(|_| days == 7.0);
-        let chance = Chance { days_a_week, ..with_probability(probability.min(1.0)) };
-        return Some(Often { chance: Some(chance), ..Often::NOTHING });
+    if let Some(days) = reader.eat_any(&PERIODS) {
+        let what = format!("{:?} is more than once a day", reader.said(amount.span));
+        return Some(once_in_a_while(reader, amount, days, (what, "say how many times a day")));
     }
     let part = reader.eat_any(&times::PARTS);
     let Some(part) = part else {

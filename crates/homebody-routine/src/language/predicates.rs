@@ -109,17 +109,12 @@ fn visitor(reader: &mut Reader) -> Option<Subject> {
     const MOST: usize = 5;
     let from = reader.at;
     while reader.at < from + MOST && reader.token(0) == Some(Token::Word) {
-        let at = reader.at;
-        if at > from {
-            let mut between = Adverbs::default();
-            between.all(reader);
-            let visits = visits(reader);
-            reader.at = at;
-            if visits || activities::activity(reader).is_some() || reader.eat("is|has|does|stays") {
-                reader.at = at;
-                let words: Vec<&str> = reader.words[from..at].iter().map(|word| word.text.as_str()).collect();
-                return Some(Subject::Visitor(words.join(" ")));
-            }
+        let is_verb = |reader: &mut Reader| {
+            Adverbs::default().all(reader);
+            visits(reader) || activities::activity(reader).is_some() || reader.eat("is|has|does|stays")
+        };
+        if reader.at > from && reader.ahead(is_verb) {
+            return Some(Subject::Visitor(reader.passed(from)));
         }
         reader.at += 1;
     }
@@ -167,11 +162,7 @@ fn walking(reader: &mut Reader) -> Option<Predicate> {
     if pace.is_some() {
         return pace.map(Predicate::Pace);
     }
-    let (at, faults) = (reader.at, reader.faults.count());
-    let changes = measure(reader).is_some();
-    reader.at = at;
-    reader.faults.forget_since(faults);
-    changes.then_some(Predicate::Walks)
+    reader.ahead(|reader| measure(reader).is_some()).then_some(Predicate::Walks)
 }
 
 fn being(reader: &mut Reader, adverbs: &mut Adverbs) -> Predicate {

@@ -173,6 +173,15 @@ impl Reader<'_> {
         result
     }
 
+    /// Looks ahead: whatever is found there has not been read yet.
+    pub fn ahead<T>(&mut self, what: impl FnOnce(&mut Self) -> T) -> T {
+        let (at, faults) = (self.at, self.faults.count());
+        let result = what(self);
+        self.at = at;
+        self.faults.forget_since(faults);
+        result
+    }
+
     /// Passes over the longest name of these sorts that comes next; earlier sorts go first.
     pub fn name(&mut self, sorts: &[Sort]) -> Option<String> {
         let at = self.at;

@@ -304,9 +304,7 @@ fn expected(reader: &mut Reader, clause: &Clause, word: &str) -> String {
     if let Some(hint) = known.filter(|hint| hint.starts_with("did")) {
         return hint;
     }
-    let at = reader.at;
-    let length = amount(reader).filter(|amount| matches!(amount.unit, Unit::Second | Unit::Day));
-    reader.at = at;
+    let length = reader.ahead(amount).filter(|amount| matches!(amount.unit, Unit::Second | Unit::Day));
     if let Some(length) = length {
         return format!("write \"for {}\"", reader.said(length.span));
     }
@@ -332,21 +330,18 @@ fn stranger(reader: &mut Reader) -> Option<Subject> {
     if !is_capital(here) && reader.peek(1) != "is" {
         return None;
     }
-    let is_known = activities::activity(reader).is_some();
-    reader.at = from;
+    let is_known = reader.ahead(|reader| activities::activity(reader).is_some());
     let is_name = |reader: &Reader| {
         let pronoun = ["she", "he", "they", "it"].contains(&reader.peek(0));
         reader.token(0) == Some(Token::Word) && !pronoun && !predicates::begins_adverb(reader)
     };
     while !is_known && reader.at < from + LONGEST && is_name(reader) {
         reader.at += 1;
-        let at = reader.at;
-        let mut between = Adverbs::default();
-        between.all(reader);
-        let is_verb = reader.eat("is|walks|shows") || predicates::visits(reader);
-        let is_verb = is_verb || activities::activity(reader).is_some();
-        reader.at = at;
-        if is_verb {
+        let is_verb = |reader: &mut Reader| {
+            Adverbs::default().all(reader);
+            reader.eat("is|walks|shows") || predicates::visits(reader) || activities::activity(reader).is_some()
+        };
+        if reader.ahead(is_verb) {
             return Some(Subject::Stranger(reader.said(reader.span(from))));
         }
     }
@@ -356,10 +351,7 @@ fn stranger(reader: &mut Reader) -> Option<Subject> {
 
 /// Whether a name may be the person's: nobody has said another, and it is said who that is.
 fn is_introduced(reader: &mut Reader, draft: &mut Draft, name: &str, who: Span) -> bool {
-    let at = reader.at;
-    let visits = predicates::visits(reader);
-    reader.at = at;
-    if visits {
+    if reader.ahead(predicates::visits) {
         let hint = "write who it is: \"her daughter visits\" or \"a nurse visits\"".to_owned();
         reader.fault(who, format!("{name:?} is nobody that this routine knows"), hint);
         return false;

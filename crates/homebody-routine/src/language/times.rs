@@ -1,6 +1,6 @@
 //! Times of day, parts of the day, days of the run and of the calendar.
 
-use super::amounts::{ABOUT, Amount, Unit, amount};
+use super::amounts::{ABOUT, Amount, Unit, amount, number};
 use super::reader::Reader;
 use super::words::Token;
 use crate::fuzzy::Fuzzy;
@@ -85,11 +85,12 @@ fn clock(reader: &mut Reader, bare: bool) -> Option<f64> {
         return Some(DAY_S);
     }
     let (hours, minutes, has_minutes) = match reader.token(0)? {
-        Token::Clock(hours, minutes) => (f64::from(hours), f64::from(minutes), true),
-        Token::Number(hours) => (hours, 0.0, false),
-        _ => return None,
+        Token::Clock(hours, minutes) => {
+            reader.at += 1;
+            (f64::from(hours), f64::from(minutes), true)
+        }
+        _ => (number(reader)?, 0.0, false),
     };
-    reader.at += 1;
     let oclock = reader.eat("o'clock");
     let said_half = reader.eat_any(&[("am", false), ("pm", true)]);
     let half = said_half.or_else(|| half_by_part(reader));
@@ -147,8 +148,7 @@ pub fn time_range(reader: &mut Reader, between: &str) -> Option<(Time, Time)> {
             return None;
         }
         let mut to = time(reader, true)?;
-        // From the evening into the night.
-        if to.at <= from.at && from.at >= 15.0 * HOUR_S && to.at <= 9.0 * HOUR_S {
+        if is_of_next_day(to.at, from.at) {
             to.at += DAY_S;
         } else if to.at <= from.at {
             let span = reader.span(start);
@@ -158,6 +158,14 @@ pub fn time_range(reader: &mut Reader, between: &str) -> Option<(Time, Time)> {
         }
         Some((from, to))
     })
+}
+
+/// Whether what begins at one time and ends at another goes on over midnight: from the afternoon on, until the morning
+/// (ours).
+pub fn is_of_next_day(end: f64, begin: f64) -> bool {
+    const LATE_S: f64 = 15.0 * HOUR_S;
+    const EARLY_S: f64 = 9.0 * HOUR_S;
+    end <= begin && (begin >= DAY_S || begin >= LATE_S && end <= EARLY_S)
 }
 
 /// A day, the beginning of a week, or a date of the calendar.
@@ -181,7 +189,7 @@ pub fn moment(reader: &mut Reader) -> Option<(Moment, Length)> {
             return Some((date, Length::Day));
         }
         let length = reader.eat_any(&[("day", Length::Day), ("week", Length::Week)])?;
-        let number = super::amounts::number(reader)?;
+        let number = number(reader)?;
         let span = reader.span(start);
         if number.fract() != 0.0 || !(1.0..=36_525.0).contains(&number) {
             let what = format!("there is no {:?}", reader.said(span));

@@ -10,8 +10,8 @@
 //! Three vectors are added (Arkin 1989): toward the next corner of the way that can be seen, away from the
 //! nearest obstacle (the largest repulsion, not the sum, so that walls of many points do not dominate), and into a random
 //! direction that persists for a while. The sum is taken anew at every tenth of a second; where that leads within half a
-//! second is one straight step, if the body fits there with its whole radius. If not, the step follows the way planned anew from there, which leads to the goal through any gap; so does the rest of
-//! a leg that takes too long.
+//! second is one straight step, if the body fits there with its whole radius. If not, the step follows the way planned
+//! anew from there, which leads to the goal through any gap; so does the rest of a leg that takes too long.
 //!
 //! Left out: other people, pauses, setting off and slowing down, and what the wanderer looks for.
 

@@ -111,7 +111,7 @@ pub struct Days {
 const MEALS: [&str; 3] = ["eating_breakfast", "eating_lunch", "eating_dinner"];
 
 impl Days {
-    pub fn of(lived: &Lived, activities: &[Span]) -> Days {
+    pub fn of(lived: &Lived, activities: &[Span], moves: &[Moved]) -> Days {
         let span = lived.span();
         let days = lived.days.len().max(1);
         let a_day = |count: usize| count as f64 / days as f64;
@@ -132,21 +132,17 @@ impl Days {
         let count = |day: &[bool; 3]| day.iter().filter(|&&eaten| eaten).count();
         let mut napped: Vec<usize> = naps.iter().map(|nap| lived.clock(nap.begin).0).collect();
         napped.dedup();
-        let rooms: Vec<(Micros, u32)> =
-            lived.rooms().into_iter().skip(1).filter(|(at, _)| lived.span().contains(at)).collect();
-        let moves: Vec<Moved> = lived.moves().into_iter().filter(|moved| lived.span().contains(&moved.begin)).collect();
+        let rooms: Vec<(Micros, u32)> = lived.rooms().into_iter().skip(1).filter(|(at, _)| span.contains(at)).collect();
+        let first = moves.partition_point(|moved| moved.begin < span.start);
+        let moves = &moves[first..moves.partition_point(|moved| moved.begin < span.end)];
         let rises = moves.windows(2).filter(|pair| pair[0].posture != Posture::Standing && is_up(&pair[1])).count();
         let speeds: Vec<f64> = moves.iter().filter_map(speed_mps).collect();
-        let hours = hours(activities, &lived.span()).map(|hours| hours / days as f64);
+        let hours = hours(activities, &span).map(|hours| hours / days as f64);
         Days {
             days,
             hours,
             by_hour: by_hour(lived, activities),
-            away_h: activities
-                .iter()
-                .filter(|one| one.name == "away")
-                .map(|one| overlap_h(one, &lived.span()))
-                .sum::<f64>()
+            away_h: activities.iter().filter(|one| one.name == "away").map(|one| overlap_h(one, &span)).sum::<f64>()
                 / days as f64,
             toilet: a_day(toilet.len()),
             toilet_min: mean(&toilet.iter().map(|visit| visit.minutes()).collect::<Vec<_>>()),

@@ -3,7 +3,7 @@
 //! A night is what lies between lying down and getting up for good, from one noon to the next. What else is done in
 //! between, such as going to the toilet, is part of it.
 
-use super::life::{Lived, Span};
+use super::life::{Lived, Moved, Span};
 use super::statistics::{mean, sd, share};
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros, seconds};
@@ -51,19 +51,19 @@ pub const IN_BED: [&str; 3] = ["going_to_bed", "sleeping", "lying_awake"];
 pub const TOILET: &str = "using_bathroom";
 
 /// The nights that end in the days that count; the first begins on the evening before them.
-pub fn nights(lived: &Lived, activities: &[Span]) -> Vec<Night> {
+pub fn nights(lived: &Lived, activities: &[Span], moves: &[Moved]) -> Vec<Night> {
     let days = lived.days.start - 1..lived.days.end - 1;
-    days.filter_map(|day| night(lived, activities, day)).collect()
+    days.filter_map(|day| night(lived, activities, moves, day)).collect()
 }
 
-fn night(lived: &Lived, activities: &[Span], day: i32) -> Option<Night> {
-    let (noon, next) = (lived.midnight(day) + DAY / 2, lived.midnight(day + 1) + DAY / 2);
-    let of_night: Vec<&Span> = activities.iter().filter(|span| (noon..next).contains(&span.begin)).collect();
+fn night(lived: &Lived, activities: &[Span], moves: &[Moved], day: i32) -> Option<Night> {
+    let noon = |day: i32| activities.partition_point(|span| span.begin < lived.midnight(day) + DAY / 2);
+    let of_night = &activities[noon(day)..noon(day + 1)];
     let mut in_bed = of_night.iter().enumerate().filter(|(_, span)| IN_BED.contains(&span.name));
-    let (first, begin) = in_bed.clone().find_map(|(index, span)| Some((index, lived.lies_from(span)?)))?;
+    let (first, begin) = in_bed.clone().find_map(|(index, span)| Some((index, lies_from(moves, span)?)))?;
     let of_night = &of_night[first..=in_bed.next_back()?.0];
     let end = of_night.last()?.end;
-    let asleep: Vec<&&Span> = of_night.iter().filter(|span| span.name == "sleeping").collect();
+    let asleep: Vec<&Span> = of_night.iter().filter(|span| span.name == "sleeping").collect();
     let asleep_h = asleep.iter().map(|span| span.hours()).sum();
     let fell_asleep = asleep.first()?.begin;
     Some(Night {
@@ -79,20 +79,20 @@ fn night(lived: &Lived, activities: &[Span], day: i32) -> Option<Night> {
     })
 }
 
-impl Lived<'_> {
-    /// When the body first lies, in a span.
-    fn lies_from(&self, span: &Span) -> Option<Micros> {
-        let moves = self.moves();
-        let from = moves.partition_point(|moved| moved.end <= span.begin);
-        let lies = moves[from..].iter().find(|moved| moved.posture == Posture::Lying)?;
-        (lies.begin < span.end).then_some(lies.begin.max(span.begin))
-    }
+/// When the body first lies, in a span.
+fn lies_from(moves: &[Moved], span: &Span) -> Option<Micros> {
+    let from = moves.partition_point(|moved| moved.end <= span.begin);
+    let mut within = moves[from..].iter().take_while(|moved| moved.begin < span.end);
+    within.find(|moved| moved.posture == Posture::Lying).map(|lies| lies.begin.max(span.begin))
 }
 
 impl Nights {
     pub fn of(nights: &[Night], activities: &[Span]) -> Nights {
         let all = |of: fn(&Night) -> f64| -> Vec<f64> { nights.iter().map(of).collect() };
-        let in_night = |at: Micros| nights.iter().any(|night| (night.begin..night.end).contains(&at));
+        let in_night = |at: Micros| {
+            let night = nights.get(nights.partition_point(|night| night.end <= at));
+            night.is_some_and(|night| night.begin <= at)
+        };
         let trips = activities.iter().filter(|span| span.name == TOILET && in_night(span.begin));
         let trip_min: Vec<f64> = trips.map(Span::minutes).collect();
         Nights {

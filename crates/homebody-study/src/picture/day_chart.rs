@@ -15,8 +15,17 @@ use crate::activity_kind::ActivityKind;
 pub struct DayChart {
     pub title: String,
     pub bands: Vec<Band>,
-    /// The sensors by name, and the spans over which each said that something goes on; a firing is a span of no length.
-    pub ticks: Vec<(String, Vec<(f64, f64)>)>,
+    pub ticks: Vec<Ticks>,
+}
+
+/// What a sensor said.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ticks {
+    pub sensor: String,
+    /// Over which it said that something goes on; a firing is a span of no length.
+    pub spans: Vec<(f64, f64)>,
+    /// How many of them began on the day.
+    pub firings: u64,
 }
 
 /// A row of labelled spans.
@@ -69,8 +78,8 @@ pub fn day_chart(day: &DayChart) -> String {
         let above = Point::new(WIDTH - 12.0, y - 8.0);
         svg.text("firings", above, &Type::new(12.0, MUTED).anchored(Anchor::End));
     }
-    for (number, (sensor, spans)) in (0_u32..).zip(&day.ticks) {
-        draw_ticks(&mut svg, sensor, spans, y + ROW * f64::from(number));
+    for (number, ticks) in (0_u32..).zip(&day.ticks) {
+        draw_ticks(&mut svg, ticks, y + ROW * f64::from(number));
     }
     svg.finish(WIDTH, bottom + 46.0)
 }
@@ -78,11 +87,11 @@ pub fn day_chart(day: &DayChart) -> String {
 fn in_words(day: &DayChart) -> String {
     let activities = day.bands.iter().filter(|band| band.holds == Holds::Activities);
     let activities: usize = activities.map(|band| band.spans.len()).sum();
-    let firings: usize = day.ticks.iter().map(|(_, spans)| spans.len()).sum();
-    let counted = |count: usize, one: &str, more: &str| format!("{count} {}", if count == 1 { one } else { more });
-    let activities = (!day.bands.is_empty()).then(|| counted(activities, "activity", "activities"));
+    let firings: u64 = day.ticks.iter().map(|ticks| ticks.firings).sum();
+    let counted = |count: u64, one: &str, more: &str| format!("{count} {}", if count == 1 { one } else { more });
+    let activities = (!day.bands.is_empty()).then(|| counted(activities as u64, "activity", "activities"));
     let ticks = (!day.ticks.is_empty()).then(|| {
-        let sensors = counted(day.ticks.len(), "sensor", "sensors");
+        let sensors = counted(day.ticks.len() as u64, "sensor", "sensors");
         format!("{} of {sensors}", counted(firings, "firing", "firings"))
     });
     activities.into_iter().chain(ticks).collect::<Vec<_>>().join(", ")
@@ -173,7 +182,8 @@ fn stands(room: f64) -> bool {
 }
 
 /// What a sensor said, in one path; how often, to the right.
-fn draw_ticks(svg: &mut Svg, sensor: &str, spans: &[(f64, f64)], top: f64) {
+fn draw_ticks(svg: &mut Svg, ticks: &Ticks, top: f64) {
+    let Ticks { sensor, spans, firings } = ticks;
     name(svg, sensor, top + ROW / 2.0);
     svg.line(Point::new(LEFT, top + ROW), Point::new(RIGHT, top + ROW), &Paint::line("#e3e6e9", 0.6));
     let mut path = String::new();
@@ -191,9 +201,9 @@ fn draw_ticks(svg: &mut Svg, sensor: &str, spans: &[(f64, f64)], top: f64) {
     if !path.is_empty() {
         svg.path(&path, &Paint::fill(WALL).joined());
     }
-    let ink = if spans.is_empty() { MUTED } else { INK };
+    let ink = if *firings == 0 { MUTED } else { INK };
     svg.text(
-        &spans.len().to_string(),
+        &firings.to_string(),
         Point::new(WIDTH - 12.0, top + ROW / 2.0),
         &Type::new(12.0, ink).anchored(Anchor::End),
     );

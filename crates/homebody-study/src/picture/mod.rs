@@ -28,7 +28,7 @@ pub use chart::{
     totals_chart,
 };
 pub use coverage_map::coverage_map;
-pub use day_chart::{Band, DayChart, Holds, day_chart};
+pub use day_chart::{Band, DayChart, Holds, Ticks, day_chart};
 pub use density_map::density_map;
 pub use floor_plan::floor_plan;
 

@@ -125,7 +125,7 @@ fn check_sensors(report: &mut Report, file: &LinkFile, home: &HomeFile) {
                 let (what, hint) = unknown(name);
                 report.problems.push(report.source.problem_with_key(&pointer, what, hint));
             }
-            Some(sensor) if own.false_fires_per_h.is_some() && !looks(sensor) => {
+            Some(sensor) if own.false_fires_per_h.is_some() && !sensor.looks() => {
                 let what = format!("{name:?} is no motion sensor: it does not fire for no reason");
                 report.add(&format!("{pointer}/false_fires_per_h"), what);
             }
@@ -140,7 +140,7 @@ fn check_sensors(report: &mut Report, file: &LinkFile, home: &HomeFile) {
                 let (what, hint) = unknown(name);
                 report.problem(&pointer, what, hint);
             }
-            (Some(sensor), FaultFile::FalseFires(_)) if !looks(sensor) => {
+            (Some(sensor), FaultFile::FalseFires(_)) if !sensor.looks() => {
                 report.add(&pointer, format!("{name:?} is no motion sensor: it does not fire for no reason"));
             }
             (Some(sensor), FaultFile::Moved(_)) if !matches!(sensor, SensorFile::Motion(_)) => {
@@ -150,11 +150,6 @@ fn check_sensors(report: &mut Report, file: &LinkFile, home: &HomeFile) {
             _ => {}
         }
     }
-}
-
-/// Whether it looks for movement.
-fn looks(sensor: &SensorFile) -> bool {
-    matches!(sensor, SensorFile::Motion(_) | SensorFile::CeilingMotion(_))
 }
 
 /// Places to which sensors are moved; a place is a sensor more for whoever reckons what is seen.

@@ -73,9 +73,9 @@ fn live(scenario: &Scenario, household: &Household, seed: u64, days: u32) -> Per
     let mut run = Run::new(scenario, household, seed, length);
     let mut events = Events::default();
     run.advance(length, &mut events);
-    let is_motion = |sensor: &SensorFile| matches!(sensor, SensorFile::Motion(_) | SensorFile::CeilingMotion(_));
-    let is_motion: Vec<bool> = scenario.home.sensors.iter().map(is_motion).collect();
+    let is_motion: Vec<bool> = scenario.home.sensors.iter().map(SensorFile::looks).collect();
     let hold = match &scenario.logger.messages {
+        // Each firing is an ON of its own.
         MessagesFile::FireOnly => 1,
         MessagesFile::OnOff(on_off) => micros(on_off.hold_s),
         MessagesFile::Occupancy(occupancy) => micros(occupancy.timeout_s),
