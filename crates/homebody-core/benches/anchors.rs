@@ -85,7 +85,7 @@ fn kernel(home: &Arc<Home>, schedule: &[Move]) -> f64 {
     let mut events = Events::default();
     let start = Instant::now();
     for next in schedule {
-        world.begin(0, next, &mut events);
+        world.begin(0, next);
         world.advance(next.end, &mut events);
         events.clear();
     }
@@ -160,7 +160,7 @@ fn run_into(path: &Path, home: &Arc<Home>, schedule: &[Move]) -> f64 {
     let mut events = Events::default();
     let mut handed_over = 0;
     for next in schedule {
-        world.begin(0, next, &mut events);
+        world.begin(0, next);
         world.advance(next.end, &mut events);
         if next.end >= handed_over + STEP {
             logger.store(&events.firings, next.end).expect("stored firings");

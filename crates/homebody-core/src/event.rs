@@ -5,13 +5,14 @@ use crate::scenario::path::Posture;
 use crate::time::Micros;
 use std::fmt;
 
-/// One message of a sensor as it leaves the device. Never holds ground truth.
+/// One message of a sensor as it reaches the logger. Never holds ground truth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Firing {
     /// The run's firings are numbered from 0, in order of time and, at one instant, of sensors.
     pub seq: u64,
+    /// The time that the log gives it.
     pub at: Micros,
-    /// Index into the home's sensors.
+    /// Index into the run's sensors.
     pub sensor: u32,
     pub value: Value,
 }
@@ -126,7 +127,7 @@ pub enum Loss {
 pub enum Fact {
     /// Why a firing came: whose movement the sensor saw, and when it saw it.
     Cause { seq: u64, cause: Cause },
-    /// A message that left its sensor at `at` and never reached the logger.
+    /// What a sensor said at `at`, or should have said, that never reached the logger.
     Lost { at: Micros, sensor: u32, value: Value, cause: Cause, loss: Loss },
     /// What a resident's body does over a span; the spans of a resident follow each other without gaps.
     Movement { resident: u32, begin: Micros, end: Micros, doing: Doing, posture: Posture },

@@ -125,6 +125,11 @@ pub fn segment_inside_convex(outline: &[Point], a: Point, b: Point) -> Option<(f
     (enter <= leave).then_some((enter, leave))
 }
 
+/// Whether `p` is in a convex outline or on its border.
+pub fn covers(outline: &[Point], p: Point) -> bool {
+    !outline.is_empty() && segment_inside_convex(outline, p, p).is_some()
+}
+
 /// The smallest rectangle with sides along the axes that holds all points: its least and greatest corner.
 pub fn bounds(points: impl IntoIterator<Item = Point>) -> (Point, Point) {
     points.into_iter().fold((Point::INFINITY, Point::NEG_INFINITY), |(least, most), p| (least.min(p), most.max(p)))

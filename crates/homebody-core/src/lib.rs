@@ -16,12 +16,13 @@ pub mod problem;
 pub mod home;
 pub mod sensors;
 
-// Movement: strides, who decides on them, the world they happen in.
+// Movement: strides, who decides on them, the world they happen in, and the way of what its sensors say.
 pub mod stride;
 pub mod event;
 mod timers;
 pub mod drivers;
 pub mod world;
+pub mod link;
 pub mod run;
 pub mod recording;
 

@@ -3,13 +3,16 @@
 use crate::drivers::live::{KeyTrack, LiveDriver};
 use crate::drivers::path::PathDriver;
 use crate::drivers::{Body, Decide, Driver, Move, Next};
-use crate::event::{Doing, Events, Fact};
+use crate::event::{Act, Doing, Events, Fact};
 use crate::home::plan::Plan;
 use crate::home::{Build, Home, Sun};
+use crate::link::{self, Link};
 use crate::scenario::load::{self, Scenario};
+use crate::sensors::Sensor;
 use crate::stride::Stride;
 use crate::time::{Micros, NEVER, SECOND};
 use crate::world::World;
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// A scenario being lived. A clone continues exactly as the original.
@@ -18,6 +21,10 @@ pub struct Run {
     world: World,
     residents: Vec<Resident>,
     names: Vec<String>,
+    /// By thing of the plan: who has turned it on, or opened it.
+    users: Vec<Vec<u32>>,
+    /// Nothing where all that sensors say reaches the logger at once.
+    link: Option<Box<Link>>,
     length: Micros,
 }
 
@@ -65,10 +72,15 @@ impl Run {
         let guests = lives.guests();
         let residents = scenario.residents.iter().map(|resident| Build::of(&resident.file));
         let builds: Vec<Build> = residents.chain(guests.iter().map(|guest| guest.build)).collect();
-        let mut home = Home::bake(&scenario.home, &builds);
+        let start_of_day = scenario.calendar.start_of_day();
+        let link = scenario.link.as_ref().map(|file| Link::new(file, &scenario.home.sensors, start_of_day, seed));
+        let mut file = Cow::Borrowed(&scenario.home);
+        if let Some(link) = &scenario.link {
+            file.to_mut().sensors.extend(link::other_places(link, &scenario.home.sensors));
+        }
+        let mut home = Home::bake(&file, &builds);
         home.sun = Sun::of(&scenario.calendar, scenario.home.latitude_deg);
         let home = Arc::new(home);
-        let start_of_day = scenario.calendar.start_of_day();
         let drivers = (0..builds.len()).map(|body| {
             let given = || lives.driver(body, &home, seed).map(Driver::Other);
             let resident = scenario.residents.get(body);
@@ -76,7 +88,7 @@ impl Run {
             own.or_else(given).unwrap_or(Driver::Absent)
         });
         let drivers = drivers.collect();
-        let mut run = Run::of(home, builds, drivers, seed, length);
+        let mut run = Run { link: link.map(Box::new), ..Run::of(home, builds, drivers, seed, length) };
         let names = scenario.residents.iter().map(|resident| resident.file.name.clone());
         run.names = names.chain(guests.into_iter().map(|guest| guest.name)).collect();
         run
@@ -84,10 +96,18 @@ impl Run {
 
     /// A run of any drivers in a baked home.
     pub fn of(home: Arc<Home>, builds: Vec<Build>, drivers: Vec<Driver>, seed: u64, length: Micros) -> Run {
+        let users = vec![Vec::new(); home.plan.things.len()];
         let world = World::new(home, drivers.len(), seed);
         let resident = |(build, driver)| Resident { build, driver, until: 0, room: None, located: false };
         let names = (1..=drivers.len()).map(|number| format!("resident {number}")).collect();
-        Run { world, residents: builds.into_iter().zip(drivers).map(resident).collect(), names, length }
+        Run {
+            world,
+            residents: builds.into_iter().zip(drivers).map(resident).collect(),
+            names,
+            users,
+            link: None,
+            length,
+        }
     }
 
     pub fn home(&self) -> &Home {
@@ -99,9 +119,21 @@ impl Run {
         self.names.clone()
     }
 
+    /// The sensors that the logger knows, in the order in which firings count them. The home has more where a sensor
+    /// is moved in the course of the run.
+    pub fn sensors(&self) -> &[Sensor] {
+        let sensors = &self.home().sensors;
+        &sensors[..self.link.as_ref().map_or(sensors.len(), |link| link.sensors())]
+    }
+
     /// How far the run has come.
     pub fn now(&self) -> Micros {
         self.world.now()
+    }
+
+    /// The time up to which all firings have been told: how far the run has come, unless a sensor's clock is behind.
+    pub fn settled(&self) -> Micros {
+        self.link.as_ref().map_or(self.now(), |link| link.settled(self.now()))
     }
 
     /// How long it is in all.
@@ -113,21 +145,35 @@ impl Run {
     /// before then. In how many steps a run is advanced changes nothing.
     pub fn advance(&mut self, until: Micros, events: &mut Events) {
         let until = until.min(self.length);
-        while self.world.now() < until {
-            for resident in 0..self.residents.len() {
-                if self.residents[resident].until <= self.world.now() {
-                    self.begin_next(resident, events);
-                }
+        let Some(mut link) = self.link.take() else {
+            while self.now() < until {
+                self.step(until, events);
             }
-            let next = self.residents.iter().map(|resident| resident.until).min();
-            self.world.advance(until.min(next.unwrap_or(until)), events);
+            return;
+        };
+        let mut said = Events::default();
+        while self.now() < until {
+            self.step(until, &mut said);
+            link.carry(&mut said, self.now(), events);
         }
+        self.link = Some(link);
+    }
+
+    /// Lives until `until`, or until somebody's move ends.
+    fn step(&mut self, until: Micros, events: &mut Events) {
+        for resident in 0..self.residents.len() {
+            if self.residents[resident].until <= self.world.now() {
+                self.begin_next(resident, events);
+            }
+        }
+        let next = self.residents.iter().map(|resident| resident.until).min();
+        self.world.advance(until.min(next.unwrap_or(until)), events);
     }
 
     /// Lives the run from its beginning and returns what each resident does, for those who want to live it in another
     /// way. Only for a run that has not been advanced: what is under way is not told again.
     pub fn moves(&self) -> Vec<Vec<Move>> {
-        let mut run = self.clone();
+        let mut run = Run { link: None, ..self.clone() };
         let mut moves = vec![Vec::new(); run.residents.len()];
         let mut events = Events::default();
         while run.now() < run.length {
@@ -151,11 +197,8 @@ impl Run {
                 Next::Activity(name) => {
                     events.facts.push(Fact::Activity { resident: resident as u32, at: now, name });
                 }
-                Next::Act(act) => {
-                    events.facts.push(Fact::Act { resident: resident as u32, at: now, act });
-                    self.world.act(resident, act, events);
-                }
-                Next::Vitals(vitals) => self.world.feel(resident, vitals, events),
+                Next::Act(act) => self.act(resident, act, now, events),
+                Next::Vitals(vitals) => self.world.feel(resident, vitals),
                 Next::Need(need, level) => {
                     events.facts.push(Fact::Need { resident: resident as u32, at: now, need, level });
                 }
@@ -168,9 +211,30 @@ impl Run {
         };
         self.residents[resident].until = next.end;
         self.tell_rooms(resident, &next, events);
-        self.world.begin(resident, &next, events);
+        self.world.begin(resident, &next);
         let Move { end, doing, posture, .. } = next.until(self.length);
         events.facts.push(Fact::Movement { resident: resident as u32, begin: now, end, doing, posture });
+    }
+
+    /// A resident uses a thing. What several have turned on goes off with the last of them; what somebody else has left on,
+    /// anybody turns off.
+    fn act(&mut self, resident: usize, act: Act, now: Micros, events: &mut Events) {
+        let users = &mut self.users[act.thing as usize];
+        let was_on = !users.is_empty();
+        if act.on {
+            if !users.contains(&(resident as u32)) {
+                users.push(resident as u32);
+            }
+        } else if users.contains(&(resident as u32)) {
+            users.retain(|user| *user != resident as u32);
+        } else {
+            users.clear();
+        }
+        let changes = if act.on { !was_on } else { users.is_empty() };
+        if changes {
+            events.facts.push(Fact::Act { resident: resident as u32, at: now, act });
+            self.world.act(resident, act);
+        }
     }
 
     /// The bodies of the others, where they are now.

@@ -6,7 +6,7 @@
 //! timers bring their firings into order.
 //!
 //! Times are compared as whole microseconds, never as floats. A slice is half-open: what happens at
-//! its end belongs to the next. At one instant, touching comes before timers.
+//! its end belongs to the next. At one instant, touching and being told come before timers.
 
 use crate::drivers::Move;
 use crate::event::{Act as Using, Cause, Doing, Events, Fact, Firing, Value, Vitals, Why};
@@ -32,8 +32,9 @@ pub struct World {
     now: Micros,
     bodies: Vec<Body>,
     machines: Vec<Machine>,
-    /// The sensors that are told what happens, by sensor; the others look for movement.
-    devices: Vec<Option<Device>>,
+    /// The sensors that are told what happens, by sensor, with what they have said now and not yet sent; the others look
+    /// for movement.
+    devices: Vec<Option<(Device, Said)>>,
     told: Mask,
     /// Those of them that want to be told what bodies do.
     feeling: Mask,
@@ -49,6 +50,9 @@ pub struct World {
     /// The bodies that move in the present slice.
     movers: Vec<Mover>,
 }
+
+/// Bodies narrower than this are too light to be felt in beds and on mats (ours): that of a cat is 0.1 m.
+const LIGHT_M: f64 = 0.15;
 
 /// What a body is doing.
 #[derive(Clone, Debug)]
@@ -82,14 +86,17 @@ impl World {
         let looking = |&sensor: &usize| home.sensors[sensor].looks();
         let all: Mask = (0..machines.len()).filter(looking).fold(0, |mask, sensor| mask | 1 << sensor);
         let device = |sensor: &Sensor| match &sensor.kind {
-            Kind::Device(device) => Some(device.begin(Stream::named(seed, &format!("sensor/{}/device", sensor.name)))),
+            Kind::Device(device) => {
+                let stream = Stream::named(seed, &format!("sensor/{}/device", sensor.name));
+                Some((device.begin(stream, home.sun), Said::default()))
+            }
             Kind::Motion(_) | Kind::CeilingMotion(_) => None,
         };
-        let devices: Vec<Option<Device>> = home.sensors.iter().map(device).collect();
+        let devices: Vec<Option<(Device, Said)>> = home.sensors.iter().map(device).collect();
         let mut timers = Timers::new(machines.len());
         let (mut told, mut feeling) = (0, 0);
         for (sensor, device) in devices.iter().enumerate() {
-            let Some(device) = device else { continue };
+            let Some((device, _)) = device else { continue };
             timers.set(sensor, device.timer());
             told |= 1 << sensor;
             feeling |= Mask::from(device.feels_bodies()) << sensor;
@@ -128,7 +135,7 @@ impl World {
 
     /// From now until the move's end, the resident does this; the move may have begun before now. The
     /// caller advances no further than its end before it says what comes next.
-    pub fn begin(&mut self, resident: usize, next: &Move, events: &mut Events) {
+    pub fn begin(&mut self, resident: usize, next: &Move) {
         let posture = next.posture;
         let act = match next.doing {
             Doing::Stride { from, to } => Act::Stride(Stride::new(from, to, next.begin, next.end)),
@@ -142,31 +149,32 @@ impl World {
         if settles && self.zoned != 0 {
             self.settle(resident);
         }
+        // A cat presses no mat, and lies beside the strip.
+        if self.home.field(resident, posture).size.radius_m < LIGHT_M {
+            return;
+        }
         let Move { begin, end, doing, posture } = *next;
-        self.tell(self.feeling, &Change::Body { resident: resident as u32, begin, end, doing, posture }, events);
+        self.tell(self.feeling, &Change::Body { resident: resident as u32, begin, end, doing, posture });
     }
 
     /// A resident uses a thing, now.
-    pub fn act(&mut self, resident: usize, act: Using, events: &mut Events) {
+    pub fn act(&mut self, resident: usize, act: Using) {
         let Using { thing, on } = act;
-        self.tell(Mask::MAX, &Change::Act { resident: resident as u32, thing, on }, events);
+        self.tell(Mask::MAX, &Change::Act { resident: resident as u32, thing, on });
     }
 
     /// From now on a resident's heart and lungs are like this.
-    pub fn feel(&mut self, resident: usize, vitals: Vitals, events: &mut Events) {
-        self.tell(self.feeling, &Change::Vitals { resident: resident as u32, vitals }, events);
+    pub fn feel(&mut self, resident: usize, vitals: Vitals) {
+        self.tell(self.feeling, &Change::Vitals { resident: resident as u32, vitals });
     }
 
-    /// Tells the devices among the sensors what happens now.
-    fn tell(&mut self, sensors: Mask, change: &Change, events: &mut Events) {
-        let mut said = Said::default();
+    /// Tells the devices among the sensors what happens now. What they say leaves them now too, but when it is their turn
+    /// among all sensors that have something to say.
+    fn tell(&mut self, sensors: Mask, change: &Change) {
         for sensor in bits(sensors & self.told) {
-            let Some(device) = &mut self.devices[sensor] else { continue };
-            device.told(self.now, change, &mut said);
-            self.timers.set(sensor, device.timer());
-            for (value, cause) in said.0.drain(..) {
-                self.send(self.now, sensor, value, cause, events);
-            }
+            let Some((device, said)) = &mut self.devices[sensor] else { continue };
+            device.told(self.now, change, said);
+            self.timers.set(sensor, if said.0.is_empty() { device.timer() } else { self.now });
         }
     }
 
@@ -298,10 +306,11 @@ impl World {
 
     /// A sensor's timer runs out; what its machine wants then is for [`World::note`].
     fn ring(&mut self, at: Micros, sensor: usize, events: &mut Events) {
-        if let Some(device) = &mut self.devices[sensor] {
-            let mut said = Said::default();
-            device.due(at, &mut said);
-            for (value, cause) in said.0 {
+        if let Some((device, said)) = &mut self.devices[sensor] {
+            if device.timer() <= at {
+                device.due(at, said);
+            }
+            for (value, cause) in std::mem::take(&mut said.0) {
                 self.send(at, sensor, value, cause, events);
             }
         } else if let Due::Fired(seen) = self.machines[sensor].due() {
@@ -332,7 +341,7 @@ impl World {
 
     /// Keeps what a machine wants and when its timer is due.
     fn note(&mut self, sensor: usize) {
-        if let Some(device) = &self.devices[sensor] {
+        if let Some((device, _)) = &self.devices[sensor] {
             return self.timers.set(sensor, device.timer());
         }
         let machine = &self.machines[sensor];

@@ -5,7 +5,7 @@ mod random_home;
 
 use homebody_core::drivers::path::PathDriver;
 use homebody_core::drivers::{Driver, Move};
-use homebody_core::event::{Cause, Doing, Events, Fact, Firing};
+use homebody_core::event::{Cause, Doing, Events, Fact, Firing, Value};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
 use homebody_core::run::Run;
@@ -13,7 +13,8 @@ use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND};
 use homebody_core::world::World;
-use random_home::{Dice, Model};
+use random_home::{Dice, Done, Model};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// A world and what each of its residents does.
@@ -21,6 +22,7 @@ use std::sync::Arc;
 struct Case {
     world: World,
     lives: Vec<Vec<Move>>,
+    doings: Vec<Vec<(Micros, Done)>>,
     length: Micros,
 }
 
@@ -33,7 +35,8 @@ impl Case {
         let home = Arc::new(Home::bake(&file, &builds));
         let length = 300 * SECOND;
         let lives = (0..builds.len()).map(|i| random_home::life(case, i, &home, length, 0.05)).collect();
-        Case { world: World::new(home, builds.len(), case), lives, length }
+        let doings = (0..builds.len()).map(|i| random_home::doings(case, i, &home, length)).collect();
+        Case { world: World::new(home, builds.len(), case), lives, doings, length }
     }
 
     /// Lives until `until`, cutting time at `cuts` as well as wherever a move ends.
@@ -44,8 +47,17 @@ impl Case {
             for (resident, life) in self.lives.iter().enumerate() {
                 let next = &life[life.partition_point(|next| next.end <= now)];
                 // Beginning the same move again in its middle is what cutting it means.
-                self.world.begin(resident, next, events);
+                self.world.begin(resident, next);
                 end = end.min(next.end);
+                let doings = &self.doings[resident];
+                let (now, later) = (at(doings, now), at(doings, now + 1));
+                for &(_, done) in &doings[now..later] {
+                    match done {
+                        Done::Act(act) => self.world.act(resident, act),
+                        Done::Vitals(vitals) => self.world.feel(resident, vitals),
+                    }
+                }
+                end = end.min(doings.get(later).map_or(end, |&(at, _)| at));
             }
             let cut = cuts.partition_point(|&cut| cut <= now);
             self.world.advance(end.min(cuts.get(cut).copied().unwrap_or(Micros::MAX)), events);
@@ -61,15 +73,27 @@ impl Case {
 
 const CASES: u64 = 300;
 
+/// How many of the doings are before an instant.
+fn at(doings: &[(Micros, Done)], at: Micros) -> usize {
+    doings.partition_point(|&(done, _)| done < at)
+}
+
 /// The firings alone, so that a failure is readable.
-fn firings(events: &Events) -> Vec<(Micros, u32)> {
-    events.firings.iter().map(|firing| (firing.at, firing.sensor)).collect()
+fn firings(events: &Events) -> Vec<(Micros, u32, Value)> {
+    events.firings.iter().map(|firing| (firing.at, firing.sensor, firing.value)).collect()
 }
 
 #[test]
 fn the_cases_have_something_to_say() {
-    let firings: usize = (0..CASES).map(|case| Case::new(case).events(&[]).firings.len()).sum();
-    assert!(firings > 50 * CASES as usize, "{firings} firings in all");
+    let mut values = BTreeMap::new();
+    for firing in (0..CASES).flat_map(|case| Case::new(case).events(&[]).firings) {
+        let reading = matches!(firing.value, Value::Reading(_));
+        *values.entry(if reading { Value::Reading(0) } else { firing.value }).or_insert(0) += 1;
+    }
+    let firings: usize = values.values().sum();
+    assert!(firings > 50 * CASES as usize && values[&Value::Fire] > 30 * CASES as usize, "{values:?}");
+    // FIRE, ON, OFF, OPEN, CLOSE, IN, OUT, four levels of restlessness, three classes each of two, readings.
+    assert!(values.len() == 18 && values.values().all(|&count| count >= 50), "{values:?}");
 }
 
 #[test]
@@ -187,12 +211,18 @@ fn adding_a_sensor_changes_no_other() {
         let builds = random_home::builds(case, 3);
         let before = Case::with(case, file.clone(), builds.clone()).events(&[]);
         let mut more = file.clone();
-        let mut added = random_home::home(case + 1_000_000, Model::Whole).sensors.remove(0);
+        let mut added = match case % 2 {
+            0 => random_home::home(case + 1_000_000, Model::Whole).sensors.remove(0),
+            _ => {
+                let device = random_home::device(&mut Dice::new(case, "added"), 0, 4.0, 3.0);
+                serde_json::from_value(device).unwrap()
+            }
+        };
         *added.name_mut() = "added".into();
         more.sensors.insert(0, added);
         let after = Case::with(case, more, builds).events(&[]);
-        let others: Vec<(Micros, u32)> =
-            firings(&after).into_iter().filter(|&(_, sensor)| sensor > 0).map(|(at, s)| (at, s - 1)).collect();
+        let others: Vec<(Micros, u32, Value)> =
+            firings(&after).into_iter().filter(|&(_, sensor, _)| sensor > 0).map(|(at, s, v)| (at, s - 1, v)).collect();
         let mut before = firings(&before);
         before.sort_unstable();
         let mut others = others;
@@ -210,6 +240,7 @@ fn adding_a_resident_whom_no_sensor_sees_changes_nothing() {
         let mut two = Case::with(case, file, vec![build, Build { radius_m: 0.3, height_m: 1.2 }]);
         let length = two.length;
         let posture = two.lives[1][0].posture;
+        two.doings[1].clear();
         two.lives[1] = vec![Move { begin: 0, end: length, doing: Doing::Away, posture }];
         assert_eq!(firings(&alone), firings(&two.events(&[])), "case {case}");
     }

@@ -68,7 +68,7 @@ fn noticed(sensor: &Value, furniture: &Value, lives: &[Life]) -> Vec<(Micros, u3
         for (resident, life) in lives.iter().enumerate() {
             let next = &life.0[life.0.partition_point(|next| next.end <= now)];
             if next.begin == now {
-                world.begin(resident, next, &mut events);
+                world.begin(resident, next);
             }
             until = until.min(next.end);
         }

@@ -63,7 +63,7 @@ impl Case {
         let mut world = World::new(self.home.clone(), 1, self.number);
         let mut events = Events::default();
         for next in &self.life {
-            world.begin(0, next, &mut events);
+            world.begin(0, next);
             world.advance(next.end.min(LENGTH), &mut events);
         }
         events

@@ -9,10 +9,11 @@
 //! | `act` | how a resident left a thing that they used: 1 is on or open |
 //! | `need` | how strong a need was, from 0 (met) to 1 (pressing) |
 //! | `condition` | how severe a condition is from an instant on; 1 is a moderate case |
-//! | `lost` | a message that left its sensor and never reached the logger, and why |
+//! | `lost` | what a sensor said, or should have said, that never reached the logger, and why |
 //! | `run` | which run it was |
 //!
-//! Instants are written as in the log, sensors under the ids they have there.
+//! Instants are written as in the log, sensors under the ids they have there. No table looks like a log to whoever
+//! reads logs: where there are sensors, two instants stand side by side.
 
 use crate::clock::Clock;
 use crate::error::LogError;
@@ -202,14 +203,14 @@ impl TruthSink {
             coming: Vec::new(),
             run: run.id,
             inserts: Inserts {
-                cause: insert("cause", &["firing", "resident", "seen_at", "why", "thing", "fired_at", "sensor"]),
+                cause: insert("cause", &["firing", "resident", "seen_at", "fired_at", "sensor", "why", "thing"]),
                 movement: insert("movement", &MOVEMENT),
                 room: insert("room", &["resident", "at", "room"]),
                 activity: insert("activity", &["resident", "begin_at", "end_at", "name"]),
                 act: insert("act", &["resident", "at", "thing", "is_on"]),
                 need: insert("need", &["resident", "at", "need", "level"]),
                 condition: insert("condition", &["resident", "at", "name", "severity"]),
-                lost: insert("lost", &["fired_at", "sensor", "value", "loss", "resident", "seen_at", "why", "thing"]),
+                lost: insert("lost", &["sensor", "value", "sent_at", "seen_at", "loss", "resident", "why", "thing"]),
             },
         })
     }
@@ -286,27 +287,27 @@ impl TruthSink {
                 row.put(*seq as i64)?;
                 row.put(cause.resident.map(|resident| &residents[resident as usize]))?;
                 row.put(clock.stamp(cause.seen_at))?;
-                let (why, thing) = reason(cause.why);
-                row.put(why)?;
-                row.put(thing.map(|thing| &things[thing]))?;
                 match firing {
                     Some(firing) => {
                         row.put(clock.stamp(firing.at))?;
-                        row.put(&shown.sensors[firing.sensor as usize])
+                        row.put(&shown.sensors[firing.sensor as usize])?;
                     }
                     None => {
                         row.put(Null)?;
-                        row.put(Null)
+                        row.put(Null)?;
                     }
                 }
+                let (why, thing) = reason(cause.why);
+                row.put(why)?;
+                row.put(thing.map(|thing| &things[thing]))
             })?;
             inserts.lost.rows(connection, &lost, |(at, sensor, value, cause, loss), row| {
-                row.put(clock.stamp(*at))?;
                 row.put(&shown.sensors[*sensor as usize])?;
                 row.put(shown.value(Said::Value(*value), &mut text))?;
+                row.put(clock.stamp(*at))?;
+                row.put(clock.stamp(cause.seen_at))?;
                 row.put(loss_name(*loss))?;
                 row.put(cause.resident.map(|resident| &residents[resident as usize]))?;
-                row.put(clock.stamp(cause.seen_at))?;
                 let (why, thing) = reason(cause.why);
                 row.put(why)?;
                 row.put(thing.map(|thing| &things[thing]))
@@ -358,8 +359,8 @@ const MOVEMENT: [&str; 10] =
 fn tables(time: &str) -> [String; 8] {
     [
         format!(
-            "cause (run_id INTEGER, firing INTEGER, resident TEXT, seen_at {time}, why TEXT, thing TEXT, \
-             fired_at {time}, sensor TEXT)"
+            "cause (run_id INTEGER, firing INTEGER, resident TEXT, seen_at {time}, fired_at {time}, sensor TEXT, \
+             why TEXT, thing TEXT)"
         ),
         format!(
             "movement (run_id INTEGER, resident TEXT, begin_at {time}, end_at {time}, kind TEXT, \
@@ -371,7 +372,7 @@ fn tables(time: &str) -> [String; 8] {
         format!("need (run_id INTEGER, resident TEXT, at {time}, need TEXT, level REAL)"),
         format!("condition (run_id INTEGER, resident TEXT, at {time}, name TEXT, severity REAL)"),
         format!(
-            "lost (run_id INTEGER, fired_at {time}, sensor TEXT, value TEXT, loss TEXT, resident TEXT, seen_at {time}, \
+            "lost (run_id INTEGER, sensor TEXT, value TEXT, sent_at {time}, seen_at {time}, loss TEXT, resident TEXT, \
              why TEXT, thing TEXT)"
         ),
     ]

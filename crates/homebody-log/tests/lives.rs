@@ -24,7 +24,7 @@ fn each_residents_activities_and_rooms_are_told() {
     ];
     let names = |names: [&str; 2]| names.map(String::from);
     let (residents, rooms) = (names(["Ann", "Bob"]), names(["bedroom", "kitchen"]));
-    let names = truth::Names { residents: &residents, rooms: &rooms, sensors: &stage::sensors() };
+    let names = truth::Names { residents: &residents, rooms: &rooms, things: &[], sensors: &stage::sensors() };
     // The clock on the wall, and the world's, six hours later.
     for (time, start) in [(TimeFormat::Local, 1_236_463_200 * SECOND), (TimeFormat::EpochS, 1_236_484_800 * SECOND)] {
         let folder = Folder::new(&format!("lives-{time:?}"));

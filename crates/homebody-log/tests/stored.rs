@@ -219,7 +219,8 @@ fn truth_and_firings_are_never_in_one_file() {
     truth(&folder, std::slice::from_ref(&log), &a_short_life()).unwrap();
     stage::store(logger, &stage::firings(10), 10).unwrap();
     assert_eq!(schema(&folder, "log.db"), [r#"Text("firing")"#, r#"Text("run")"#]);
-    let truth = ["activity", "cause", "movement", "room", "run"].map(|name| format!("Text({name:?})"));
+    let truth = ["act", "activity", "cause", "condition", "lost", "movement", "need", "room", "run"]
+        .map(|name| format!("Text({name:?})"));
     assert_eq!(schema(&folder, "truth.db"), truth);
 }
 

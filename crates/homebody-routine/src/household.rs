@@ -6,14 +6,15 @@ use crate::living::driver::RoutineDriver;
 use crate::living::life::Life;
 use crate::living::pet::PetDriver;
 use crate::living::places::{Places, Role};
-use crate::routine::{Activity, Effect, Kind, Routine};
+use crate::routine::{Activity, Effect, Kind, Meal, Routine};
 use crate::walk::Mesh;
 use homebody_core::drivers::Decide;
 use homebody_core::home::plan::Plan;
 use homebody_core::home::{Build, Home};
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::run::{Guest, Lives};
-use homebody_core::scenario::load::{Driver, Files, Scenario};
+use homebody_core::scenario::home::HomeFile;
+use homebody_core::scenario::load::{Driver, Files, Language, Said, Scenario};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -52,6 +53,29 @@ pub const CONDITIONS: [(&str, &str); 8] = [
 /// What a routine that says nothing of it leaves to be ordinary.
 const ORDINARY: &str = include_str!("ordinary.routine");
 
+/// What everybody does without its being said: what [`ORDINARY`] says, what needs drive to, and what fills the time.
+const USUAL: [Activity; 19] = [
+    Activity::GetUp,
+    Activity::Dress,
+    Activity::Wash,
+    Activity::Prepare(Meal::Breakfast),
+    Activity::Eat(Meal::Breakfast),
+    Activity::Prepare(Meal::Lunch),
+    Activity::Eat(Meal::Lunch),
+    Activity::Prepare(Meal::Dinner),
+    Activity::Eat(Meal::Dinner),
+    Activity::WashUp,
+    Activity::GoToBed,
+    Activity::Laundry,
+    Activity::Leave,
+    Activity::Phone,
+    Activity::UseBathroom,
+    Activity::Drink,
+    Activity::Snack,
+    Activity::WatchTelevision,
+    Activity::Read,
+];
+
 impl Household {
     /// Reads the routines of a scenario and the conditions that they show, each from the scenario's own folder or, if it
     /// has none of that name, from those the program knows. The texts that were read join the scenario's sources.
@@ -66,10 +90,11 @@ impl Household {
                 routines.push(None);
                 continue;
             };
-            let known = known(scenario, &plan, Some(&resident.file.name), reader.names(text));
+            let first = Some(scenario.calendar.date(0));
+            let known = known(&scenario.home, &plan, Some(&resident.file.name), reader.names(text), first);
             let (routine, problems) = language::routine(file, text, &known);
             reader.problems.extend(problems);
-            reader.follow(&routine, scenario, &plan, &mut Vec::new());
+            reader.follow(&routine, &scenario.home, &plan, first, &mut Vec::new());
             routines.push(Some(routine));
         }
         for name in without {
@@ -113,6 +138,11 @@ impl Household {
         self.routines.get(resident)?.as_ref()
     }
 
+    /// What the routine of a resident leaves unsaid, and goes as it usually does.
+    pub fn unsaid(&self, resident: usize) -> Option<Routine> {
+        self.life(resident, 0).map(|life| life.unsaid().clone())
+    }
+
     /// The conditions that are shown, by name.
     pub fn conditions(&self) -> &BTreeMap<String, Routine> {
         &self.conditions
@@ -125,7 +155,10 @@ impl Household {
         let plan = Plan::new(&self.scenario.home);
         let (ordinary, _) = match routine.person.as_ref().map(|person| person.kind) {
             Some(Kind::Cat | Kind::Dog) => (Routine::default(), Vec::new()),
-            _ => language::condition("ordinary.routine", ORDINARY, &known(&self.scenario, &plan, None, Vec::new())),
+            _ => {
+                let known = known(&self.scenario.home, &plan, None, Vec::new(), None);
+                language::condition("ordinary.routine", ORDINARY, &known)
+            }
         };
         let calendar = &self.scenario.calendar;
         Some(Life::new(
@@ -187,6 +220,21 @@ impl Lives for Household {
     }
 }
 
+/// What is wrong with routines, for those who load scenarios.
+pub struct Spoken;
+
+impl Language for Spoken {
+    fn problems(&self, said: &Said, home: &HomeFile, plan: &Plan, files: &dyn Files) -> Vec<Problem> {
+        let mut reader = Reader { files, known: BTreeMap::new(), sources: BTreeMap::new(), problems: Vec::new() };
+        let first = said.calendar.map(|calendar| calendar.date(0));
+        let known = known(home, plan, said.resident, reader.names(said.text), first);
+        let (routine, mut problems) = language::routine(said.file, said.text, &known);
+        reader.follow(&routine, home, plan, first, &mut Vec::new());
+        problems.extend(reader.problems);
+        problems
+    }
+}
+
 /// The conditions that a routine shows.
 fn shows(routine: &Routine) -> impl Iterator<Item = &str> {
     routine.changes.iter().filter_map(|change| match &change.effect {
@@ -196,16 +244,29 @@ fn shows(routine: &Routine) -> impl Iterator<Item = &str> {
 }
 
 /// What may be named in a scenario's routines.
-fn known(scenario: &Scenario, plan: &Plan, person: Option<&str>, conditions: Vec<String>) -> Known {
-    let furniture = scenario.home.furniture.iter().map(|piece| piece.name.clone());
+fn known(
+    home: &HomeFile,
+    plan: &Plan,
+    person: Option<&str>,
+    conditions: Vec<String>,
+    first_date: Option<(i16, u8, u8)>,
+) -> Known {
+    let furniture = home.furniture.iter().map(|piece| piece.name.clone());
     let places = plan.places.iter().map(|(name, _)| name.clone());
+    let mut places: Vec<String> = places.chain(furniture).collect();
+    // What is called after somebody is "his armchair" to himself.
+    let whose = person.map(|person| format!("{}'s ", person.to_lowercase()));
+    let own = |name: &String| Some(name.to_lowercase().strip_prefix(whose.as_ref()?)?.to_owned());
+    let own: Vec<String> = places.iter().filter_map(own).collect();
+    places.extend(own);
     Known {
         person: person.map(String::from),
-        places: places.chain(furniture).collect(),
+        places,
         things: plan.things.iter().map(|thing| thing.name.clone()).collect(),
         rooms: plan.rooms.iter().map(|room| room.name.clone()).collect(),
         conditions,
-        first_date: Some(scenario.calendar.date(0)),
+        first_date,
+        usual: USUAL.to_vec(),
     }
 }
 
@@ -241,7 +302,14 @@ impl Reader<'_> {
     }
 
     /// Reads the conditions that a routine shows, and those that these show; `path` are the ones on the way here.
-    fn follow(&mut self, routine: &Routine, scenario: &Scenario, plan: &Plan, path: &mut Vec<String>) {
+    fn follow(
+        &mut self,
+        routine: &Routine,
+        home: &HomeFile,
+        plan: &Plan,
+        first: Option<(i16, u8, u8)>,
+        path: &mut Vec<String>,
+    ) {
         for change in &routine.changes {
             let Effect::Shows { condition, .. } = &change.effect else { continue };
             if path.contains(condition) {
@@ -260,12 +328,12 @@ impl Reader<'_> {
             let built_in = || CONDITIONS.iter().find(|(name, _)| name == condition).map(|(_, text)| (*text).to_owned());
             let Some(text) = own.or_else(built_in) else { continue };
             let names = self.names(&text);
-            let (routine, problems) = language::condition(&file, &text, &known(scenario, plan, None, names));
+            let (routine, problems) = language::condition(&file, &text, &known(home, plan, None, names, first));
             self.problems.extend(problems);
             self.sources.insert(file, text);
             self.known.insert(condition.clone(), routine.clone());
             path.push(condition.clone());
-            self.follow(&routine, scenario, plan, path);
+            self.follow(&routine, home, plan, first, path);
             path.pop();
         }
     }
@@ -291,7 +359,9 @@ fn check_home(
         (problem.line, problem.column) = (line, column);
         problems.push(problem);
     };
-    let Some(bed) = places.of(Role::Bed) else {
+    let is_person = routine.person.as_ref().is_none_or(|person| person.kind == Kind::Person);
+    let anybodys = || places.anybodys(Role::Bed).into_iter().next().filter(|_| !is_person);
+    let Some(bed) = places.of(Role::Bed).or_else(anybodys) else {
         return say(
             0,
             0,
@@ -299,7 +369,6 @@ fn check_home(
             "give it a piece of furniture \"bed\" that is enterable",
         );
     };
-    let is_person = routine.person.as_ref().is_none_or(|person| person.kind == Kind::Person);
     if is_person {
         for (role, what, hint) in [
             (Role::Toilet, "there is no toilet in this home", "give it a piece of furniture or a place \"toilet\""),

@@ -180,6 +180,7 @@ pub struct Phase {
     pub from: Option<Moment>,
     /// How many days until it is fully there.
     pub over_days: f64,
+    /// The first moment at which it is no longer so, or begins to fade.
     pub until: Option<Moment>,
     /// How many days until it is fully gone again, after `until`.
     pub fading_days: f64,

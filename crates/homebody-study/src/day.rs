@@ -148,15 +148,13 @@ fn stretches(all: &[Activity], begin: Micros) -> Vec<Stretch> {
 /// A day in words and tables.
 impl fmt::Display for Day {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let sensors = self.sensors.len();
-        let plural = if sensors == 1 { "" } else { "s" };
-        writeln!(
-            f,
-            "{}: {}, {} firings of {sensors} sensor{plural}",
-            self.name,
-            self.date.strftime("%A %F"),
-            self.firings
-        )?;
+        write!(f, "{}: {}", self.name, self.date.strftime("%A %F"))?;
+        match self.sensors.len() {
+            // Lived, without a log.
+            0 => writeln!(f)?,
+            1 => writeln!(f, ", {} firings of 1 sensor", self.firings)?,
+            sensors => writeln!(f, ", {} firings of {sensors} sensors", self.firings)?,
+        }
         for (what, firing) in [("First", &self.first), ("Last", &self.last)] {
             if let Some(Firing { at, sensor }) = firing {
                 writeln!(f, "{:7} {at}  {sensor}", format!("{what}:"))?;

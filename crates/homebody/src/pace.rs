@@ -78,6 +78,13 @@ pub struct Asked {
     paused: bool,
 }
 
+impl Asked {
+    /// As fast as it goes.
+    pub fn unpaced() -> Asked {
+        Asked { speed: Speed::Max, control: false, paused: false }
+    }
+}
+
 /// Lets a run go at its pace.
 pub struct Pace {
     speed: Speed,

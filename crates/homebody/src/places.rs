@@ -45,14 +45,34 @@ impl Places {
         }
     }
 
+    /// A new folder for a cohort of a scenario, with nothing in it.
+    pub fn cohort(scenario: &Scenario) -> Result<PathBuf, Failure> {
+        let mut places = Places { log: Vec::new(), truth: None, recording: None, made: Vec::new() };
+        places.make_numbered(Path::new("runs"), &scenario.file.name)
+    }
+
+    /// The files of one member of a cohort, all in a folder of its own.
+    pub fn member(cohort: &Path, member: &str, scenario: &Scenario) -> Result<Places, Failure> {
+        let mut places = Places { log: Vec::new(), truth: None, recording: None, made: Vec::new() };
+        let folder = cohort.join(member);
+        places.make(&folder)?;
+        places.put_into(&folder, scenario)?;
+        Ok(places)
+    }
+
     /// Makes a folder for the run, and puts everything into it that has no place yet.
     fn default_to_folder(&mut self, scenario: &Scenario) -> Result<(), Failure> {
         let folder = self.make_numbered(Path::new("runs"), &scenario.file.name)?;
+        self.put_into(&folder, scenario)
+    }
+
+    /// Puts everything into a folder that has no place yet.
+    fn put_into(&mut self, folder: &Path, scenario: &Scenario) -> Result<(), Failure> {
         let to = &scenario.logger.to;
         let default = [String::from("sqlite:log.db")];
         for url in if to.is_empty() { &default[..] } else { to } {
-            let url = url.parse::<Url>().map_err(Failure::usage)?.within(&folder);
-            if let Some(inner) = url.path().parent().filter(|inner| inner.starts_with(&folder)) {
+            let url = url.parse::<Url>().map_err(Failure::usage)?.within(folder);
+            if let Some(inner) = url.path().parent().filter(|inner| inner.starts_with(folder)) {
                 self.make(inner)?;
             }
             self.log.push(url);

@@ -54,8 +54,13 @@ impl Sun {
         let turn = |days: f64| days * core::f64::consts::TAU;
         let declination = 23.45_f64.to_radians() * libm::sin(turn((284.0 + 1.0 + self.day_of_year + days) / 365.25));
         let latitude = self.latitude_deg.to_radians();
-        let hour = turn(days - 0.5);
-        libm::sin(latitude) * libm::sin(declination) + libm::cos(latitude) * libm::cos(declination) * libm::cos(hour)
+        libm::sin(latitude) * libm::sin(declination) + libm::cos(latitude) * libm::cos(declination) * self.noon(at)
+    }
+
+    /// How near it is to noon: 1 at noon, -1 at midnight, in between the cosine of the sun's hour angle.
+    pub fn noon(&self, at: Micros) -> f64 {
+        let days = (at + self.time_of_day) as f64 / DAY as f64;
+        libm::cos((days - 0.5) * core::f64::consts::TAU)
     }
 }
 

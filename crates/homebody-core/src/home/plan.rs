@@ -182,6 +182,19 @@ impl Plan {
         self.things.iter().position(|thing| thing.name == name)
     }
 
+    /// The index of the thing that is a room's lamp; nothing if there is no such room.
+    pub fn lamp(&self, room: &str) -> Option<usize> {
+        let room = self.rooms.iter().position(|known| known.name == room)?;
+        Some(self.things.len() - self.rooms.len() + room)
+    }
+
+    /// The piece of furniture of a name; of several, the first.
+    pub fn piece(&self, name: &str) -> Option<&Solid> {
+        let pieces = || self.solids.iter().filter(|solid| matches!(solid.origin, Origin::Furniture(_)));
+        let doors = self.things.len() - self.rooms.len() - pieces().count();
+        pieces().zip(&self.things[doors..]).find(|(_, thing)| thing.name == name).map(|(piece, _)| piece)
+    }
+
     /// Where a spot of a path is; nothing if the home has no place of that name.
     pub fn spot(&self, spot: &Spot) -> Option<Point> {
         match spot {

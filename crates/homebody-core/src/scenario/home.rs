@@ -1,5 +1,8 @@
 //! `home.json`: rooms, walls, doors, furniture, places and sensors, in metres and degrees.
 
+use super::device::{
+    BedFile, ContactFile, FlowFile, LightFile, PowerFile, PressureFile, StoveTemperatureFile, TemperatureFile,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -142,6 +145,13 @@ pub enum SensorFile {
     Motion(MotionFile),
     CeilingMotion(CeilingMotionFile),
     Contact(ContactFile),
+    Bed(BedFile),
+    StoveTemperature(StoveTemperatureFile),
+    Pressure(PressureFile),
+    Power(PowerFile),
+    Flow(FlowFile),
+    Light(LightFile),
+    Temperature(TemperatureFile),
 }
 
 impl SensorFile {
@@ -150,6 +160,13 @@ impl SensorFile {
             SensorFile::Motion(sensor) => &sensor.name,
             SensorFile::CeilingMotion(sensor) => &sensor.name,
             SensorFile::Contact(sensor) => &sensor.name,
+            SensorFile::Bed(sensor) => &sensor.name,
+            SensorFile::StoveTemperature(sensor) => &sensor.name,
+            SensorFile::Pressure(sensor) => &sensor.name,
+            SensorFile::Power(sensor) => &sensor.name,
+            SensorFile::Flow(sensor) => &sensor.name,
+            SensorFile::Light(sensor) => &sensor.name,
+            SensorFile::Temperature(sensor) => &sensor.name,
         }
     }
 
@@ -158,6 +175,13 @@ impl SensorFile {
             SensorFile::Motion(sensor) => &mut sensor.name,
             SensorFile::CeilingMotion(sensor) => &mut sensor.name,
             SensorFile::Contact(sensor) => &mut sensor.name,
+            SensorFile::Bed(sensor) => &mut sensor.name,
+            SensorFile::StoveTemperature(sensor) => &mut sensor.name,
+            SensorFile::Pressure(sensor) => &mut sensor.name,
+            SensorFile::Power(sensor) => &mut sensor.name,
+            SensorFile::Flow(sensor) => &mut sensor.name,
+            SensorFile::Light(sensor) => &mut sensor.name,
+            SensorFile::Temperature(sensor) => &mut sensor.name,
         }
     }
 
@@ -165,8 +189,28 @@ impl SensorFile {
     pub fn on(&self) -> Option<&str> {
         match self {
             SensorFile::Motion(_) | SensorFile::CeilingMotion(_) => None,
+            SensorFile::Light(_) | SensorFile::Temperature(_) => None,
             SensorFile::Contact(sensor) => Some(&sensor.on),
+            SensorFile::Bed(sensor) => Some(&sensor.on),
+            SensorFile::StoveTemperature(sensor) => Some(&sensor.on),
+            SensorFile::Pressure(sensor) => sensor.on.as_deref(),
+            SensorFile::Power(sensor) => Some(&sensor.on),
+            SensorFile::Flow(sensor) => Some(&sensor.on),
         }
+    }
+
+    /// The room whose light or warmth it measures, where it measures either.
+    pub fn room(&self) -> Option<&str> {
+        match self {
+            SensorFile::Light(sensor) => Some(&sensor.room),
+            SensorFile::Temperature(sensor) => Some(&sensor.room),
+            _ => None,
+        }
+    }
+
+    /// Whether it looks for movement, rather than being told what happens.
+    pub fn looks(&self) -> bool {
+        matches!(self, SensorFile::Motion(_) | SensorFile::CeilingMotion(_))
     }
 
     /// The numbers of the timing state machine: the preset's, with whatever the file overrides.
@@ -178,7 +222,7 @@ impl SensorFile {
         let (preset, first, refire, persist) = match self {
             SensorFile::Motion(s) => (s.preset, s.first_fire_s, s.refire_s, s.persist_s),
             SensorFile::CeilingMotion(s) => (s.preset, s.first_fire_s, s.refire_s, s.persist_s),
-            SensorFile::Contact(_) => (Preset::default(), None, None, None),
+            _ => (Preset::default(), None, None, None),
         };
         let timing = preset.timing();
         let [least, most] = timing.first_fire_s;
@@ -264,17 +308,6 @@ pub struct CeilingMotionFile {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 86_400))]
     pub persist_s: Option<f64>,
-}
-
-/// A contact on a door or a piece of furniture: says `OPEN` and `CLOSE`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(title = "contact sensor")]
-pub struct ContactFile {
-    #[schemars(length(min = 1, max = 100))]
-    pub name: String,
-    /// The door or piece of furniture that it hangs on.
-    pub on: String,
 }
 
 /// What a wall sensor takes for movement.

@@ -5,6 +5,7 @@ use super::calendar::Calendar;
 use super::check;
 use super::home::HomeFile;
 use super::input::InputFile;
+use super::link::LinkFile;
 use super::logger::LoggerFile;
 use super::path::PathFile;
 use super::resident::{DriverFile, ResidentFile};
@@ -12,6 +13,7 @@ use super::schema::FileKind;
 use super::shape;
 use super::source::{Source, Value};
 use crate::geometry::{Point, point};
+use crate::home::plan::Plan;
 use crate::problem::{Problem, Problems};
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
@@ -36,6 +38,8 @@ impl Files for BTreeMap<String, String> {
 pub struct Scenario {
     pub file: ScenarioFile,
     pub home: HomeFile,
+    /// Nothing where all that sensors say reaches the logger at once.
+    pub link: Option<LinkFile>,
     /// The defaults where the scenario links none.
     pub logger: LoggerFile,
     /// In the order in which the scenario links them.
@@ -67,13 +71,41 @@ pub enum Driver {
     },
 }
 
+/// Who knows the language of routines: this crate reads them as text.
+pub trait Language {
+    /// What is wrong with a resident's routine in a home that is sound.
+    fn problems(&self, said: &Said, home: &HomeFile, plan: &Plan, files: &dyn Files) -> Vec<Problem>;
+}
+
+/// A routine as it stands in its file.
+pub struct Said<'a> {
+    pub file: &'a str,
+    pub text: &'a str,
+    /// The resident's name, where their own file can be understood.
+    pub resident: Option<&'a str>,
+    /// Where the scenario's own file can be understood.
+    pub calendar: Option<&'a Calendar>,
+}
+
+/// Nobody who knows it.
+impl Language for () {
+    fn problems(&self, _said: &Said, _home: &HomeFile, _plan: &Plan, _files: &dyn Files) -> Vec<Problem> {
+        Vec::new()
+    }
+}
+
 impl Scenario {
+    /// As [`Scenario::load_in`], without a look into routines.
+    pub fn load(files: &dyn Files, entry: &str) -> Result<Scenario, Problems> {
+        Scenario::load_in(&(), files, entry)
+    }
+
     /// Reads the entry file and whatever it links, and checks all of it.
     ///
     /// All problems of all files come at once, in the order in which the files are linked. The
     /// meaning of one file is checked even where the shape of another is wrong, also of the one that links it.
-    pub fn load(files: &dyn Files, entry: &str) -> Result<Scenario, Problems> {
-        let mut loader = Loader { files, problems: Vec::new(), sources: BTreeMap::new(), order: Vec::new() };
+    pub fn load_in(language: &dyn Language, files: &dyn Files, entry: &str) -> Result<Scenario, Problems> {
+        let mut loader = Loader { files, language, problems: Vec::new(), sources: BTreeMap::new(), order: Vec::new() };
         let scenario = loader.scenario(entry);
         let problems = loader.all_problems();
         match scenario {
@@ -88,6 +120,7 @@ const WHERE: &str = "name a file relative to the scenario's folder, with / betwe
 
 struct Loader<'a> {
     files: &'a dyn Files,
+    language: &'a dyn Language,
     problems: Vec<Problem>,
     sources: BTreeMap<String, String>,
     /// The files in the order in which they are linked, with what each of them is.
@@ -120,6 +153,17 @@ impl Loader<'_> {
         let home = home.map(|(_, home)| home);
         let surroundings = check::Surroundings { home: home.as_ref(), plan: plan.as_ref() };
 
+        let link = if root["link"].is_null() {
+            Some(None)
+        } else {
+            let link: Option<Read<LinkFile>> = self.link(&source, &root, "/link", FileKind::Link);
+            link.and_then(|Read { source, data }| {
+                let link = data?;
+                check::link::check(&source, &link, &surroundings, &mut self.problems);
+                Some(Some(link))
+            })
+        };
+
         let logger = if root["logger"].is_null() {
             Some(LoggerFile::default())
         } else {
@@ -139,13 +183,14 @@ impl Loader<'_> {
                 if let Some(file) = &resident.data {
                     names.check(&resident.source, file, &mut self.problems);
                 }
-                self.resident(resident, &surroundings)
+                self.resident(resident, &surroundings, calendar.as_ref())
             })
             .collect();
 
         Some(Scenario {
             calendar: calendar?,
             home: home?,
+            link: link?,
             logger: logger?,
             residents: residents.into_iter().collect::<Option<_>>()?,
             sources: std::mem::take(&mut self.sources),
@@ -153,7 +198,12 @@ impl Loader<'_> {
         })
     }
 
-    fn resident(&mut self, resident: Read<ResidentFile>, surroundings: &check::Surroundings) -> Option<Resident> {
+    fn resident(
+        &mut self,
+        resident: Read<ResidentFile>,
+        surroundings: &check::Surroundings,
+        calendar: Option<&Calendar>,
+    ) -> Option<Resident> {
         let Read { source, data: file } = resident;
         let root = source.root.to_json();
         let driver = if root.pointer("/driver/path").is_some() {
@@ -166,6 +216,11 @@ impl Loader<'_> {
             Driver::Path(data)
         } else if let Some(name) = root.pointer("/driver/routine").and_then(serde_json::Value::as_str) {
             let text = self.text(&source, "/driver/routine", name)?;
+            if let Some((home, plan)) = surroundings.home.zip(surroundings.plan) {
+                let resident = file.as_ref().map(|file| file.name.as_str());
+                let said = Said { file: name, text: &text, resident, calendar };
+                self.problems.extend(self.language.problems(&said, home, plan, self.files));
+            }
             Driver::Routine { file: name.into(), text }
         } else {
             let live = match &file {

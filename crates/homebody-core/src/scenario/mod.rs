@@ -1,14 +1,16 @@
 //! The scenario as its author wrote it: the JSON files of a scenario folder, as plain data.
 //!
-//! `scenario.json` links the home, the logger and the residents; a resident links a driver.
-//! Reading order: this file, [`home`], [`resident`], [`path`], [`input`], [`logger`], then how the
+//! `scenario.json` links the home, the link, the logger and the residents; a resident links a driver.
+//! Reading order: this file, [`home`], [`device`], [`resident`], [`path`], [`input`], [`link`], [`logger`], then how the
 //! text becomes data ([`load`]): places in the text ([`source`]), the right shape (`shape`, by the
 //! [`schema`]), the right meaning (`check`).
 
 pub mod calendar;
 mod check;
+pub mod device;
 pub mod home;
 pub mod input;
+pub mod link;
 pub mod load;
 pub mod logger;
 pub mod nearest;
@@ -49,6 +51,9 @@ pub struct ScenarioFile {
     pub seed: u64,
     /// The file that describes the home.
     pub home: String,
+    /// The file that says how messages come to the logger and what goes wrong; without it, all of them do, at once.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub link: Option<String>,
     /// The file that says where the log goes and how it looks; without it, the defaults apply.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub logger: Option<String>,

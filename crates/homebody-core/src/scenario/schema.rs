@@ -5,6 +5,7 @@
 use super::ScenarioFile;
 use super::home::HomeFile;
 use super::input::InputFile;
+use super::link::LinkFile;
 use super::logger::LoggerFile;
 use super::path::PathFile;
 use super::resident::ResidentFile;
@@ -17,6 +18,7 @@ use serde_json::Value;
 pub enum FileKind {
     Scenario,
     Home,
+    Link,
     Logger,
     Resident,
     Path,
@@ -24,14 +26,22 @@ pub enum FileKind {
 }
 
 impl FileKind {
-    pub const ALL: [FileKind; 6] =
-        [FileKind::Scenario, FileKind::Home, FileKind::Logger, FileKind::Resident, FileKind::Path, FileKind::Input];
+    pub const ALL: [FileKind; 7] = [
+        FileKind::Scenario,
+        FileKind::Home,
+        FileKind::Link,
+        FileKind::Logger,
+        FileKind::Resident,
+        FileKind::Path,
+        FileKind::Input,
+    ];
 
     /// The schema's file name in the folder `schemas`.
     pub fn schema_name(self) -> &'static str {
         match self {
             FileKind::Scenario => "scenario.schema.json",
             FileKind::Home => "home.schema.json",
+            FileKind::Link => "link.schema.json",
             FileKind::Logger => "logger.schema.json",
             FileKind::Resident => "resident.schema.json",
             FileKind::Path => "path.schema.json",
@@ -44,6 +54,7 @@ impl FileKind {
         match self {
             FileKind::Scenario => "a scenario",
             FileKind::Home => "a home",
+            FileKind::Link => "a link",
             FileKind::Logger => "a logger",
             FileKind::Resident => "a resident",
             FileKind::Path => "a path",
@@ -55,6 +66,7 @@ impl FileKind {
         match self {
             FileKind::Scenario => schema::<ScenarioFile>(),
             FileKind::Home => schema::<HomeFile>(),
+            FileKind::Link => schema::<LinkFile>(),
             FileKind::Logger => schema::<LoggerFile>(),
             FileKind::Resident => schema::<ResidentFile>(),
             FileKind::Path => schema::<PathFile>(),

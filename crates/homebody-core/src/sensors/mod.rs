@@ -1,16 +1,33 @@
 //! The sensors: one file per kind, all in the same shape, and the timing they share.
 
+pub mod bed;
 pub mod ceiling_motion;
 pub mod contact;
 pub mod device;
+pub mod flow;
+pub mod light;
 pub mod motion;
+pub mod power;
+pub mod pressure;
+pub mod stove_temperature;
+pub mod temperature;
 pub mod timing;
 pub mod zones;
 
 use crate::geometry::{self, Point};
 use crate::home::plan::Plan;
 use crate::scenario::home::SensorFile;
+use bed::Bed;
+use ceiling_motion::CeilingMotion;
+use contact::Contact;
 use device::Device;
+use flow::Flow;
+use light::Light;
+use motion::Motion;
+use power::Power;
+use pressure::Pressure;
+use stove_temperature::StoveTemperature;
+use temperature::Temperature;
 use timing::Timing;
 
 /// A sensor as a run uses it.
@@ -27,32 +44,48 @@ pub struct Sensor {
 /// What a sensor works with: two kinds look for movement, the others are told what happens.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Kind {
-    Motion(motion::Motion),
-    CeilingMotion(ceiling_motion::CeilingMotion),
+    Motion(Motion),
+    CeilingMotion(CeilingMotion),
     /// As it is when a run begins.
-    Device(Device),
+    Device(Box<Device>),
 }
 
 impl Sensor {
     /// The sensor that a file that has passed its checks describes.
     pub fn new(file: &SensorFile, plan: &Plan) -> Sensor {
+        let site = Site::of(file, plan);
+        let device = |device| (Kind::Device(Box::new(device)), site.at);
         let (kind, at) = match file {
             SensorFile::Motion(file) => {
-                let motion = motion::Motion::new(file);
+                let motion = Motion::new(file);
                 let lens = motion.lens;
                 (Kind::Motion(motion), lens)
             }
             SensorFile::CeilingMotion(file) => {
-                let area = ceiling_motion::CeilingMotion::new(file);
+                let area = CeilingMotion::new(file);
                 let middle = geometry::inner_point(&area.outline);
                 (Kind::CeilingMotion(area), middle)
             }
-            SensorFile::Contact(file) => {
-                let thing = plan.thing(&file.on);
-                let (open, at) =
-                    thing.map_or((false, Point::ZERO), |thing| (plan.things[thing].on, plan.things[thing].at));
-                (Kind::Device(Device::Contact(contact::Contact::new(thing.unwrap_or(0) as u32, open))), at)
+            SensorFile::Contact(_) => device(Device::Contact(Contact::new(site.thing, site.is_open))),
+            SensorFile::Bed(file) => device(Device::Bed(Bed::new(file, site.outline))),
+            SensorFile::StoveTemperature(file) => {
+                device(Device::StoveTemperature(StoveTemperature::new(file, site.thing)))
             }
+            SensorFile::Pressure(file) => match &file.area {
+                Some(area) => {
+                    let area: Vec<Point> = area.iter().map(|&at| geometry::point(at)).collect();
+                    let middle = geometry::inner_point(&area);
+                    (Kind::Device(Box::new(Device::Pressure(Pressure::new(file, area, true)))), middle)
+                }
+                None => {
+                    let is_mat = site.height_m <= pressure::MAT_HEIGHT_M;
+                    device(Device::Pressure(Pressure::new(file, site.outline, is_mat)))
+                }
+            },
+            SensorFile::Power(file) => device(Device::Power(Power::new(file, site.thing))),
+            SensorFile::Flow(file) => device(Device::Flow(Flow::new(file, site.thing))),
+            SensorFile::Light(file) => device(Device::Light(Light::new(file, site.thing))),
+            SensorFile::Temperature(file) => device(Device::Temperature(Temperature::new(file))),
         };
         Sensor { name: file.name().to_owned(), timing: Timing::new(file.timing()), kind, at }
     }
@@ -65,5 +98,34 @@ impl Sensor {
     /// Whether it looks for movement, rather than being told what happens.
     pub fn looks(&self) -> bool {
         !matches!(self.kind, Kind::Device(_))
+    }
+}
+
+/// What a sensor is on: a thing, or the lamp of the room that it is in.
+struct Site {
+    thing: u32,
+    is_open: bool,
+    at: Point,
+    outline: Vec<Point>,
+    height_m: f64,
+}
+
+impl Site {
+    /// What a home that was not checked lacks is at the origin, has no outline, and is never used.
+    fn of(file: &SensorFile, plan: &Plan) -> Site {
+        let thing = match (file.on(), file.room()) {
+            (Some(on), _) => plan.thing(on),
+            (None, Some(room)) => plan.lamp(room),
+            (None, None) => None,
+        };
+        let found = thing.map(|thing| &plan.things[thing]);
+        let piece = file.on().and_then(|on| plan.piece(on));
+        Site {
+            thing: thing.unwrap_or(plan.things.len()) as u32,
+            is_open: found.is_some_and(|thing| thing.on),
+            at: found.map_or(Point::ZERO, |thing| thing.at),
+            outline: piece.map(|piece| piece.outline.clone()).unwrap_or_default(),
+            height_m: piece.map_or(f64::INFINITY, |piece| piece.height_m),
+        }
     }
 }

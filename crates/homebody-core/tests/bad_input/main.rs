@@ -1,7 +1,9 @@
 //! What is wrong with a scenario is said with its place, in words that help.
 
 mod all_at_once;
+mod devices;
 mod good;
+mod link;
 mod meaning;
 mod mutations;
 mod shape;
@@ -23,7 +25,11 @@ fn check(cases: &[Case]) {
 
 /// The good scenario with some of its text replaced.
 fn broken(changes: &[(&str, &str, &str)]) -> BTreeMap<String, String> {
-    let mut files = good();
+    changed(good(), changes)
+}
+
+/// Files with some of their text replaced.
+fn changed(mut files: BTreeMap<String, String>, changes: &[(&str, &str, &str)]) -> BTreeMap<String, String> {
     for (file, old, new) in changes {
         let text = files.get_mut(*file).unwrap();
         assert_eq!(text.matches(old).count(), 1, "{old:?} must be in {file} once");

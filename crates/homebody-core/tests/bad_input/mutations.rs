@@ -1,6 +1,6 @@
 //! Whatever happens to a scenario's text, loading it ends, and with places that exist.
 
-use crate::good::good;
+use crate::link::linked;
 use homebody_core::event::Events;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
@@ -44,7 +44,7 @@ fn no_mutation_of_a_scenario_makes_the_loader_or_a_run_panic() {
 const MARKS: &[u8] = b"{}[],:\"-.0123456789e\\\n\r\t tfn";
 
 fn mutated(random: &mut ChaCha8Rng) -> BTreeMap<String, String> {
-    let mut files = good();
+    let mut files = linked();
     let names: Vec<String> = files.keys().cloned().collect();
     let name = &names[below(random, names.len())];
     let mut bytes = files[name].clone().into_bytes();

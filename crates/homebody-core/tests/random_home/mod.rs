@@ -1,7 +1,7 @@
 //! Random homes and random lives in them, each from its number: the same number, the same home.
 
 use homebody_core::drivers::Move;
-use homebody_core::event::Doing;
+use homebody_core::event::{Act, Doing, Vitals};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
 use homebody_core::random::{Range, Stream};
@@ -59,7 +59,7 @@ pub fn home(case: u64, model: Model) -> HomeFile {
     ]);
     let jamb = dice.between(0.1, depth - 1.0);
     let doors = json!([{ "name": "door", "from": [cut, jamb], "to": [cut, jamb + 0.9], "open": !dice.one_in(4) }]);
-    let furniture: Vec<Value> = (0..dice.below(6))
+    let mut furniture: Vec<Value> = (0..dice.below(6))
         .map(|index| {
             json!({
                 "name": format!("piece {index}"), "at": [dice.between(0.5, width - 0.5), dice.between(0.5, depth - 0.5)],
@@ -69,7 +69,17 @@ pub fn home(case: u64, model: Model) -> HomeFile {
             })
         })
         .collect();
-    let sensors: Vec<Value> = (0..1 + dice.below(6)).map(|index| sensor(dice, index, width, depth, model)).collect();
+    let mut sensors: Vec<Value> =
+        (0..1 + dice.below(6)).map(|index| sensor(dice, index, width, depth, model)).collect();
+    if model == Model::Whole {
+        let dice = &mut Dice::new(case, "devices");
+        let (x, y) = (dice.between(1.0, width - 1.0), dice.between(1.0, depth - 1.0));
+        furniture.push(json!({ "name": "bed", "at": [x, y], "size_m": [dice.between(1.0, 4.0), 2], "height_m": 0.5,
+            "turn_deg": dice.between(-90.0, 90.0), "enterable": true }));
+        furniture.push(json!({ "name": "rug", "at": [width / 2.0, depth / 2.0], "size_m": [1.5, 1], "height_m": 0.01,
+            "turn_deg": dice.between(-90.0, 90.0), "enterable": true }));
+        sensors.extend((0..dice.below(12)).map(|index| device(dice, index, width, depth)));
+    }
     let home = json!({ "name": format!("home {case}"), "rooms": rooms, "walls": walls, "doors": doors,
         "furniture": furniture, "sensors": sensors });
     serde_json::from_value(home).expect("a home")
@@ -105,6 +115,60 @@ fn sensor(dice: &mut Dice, index: i64, width: f64, depth: f64, model: Model) -> 
     fields.insert("name".into(), json!(format!("sensor {index}")));
     fields.extend(timing.as_object().expect("an object").clone());
     sensor
+}
+
+/// A sensor that is told, on any of the things that every home has, its times such that they tie with those of lives.
+pub fn device(dice: &mut Dice, index: i64, width: f64, depth: f64) -> Value {
+    let thing = ["door", "bed", "rug", "west"][dice.below(4) as usize];
+    let often = [1.0, 2.5, 7.3][dice.below(3) as usize];
+    let delay = if dice.one_in(2) { 0.0 } else { 0.5 };
+    let mut device = match dice.below(9) {
+        0 => json!({ "kind": "contact", "on": thing }),
+        1 | 2 => json!({ "kind": "bed", "on": "bed", "levels_s": [delay, 1, 1.5, 4], "vitals_every_s": often,
+            "still_s": delay }),
+        3 => json!({ "kind": "stove_temperature", "on": thing, "hot_c": 500, "readings_every_s": often }),
+        4 => json!({ "kind": "pressure", "on": (["bed", "rug"][dice.below(2) as usize]), "delay_s": delay }),
+        5 => {
+            let (x, y) = (dice.between(0.0, width - 2.0), dice.between(0.0, depth - 2.0));
+            json!({ "kind": "pressure", "area": [[x, y], [x + 2.0, y], [x + 2.0, y + 2.0]], "delay_s": delay })
+        }
+        6 => json!({ "kind": "power", "on": thing, "watts": 60, "readings_every_s": often }),
+        7 if dice.one_in(2) => json!({ "kind": "flow", "on": thing, "runs_s": often }),
+        7 => json!({ "kind": "flow", "on": thing }),
+        _ if dice.one_in(2) => json!({ "kind": "light", "room": "west", "every_s": often }),
+        _ => json!({ "kind": "temperature", "room": "east", "step_c": 0.02, "every_s": often }),
+    };
+    device.as_object_mut().expect("an object").insert("name".into(), json!(format!("device {index}")));
+    device
+}
+
+/// What one resident uses, and how their heart and lungs change; much of it on round times.
+#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
+pub fn doings(case: u64, resident: usize, home: &Home, length: Micros) -> Vec<(Micros, Done)> {
+    let dice = &mut Dice::new(case, &format!("doings of {resident}"));
+    let mut doings = Vec::new();
+    for _ in 0..dice.below(60) {
+        let at = dice.below(length);
+        let at = if dice.one_in(2) { at / (SECOND / 2) * (SECOND / 2) } else { at };
+        let done = if dice.one_in(4) {
+            Done::Vitals(Vitals { pulse: dice.between(20.0, 120.0), respiration: dice.between(2.0, 40.0) })
+        } else {
+            // Of all things those that sensors are on, as a rule.
+            let name = ["door", "bed", "rug", "west", "piece 0"][dice.below(5) as usize];
+            Done::Act(Act { thing: home.plan.thing(name).unwrap_or(0) as u32, on: dice.one_in(2) })
+        };
+        doings.push((at, done));
+    }
+    doings.sort_by_key(|&(at, _)| at);
+    doings
+}
+
+/// What takes no time.
+#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
+#[derive(Clone, Copy)]
+pub enum Done {
+    Act(Act),
+    Vitals(Vitals),
 }
 
 /// The bodies of one to `most` residents.

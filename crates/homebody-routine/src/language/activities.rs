@@ -2,6 +2,7 @@
 
 use super::reader::{Reader, is_determiner};
 use crate::routine::{Activity, Meal};
+use std::sync::LazyLock;
 
 /// Ways of saying an activity, the usual one first.
 ///
@@ -40,6 +41,7 @@ static PHRASES: [(Activity, &[&str]); 32] = [
         &[
             "~talk|speak|chat on phone|telephone [with|to] [WHOM]",
             "~phone|telephone|ring|call [WHOM]",
+            "~phone|telephone|ring|call WHOM on phone|telephone",
             "~make phone|telephone call",
             "~talk|speak|chat to|with WHOM on phone|telephone",
         ],
@@ -80,7 +82,10 @@ static PHRASES: [(Activity, &[&str]); 32] = [
     (Activity::Exercise, &["~exercise", "~do exercises|exercise|gymnastics|yoga"]),
     (Activity::UseComputer, &["~use computer|laptop|internet", "~sit|work at|on computer|laptop"]),
     (Activity::Relax, &["~relax", "~rest", "~sit [down] [quietly|still]", "~do nothing"]),
-    (Activity::Wander, &["~wander [around|about]", "~roam [around|about]", "~walk around|about"]),
+    (
+        Activity::Wander,
+        &["~wander|roam [around|about] [apartment|house|flat|home]", "~walk around|about [apartment|house|flat|home]"],
+    ),
     (
         Activity::Pace,
         &["~pace [up|to|back] [and] [down|fro|forth]", "~walk up and down", "~walk to and fro", "~walk back and forth"],
@@ -172,7 +177,9 @@ fn fits(reader: &Reader, way: &str) -> Option<usize> {
 
 /// Whether a word is a form of this verb: "get", "gets", "getting".
 pub fn is_form(verb: &str, word: &str) -> bool {
-    word == verb || word == third_person(verb) || word == gerund(verb) || word == participle(verb)
+    // All forms of a verb here begin with the same letter, which spares making them.
+    let may_be = word.as_bytes().first() == verb.as_bytes().first();
+    may_be && (word == verb || word == third_person(verb) || word == gerund(verb) || word == participle(verb))
 }
 
 /// "watches" of "watch".
@@ -180,7 +187,6 @@ pub fn third_person(verb: &str) -> String {
     let consonant_y = verb.strip_suffix('y').filter(|stem| !stem.ends_with(['a', 'e', 'o', 'u']));
     match verb {
         "have" => "has".into(),
-        "be" => "is".into(),
         _ if consonant_y.is_some() => format!("{}ies", consonant_y.unwrap_or_default()),
         _ if ["s", "sh", "ch", "x", "o"].iter().any(|end| verb.ends_with(end)) => format!("{verb}es"),
         _ => format!("{verb}s"),
@@ -238,7 +244,12 @@ pub fn phrase(activity: &Activity) -> String {
 }
 
 /// All phrases that are understood, each with its verb in the third person, for hints.
-pub fn all_phrases() -> Vec<String> {
+pub fn all_phrases() -> &'static [String] {
+    static ALL: LazyLock<Vec<String>> = LazyLock::new(spell_out);
+    &ALL
+}
+
+fn spell_out() -> Vec<String> {
     let mut all = Vec::new();
     for way in PHRASES.iter().flat_map(|(_, ways)| ways.iter()) {
         let mut said = vec![String::new()];

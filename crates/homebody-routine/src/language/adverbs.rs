@@ -4,10 +4,10 @@ use super::activities;
 use super::amounts::{self, Amount, Unit, amount};
 use super::often::{self, Often};
 use super::reader::Reader;
-use super::times::{self, DAY_S};
-use super::words::Span;
+use super::times;
+use super::words::{Span, Token};
 use crate::fuzzy::Fuzzy;
-use crate::routine::{Chance, Days, Moment, PartOfDay, Phase, When};
+use crate::routine::{Chance, Moment, PartOfDay, When};
 
 /// Something that was said, where, and whether by this sentence or by the heading above it.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +15,114 @@ pub struct Slot<T> {
     pub value: T,
     pub span: Span,
     pub own: bool,
+}
+
+/// The words that may begin one of these parts: whatever begins otherwise need not be tried.
+const FIRST: [&str; 96] = [
+    "a",
+    "about",
+    "after",
+    "afterwards",
+    "all",
+    "almost",
+    "always",
+    "an",
+    "and",
+    "approximately",
+    "around",
+    "at",
+    "before",
+    "beginning",
+    "between",
+    "by",
+    "daily",
+    "during",
+    "each",
+    "every",
+    "fade",
+    "fades",
+    "fading",
+    "few",
+    "for",
+    "frequently",
+    "from",
+    "give",
+    "half",
+    "hardly",
+    "immediately",
+    "in",
+    "just",
+    "lasting",
+    "many",
+    "midday",
+    "midnight",
+    "most",
+    "mostly",
+    "nearly",
+    "noon",
+    "normally",
+    "now",
+    "occasionally",
+    "often",
+    "on",
+    "once",
+    "one",
+    "over",
+    "plus",
+    "rarely",
+    "right",
+    "roughly",
+    "seldom",
+    "several",
+    "shortly",
+    "since",
+    "some",
+    "sometimes",
+    "soon",
+    "starting",
+    "straight",
+    "then",
+    "thrice",
+    "till",
+    "twice",
+    "until",
+    "usually",
+    "weekday",
+    "weekdays",
+    "weekend",
+    "weekends",
+    "with",
+    "within",
+    "exactly",
+    "the",
+    "two",
+    "three",
+    "four",
+    "five",
+    "six",
+    "seven",
+    "eight",
+    "nine",
+    "ten",
+    "eleven",
+    "twelve",
+    "fifteen",
+    "twenty",
+    "thirty",
+    "forty",
+    "fifty",
+    "sixty",
+    "ninety",
+    "seventy",
+    "eighty",
+];
+
+fn may_begin(reader: &Reader) -> bool {
+    match reader.token(0) {
+        Some(Token::Number(_) | Token::Clock(..)) => true,
+        Some(Token::Word) => FIRST.contains(&reader.peek(0)) || times::is_weekday(reader.peek(0)),
+        _ => false,
+    }
 }
 
 /// All that was said of when, how long and how often.
@@ -58,8 +166,11 @@ fn put<T>(reader: &mut Reader, slot: &mut Option<Slot<T>>, value: T, span: Span,
 }
 
 impl Adverbs {
-    /// Reads the next part of a sentence if it is one of these.
+    /// Reads the next part of a sentence if it is one of these. Each reader changes nothing unless it succeeds.
     pub fn next(&mut self, reader: &mut Reader) -> bool {
+        if !may_begin(reader) {
+            return false;
+        }
         let start = reader.at;
         let read: [fn(&mut Adverbs, &mut Reader) -> Option<()>; 11] = [
             Adverbs::give_or_take,
@@ -70,15 +181,14 @@ impl Adverbs {
             Adverbs::phase,
             Adverbs::gradually,
             Adverbs::duration,
+            Adverbs::then,
             Adverbs::order,
             Adverbs::counts,
-            Adverbs::then,
         ];
         read.iter().any(|read| {
-            let (before, faults) = (self.clone(), reader.faults.count());
+            let faults = reader.faults.count();
             let found = read(self, reader).is_some();
             if !found {
-                *self = before;
                 reader.faults.forget_since(faults);
                 reader.at = start;
             }
@@ -96,7 +206,22 @@ impl Adverbs {
 
     fn often(&mut self, reader: &mut Reader) -> Option<()> {
         let from = reader.at;
-        let often = often::at_first(reader).or_else(|| often::often(reader))?;
+        // "she rarely reads at first, often by day 160"
+        if let Some(chance) = self.chance.as_mut().filter(|chance| chance.own && chance.value.becomes.is_none())
+            && reader.eat("at first")
+        {
+            chance.value = often::becoming(reader, chance.value);
+            return Some(());
+        }
+        let often = often::at_first(reader).or_else(|| often::often(reader));
+        let Some(often) = often else {
+            if !reader.eat("at first") {
+                return None;
+            }
+            let hint = "write \"rarely at first, often by day 160\"".to_owned();
+            reader.fault(reader.span(from), "\"at first\" needs how often that is", hint);
+            return Some(());
+        };
         let span = reader.span(from);
         self.put_often(reader, often, span);
         Some(())
@@ -215,8 +340,15 @@ impl Adverbs {
         if !(reader.eat("from") || reader.eat("since") || reader.eat("starting|beginning on|in|from|with")) {
             return None;
         }
+        let month = reader.at;
+        if times::months(reader).is_some() {
+            let span = reader.span(month);
+            let hint = "write a date such as 2009-03-01, or \"from March to May\" for those months of all years";
+            reader.fault(span, format!("it is not clear from which day of {:?}", reader.said(span)), hint.to_owned());
+            return Some(());
+        }
         let (moment, _) = times::moment(reader)?;
-        let _ = reader.eat("on|onward|onwards");
+        reader.eat("on|onward|onwards");
         let span = reader.span(start);
         put(reader, &mut self.from, moment, span, "both say from when");
         let from = reader.at;
@@ -260,7 +392,16 @@ impl Adverbs {
         if !reader.eat("for|lasting") {
             return None;
         }
-        let amount = amount(reader)?;
+        let Some(amount) = amount(reader) else {
+            let from = reader.at;
+            while !reader.is_over() && reader.token(0) != Some(Token::Comma) && reader.at < from + 3 {
+                reader.at += 1;
+            }
+            let span = if from == reader.at { reader.span(start) } else { reader.span(from) };
+            let hint = "say minutes, hours, days or weeks, such as \"for 20 minutes\"".to_owned();
+            reader.fault(span, format!("{:?} is no length of time", reader.said(span)), hint);
+            return Some(());
+        };
         match amount.unit {
             Unit::Second => {
                 let lasts = amounts::duration(reader, &amount);
@@ -297,11 +438,15 @@ impl Adverbs {
         let other = activities::event(reader);
         let Some(other) = other else {
             reader.at = at;
-            let span = reader.here();
             let what = match times::time(reader, true) {
-                Some(_) => format!("{:?} leaves open when", reader.said(reader.span(start))),
-                None => format!("{:?} is nothing that Homebody knows to come before or after", reader.said(span)),
+                Some(_) => "leaves open when",
+                None => {
+                    reader.skip_determiners();
+                    reader.at += 1;
+                    "names nothing that Homebody knows to come before or after"
+                }
             };
+            let what = format!("{:?} {what}", reader.said(reader.span(start)));
             let hint = "write \"after breakfast\", \"before she goes to bed\", or \"between 20:00 and 22:00\"";
             reader.fault(reader.span(start), what, hint.to_owned());
             reader.at = reader.words.len();
@@ -372,126 +517,4 @@ impl Adverbs {
         put(reader, &mut self.when, When::Then, span, "both say at which time");
         Some(())
     }
-
-    /// Takes over from a heading what this sentence does not say itself.
-    pub fn under(mut self, heading: &Adverbs) -> Adverbs {
-        fn or<T: Clone>(own: &mut Option<Slot<T>>, heading: &Option<Slot<T>>) {
-            if own.is_none() {
-                *own = heading.clone().map(|slot| Slot { own: false, ..slot });
-            }
-        }
-        let says_part = self.part.is_some();
-        if !says_part {
-            or(&mut self.when, &heading.when);
-        }
-        or(&mut self.part, &heading.part);
-        if self.weekdays.is_none() && self.every.is_none() {
-            or(&mut self.every, &heading.every);
-            or(&mut self.weekdays, &heading.weekdays);
-        }
-        or(&mut self.chance, &heading.chance);
-        or(&mut self.months, &heading.months);
-        or(&mut self.lasts, &heading.lasts);
-        or(&mut self.until_time, &heading.until_time);
-        or(&mut self.times, &heading.times);
-        or(&mut self.from, &heading.from);
-        if self.until.is_none() && self.for_days.is_none() {
-            or(&mut self.until, &heading.until);
-            or(&mut self.for_days, &heading.for_days);
-        }
-        or(&mut self.over, &heading.over);
-        or(&mut self.fading, &heading.fading);
-        self
-    }
-
-    pub fn days_meant(&self) -> Days {
-        Days {
-            weekdays: self.weekdays.as_ref().map_or(Days::ALL.weekdays, |slot| slot.value),
-            months: self.months.as_ref().map_or(Days::ALL.months, |slot| slot.value),
-            every: self.every.as_ref().map_or(Days::ALL.every, |slot| slot.value),
-        }
-    }
-
-    /// At what time of the day, with times after midnight counted on where they belong to the night before.
-    pub fn time_meant(&self, is_bedtime: bool) -> When {
-        let at_night = self.part.as_ref().is_some_and(|slot| slot.value == PartOfDay::Night);
-        let next_day = |at: &Fuzzy| (at_night && at.from < 9.0 * 3600.0) || (is_bedtime && at.from < 6.0 * 3600.0);
-        match (&self.when, &self.part) {
-            (Some(Slot { value: When::At(at), .. }), _) if next_day(at) => When::At(at.map(|at| at + DAY_S)),
-            (Some(when), _) => when.value.clone(),
-            (None, Some(part)) => When::Within(part.value),
-            (None, None) => When::AnyTime,
-        }
-    }
-
-    pub fn phase_meant(&self, reader: &mut Reader, is_condition: bool) -> Phase {
-        let from = self.from.as_ref().map(|slot| slot.value);
-        if let (Some(over), None, false) = (&self.over, from, is_condition) {
-            let hint = "write \"From week 6, over 4 weeks, ...\"".to_owned();
-            reader.fault(over.span, "it is not said from when the change begins", hint);
-        }
-        let days = self.for_days.as_ref().map(|slot| slot.value as i32);
-        let until = self.until.as_ref().map(|slot| slot.value);
-        let until = until.or(days.map(|days| times::later(from.unwrap_or(Moment::Day(0)), days)));
-        if let (Some(fading), None) = (&self.fading, until) {
-            let hint = "write \"until day 100, fading over 2 weeks\"".to_owned();
-            reader.fault(fading.span, "it is not said until when it lasts before it fades", hint);
-        }
-        let days = |slot: &Option<Slot<f64>>| slot.as_ref().map_or(0.0, |slot| slot.value);
-        Phase { from, over_days: days(&self.over), until, fading_days: days(&self.fading) }
-    }
-
-    /// The parts of the sentence that these kinds cannot have, as places.
-    pub fn spans(&self, kinds: &[Kind]) -> Vec<Span> {
-        fn own<T>(slot: &Option<Slot<T>>) -> Option<Span> {
-            slot.as_ref().filter(|slot| slot.own).map(|slot| slot.span)
-        }
-        let span = |kind: &Kind| match kind {
-            Kind::Chance => own(&self.chance),
-            Kind::Weekdays => own(&self.weekdays),
-            Kind::Months => own(&self.months),
-            Kind::Every => own(&self.every),
-            Kind::Part => own(&self.part),
-            Kind::When => own(&self.when),
-            Kind::Lasts => own(&self.lasts),
-            Kind::UntilTime => own(&self.until_time),
-            Kind::Times => own(&self.times),
-            Kind::Phase => {
-                own(&self.from).or(own(&self.until)).or(own(&self.for_days)).or(own(&self.over)).or(own(&self.fading))
-            }
-        };
-        let mut spans: Vec<Span> = kinds.iter().filter_map(span).collect();
-        spans.dedup();
-        spans
-    }
-}
-
-/// What a part of a sentence says.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    Chance,
-    Weekdays,
-    Months,
-    Every,
-    Part,
-    When,
-    Lasts,
-    UntilTime,
-    Times,
-    Phase,
-}
-
-impl Kind {
-    pub const ALL: [Kind; 10] = [
-        Kind::Chance,
-        Kind::Weekdays,
-        Kind::Months,
-        Kind::Every,
-        Kind::Part,
-        Kind::When,
-        Kind::Lasts,
-        Kind::UntilTime,
-        Kind::Times,
-        Kind::Phase,
-    ];
 }

@@ -1,7 +1,8 @@
 //! What a clause means, once all of it is read: a habit, a change, or who the person is.
 
 use super::Draft;
-use super::adverbs::{Adverbs, Kind as Part};
+use super::adverbs::Adverbs;
+use super::meaning::Kind as Part;
 use super::measures::{Measure, Of};
 use super::predicates::{Predicate, Subject};
 use super::reader::Reader;
@@ -76,6 +77,9 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
         let words = reader.said(clause.predicate_span).to_lowercase();
         return super::predicates::unknown_verb(reader, &words, clause.predicate_span);
     }
+    if matches!(activity, Activity::GetUp | Activity::GoToBed) {
+        once_a_day(reader, &clause);
+    }
     if let Some(measure) = &clause.measure {
         misfit(reader, measure, "this is something new, not a change");
     }
@@ -85,6 +89,7 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
         let span = adverbs.when.as_ref().map_or(clause.span, |slot| slot.span);
         reader.fault(span, "\"then\" has nothing before it", "say first what is done before".to_owned());
     }
+    let until = adverbs.until_meant(&when);
     let inherited_then = when == When::Then && adverbs.chance.as_ref().is_some_and(|chance| !chance.own);
     let chance = adverbs.chance.as_ref().filter(|_| !inherited_then).map_or(Chance::ALWAYS, |slot| slot.value);
     let phase = adverbs.phase_meant(reader, draft.is_condition);
@@ -102,11 +107,23 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
         phase,
         when,
         lasts: adverbs.lasts.as_ref().map(|slot| slot.value),
-        until: adverbs.until_time.as_ref().map(|slot| slot.value),
+        until,
         times: adverbs.times.as_ref().map_or((1, 1), |slot| slot.value),
     };
     draft.routine.habits.push(habit);
     draft.habit_spans.push(clause.predicate_span);
+}
+
+/// A day begins and ends once; what interrupts a night has words of its own.
+fn once_a_day(reader: &mut Reader, clause: &Clause) {
+    let at_night = clause.adverbs.part.as_ref().filter(|part| part.value == PartOfDay::Night);
+    let gets_up = clause.predicate == Predicate::Does(Activity::GetUp);
+    let span = clause.adverbs.times.as_ref().filter(|times| times.value != (1, 1)).map(|times| times.span);
+    if let Some(span) = span.or(at_night.filter(|_| gets_up).map(|part| part.span)) {
+        let what = format!("{:?} does not fit here: a day begins and ends once", reader.said(span));
+        let hint = "for the nights, write \"goes to the bathroom\", \"lies awake\" or \"wanders\"".to_owned();
+        reader.fault(span, what, hint);
+    }
 }
 
 /// The time of day is within the part of the day that was said, and the end after the beginning.
@@ -142,7 +159,7 @@ fn check_times(reader: &mut Reader, adverbs: &Adverbs, when: &When) {
 
 fn change(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     let Some((effect, allowed)) = effect(reader, clause) else { return };
-    let why = "a change holds at all times from its beginning on";
+    let why = "a change holds on all days from its beginning on";
     only(reader, &clause.adverbs, &allowed, why);
     no_place(reader, clause);
     let phase = clause.adverbs.phase_meant(reader, draft.is_condition);
@@ -226,14 +243,17 @@ fn of_activity(
     Some((effect, PHASE.to_vec()))
 }
 
+/// What may stand after "is".
+pub const IS: &str = "write \"is 82\", \"is a cat\", \"is out\" or \"is 30 % less active\"";
+
 fn not_a_change(reader: &mut Reader, clause: &Clause) {
     let hint = match &clause.predicate {
         Predicate::Walks => {
             "write \"walks 10 % slower\", \"walks 0.02 m/s slower every week\", \"wanders around\", \
             \"walks up and down\" or \"goes for a walk\""
         }
-        Predicate::Is => "write \"is 82\", \"is a cat\", \"is out\" or \"is 30 % less active\"",
-        Predicate::Sleeps => "write \"sleeps 30 % more restlessly\", or \"goes to bed\" for when",
+        Predicate::Is => IS,
+        Predicate::Sleeps => "write \"sleeps 30 % more restlessly\", \"goes to bed at 22:30\" or \"gets up at 09:00\"",
         Predicate::Vary => "write \"her hours vary twice as much\"",
         Predicate::Breathes => "write \"breathes 6 breaths a minute faster\"",
         _ => "such changes are \"later\", \"longer\" and \"more often\"",
@@ -276,5 +296,5 @@ fn needed_chance(reader: &mut Reader, clause: &Clause, example: &str) -> Option<
 
 /// The last word of a stretch.
 fn last_word(span: Span, reader: &Reader) -> Span {
-    reader.words.iter().map(|word| word.span).filter(|word| word.end <= span.end).last().unwrap_or(span)
+    reader.words.iter().rev().map(|word| word.span).find(|word| word.end <= span.end).unwrap_or(span)
 }

@@ -1,6 +1,206 @@
-//! Sentences that contradict each other.
+//! Sentences that contradict each other: each alone is understood, together they cannot be.
 
 use super::Draft;
+use super::activities::phrase;
 use super::faults::Faults;
+use super::times::days_between;
+use crate::fuzzy::Fuzzy;
+use crate::routine::{Activity, Habit, Moment, Trigger, When};
+use std::collections::{BTreeMap, BTreeSet};
 
-pub fn check(_draft: &Draft, _faults: &mut Faults) {}
+/// Things that only some activities use.
+const USED_BY: [(&str, &[Activity]); 9] = {
+    use crate::routine::Meal::{Breakfast, Dinner, Lunch};
+    const COOKING: &[Activity] =
+        &[Activity::Prepare(Breakfast), Activity::Prepare(Lunch), Activity::Prepare(Dinner), Activity::Drink];
+    [
+        ("stove", COOKING),
+        ("oven", COOKING),
+        ("hob", COOKING),
+        ("cooker", COOKING),
+        ("television", &[Activity::WatchTelevision]),
+        ("tv", &[Activity::WatchTelevision]),
+        ("washing machine", &[Activity::Laundry]),
+        ("dryer", &[Activity::Laundry]),
+        ("computer", &[Activity::UseComputer]),
+    ]
+};
+
+pub fn check(draft: &Draft, faults: &mut Faults) {
+    let all_understood = faults.count() == 0;
+    twice_a_day(draft, faults);
+    bed_before_getting_up(draft, faults);
+    if circles(draft, faults) || draft.is_condition || !all_understood {
+        return;
+    }
+    // What is missing is only known once every sentence has been understood.
+    home_without_leaving(draft, faults);
+    missing_anchors(draft, faults);
+    idle_rules(draft, faults);
+}
+
+fn own_habits<'a>(draft: &'a Draft) -> impl Iterator<Item = (usize, &'a Habit)> + Clone {
+    draft.routine.habits.iter().enumerate().filter(|(_, habit)| habit.visitor.is_none())
+}
+
+fn does(draft: &Draft, activity: &Activity) -> bool {
+    own_habits(draft).any(|(_, habit)| habit.activity == *activity) || draft.usual.contains(activity)
+}
+
+/// Whether there may be a day on which both are meant.
+fn share_days(draft: &Draft, a: &Habit, b: &Habit) -> bool {
+    let before = |until: Option<Moment>, from: Option<Moment>| match until {
+        Some(until) => days_between(from.unwrap_or(Moment::Day(0)), until, draft.first_date).is_some_and(|d| d <= 0),
+        None => false,
+    };
+    a.days.weekdays & b.days.weekdays != 0
+        && a.days.months & b.days.months != 0
+        && !before(a.phase.until, b.phase.from)
+        && !before(b.phase.until, a.phase.from)
+}
+
+/// Nobody gets up, or goes to bed, at two times of the same day.
+fn twice_a_day(draft: &Draft, faults: &mut Faults) {
+    for activity in [Activity::GetUp, Activity::GoToBed] {
+        let timed = |habit: &Habit| matches!(habit.when, When::At(_) | When::Within(_));
+        let list: Vec<_> = own_habits(draft).filter(|(_, habit)| habit.activity == activity && timed(habit)).collect();
+        for (later, (index, habit)) in list.iter().enumerate() {
+            let both = |other: &Habit| habit.chance.probability + other.chance.probability > 1.0 + 1e-9;
+            let other = list[..later].iter().find(|(_, other)| share_days(draft, habit, other) && both(other));
+            if let Some((_, other)) = other {
+                let doing = phrase(&activity);
+                let what = format!("she {doing} at two times of the same day: line {} says so too", other.said.line);
+                let hint = "say on which days each is so: \"on weekdays\", \"at weekends\", \"until day 100\"".into();
+                faults.add(draft.habit_spans[*index], what, Some(hint));
+            }
+        }
+    }
+}
+
+/// On the same day, bed comes after getting up.
+fn bed_before_getting_up(draft: &Draft, faults: &mut Faults) {
+    let at = |habit: &Habit| match habit.when {
+        When::At(at) => Some((at.from + at.to) / 2.0),
+        _ => None,
+    };
+    let up: Vec<_> = own_habits(draft).filter(|(_, habit)| habit.activity == Activity::GetUp).collect();
+    for (index, bed) in own_habits(draft).filter(|(_, habit)| habit.activity == Activity::GoToBed) {
+        let Some(time) = at(bed) else { continue };
+        let early = |up: &Habit| at(up).is_some_and(|up| time <= up) && share_days(draft, bed, up);
+        if let Some((_, up)) = up.iter().find(|(_, up)| early(up)) {
+            let what = format!("she goes to bed before she gets up, by line {}", up.said.line);
+            faults.add(draft.habit_spans[index], what, Some("write bedtimes as 22:30 or 10:30 pm".into()));
+        }
+    }
+}
+
+fn home_without_leaving(draft: &Draft, faults: &mut Faults) {
+    if does(draft, &Activity::Leave) {
+        return;
+    }
+    for (index, _) in own_habits(draft).filter(|(_, habit)| habit.activity == Activity::ComeHome) {
+        let hint = "say when she leaves: \"she leaves the apartment at about 10:00\"".to_owned();
+        faults.add(draft.habit_spans[index], "she comes home, but no sentence says that she leaves", Some(hint));
+    }
+}
+
+fn anchor(habit: &Habit) -> Option<&Activity> {
+    match &habit.when {
+        When::After(activity, _) | When::Before(activity, _) | When::With(activity) => Some(activity),
+        _ => None,
+    }
+}
+
+/// What something is said to come after is done at all.
+fn missing_anchors(draft: &Draft, faults: &mut Faults) {
+    for (index, habit) in draft.routine.habits.iter().enumerate() {
+        let Some(other) = anchor(habit) else { continue };
+        let is_done = match other {
+            Activity::GetUp | Activity::GoToBed => true,
+            Activity::Visit => draft.routine.habits.iter().any(|habit| habit.activity == Activity::Visit),
+            Activity::Eat(meal) => does(draft, other) || does(draft, &Activity::Prepare(*meal)),
+            Activity::ComeHome => does(draft, other) || does(draft, &Activity::Leave),
+            other => does(draft, other),
+        };
+        if !is_done {
+            let what = format!("no sentence says that she {}, so this has no time", phrase(other));
+            let hint = format!("add a sentence such as \"she {} at about 12:00\"", phrase(other));
+            faults.add(draft.habit_spans[index], what, Some(hint));
+        }
+    }
+}
+
+/// A after B and B after A: true if there is any.
+fn circles(draft: &Draft, faults: &mut Faults) -> bool {
+    // Activities that are only ever said to be before, after or with others.
+    let mut relative: BTreeMap<&Activity, BTreeSet<&Activity>> = BTreeMap::new();
+    for (_, habit) in own_habits(draft) {
+        if let Some(other) = anchor(habit) {
+            relative.entry(&habit.activity).or_default().insert(other);
+        }
+    }
+    for (_, habit) in own_habits(draft).filter(|(_, habit)| anchor(habit).is_none()) {
+        relative.remove(&habit.activity);
+    }
+    // What hangs on something with a time of its own has one too; what is left goes in circles.
+    loop {
+        let timed = |others: &BTreeSet<&Activity>| others.iter().any(|other| !relative.contains_key(*other));
+        let next = relative.iter().find(|(_, others)| timed(others)).map(|(activity, _)| *activity);
+        let Some(next) = next else { break };
+        relative.remove(next);
+    }
+    let mut any = false;
+    for (index, habit) in own_habits(draft).filter(|(_, habit)| relative.contains_key(&habit.activity)) {
+        let Some(other) = anchor(habit) else { continue };
+        let back = own_habits(draft).find(|(_, back)| back.activity == *other);
+        let line = back.map_or(habit.said.line, |(_, back)| back.said.line);
+        let what = match *other == habit.activity {
+            true => format!("she {} before or after doing so: that goes in a circle", phrase(other)),
+            false => format!("this waits for line {line}, and line {line} for this: that goes in a circle"),
+        };
+        faults.add(draft.habit_spans[index], what, Some("give one of them a time of day".into()));
+        any = true;
+    }
+    any
+}
+
+/// Rules that can never come true.
+fn idle_rules(draft: &Draft, faults: &mut Faults) {
+    for (rule, (trigger, lasts)) in draft.routine.rules.iter().zip(&draft.rule_spans) {
+        match &rule.whenever {
+            Trigger::On(thing) => {
+                let folded = format!(" {} ", thing.to_lowercase());
+                let used = USED_BY.iter().find(|(name, _)| folded.contains(&format!(" {name} ")));
+                let Some((_, activities)) = used else { continue };
+                if !activities.iter().any(|activity| does(draft, activity)) {
+                    let what = format!("this never comes true: no sentence has her use the {thing}");
+                    let hint = format!("add a sentence such as \"she {} at about 12:00\"", phrase(&activities[0]));
+                    faults.add(*trigger, what, Some(hint));
+                }
+            }
+            Trigger::Away => {
+                let outings: Vec<&Habit> =
+                    own_habits(draft).map(|(_, habit)| habit).filter(|h| h.activity == Activity::Leave).collect();
+                if outings.is_empty() && !does(draft, &Activity::Leave) {
+                    let hint = "add a sentence such as \"she leaves the apartment at about 10:00\"".to_owned();
+                    faults.add(*trigger, "this never comes true: no sentence says that she leaves", Some(hint));
+                } else if !outings.is_empty()
+                    && outings.iter().all(|habit| longest(habit).is_some_and(|most| most < rule.lasts.low))
+                {
+                    let what = "this never comes true: she is never out for so long";
+                    faults.add(*lasts, what, Some("compare how long she is out".into()));
+                }
+            }
+            Trigger::At(_) | Trigger::InBed => {}
+        }
+    }
+}
+
+/// How long something lasts at most, as far as it was said.
+fn longest(habit: &Habit) -> Option<f64> {
+    match (habit.lasts, habit.until, &habit.when) {
+        (Some(Fuzzy { high, .. }), _, _) => Some(high),
+        (None, Some(until), When::At(at)) => Some(until.high - at.low),
+        _ => None,
+    }
+}

@@ -70,7 +70,10 @@ fn problem(file: &str, lines: &[Line], fault: Fault) -> Problem {
 /// The known name that was probably meant, or the names that there are.
 pub fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str> + Clone) -> Option<String> {
     const FEW: usize = 12;
-    if let Some(near) = nearest(name, known.clone()) {
+    const LONGEST: usize = 60;
+    if name.len() <= LONGEST
+        && let Some(near) = nearest(name, known.clone())
+    {
         return Some(format!("did you mean {near:?}?"));
     }
     let mut names: Vec<String> = known.map(|name| format!("{name:?}")).collect();

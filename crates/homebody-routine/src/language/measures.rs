@@ -43,7 +43,10 @@ pub enum Of {
 pub fn measure(reader: &mut Reader) -> Option<Measure> {
     let start = reader.at;
     reader.attempt(|reader| {
-        let _ = reader.eat("by");
+        if let Some((of, by)) = reader.attempt(later_by) {
+            return Some(Measure { of, by, span: reader.span(start) });
+        }
+        reader.eat("by");
         let amount = amount(reader)?;
         let (of, by) = match amount.unit {
             Unit::Second => time(reader, &amount)?,
@@ -56,6 +59,18 @@ pub fn measure(reader: &mut Reader) -> Option<Measure> {
         };
         Some(Measure { of, by, span: reader.span(start) })
     })
+}
+
+/// "later by 30 minutes".
+fn later_by(reader: &mut Reader) -> Option<(Of, Fuzzy)> {
+    let (of, is_less) = reader.eat_any(&[
+        ("later by", (Of::Later, false)),
+        ("earlier by", (Of::Later, true)),
+        ("longer by", (Of::LongerBy, false)),
+        ("shorter by", (Of::LongerBy, true)),
+    ])?;
+    let amount = amount(reader).filter(|amount| amount.unit == Unit::Second)?;
+    Some((of, signed(&amount, is_less)))
 }
 
 /// The amount, or its opposite.

@@ -1,9 +1,9 @@
 //! The routine language: a life in sentences that a nurse can read aloud.
 //!
 //! In reading order: text becomes sentences of words ([`words`]); a [`reader`] goes through them and knows the names of
-//! the home; [`sentence`] reads who does what, with [`adverbs`] (when, how long, how often) in any order around it;
-//! [`build`] makes habits and changes of that, [`rules`] rules; [`check`] finds sentences that contradict each other.
-//! Whatever is wrong is collected in [`faults`] and told all at once.
+//! the home; [`sentence`] reads who does what, with [`adverbs`] (when, how long, how often) in any order around it,
+//! and [`meaning`] says what those come to; [`build`] makes habits and changes of that, [`rules`] rules; [`check`]
+//! finds sentences that contradict each other. Whatever is wrong is collected in [`faults`] and told all at once.
 
 mod words;
 mod faults;
@@ -12,6 +12,7 @@ pub mod amounts;
 pub mod times;
 mod often;
 mod adverbs;
+mod meaning;
 pub mod activities;
 mod measures;
 mod predicates;
@@ -22,7 +23,7 @@ mod check;
 #[cfg(test)]
 mod tests;
 
-use crate::routine::{Phase, Routine, Said};
+use crate::routine::{Activity, Moment, Phase, Routine, Said};
 use adverbs::Adverbs;
 use faults::Faults;
 use homebody_core::problem::Problem;
@@ -43,6 +44,8 @@ pub struct Known {
     pub conditions: Vec<String>,
     /// Year, month and day of the run's first day, which ties dates to days.
     pub first_date: Option<(i16, u8, u8)>,
+    /// What is done without being said.
+    pub usual: Vec<Activity>,
 }
 
 /// Longer lines are refused.
@@ -72,6 +75,7 @@ pub(crate) struct Draft<'t> {
     /// Where each rule says what happens, and for how long.
     rule_spans: Vec<(Span, Span)>,
     first_date: Option<(i16, u8, u8)>,
+    usual: Vec<Activity>,
     text: &'t str,
     lines: Vec<Line<'t>>,
 }
@@ -92,6 +96,7 @@ fn read(file: &str, text: &str, known: &Known, is_condition: bool) -> (Routine, 
         habit_spans: Vec::new(),
         rule_spans: Vec::new(),
         first_date: known.first_date,
+        usual: known.usual.clone(),
         text,
         lines: words::lines(text),
     };
@@ -171,8 +176,16 @@ impl Draft<'_> {
         Said { line: index as u32 + 1, column, text }
     }
 
-    /// A phase has to begin before it ends.
+    /// A phase has to begin before it ends, and before how often changes.
     fn phase(&self, reader: &mut Reader, phase: &Phase, adverbs: &Adverbs, span: Span) {
+        let becomes = adverbs.chance.as_ref().and_then(|slot| Some((slot.span, slot.value.becomes?.1)));
+        if let Some((at, by)) = becomes {
+            let from = phase.from.unwrap_or(Moment::Day(0));
+            if times::days_between(from, by, self.first_date).is_some_and(|days| days <= 0) {
+                let what = format!("{:?} changes before it begins", reader.said(at));
+                reader.fault(at, what, "say a later day after \"by\"".to_owned());
+            }
+        }
         let (Some(from), Some(until)) = (phase.from, phase.until) else { return };
         if times::days_between(from, until, self.first_date).is_some_and(|days| days <= 0) {
             let span = adverbs.until.as_ref().map_or(span, |slot| slot.span);

@@ -153,6 +153,12 @@ fn kind_of_day(reader: &mut Reader) -> Option<(Option<u8>, Option<PartOfDay>)> {
     reader.eat_any(&times::PARTS).map(|part| (None, Some(part)))
 }
 
+/// The chance that a sentence has so far, with what it becomes by when.
+pub fn becoming(reader: &mut Reader, first: Chance) -> Chance {
+    let often = changing(reader, Often { chance: Some(first), ..Often::NOTHING });
+    often.and_then(|often| often.chance).unwrap_or(first)
+}
+
 /// "rarely at first, often by day 160".
 fn changing(reader: &mut Reader, first: Often) -> Option<Often> {
     reader.skip_commas();

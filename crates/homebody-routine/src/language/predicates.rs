@@ -4,7 +4,7 @@ use super::activities;
 use super::adverbs::Adverbs;
 use super::amounts::{Unit, amount};
 use super::faults::did_you_mean;
-use super::measures::{Measure, Of, rises_by};
+use super::measures::{Measure, Of, measure, rises_by};
 use super::reader::{Reader, Sort, is_determiner};
 use super::words::{Span, Token};
 use crate::routine::{Activity, Kind};
@@ -76,8 +76,10 @@ pub fn subject(reader: &mut Reader) -> Option<Subject> {
         None => {}
     }
     if ["her", "his", "their", "its"].contains(&reader.peek(0)) {
-        reader.at += 1;
-        return of_the_person(reader);
+        return reader.attempt(|reader| {
+            reader.at += 1;
+            of_the_person(reader)
+        });
     }
     if is_determiner(reader.peek(0)) {
         return reader.attempt(|reader| {
@@ -102,10 +104,11 @@ fn of_the_person(reader: &mut Reader) -> Option<Subject> {
     visitor(reader)
 }
 
-/// One to four words, up to the verb.
+/// A few words, up to the verb.
 fn visitor(reader: &mut Reader) -> Option<Subject> {
+    const MOST: usize = 5;
     let from = reader.at;
-    while reader.at < from + 4 && reader.token(0) == Some(Token::Word) {
+    while reader.at < from + MOST && reader.token(0) == Some(Token::Word) {
         let at = reader.at;
         if at > from {
             let mut between = Adverbs::default();
@@ -132,12 +135,12 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
     if reader.eat("is|are") {
         return Some(being(reader, adverbs));
     }
-    let not = reader.eat("does|do not") || reader.eat("doesn't|don't|never|doesn\u{2bc}t") || reader.eat("no longer");
+    let not = reader.eat("does|do not") || reader.eat("doesn't|don't|never") || reader.eat("no longer");
     if not {
         reader.eat("ever");
         return negated(reader);
     }
-    for read in [changing, illness, forgetting, skipping] {
+    for read in [walking, changing, illness, forgetting, skipping] {
         if let Some(found) = reader.attempt(read) {
             return Some(found);
         }
@@ -148,19 +151,27 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
         }
         return Some(Predicate::Does(activity));
     }
-    if reader.eat("walks|walk") {
-        return Some(walking(reader));
-    }
-    None
+    reader.eat("walks|walk").then_some(Predicate::Walks)
 }
 
-fn walking(reader: &mut Reader) -> Predicate {
+/// "walks" where a speed or a change of it follows.
+fn walking(reader: &mut Reader) -> Option<Predicate> {
+    if !reader.eat("walks|walk") {
+        return None;
+    }
     let pace = reader.attempt(|reader| {
         reader.eat("at");
         let pace = amount(reader).filter(|amount| amount.unit == Unit::Speed)?;
         (!["slower", "faster", "quicker"].contains(&reader.peek(0))).then_some(pace)
     });
-    pace.map_or(Predicate::Walks, Predicate::Pace)
+    if pace.is_some() {
+        return pace.map(Predicate::Pace);
+    }
+    let (at, faults) = (reader.at, reader.faults.count());
+    let changes = measure(reader).is_some();
+    reader.at = at;
+    reader.faults.forget_since(faults);
+    changes.then_some(Predicate::Walks)
 }
 
 fn being(reader: &mut Reader, adverbs: &mut Adverbs) -> Predicate {
@@ -209,14 +220,30 @@ fn changing(reader: &mut Reader) -> Option<Predicate> {
     reader.eat("breathes|breathe").then_some(Predicate::Breathes)
 }
 
+/// What severity these words stand for; without one, a case is moderate.
+pub const SEVERITIES: [(&str, f64); 3] =
+    [("mild|slight|light", 0.5), ("moderate", 1.0), ("severe|serious|strong", 1.5)];
+
+/// "has depression": only what is known, since much else can be had.
+fn has_condition(reader: &mut Reader) -> Option<Predicate> {
+    if !reader.eat("has|have") {
+        return None;
+    }
+    reader.skip_determiners();
+    let severity = reader.eat_any(&SEVERITIES).unwrap_or(1.0);
+    reader.name(&[Sort::Condition]).map(|name| Predicate::Shows(name, severity))
+}
+
 fn illness(reader: &mut Reader) -> Option<Predicate> {
+    if let Some(found) = reader.attempt(has_condition) {
+        return Some(found);
+    }
     if !(reader.eat("shows|show|develops|develop") || reader.eat("suffers|suffer from") || reader.eat("has signs of")) {
         return None;
     }
     reader.eat("signs of");
     reader.skip_determiners();
-    let degrees = [("mild|slight|light", 0.5), ("moderate", 1.0), ("severe|serious|strong", 1.5)];
-    let severity = reader.eat_any(&degrees).unwrap_or(1.0);
+    let severity = reader.eat_any(&SEVERITIES).unwrap_or(1.0);
     if let Some(name) = reader.name(&[Sort::Condition]) {
         return Some(Predicate::Shows(name, severity));
     }
@@ -284,11 +311,11 @@ pub fn of_body(reader: &mut Reader, subject: &Subject) -> Option<Predicate> {
         Subject::Pulse => {
             reader.eat("beats|beat");
             let rises = rises_by(reader, Of::Beats);
-            rises.or_else(|| super::measures::measure(reader)).map(Predicate::Rises)
+            rises.or_else(|| measure(reader)).map(Predicate::Rises)
         }
         Subject::Breathing => {
             let rises = rises_by(reader, Of::Breaths);
-            rises.or_else(|| super::measures::measure(reader)).map(Predicate::Rises)
+            rises.or_else(|| measure(reader)).map(Predicate::Rises)
         }
         Subject::Hours => (reader.eat("vary|varies|change|changes|are|is")).then_some(Predicate::Vary),
         _ => None,
@@ -312,13 +339,65 @@ pub fn own_words(reader: &mut Reader) -> Option<(String, Span)> {
 }
 
 /// Words that begin a place, a time, how often or how much.
-const BEGINNINGS: &str = "in on at by near beside to from until till over for after before with between during then \
-    about around every each once twice half almost nearly always never often usually sometimes rarely seldom most \
-    some several give plus fading daily now occasionally frequently and but while or has have is are been";
+const BEGINNINGS: [&str; 53] = [
+    "in",
+    "on",
+    "at",
+    "by",
+    "near",
+    "beside",
+    "to",
+    "from",
+    "until",
+    "till",
+    "over",
+    "for",
+    "after",
+    "before",
+    "with",
+    "between",
+    "during",
+    "then",
+    "about",
+    "around",
+    "every",
+    "each",
+    "once",
+    "twice",
+    "half",
+    "almost",
+    "nearly",
+    "always",
+    "never",
+    "often",
+    "usually",
+    "sometimes",
+    "rarely",
+    "seldom",
+    "most",
+    "some",
+    "several",
+    "give",
+    "plus",
+    "fading",
+    "daily",
+    "now",
+    "occasionally",
+    "frequently",
+    "and",
+    "but",
+    "while",
+    "or",
+    "has",
+    "have",
+    "is",
+    "are",
+    "been",
+];
 
 pub fn begins_adverb(reader: &Reader) -> bool {
     matches!(reader.token(0), Some(Token::Number(_) | Token::Clock(..) | Token::Date(..)))
-        || BEGINNINGS.split_whitespace().any(|word| word == reader.peek(0))
+        || BEGINNINGS.contains(&reader.peek(0))
 }
 
 /// Says that nobody knows how to do this, with what was probably meant.
@@ -343,7 +422,7 @@ pub fn meant(words: &str) -> Option<String> {
     for phrase in all {
         let length = phrase.split(' ').count();
         let said = words.get(..length).map(|words| words.join(" "));
-        let is_near = said.is_some_and(|said| nearest(&said, [phrase]).is_some() && is_slip(&said, phrase));
+        let is_near = said.is_some_and(|said| is_slip(&said, phrase) && nearest(&said, [phrase]).is_some());
         if is_near && best.is_none_or(|(longest, _)| length > longest) {
             best = Some((length, phrase));
         }
@@ -353,10 +432,29 @@ pub fn meant(words: &str) -> Option<String> {
 
 /// Whether two phrases differ as slips do: most letters are the same, in order.
 fn is_slip(said: &str, phrase: &str) -> bool {
-    let (said, phrase): (Vec<char>, Vec<char>) = (said.chars().collect(), phrase.chars().collect());
-    let same = said.iter().zip(&phrase).take_while(|(a, b)| a == b).count();
-    let rest = said.iter().rev().zip(phrase.iter().rev()).take_while(|(a, b)| a == b).count();
-    same + rest + 2 >= said.len().max(phrase.len())
+    let (same, longer) = same_letters(said, phrase);
+    same + 2 >= longer
+}
+
+/// Whether these words are a phrase but for a letter in each: too near to be something new.
+pub fn is_nearly_known(words: &str) -> bool {
+    let words: Vec<&str> = words.split(' ').filter(|word| !is_determiner(word)).collect();
+    let near = |(said, known): (&&str, &str)| {
+        let (same, longer) = same_letters(said, known);
+        **said == *known || longer >= 4 && same + 1 >= longer
+    };
+    let is_near =
+        |phrase: &String| phrase.split(' ').count() <= words.len() && words.iter().zip(phrase.split(' ')).all(near);
+    activities::all_phrases().iter().any(is_near)
+}
+
+/// How many letters agree at the two ends of both, and how many the longer one has.
+fn same_letters(a: &str, b: &str) -> (usize, usize) {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    let shorter = a.len().min(b.len());
+    let front = a.iter().zip(&b).take_while(|(a, b)| a == b).count();
+    let back = a.iter().rev().zip(b.iter().rev()).take(shorter - front).take_while(|(a, b)| a == b).count();
+    (front + back, a.len().max(b.len()))
 }
 
 fn capital(text: &str) -> String {

@@ -2,9 +2,10 @@
 
 use super::Draft;
 use super::activities;
-use super::adverbs::{Adverbs, Kind};
+use super::adverbs::Adverbs;
 use super::amounts::{self, Unit, amount};
 use super::build::only;
+use super::meaning::Kind;
 use super::predicates::{self, Predicate, Subject};
 use super::reader::{Reader, Sort};
 use super::sentence::{Clause, PLACES, eat_preposition, tail};
@@ -20,7 +21,7 @@ pub fn rule(reader: &mut Reader, draft: &mut Draft, front: &Adverbs) {
     let trigger_span = reader.span(from);
     let Some((lasts, lasts_span)) = how_long(reader) else { return };
     reader.skip_commas();
-    let _ = reader.eat("then");
+    reader.eat("then");
     let mut adverbs = Adverbs::default();
     let start = reader.at;
     match predicates::subject(reader) {
@@ -66,6 +67,7 @@ fn trigger(reader: &mut Reader) -> Option<Trigger> {
             reader.fault(reader.here(), "it is not said where she is", hint);
             return None;
         }
+        reader.eat("sitting|lying|standing|staying");
         if reader.eat("away|out|gone|outside") || reader.eat("away from home") {
             return Some(Trigger::Away);
         }
@@ -86,7 +88,7 @@ fn trigger(reader: &mut Reader) -> Option<Trigger> {
         return None;
     };
     let is = is_or_was(reader);
-    let _ = reader.eat("left");
+    reader.eat("left");
     if is && reader.eat("on|open|running") {
         return Some(Trigger::On(thing));
     }
@@ -151,7 +153,7 @@ fn response(reader: &mut Reader, whenever: &Trigger, adverbs: &mut Adverbs) -> O
         predicates::unknown_verb(reader, &words, here);
         return None;
     };
-    if predicates::meant(&words).is_some() {
+    if predicates::is_nearly_known(&words) {
         predicates::unknown_verb(reader, &words, span);
         return None;
     }
@@ -200,7 +202,7 @@ fn done(reader: &mut Reader, predicate: Predicate, from: usize, adverbs: &mut Ad
         measure: None,
         adverbs: adverbs.clone(),
     };
-    let then = tail(reader, &mut clause, from)?;
+    let then = tail(reader, &mut clause)?;
     if let Some(span) = then.or(clause.measure.map(|measure| measure.span)) {
         let what = format!("{:?} does not fit here: a rule says one thing that is done", reader.said(span));
         reader.fault(span, what, None);

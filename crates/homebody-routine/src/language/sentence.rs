@@ -3,17 +3,21 @@
 use super::Draft;
 use super::activities::{self, MEALS};
 use super::adverbs::{Adverbs, Slot};
+use super::amounts::{Unit, amount};
 use super::build;
 use super::faults::did_you_mean;
 use super::measures::{Measure, measure};
 use super::predicates::{self, Predicate, Subject};
-use super::reader::{Reader, Sort};
+use super::reader::{Reader, Sort, is_determiner};
 use super::rules;
 use super::words::{Span, Token};
 use crate::routine::{Activity, When};
 
 /// What a habit may be said to be done at.
 pub const PLACES: [Sort; 3] = [Sort::Place, Sort::Room, Sort::Thing];
+
+/// More things done one after another take more sentences.
+const MOST_CLAUSES: usize = 12;
 
 /// A clause with all that was said in it.
 #[derive(Clone, Debug)]
@@ -29,17 +33,30 @@ pub struct Clause {
 
 /// Reads a sentence into the draft. If it has no verb, it is a heading: what it says is returned.
 pub fn sentence(reader: &mut Reader, draft: &mut Draft, heading: Option<&Adverbs>) -> Option<Adverbs> {
-    let mut adverbs = Adverbs::default();
-    adverbs.all(reader);
-    if reader.is_over() {
+    let (mut adverbs, mut at) = (Adverbs::default(), None);
+    loop {
+        reader.skip_commas();
+        // A place goes first, since a room may be named after a part of the day.
+        let here = if at.is_none() { place(reader) } else { None };
+        if here.is_some() {
+            at = here;
+        } else if !adverbs.next(reader) {
+            break;
+        }
+    }
+    if reader.is_over() && at.is_none() {
         return Some(adverbs);
     }
     if reader.eat("whenever|when|if") || reader.eat("each|every time") {
+        if let Some((_, span)) = at {
+            let hint = "write \"whenever she has been in the kitchen for 20 minutes\"".to_owned();
+            reader.fault(span, format!("{:?} does not fit before a rule", reader.said(span)), hint);
+        }
         rules::rule(reader, draft, &adverbs);
         return None;
     }
     let from = reader.at;
-    let Some(subject) = predicates::subject(reader).or_else(|| stranger(reader, draft)) else {
+    let Some(subject) = predicates::subject(reader).or_else(|| stranger(reader)) else {
         no_subject(reader);
         return None;
     };
@@ -49,24 +66,25 @@ pub fn sentence(reader: &mut Reader, draft: &mut Draft, heading: Option<&Adverbs
     {
         return None;
     }
-    clauses(reader, draft, subject, who, adverbs, heading);
+    clauses(reader, draft, Start { subject, who, adverbs, place: at }, heading);
     None
 }
 
-fn clauses(
-    reader: &mut Reader,
-    draft: &mut Draft,
+/// What stands before the verb.
+struct Start {
     subject: Subject,
     who: Span,
-    front: Adverbs,
-    heading: Option<&Adverbs>,
-) {
-    let (mut adverbs, mut start, mut cooked) = (front, None, None);
-    let mut follows: Option<Adverbs> = None;
+    adverbs: Adverbs,
+    place: Option<(String, Span)>,
+}
+
+fn clauses(reader: &mut Reader, draft: &mut Draft, front: Start, heading: Option<&Adverbs>) {
+    let Start { subject, who, mut adverbs, mut place } = front;
+    let (mut start, mut cooked) = (None, None);
+    let (mut follows, mut clauses): (Option<Adverbs>, usize) = (None, 0);
     loop {
         reader.eat("also|still|again");
         adverbs.all(reader);
-        let from = reader.at;
         let Some((predicate, predicate_span)) = predicate(reader, &subject, who, &mut adverbs, cooked.as_ref()) else {
             return;
         };
@@ -75,16 +93,16 @@ fn clauses(
             subject: subject.clone(),
             predicate,
             predicate_span,
-            place: None,
+            place: place.take(),
             measure: None,
             adverbs,
         };
-        let Some(goes_on) = tail(reader, &mut clause, from) else { return };
+        let Some(goes_on) = tail(reader, &mut clause) else { return };
         clause.span = reader.span(start.unwrap_or(0));
         if let Some(then) = goes_on {
-            let before = reader.words.iter().map(|word| word.span).filter(|word| word.end <= then.start);
-            let before = before.filter(|word| reader.text.get(word.start..word.end) != Some(","));
-            clause.span.end = before.last().map_or(then.start, |word| word.end);
+            let before = reader.words.iter().map(|word| word.span).rev().filter(|word| word.end <= then.start);
+            let mut before = before.filter(|word| reader.text.get(word.start..word.end) != Some(","));
+            clause.span.end = before.next().map_or(then.start, |word| word.end);
         }
         if let Predicate::Does(Activity::Prepare(meal)) = clause.predicate {
             cooked = Some(meal);
@@ -97,9 +115,14 @@ fn clauses(
         follows.get_or_insert_with(|| merged.clone());
         build::build(reader, draft, Clause { adverbs: merged, ..clause });
         let Some(then) = goes_on else { return };
+        clauses += 1;
+        if clauses == MOST_CLAUSES {
+            let what = format!("a sentence says at most {MOST_CLAUSES} things");
+            return reader.fault(then, what, "begin a new sentence with \"Then she\"".to_owned());
+        }
         adverbs = Adverbs { when: Some(Slot { value: When::Then, span: then, own: true }), ..Adverbs::default() };
         start = reader.words.iter().position(|word| word.span.start == then.start);
-        let _ = reader.eat("she|he|they|it");
+        reader.eat("she|he|they|it");
     }
 }
 
@@ -128,6 +151,11 @@ fn predicate(
     let from = reader.at;
     let found = match subject {
         Subject::Visitor(_) if predicates::visits(reader) => Some(Predicate::Visits),
+        Subject::Visitor(name) if reader.names.has(name, Sort::Thing) => {
+            let hint = format!("write what she does: \"she forgets the {name} rarely\"");
+            reader.fault(who, format!("{:?} does nothing by itself", reader.said(who)), hint);
+            return None;
+        }
         Subject::Visitor(name) => {
             let what = format!("{:?} is nobody who lives here: a visitor only visits", reader.said(who));
             reader.fault(who, what, format!("write \"her {name} visits on Sunday for 2 hours\""));
@@ -163,7 +191,7 @@ fn predicate(
         predicates::unknown_verb(reader, &words, span);
         return None;
     };
-    if predicates::meant(&words).is_some() {
+    if predicates::is_nearly_known(&words) {
         predicates::unknown_verb(reader, &words, span);
         return None;
     }
@@ -196,7 +224,7 @@ fn meal_meant(reader: &mut Reader, cooked: Option<&crate::routine::Meal>) -> Opt
 }
 
 /// Reads the rest of a clause. Nothing if it is not understood; else the "then" that another clause follows.
-pub fn tail(reader: &mut Reader, clause: &mut Clause, from: usize) -> Option<Option<Span>> {
+pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<Span>> {
     loop {
         reader.skip_commas();
         if reader.is_over() {
@@ -214,24 +242,30 @@ pub fn tail(reader: &mut Reader, clause: &mut Clause, from: usize) -> Option<Opt
             clause.measure = Some(measure);
             continue;
         }
-        if place(reader, clause) || clause.adverbs.next(reader) {
+        if put_place(reader, clause) || clause.adverbs.next(reader) {
             continue;
         }
-        not_understood(reader, clause, from);
+        not_understood(reader, clause);
         return None;
     }
 }
 
-/// "in the armchair", or the kitchen of "cleans the kitchen".
-fn place(reader: &mut Reader, clause: &mut Clause) -> bool {
+/// "in the armchair".
+fn place(reader: &mut Reader) -> Option<(String, Span)> {
     let start = reader.at;
-    let found = reader.attempt(|reader| {
-        let at = eat_preposition(reader);
-        let may_lack = matches!(&clause.predicate, Predicate::Does(Activity::Housework));
-        if at || may_lack { reader.name(&PLACES) } else { None }
+    let name = reader.attempt(|reader| if eat_preposition(reader) { reader.name(&PLACES) } else { None })?;
+    Some((name, reader.span(start)))
+}
+
+/// A place within the rest of a clause; the kitchen of "cleans the kitchen" is one too.
+fn put_place(reader: &mut Reader, clause: &mut Clause) -> bool {
+    let start = reader.at;
+    let cleans = matches!(&clause.predicate, Predicate::Does(Activity::Housework));
+    let found = place(reader).or_else(|| {
+        let name = if cleans { reader.name(&PLACES) } else { None }?;
+        Some((name, reader.span(start)))
     });
-    let Some(name) = found else { return false };
-    let span = reader.span(start);
+    let Some((name, span)) = found else { return false };
     if let Some((first, _)) = &clause.place {
         let what = format!("{:?} is a second place beside {first:?}", reader.said(span));
         reader.fault(span, what, "leave one of them out, or make two sentences".to_owned());
@@ -244,34 +278,52 @@ pub fn eat_preposition(reader: &mut Reader) -> bool {
     reader.eat("in front of") || reader.eat("next to") || reader.eat("in|on|at|by|near|beside|to|from|into|onto")
 }
 
-fn not_understood(reader: &mut Reader, clause: &Clause, from: usize) {
+fn not_understood(reader: &mut Reader, clause: &Clause) {
     let (here, word) = (reader.here(), reader.peek(0).to_owned());
-    if let Predicate::Own(words) = &clause.predicate {
-        return predicates::unknown_verb(reader, words, clause.predicate_span);
-    }
-    if word == "and" || word == "but" {
+    if word == "and" || word == "but" || word == "or" {
         let hint = "write \"then\" between things done one after another, or make two sentences".to_owned();
         return reader.fault(here, format!("{word:?} joins more than one sentence can say"), hint);
     }
+    let at = reader.at;
     if eat_preposition(reader) && !reader.is_over() && !matches!(reader.token(0), Some(Token::Number(_))) {
         predicates::unknown_name(reader, &PLACES, "no place of this home, and no time");
         return;
     }
-    reader.at = reader.at.min(reader.words.len()).max(from);
-    let known = did_you_mean(&word, vocabulary().filter(|known| *known != word));
-    let hint = known.filter(|hint| hint.starts_with("did")).unwrap_or_else(|| {
-        "expected where, when, how long or how often: \"in the armchair\", \"at about 19:00\", \"for 20 minutes\""
-            .into()
-    });
-    let what = match reader.token(0) {
-        _ if reader.is_over() => "the sentence ends too early".to_owned(),
-        _ => format!("{:?} is not understood here", reader.said(here)),
-    };
+    reader.at = at;
+    if let Predicate::Own(words) = &clause.predicate {
+        return predicates::unknown_verb(reader, words, clause.predicate_span);
+    }
+    let what = format!("{:?} is not understood here", reader.said(here));
+    let hint = expected(reader, clause, &word);
     reader.fault(here, what, hint);
 }
 
+/// What could stand where a word is not understood.
+fn expected(reader: &mut Reader, clause: &Clause, word: &str) -> String {
+    let known = did_you_mean(word, vocabulary().filter(|known| *known != word));
+    if let Some(hint) = known.filter(|hint| hint.starts_with("did")) {
+        return hint;
+    }
+    let at = reader.at;
+    let length = amount(reader).filter(|amount| matches!(amount.unit, Unit::Second | Unit::Day));
+    reader.at = at;
+    if let Some(length) = length {
+        return format!("write \"for {}\"", reader.said(length.span));
+    }
+    if clause.predicate == Predicate::Is {
+        return build::IS.into();
+    }
+    if word.contains(',') {
+        return format!("a number has a point, not a comma: {:?}", word.replace(',', "."));
+    }
+    if "later earlier longer shorter more less slower faster".split(' ').any(|more| more == word) {
+        return format!("say by how much, such as \"1 hour {word}\" or \"30 % {word}\"");
+    }
+    "expected where, when, how long or how often: \"in the armchair\", \"at about 19:00\", \"for 20 minutes\"".into()
+}
+
 /// A name that nobody here has, in front of a verb.
-fn stranger(reader: &mut Reader, draft: &Draft) -> Option<Subject> {
+fn stranger(reader: &mut Reader) -> Option<Subject> {
     const LONGEST: usize = 4;
     let from = reader.at;
     let is_capital =
@@ -282,7 +334,11 @@ fn stranger(reader: &mut Reader, draft: &Draft) -> Option<Subject> {
     }
     let is_known = activities::activity(reader).is_some();
     reader.at = from;
-    while !is_known && reader.at < from + LONGEST && reader.token(0) == Some(Token::Word) {
+    let is_name = |reader: &Reader| {
+        let pronoun = ["she", "he", "they", "it"].contains(&reader.peek(0));
+        reader.token(0) == Some(Token::Word) && !pronoun && !predicates::begins_adverb(reader)
+    };
+    while !is_known && reader.at < from + LONGEST && is_name(reader) {
         reader.at += 1;
         let at = reader.at;
         let mut between = Adverbs::default();
@@ -295,7 +351,6 @@ fn stranger(reader: &mut Reader, draft: &Draft) -> Option<Subject> {
         }
     }
     reader.at = from;
-    let _ = draft;
     None
 }
 
@@ -335,7 +390,20 @@ fn no_subject(reader: &mut Reader) {
         let hint = format!("write \"she {}\"", reader.said(span).to_lowercase());
         return reader.fault(span, "it is not said who does this", hint);
     }
+    if is_determiner(reader.peek(0)) && reader.token(1) == Some(Token::Word) {
+        reader.at += 2;
+        let span = reader.span(from);
+        let what = format!("what {:?} does is not understood", reader.said(span));
+        let hint = "write \"she reads\" for what the person does, or \"her daughter visits on Sunday\"".to_owned();
+        return reader.fault(span, what, hint);
+    }
     let (here, word) = (reader.here(), reader.peek(0).to_owned());
+    if predicates::begins_adverb(reader) {
+        reader.at = (from + 3).min(reader.words.len());
+        let what = format!("{:?} is not understood here", reader.said(reader.span(from)));
+        let hint = "expected when or where: \"in the morning\", \"on Monday\", \"from week 6\", \"in the kitchen\"";
+        return reader.fault(reader.span(from), what, hint.to_owned());
+    }
     let known = did_you_mean(&word, vocabulary().filter(|known| *known != word));
     let hint = known.filter(|hint| hint.starts_with("did")).unwrap_or_else(|| {
         "a sentence says who does what: \"she gets up at about 06:45\", \"her daughter visits on Sunday\"".into()

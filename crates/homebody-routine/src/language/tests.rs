@@ -1,42 +1,54 @@
 use super::*;
 
-pub fn home() -> Known {
-    let list = |names: &str| names.split(", ").map(str::to_owned).collect();
-    Known {
-        person: Some("Margaret".into()),
-        places: list(
-            "armchair, sofa, bed, dining chair, toilet, shower, stove, fridge, living room window, front door",
-        ),
-        things: list("stove, fridge, front door, bedroom door, television, lamp, washing machine, armchair, bed"),
-        rooms: list("bedroom, bathroom, kitchen, living room, hall"),
-        conditions: list("depression, heart-failure, urinary-tract-infection, cognitive-decline"),
-        first_date: Some((2009, 3, 2)),
-    }
+fn said(text: &str, known: &Known) -> (Routine, Vec<String>) {
+    let (routine, problems) = routine("a.routine", text, known);
+    (routine, problems.into_iter().map(|problem| problem.what).collect())
 }
 
-const EXAMPLE: &str = "\
-Margaret is 82. She walks at about 0.65 m/s.
-
-Every day
-  she gets up at about 06:45, give or take 30 minutes
-  she takes her medicine with breakfast
-  she prepares breakfast at about 07:40 for 15 minutes, then eats for 20 minutes
-  she watches television in the evening for about 2 hours
-  she goes to bed at about 22:30
-
-Most nights she goes to the bathroom once or twice.
-Often she reads in the afternoon for about 40 minutes.
-On Tuesday and Friday she leaves the apartment at about 10:00 for 2 to 3 hours.
-Sometimes her daughter visits on Sunday afternoon for 2 hours.
-
-From week 6, over 4 weeks, she shows moderate depression.
-From day 100 she wanders at night, rarely at first, often by day 160.
-";
+#[test]
+fn the_text_may_say_the_name_where_nothing_else_does() {
+    let (routine, problems) = said("Mrs. Miller is 82. Mrs. Miller reads. She naps.", &Known::default());
+    assert_eq!(problems, Vec::<String>::new());
+    assert_eq!(routine.person.map(|person| person.name).as_deref(), Some("Mrs. Miller"));
+    assert_eq!(routine.habits.len(), 2);
+}
 
 #[test]
-fn the_example_of_the_design_is_understood() {
-    let (routine, problems) = routine("margaret.routine", EXAMPLE, &home());
-    assert_eq!(problems, [], "{}", homebody_core::problem::Problems(problems.clone()).render());
-    assert_eq!(routine.habits.len(), 11);
-    assert_eq!(routine.changes.len(), 1);
+fn who_has_no_name_yet_does_nothing() {
+    let (_, problems) = said("Margaret reads.", &Known::default());
+    assert_eq!(problems, ["\"Margaret\" has not been said to be anybody"]);
+}
+
+#[test]
+fn a_name_is_known_however_it_is_written() {
+    let known = Known {
+        person: Some("Mrs. Miller".into()),
+        places: vec!["Tom's chair".into(), "bedroom 2".into(), "The Window-Seat".into(), "morning room".into()],
+        ..Known::default()
+    };
+    let text = "mrs miller reads in tom\u{2019}s chair. In the morning room she reads.\n\
+        She reads in Bedroom 2. She reads at the window seat in the morning.";
+    let (routine, problems) = said(text, &known);
+    assert_eq!(problems, Vec::<String>::new());
+    let places: Vec<_> = routine.habits.iter().filter_map(|habit| habit.place.as_deref()).collect();
+    assert_eq!(places, ["Tom's chair", "morning room", "bedroom 2", "The Window-Seat"]);
+}
+
+#[test]
+fn what_was_said_is_kept_with_its_place() {
+    let (routine, _) = said("# caf\u{e9}\n  \nShe reads. She cooks lunch,  then eats .", &Known::default());
+    let said: Vec<_> = routine.habits.iter().map(|h| (h.said.line, h.said.column, h.said.text.as_str())).collect();
+    assert_eq!(said, [(3, 1, "She reads"), (3, 12, "She cooks lunch"), (3, 30, "then eats")]);
+}
+
+#[test]
+fn a_sentence_under_a_heading_says_what_differs_itself() {
+    let text = "On Monday, in the evening, often\n  she reads\n  she naps on Tuesday\n  she rests rarely\n  she drinks at 10:00";
+    let (routine, problems) = said(text, &Known::default());
+    assert_eq!(problems, Vec::<String>::new());
+    let days: Vec<u8> = routine.habits.iter().map(|habit| habit.days.weekdays).collect();
+    assert_eq!(days, [1, 2, 1, 1]);
+    let chances: Vec<f64> = routine.habits.iter().map(|habit| habit.chance.probability).collect();
+    assert_eq!(chances, [0.7, 0.7, 0.1, 0.7]);
+    assert!(matches!(routine.habits[3].when, crate::routine::When::At(at) if at.from == 36_000.0));
 }

@@ -91,40 +91,41 @@ fn clock(reader: &mut Reader, bare: bool) -> Option<f64> {
     };
     reader.at += 1;
     let oclock = reader.eat("o'clock");
-    let half = reader.eat_any(&[("am", false), ("pm", true)]).or_else(|| half_by_part(reader));
-    if half.is_none() && !has_minutes && !oclock && !(bare && ends_here(reader)) {
+    let said_half = reader.eat_any(&[("am", false), ("pm", true)]);
+    let half = said_half.or_else(|| half_by_part(reader));
+    let is_clear = half.is_some() || has_minutes;
+    if !(is_clear || oclock || bare && ends_here(reader)) {
         return None;
     }
-    let span = reader.span(from);
-    let said = reader.said(span);
-    let is_whole = hours.fract() == 0.0 && minutes < 60.0;
-    let in_day = hours < 24.0 || hours == 24.0 && minutes == 0.0;
-    match half {
-        Some(is_pm) if is_whole && (1.0..=12.0).contains(&hours) => {
-            let hours = if hours == 12.0 { 0.0 } else { hours } + if is_pm { 12.0 } else { 0.0 };
-            return Some(hours * HOUR_S + minutes * 60.0);
-        }
-        Some(_) if has_minutes && is_whole && in_day && !said.to_lowercase().ends_with('m') => {}
-        None if has_minutes && is_whole && in_day => {}
-        None if !has_minutes && is_whole && in_day => {
-            let hint = format!("write \"{hours} am\" or \"{hours} pm\", or with minutes, such as 20:00");
-            reader.fault(span, format!("it is not clear which time of day {said:?} is"), hint);
-        }
-        _ => {
-            let hint = "times go from 00:00 to 24:00, or from 1 am to 12 pm".to_owned();
-            reader.fault(span, format!("there is no time {said:?}"), hint);
-            return Some(12.0 * HOUR_S);
-        }
+    let (span, by_twelve) = (reader.span(from), (1.0..=12.0).contains(&hours));
+    let is_time = hours.fract() == 0.0 && minutes < 60.0 && (hours < 24.0 || hours == 24.0 && minutes == 0.0);
+    if !is_time || said_half.is_some() && !by_twelve {
+        let hint = match hours.fract() == 0.0 {
+            true => "times go from 00:00 to 24:00, or from 1 am to 12 pm",
+            false => "hours and minutes have a colon between them: \"06:45\"",
+        };
+        reader.fault(span, format!("there is no time {:?}", reader.said(span)), hint.to_owned());
+        return Some(12.0 * HOUR_S);
     }
+    if !is_clear {
+        let hint = match hours {
+            1.0..=12.0 => format!("write \"{hours} am\" or \"{hours} pm\""),
+            _ => format!("write \"{hours}:00\""),
+        };
+        reader.fault(span, format!("it is not clear which time of day {:?} is", reader.said(span)), hint);
+    }
+    let hours = match half {
+        Some(is_pm) if by_twelve => hours % 12.0 + if is_pm { 12.0 } else { 0.0 },
+        _ => hours,
+    };
     Some(hours * HOUR_S + minutes * 60.0)
 }
 
 /// Whether an hour is of the second half of the day, by the part of the day that follows: `8 in the evening`.
 fn half_by_part(reader: &Reader) -> Option<bool> {
-    let is_early = matches!(reader.token(0), Some(Token::Word)) && reader.peek(0) == "in" && reader.peek(1) == "the";
-    match reader.peek(2) {
-        "morning" if is_early => Some(false),
-        "afternoon" | "evening" if is_early => Some(true),
+    match (reader.peek(0), reader.peek(1), reader.peek(2)) {
+        ("in", "the", "morning") => Some(false),
+        ("in", "the", "afternoon" | "evening") => Some(true),
         _ => None,
     }
 }
@@ -276,6 +277,10 @@ fn whole(reader: &mut Reader) -> Option<u32> {
         }
         _ => None,
     }
+}
+
+pub fn is_weekday(word: &str) -> bool {
+    WEEKDAYS.iter().any(|(names, _)| names.split('|').any(|name| name == word))
 }
 
 /// A list of weekdays, or a stretch of them, as bits.

@@ -121,6 +121,7 @@ impl Lexer<'_> {
             let from = self.at;
             self.at += 1;
             match c {
+                '.' if self.is_title() => {}
                 '.' | '!' | '?' => return true,
                 ',' | ';' | ':' | '(' | ')' | '\u{2014}' => self.push(from, Token::Comma),
                 '-' | '\u{2013}' | '\u{2010}' | '\u{2011}' if self.parts_numbers(from) => {
@@ -164,6 +165,12 @@ impl Lexer<'_> {
         let tight = self.joins(dash) == self.peek(0).is_some_and(char::is_alphanumeric);
         let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
         is_digit(before.next()) && is_digit(after.next()) && tight
+    }
+
+    /// Whether the word before a full stop is a title, such as that of Mrs. Miller.
+    fn is_title(&self) -> bool {
+        let is_title = |word: &Word| matches!(word.text.as_str(), "mr" | "mrs" | "ms" | "dr" | "st");
+        self.words.last().is_some_and(is_title)
     }
 
     fn number(&mut self, from: usize) {

@@ -71,7 +71,8 @@ impl Agenda {
     /// The plan of a day of a life, as it is with the day's mood.
     pub fn of(life: &Life, day: i32, mood: &Mood) -> Agenda {
         let (up, bed) = (up(life, day, mood), bed(life, day, mood));
-        let next_up = self::up(life, day + 1, &life.mood(day + 1));
+        // As it would be if tomorrow were as today: a change that begins tomorrow does not touch tonight.
+        let next_up = self::up(life, day + 1, mood);
         let mut planner = Planner { life, mood, day, up, bed, next_up, drafts: Vec::new(), breaks: Vec::new() };
         planner.draw();
         let mut items = planner.resolve();

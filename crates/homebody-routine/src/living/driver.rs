@@ -14,7 +14,7 @@ use super::script::{May, Met, Setting, Stay, Step, script};
 use super::watch::Watches;
 use crate::routine::{Activity, Response};
 use homebody_core::drivers::{self, Decide, Move, Next};
-use homebody_core::event::{Act, Doing, Need as NeedKind, Vitals};
+use homebody_core::event::{Act, Doing, Need as NeedKind};
 use homebody_core::geometry::Point;
 use homebody_core::home::Home;
 use homebody_core::random::Stream;
@@ -23,37 +23,37 @@ use homebody_core::time::{Micros, SECOND, micros};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-const MINUTE: Micros = 60 * SECOND;
+pub(super) const MINUTE: Micros = 60 * SECOND;
 
 /// A resident who lives by a routine.
 #[derive(Clone, Debug)]
 pub struct RoutineDriver {
-    life: Arc<Life>,
-    home: Arc<Home>,
-    places: Arc<Places>,
-    body: Body,
-    mood: Mood,
-    agenda: Agenda,
-    next_item: usize,
-    next_break: usize,
+    pub(super) life: Arc<Life>,
+    pub(super) home: Arc<Home>,
+    pub(super) places: Arc<Places>,
+    pub(super) body: Body,
+    pub(super) mood: Mood,
+    pub(super) agenda: Agenda,
+    pub(super) next_item: usize,
+    pub(super) next_break: usize,
     /// What is being done, and under it what was interrupted for it.
-    scripts: Vec<Playing>,
+    pub(super) scripts: Vec<Playing>,
     /// What comes next before anything is decided: the strides of a walk, facts.
-    ready: VecDeque<Next>,
+    pub(super) ready: VecDeque<Next>,
     /// What is being done by name, as it was told, and as it is now: what takes no time is not told.
-    told: String,
-    name: String,
-    needs: Needs,
-    watches: Watches,
+    pub(super) told: String,
+    pub(super) name: String,
+    pub(super) needs: Needs,
+    pub(super) watches: Watches,
     /// How many scripts there have been today: each has random numbers of its own.
-    begun: u32,
+    pub(super) begun: u32,
     /// What a visitor, rather than somebody who lives here, is called.
-    visitor: Option<String>,
+    pub(super) visitor: Option<String>,
 }
 
 /// A script that is being played.
 #[derive(Clone, Debug)]
-struct Playing {
+pub(super) struct Playing {
     steps: VecDeque<Step>,
     stream: Stream,
     name: String,
@@ -202,21 +202,32 @@ impl RoutineDriver {
 
     /// Puts a walk on its way: in the dark, the lamp of the room that is left goes off, that of the other on.
     fn lamps(&mut self, from: Option<usize>, to: Option<usize>, now: Micros, moves: Vec<Move>) {
-        let lamp =
-            |room: Option<usize>| room.and_then(|room| self.places.thing_named(&self.home.plan.rooms[room].name));
-        let (off, on) = (lamp(from), lamp(to));
-        let dark = self.home.sun.height(now) < DARK;
-        if from != to && off.is_some_and(|lamp| self.watches.is_on(lamp)) {
-            self.act(off.unwrap_or(0), false, now);
+        let (off, on) = (self.lamp(from), self.lamp(to));
+        if let Some(off) = off.filter(|&lamp| from != to && self.watches.is_on(lamp)) {
+            self.act(off, false, now);
         }
         let arrival = moves.last().map_or(now, |last| last.end);
         self.ready.extend(moves.into_iter().map(Next::Move));
-        if dark && on.is_some_and(|lamp| !self.watches.is_on(lamp)) {
-            self.act(on.unwrap_or(0), true, arrival);
+        // Nobody lights the bedroom to go back to sleep.
+        let to_sleep = self.needs.asleep() && to == self.places.of(Role::Bed).and_then(|bed| bed.room);
+        let dark = self.home.sun.height(now) < DARK && !to_sleep;
+        if let Some(on) = on.filter(|&lamp| dark && !self.watches.is_on(lamp)) {
+            self.act(on, true, arrival);
         }
     }
 
-    fn act(&mut self, thing: u32, on: bool, at: Micros) {
+    fn lamp(&self, room: Option<usize>) -> Option<u32> {
+        self.places.thing_named(&self.home.plan.rooms[room?].name)
+    }
+
+    /// Turns off the lamp of the room it is in, if it is this resident who has it on.
+    pub(super) fn put_out_the_lamp(&mut self, now: Micros) {
+        if let Some(lamp) = self.lamp(self.body.room()).filter(|&lamp| self.watches.is_on(lamp)) {
+            self.act(lamp, false, now);
+        }
+    }
+
+    pub(super) fn act(&mut self, thing: u32, on: bool, at: Micros) {
         self.watches.turn(thing, on, at, &self.life, &self.places);
         self.ready.push_back(Next::Act(Act { thing, on }));
     }
@@ -225,6 +236,7 @@ impl RoutineDriver {
         let end = until.filter(|&until| until > now + 5 * MINUTE).unwrap_or(now.saturating_add(lasts));
         let end = self.watches.leave(now, end, &self.life).max(now + SECOND);
         self.needs.pause(now);
+        self.put_out_the_lamp(now);
         self.ready.push_back(Next::Move(Move { begin: now, end, doing: Doing::Away, posture: Posture::Standing }));
         if self.visitor.is_none() {
             self.needs.waking(end, &self.mood);
@@ -341,7 +353,7 @@ impl RoutineDriver {
     }
 
     /// Begins a script on top of what goes on.
-    fn begin(&mut self, item: &Item) {
+    pub(super) fn begin(&mut self, item: &Item) {
         let Item { key, activity, place, lasts, until, .. } = item;
         let place = place.as_deref().and_then(|place| self.places.named(place));
         let mut stream = self.life.stream_of_day(self.agenda.day, &format!("{key}/doing"));
@@ -350,7 +362,8 @@ impl RoutineDriver {
             let chance = self.mood.forgets(self.places.thing_name(stove));
             chance > 0.0 && self.life.stream_of_day(self.agenda.day, &format!("{key}/forgets")).chance(chance)
         });
-        let mut setting = Setting { places: &self.places, mood: &self.mood, stream: &mut stream, forgotten };
+        let mut setting =
+            Setting { places: &self.places, at: self.body.at(), mood: &self.mood, stream: &mut stream, forgotten };
         let mut steps = script(activity, place, *lasts, *until, &mut setting);
         let stations = self.places.stations();
         let first = match activity {
@@ -368,7 +381,7 @@ impl RoutineDriver {
         self.play(steps, stream, activity.name());
     }
 
-    fn play(&mut self, steps: VecDeque<Step>, stream: Stream, name: String) {
+    pub(super) fn play(&mut self, steps: VecDeque<Step>, stream: Stream, name: String) {
         self.begun += 1;
         let spot = None;
         // What is interrupted is resumed where it is.
@@ -414,8 +427,11 @@ impl RoutineDriver {
         let (mut fillers, mut weights) = (Vec::new(), Vec::new());
         let rising = RISES * self.mood.activity(self.life.hour(now));
         for (activity, weight, minutes) in FILLERS {
+            // A home without a desk has no computer.
+            let can = activity != Activity::UseComputer || self.places.has(Role::Desk);
+            let planned = activity != Activity::Relax && activity != Activity::Housework && said.contains(&&activity);
             let rises = activity == Activity::Housework && self.body.posture() != Posture::Standing;
-            if activity == Activity::Relax || !said.contains(&&activity) {
+            if can && !planned {
                 weights.push(if rises { weight * rising } else { weight });
                 fillers.push((activity, minutes));
             }
@@ -444,93 +460,7 @@ impl RoutineDriver {
         }
     }
 
-    fn go_to_bed(&mut self, now: Micros) {
-        self.next_item = self.agenda.items.len();
-        let bathroom = Activity::UseBathroom.usual_minutes();
-        let lasts = self.life.stream_of_day(self.agenda.day, "before bed").lognormal(bathroom.0 * 60.0, 0.4);
-        self.begin(&Item::now("before bed".into(), Activity::UseBathroom, micros(lasts)));
-        self.sleep(now, false);
-        // The night comes after: it has not begun, so there is nowhere to go back to.
-        self.scripts.reverse();
-    }
-
-    /// The night: falling asleep, waking now and then, getting up.
-    fn sleep(&mut self, now: Micros, already: bool) {
-        let mut stream = self.life.stream_of_day(self.agenda.day, "night");
-        let tomorrow = self.agenda.day + 1;
-        let up = super::agenda::up(&self.life, tomorrow, &self.life.mood(tomorrow)).max(now + MINUTE);
-        let stay = |manner, left, until| {
-            Step::Stay(Stay { posture: Posture::Lying, manner, left, until, may: May::Interrupt })
-        };
-        let mut steps = VecDeque::new();
-        let mut asleep = now;
-        if !already {
-            steps.push_back(Step::Name(Activity::GoToBed.name()));
-            steps.extend(self.places.of(Role::Bed).cloned().map(Step::Go));
-            let sitting = micros(stream.lognormal(75.0, 0.4));
-            let turning = Stay {
-                posture: Posture::Sitting,
-                manner: Manner::TURNING,
-                left: sitting,
-                until: Some(up),
-                may: May::Nothing,
-            };
-            steps.push_back(Step::Stay(turning));
-            steps.push_back(Step::LieDown);
-            // Falling asleep takes 19.7 (SD 11) minutes (polysomnography at 73.9 years).
-            let latency = micros(stream.gamma(3.2, 19.7 * 60.0));
-            steps.push_back(stay(Manner::AWAKE_IN_BED, latency, Some(up)));
-            asleep += sitting + latency;
-        } else {
-            steps.push_back(Step::LieDown);
-        }
-        // Awake for about ten minutes at a time.
-        let awake_min = self.life.constitution.awake_min * self.mood.restless;
-        let mut wakings: Vec<f64> = (0..stream.poisson(awake_min / 10.0)).map(|_| stream.unit()).collect();
-        wakings.sort_by(f64::total_cmp);
-        for share in wakings {
-            let at = asleep + ((up - asleep).max(0) as f64 * share) as Micros;
-            steps.push_back(Step::Name("sleeping".into()));
-            steps.push_back(stay(Manner::ASLEEP, Micros::MAX / 4, Some(at)));
-            steps.push_back(Step::Name(Activity::LieAwake.name()));
-            steps.push_back(stay(Manner::AWAKE_IN_BED, micros(stream.gamma(2.0, 600.0)), Some(up)));
-        }
-        steps.push_back(Step::Name("sleeping".into()));
-        steps.push_back(stay(Manner::ASLEEP, Micros::MAX / 4, Some(up)));
-        steps.push_back(Step::Wake);
-        self.play(steps, stream, "sleeping".into());
-    }
-
-    fn lie_down(&mut self, now: Micros) {
-        self.needs.sleeping(now, &self.mood);
-        self.watches.lie_down(now, &self.life);
-        let mut stream = self.life.stream_of_day(self.agenda.day, "vitals");
-        let body = &self.life.constitution;
-        self.ready.push_back(Next::Vitals(Vitals {
-            pulse: body.pulse + self.mood.pulse + stream.normal(0.0, 2.0),
-            respiration: body.respiration + self.mood.respiration + stream.normal(0.0, 0.5),
-        }));
-    }
-
-    /// The next day begins.
-    fn wake(&mut self, now: Micros) {
-        let day = self.agenda.day + 1;
-        self.mood = self.life.mood(day);
-        self.agenda = Agenda::of(&self.life, day, &self.mood);
-        (self.next_item, self.next_break, self.begun) = (0, 0, 0);
-        self.next_break = self.agenda.breaks.partition_point(|item| item.start < now);
-        self.tell_conditions();
-        self.needs.waking(now, &self.mood);
-        self.needs.wake(now);
-        self.watches.wake(day, &self.life);
-        // On top of the night's script, which ends with this.
-        let bathroom = micros(self.life.stream_of_day(day, "first thing").lognormal(300.0, 0.5));
-        self.begin(&Item::now("first thing".into(), Activity::UseBathroom, bathroom));
-        let rising = micros(self.life.stream_of_day(day, "rising").lognormal(120.0, 0.4));
-        self.begin(&Item::now("rising".into(), Activity::GetUp, rising));
-    }
-
-    fn tell_conditions(&mut self) {
+    pub(super) fn tell_conditions(&mut self) {
         for (name, severity) in &self.mood.severities {
             self.ready.push_back(Next::Condition(name.clone(), *severity));
         }
@@ -547,47 +477,6 @@ impl RoutineDriver {
         self.ready.push_back(Next::Need(kind, before));
         self.ready.push_back(Next::Need(kind, 0.0));
     }
-
-    /// A visitor is out until the next visit.
-    fn await_visit(&mut self, now: Micros) {
-        let name = self.visitor.clone();
-        for _ in 0..400 {
-            let visit =
-                self.agenda.items.iter().skip(self.next_item).position(|item| item.visitor == name && item.start > now);
-            if let Some(visit) = visit {
-                self.next_item += visit + 1;
-                return self.come_to_visit(self.next_item - 1);
-            }
-            let day = self.agenda.day + 1;
-            self.mood = self.life.mood(day);
-            self.agenda = Agenda::of(&self.life, day, &self.mood);
-            self.next_item = 0;
-        }
-        let end = now.saturating_add(30 * 1440 * MINUTE);
-        self.ready.push_back(Next::Move(Move { begin: now, end, doing: Doing::Away, posture: Posture::Standing }));
-    }
-
-    fn come_to_visit(&mut self, item: usize) {
-        let item = self.agenda.items[item].clone();
-        let stream = self.life.stream_of_day(self.agenda.day, &format!("{}/visitor", item.key));
-        let door = self.places.of(Role::FrontDoor).cloned();
-        if let Some(door) = &door {
-            self.body.place(door.clone(), Posture::Standing);
-        }
-        let talk =
-            |posture, left| Step::Stay(Stay { posture, manner: Manner::TALKING, left, until: None, may: May::Nothing });
-        let mut steps = VecDeque::from([Step::Away { lasts: 0, until: Some(item.start + 20 * SECOND) }]);
-        steps.push_back(Step::Name("visiting".into()));
-        steps.push_back(talk(Posture::Standing, 40 * SECOND));
-        if let Some(seat) = self.places.of(Role::GuestSeat) {
-            steps.push_back(Step::Go(seat.clone()));
-            steps.push_back(talk(seat.posture, item.lasts));
-        }
-        steps.extend(door.map(Step::Go));
-        steps.push_back(talk(Posture::Standing, 40 * SECOND));
-        steps.push_back(Step::Name("away".into()));
-        self.play(steps, stream, "visiting".into());
-    }
 }
 
 /// The sine of the sun's height below which lamps are lit (ours).
@@ -597,12 +486,12 @@ const DARK: f64 = 0.08;
 /// a day come near those of people of 75 and more (American Time Use Survey); housework stands for the small errands that
 /// nobody plans, from which people of that age rise from their seats 46-60 times a day.
 const FILLERS: [(Activity, f64, f64); 6] = [
-    (Activity::WatchTelevision, 1.0, 14.0),
+    (Activity::WatchTelevision, 0.98, 14.0),
     (Activity::Relax, 0.21, 8.0),
     (Activity::Read, 0.14, 13.0),
     (Activity::Housework, 0.5, 1.3),
     (Activity::Phone, 0.1, 12.0),
-    (Activity::UseComputer, 0.107, 14.0),
+    (Activity::UseComputer, 0.1, 14.0),
 ];
 
 /// So many times as often somebody who sits gets up for an errand as one errand follows another (ours).

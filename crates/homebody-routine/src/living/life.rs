@@ -192,6 +192,11 @@ impl Life {
         }
     }
 
+    /// What fills in what the routine does not mention.
+    pub fn unsaid(&self) -> &Routine {
+        &self.sources[1].routine
+    }
+
     /// A stream of random numbers of this life, for one purpose.
     pub fn stream(&self, purpose: &str) -> Stream {
         Stream::named(self.seed, &format!("resident/{}/{purpose}", self.name))

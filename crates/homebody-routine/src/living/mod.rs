@@ -17,4 +17,6 @@ mod watch;
 // Who carries it out.
 pub mod body;
 pub mod driver;
+mod night;
+mod visit;
 pub mod pet;

@@ -2,8 +2,9 @@
 //!
 //! What a pet adds to a log is movement low above the floor, at hours when nobody else moves.
 //!
-//! We assume sleep in bouts of about an hour and a quarter, and between them short rounds: to the bowl, to a window, to
-//! nowhere. Cats sleep 12 to 16 hours a day and are most active at dawn and dusk; all numbers here are ours.
+//! We assume sleep in bouts of about an hour and a quarter, and between them short rounds, to the bowl, to a window, to
+//! nowhere, and times of sitting there and looking. Cats sleep 12 to 16 hours a day and are most active at dawn and dusk;
+//! all numbers here are ours.
 //!
 //! The pet goes through the same rooms by the same paths as people, and its body is low: sensors see it so.
 //!
@@ -69,7 +70,8 @@ impl PetDriver {
         let at = self.body.at();
         let doing = if stirs { Doing::Stir { at, amplitude_m: manner.amplitude_m } } else { Doing::Rest { at } };
         let end = end.min(now.saturating_add(span));
-        // Curled up it is as low as it can be.
+        // Curled up it is as low as it can be; on furniture it is not, for pads and strips feel whoever sits or lies there,
+        // and a pet is too light for them.
         let posture = if self.asleep { Posture::Lying } else { Posture::Standing };
         self.ready.push_back(Next::Move(Move { begin: now, end, doing, posture }));
     }
@@ -77,14 +79,20 @@ impl PetDriver {
     fn decide(&mut self, now: Micros) {
         let hour = self.life.hour(now);
         let lively = (5.0..8.0).contains(&hour) || (18.0..22.0).contains(&hour);
-        let sleeps = self.stream.chance(if lively { 0.25 } else { 0.6 }) && !self.asleep;
+        let sleeps = !self.asleep && self.stream.chance(if lively { 0.15 } else { 0.35 });
+        let rests = !sleeps && !self.asleep && self.stream.chance(0.6);
         self.asleep = sleeps;
-        let name = if sleeps { "sleeping" } else { "roaming" };
+        let name = match (sleeps, rests) {
+            (true, _) => "sleeping",
+            (false, true) => "resting",
+            (false, false) => "roaming",
+        };
         self.ready.push_back(Next::Activity(Some(name.into())));
         let to = match (sleeps, self.stream.unit()) {
-            (true, share) if share < 0.4 => self.places.of(Role::Basket).cloned(),
-            (true, share) if share < 0.7 => self.places.of(Role::Sofa).cloned(),
-            (true, _) => self.places.of(Role::Bed).cloned(),
+            (true, share) if share < 0.4 => self.any(Role::Basket),
+            (true, share) if share < 0.7 => self.any(Role::Sofa),
+            (true, _) => self.any(Role::Bed),
+            (false, _) if rests => self.body.spot().cloned().or_else(|| self.any(Role::Basket)),
             (false, share) if share < 0.3 => self.places.of(Role::FoodBowl).cloned(),
             (false, share) if share < 0.7 => {
                 let stations = self.places.stations();
@@ -98,7 +106,11 @@ impl PetDriver {
                 let moves = self.body.go(&spot, now, hour, 1.0, &mut self.stream);
                 let arrival = moves.last().map_or(now, |last| last.end);
                 self.ready.extend(moves.into_iter().map(Next::Move));
-                let (manner, median_min) = if sleeps { (Manner::CURLED_UP, 65.0) } else { (Manner::BUSY, 3.0) };
+                let (manner, median_min) = match (sleeps, rests) {
+                    (true, _) => (Manner::CURLED_UP, 65.0),
+                    (false, true) => (Manner::STILL, 25.0),
+                    (false, false) => (Manner::BUSY, 3.0),
+                };
                 let lasts = micros(self.stream.lognormal(median_min * 60.0, 0.6));
                 self.stay = Some((manner, arrival + lasts));
             }
@@ -110,6 +122,16 @@ impl PetDriver {
             }
         }
         self.stirs = false;
+    }
+
+    /// One of those that fill the role, whosever they are.
+    fn any(&mut self, role: Role) -> Option<Spot> {
+        let all = self.places.anybodys(role);
+        match all.len() {
+            0 => self.places.of(role).cloned(),
+            1 => Some(all[0].clone()),
+            many => all.get((self.stream.unit() * many as f64) as usize).map(|&spot| spot.clone()),
+        }
     }
 }
 

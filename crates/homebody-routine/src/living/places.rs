@@ -14,6 +14,14 @@ pub struct Spot {
     pub room: Option<usize>,
 }
 
+impl Spot {
+    /// Whether it is called as what fills the role, whosever it is.
+    pub fn is_of(&self, role: Role) -> bool {
+        let is_whole = |of: &str| of.is_empty() || of.ends_with("'s ");
+        role.names().0.iter().any(|name| self.name.strip_suffix(name).is_some_and(is_whole))
+    }
+}
+
 /// What an activity needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Role {
@@ -75,7 +83,7 @@ impl Role {
             Role::GuestSeat => (&["guest chair", "second armchair", "sofa", "couch", "settee"], &[Role::DiningSeat]),
             Role::Television => (&["tv", "television", "tv bench", "tv set", "tv stand"], &[]),
             Role::Telephone => (&["telephone", "phone"], &[Role::Sofa]),
-            Role::Desk => (&["desk", "desk chair", "computer", "study"], &[Role::DiningSeat]),
+            Role::Desk => (&["desk chair", "computer chair", "desk", "computer", "study"], &[Role::DiningSeat]),
             Role::WashingMachine => (&["washing machine", "washer", "laundry", "laundry closet"], &[Role::Washbasin]),
             Role::Dryer => (&["dryer", "tumble dryer", "clothes line"], &[Role::WashingMachine]),
             Role::Coats => (&["coats", "coat rack", "coat cupboard", "coat hooks"], &[Role::FrontDoor]),
@@ -112,7 +120,7 @@ impl Places {
             let lower = name.to_lowercase();
             let posture = match () {
                 () if !seats.contains(&name) || is_stood_in(&lower) => Posture::Standing,
-                () if lower.contains("bed") && !lower.contains("bedside") => Posture::Lying,
+                () if words(&lower).any(|word| word.ends_with("bed")) => Posture::Lying,
                 () => Posture::Sitting,
             };
             Spot { name: lower, at: *at, posture, room: plan.room_at(*at) }
@@ -158,6 +166,25 @@ impl Places {
         let own = names.iter().find_map(|name| self.spot(&format!("{} {name}", self.whose)));
         own.or_else(|| names.iter().find_map(|name| self.spot(name)))
             .or_else(|| instead.iter().find_map(|&role| self.of(role)))
+    }
+
+    /// Whether the home has it itself, and not only something that will do.
+    pub fn has(&self, role: Role) -> bool {
+        self.spots.iter().any(|spot| spot.is_of(role))
+    }
+
+    /// Of several toilets or washbasins the nearest as the crow flies, else as [`Places::of`].
+    pub fn nearest(&self, role: Role, at: Point) -> Option<&Spot> {
+        let best = role.names().0[0];
+        let several = self.spots.iter().filter(|spot| spot.name.ends_with(best) && !spot.name.contains('\''));
+        let nearest = several.min_by(|a, b| a.at.distance(at).total_cmp(&b.at.distance(at)));
+        let is_own = self.of(role).is_some_and(|spot| spot.name.starts_with(&self.whose));
+        if is_own { self.of(role) } else { nearest.or_else(|| self.of(role)) }
+    }
+
+    /// All that fill the role, whosever they are: a pet asks nobody.
+    pub fn anybodys(&self, role: Role) -> Vec<&Spot> {
+        self.spots.iter().filter(|spot| spot.is_of(role)).collect()
     }
 
     /// The thing of a role, to turn on or open.
@@ -228,5 +255,75 @@ impl Places {
 
 /// What people stand in although they can enter it.
 fn is_stood_in(name: &str) -> bool {
-    ["shower", "rug", "mat", "carpet"].iter().any(|word| name.contains(word))
+    words(name).any(|word| ["shower", "rug", "mat", "carpet"].iter().any(|end| word.ends_with(end)))
+}
+
+fn words(name: &str) -> impl Iterator<Item = &str> {
+    name.split(|c: char| !c.is_alphanumeric())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    /// One room with these pieces of furniture, all of them enterable but for the desk.
+    fn places(names: &[&str], resident: &str) -> Places {
+        let piece = |(index, name): (usize, &&str)| {
+            let at = [1.0 + 1.5 * index as f64, 1.0];
+            json!({ "name": name, "at": at, "size_m": [0.8, 0.8], "height_m": 0.6, "enterable": *name != "desk" })
+        };
+        let furniture: Vec<_> = names.iter().enumerate().map(piece).collect();
+        let outline = [[0, 0], [20, 0], [20, 4], [0, 4]];
+        let home = json!({
+            "name": "one room", "rooms": [{ "name": "studio", "outline": outline }], "walls": [], "furniture": furniture,
+        });
+        let home: HomeFile = serde_json::from_value(home).unwrap();
+        Places::new(&home, &Plan::new(&home), resident)
+    }
+
+    fn names(spots: &[&Spot]) -> Vec<String> {
+        spots.iter().map(|spot| spot.name.clone()).collect()
+    }
+
+    #[test]
+    fn what_is_called_after_somebody_is_theirs() {
+        let all = ["Henry's bed", "Ruth's bed", "armchair"];
+        let name = |resident, role| places(&all, resident).of(role).unwrap().name.clone();
+        assert_eq!(name("henry", Role::Bed), "henry's bed");
+        assert_eq!(name("Ruth", Role::Bed), "ruth's bed");
+        // Nobody else's bed, even where there is no other.
+        assert_eq!(name("anna", Role::Bed), "armchair");
+        assert_eq!(places(&all, "ruth").named("bed").unwrap().name, "ruth's bed");
+    }
+
+    #[test]
+    fn a_pet_may_have_anybodys() {
+        let places = places(&["henry's bed", "ruth's bed", "bed", "bunk bed", "sofa"], "minka");
+        assert_eq!(names(&places.anybodys(Role::Bed)), ["henry's bed", "ruth's bed", "bed"]);
+        assert_eq!(names(&places.anybodys(Role::Sofa)), ["sofa"]);
+        assert!(places.anybodys(Role::Basket).is_empty());
+    }
+
+    #[test]
+    fn people_sit_at_a_desk() {
+        let places = places(&["desk", "desk chair"], "anna");
+        let spot = places.of(Role::Desk).unwrap();
+        assert_eq!((spot.name.as_str(), spot.posture), ("desk chair", Posture::Sitting));
+    }
+
+    #[test]
+    fn how_one_is_in_something_is_told_by_its_words() {
+        for (name, posture) in [
+            ("henry's bed", Posture::Lying),
+            ("daybed", Posture::Lying),
+            ("bedroom chair", Posture::Sitting),
+            ("bedside bench", Posture::Sitting),
+            ("walk-in shower", Posture::Standing),
+            ("bathmat", Posture::Standing),
+            ("matted armchair", Posture::Sitting),
+        ] {
+            assert_eq!(places(&[name], "anna").named(name).unwrap().posture, posture, "{name}");
+        }
+    }
 }

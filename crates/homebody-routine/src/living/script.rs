@@ -5,6 +5,7 @@ use super::manner::Manner;
 use super::places::{Places, Role, Spot};
 use crate::routine::{Activity, Meal};
 use crate::walk::Wandering;
+use homebody_core::geometry::Point;
 use homebody_core::random::Stream;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, micros, seconds};
@@ -72,6 +73,8 @@ pub enum Met {
 /// What a script is made from.
 pub struct Setting<'a> {
     pub places: &'a Places,
+    /// Where the body is as it begins.
+    pub at: Point,
     pub mood: &'a Mood,
     pub stream: &'a mut Stream,
     /// Which thing stays on this time: the stove that is forgotten.
@@ -151,7 +154,15 @@ impl Steps<'_, '_> {
     }
 
     fn go(&mut self, role: Role, place: Option<&Spot>) -> Posture {
-        let spot = place.or_else(|| self.setting.places.of(role)).cloned();
+        let places = self.setting.places;
+        let spot = place.or_else(|| match role {
+            Role::Toilet | Role::Washbasin => places.nearest(role, self.setting.at),
+            _ => places.of(role),
+        });
+        let spot = spot.cloned();
+        if let Some(spot) = &spot {
+            self.setting.at = spot.at;
+        }
         let posture = spot.as_ref().map_or(Posture::Standing, |spot| spot.posture);
         self.steps.extend(spot.map(Step::Go));
         posture
@@ -281,8 +292,9 @@ impl Steps<'_, '_> {
 
     fn nap(&mut self, place: Option<&Spot>, lasts: Micros, until: Option<Micros>) {
         let role = if self.setting.stream.chance(0.5) { Role::Bed } else { Role::Armchair };
-        self.until(role, place, lasts, until, Manner::ASLEEP);
+        // Met as it begins: who naps does not take another nap for being tired.
         self.push(Step::Meet(Met::Tiredness));
+        self.until(role, place, lasts, until, Manner::ASLEEP);
     }
 
     fn laundry(&mut self, lasts: Micros) {

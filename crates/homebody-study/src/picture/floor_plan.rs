@@ -22,6 +22,7 @@ pub fn floor_plan(home: &HomeFile) -> String {
     layers::floors(&mut sheet, &plan);
     layers::furniture(&mut sheet, home, &layers::FURNITURE, &layers::ENTERABLE);
     layers::ceiling_areas(&mut sheet, home, SENSOR);
+    layers::mats(&mut sheet, home);
     layers::walls(&mut sheet, home, &plan);
     sheet.dimensions(layers::ways_in_on_west(home, &plan));
     layers::doors(&mut sheet, home, &plan);

@@ -2,6 +2,7 @@
 
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::{Origin, Plan, furniture_outline, span_on_wall};
+use homebody_core::scenario::device::PressureFile;
 use homebody_core::scenario::home::{DoorFile, HomeFile, SensorFile};
 use homebody_core::sensors::Sensor;
 
@@ -180,6 +181,17 @@ pub fn ceiling_areas(sheet: &mut Sheet, home: &HomeFile, fill: &str) {
     }
 }
 
+/// The mats on the floor that feel who is on them.
+pub fn mats(sheet: &mut Sheet, home: &HomeFile) {
+    for sensor in &home.sensors {
+        if let SensorFile::Pressure(PressureFile { area: Some(area), .. }) = sensor {
+            let area = sheet.outline(&corners(area));
+            sheet.svg.polygon(&area, &Paint::line(SENSOR, 1.2).dashed("2 3"));
+            sheet.labels.soft.push(area);
+        }
+    }
+}
+
 /// Wall sensors as triangles that point where they look, ceiling sensors as rings, all others as squares.
 pub fn sensors(sheet: &mut Sheet, home: &HomeFile, plan: &Plan) {
     for sensor in &home.sensors {
@@ -255,8 +267,8 @@ pub fn explain(sheet: &mut Sheet, legend: &mut super::legend::Legend, home: &Hom
             svg.circle(middle, 4.5, &Paint::fill(WHITE).outlined(SENSOR, 2.0));
         });
     }
-    if home.sensors.iter().any(|sensor| sensor.on().is_some()) {
-        legend.entry(svg, "sensor on what it is named after", |svg, least, most| {
+    if home.sensors.iter().any(|sensor| !sensor.looks()) {
+        legend.entry(svg, "other sensor, on a thing, in a room or on the floor", |svg, least, most| {
             let middle = (least + most) / 2.0;
             svg.rectangle(middle - Point::splat(4.0), Point::splat(8.0), &Paint::fill(SENSOR).outlined(WHITE, 1.5));
         });

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::folder;
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
+use homebody_core::scenario::home::SensorFile;
 use homebody_core::scenario::path::Posture;
 use homebody_study::coverage::{STEP_M, coverage};
 use homebody_study::picture;
@@ -28,11 +29,14 @@ impl Arguments {
         let (scenario, _) = folder::load(&self.scenario)?;
         let answer = self.answer.check([""], &folder::files(&self.scenario, &scenario))?;
         let build = scenario.residents.first().map_or_else(Build::adult, |resident| Build::of(&resident.file));
-        let home = Home::bake(&scenario.home, &[build]);
+        // The others have nowhere that they see.
+        let mut file = scenario.home.clone();
+        file.sensors.retain(SensorFile::looks);
+        let home = Home::bake(&file, &[build]);
         let names: Vec<String> = home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
         let field = home.field(0, Posture::Standing);
         let coverage = coverage(&home.plan, build.radius_m, &names, STEP_M, &|p| field.seen_at(p));
-        let map = || picture::coverage_map(&scenario.home, &coverage, &beams(&home));
+        let map = || picture::coverage_map(&file, &coverage, &beams(&home));
         answer.give(&coverage, [&map])
     }
 }

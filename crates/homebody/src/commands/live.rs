@@ -26,19 +26,30 @@ const VERSION: &str = env!("CARGO_PKG_VERSION");
 pub struct Output {
     /// Write the log here: sqlite:FILE, csv:FILE or casas:FILE; may be given several times
     #[arg(long, value_name = "URL")]
-    out: Vec<Url>,
+    pub out: Vec<Url>,
     /// Write the ground truth into this SQLite file
     #[arg(long, value_name = "FILE")]
-    truth: Option<PathBuf>,
+    pub truth: Option<PathBuf>,
     /// Replace files that exist
     #[arg(long)]
-    force: bool,
+    pub force: bool,
     /// Say nothing but errors
     #[arg(long)]
-    quiet: bool,
+    pub quiet: bool,
     /// Print the summary as one JSON object on standard output
     #[arg(long)]
-    json: bool,
+    pub json: bool,
+}
+
+impl Output {
+    /// A bar that shows how far the run is, where somebody looks.
+    pub fn progress(&self, length: Micros) -> ProgressBar {
+        let hidden = self.quiet || self.json;
+        let target = if hidden { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+        let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {eta} left");
+        let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+        ProgressBar::with_draw_target(Some(length as u64), target).with_style(style)
+    }
 }
 
 /// A run that is about to be lived.
@@ -53,10 +64,10 @@ pub struct Live<'a> {
 }
 
 /// What has become of a run.
-struct Lived {
+pub struct Lived {
     /// As it was lived: its length is where it was stopped.
-    recording: Recording,
-    stored: Stored,
+    pub recording: Recording,
+    pub stored: Stored,
     took: Duration,
 }
 
@@ -66,7 +77,10 @@ impl Live<'_> {
         let Output { out, truth, force, .. } = &self.output;
         let (out, truth, record) = (out.clone(), truth.clone(), self.record.clone());
         let places = Places::find(out, truth, record, self.scenario, &self.sources, *force)?;
-        match self.live_into(&places, &mut run, pace) {
+        let progress = self.output.progress(run.length());
+        let lived = self.live_into(&places, &mut run, Pace::new(pace, stop_on_signal()), &progress);
+        progress.finish_and_clear();
+        match lived {
             Ok(lived) => self.report(&places, &run, &lived),
             Err(failure) => {
                 // What was stored before the failure stays.
@@ -76,16 +90,19 @@ impl Live<'_> {
         }
     }
 
-    fn live_into(&self, places: &Places, run: &mut Run, pace: &Asked) -> Result<Lived, Failure> {
-        let stop = stop_on_signal();
+    /// Lives the run into files, and adds to the progress what has been lived.
+    pub fn live_into(
+        &self,
+        places: &Places,
+        run: &mut Run,
+        pace: Pace,
+        progress: &ProgressBar,
+    ) -> Result<Lived, Failure> {
         let started = Instant::now();
         let force = self.output.force;
         let record = places.recording.as_ref().map(|path| FreshFile::create(path, force)).transpose()?;
         let (mut logger, mut truth) = self.open(places, run)?;
-        let progress = self.progress(run.length());
-        let seal = advance(run, Pace::new(pace, stop), &mut logger, truth.as_mut(), &progress);
-        progress.finish_and_clear();
-        let seal = seal?;
+        let seal = advance(run, pace, &mut logger, truth.as_mut(), progress)?;
         let stored = logger.finish()?;
         if let Some(truth) = truth {
             truth.finish(run.now())?;
@@ -105,7 +122,7 @@ impl Live<'_> {
     }
 
     fn open(&self, places: &Places, run: &Run) -> Result<(Logger, Option<TruthLog>), Failure> {
-        let sensors: Vec<String> = run.home().sensors.iter().map(|sensor| sensor.name.clone()).collect();
+        let sensors: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
         let rooms: Vec<String> = run.home().plan.rooms.iter().map(|room| room.name.clone()).collect();
         let things: Vec<String> = run.home().plan.things.iter().map(|thing| thing.name.clone()).collect();
         let residents = run.names();
@@ -117,15 +134,6 @@ impl Live<'_> {
         let truth = places.truth.as_ref();
         let truth = truth.map(|path| TruthLog::open(path, &places.log, logger, names, calendar, &info, force));
         Ok((log, truth.transpose()?))
-    }
-
-    /// A bar that shows how far the run is, where somebody looks.
-    fn progress(&self, length: Micros) -> ProgressBar {
-        let hidden = self.output.quiet || self.output.json;
-        let target = if hidden { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-        let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {eta} left");
-        let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
-        ProgressBar::with_draw_target(Some(length as u64), target).with_style(style)
     }
 
     /// Tells people and scripts what has become of the run.
@@ -169,7 +177,7 @@ impl Live<'_> {
     }
 
     fn by_sensor<'s>(&self, run: &'s Run, stored: &'s Stored) -> impl Iterator<Item = (&'s str, u64)> {
-        run.home().sensors.iter().map(|sensor| sensor.name.as_str()).zip(stored.by_sensor.iter().copied())
+        run.sensors().iter().map(|sensor| sensor.name.as_str()).zip(stored.by_sensor.iter().copied())
     }
 
     fn summary(&self, places: &Places, run: &Run, lived: &Lived, agrees: Option<bool>) -> String {
@@ -213,27 +221,28 @@ fn advance(
 ) -> Result<Seal, Failure> {
     let mut seal = Seal::default();
     let mut events = Events::default();
-    let started = Instant::now();
     while run.now() < run.length() {
-        let Some(until) = pace.next(run.now()) else { break };
+        let before = run.now();
+        let Some(until) = pace.next(before) else { break };
         run.advance(until, &mut events);
         seal.add(&events.firings);
-        logger.store(&events.firings, run.now())?;
+        logger.store(&events.firings, run.settled())?;
         if let Some(truth) = &mut truth {
             truth.store(&events)?;
         }
         events.clear();
         if !progress.is_hidden() {
-            let (now, length) = (span_in_words(run.now()), span_in_words(run.length()));
-            progress.set_message(format!("{now} of {length}, {}", speed_in_words(run.now(), started.elapsed())));
-            progress.set_position(run.now() as u64);
+            progress.inc((run.now() - before) as u64);
+            let (lived, all) = (progress.position() as Micros, progress.length().unwrap_or(0) as Micros);
+            let speed = speed_in_words(lived, progress.elapsed());
+            progress.set_message(format!("{} of {}, {speed}", span_in_words(lived), span_in_words(all)));
         }
     }
     Ok(seal)
 }
 
 /// A flag that the first interrupt sets; the second ends the program at once.
-fn stop_on_signal() -> Arc<AtomicBool> {
+pub fn stop_on_signal() -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     let set = stop.clone();
     // Without a handler an interrupt just ends the program, which loses nothing that was committed.
@@ -246,14 +255,14 @@ fn stop_on_signal() -> Arc<AtomicBool> {
 }
 
 /// How fast it goes: as a pace that one may ask for, or beyond those in what goes by in a second.
-fn speed_in_words(lived: Micros, took: Duration) -> String {
+pub fn speed_in_words(lived: Micros, took: Duration) -> String {
     match seconds(lived) / took.as_secs_f64() {
         times if times < 1050.0 => format!("{times:.0} times as fast as life"),
         times => format!("{} a second", span_in_words((times * SECOND as f64) as Micros)),
     }
 }
 
-fn span_in_words(span: Micros) -> String {
+pub fn span_in_words(span: Micros) -> String {
     let of = |unit: Micros, name: &str| {
         let count = span as f64 / (unit * SECOND) as f64;
         let rounded = format!("{count:.1}");

@@ -2,6 +2,7 @@
 
 mod answer;
 mod check;
+mod cohort;
 mod compare;
 mod completions;
 mod convert;
@@ -13,6 +14,7 @@ mod live;
 mod new;
 mod plan;
 mod replay;
+mod routine;
 mod run;
 mod schema;
 
@@ -29,6 +31,8 @@ pub enum Command {
     Replay(replay::Arguments),
     /// Report everything that is wrong with a scenario
     Check(check::Arguments),
+    /// Check, explain and try routines: lives in plain language
+    Routine(routine::Arguments),
     /// Draw the floor plan of a home
     Plan(plan::Arguments),
     /// Say where in the home the sensors see, with a map
@@ -57,6 +61,7 @@ impl Command {
             Command::Run(arguments) => arguments.run(),
             Command::Replay(arguments) => arguments.run(),
             Command::Check(arguments) => arguments.run(),
+            Command::Routine(arguments) => arguments.run(),
             Command::Plan(arguments) => arguments.run(),
             Command::Coverage(arguments) => arguments.run(),
             Command::Compare(arguments) => arguments.run(),

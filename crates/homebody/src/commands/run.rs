@@ -1,5 +1,6 @@
 //! `homebody run`: live a scenario.
 
+use super::cohort::Cohort;
 use super::live::{Live, Output};
 use crate::failure::Failure;
 use crate::folder;
@@ -17,6 +18,8 @@ use std::path::PathBuf;
 #[command(after_help = "Examples:
   homebody run scenarios/tigerplace
   homebody run scenarios/tigerplace --for 2h --speed 60
+  homebody run scenarios/tigerplace-depression --without depression
+  homebody run scenarios/tigerplace --residents 100 --for 28d
   homebody run my-home --out sqlite:log.db --out csv:log.csv --truth truth.db --force
   printf 'step 60\\nstop\\n' | homebody run my-home --control --paused")]
 pub struct Arguments {
@@ -33,6 +36,11 @@ pub struct Arguments {
     /// All that the condition does not touch draws the same random numbers with it and without.
     #[arg(long, value_name = "CONDITION")]
     without: Vec<String>,
+    /// Live so many lives side by side, on all processors: each differs from the routines as people differ, and goes into
+    /// a folder of its own
+    #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..=100_000),
+          conflicts_with_all = ["out", "truth", "record", "force", "control", "speed", "paused"])]
+    residents: Option<u32>,
     #[command(flatten)]
     output: Output,
     /// Record what is needed to replay the run into this file
@@ -47,7 +55,6 @@ impl Arguments {
         let (scenario, entry, household) = folder::load_lives(&self.scenario, &self.without)?;
         let seed = self.seed.unwrap_or(scenario.file.seed);
         let length = self.length.unwrap_or_else(|| micros(scenario.file.days * 86_400.0));
-        let run = Run::new(&scenario, &household, seed, length);
         let recording = Recording {
             version: env!("CARGO_PKG_VERSION").into(),
             entry,
@@ -60,6 +67,11 @@ impl Arguments {
             sha256: String::new(),
         };
         let sources = folder::files(&self.scenario, &scenario);
+        if let Some(residents) = self.residents {
+            let cohort = Cohort { scenario: &scenario, household: &household, recording, sources, output: self.output };
+            return cohort.live(residents);
+        }
+        let run = Run::new(&scenario, &household, seed, length);
         let live = Live { scenario: &scenario, recording, record: self.record, output: self.output, sources };
         live.live(run, &self.pace)
     }

@@ -6,6 +6,7 @@ mod folder;
 
 mod beginnings;
 mod invariants;
+mod links;
 mod replays;
 mod outputs;
 mod trouble;
@@ -14,3 +15,4 @@ mod bad_input;
 mod logs;
 mod days;
 mod figures;
+mod lives;

@@ -2,6 +2,7 @@
 
 pub mod home;
 pub mod input;
+pub mod link;
 pub mod logger;
 pub mod path;
 pub mod resident;

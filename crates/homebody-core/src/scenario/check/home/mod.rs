@@ -1,11 +1,14 @@
 //! `home.json`: names, then the building, then what hangs in it.
 
+mod devices;
 mod furniture;
 mod names;
 mod overlap;
 mod rooms;
 mod sensors;
 mod walls;
+
+pub(in crate::scenario::check) use sensors::check_mounting;
 
 use super::{Report, TOLERANCE_M, at, blocking, distance_outside, is_within, solid_name};
 use crate::geometry::{self, Point, point};

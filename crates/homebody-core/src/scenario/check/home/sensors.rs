@@ -1,7 +1,8 @@
 //! Sensors: timing that can be, and a place from which they can see.
 
-use super::super::did_you_mean;
-use super::{Report, TOLERANCE_M, at, check_convex, distance_outside, is_flat, is_within, keeps_within, solid_name};
+use super::{
+    Report, TOLERANCE_M, at, check_convex, devices, distance_outside, is_flat, is_within, keeps_within, solid_name,
+};
 use crate::geometry::{self, Point, point};
 use crate::home::plan::{Plan, Solid};
 use crate::scenario::home::{HomeFile, Level, MotionFile, SensorFile};
@@ -19,7 +20,7 @@ fn beams_of(sensor: &SensorFile) -> u32 {
         SensorFile::Motion(MotionFile { level: Level::Zones(zones), .. }) => zones.rows.iter().sum(),
         SensorFile::Motion(motion) => motion.beams,
         SensorFile::CeilingMotion(ceiling) => ceiling.area.len() as u32,
-        SensorFile::Contact(_) => 0,
+        _ => 0,
     }
 }
 
@@ -43,20 +44,9 @@ pub fn check_alone(report: &mut Report, home: &HomeFile) {
                 let area: Vec<Point> = ceiling.area.iter().map(|&at| point(at)).collect();
                 check_convex(report, &format!("{place}/area"), &area, &format!("the area of {:?}", ceiling.name));
             }
-            SensorFile::Contact(_) => {}
+            _ => {}
         }
-        check_thing(report, &place, sensor, home);
-    }
-}
-
-/// What a sensor hangs on must be there.
-fn check_thing(report: &mut Report, place: &str, sensor: &SensorFile, home: &HomeFile) {
-    let Some(on) = sensor.on() else { return };
-    let doors = home.doors.iter().map(|door| door.name.as_str());
-    let things = doors.chain(home.furniture.iter().map(|piece| piece.name.as_str()));
-    if !things.clone().any(|thing| thing == on) {
-        let what = format!("the home has no door or piece of furniture {on:?}");
-        report.problem(&format!("{place}/on"), what, did_you_mean(on, things));
+        devices::check_alone(report, &place, sensor, home);
     }
 }
 
@@ -64,7 +54,7 @@ fn check_timing(report: &mut Report, place: &str, sensor: &SensorFile) {
     let (first, refire, persist) = match sensor {
         SensorFile::Motion(s) => (s.first_fire_s, s.refire_s, s.persist_s),
         SensorFile::CeilingMotion(s) => (s.first_fire_s, s.refire_s, s.persist_s),
-        SensorFile::Contact(_) => return,
+        _ => return,
     };
     for (key, range) in [("first_fire_s", first), ("refire_s", refire)] {
         if let Some([least, most]) = range.filter(|[least, most]| least > most) {
@@ -98,7 +88,7 @@ fn check_lens(report: &mut Report, place: &str, motion: &MotionFile) {
 pub fn check_within(report: &mut Report, home: &HomeFile, plan: &Plan) {
     for (index, sensor) in home.sensors.iter().enumerate() {
         match sensor {
-            SensorFile::Motion(motion) => check_mounting(report, index, motion, home, plan),
+            SensorFile::Motion(motion) => check_mounting(report, &format!("/sensors/{index}"), motion, home, plan),
             SensorFile::CeilingMotion(ceiling) => {
                 let area: Vec<Point> = ceiling.area.iter().map(|&at| point(at)).collect();
                 if !is_flat(&area) && !keeps_within(plan, &area) {
@@ -110,7 +100,7 @@ pub fn check_within(report: &mut Report, home: &HomeFile, plan: &Plan) {
                     report.hinted(&format!("/sensors/{index}/area"), what, hint);
                 }
             }
-            SensorFile::Contact(_) => {}
+            device => devices::check_within(report, &format!("/sensors/{index}"), device, plan),
         }
     }
 }
@@ -132,8 +122,15 @@ fn reaches_through(area: &[Point], solid: &Solid) -> bool {
     shared_m > REACH_THROUGH_M && beyond(1.0) && beyond(-1.0)
 }
 
-fn check_mounting(report: &mut Report, index: usize, motion: &MotionFile, home: &HomeFile, plan: &Plan) {
-    let (place, name, lens) = (format!("/sensors/{index}"), &motion.name, point(motion.at));
+/// Checks the place of a wall sensor, which the file gives at the pointer `place`.
+pub(in crate::scenario::check) fn check_mounting(
+    report: &mut Report,
+    place: &str,
+    motion: &MotionFile,
+    home: &HomeFile,
+    plan: &Plan,
+) {
+    let (name, lens) = (&motion.name, point(motion.at));
     let tall = || plan.solids.iter().filter(|solid| solid.height_m >= motion.height_m);
     let hint = "mount it on the surface, on the side from which it should see";
     if let Some(solid) = tall().find(|solid| is_within(solid, lens)) {

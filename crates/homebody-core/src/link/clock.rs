@@ -1,0 +1,94 @@
+//! The clocks of sensors whose messages bear the time of their own clock.
+//!
+//! Firings are told in the order of the times that they bear. One from a clock that is behind bears a time that is past
+//! when it arrives; so where there is such a clock, all firings are kept back until none can come any more that belongs
+//! before them.
+
+use crate::scenario::link::DriftFile;
+use crate::time::{Micros, micros};
+
+/// A clock that is ahead or behind, and runs too fast or too slow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock {
+    offset: Micros,
+    /// Microseconds gained in a microsecond.
+    gain: f64,
+}
+
+impl Clock {
+    pub fn new(file: &DriftFile) -> Clock {
+        Clock { offset: micros(file.offset_s), gain: file.ppm * 1e-6 }
+    }
+
+    /// What it shows at an instant; never less than before.
+    pub fn shows(&self, at: Micros) -> Micros {
+        at + self.offset + libm::round(self.gain * at as f64) as Micros
+    }
+
+    /// The first instant at which it shows more than this.
+    fn passes(&self, shown: Micros) -> Micros {
+        // Rounding leaves this a few microseconds off at most.
+        let mut at = libm::round((shown - self.offset) as f64 / (1.0 + self.gain)) as Micros;
+        while self.shows(at) <= shown {
+            at += 1;
+        }
+        while self.shows(at - 1) > shown {
+            at -= 1;
+        }
+        at
+    }
+}
+
+/// The clocks of a home's sensors, as far as they are not the logger's.
+#[derive(Clone, Debug)]
+pub struct Clocks {
+    pub clocks: Vec<Clock>,
+    /// How long a message is under way at most.
+    pub longest: Micros,
+}
+
+impl Clocks {
+    /// The time up to which no firing can come any more, once the run has come to `now`.
+    pub fn settled(&self, now: Micros) -> Micros {
+        self.clocks.iter().map(|clock| clock.shows(now - self.longest)).fold(now, Micros::min)
+    }
+
+    /// The instant after which nothing can come any more that bears a time up to this one.
+    pub fn settles(&self, stamp: Micros) -> Micros {
+        self.clocks.iter().map(|clock| clock.passes(stamp) + self.longest - 1).fold(stamp, Micros::max)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn clock(ppm: f64, offset_s: f64) -> Clock {
+        Clock::new(&DriftFile { sensor: String::new(), ppm, offset_s })
+    }
+
+    #[test]
+    fn a_clock_shows_its_offset_and_what_it_has_gained() {
+        assert_eq!(clock(0.0, -2.0).shows(0), -2_000_000);
+        assert_eq!(clock(40.0, 2.0).shows(1_000_000_000), 1_002_040_000);
+        assert_eq!(clock(-1000.0, 0.0).shows(1_000_000_000), 999_000_000);
+    }
+
+    #[test]
+    fn what_is_settled_is_what_cannot_come_any_more() {
+        let clocks = Clocks {
+            clocks: vec![clock(40.0, 1.0), clock(-1000.0, 0.5), clock(0.0, -3.0), clock(999.0, 86_400.0)],
+            longest: 777,
+        };
+        for now in (0..200).map(|index| index * 7_654_321_987 + index % 3) {
+            let settled = clocks.settled(now);
+            for stamp in [settled - 1, settled] {
+                assert_eq!(clocks.settles(stamp) < now, stamp < settled, "{stamp} at {now}");
+            }
+            for clock in &clocks.clocks {
+                assert!(clock.shows(now - clocks.longest) >= settled);
+                assert!(clocks.settles(clock.shows(now)) >= now + clocks.longest);
+            }
+        }
+    }
+}

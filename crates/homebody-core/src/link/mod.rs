@@ -1,0 +1,357 @@
+//! The link: the way from the sensors to the logger, and the faults of both.
+//!
+//! The devices say what they have to say, or fail to: they miss it, have an empty battery, are stuck or off their
+//! place. What they say goes over a radio where others may speak at the same time, gets lost by chance, is damaged or
+//! delayed, comes twice, and meets a logger that may not be running.
+//!
+//! We assume that each of these is independent of the others, and that what is lost stays lost.
+//!
+//! Everything happens in order of time: what the world says, what sensors say for no reason, and the stages of messages
+//! under way, which wait in a heap. Of each instant all is known before anything that comes later, so it makes no
+//! difference in how many steps a run is advanced. What is under way as the run ends never arrives, and is no loss.
+//!
+//! Left out: receipts, meshes and their routes, and what a network does to keep itself together.
+
+pub mod clock;
+mod message;
+pub mod radio;
+mod sources;
+mod way;
+
+use crate::event::{Cause, Events, Fact, Firing, Loss, Value, Why};
+use crate::scenario::calendar::time_of_day;
+use crate::scenario::home::{MotionFile, SensorFile};
+use crate::scenario::link::{FaultFile, LinkFile, MovedFile, Span, of_days};
+use crate::time::{Micros, NEVER};
+use clock::Clocks;
+use message::{Message, garbled_id, garbled_value};
+use radio::Radio;
+use sources::{Sources, Told, next_time_of_day};
+use std::cmp::{Ordering, Reverse};
+use std::collections::BinaryHeap;
+use std::vec::Drain;
+use way::Way;
+
+/// The way of all sensors' messages to the logger. A clone continues exactly as the original.
+#[derive(Clone, Debug)]
+pub struct Link {
+    ways: Vec<Way>,
+    /// Whose other places the sensors after those of the home are.
+    places: Vec<u32>,
+    sources: Sources,
+    radio: Option<Radio>,
+    clocks: Clocks,
+    outages: Vec<Span>,
+    under_way: BinaryHeap<Reverse<Due>>,
+    /// Tells messages apart that are due at one instant.
+    order: u64,
+    seq: u64,
+}
+
+/// What happens next to a message under way, and when.
+#[derive(Clone, Debug)]
+struct Due {
+    at: Micros,
+    stage: Stage,
+    order: u64,
+    message: Message,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Stage {
+    /// A copy of it has been on the air.
+    Sent {
+        begin: Micros,
+        copy: u32,
+    },
+    Arrives,
+    /// No firing can come any more that belongs before it.
+    Settled {
+        stamp: Micros,
+    },
+}
+
+/// The places that the link's file moves sensors to, each as a sensor of its own, for whoever bakes the home.
+pub fn other_places(file: &LinkFile, sensors: &[SensorFile]) -> Vec<SensorFile> {
+    moves(file).filter_map(|moved| moved_sensor(moved, sensors)).collect()
+}
+
+/// The sensor as it hangs once it has been moved; nothing for sensors that cannot be.
+pub fn moved_sensor(moved: &MovedFile, sensors: &[SensorFile]) -> Option<SensorFile> {
+    let sensor = sensors.iter().find(|sensor| sensor.name() == moved.sensor)?;
+    let SensorFile::Motion(motion) = sensor else { return None };
+    Some(SensorFile::Motion(MotionFile { at: moved.at, facing_deg: moved.facing_deg, ..motion.clone() }))
+}
+
+fn moves(file: &LinkFile) -> impl Iterator<Item = &MovedFile> {
+    file.faults.iter().filter_map(|fault| match fault {
+        FaultFile::Moved(moved) => Some(moved),
+        _ => None,
+    })
+}
+
+impl Link {
+    /// The link of a home's sensors, as a file that has passed its checks describes it. In the world, the sensors of the
+    /// home come first, then their other places.
+    pub fn new(file: &LinkFile, sensors: &[SensorFile], start_of_day: Micros, seed: u64) -> Link {
+        let looks = |sensor: &SensorFile| matches!(sensor, SensorFile::Motion(_) | SensorFile::CeilingMotion(_));
+        let way = |sensor: &SensorFile| Way::new(file, sensor.name(), looks(sensor), seed);
+        let mut ways: Vec<Way> = sensors.iter().map(way).collect();
+        let mut places = Vec::new();
+        for moved in moves(file).filter(|moved| moved_sensor(moved, sensors).is_some()) {
+            let Some(owner) = sensors.iter().position(|sensor| sensor.name() == moved.sensor) else { continue };
+            ways[owner].moves(of_days(moved.from_day), (sensors.len() + places.len()) as u32);
+            places.push(owner as u32);
+        }
+        let rate = |sensor: &SensorFile| file.rates(sensor.name(), looks(sensor)).false_fires_per_h;
+        let rates: Vec<(&str, f64)> = sensors.iter().map(|sensor| (sensor.name(), rate(sensor))).collect();
+        let radio = file.channel().map(|file| Radio::new(&file));
+        let on_air = radio.as_ref().map_or(0, Radio::longest);
+        let slowest = ways.iter().map(|way| way.delay.most).max().unwrap_or(0);
+        let outage = |fault: &FaultFile| match fault {
+            FaultFile::Outage(outage) => {
+                let Span { begin, end } = fault.span();
+                let time = outage.at.as_deref().and_then(time_of_day);
+                let late = time.map_or(0, |time| next_time_of_day(begin, time, start_of_day) - begin);
+                Some(Span { begin: begin + late, end: end + late })
+            }
+            _ => None,
+        };
+        Link {
+            sources: Sources::new(file, &rates, start_of_day, seed),
+            radio,
+            clocks: Clocks {
+                clocks: ways.iter().filter_map(|way| way.clock).collect(),
+                // The second of two comes once more so late.
+                longest: on_air + 2 * slowest,
+            },
+            outages: file.faults.iter().filter_map(outage).collect(),
+            under_way: BinaryHeap::new(),
+            order: 0,
+            seq: 0,
+            ways,
+            places,
+        }
+    }
+
+    /// How many sensors the logger knows: other places are none.
+    pub fn sensors(&self) -> usize {
+        self.ways.len()
+    }
+
+    /// The time up to which all firings have been told, once the run has come to `now`.
+    pub fn settled(&self, now: Micros) -> Micros {
+        self.clocks.settled(now)
+    }
+
+    /// Takes from `said` what the world has said up to `now`, and adds to `events` what the logger receives before then,
+    /// and what of it is lost.
+    pub fn carry(&mut self, said: &mut Events, now: Micros, events: &mut Events) {
+        let mut causes = Vec::with_capacity(said.firings.len());
+        for fact in said.facts.drain(..) {
+            match fact {
+                Fact::Cause { cause, .. } => causes.push(cause),
+                fact => events.facts.push(fact),
+            }
+        }
+        let mut said = Said { firings: said.firings.drain(..), causes: causes.drain(..), first: None };
+        loop {
+            let of_world = said.next_at();
+            let of_sources = self.sources.next();
+            let due = self.under_way.peek().map_or(NEVER, |Reverse(due)| due.at);
+            if of_world <= of_sources.min(due) {
+                let Some((firing, cause)) = said.take() else { break };
+                self.says(firing, cause, events);
+            } else if of_sources.min(due) >= now {
+                break;
+            } else if of_sources <= due {
+                let Some(told) = self.sources.speak() else { break };
+                self.says_for_no_reason(&told, events);
+            } else {
+                let Some(Reverse(due)) = self.under_way.pop() else { break };
+                self.goes_on(due, events);
+            }
+        }
+    }
+
+    /// A device has something to say.
+    fn says(&mut self, firing: Firing, cause: Cause, events: &mut Events) {
+        let Firing { at, sensor: place, value, .. } = firing;
+        let own = self.ways.len() as u32;
+        let sensor = if place < own { place } else { self.places[(place - own) as usize] };
+        let way = &mut self.ways[sensor as usize];
+        if way.place(at).unwrap_or(sensor) != place {
+            return;
+        }
+        let luck = way.draw();
+        let message = Message { sent_at: at, sensor, id: sensor, value, cause, luck };
+        match way.lost_by_device(at, &luck) {
+            Some(loss) => lose(&message, loss, events),
+            None => {
+                way.said = Some(value);
+                self.send(message, events);
+            }
+        }
+    }
+
+    fn says_for_no_reason(&mut self, told: &Told, events: &mut Events) {
+        let Told { at, sensor, repeats, luck } = *told;
+        let way = &self.ways[sensor as usize];
+        let cause = Cause { resident: None, seen_at: at, why: Why::False };
+        let value = if repeats { way.said } else { Some(Value::Fire) };
+        let Some(value) = value.filter(|_| repeats || !way.is_numb(at)) else { return };
+        let message = Message { sent_at: at, sensor, id: sensor, value, cause, luck };
+        match way.lost_by_battery(at, &luck) {
+            true => lose(&message, Loss::Battery, events),
+            false => self.send(message, events),
+        }
+    }
+
+    /// A message leaves its device.
+    fn send(&mut self, message: Message, events: &mut Events) {
+        let Some(radio) = &mut self.radio else { return self.receive(message.sent_at, message, events) };
+        match radio.begin(message.sensor, message.sent_at) {
+            Some(begin) => self.send_copy(begin, 0, message, events),
+            None => lose(&message, Loss::Collision, events),
+        }
+    }
+
+    fn send_copy(&mut self, begin: Micros, copy: u32, message: Message, events: &mut Events) {
+        match self.radio.as_ref().and_then(|radio| radio.end(begin, copy)) {
+            Some(end) => self.wait(end, Stage::Sent { begin, copy }, message),
+            None => lose(&message, Loss::Collision, events),
+        }
+    }
+
+    fn wait(&mut self, at: Micros, stage: Stage, message: Message) {
+        self.under_way.push(Reverse(Due { at, stage, order: self.order, message }));
+        self.order += 1;
+    }
+
+    fn goes_on(&mut self, due: Due, events: &mut Events) {
+        let Due { at, stage, message, .. } = due;
+        match stage {
+            Stage::Sent { begin, copy } => {
+                let is_clean = self.radio.as_ref().is_none_or(|radio| radio.is_clean(message.sensor, begin, copy));
+                if is_clean {
+                    self.receive(at, message, events);
+                } else {
+                    self.send_copy(begin, copy + 1, message, events);
+                }
+            }
+            Stage::Arrives => self.arrives(at, message, events),
+            Stage::Settled { stamp } => self.tell(stamp, &message, events),
+        }
+    }
+
+    /// A message has come through the air, if chance does not take it.
+    fn receive(&mut self, at: Micros, mut message: Message, events: &mut Events) {
+        let way = &self.ways[message.sensor as usize];
+        let luck = message.luck;
+        if way.lost_on_the_way(message.sent_at, &luck) {
+            return lose(&message, Loss::Radio, events);
+        }
+        if luck.corruption < way.corruption && !self.garble(&mut message) {
+            return lose(&message, Loss::Garbled, events);
+        }
+        let arrives = at + way.delay(luck.delay);
+        let again = (luck.duplicate < way.duplicates).then(|| arrives + way.delay(luck.again));
+        self.wait(arrives, Stage::Arrives, message);
+        if let Some(again) = again {
+            message.cause.why = Why::Duplicate;
+            self.wait(again, Stage::Arrives, message);
+        }
+    }
+
+    /// Damages a message's id or its value, one as often as the other (ours); whether it can still be understood.
+    fn garble(&self, message: &mut Message) -> bool {
+        let damage = 2.0 * message.luck.damage;
+        if damage < 1.0 {
+            let id = garbled_id(self.ways[message.sensor as usize].id, damage);
+            let owner = self.ways.iter().position(|way| way.id == id);
+            message.id = owner.map_or(message.id, |owner| owner as u32);
+            return owner.is_some();
+        }
+        let value = garbled_value(message.value, damage - 1.0);
+        message.value = value.unwrap_or(message.value);
+        value.is_some()
+    }
+
+    fn arrives(&mut self, at: Micros, message: Message, events: &mut Events) {
+        if self.outages.iter().any(|outage| outage.contains(at)) {
+            return lose(&message, Loss::Outage, events);
+        }
+        let clock = self.ways[message.sensor as usize].clock;
+        let stamp = clock.map_or(at, |clock| clock.shows(message.sent_at));
+        if self.clocks.clocks.is_empty() {
+            self.tell(stamp, &message, events);
+        } else {
+            self.wait(self.clocks.settles(stamp), Stage::Settled { stamp }, message);
+        }
+    }
+
+    fn tell(&mut self, stamp: Micros, message: &Message, events: &mut Events) {
+        let Message { id, value, cause, .. } = *message;
+        events.firings.push(Firing { seq: self.seq, at: stamp, sensor: id, value });
+        events.facts.push(Fact::Cause { seq: self.seq, cause });
+        self.seq += 1;
+    }
+}
+
+fn lose(message: &Message, loss: Loss, events: &mut Events) {
+    let Message { sent_at, sensor, value, cause, .. } = *message;
+    events.facts.push(Fact::Lost { at: sent_at, sensor, value, cause, loss });
+}
+
+/// What the world has said, with why, in order.
+struct Said<'a> {
+    firings: Drain<'a, Firing>,
+    causes: Drain<'a, Cause>,
+    first: Option<Firing>,
+}
+
+impl Said<'_> {
+    fn next_at(&mut self) -> Micros {
+        if self.first.is_none() {
+            self.first = self.firings.next();
+        }
+        self.first.map_or(NEVER, |firing| firing.at)
+    }
+
+    fn take(&mut self) -> Option<(Firing, Cause)> {
+        self.next_at();
+        Some((self.first.take()?, self.causes.next()?))
+    }
+}
+
+impl Due {
+    /// At one instant the air comes first; what arrives does so in the order in which it was sent.
+    fn key(&self) -> (Micros, u8, Micros, u64) {
+        let (stage, stamp) = match self.stage {
+            Stage::Sent { .. } => (0, 0),
+            Stage::Arrives => (1, 0),
+            Stage::Settled { stamp } => (2, stamp),
+        };
+        (self.at, stage, stamp, self.order)
+    }
+}
+
+impl Ord for Due {
+    fn cmp(&self, other: &Due) -> Ordering {
+        self.key().cmp(&other.key())
+    }
+}
+
+impl PartialOrd for Due {
+    fn partial_cmp(&self, other: &Due) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Due {
+    fn eq(&self, other: &Due) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Due {}

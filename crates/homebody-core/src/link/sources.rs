@@ -1,0 +1,216 @@
+//! What sensors say for no reason: false firings by chance, and what a stuck one repeats.
+
+use super::message::Luck;
+use crate::random::Stream;
+use crate::scenario::calendar::time_of_day;
+use crate::scenario::link::{FaultFile, LinkFile, Span};
+use crate::time::{DAY, Micros, NEVER, micros};
+
+/// Everything that makes sensors say something for no reason, in the order of sensors.
+#[derive(Clone, Debug)]
+pub struct Sources {
+    sources: Vec<Source>,
+    /// Which is next, and when.
+    next: (Micros, usize),
+}
+
+#[derive(Clone, Debug)]
+struct Source {
+    sensor: u32,
+    kind: Kind,
+    until: Micros,
+    next: Micros,
+    stream: Stream,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    /// By chance, so often an hour on average, within these times of day.
+    Chance {
+        per_h: f64,
+        hours: Hours,
+    },
+    Repeat {
+        every: Micros,
+    },
+}
+
+/// From one time of day to another, perhaps over midnight, on a clock that showed `start` as the run began.
+#[derive(Clone, Copy, Debug)]
+struct Hours {
+    start: Micros,
+    from: Micros,
+    span: Micros,
+}
+
+/// Something that a sensor says for no reason.
+#[derive(Clone, Copy, Debug)]
+pub struct Told {
+    pub at: Micros,
+    pub sensor: u32,
+    /// Whether it is stuck and repeats itself.
+    pub repeats: bool,
+    pub luck: Luck,
+}
+
+impl Sources {
+    /// What the file says of sensors of these names, with how often each fires for no reason in any case.
+    pub fn new(file: &LinkFile, sensors: &[(&str, f64)], start_of_day: Micros, seed: u64) -> Sources {
+        let mut sources = Vec::new();
+        for (sensor, &(name, per_h)) in sensors.iter().enumerate() {
+            let mut add = |kind, span: Span, stream: &str| {
+                let stream = Stream::named(seed, &format!("sensor/{name}/{stream}"));
+                let mut source = Source { sensor: sensor as u32, kind, until: span.end, next: span.begin, stream };
+                source.begin();
+                sources.push(source);
+            };
+            let always = Hours { start: start_of_day, from: 0, span: DAY };
+            add(Kind::Chance { per_h, hours: always }, Span { begin: 0, end: NEVER }, "false");
+            let own = file.faults.iter().filter(|fault| fault.sensor() == Some(name));
+            for (number, fault) in own.enumerate() {
+                match fault {
+                    FaultFile::FalseFires(file) => {
+                        let hours = file.between.as_ref().map_or(always, |[from, to]| {
+                            let [from, to] = [from, to].map(|text| time_of_day(text).unwrap_or(0));
+                            Hours { from, span: (to - from).rem_euclid(DAY), ..always }
+                        });
+                        let stream = format!("false/{number}");
+                        add(Kind::Chance { per_h: file.per_h, hours }, fault.span(), &stream);
+                    }
+                    FaultFile::Stuck(file) => {
+                        let Some(every) = file.every_s.map(micros) else { continue };
+                        add(Kind::Repeat { every }, fault.span(), &format!("stuck/{number}"));
+                    }
+                    _ => {}
+                }
+            }
+        }
+        let mut sources = Sources { sources, next: (NEVER, 0) };
+        sources.find_next();
+        sources
+    }
+
+    /// When the next of them speaks.
+    pub fn next(&self) -> Micros {
+        self.next.0
+    }
+
+    /// What the next of them says.
+    pub fn speak(&mut self) -> Option<Told> {
+        let source = self.sources.get_mut(self.next.1)?;
+        let repeats = matches!(source.kind, Kind::Repeat { .. });
+        let told = Told { at: source.next, sensor: source.sensor, repeats, luck: Luck::draw(&mut source.stream) };
+        source.go_on();
+        self.find_next();
+        Some(told)
+    }
+
+    fn find_next(&mut self) {
+        let order = self.sources.iter().enumerate().map(|(index, source)| (source.next, index));
+        self.next = order.min().unwrap_or((NEVER, 0));
+    }
+}
+
+impl Source {
+    /// Chance does not begin with a firing, a sensor that gets stuck does.
+    fn begin(&mut self) {
+        match self.kind {
+            Kind::Chance { per_h, .. } if per_h <= 0.0 => self.next = NEVER,
+            Kind::Chance { .. } => self.go_on(),
+            Kind::Repeat { .. } => {}
+        }
+    }
+
+    fn go_on(&mut self) {
+        self.next = match self.kind {
+            Kind::Repeat { every } => self.next.saturating_add(every),
+            Kind::Chance { per_h, hours } => loop {
+                // Poisson: waits are exponential. What falls out of the hours is passed over.
+                let wait = -libm::log(1.0 - self.stream.unit()) * 3600.0 / per_h;
+                self.next = self.next.saturating_add(micros(wait).max(1));
+                if self.next >= self.until || hours.contain(self.next) {
+                    break self.next;
+                }
+            },
+        };
+        if self.next >= self.until {
+            self.next = NEVER;
+        }
+    }
+}
+
+impl Hours {
+    fn contain(&self, at: Micros) -> bool {
+        (at % DAY + self.start - self.from).rem_euclid(DAY) < self.span
+    }
+}
+
+/// The first instant from `from` on at which a clock that showed `start` as the run began shows this time of day.
+pub fn next_time_of_day(from: Micros, time: Micros, start: Micros) -> Micros {
+    from + (time - start - from).rem_euclid(DAY)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::time::SECOND;
+    use serde_json::json;
+
+    /// What one sensor says for no reason within some days of a run that began at 22:00.
+    fn said(per_h: f64, faults: serde_json::Value, days: Micros) -> Vec<Told> {
+        let file: LinkFile = serde_json::from_value(json!({ "faults": faults })).unwrap();
+        let mut sources = Sources::new(&file, &[("other", 0.0), ("hall", per_h)], 22 * 3600 * SECOND, 3);
+        let mut said = Vec::new();
+        while sources.next() < days * DAY {
+            said.extend(sources.speak());
+        }
+        said
+    }
+
+    #[test]
+    fn false_firings_come_as_often_as_they_should_and_by_chance() {
+        let said = said(0.5, json!([]), 2000);
+        assert!((said.len() as f64 / 24_000.0 - 1.0).abs() < 0.03, "{}", said.len());
+        let waits: Vec<f64> = said.windows(2).map(|pair| (pair[1].at - pair[0].at) as f64 / 7.2e9).collect();
+        let mean = waits.iter().sum::<f64>() / waits.len() as f64;
+        let variance = waits.iter().map(|wait| (wait - mean) * (wait - mean)).sum::<f64>() / waits.len() as f64;
+        assert!((variance - 1.0).abs() < 0.05, "{variance}");
+        assert!(said.iter().all(|told| told.sensor == 1 && !told.repeats));
+    }
+
+    #[test]
+    fn the_sun_shines_at_its_hours() {
+        let fault = |from: &str, to: &str| {
+            json!([{ "kind": "false_fires", "sensor": "hall", "per_h": 4, "between": [from, to], "from_day": 1.5,
+                "days": 100 }])
+        };
+        for (from, to, hours) in [("10:00", "15:00", 5), ("23:00", "01:30", 2)] {
+            let said = said(0.0, fault(from, to), 400);
+            let expected = 400 * hours + if hours == 2 { 200 } else { 0 };
+            assert!(said.len().abs_diff(expected) < expected / 10, "{} from {from} to {to}", said.len());
+            for told in said {
+                let (time, at) = ((told.at + 22 * 3600 * SECOND) % DAY, told.at as f64 / DAY as f64);
+                let [from, to] = [from, to].map(|text| time_of_day(text).unwrap());
+                let is_in = if from < to { from <= time && time < to } else { from <= time || time < to };
+                assert!(is_in && (1.5..101.5).contains(&at), "at {at}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_stuck_repeats_itself() {
+        let fault = json!([{ "kind": "stuck", "sensor": "hall", "from_day": 1, "days": 0.001, "every_s": 7 }]);
+        let times: Vec<Micros> = said(0.0, fault, 2).iter().map(|told| (told.at - DAY) / SECOND).collect();
+        assert_eq!(times, (0..13).map(|index| index * 7).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn the_next_time_of_day_is_today_or_tomorrow() {
+        let (hour, start) = (3600 * SECOND, 22 * 3600 * SECOND);
+        assert_eq!(next_time_of_day(0, 23 * hour, start), hour);
+        assert_eq!(next_time_of_day(0, 22 * hour, start), 0);
+        assert_eq!(next_time_of_day(0, 21 * hour, start), 23 * hour);
+        assert_eq!(next_time_of_day(30 * hour, 5 * hour, start), 31 * hour);
+        assert_eq!(next_time_of_day(30 * hour, 3 * hour, start), 53 * hour);
+    }
+}

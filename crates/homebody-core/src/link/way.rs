@@ -1,0 +1,145 @@
+//! One sensor and its way to the logger: how often things go wrong, and what is wrong with it when.
+
+use super::clock::Clock;
+use super::message::{IDS, Luck};
+use crate::event::{Loss, Value};
+use crate::random::{Range, Stream};
+use crate::scenario::link::{FaultFile, LinkFile, Span, of_days};
+use crate::time::Micros;
+
+/// One sensor's way.
+#[derive(Clone, Debug)]
+pub struct Way {
+    misses: f64,
+    loss: f64,
+    pub corruption: f64,
+    pub duplicates: f64,
+    pub delay: Range,
+    /// The clock whose time its messages bear, where that is not the logger's.
+    pub clock: Option<Clock>,
+    /// The id that its messages bear on the air.
+    pub id: u32,
+    /// What its device said last; of sensors that look for movement, what they always say.
+    pub said: Option<Value>,
+    faults: Vec<(Span, Fault)>,
+    /// From when on it hangs elsewhere, as which of the home's sensors; in order.
+    moves: Vec<(Micros, u32)>,
+    stream: Stream,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Fault {
+    /// Loss grows evenly from nothing at its beginning to everything after this time (ours).
+    Battery {
+        fades: Micros,
+    },
+    Stuck,
+    FallsOff,
+    BadLink {
+        loss: f64,
+    },
+}
+
+impl Way {
+    /// The way of the sensor that the file calls so; only sensors that look for movement can miss it.
+    pub fn new(file: &LinkFile, sensor: &str, looks: bool, seed: u64) -> Way {
+        let rates = file.rates(sensor, looks);
+        let own = file.faults.iter().filter(|fault| fault.sensor() == Some(sensor));
+        let fault = |file: &FaultFile| {
+            let fault = match file {
+                FaultFile::Battery(file) => Fault::Battery { fades: of_days(file.fading_days) },
+                FaultFile::Stuck(_) => Fault::Stuck,
+                FaultFile::FallsOff(_) => Fault::FallsOff,
+                FaultFile::BadLink(file) => Fault::BadLink { loss: file.loss },
+                FaultFile::Moved(_) | FaultFile::Drift(_) | FaultFile::FalseFires(_) | FaultFile::Outage(_) => {
+                    return None;
+                }
+            };
+            Some((file.span(), fault))
+        };
+        Way {
+            misses: rates.misses,
+            loss: rates.loss,
+            corruption: rates.corruption,
+            duplicates: rates.duplicates,
+            delay: Range::of_seconds(rates.delay_s),
+            clock: own.clone().find_map(|fault| match fault {
+                FaultFile::Drift(file) => Some(Clock::new(file)),
+                _ => None,
+            }),
+            // Of its name alone, whatever the seed and the other sensors.
+            id: Stream::named(0, &format!("sensor/{sensor}/id")).span(Range { least: 0, most: Micros::from(IDS) - 1 })
+                as u32,
+            said: looks.then_some(Value::Fire),
+            faults: own.filter_map(fault).collect(),
+            moves: Vec::new(),
+            stream: Stream::named(seed, &format!("sensor/{sensor}/link")),
+        }
+    }
+
+    /// From an instant on the sensor is another of the home's.
+    pub fn moves(&mut self, at: Micros, to: u32) {
+        self.moves.push((at, to));
+        self.moves.sort_unstable();
+    }
+
+    /// Which of the home's sensors it is at an instant, if it has been moved by then.
+    pub fn place(&self, at: Micros) -> Option<u32> {
+        self.moves.iter().rev().find(|(from, _)| *from <= at).map(|&(_, place)| place)
+    }
+
+    pub fn draw(&mut self) -> Luck {
+        Luck::draw(&mut self.stream)
+    }
+
+    fn faults(&self, at: Micros) -> impl Iterator<Item = (Micros, Fault)> {
+        let now = self.faults.iter().filter(move |(span, _)| span.contains(at));
+        now.map(|&(span, fault)| (span.begin, fault))
+    }
+
+    /// Why its device does not say what it ought to, if it does not.
+    pub fn lost_by_device(&self, at: Micros, luck: &Luck) -> Option<Loss> {
+        let of_fault = |(begin, fault)| match fault {
+            Fault::Battery { fades } => (luck.battery < spent(at - begin, fades)).then_some(Loss::Battery),
+            Fault::Stuck => Some(Loss::Stuck),
+            Fault::FallsOff => Some(Loss::Place),
+            Fault::BadLink { .. } => None,
+        };
+        let missed = || (luck.miss < self.misses).then_some(Loss::Miss);
+        self.faults(at).find_map(of_fault).or_else(missed)
+    }
+
+    /// Whether its device has not enough power to send this.
+    pub fn lost_by_battery(&self, at: Micros, luck: &Luck) -> bool {
+        self.faults(at).any(|(begin, fault)| match fault {
+            Fault::Battery { fades } => luck.battery < spent(at - begin, fades),
+            Fault::Stuck | Fault::FallsOff | Fault::BadLink { .. } => false,
+        })
+    }
+
+    /// Whether its device is past firing for no reason.
+    pub fn is_numb(&self, at: Micros) -> bool {
+        self.faults(at).any(|(begin, fault)| match fault {
+            Fault::Battery { fades } => at - begin >= fades,
+            Fault::Stuck => true,
+            Fault::FallsOff | Fault::BadLink { .. } => false,
+        })
+    }
+
+    /// Whether its message, sent at this instant, gets lost on the way by chance.
+    pub fn lost_on_the_way(&self, sent_at: Micros, luck: &Luck) -> bool {
+        let by_link = |(_, fault)| matches!(fault, Fault::BadLink { loss } if luck.bad_link < loss);
+        luck.loss < self.loss || self.faults(sent_at).any(by_link)
+    }
+
+    /// A delay, by a number from 0 up to 1.
+    pub fn delay(&self, luck: f64) -> Micros {
+        let Range { least, most } = self.delay;
+        least + (luck * (most - least + 1) as f64) as Micros
+    }
+}
+
+/// Which share of its messages a battery no longer sends, so long after it began to fade.
+fn spent(since: Micros, fades: Micros) -> f64 {
+    if since >= fades { 1.0 } else { since as f64 / fades as f64 }
+}

@@ -1,0 +1,215 @@
+//! A pneumatic strip in a bed.
+//!
+//! The device is a tube of air across the bed under the trunk. Its pressure tells whether somebody is there, how long each
+//! movement persists, and, of somebody who keeps still, whether pulse and respiration are low, normal or high (Godsey &
+//! Skubic 2009, section III.D; the University of Virginia's page on ALARM-NET).
+//!
+//! We assume that who sits or lies with their middle within the bed's outline is in it, and nobody who stands or walks
+//! there; that every stir of somebody who lies is felt; and that of two people the strip lies under the one who came first,
+//! whose pulse and respiration it tells. A stranger to the truth has a pulse of 62 and 15 breaths a minute, and each reading
+//! is off by a normal deviation of 2 and 1 (all ours).
+//!
+//! A movement begins when the first of those who lie there stirs and ends when all keep still; stirs that follow each other
+//! at once are one. It is `RESTLESS_1` to `RESTLESS_4` as soon as it has lasted so long. Once the one whose vitals it tells
+//! has lain there for a while without a movement in the bed, there is a reading of both, then one every so often; one that
+//! fell into a movement comes as soon as all have kept still again for the while, and so does one that is early because
+//! the truth has come into another class. What is so at one instant is settled after all that happens then was told.
+//!
+//! Left out: who lies beside the strip, pets, how strong a movement is, what breathing does to the pulse's signal, drift of
+//! the pressure.
+
+use super::device::{Change, Said, no_stream};
+use crate::event::{Band, Doing, Value, Vitals, Why};
+use crate::geometry::{self, Point};
+use crate::random::Stream;
+use crate::scenario::device::BedFile;
+use crate::scenario::path::Posture;
+use crate::time::{Micros, NEVER, micros};
+
+/// Of whom the truth says nothing (ours).
+const ORDINARY: Vitals = Vitals { pulse: 62.0, respiration: 15.0 };
+/// How far readings of pulse and respiration are off (ours).
+const NOISE: Vitals = Vitals { pulse: 2.0, respiration: 1.0 };
+
+/// A bed sensor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bed {
+    outline: Vec<Point>,
+    levels: Vec<Micros>,
+    every: Micros,
+    still: Micros,
+    limits: Limits,
+    stream: Stream,
+    timer: Micros,
+    /// What it knows of each resident.
+    sleepers: Vec<Sleeper>,
+    /// Who is in the bed, the one who came first; what it last said.
+    first: Option<usize>,
+    movement: Option<Movement>,
+    /// Since when there is somebody to measure, and nobody moves.
+    still_since: Option<Micros>,
+    read_at: Option<Micros>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Limits {
+    pulse: [f64; 2],
+    respiration: [f64; 2],
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Sleeper {
+    /// Since when they are in the bed.
+    since: Option<Micros>,
+    lies: bool,
+    stirs: bool,
+    vitals: Vitals,
+    /// Since when the truth is in another class than when it was last read.
+    news: Option<Micros>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Movement {
+    onset: Micros,
+    /// How many of its levels were said.
+    said: usize,
+}
+
+impl Bed {
+    /// A sensor in the bed of this convex outline.
+    pub fn new(file: &BedFile, outline: Vec<Point>) -> Bed {
+        Bed {
+            outline,
+            levels: file.levels_s.iter().map(|&level| micros(level)).collect(),
+            every: micros(file.vitals_every_s),
+            still: micros(file.still_s),
+            limits: Limits { pulse: file.pulse_bpm, respiration: file.respiration_pm },
+            stream: no_stream(),
+            timer: NEVER,
+            sleepers: Vec::new(),
+            first: None,
+            movement: None,
+            still_since: None,
+            read_at: None,
+        }
+    }
+
+    pub fn begin(&self, stream: Stream) -> Bed {
+        Bed { stream, ..self.clone() }
+    }
+
+    pub fn told(&mut self, at: Micros, change: &Change) {
+        let (Change::Body { resident, .. } | Change::Vitals { resident, .. }) = *change else { return };
+        let resident = resident as usize;
+        if resident >= self.sleepers.len() {
+            let awake = Sleeper { since: None, lies: false, stirs: false, vitals: ORDINARY, news: None };
+            self.sleepers.resize(resident + 1, awake);
+        }
+        let before = self.sleepers[resident];
+        let mut after = before;
+        match *change {
+            Change::Body { doing, posture, .. } => {
+                let place = match doing {
+                    Doing::Stir { at, .. } | Doing::Rest { at } => Some(at),
+                    Doing::Stride { .. } | Doing::Away => None,
+                };
+                let is_in = posture != Posture::Standing && place.is_some_and(|p| geometry::covers(&self.outline, p));
+                after.since = if is_in { before.since.or(Some(at)) } else { None };
+                after.lies = posture == Posture::Lying;
+                after.stirs = matches!(doing, Doing::Stir { .. });
+            }
+            Change::Vitals { vitals, .. } => {
+                after.vitals = vitals;
+                if self.limits.bands(vitals) != self.limits.bands(before.vitals) {
+                    after.news = Some(at);
+                }
+            }
+            Change::Act { .. } => {}
+        }
+        if after != before {
+            self.sleepers[resident] = after;
+            self.timer = at;
+        }
+    }
+
+    pub fn timer(&self) -> Micros {
+        self.timer
+    }
+
+    pub fn due(&mut self, at: Micros, said: &mut Said) {
+        self.settle_presence(at, said);
+        let next_level = self.settle_movement(at, said);
+        let next_reading = self.settle_vitals(at, said);
+        self.timer = next_level.min(next_reading);
+    }
+
+    fn settle_presence(&mut self, at: Micros, said: &mut Said) {
+        let inside = self.sleepers.iter().enumerate().filter_map(|(who, sleeper)| Some((sleeper.since?, who)));
+        let first = inside.min().map(|(_, who)| who);
+        match (self.first, first) {
+            (None, Some(who)) => said.say(Value::In, Some(who as u32), at, Why::Movement),
+            (Some(who), None) => said.say(Value::Out, Some(who as u32), at, Why::Movement),
+            _ => {}
+        }
+        if self.first != first {
+            (self.first, self.still_since, self.read_at) = (first, None, None);
+        }
+    }
+
+    /// Says how long the movement has lasted; returns when it reaches its next level.
+    fn settle_movement(&mut self, at: Micros, said: &mut Said) -> Micros {
+        let moves = |sleeper: &Sleeper| sleeper.since.is_some() && sleeper.lies && sleeper.stirs;
+        let Some(who) = self.sleepers.iter().position(moves) else {
+            self.movement = None;
+            return NEVER;
+        };
+        let movement = self.movement.get_or_insert(Movement { onset: at, said: 0 });
+        let mut levels = self.levels.iter().map(|level| movement.onset + level).skip(movement.said);
+        let mut next = levels.next();
+        while next.is_some_and(|next| next <= at) {
+            movement.said += 1;
+            said.say(Value::Restless(movement.said as u8), Some(who as u32), movement.onset, Why::Movement);
+            next = levels.next();
+        }
+        next.unwrap_or(NEVER)
+    }
+
+    /// Reads pulse and respiration if it is time to; returns when it will be.
+    fn settle_vitals(&mut self, at: Micros, said: &mut Said) -> Micros {
+        let measured = self.first.filter(|&who| self.sleepers[who].lies && self.movement.is_none());
+        let Some(who) = measured else {
+            self.still_since = None;
+            return NEVER;
+        };
+        let can = *self.still_since.get_or_insert(at) + self.still;
+        let next = match (self.read_at, self.sleepers[who].news) {
+            (None, _) => can,
+            (Some(_), Some(news)) => can.max(news),
+            (Some(read_at), None) => can.max(read_at + self.every),
+        };
+        if next > at {
+            return next;
+        }
+        let Vitals { pulse, respiration } = self.sleepers[who].vitals;
+        let felt = Vitals {
+            pulse: self.stream.normal(pulse, NOISE.pulse),
+            respiration: self.stream.normal(respiration, NOISE.respiration),
+        };
+        let (pulse, respiration) = self.limits.bands(felt);
+        said.say(Value::Pulse(pulse), Some(who as u32), at, Why::Reading);
+        said.say(Value::Respiration(respiration), Some(who as u32), at, Why::Reading);
+        (self.read_at, self.sleepers[who].news) = (Some(at), None);
+        at + self.every
+    }
+}
+
+impl Limits {
+    fn bands(&self, vitals: Vitals) -> (Band, Band) {
+        let band = |number: f64, [least, most]: [f64; 2]| match number {
+            low if low < least => Band::Low,
+            high if high > most => Band::High,
+            _ => Band::Normal,
+        };
+        (band(vitals.pulse, self.pulse), band(vitals.respiration, self.respiration))
+    }
+}

@@ -1,0 +1,102 @@
+//! A flow sensor in a water pipe.
+//!
+//! The device is a small wheel that the water turns: it says when water begins to flow and when it ceases.
+//!
+//! We assume that it says so at once, and that water flows while a tap is open. Into a cistern it flows for a time by itself
+//! after each flush, about a minute.
+//!
+//! An act on its thing that changes how the thing is, is a message. Where water runs by itself, each act that turns it on is a
+//! flush, from which on it flows for its time, and acts that turn it off say nothing.
+//!
+//! Left out: how much flows, whether it is warm, other taps on the same pipe.
+
+use super::device::{Change, Said};
+use crate::event::{Value, Why};
+use crate::scenario::device::FlowFile;
+use crate::time::{Micros, NEVER, micros};
+
+/// A flow sensor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Flow {
+    /// Index into the home's things.
+    thing: u32,
+    runs: Option<Micros>,
+    flows: bool,
+    /// When it ceases by itself.
+    ceases: Micros,
+    /// Who flushed last, and when.
+    by: u32,
+    since: Micros,
+}
+
+impl Flow {
+    pub fn new(file: &FlowFile, thing: u32) -> Flow {
+        Flow { thing, runs: file.runs_s.map(micros), flows: false, ceases: NEVER, by: 0, since: 0 }
+    }
+
+    pub fn told(&mut self, at: Micros, change: &Change, said: &mut Said) {
+        let Change::Act { resident, thing, on } = *change else { return };
+        if thing != self.thing || (self.runs.is_some() && !on) {
+            return;
+        }
+        // A flush as the last one ends is another.
+        self.due(at, said);
+        if on != self.flows {
+            self.flows = on;
+            said.say(if on { Value::On } else { Value::Off }, Some(resident), at, Why::Act(thing));
+        }
+        if let Some(runs) = self.runs {
+            (self.ceases, self.by, self.since) = (at + runs, resident, at);
+        }
+    }
+
+    pub fn timer(&self) -> Micros {
+        self.ceases
+    }
+
+    pub fn due(&mut self, at: Micros, said: &mut Said) {
+        if self.ceases <= at {
+            (self.flows, self.ceases) = (false, NEVER);
+            said.say(Value::Off, Some(self.by), self.since, Why::Act(self.thing));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::time::SECOND;
+
+    fn said(json: serde_json::Value, acts: &[(Micros, bool)]) -> Vec<(Micros, Value)> {
+        let mut flow = Flow::new(&serde_json::from_value(json).unwrap(), 7);
+        let (mut said, mut messages) = (Said::default(), Vec::new());
+        for &(at, on) in acts.iter().chain(&[(3600 * SECOND, false)]) {
+            if flow.timer() < at {
+                let due = flow.timer();
+                flow.due(due, &mut said);
+                messages.extend(said.0.drain(..).map(|(value, _)| (due, value)));
+            }
+            flow.told(at, &Change::Act { resident: 0, thing: 7, on }, &mut said);
+            messages.extend(said.0.drain(..).map(|(value, _)| (at, value)));
+        }
+        messages
+    }
+
+    #[test]
+    fn a_tap_flows_while_it_is_open() {
+        let messages = said(serde_json::json!({ "name": "f", "on": "sink" }), &[(5, true), (6, true), (9, false)]);
+        assert_eq!(messages, [(5, Value::On), (9, Value::Off)]);
+    }
+
+    #[test]
+    fn a_cistern_fills_by_itself() {
+        let toilet = serde_json::json!({ "name": "f", "on": "toilet", "runs_s": 60 });
+        let on = Value::On;
+        assert_eq!(said(toilet.clone(), &[(0, true), (1, false)]), [(0, on), (60 * SECOND, Value::Off)]);
+        // A flush while it fills makes it longer; one as it ends is another.
+        let twice = [(0, true), (30 * SECOND, true)];
+        assert_eq!(said(toilet.clone(), &twice), [(0, on), (90 * SECOND, Value::Off)]);
+        let after = [(0, on), (60 * SECOND, Value::Off), (60 * SECOND, on), (120 * SECOND, Value::Off)];
+        assert_eq!(said(toilet, &[(0, true), (60 * SECOND, true)]), after);
+    }
+}

@@ -1,0 +1,145 @@
+//! A light meter in a room.
+//!
+//! The device measures illuminance every so often, as those of the CASAS homes do, and says it, in whole lux, when it has
+//! changed by enough.
+//!
+//! We assume that daylight in the room goes with the sine of the sun's height to the power of 1.2, the air between taking more
+//! of a low sun (ours), and that the room's lamp adds always the same. A lamp that is turned on or off is noticed at once.
+//!
+//! It speaks up when what it measures differs from what it last said by more than the given share of that, and by a lux at
+//! least, which is the step of CASAS' own. Its first measurement is always said.
+//!
+//! Left out: clouds, curtains, which way the windows look, light from the next room, twilight, noise.
+
+use super::device::{Change, Rounds, Said, reading};
+use crate::event::Why;
+use crate::home::Sun;
+use crate::random::Stream;
+use crate::scenario::device::LightFile;
+use crate::time::{Micros, micros};
+
+/// The power of the sine of the sun's height (ours).
+const POWER: f64 = 1.2;
+/// What it tells apart at least, in lux.
+const STEP_LUX: f64 = 1.0;
+
+/// A light sensor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Light {
+    /// The room's lamp: index into the home's things.
+    lamp: u32,
+    lamp_on: bool,
+    /// Who turned the lamp since it last measured.
+    by: Option<u32>,
+    daylight_lux: f64,
+    lamp_lux: f64,
+    change: f64,
+    sun: Sun,
+    rounds: Rounds,
+    said_lux: Option<f64>,
+    measures: Micros,
+}
+
+impl Light {
+    pub fn new(file: &LightFile, lamp: u32) -> Light {
+        Light {
+            lamp,
+            lamp_on: false,
+            by: None,
+            daylight_lux: file.daylight_lux,
+            lamp_lux: file.lamp_lux,
+            change: file.change_percent / 100.0,
+            sun: Sun::default(),
+            rounds: Rounds::new(micros(file.every_s)),
+            said_lux: None,
+            measures: 0,
+        }
+    }
+
+    pub fn begin(&self, mut stream: Stream, sun: Sun) -> Light {
+        let rounds = self.rounds.begin(&mut stream);
+        Light { sun, rounds, measures: rounds.first(), ..self.clone() }
+    }
+
+    pub fn told(&mut self, at: Micros, change: &Change) {
+        if let Change::Act { resident, thing, on } = *change
+            && thing == self.lamp
+            && on != self.lamp_on
+        {
+            (self.lamp_on, self.by, self.measures) = (on, Some(resident), at);
+        }
+    }
+
+    pub fn timer(&self) -> Micros {
+        self.measures
+    }
+
+    pub fn due(&mut self, at: Micros, said: &mut Said) {
+        let now = self.lux(at);
+        let by = self.by.take();
+        if self.said_lux.is_none_or(|before| (now - before).abs() > (self.change * before).max(STEP_LUX)) {
+            self.said_lux = Some(libm::round(now));
+            let why = if by.is_some() { Why::Act(self.lamp) } else { Why::Reading };
+            said.say(reading(libm::round(now)), by, at, why);
+        }
+        self.measures = self.rounds.after(at);
+    }
+
+    fn lux(&self, at: Micros) -> f64 {
+        let daylight = self.daylight_lux * libm::pow(self.sun.height(at).max(0.0), POWER);
+        daylight + if self.lamp_on { self.lamp_lux } else { 0.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::event::Value;
+    use crate::time::{DAY, SECOND};
+
+    const HOUR: Micros = 3600 * SECOND;
+
+    fn light() -> Light {
+        let file = serde_json::json!({ "name": "l", "room": "kitchen" });
+        let light = Light::new(&serde_json::from_value(file).unwrap(), 3);
+        // The equinox on the equator: the sun goes straight up and down, from 6 to 18 o'clock.
+        let sun = Sun { day_of_year: 80.0, time_of_day: 0, latitude_deg: 0.0 };
+        Light { sun, ..light }
+    }
+
+    #[test]
+    fn daylight_follows_the_sun() {
+        let light = light();
+        assert_eq!([0, 5 * HOUR, 19 * HOUR].map(|at| light.lux(at)), [0.0; 3]);
+        // Overhead but for the declination of the 22nd of March, cos(0.4 degrees).
+        assert!((light.lux(12 * HOUR) - 400.0).abs() < 0.1);
+        // At 9 it stands at 45 degrees: 400 * 0.7071^1.2 = 263.9.
+        assert!((light.lux(9 * HOUR) - 263.9).abs() < 0.1);
+    }
+
+    #[test]
+    fn it_says_what_has_changed_by_a_fifth_and_the_lamp_at_once() {
+        let mut light = light();
+        let (mut said, mut messages) = (Said::default(), Vec::new());
+        for (at, on) in [(HOUR + 7, true), (HOUR + 7, true), (2 * HOUR, false), (DAY, false)] {
+            while light.timer() < at {
+                let due = light.timer();
+                light.due(due, &mut said);
+                assert!(light.timer() > due);
+                messages.extend(said.0.drain(..).map(|(value, cause)| (due, value, cause.resident)));
+            }
+            light.told(at, &Change::Act { resident: 4, thing: 3, on });
+        }
+        let at_night = [(0, 0, None), (HOUR + 7, 150_000, Some(4)), (2 * HOUR, 0, Some(4))];
+        assert_eq!(messages[..3], at_night.map(|(at, lux, by)| (at, Value::Reading(lux), by)));
+        let lux: Vec<f64> = messages[2..]
+            .iter()
+            .filter_map(
+                |(_, value, _)| if let Value::Reading(said) = value { Some(f64::from(*said) / 1000.0) } else { None },
+            )
+            .collect();
+        assert!(lux.windows(2).all(|pair| (pair[1] - pair[0]).abs() > (0.2 * pair[0]).max(1.0) - 0.5), "{lux:?}");
+        assert!((15..50).contains(&lux.len()), "{lux:?}");
+        assert!(messages.iter().all(|(at, _, by)| by.is_some() || at % (600 * SECOND) == 0));
+    }
+}

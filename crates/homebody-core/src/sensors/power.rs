@@ -1,0 +1,133 @@
+//! A power meter on what draws electricity.
+//!
+//! The device sits between plug and socket: it says whether current flows, and how many watts if it was told what they are.
+//!
+//! We assume that a thing draws always the same while it is on, and always the same while it is off. Each reading while it is on
+//! is off by a normal deviation of 2 per cent (ours).
+//!
+//! An act on its thing that changes how the thing is, is a message, and a reading beside it. While the thing is on, a reading
+//! follows every so often, counted from when it was turned on.
+//!
+//! Left out: the rush of current at first, things that draw more and less by themselves, such as refrigerators.
+
+use super::device::{Change, Said, no_stream, reading};
+use crate::event::{Value, Why};
+use crate::random::Stream;
+use crate::scenario::device::PowerFile;
+use crate::time::{Micros, NEVER, micros};
+
+/// How far readings are off, as a share (ours).
+const NOISE: f64 = 0.02;
+
+/// A power sensor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Power {
+    /// Index into the home's things.
+    thing: u32,
+    on: bool,
+    by: Option<u32>,
+    watts: Option<f64>,
+    standby_watts: f64,
+    every: Option<Micros>,
+    stream: Stream,
+    measures: Micros,
+}
+
+impl Power {
+    pub fn new(file: &PowerFile, thing: u32) -> Power {
+        Power {
+            thing,
+            on: false,
+            by: None,
+            watts: file.watts,
+            standby_watts: file.standby_watts,
+            every: file.readings_every_s.map(micros),
+            stream: no_stream(),
+            measures: NEVER,
+        }
+    }
+
+    pub fn begin(&self, stream: Stream) -> Power {
+        Power { stream, ..self.clone() }
+    }
+
+    pub fn told(&mut self, at: Micros, change: &Change, said: &mut Said) {
+        let Change::Act { resident, thing, on } = *change else { return };
+        if thing != self.thing || on == self.on {
+            return;
+        }
+        // A reading that is due as it is turned off was still one of it on.
+        self.due(at, said);
+        (self.on, self.by) = (on, Some(resident));
+        said.say(if on { Value::On } else { Value::Off }, self.by, at, Why::Act(thing));
+        self.measure(at, said);
+    }
+
+    pub fn timer(&self) -> Micros {
+        self.measures
+    }
+
+    pub fn due(&mut self, at: Micros, said: &mut Said) {
+        if self.measures <= at {
+            self.measure(at, said);
+        }
+    }
+
+    fn measure(&mut self, at: Micros, said: &mut Said) {
+        let Some(watts) = self.watts else { return };
+        let drawn = if self.on { self.stream.normal(watts, NOISE * watts) } else { self.standby_watts };
+        said.say(reading(drawn), self.by, at, Why::Reading);
+        self.measures = self.every.filter(|_| self.on).map_or(NEVER, |every| at + every);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::time::SECOND;
+
+    fn power(json: serde_json::Value) -> Power {
+        Power::new(&serde_json::from_value(json).unwrap(), 1).begin(Stream::named(1, "power"))
+    }
+
+    fn act(on: bool) -> Change {
+        Change::Act { resident: 0, thing: 1, on }
+    }
+
+    #[test]
+    fn without_watts_it_says_on_and_off() {
+        let mut power = power(serde_json::json!({ "name": "p", "on": "TV bench" }));
+        let mut said = Said::default();
+        for (at, on) in [(0, false), (1, true), (2, true), (3, false)] {
+            power.told(at, &act(on), &mut said);
+            assert_eq!(power.timer(), NEVER);
+        }
+        assert_eq!(said.0.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [Value::On, Value::Off]);
+    }
+
+    #[test]
+    fn readings_come_while_it_is_on_and_lie_about_the_watts() {
+        let file = serde_json::json!({ "name": "p", "on": "TV bench", "watts": 100, "standby_watts": 0.5, "readings_every_s": 10 });
+        let mut power = power(file);
+        let mut said = Said::default();
+        power.told(0, &act(true), &mut said);
+        for _ in 0..1000 {
+            let due = power.timer();
+            power.due(due, &mut said);
+            assert_eq!(power.timer(), due + 10 * SECOND);
+        }
+        power.told(power.timer(), &act(false), &mut said);
+        assert_eq!(power.timer(), NEVER);
+        let (last, all) = said.0.split_last().unwrap();
+        assert_eq!((all[0].0, all[all.len() - 1].0, last.0), (Value::On, Value::Off, Value::Reading(500)));
+        let watts: Vec<f64> = all
+            .iter()
+            .filter_map(|(value, _)| if let Value::Reading(mw) = value { Some(f64::from(*mw) / 1000.0) } else { None })
+            .collect();
+        // At once, a thousand times, and as it is turned off.
+        assert_eq!(watts.len(), 1002);
+        let mean = watts.iter().sum::<f64>() / 1002.0;
+        let sd = (watts.iter().map(|watt| (watt - mean) * (watt - mean)).sum::<f64>() / 1002.0).sqrt();
+        assert!((mean - 100.0).abs() < 0.3 && (sd - 2.0).abs() < 0.2, "{mean} {sd}");
+    }
+}

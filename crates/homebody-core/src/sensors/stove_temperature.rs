@@ -1,0 +1,214 @@
+//! A temperature sensor on a stove.
+//!
+//! The device is a thermometer beside the burners that says when the stove is hot and when it has cooled down (Godsey & Skubic
+//! 2009, section III.D, name it and no more).
+//!
+//! We assume that its place warms and cools as one body does by Newton's law: towards 180 degrees Celsius with a time constant of
+//! 240 s while the stove is on, and towards a room of 22 with one of 1,200 s while it is off (all ours). Between two limits it
+//! keeps saying what it said, so that it is `ON` from the instant at which it heats up past the upper one to that at which it
+//! cools down past the lower.
+//!
+//! Between two acts the temperature is target + (start - target) exp(-t / tau), so the instant of a crossing is
+//! tau ln((start - target) / (limit - target)), to the nearest microsecond. A crossing counts as reached when the stove is
+//! turned at that very instant. If asked to, it also measures every so often, and tells what has changed by a degree.
+//!
+//! Left out: several burners, pots, the oven, noise, the room's own temperature.
+
+use super::device::{Change, Rounds, Said, reading};
+use crate::event::{Value, Why};
+use crate::random::Stream;
+use crate::scenario::device::StoveTemperatureFile;
+use crate::time::{Micros, NEVER, micros, seconds};
+
+/// Ours.
+pub const ROOM_C: f64 = 22.0;
+/// Ours: a burner is hot after some minutes.
+const HEATING_S: f64 = 240.0;
+/// Ours: a plate can be touched again after half an hour.
+const COOLING_S: f64 = 1_200.0;
+/// It tells what has changed by this (ours).
+const CHANGE_C: f64 = 1.0;
+
+/// A stove's temperature sensor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StoveTemperature {
+    /// Index into the home's things.
+    thing: u32,
+    hot_c: f64,
+    on_above_c: f64,
+    off_below_c: f64,
+    rounds: Option<Rounds>,
+    /// How the stove is, since when, by whose doing, and how warm it was then.
+    on: bool,
+    since: Micros,
+    by: Option<u32>,
+    start_c: f64,
+    says_on: bool,
+    crossing: Micros,
+    told_c: f64,
+    measures: Micros,
+}
+
+impl StoveTemperature {
+    pub fn new(file: &StoveTemperatureFile, thing: u32) -> StoveTemperature {
+        StoveTemperature {
+            thing,
+            hot_c: file.hot_c,
+            on_above_c: file.on_above_c,
+            off_below_c: file.off_below_c,
+            rounds: file.readings_every_s.map(|every| Rounds::new(micros(every))),
+            on: false,
+            since: 0,
+            by: None,
+            start_c: ROOM_C,
+            says_on: false,
+            crossing: NEVER,
+            told_c: ROOM_C,
+            measures: NEVER,
+        }
+    }
+
+    pub fn begin(&self, mut stream: Stream) -> StoveTemperature {
+        StoveTemperature { rounds: self.rounds.map(|rounds| rounds.begin(&mut stream)), ..self.clone() }
+    }
+
+    pub fn told(&mut self, at: Micros, change: &Change, said: &mut Said) {
+        let Change::Act { resident, thing, on } = *change else { return };
+        if thing != self.thing || on == self.on {
+            return;
+        }
+        self.due(at, said);
+        let start_c = self.temperature_c(at);
+        (self.on, self.since, self.by, self.start_c) = (on, at, Some(resident), start_c);
+        self.crossing = self.next_crossing();
+        self.measures = self.next_measurement(at);
+    }
+
+    pub fn timer(&self) -> Micros {
+        self.crossing.min(self.measures)
+    }
+
+    pub fn due(&mut self, at: Micros, said: &mut Said) {
+        if self.crossing <= at {
+            self.says_on = self.on;
+            self.crossing = NEVER;
+            said.say(if self.on { Value::On } else { Value::Off }, self.by, self.since, Why::Act(self.thing));
+        }
+        if self.measures <= at {
+            let now_c = self.temperature_c(at);
+            if (now_c - self.told_c).abs() >= CHANGE_C {
+                self.told_c = now_c;
+                said.say(reading(now_c), self.by, at, Why::Reading);
+            }
+            self.measures = self.next_measurement(at);
+        }
+    }
+
+    fn target(&self) -> (f64, f64) {
+        if self.on { (self.hot_c, HEATING_S) } else { (ROOM_C, COOLING_S) }
+    }
+
+    fn temperature_c(&self, at: Micros) -> f64 {
+        let (target_c, tau_s) = self.target();
+        target_c + (self.start_c - target_c) * libm::exp(-seconds(at - self.since) / tau_s)
+    }
+
+    /// When it will say something else than it says, as the stove is now.
+    fn next_crossing(&self) -> Micros {
+        let limit_c = match (self.on, self.says_on) {
+            (true, false) => self.on_above_c,
+            (false, true) => self.off_below_c,
+            _ => return NEVER,
+        };
+        let (target_c, tau_s) = self.target();
+        // At most 1, or the limit is behind it already.
+        let share = ((limit_c - target_c) / (self.start_c - target_c)).min(1.0);
+        self.since + micros(-tau_s * libm::log(share))
+    }
+
+    /// When to measure next: in no round if the temperature stays as near to what was told as it is.
+    fn next_measurement(&self, at: Micros) -> Micros {
+        let (target_c, _) = self.target();
+        let far = |c: f64| (c - self.told_c).abs() >= CHANGE_C;
+        let Some(rounds) = self.rounds.filter(|_| far(target_c) || far(self.temperature_c(at))) else { return NEVER };
+        rounds.after(at)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::time::SECOND;
+
+    fn stove(json: serde_json::Value) -> StoveTemperature {
+        let mut file = serde_json::json!({ "name": "stove heat", "on": "stove" });
+        file.as_object_mut().unwrap().extend(json.as_object().unwrap().clone());
+        StoveTemperature::new(&serde_json::from_value(file).unwrap(), 2)
+    }
+
+    /// What it says, and when, if the stove is turned on and off at these instants.
+    fn said(mut stove: StoveTemperature, acts: &[(Micros, bool)], until: Micros) -> Vec<(Micros, Value)> {
+        let mut messages = Vec::new();
+        let mut said = Said::default();
+        for &(at, on) in acts.iter().chain(&[(until, false)]) {
+            while stove.timer() < at {
+                let due = stove.timer();
+                stove.due(due, &mut said);
+                assert!(stove.timer() > due);
+                messages.extend(said.0.drain(..).map(|(value, _)| (due, value)));
+            }
+            stove.told(at, &Change::Act { resident: 0, thing: 2, on }, &mut said);
+            messages.extend(said.0.drain(..).map(|(value, _)| (at, value)));
+        }
+        messages
+    }
+
+    #[test]
+    fn it_crosses_its_limits_when_the_closed_form_says() {
+        // 240 ln(158 / 135) = 37.757 s. After 600 s it is 180 - 158 exp(-2.5) = 167.031 degrees warm, and after
+        // 1,200 ln(145.031 / 16) = 2645.227 s more it is down to 38.
+        let messages = said(stove(serde_json::json!({})), &[(0, true), (600 * SECOND, false)], 7200 * SECOND);
+        assert_eq!(messages.iter().map(|&(_, value)| value).collect::<Vec<_>>(), [Value::On, Value::Off]);
+        assert!((messages[0].0 - 37_756_861).abs() <= 1, "{messages:?}");
+        assert!((messages[1].0 - 3_245_226_992).abs() <= 1, "{messages:?}");
+    }
+
+    #[test]
+    fn a_stove_that_is_turned_off_too_early_says_nothing_and_one_turned_on_again_nothing_new() {
+        assert_eq!(said(stove(serde_json::json!({})), &[(0, true), (37 * SECOND, false)], 7200 * SECOND), []);
+        let again = [(0, true), (600 * SECOND, false), (900 * SECOND, true), (1000 * SECOND, true)];
+        assert_eq!(said(stove(serde_json::json!({})), &again, 1200 * SECOND).len(), 1);
+    }
+
+    #[test]
+    fn a_crossing_at_the_instant_of_an_act_is_said_once_whichever_comes_first() {
+        let crossing = said(stove(serde_json::json!({})), &[(0, true)], 100 * SECOND)[0].0;
+        let mut told_first = stove(serde_json::json!({}));
+        let mut due_first = told_first.clone();
+        let (mut a, mut b) = (Said::default(), Said::default());
+        let act = |on| Change::Act { resident: 0, thing: 2, on };
+        told_first.told(0, &act(true), &mut a);
+        due_first.told(0, &act(true), &mut b);
+        due_first.due(crossing, &mut b);
+        told_first.told(crossing, &act(false), &mut a);
+        due_first.told(crossing, &act(false), &mut b);
+        told_first.due(crossing, &mut a);
+        assert_eq!((a.0.clone(), told_first), (b.0, due_first));
+        assert_eq!(a.0.len(), 1);
+    }
+
+    #[test]
+    fn readings_come_while_it_changes_and_are_a_degree_apart() {
+        let mut stove = stove(serde_json::json!({ "readings_every_s": 30 }));
+        stove.rounds = Some(Rounds::new(30 * SECOND));
+        let messages = said(stove, &[(0, true)], 3600 * SECOND);
+        let readings: Vec<i32> = messages
+            .iter()
+            .filter_map(|&(_, value)| if let Value::Reading(thousandths) = value { Some(thousandths) } else { None })
+            .collect();
+        // 180 - 158 exp(-1 / 8) and 180 - 158 exp(-1 / 4).
+        assert_eq!(readings[..2], [40_565, 56_949]);
+        assert!(readings.windows(2).all(|pair| pair[1] - pair[0] >= 1_000), "{readings:?}");
+        assert!(readings.last().is_some_and(|&last| (179_000..180_000).contains(&last)), "{readings:?}");
+    }
+}

@@ -1,0 +1,148 @@
+//! A thermometer in a room.
+//!
+//! The device measures every so often, and says the temperature, in steps, when it has changed by one.
+//!
+//! We assume that the room's temperature is a mean; and a daily swing, which is at its height three hours after the sun; and a
+//! slow wander, normal with a deviation of 0.4 degrees and a memory that fades with a time constant of 6 hours (all ours).
+//!
+//! The swing is a cosine of the hour. The wander goes on from measurement to measurement: what is left of the last,
+//! exp(-every / 6 h) of it, and as much chance as keeps the deviation (an autoregression of the first order). What is said is
+//! rounded to a step, and said when the temperature is a whole step or more from what was said last. Its first measurement is
+//! always said.
+//!
+//! Left out: seasons, heating and its thermostat, cooking, open windows, other rooms.
+
+use super::device::{Rounds, Said, no_stream, reading};
+use crate::event::Why;
+use crate::home::Sun;
+use crate::random::Stream;
+use crate::scenario::device::TemperatureFile;
+use crate::time::{Micros, SECOND, micros, seconds};
+
+/// Ours.
+const LAG: Micros = 3 * 3600 * SECOND;
+/// Ours.
+const WANDER_C: f64 = 0.4;
+/// Ours.
+const MEMORY_S: f64 = 6.0 * 3600.0;
+
+/// A temperature sensor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Temperature {
+    mean_c: f64,
+    swing_c: f64,
+    step_c: f64,
+    sun: Sun,
+    stream: Stream,
+    rounds: Rounds,
+    wander_c: f64,
+    said_c: Option<f64>,
+    measures: Micros,
+}
+
+impl Temperature {
+    pub fn new(file: &TemperatureFile) -> Temperature {
+        Temperature {
+            mean_c: file.mean_c,
+            swing_c: file.swing_c,
+            step_c: file.step_c,
+            sun: Sun::default(),
+            stream: no_stream(),
+            rounds: Rounds::new(micros(file.every_s)),
+            wander_c: 0.0,
+            said_c: None,
+            measures: 0,
+        }
+    }
+
+    pub fn begin(&self, mut stream: Stream, sun: Sun) -> Temperature {
+        let rounds = self.rounds.begin(&mut stream);
+        let wander_c = stream.normal(0.0, WANDER_C);
+        Temperature { sun, rounds, wander_c, stream, measures: rounds.first(), ..self.clone() }
+    }
+
+    pub fn timer(&self) -> Micros {
+        self.measures
+    }
+
+    pub fn due(&mut self, at: Micros, said: &mut Said) {
+        let now = self.mean_c + self.swing_c * self.sun.noon(at - LAG) + self.wander_c;
+        if self.said_c.is_none_or(|before| (now - before).abs() >= self.step_c) {
+            let told = libm::round(now / self.step_c) * self.step_c;
+            self.said_c = Some(told);
+            said.say(reading(told), None, at, Why::Reading);
+        }
+        let left = libm::exp(-seconds(self.rounds.every()) / MEMORY_S);
+        self.wander_c = left * self.wander_c + self.stream.normal(0.0, WANDER_C * libm::sqrt(1.0 - left * left));
+        self.measures = self.rounds.after(at);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::event::Value;
+    use crate::time::DAY;
+
+    fn thermometer(json: serde_json::Value) -> Temperature {
+        let mut file = serde_json::json!({ "name": "t", "room": "kitchen" });
+        file.as_object_mut().unwrap().extend(json.as_object().unwrap().clone());
+        let sun = Sun { day_of_year: 80.0, time_of_day: 0, latitude_deg: 40.0 };
+        Temperature::new(&serde_json::from_value(file).unwrap()).begin(Stream::named(2, "t"), sun)
+    }
+
+    fn readings(mut device: Temperature, days: Micros) -> Vec<(Micros, f64)> {
+        let (mut said, mut readings) = (Said::default(), Vec::new());
+        while device.timer() < days * DAY {
+            let due = device.timer();
+            device.due(due, &mut said);
+            assert!(device.timer() > due);
+            readings.extend(said.0.drain(..).filter_map(|(value, _)| match value {
+                Value::Reading(thousandths) => Some((due, f64::from(thousandths) / 1000.0)),
+                _ => None,
+            }));
+        }
+        readings
+    }
+
+    #[test]
+    fn it_tells_steps_and_never_the_same_twice() {
+        let readings = readings(thermometer(serde_json::json!({})), 30);
+        assert!(readings.len() > 60, "{} in a month", readings.len());
+        assert!(readings.iter().all(|(_, c)| (c * 2.0).fract() == 0.0 && (19.0..=25.0).contains(c)), "{readings:?}");
+        assert!(readings.windows(2).all(|pair| pair[0].1 != pair[1].1));
+    }
+
+    #[test]
+    fn the_day_swings_and_is_warmest_at_three() {
+        // A swing that dwarfs the wander.
+        let json = serde_json::json!({ "mean_c": 20, "swing_c": 20, "step_c": 0.01 });
+        let readings = readings(thermometer(json), 20);
+        let mean = |hour: i64| {
+            let at_hour = readings.iter().filter(|(at, _)| at / (3600 * SECOND) % 24 == hour);
+            let found: Vec<f64> = at_hour.map(|(_, c)| *c).collect();
+            found.iter().sum::<f64>() / found.len() as f64
+        };
+        // Of the hours around: cos(7.5 degrees) = 0.991, and half of the way between for the quarters.
+        assert!((mean(14) - 39.8).abs() < 0.5 && (mean(15) - 39.8).abs() < 0.5, "{} {}", mean(14), mean(15));
+        assert!((mean(2) - 0.2).abs() < 0.5 && (mean(3) - 0.2).abs() < 0.5, "{} {}", mean(2), mean(3));
+    }
+
+    #[test]
+    fn the_wander_has_its_deviation_and_its_memory() {
+        let mut device = thermometer(serde_json::json!({ "swing_c": 0, "step_c": 0.01 }));
+        let mut wander = Vec::new();
+        for _ in 0..200_000 {
+            let due = device.timer();
+            device.due(due, &mut Said::default());
+            wander.push(device.wander_c);
+        }
+        let product = |lag: usize| {
+            let pairs = wander.iter().zip(&wander[lag..]);
+            pairs.map(|(a, b)| a * b).sum::<f64>() / (wander.len() - lag) as f64
+        };
+        assert!((product(0).sqrt() - WANDER_C).abs() < 0.02, "{}", product(0).sqrt());
+        // After six hours, 24 measurements, 1 / e is left.
+        assert!((product(24) / product(0) - 0.368).abs() < 0.04, "{}", product(24) / product(0));
+    }
+}

@@ -1,0 +1,84 @@
+//! The link: what becomes of messages between their sensors and the logger.
+
+mod faults;
+mod invariants;
+#[path = "../random_home/mod.rs"]
+mod random_home;
+mod statistics;
+
+use homebody_core::event::{Cause, Events, Fact, Firing, Loss, Value, Why};
+use homebody_core::link::Link;
+use homebody_core::scenario::home::SensorFile;
+use homebody_core::scenario::link::LinkFile;
+use homebody_core::time::{Micros, SECOND};
+use serde_json::json;
+
+/// A link as its file says it.
+fn link_file(file: serde_json::Value) -> LinkFile {
+    serde_json::from_value(file).unwrap()
+}
+
+/// Motion sensors of these names.
+fn motion_sensors(names: &[&str]) -> Vec<SensorFile> {
+    let sensor = |name: &&str| json!({ "kind": "motion", "name": name, "at": [0, 0], "facing_deg": 0 });
+    names.iter().map(|name| serde_json::from_value(sensor(name)).unwrap()).collect()
+}
+
+/// What devices say: when, which of them, and what.
+fn said(messages: &[(Micros, u32, Value)]) -> Events {
+    let firing = |(seq, &(at, sensor, value)): (usize, &_)| Firing { seq: seq as u64, at, sensor, value };
+    let cause = |(seq, &(at, ..)): (usize, &(Micros, u32, Value))| {
+        let cause = Cause { resident: Some(0), seen_at: at - 1, why: Why::Movement };
+        Fact::Cause { seq: seq as u64, cause }
+    };
+    Events {
+        firings: messages.iter().enumerate().map(firing).collect(),
+        facts: messages.iter().enumerate().map(cause).collect(),
+    }
+}
+
+/// What the logger gets of messages by `until`, in a run that begins at midnight.
+fn carried(
+    file: serde_json::Value,
+    sensors: &[SensorFile],
+    messages: &[(Micros, u32, Value)],
+    until: Micros,
+) -> Events {
+    let mut link = Link::new(&link_file(file), sensors, 0, 1);
+    let mut events = Events::default();
+    link.carry(&mut said(messages), until, &mut events);
+    events
+}
+
+/// A firing of one sensor every so often, from `every` on.
+fn regular(sensor: u32, every: Micros, count: i64) -> Vec<(Micros, u32, Value)> {
+    (1..=count).map(|index| (index * every, sensor, Value::Fire)).collect()
+}
+
+/// The messages that were lost: when they were sent, of which sensor, and why.
+fn lost(events: &Events) -> Vec<(Micros, u32, Loss)> {
+    let lost = |fact: &Fact| match *fact {
+        Fact::Lost { at, sensor, loss, .. } => Some((at, sensor, loss)),
+        _ => None,
+    };
+    events.facts.iter().filter_map(lost).collect()
+}
+
+/// The share of so many messages that were lost in this way.
+fn share(events: &Events, loss: Loss, messages: usize) -> f64 {
+    lost(events).iter().filter(|(_, _, other)| *other == loss).count() as f64 / messages as f64
+}
+
+/// When firings came, in seconds.
+fn times(events: &Events) -> Vec<f64> {
+    events.firings.iter().map(|firing| firing.at as f64 / SECOND as f64).collect()
+}
+
+/// The causes of the firings, in their order.
+fn causes(events: &Events) -> Vec<Cause> {
+    let cause = |fact: &Fact| match *fact {
+        Fact::Cause { cause, .. } => Some(cause),
+        _ => None,
+    };
+    events.facts.iter().filter_map(cause).collect()
+}

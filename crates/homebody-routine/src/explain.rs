@@ -1,0 +1,423 @@
+//! What was understood of a routine, sentence by sentence: as numbers, and in words.
+
+use crate::fuzzy::Fuzzy;
+use crate::language::activities::phrase;
+use crate::routine::{
+    Chance, Change, Days, Effect, Habit, Moment, PartOfDay, Phase, Response, Routine, Rule, Trigger, When,
+};
+use serde::Serialize;
+
+/// A routine, explained in the order of its file.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Explanation {
+    pub file: String,
+    pub sentences: Vec<Row>,
+}
+
+/// One thing that was understood.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Row {
+    pub line: u32,
+    /// The words it was understood from.
+    pub said: String,
+    pub kind: Kind,
+    /// Who does what, or what changes.
+    pub what: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub place: Option<String>,
+    /// On which days, and how likely on each.
+    pub days: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub probability: Option<f64>,
+    pub when: String,
+    /// Seconds since midnight.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub start: Option<Spread>,
+    /// Seconds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lasts: Option<Spread>,
+    /// From when on, until when.
+    pub phase: String,
+    /// All of it as one sentence.
+    pub in_words: String,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    Person,
+    Habit,
+    Rule,
+    Change,
+}
+
+/// What a fuzzy number comes to when it is drawn from.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Spread {
+    pub least: f64,
+    /// One in twenty is less.
+    pub p5: f64,
+    pub mean: f64,
+    /// One in twenty is more.
+    pub p95: f64,
+    pub most: f64,
+}
+
+impl Spread {
+    fn of(fuzzy: &Fuzzy) -> Spread {
+        Spread { least: fuzzy.low, p5: fuzzy.at(0.05), mean: fuzzy.mean(), p95: fuzzy.at(0.95), most: fuzzy.high }
+    }
+}
+
+pub fn explain(routine: &Routine) -> Explanation {
+    let mut rows: Vec<(u32, Row)> = Vec::new();
+    rows.extend(routine.person.iter().map(|_| (0, person(routine))));
+    rows.extend(routine.habits.iter().map(|habit| (habit.said.column, of_habit(habit))));
+    rows.extend(routine.rules.iter().map(|rule| (rule.said.column, of_rule(rule))));
+    rows.extend(routine.changes.iter().map(|change| (change.said.column, of_change(change))));
+    rows.sort_by_key(|(column, row)| (row.line, *column));
+    Explanation { file: routine.file.clone(), sentences: rows.into_iter().map(|(_, row)| row).collect() }
+}
+
+impl Explanation {
+    /// A table, then every sentence in words.
+    pub fn to_text(&self) -> String {
+        let head = ["line", "what", "on", "when", "lasts", "from"].map(str::to_owned);
+        let lasts =
+            |row: &Row| row.lasts.as_ref().map_or_else(String::new, |lasts| span_words(lasts.least, lasts.most));
+        let cells = |row: &Row| {
+            let what = row.place.as_ref().map_or(row.what.clone(), |place| format!("{} ({place})", row.what));
+            [row.line.to_string(), what, row.days.clone(), row.when.clone(), lasts(row), row.phase.clone()]
+        };
+        let table: Vec<[String; 6]> = std::iter::once(head).chain(self.sentences.iter().map(cells)).collect();
+        let width = |column: usize| table.iter().map(|cells| cells[column].chars().count()).max().unwrap_or(0);
+        let widths: Vec<usize> = (0..6).map(width).collect();
+        let mut text = String::new();
+        for cells in &table {
+            let padded = cells.iter().zip(&widths).map(|(cell, width)| format!("{cell:<width$}", width = *width));
+            text += padded.collect::<Vec<_>>().join("  ").trim_end();
+            text += "\n";
+        }
+        for row in &self.sentences {
+            text += &format!("\n{}:{}: {}\n  {}\n", self.file, row.line, row.said, row.in_words);
+        }
+        text
+    }
+}
+
+fn person(routine: &Routine) -> Row {
+    let person = routine.person.as_ref();
+    let name = person.map_or("", |person| person.name.as_str());
+    let mut facts = Vec::new();
+    if let Some(age) = person.and_then(|person| person.age_years) {
+        facts.push(format!("{} years old", number(age)));
+    }
+    match person.map(|person| person.kind) {
+        Some(crate::routine::Kind::Cat) => facts.push("a cat".into()),
+        Some(crate::routine::Kind::Dog) => facts.push("a dog".into()),
+        _ => {}
+    }
+    if let Some(pace) = person.and_then(|person| person.pace_mps) {
+        facts.push(format!("walks at {} m/s", numbers(pace.low, pace.high)));
+    }
+    Row { in_words: format!("{name}: {}.", facts.join(", ")), ..row(1, name, Kind::Person, facts.join(", ")) }
+}
+
+fn row(line: u32, said: &str, kind: Kind, what: String) -> Row {
+    Row {
+        line,
+        said: said.split_whitespace().collect::<Vec<_>>().join(" "),
+        kind,
+        what,
+        place: None,
+        days: String::new(),
+        probability: None,
+        when: String::new(),
+        start: None,
+        lasts: None,
+        phase: String::new(),
+        in_words: String::new(),
+    }
+}
+
+fn of_habit(habit: &Habit) -> Row {
+    let who = habit.visitor.as_deref().unwrap_or("the person");
+    let what = match &habit.visitor {
+        Some(visitor) => format!("{visitor} {}", phrase(&habit.activity)),
+        None => phrase(&habit.activity),
+    };
+    let start = match &habit.when {
+        When::At(at) => Some(Spread::of(at)),
+        _ => None,
+    };
+    let lasts = habit.lasts.as_ref().map(Spread::of);
+    let times = match habit.times {
+        (1, 1) => String::new(),
+        (least, most) if least == most => format!("{least} times"),
+        (least, most) => format!("{least} to {most} times"),
+    };
+    let when = when_words(&habit.when);
+    let place = habit.place.as_ref().map(|place| format!("at the {place}"));
+    let lasting = habit.lasts.as_ref().map(|lasts| format!("lasts {}", lasts_words(lasts)));
+    let until = habit.until.as_ref().map(|until| format!("until {}", clock_words(until)));
+    let said = [
+        Some(format!("{} {who} {}", days_words(&habit.days, &habit.chance), phrase(&habit.activity))),
+        place,
+        Some(times.clone()),
+        Some(when.clone()),
+        lasting,
+        until.clone(),
+        Some(phase_words(&habit.phase)),
+    ];
+    let short_when = [times, short_when(&habit.when), until.unwrap_or_default()];
+    Row {
+        place: habit.place.clone(),
+        days: short_days(&habit.days, &habit.chance),
+        probability: Some(habit.chance.probability),
+        when: join(short_when.into_iter(), " "),
+        start,
+        lasts,
+        phase: phase_words(&habit.phase),
+        in_words: sentence(said.into_iter().flatten()),
+        ..row(habit.said.line, &habit.said.text, Kind::Habit, what)
+    }
+}
+
+fn of_rule(rule: &Rule) -> Row {
+    let whenever = match &rule.whenever {
+        Trigger::On(thing) => format!("the {thing} has been on or open"),
+        Trigger::At(place) => format!("the person has been at the {place}"),
+        Trigger::Away => "the person has been out".into(),
+        Trigger::InBed => "the person has been in bed".into(),
+    };
+    let response = match &rule.response {
+        Response::Turn { thing, on: true } => format!("goes to the {thing} and turns it on or opens it"),
+        Response::Turn { thing, on: false } => format!("goes to the {thing} and turns it off or closes it"),
+        Response::Do { activity, place, lasts } => {
+            let place = place.as_ref().map(|place| format!("at the {place}"));
+            let lasts = lasts.as_ref().map(|lasts| format!("for {}", lasts_words(lasts)));
+            join([Some(phrase(activity)), place, lasts].into_iter().flatten(), " ")
+        }
+    };
+    let after = lasts_words(&rule.lasts);
+    let chance = format!("with probability {}", number(rule.probability));
+    let said = [format!("whenever {whenever} for {after}, {chance} the person {response}"), phase_words(&rule.phase)];
+    Row {
+        probability: Some(rule.probability),
+        when: format!("whenever {whenever} for {after}"),
+        lasts: Some(Spread::of(&rule.lasts)),
+        days: format!("p {}", number(rule.probability)),
+        phase: phase_words(&rule.phase),
+        in_words: sentence(said.into_iter()),
+        ..row(rule.said.line, &rule.said.text, Kind::Rule, response)
+    }
+}
+
+fn of_change(change: &Change) -> Row {
+    let what = effect_words(&change.effect);
+    let phase = phase_words(&change.phase);
+    Row {
+        in_words: sentence([what.clone(), phase.clone()].into_iter()),
+        phase,
+        ..row(change.said.line, &change.said.text, Kind::Change, what)
+    }
+}
+
+fn effect_words(effect: &Effect) -> String {
+    let factor = |factor: &Fuzzy| format!("{} times", numbers(factor.low, factor.high));
+    let part = |part: &Option<PartOfDay>| part.map_or(String::new(), |part| format!(" ({})", part.word()));
+    match effect {
+        Effect::Shows { condition, severity } => format!("{condition}, at {} times a moderate case", number(*severity)),
+        Effect::Pace(by) => format!("walking speed {}", factor(by)),
+        Effect::PaceEachWeek(by) => format!("walking speed {} m/s more each week", numbers(by.low, by.high)),
+        Effect::Later { activity, by } => shift(&phrase(activity), by, "later", "earlier"),
+        Effect::Longer { activity, factor: by } => format!("{} {} as long", phrase(activity), factor(by)),
+        Effect::LongerBy { activity, by } => shift(&phrase(activity), by, "longer", "shorter"),
+        Effect::Oftener { activity, part: when, factor: by } => {
+            format!("{}{} {} as often", phrase(activity), part(when), factor(by))
+        }
+        Effect::Skips { activity, chance } => {
+            format!("{}: left out on a day with probability {}", phrase(activity), number(*chance))
+        }
+        Effect::Irregular(by) => format!("times and durations vary {} as much", factor(by)),
+        Effect::Active { part: when, factor: by } => {
+            format!("movement while awake at home{} {}", part(when), factor(by))
+        }
+        Effect::Restless(by) => format!("turning in bed {}", factor(by)),
+        Effect::Forgets { thing, chance } => {
+            format!("{thing}: left on or open after use with probability {}", number(*chance))
+        }
+        Effect::Pulse(by) => format!("pulse {} beats a minute more", numbers(by.low, by.high)),
+        Effect::Respiration(by) => format!("breathing {} breaths a minute more", numbers(by.low, by.high)),
+    }
+}
+
+fn shift(what: &str, by: &Fuzzy, more: &str, less: &str) -> String {
+    match by.high <= 0.0 {
+        true => format!("{what} {} {less}", span_words(-by.high, -by.low)),
+        false => format!("{what} {} {more}", span_words(by.low, by.high)),
+    }
+}
+
+const WEEKDAYS: [&str; 7] = ["Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday", "Sunday"];
+const MONTHS: [&str; 12] = [
+    "January",
+    "February",
+    "March",
+    "April",
+    "May",
+    "June",
+    "July",
+    "August",
+    "September",
+    "October",
+    "November",
+    "December",
+];
+
+/// The names whose bits are set, or nothing if all are.
+fn named(bits: u16, names: &[&str]) -> Option<String> {
+    let all = (1_u32 << names.len()) - 1;
+    let set: Vec<&str> = names.iter().enumerate().filter(|(i, _)| bits & 1 << i != 0).map(|(_, name)| *name).collect();
+    (u32::from(bits) & all != all).then(|| set.join(", "))
+}
+
+fn days_words(days: &Days, chance: &Chance) -> String {
+    let mut words = match (named(days.weekdays.into(), &WEEKDAYS), days.every) {
+        (Some(weekdays), 0 | 1) => format!("on each {weekdays}"),
+        (Some(weekdays), every) => format!("on every {every}th day, if it is {weekdays},"),
+        (None, 0 | 1) => "on each day".into(),
+        (None, 2) => "on every other day".into(),
+        (None, every) => format!("on every {every}th day"),
+    };
+    if let Some(months) = named(days.months, &MONTHS) {
+        words += &format!(" in {months}");
+    }
+    words += &format!(" with probability {}", number(chance.probability));
+    if let Some((becomes, by)) = chance.becomes {
+        words += &format!(" at first and {} by {}", number(becomes), moment_words(by));
+    }
+    words + ","
+}
+
+fn short_days(days: &Days, chance: &Chance) -> String {
+    let short = |names: String| names.split(", ").map(|name| &name[..3]).collect::<Vec<_>>().join(" ");
+    let every = if days.every > 1 { format!("every {} days", days.every) } else { String::new() };
+    let becomes = chance.becomes.map_or_else(String::new, |(becomes, _)| format!(" to {}", number(becomes)));
+    let parts = [
+        named(days.weekdays.into(), &WEEKDAYS).map(short).unwrap_or_default(),
+        named(days.months, &MONTHS).map(short).unwrap_or_default(),
+        every,
+        format!("p {}{becomes}", number(chance.probability)),
+    ];
+    join(parts.into_iter(), " ")
+}
+
+fn when_words(when: &When) -> String {
+    let gap = |gap: &Option<Fuzzy>, word: &str| match gap {
+        Some(gap) => format!("{} {word}", lasts_words(gap)),
+        None => format!("right {word}"),
+    };
+    match when {
+        When::AnyTime => "whenever it fits".into(),
+        When::At(at) => format!("start {}", clock_words(at)),
+        When::Within(part) => {
+            let (from, to) = part.hours();
+            format!("start at any time from {} to {}", clock(from), clock(to))
+        }
+        When::After(activity, by) => format!("{} after the person {}", gap(by, "").trim(), phrase(activity)),
+        When::Before(activity, by) => format!("{} before the person {}", gap(by, "").trim(), phrase(activity)),
+        When::With(activity) => format!("as the person begins: {}", phrase(activity)),
+        When::Then => "once the one before is done, and only then".into(),
+    }
+}
+
+fn short_when(when: &When) -> String {
+    match when {
+        When::AnyTime => String::new(),
+        When::At(at) => format!("{}-{}", clock(at.low), clock(at.high)),
+        When::Within(part) => part.word().into(),
+        When::After(activity, _) => format!("after: {}", phrase(activity)),
+        When::Before(activity, _) => format!("before: {}", phrase(activity)),
+        When::With(activity) => format!("with: {}", phrase(activity)),
+        When::Then => "then".into(),
+    }
+}
+
+fn clock_words(at: &Fuzzy) -> String {
+    let spread = Spread::of(at);
+    let most_often = match at.from == at.to {
+        true => format!("{}, ", clock(at.from)),
+        false => String::new(),
+    };
+    let (low, high, mean) = (clock(at.low), clock(at.high), clock(spread.mean));
+    let (p5, p95) = (clock(spread.p5), clock(spread.p95));
+    format!("{most_often}between {low} and {high} (mean {mean}, 5 % before {p5}, 5 % after {p95})")
+}
+
+fn lasts_words(lasts: &Fuzzy) -> String {
+    span_words(lasts.low, lasts.high)
+}
+
+fn span_words(low: f64, high: f64) -> String {
+    let (low, high) = (span(low), span(high));
+    if low == high { low } else { format!("{low} to {high}") }
+}
+
+/// Seconds as hours and minutes.
+fn span(seconds: f64) -> String {
+    let whole = seconds.clamp(0.0, 1e9).round() as u64;
+    match (whole / 3600, whole / 60 % 60, whole % 60) {
+        (0, 0, seconds) => format!("{seconds} s"),
+        (0, minutes, 0) => format!("{minutes} min"),
+        (0, minutes, seconds) => format!("{minutes} min {seconds} s"),
+        (hours, 0, _) => format!("{hours} h"),
+        (hours, minutes, _) => format!("{hours} h {minutes} min"),
+    }
+}
+
+/// Seconds since midnight as a clock shows them.
+fn clock(seconds: f64) -> String {
+    let minutes = (seconds / 60.0).round() as i64;
+    let of_day = minutes.rem_euclid(24 * 60);
+    let next = if minutes > 24 * 60 { " the next day" } else { "" };
+    let hours = if minutes == 24 * 60 { 24 } else { of_day / 60 };
+    format!("{hours:02}:{:02}{next}", of_day % 60)
+}
+
+fn phase_words(phase: &Phase) -> String {
+    let days = |days: f64| format!("{} days", number(days));
+    let over = (phase.over_days > 0.0).then(|| format!("fully there after {}", days(phase.over_days)));
+    let fading = (phase.fading_days > 0.0).then(|| format!("gone after {} more", days(phase.fading_days)));
+    let from = phase.from.map(|from| format!("from {}", moment_words(from)));
+    let until = phase.until.map(|until| format!("until the beginning of {}", moment_words(until)));
+    join([from, over, until, fading].into_iter().flatten(), ", ")
+}
+
+fn moment_words(moment: Moment) -> String {
+    match moment {
+        Moment::Day(day) => format!("day {}", i64::from(day) + 1),
+        Moment::Date(year, month, day) => format!("{year:04}-{month:02}-{day:02}"),
+    }
+}
+
+fn numbers(low: f64, high: f64) -> String {
+    let (low, high) = (number(low), number(high));
+    if low == high { low } else { format!("{low} to {high}") }
+}
+
+/// At most three digits after the point.
+fn number(value: f64) -> String {
+    let rounded = (value * 1000.0).round() / 1000.0 + 0.0;
+    rounded.to_string()
+}
+
+fn join(parts: impl Iterator<Item = String>, between: &str) -> String {
+    parts.filter(|part| !part.is_empty()).collect::<Vec<_>>().join(between)
+}
+
+fn sentence(parts: impl Iterator<Item = String>) -> String {
+    let text = join(parts, "; ").replace(",;", ",");
+    let mut chars = text.chars();
+    chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).chain(['.']).collect())
+}

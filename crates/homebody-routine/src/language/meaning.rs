@@ -1,0 +1,143 @@
+//! What the adverbs of a sentence come to: days, a time of day, a phase.
+
+use super::adverbs::{Adverbs, Slot};
+use super::reader::Reader;
+use super::times::{self, DAY_S};
+use super::words::Span;
+use crate::fuzzy::Fuzzy;
+use crate::routine::{Days, Moment, PartOfDay, Phase, When};
+
+impl Adverbs {
+    /// Takes over from a heading what this sentence does not say itself.
+    pub fn under(mut self, heading: &Adverbs) -> Adverbs {
+        fn or<T: Clone>(own: &mut Option<Slot<T>>, heading: &Option<Slot<T>>) {
+            if own.is_none() {
+                *own = heading.clone().map(|slot| Slot { own: false, ..slot });
+            }
+        }
+        let says_part = self.part.is_some();
+        if !says_part {
+            or(&mut self.when, &heading.when);
+        }
+        or(&mut self.part, &heading.part);
+        if self.weekdays.is_none() && self.every.is_none() {
+            or(&mut self.every, &heading.every);
+            or(&mut self.weekdays, &heading.weekdays);
+        }
+        or(&mut self.chance, &heading.chance);
+        or(&mut self.months, &heading.months);
+        or(&mut self.lasts, &heading.lasts);
+        or(&mut self.until_time, &heading.until_time);
+        or(&mut self.times, &heading.times);
+        or(&mut self.from, &heading.from);
+        if self.until.is_none() && self.for_days.is_none() {
+            or(&mut self.until, &heading.until);
+            or(&mut self.for_days, &heading.for_days);
+        }
+        or(&mut self.over, &heading.over);
+        or(&mut self.fading, &heading.fading);
+        self
+    }
+
+    pub fn days_meant(&self) -> Days {
+        Days {
+            weekdays: self.weekdays.as_ref().map_or(Days::ALL.weekdays, |slot| slot.value),
+            months: self.months.as_ref().map_or(Days::ALL.months, |slot| slot.value),
+            every: self.every.as_ref().map_or(Days::ALL.every, |slot| slot.value),
+        }
+    }
+
+    /// At what time of the day, with times after midnight counted on where they belong to the night before.
+    pub fn time_meant(&self, is_bedtime: bool) -> When {
+        let at_night = self.part.as_ref().is_some_and(|slot| slot.value == PartOfDay::Night);
+        let next_day = |at: &Fuzzy| (at_night && at.from < 9.0 * 3600.0) || (is_bedtime && at.from < 6.0 * 3600.0);
+        match (&self.when, &self.part) {
+            (Some(Slot { value: When::At(at), .. }), _) if next_day(at) => When::At(at.map(|at| at + DAY_S)),
+            (Some(when), _) => when.value.clone(),
+            (None, Some(part)) => When::Within(part.value),
+            (None, None) => When::AnyTime,
+        }
+    }
+
+    /// Until when: after midnight if it begins in the evening before.
+    pub fn until_meant(&self, when: &When) -> Option<Fuzzy> {
+        let until = self.until_time.as_ref()?.value;
+        match when {
+            When::At(at) if until.from <= at.from && (until.from < 9.0 * 3600.0 || at.from > DAY_S) => {
+                Some(until.map(|until| until + DAY_S))
+            }
+            _ => Some(until),
+        }
+    }
+
+    pub fn phase_meant(&self, reader: &mut Reader, is_condition: bool) -> Phase {
+        let from = self.from.as_ref().map(|slot| slot.value);
+        if let (Some(over), None, false) = (&self.over, from, is_condition) {
+            let hint = "write \"From week 6, over 4 weeks, ...\"".to_owned();
+            reader.fault(over.span, "it is not said from when the change begins", hint);
+        }
+        let days = self.for_days.as_ref().map(|slot| slot.value as i32);
+        let until = self.until.as_ref().map(|slot| slot.value);
+        let until = until.or(days.map(|days| times::later(from.unwrap_or(Moment::Day(0)), days)));
+        if let (Some(fading), None) = (&self.fading, until) {
+            let hint = "write \"until day 100, fading over 2 weeks\"".to_owned();
+            reader.fault(fading.span, "it is not said until when it lasts before it fades", hint);
+        }
+        let days = |slot: &Option<Slot<f64>>| slot.as_ref().map_or(0.0, |slot| slot.value);
+        Phase { from, over_days: days(&self.over), until, fading_days: days(&self.fading) }
+    }
+
+    /// The parts of the sentence that these kinds cannot have, as places.
+    pub fn spans(&self, kinds: &[Kind]) -> Vec<Span> {
+        fn own<T>(slot: &Option<Slot<T>>) -> Option<Span> {
+            slot.as_ref().filter(|slot| slot.own).map(|slot| slot.span)
+        }
+        let span = |kind: &Kind| match kind {
+            Kind::Chance => own(&self.chance),
+            Kind::Weekdays => own(&self.weekdays),
+            Kind::Months => own(&self.months),
+            Kind::Every => own(&self.every),
+            Kind::Part => own(&self.part),
+            Kind::When => own(&self.when),
+            Kind::Lasts => own(&self.lasts),
+            Kind::UntilTime => own(&self.until_time),
+            Kind::Times => own(&self.times),
+            Kind::Phase => {
+                own(&self.from).or(own(&self.until)).or(own(&self.for_days)).or(own(&self.over)).or(own(&self.fading))
+            }
+        };
+        let mut spans: Vec<Span> = kinds.iter().filter_map(span).collect();
+        spans.dedup();
+        spans
+    }
+}
+
+/// What a part of a sentence says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    Chance,
+    Weekdays,
+    Months,
+    Every,
+    Part,
+    When,
+    Lasts,
+    UntilTime,
+    Times,
+    Phase,
+}
+
+impl Kind {
+    pub const ALL: [Kind; 10] = [
+        Kind::Chance,
+        Kind::Weekdays,
+        Kind::Months,
+        Kind::Every,
+        Kind::Part,
+        Kind::When,
+        Kind::Lasts,
+        Kind::UntilTime,
+        Kind::Times,
+        Kind::Phase,
+    ];
+}

@@ -1,0 +1,104 @@
+//! The nights of somebody who lives by a routine: going to bed, falling asleep, waking now and then, getting up.
+
+use super::agenda::{self, Agenda, Item};
+use super::driver::{MINUTE, RoutineDriver};
+use super::manner::Manner;
+use super::places::Role;
+use super::script::{May, Stay, Step};
+use crate::routine::Activity;
+use homebody_core::drivers::Next;
+use homebody_core::event::Vitals;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, micros};
+use std::collections::VecDeque;
+
+impl RoutineDriver {
+    pub(super) fn go_to_bed(&mut self, now: Micros) {
+        self.next_item = self.agenda.items.len();
+        let bathroom = Activity::UseBathroom.usual_minutes();
+        let lasts = self.life.stream_of_day(self.agenda.day, "before bed").lognormal(bathroom.0 * 60.0, 0.4);
+        self.begin(&Item::now("before bed".into(), Activity::UseBathroom, micros(lasts)));
+        self.sleep(now, false);
+        // The night comes after: it has not begun, so there is nowhere to go back to.
+        self.scripts.reverse();
+    }
+
+    /// The night: falling asleep, waking now and then, getting up.
+    pub(super) fn sleep(&mut self, now: Micros, already: bool) {
+        let mut stream = self.life.stream_of_day(self.agenda.day, "night");
+        let tomorrow = self.agenda.day + 1;
+        let up = agenda::up(&self.life, tomorrow, &self.life.mood(tomorrow)).max(now + MINUTE);
+        // A change that begins tomorrow does not touch tonight's wakings.
+        let usual_up = agenda::up(&self.life, tomorrow, &self.mood);
+        let stay = |manner, left, until| {
+            Step::Stay(Stay { posture: Posture::Lying, manner, left, until, may: May::Interrupt })
+        };
+        let mut steps = VecDeque::new();
+        let mut asleep = now;
+        if !already {
+            steps.push_back(Step::Name(Activity::GoToBed.name()));
+            steps.extend(self.places.of(Role::Bed).cloned().map(Step::Go));
+            let sitting = micros(stream.lognormal(75.0, 0.4));
+            let turning = Stay {
+                posture: Posture::Sitting,
+                manner: Manner::TURNING,
+                left: sitting,
+                until: Some(up),
+                may: May::Nothing,
+            };
+            steps.push_back(Step::Stay(turning));
+            steps.push_back(Step::LieDown);
+            // Falling asleep takes 19.7 (SD 11) minutes (polysomnography at 73.9 years).
+            let latency = micros(stream.gamma(3.2, 19.7 * 60.0));
+            steps.push_back(stay(Manner::AWAKE_IN_BED, latency, Some(up)));
+            asleep += sitting + latency;
+        } else {
+            steps.push_back(Step::LieDown);
+        }
+        // Awake for about ten minutes at a time.
+        let awake_min = self.life.constitution.awake_min * self.mood.restless;
+        let mut wakings: Vec<f64> = (0..stream.poisson(awake_min / 10.0)).map(|_| stream.unit()).collect();
+        wakings.sort_by(f64::total_cmp);
+        for share in wakings {
+            let at = asleep + ((usual_up - asleep).max(0) as f64 * share) as Micros;
+            steps.push_back(Step::Name("sleeping".into()));
+            steps.push_back(stay(Manner::ASLEEP, Micros::MAX / 4, Some(at)));
+            steps.push_back(Step::Name(Activity::LieAwake.name()));
+            steps.push_back(stay(Manner::AWAKE_IN_BED, micros(stream.gamma(2.0, 600.0)), Some(up)));
+        }
+        steps.push_back(Step::Name("sleeping".into()));
+        steps.push_back(stay(Manner::ASLEEP, Micros::MAX / 4, Some(up)));
+        steps.push_back(Step::Wake);
+        self.play(steps, stream, "sleeping".into());
+    }
+
+    pub(super) fn lie_down(&mut self, now: Micros) {
+        self.needs.sleeping(now, &self.mood);
+        self.put_out_the_lamp(now);
+        self.watches.lie_down(now, &self.life);
+        let mut stream = self.life.stream_of_day(self.agenda.day, "vitals");
+        let body = &self.life.constitution;
+        self.ready.push_back(Next::Vitals(Vitals {
+            pulse: body.pulse + self.mood.pulse + stream.normal(0.0, 2.0),
+            respiration: body.respiration + self.mood.respiration + stream.normal(0.0, 0.5),
+        }));
+    }
+
+    /// The next day begins.
+    pub(super) fn wake(&mut self, now: Micros) {
+        let day = self.agenda.day + 1;
+        self.mood = self.life.mood(day);
+        self.agenda = Agenda::of(&self.life, day, &self.mood);
+        (self.next_item, self.next_break, self.begun) = (0, 0, 0);
+        self.next_break = self.agenda.breaks.partition_point(|item| item.start < now);
+        self.tell_conditions();
+        self.needs.waking(now, &self.mood);
+        self.needs.wake(now);
+        self.watches.wake(day, &self.life);
+        // On top of the night's script, which ends with this.
+        let bathroom = micros(self.life.stream_of_day(day, "first thing").lognormal(300.0, 0.5));
+        self.begin(&Item::now("first thing".into(), Activity::UseBathroom, bathroom));
+        let rising = micros(self.life.stream_of_day(day, "rising").lognormal(120.0, 0.4));
+        self.begin(&Item::now("rising".into(), Activity::GetUp, rising));
+    }
+}

@@ -1,0 +1,56 @@
+//! Those who come to visit: out until a visit that the routine of whom they visit has planned, then at the door, on a seat, and
+//! out again.
+
+use super::agenda::Agenda;
+use super::driver::{MINUTE, RoutineDriver};
+use super::manner::Manner;
+use super::places::Role;
+use super::script::{May, Stay, Step};
+use homebody_core::drivers::{Move, Next};
+use homebody_core::event::Doing;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, SECOND};
+use std::collections::VecDeque;
+
+impl RoutineDriver {
+    /// A visitor is out until the next visit.
+    pub(super) fn await_visit(&mut self, now: Micros) {
+        let name = self.visitor.clone();
+        for _ in 0..400 {
+            let visit =
+                self.agenda.items.iter().skip(self.next_item).position(|item| item.visitor == name && item.start > now);
+            if let Some(visit) = visit {
+                self.next_item += visit + 1;
+                return self.come_to_visit(self.next_item - 1);
+            }
+            let day = self.agenda.day + 1;
+            self.mood = self.life.mood(day);
+            self.agenda = Agenda::of(&self.life, day, &self.mood);
+            self.next_item = 0;
+        }
+        let end = now.saturating_add(30 * 1440 * MINUTE);
+        self.ready.push_back(Next::Move(Move { begin: now, end, doing: Doing::Away, posture: Posture::Standing }));
+    }
+
+    pub(super) fn come_to_visit(&mut self, item: usize) {
+        let item = self.agenda.items[item].clone();
+        let stream = self.life.stream_of_day(self.agenda.day, &format!("{}/visitor", item.key));
+        let door = self.places.of(Role::FrontDoor).cloned();
+        if let Some(door) = &door {
+            self.body.place(door.clone(), Posture::Standing);
+        }
+        let talk =
+            |posture, left| Step::Stay(Stay { posture, manner: Manner::TALKING, left, until: None, may: May::Nothing });
+        let mut steps = VecDeque::from([Step::Away { lasts: 0, until: Some(item.start + 20 * SECOND) }]);
+        steps.push_back(Step::Name("visiting".into()));
+        steps.push_back(talk(Posture::Standing, 40 * SECOND));
+        if let Some(seat) = self.places.of(Role::GuestSeat) {
+            steps.push_back(Step::Go(seat.clone()));
+            steps.push_back(talk(seat.posture, item.lasts));
+        }
+        steps.extend(door.map(Step::Go));
+        steps.push_back(talk(Posture::Standing, 40 * SECOND));
+        steps.push_back(Step::Name("away".into()));
+        self.play(steps, stream, "visiting".into());
+    }
+}

@@ -1,0 +1,347 @@
+//! What is wrong is said by name, at the very words, with what could be written instead.
+
+mod home;
+
+use home::{home, problems, understood};
+use homebody_core::problem::Problems;
+use homebody_routine::language::condition;
+
+/// The text has one problem, which underlines these words and says this; the hint says that.
+#[track_caller]
+fn refused(text: &str, underlined: &str, what: &str, hint: &str) {
+    let found = problems(text);
+    let shown = Problems(found.clone()).render();
+    assert_eq!(found.len(), 1, "{text}\n{shown}");
+    let excerpt = found[0].excerpt.as_ref().expect("an excerpt");
+    let width = excerpt.text.chars().skip(excerpt.before as usize).take(excerpt.width as usize);
+    assert_eq!(width.collect::<String>(), underlined, "{shown}");
+    assert!(found[0].what.contains(what), "{what}\n{shown}");
+    assert!(found[0].hint.as_deref().unwrap_or_default().contains(hint), "{hint}\n{shown}");
+}
+
+#[test]
+fn an_unknown_verb() {
+    let known = "did you mean \"watches television\"? A new activity needs a place and a duration";
+    refused("She wtches television at 7 pm.", "wtches television", "is nothing that Homebody knows how to do", known);
+    refused("She wtches television in the armchair for 1 hour.", "wtches television", "is nothing", known);
+    refused("She knits.", "knits", "is nothing", "she knits in the armchair for 1 hour");
+    refused("She knits in the armchair.", "knits", "is nothing", "a new activity needs a place and a duration");
+    refused("She does not sew.", "sew", "is nothing", "");
+}
+
+#[test]
+fn an_unknown_place() {
+    refused("She reads in the armchiar.", "armchiar", "is no place of this home", "did you mean \"armchair\"?");
+    refused("She has lunch on the roof.", "roof", "is no place of this home", "there are \"armchair\"");
+    refused("She knits on the balcony for 1 hour.", "balcony", "is no place of this home", "");
+    refused("She goes to the batroom.", "batroom", "is no place", "did you mean \"bathroom\"?");
+}
+
+#[test]
+fn an_unknown_room_of_a_rule() {
+    let text = "Whenever she has been in the batroom for 20 minutes, she goes to bed.";
+    refused(text, "batroom", "is no place of this home", "did you mean \"bathroom\"?");
+}
+
+#[test]
+fn an_unknown_thing() {
+    refused("She forgets the oven on 5 % of occasions.", "oven", "is nothing that this home has", "\"stove\"");
+    let text = "Whenever the stve has been on for 20 minutes, she turns it off.";
+    refused(text, "stve", "is nothing that this home has", "did you mean \"stove\"?");
+}
+
+#[test]
+fn an_unknown_condition() {
+    refused("She shows mild depresion.", "depresion", "is no condition", "did you mean \"depression\"?");
+    refused("She shows gout.", "gout", "is no condition", "\"heart-failure\"");
+}
+
+#[test]
+fn an_unknown_person() {
+    refused("Robert is 80.", "Robert", "this routine is about \"Margaret\", not about \"Robert\"", "");
+    refused("Robert gets up at 7:00.", "Robert", "this routine is about \"Margaret\"", "");
+    refused("Margret is 82.", "Margret", "not about \"Margret\"", "did you mean \"Margaret\"?");
+}
+
+#[test]
+fn an_unknown_visitor() {
+    refused("Anna visits on Sunday.", "Anna", "is nobody that this routine knows", "her daughter visits");
+    refused("Her daughter cooks dinner.", "Her daughter", "a visitor only visits", "her daughter visits on Sunday");
+    refused("Her cat sleeps.", "Her cat", "is not understood", "her daughter visits");
+    refused("The stove is hot.", "The stove", "does nothing by itself", "she forgets the stove rarely");
+}
+
+#[test]
+fn an_unknown_word() {
+    refused("She reads abuot 7:30.", "abuot", "is not understood here", "did you mean \"about\"?");
+    refused("Evry day she reads.", "Evry", "is not understood here", "did you mean \"every\"?");
+    refused("She reads quickly.", "quickly", "is not understood here", "expected where, when");
+    refused("She reads @ noon.", "@", "is not understood here", "");
+    refused("She reads 2 hours.", "2", "is not understood here", "write \"for 2 hours\"");
+    refused("She gets up later.", "later", "is not understood here", "say by how much");
+    refused("In the first week she reads.", "In the first", "is not understood here", "from week 6");
+    refused("She is happy.", "happy", "is not understood here", "is 30 % less active");
+}
+
+#[test]
+fn an_impossible_time() {
+    for time in ["25:00", "7:75", "14 am", "24:01", "99999999999:00", "6.45"] {
+        refused(&format!("She gets up at {time}."), time, "there is no time", "");
+    }
+    refused("She gets up at 6.45.", "6.45", "there is no time", "06:45");
+}
+
+#[test]
+fn a_time_that_may_be_of_two_halves_of_the_day() {
+    refused("She gets up at 7.", "7", "not clear which time of day", "write \"7 am\" or \"7 pm\"");
+    refused("She gets up at 7 o'clock.", "7 o'clock", "not clear", "7 am");
+    understood("She gets up at 7 in the morning.");
+}
+
+#[test]
+fn a_time_outside_its_part_of_the_day() {
+    refused("In the morning she reads at 20:00.", "at 20:00", "is not in the morning", "");
+}
+
+#[test]
+fn a_time_that_is_left_open() {
+    refused("She reads after 20:00.", "after 20:00", "leaves open when", "between 20:00 and 22:00");
+}
+
+#[test]
+fn no_duration_or_more_than_a_day() {
+    refused("She reads for 0 minutes.", "0 minutes", "is no time at all", "");
+    refused("She reads for 25 hours.", "25 hours", "is more than a day", "");
+    refused("She reads for -5 minutes.", "-5 minutes", "is no length of time", "");
+    refused("She reads for 3 beats.", "3 beats", "is no length of time", "");
+}
+
+#[test]
+fn a_range_upside_down() {
+    refused("She reads for 3 to 2 hours.", "3 to 2 hours", "is upside down", "smaller");
+    refused("She reads between 16:00 and 14:00.", "16:00 and 14:00", "is upside down", "earlier");
+    refused("She reads at 20:00 until 19:00.", "until 19:00", "before it begins", "");
+}
+
+#[test]
+fn more_than_all() {
+    refused("She reads on 130 % of days.", "130 %", "is more than all", "at most 100 %");
+    refused("She walks 120 % slower.", "120 %", "nothing can be", "at most 100 %");
+    refused("She reads on 0 % of days.", "0 %", "never happens", "");
+    refused("She reads on 8 days a week.", "8 days", "a week has no", "");
+}
+
+#[test]
+fn a_quantifier_where_none_fits() {
+    refused("She is often 82.", "often", "does not fit here", "leave it out");
+    refused("She often shows depression.", "often", "does not fit here", "");
+    refused("She is almost never from week 6.", "is almost never from week 6", "leaves open how", "");
+}
+
+#[test]
+fn two_quantifiers() {
+    refused("Often she sometimes reads.", "sometimes", "\"sometimes\" comes after \"Often\": both say how often", "");
+    refused("Every day she rarely reads.", "rarely", "both say how often", "");
+}
+
+#[test]
+fn two_of_a_kind() {
+    refused("She reads at 7:30 at 8:30.", "at 8:30", "both say at which time", "");
+    refused("She reads for 20 minutes for 30 minutes.", "for 30 minutes", "both say how long", "");
+    refused("She reads for 1 hour until 19:00.", "until 19:00", "both say when it ends", "");
+    refused("She reads on the sofa in the armchair.", "in the armchair", "is a second place", "");
+    refused("She is 82. She is 83.", "is 83", "has been said differently before", "");
+}
+
+#[test]
+fn two_times_of_getting_up_on_the_same_day() {
+    let text = "She gets up at 7:00.\nOn Sunday she gets up at 9:00.";
+    refused(text, "gets up", "at two times of the same day: line 1", "on weekdays");
+    understood("From Monday to Saturday she gets up at 7:00.\nOn Sunday she gets up at 9:00.");
+    understood("Until day 50 she gets up at 7:00.\nFrom day 50 she gets up at 9:00.");
+    understood("Often she gets up at 7:00.\nSometimes she gets up at 9:00.");
+}
+
+#[test]
+fn getting_up_more_than_once() {
+    refused("She gets up twice a night.", "twice a night", "a day begins and ends once", "goes to the bathroom");
+    refused("At night she gets up.", "At night", "a day begins and ends once", "wanders");
+}
+
+#[test]
+fn bed_before_getting_up() {
+    let text = "She gets up at 7:00.\nShe goes to bed at 6:30.";
+    refused(text, "goes to bed", "before she gets up, by line 1", "22:30");
+    understood("She gets up at 7:00.\nShe goes to bed at 0:30.");
+}
+
+#[test]
+fn coming_home_without_leaving() {
+    refused("She comes home at 12:00.", "comes home", "no sentence says that she leaves", "");
+}
+
+#[test]
+fn an_order_that_goes_in_a_circle() {
+    let text = "She reads after lunch.\nShe eats lunch after she reads.";
+    let found = problems(text);
+    assert_eq!(found.len(), 2);
+    assert!(found[0].what.contains("this waits for line 2, and line 2 for this"), "{}", found[0].what);
+    assert!(found[1].what.contains("this waits for line 1"), "{}", found[1].what);
+    refused("She reads after she reads.", "reads", "goes in a circle", "");
+}
+
+#[test]
+fn something_after_what_is_never_done() {
+    refused("She reads after lunch.", "reads", "no sentence says that she eats lunch", "she eats lunch at about 12:00");
+}
+
+#[test]
+fn then_with_nothing_before_it() {
+    refused("Then she reads.", "Then", "\"then\" has nothing before it", "");
+}
+
+#[test]
+fn a_rule_that_never_comes_true() {
+    let text = "Whenever the stove has been on for 20 minutes, she turns it off.";
+    refused(text, "the stove has been on", "this never comes true", "she prepares breakfast");
+    understood(&format!("She cooks lunch.\n{text}"));
+    let text = "Whenever she has been out for 4 hours, she takes a nap.";
+    refused(text, "she has been out", "this never comes true", "");
+    refused(&format!("She goes out for 1 hour.\n{text}"), "for 4 hours", "she is never out for so long", "");
+    understood(&format!("She goes out for 4 hours.\n{text}"));
+}
+
+#[test]
+fn a_rule_that_always_comes_true() {
+    let text = "She cooks lunch.\nWhenever the stove has been on for 0 minutes, she turns it off.";
+    refused(text, "0 minutes", "this would always be so", "for 20 minutes");
+}
+
+#[test]
+fn a_rule_longer_than_a_day() {
+    let text = "Whenever she has been in bed for 30 hours, she gets up.";
+    refused(text, "30 hours", "is more than a day", "");
+}
+
+#[test]
+fn a_rule_that_is_not_complete() {
+    let cook = |rule: &str| format!("She cooks lunch.\n{rule}");
+    refused(&cook("Whenever the stove is on, she turns it off."), ",", "it is not said for how long", "");
+    let text = cook("Whenever the stove has been on for 20 minutes, turns it off.");
+    refused(&text, "turns", "it is not said who does this", "");
+    refused(&cook("Whenever the stove has been hot."), "hot", "it is not said how the stove is", "has been on");
+    let text = "Whenever she has been in bed for 10 hours, she turns it off.";
+    refused(text, "it", "it is not clear what \"it\" is", "name the thing");
+    let text = "Whenever she has been in bed for 10 hours, her daughter visits.";
+    refused(text, "her daughter", "does not live here", "");
+    refused("Whenever she reads", "reads", "it is not said where she is", "");
+}
+
+#[test]
+fn a_phase_that_ends_before_it_begins() {
+    refused("From week 6 to week 2 she shows depression.", "to week 2", "is not after it begins", "");
+    refused("From 2009-05-01 to 2009-04-01 she reads.", "to 2009-04-01", "is not after it begins", "");
+    refused("From day 100 until 2009-04-01 she reads.", "until 2009-04-01", "is not after it begins", "");
+    refused("From day 0 she reads.", "day 0", "there is no \"day 0\"", "the first is day 1");
+    let text = "From week 6 she reads rarely at first, often by week 2.";
+    refused(text, "rarely at first, often by week 2", "changes before it begins", "a later day");
+    refused("From March she reads.", "March", "not clear from which day", "2009-03-01");
+    refused("From 2009-02-30 she reads.", "2009-02-30", "there is no such date", "2009-05-01");
+}
+
+#[test]
+fn a_change_over_a_time_without_a_beginning() {
+    refused("Over 4 weeks she shows depression.", "Over 4 weeks", "not said from when", "From week 6, over 4 weeks");
+    refused("She shows depression, fading over 2 weeks.", "fading over 2 weeks", "not said until when", "");
+}
+
+#[test]
+fn a_change_said_of_some_days_only() {
+    refused("On Tuesday she walks 10 % slower.", "On Tuesday", "does not fit here", "");
+    refused("She gets up 1 hour later on Sunday.", "on Sunday", "does not fit here", "");
+    refused("She gets up 1 hour later in the kitchen.", "in the kitchen", "does not fit here", "");
+}
+
+#[test]
+fn a_change_that_may_mean_two_things() {
+    refused("She watches television 30 % more.", "30 % more", "may mean more often or for longer", "30 % longer");
+    refused("She walks.", "walks", "leaves open how", "walks 10 % slower");
+    refused("She sleeps.", "sleeps", "leaves open how", "30 % more restlessly");
+    refused("She eats.", "eats", "it is not clear what \"eats\" is about", "breakfast");
+}
+
+#[test]
+fn how_often_is_not_said_where_it_is_needed() {
+    refused("She skips lunch.", "skips lunch", "it is not said how often", "she skips lunch on 30 % of days");
+    refused("She forgets the stove.", "forgets the stove", "it is not said how often", "on 5 % of occasions");
+    refused("She reads often at first.", "first", "\"at first\" needs how often it is later", "often by day 160");
+    refused("She reads rarely at first, often.", "often", "it is not said by when", "often by day 160");
+}
+
+#[test]
+fn headings_and_indents() {
+    refused("  she reads", "she reads", "no heading stands above it", "Every day");
+    refused("Every day\nshe reads", "Every day", "nothing stands below this heading", "indent");
+    refused("Every day\n  in the morning", "in the morning", "nothing is done in this sentence", "");
+}
+
+#[test]
+fn a_sentence_that_is_not_complete() {
+    refused("She", "She", "ends before it says what is done", "");
+    refused("Gets up at 7:00.", "Gets up", "it is not said who does this", "she gets up");
+    refused("She gets up and gets dressed.", "and", "more than one sentence can say", "then");
+}
+
+#[test]
+fn a_condition_is_about_nobody_in_particular() {
+    let problem = |text: &str| condition("x.routine", text, &home()).1.remove(0).what;
+    assert!(problem("Margaret is 82.").contains("about nobody in particular, not about \"Margaret\""));
+    assert!(problem("She is 82.").contains("about nobody in particular"));
+    let text =
+        "# A moderate case.\nThe person walks 10 % slower.\nShe skips lunch on 30 % of days.\nShe shows depression.";
+    assert_eq!(condition("x.routine", text, &home()).1, []);
+    assert_eq!(condition("x.routine", "Over 3 weeks they read after lunch for 1 hour.", &home()).1, []);
+}
+
+#[test]
+fn all_problems_come_at_once_in_the_order_of_their_places() {
+    let found = problems("She wtches TV.\nShe reads at 25:00 in the balcony for 0 minutes.\nShe gets up at 7.");
+    let places: Vec<(u32, u32)> = found.iter().map(|problem| (problem.line, problem.column)).collect();
+    assert_eq!(places, [(1, 5), (2, 14), (2, 27), (3, 16)]);
+}
+
+#[test]
+fn a_problem_reads_as_one_would_say_it() {
+    let found = Problems(problems("Every day\n  she wtches television")).render();
+    let wanted = "\
+margaret.routine:2:7: \"wtches television\" is nothing that Homebody knows how to do
+    2 |   she wtches television
+      |       ^^^^^^^^^^^^^^^^^
+  hint: did you mean \"watches television\"? A new activity needs a place and a duration: \"she knits in the armchair for 1 hour\"
+";
+    assert_eq!(found, wanted);
+}
+
+#[test]
+fn columns_count_characters_and_fit_any_way_of_writing() {
+    let found = problems("\u{feff}# caf\u{e9}\r\n\tShe\u{a0}reads in the caf\u{e9}\u{2019}s yard.");
+    assert_eq!((found[0].line, found[0].column), (2, 2));
+    assert_eq!((found[1].line, found[1].column), (2, 19));
+    assert_eq!(found[1].excerpt.as_ref().unwrap().width, 11);
+}
+
+#[test]
+fn only_the_first_hundred_problems_are_listed() {
+    let found = problems(&"She flies.\n".repeat(250));
+    assert_eq!(found.len(), 101);
+    assert_eq!(found[100].what, "there are 150 more problems");
+}
+
+#[test]
+fn texts_that_are_too_long_are_refused() {
+    let found = problems(&"she reads, ".repeat(200_000));
+    assert_eq!(found.len(), 1);
+    assert!(found[0].what.contains("more than 2000 characters"));
+    let found = problems(&"She reads.\n".repeat(2_001));
+    assert!(found[0].what.contains("at most 2000 sentences"), "{}", found[0].what);
+}

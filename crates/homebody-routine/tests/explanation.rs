@@ -1,0 +1,71 @@
+//! What was understood is said again in numbers and in words.
+
+mod home;
+
+use home::understood;
+use homebody_routine::explain::{Row, explain};
+
+fn row(sentence: &str) -> Row {
+    explain(&understood(sentence)).sentences.remove(0)
+}
+
+#[test]
+fn every_sentence_is_said_again_in_words() {
+    for (sentence, words) in [
+        (
+            "Most mornings she naps on the sofa for about 2 hours.",
+            "On each day with probability 0.85, the person naps; at the sofa; start at any time from 08:00 to 11:30; \
+             lasts 1 h 30 min to 2 h 30 min.",
+        ),
+        (
+            "On Tuesday she goes out at about 10:00, give or take 30 minutes.",
+            "On each Tuesday with probability 1, the person leaves the apartment; start 10:00, between 09:30 and 10:30 \
+             (mean 10:00, 5 % before 09:39, 5 % after 10:21).",
+        ),
+        (
+            "In January she reads every other day, 2 to 3 times.",
+            "On every other day in January with probability 1, the person reads; 2 to 3 times; whenever it fits.",
+        ),
+        (
+            "From week 6 to week 12, over 10 days, fading over 2 weeks, she shows severe depression.",
+            "Depression, at 1.5 times a moderate case; from day 36, fully there after 10 days, until the beginning of \
+             day 85, gone after 14 days more.",
+        ),
+        ("She gets up 45 to 90 minutes earlier.", "Gets up 45 min to 1 h 30 min earlier."),
+        (
+            "Whenever she has been in bed for 10 hours, she often gets up.",
+            "Whenever the person has been in bed for 9 h to 11 h, with probability 0.7 the person gets up.",
+        ),
+        (
+            "Sometimes her daughter visits on Sunday.",
+            "On each Sunday with probability 0.2, daughter visits; whenever it fits.",
+        ),
+    ] {
+        assert_eq!(row(sentence).in_words, words);
+    }
+}
+
+#[test]
+fn the_table_has_a_line_for_everything_that_was_understood() {
+    let text = explain(&understood(
+        "Margaret is 82. She walks at about 0.65 m/s.\nShe cooks lunch at 12:00 for 20 minutes, then eats.\nShe walks 10 % slower.",
+    ))
+    .to_text();
+    let wanted = "\
+line  what                                       on   when         lasts             from
+1     82 years old, walks at 0.585 to 0.715 m/s
+2     prepares lunch                             p 1  11:55-12:05  18 min to 22 min
+2     eats lunch                                 p 1  then
+3     walking speed 0.9 times
+";
+    assert!(text.starts_with(wanted), "{text}");
+}
+
+#[test]
+fn the_numbers_are_there_for_programs() {
+    let json = serde_json::to_value(row("She rarely goes out at about 10:00 for 2 to 3 hours.")).unwrap();
+    assert_eq!(json["kind"], "habit");
+    assert_eq!(json["probability"], 0.1);
+    assert_eq!(json["start"]["least"], 34_800.0);
+    assert_eq!(json["lasts"]["mean"], 9_000.0);
+}

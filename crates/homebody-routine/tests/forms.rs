@@ -1,0 +1,57 @@
+//! Every form of sentence beside what is understood of it.
+//!
+//! `forms.txt` holds sentences, each with the routine in short below it. `HOMEBODY_REWRITE=1` writes it anew.
+
+#![allow(clippy::disallowed_methods, reason = "a test may read and write files; the crate may not")]
+
+mod home;
+
+use home::{short, understood};
+use std::fs;
+use std::path::Path;
+
+#[test]
+fn every_form_of_sentence_means_what_is_written_beside_it() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/forms.txt");
+    let table = fs::read_to_string(&path).unwrap();
+    let mut found = String::new();
+    for line in table.lines().filter(|line| !line.starts_with("    ")) {
+        found += line;
+        found += "\n";
+        if !line.is_empty() && !line.starts_with('#') {
+            // What other sentences refer to is not what this one is about.
+            let text = line.replace(" | ", "\n");
+            found += &format!("    {}\n", understood_alone(&text));
+        }
+    }
+    if std::env::var("HOMEBODY_REWRITE").is_ok() {
+        fs::write(&path, &found).unwrap();
+    }
+    for (found, wanted) in found.lines().zip(table.lines()) {
+        assert_eq!(found, wanted);
+    }
+    assert_eq!(found.lines().count(), table.lines().count());
+}
+
+/// Sentences that refer to others get those beside them.
+fn understood_alone(text: &str) -> String {
+    const OTHERS: &str = "\
+she gets up at 06:45
+she prepares breakfast, then eats
+she eats lunch
+she eats dinner
+she takes a shower
+she takes her pills
+she watches television
+she does the laundry
+she leaves the apartment for 1 to 12 hours
+";
+    let needs_others =
+        ["after", "before", "with", "henever", "If", "home", "during"].iter().any(|word| text.contains(word));
+    if !needs_others {
+        return short(&understood(text));
+    }
+    let all = short(&understood(&format!("{OTHERS}{text}")));
+    let others = short(&understood(OTHERS));
+    all.replacen(&format!("{others} & "), "", 1)
+}

@@ -1,0 +1,158 @@
+//! A home for sentences to name, and what was understood of them in short.
+#![allow(dead_code)]
+
+use homebody_core::problem::{Problem, Problems};
+use homebody_routine::fuzzy::Fuzzy;
+use homebody_routine::language::{Known, routine};
+use homebody_routine::routine::{Change, Days, Effect, Habit, Phase, Response, Routine, Rule, When};
+
+pub fn home() -> Known {
+    let list = |names: &str| names.split(", ").map(str::to_owned).collect();
+    Known {
+        person: Some("Margaret".into()),
+        places: list(
+            "armchair, sofa, bed, dining chair, toilet, shower, stove, fridge, sink, washbasin, living room window, \
+             bedroom window, front door, bookcase",
+        ),
+        things: list("stove, fridge, front door, bedroom door, television, lamp, washing machine, armchair, bed, sofa"),
+        rooms: list("bedroom, bathroom, kitchen, living room, hall"),
+        conditions: list("depression, heart-failure, urinary-tract-infection, cognitive-decline"),
+        first_date: Some((2009, 3, 2)),
+        usual: Vec::new(),
+    }
+}
+
+/// Reads a text that is right.
+#[track_caller]
+pub fn understood(text: &str) -> Routine {
+    let (routine, problems) = routine("margaret.routine", text, &home());
+    assert!(problems.is_empty(), "{text}\n{}", Problems(problems).render());
+    routine
+}
+
+pub fn problems(text: &str) -> Vec<Problem> {
+    routine("margaret.routine", text, &home()).1
+}
+
+/// What a routine holds, in short: what was not said is left out.
+pub fn short(routine: &Routine) -> String {
+    let person = routine.person.as_ref().map(|person| {
+        let age = person.age_years.map(|age| format!(" age {age}")).unwrap_or_default();
+        let pace = person.pace_mps.map(|pace| format!(" pace {}", fuzzy(&pace))).unwrap_or_default();
+        format!("{} {:?}{age}{pace}", person.name, person.kind)
+    });
+    let habits = routine.habits.iter().map(habit);
+    let parts = person.into_iter().chain(habits).chain(routine.rules.iter().map(rule));
+    parts.chain(routine.changes.iter().map(change)).collect::<Vec<_>>().join(" & ")
+}
+
+fn habit(habit: &Habit) -> String {
+    let mut text = format!("{:?}", habit.activity);
+    if let Some(visitor) = &habit.visitor {
+        text = format!("{visitor}: {text}");
+    }
+    if let Some(place) = &habit.place {
+        text += &format!(" @{place}");
+    }
+    text += &match (habit.chance.quantifier, habit.chance.becomes) {
+        (Some(quantifier), None) => format!(" {quantifier:?}"),
+        (None, None) => format!(" p{:.3}", habit.chance.probability),
+        (Some(quantifier), Some((to, by))) => format!(" {quantifier:?}>{to:.2} by {by:?}"),
+        (None, Some((to, by))) => format!(" p{:.3}>{to:.2} by {by:?}", habit.chance.probability),
+    };
+    if habit.days.weekdays != Days::ALL.weekdays {
+        text += &format!(" days {:07b}", habit.days.weekdays);
+    }
+    if habit.days.months != Days::ALL.months {
+        text += &format!(" months {:012b}", habit.days.months);
+    }
+    if habit.days.every != 1 {
+        text += &format!(" every {}", habit.days.every);
+    }
+    text += &when(&habit.when);
+    if let Some(lasts) = &habit.lasts {
+        text += &format!(" lasts {}", fuzzy(lasts));
+    }
+    if let Some(until) = &habit.until {
+        text += &format!(" until {}", fuzzy(until));
+    }
+    if habit.times != (1, 1) {
+        text += &format!(" times {:?}", habit.times);
+    }
+    text + &phase(&habit.phase)
+}
+
+fn when(when: &When) -> String {
+    let gap = |gap: &Option<Fuzzy>| gap.as_ref().map(|gap| format!(" by {}", fuzzy(gap))).unwrap_or_default();
+    match when {
+        When::AnyTime => String::new(),
+        When::At(at) => format!(" at {}", fuzzy(at)),
+        When::Within(part) => format!(" {part:?}"),
+        When::After(activity, by) => format!(" after {activity:?}{}", gap(by)),
+        When::Before(activity, by) => format!(" before {activity:?}{}", gap(by)),
+        When::With(activity) => format!(" with {activity:?}"),
+        When::Then => " then".into(),
+    }
+}
+
+fn rule(rule: &Rule) -> String {
+    let response = match &rule.response {
+        Response::Turn { thing, on } => format!("turn {thing} {}", if *on { "on" } else { "off" }),
+        Response::Do { activity, place, lasts } => {
+            let place = place.as_ref().map(|place| format!(" @{place}")).unwrap_or_default();
+            let lasts = lasts.as_ref().map(|lasts| format!(" lasts {}", fuzzy(lasts))).unwrap_or_default();
+            format!("{activity:?}{place}{lasts}")
+        }
+    };
+    let (lasts, phase) = (fuzzy(&rule.lasts), phase(&rule.phase));
+    format!("{:?} for {lasts}: p{} {response}{phase}", rule.whenever, rule.probability)
+}
+
+fn change(change: &Change) -> String {
+    let effect = match &change.effect {
+        Effect::Shows { condition, severity } => format!("Shows {condition} {severity}"),
+        Effect::Pace(by) => format!("Pace {}", fuzzy(by)),
+        Effect::PaceEachWeek(by) => format!("PaceEachWeek {}", fuzzy(by)),
+        Effect::Later { activity, by } => format!("Later {activity:?} {}", fuzzy(by)),
+        Effect::Longer { activity, factor } => format!("Longer {activity:?} {}", fuzzy(factor)),
+        Effect::LongerBy { activity, by } => format!("LongerBy {activity:?} {}", fuzzy(by)),
+        Effect::Oftener { activity, part, factor } => {
+            let part = part.map(|part| format!(" {part:?}")).unwrap_or_default();
+            format!("Oftener {activity:?}{part} {}", fuzzy(factor))
+        }
+        Effect::Skips { activity, chance } => format!("Skips {activity:?} {chance}"),
+        Effect::Irregular(by) => format!("Irregular {}", fuzzy(by)),
+        Effect::Active { part, factor } => {
+            format!("Active{} {}", part.map(|part| format!(" {part:?}")).unwrap_or_default(), fuzzy(factor))
+        }
+        Effect::Restless(by) => format!("Restless {}", fuzzy(by)),
+        Effect::Forgets { thing, chance } => format!("Forgets {thing} {chance}"),
+        Effect::Pulse(by) => format!("Pulse {}", fuzzy(by)),
+        Effect::Respiration(by) => format!("Respiration {}", fuzzy(by)),
+    };
+    effect + &phase(&change.phase)
+}
+
+fn phase(phase: &Phase) -> String {
+    let mut text = String::new();
+    if let Some(from) = phase.from {
+        text += &format!(" from {from:?}");
+    }
+    if phase.over_days != 0.0 {
+        text += &format!(" over {}", phase.over_days);
+    }
+    if let Some(until) = phase.until {
+        text += &format!(" until {until:?}");
+    }
+    if phase.fading_days != 0.0 {
+        text += &format!(" fading {}", phase.fading_days);
+    }
+    text
+}
+
+/// The four corners; one number if all are the same.
+fn fuzzy(fuzzy: &Fuzzy) -> String {
+    let round = |value: f64| (value * 1000.0).round() / 1000.0;
+    let corners = [fuzzy.low, fuzzy.from, fuzzy.to, fuzzy.high].map(round);
+    if corners[0] == corners[3] { corners[0].to_string() } else { corners.map(|corner| corner.to_string()).join("/") }
+}

@@ -1,0 +1,265 @@
+//! The invariants with lives in the home, and that what is written is what is lived.
+
+mod stage;
+
+use homebody_core::event::{Doing, Events, Fact};
+use homebody_core::geometry::Point;
+use homebody_core::run::Run;
+use homebody_core::time::{DAY, Micros, SECOND};
+use homebody_routine::fuzzy::Quantifier;
+use stage::{HOUR, activities, events, files, household, run};
+
+const ORDINARY: &str = include_str!("../../../scenarios/tigerplace/margaret.routine");
+const DECLINE: &str = include_str!("../../../scenarios/tigerplace-decline/margaret.routine");
+/// Everything that goes wrong on the way to the logger.
+const LINK: &str = r#"{ "preset": "x10", "false_fires_per_h": 0.5, "misses": 0.02, "duplicates": 0.01, "faults": [
+    { "kind": "battery", "sensor": "hall motion", "from_day": 1, "fading_days": 2 },
+    { "kind": "outage", "from_day": 2, "hours": 3 } ] }"#;
+
+/// All that can be on: conditions, a link with faults, every kind of act.
+fn everything(days: i64) -> Run {
+    let routine = DECLINE.replace("From day 90, over 400 days,", "From day 1, over 2 days,");
+    let mut files = files(&routine, &[("link.json", LINK)]);
+    let scenario = &files["scenario.json"];
+    let linked =
+        scenario.replace("\"logger\": \"logger.json\",", "\"logger\": \"logger.json\",\n  \"link\": \"link.json\",");
+    assert_ne!(*scenario, linked);
+    files.insert("scenario.json".into(), linked);
+    let (scenario, household) = household(&files, &[]).unwrap();
+    Run::new(&scenario, &household, 7, days * DAY)
+}
+
+#[test]
+fn in_which_steps_a_life_is_lived_changes_nothing() {
+    let whole = events(everything(3), 100 * DAY);
+    assert!(whole.firings.len() > 10_000, "{}", whole.firings.len());
+    for step in [6 * HOUR, 17 * SECOND + 1] {
+        let cut = events(everything(3), step);
+        assert_eq!(whole.firings, cut.firings, "in steps of {step} microseconds");
+        assert_eq!(whole.facts.len(), cut.facts.len());
+    }
+}
+
+#[test]
+fn a_copy_of_a_life_continues_as_the_original() {
+    let mut original = everything(4);
+    let mut before = Events::default();
+    original.advance(2 * DAY + 5 * HOUR + 7, &mut before);
+    let copy = original.clone();
+    assert_eq!(events(original, HOUR), events(copy, 2 * HOUR));
+}
+
+#[test]
+fn a_sensor_more_changes_neither_the_life_nor_other_sensors() {
+    let of = |files| {
+        let (scenario, household) = household(&files, &[]).unwrap();
+        Run::new(&scenario, &household, 5, 2 * DAY)
+    };
+    let fewer = events(of(files(ORDINARY, &[])), DAY);
+    let mut more = files(ORDINARY, &[]);
+    let home = more["home.json"].replace(
+        "\"sensors\": [",
+        "\"sensors\": [\n    { \"kind\": \"contact\", \"name\": \"added\", \"on\": \"fridge\" },",
+    );
+    more.insert("home.json".into(), home);
+    let more = events(of(more), DAY);
+    let others: Vec<_> = more.firings.iter().filter(|firing| firing.sensor > 0).map(|f| (f.at, f.sensor - 1)).collect();
+    let alone: Vec<_> = fewer.firings.iter().map(|firing| (firing.at, firing.sensor)).collect();
+    assert!(more.firings.len() > others.len(), "the fridge was opened");
+    assert_eq!(others, alone);
+}
+
+#[test]
+fn a_resident_more_changes_nobody_elses_life() {
+    let mut two = files(ORDINARY, &[("henry.routine", "Henry is 80.\n"), ("henry.json", "")]);
+    let henry = two["margaret.json"].replace("margaret", "henry");
+    two.insert("henry.json".into(), henry);
+    let scenario = two["scenario.json"].replace("[\"margaret.json\"]", "[\"margaret.json\", \"henry.json\"]");
+    two.insert("scenario.json".into(), scenario);
+    let (scenario, household) = household(&two, &[]).unwrap();
+    let both = Run::new(&scenario, &household, scenario.file.seed, 3 * DAY).moves();
+    let alone = run(ORDINARY, 3).moves();
+    assert_eq!(both[0], alone[0]);
+    assert_ne!(both[0], both[1]);
+}
+
+#[test]
+fn twins_differ_from_the_onset_on() {
+    let routine = format!("{ORDINARY}\nFrom day 8, over 4 days, she shows severe depression.\n");
+    let twin = |without: &[&str]| {
+        let (scenario, household) = household(&files(&routine, &[]), without).unwrap();
+        let onset = scenario.calendar.instant(7, 0);
+        (events(Run::new(&scenario, &household, 3, 16 * DAY), DAY), onset)
+    };
+    let ((with, onset), (without, _)) = (twin(&[]), twin(&["depression"]));
+    let before = |events: &Events| events.firings.iter().filter(|f| f.at < onset).copied().collect::<Vec<_>>();
+    assert!(before(&with).len() > 10_000);
+    assert_eq!(before(&with), before(&without));
+    let out_of_bed = |events: &Events| {
+        let up =
+            activities(events, 0, 16 * DAY).into_iter().filter(|(at, _, name)| name == "getting_up" && *at > 12 * DAY);
+        up.map(|(at, _, _)| at % DAY).sum::<Micros>() / 4
+    };
+    let later = out_of_bed(&with) - out_of_bed(&without);
+    assert!((45 * 60 * SECOND..3 * HOUR).contains(&later), "up {} minutes later", later / SECOND / 60);
+}
+
+/// Moves follow each other without gaps in time, and in space but for absences.
+#[test]
+fn nobody_is_in_two_places() {
+    for moves in everything(20).moves() {
+        let mut at: Option<Point> = None;
+        for pair in moves.windows(2) {
+            assert_eq!(pair[0].end, pair[1].begin);
+        }
+        for next in &moves {
+            let (from, to) = match next.doing {
+                Doing::Stride { from, to } => (from, Some(to)),
+                Doing::Stir { at, .. } | Doing::Rest { at } => (at, Some(at)),
+                Doing::Away => (at.unwrap_or(Point::ZERO), None),
+            };
+            if let Some(at) = at {
+                assert!(at.distance(from) < 1e-9, "from {at} to {from} at {}", next.begin);
+            }
+            at = to;
+        }
+    }
+}
+
+/// From words to data and back: how often things were done agrees with the word that made them.
+#[test]
+fn what_is_written_is_what_is_lived() {
+    let days = 90;
+    let end = days * DAY;
+    let events = events(run(ORDINARY, days), DAY);
+    let lived = activities(&events, 0, end);
+    // The run begins at midnight; clocks went forward on its seventh day.
+    let hour_of = |at: Micros| ((at + if at >= 6 * DAY { HOUR } else { 0 }) % DAY) as f64 / HOUR as f64;
+    let day_of = |at: Micros| (at + if at >= 6 * DAY { HOUR } else { 0 }) / DAY;
+    let days_with = |name: &str, from: f64, to: f64| {
+        let of = lived.iter().filter(|(at, _, what)| what == name && (from..to).contains(&hour_of(*at)));
+        let mut on: Vec<i64> = of.map(|(at, _, _)| day_of(*at)).collect();
+        on.dedup();
+        on.len() as f64 / days as f64
+    };
+    for (name, from, to, quantifier) in [
+        ("reading", 13.0, 18.0, Quantifier::Often),
+        ("napping", 13.5, 16.5, Quantifier::Often),
+        ("washing_up", 17.0, 21.0, Quantifier::Most),
+        ("eating_breakfast", 7.0, 10.0, Quantifier::Every),
+        ("taking_medicine", 7.0, 10.0, Quantifier::Every),
+        ("watching_television", 18.0, 23.0, Quantifier::Every),
+    ] {
+        let share = days_with(name, from, to);
+        let agreement = quantifier.share().agreement((share * 100.0).round() / 100.0);
+        assert!(agreement >= 0.9, "{name} on {share:.2} of days is {agreement:.2} of {quantifier:?}");
+    }
+    let up: Vec<f64> =
+        lived.iter().filter(|(_, _, name)| name == "getting_up").map(|(at, _, _)| hour_of(*at)).collect();
+    assert!((days as usize - 1..=days as usize).contains(&up.len()));
+    assert!(up.iter().all(|hour| (5.99..7.7).contains(hour)), "in local time, also after clocks went forward: {up:?}");
+    let outings: Vec<_> = lived.iter().filter(|(_, _, name)| name == "away").collect();
+    let on = |weekday: i64| outings.iter().filter(|(at, _, _)| day_of(*at) % 7 == weekday).count();
+    // 2 March 2009 was a Monday.
+    assert!([1, 3, 4, 6].iter().all(|&weekday| on(weekday) >= 11), "Tuesday, Thursday, Friday, Sunday");
+    assert_eq!(on(0) + on(2) + on(5), 0, "the others");
+}
+
+#[test]
+fn a_leap_day_is_a_day() {
+    let mut leap = files(ORDINARY, &[]);
+    let scenario = leap["scenario.json"].replace("2009-03-02", "2012-02-27");
+    leap.insert("scenario.json".into(), scenario);
+    let (scenario, household) = household(&leap, &[]).unwrap();
+    let events = events(Run::new(&scenario, &household, 1, 5 * DAY), DAY);
+    let up = activities(&events, 0, 5 * DAY).into_iter().filter(|(_, _, name)| name == "getting_up");
+    let dates: Vec<_> = up.map(|(at, _, _)| scenario.calendar.date(scenario.calendar.day(at))).collect();
+    assert_eq!(dates, [(2012, 2, 27), (2012, 2, 28), (2012, 2, 29), (2012, 3, 1), (2012, 3, 2)]);
+}
+
+/// How long the stove was on, each time.
+fn stove_spans(events: &Events, stove: u32) -> Vec<Micros> {
+    let (mut on, mut spans) = (None, Vec::new());
+    for fact in &events.facts {
+        if let Fact::Act { at, act, .. } = fact
+            && act.thing == stove
+        {
+            match (act.on, on) {
+                (true, None) => on = Some(*at),
+                (false, Some(since)) => {
+                    spans.push(at - since);
+                    on = None;
+                }
+                _ => {}
+            }
+        }
+    }
+    spans
+}
+
+#[test]
+fn a_rule_turns_off_what_was_forgotten() {
+    let forgetful = "Margaret is 82.\nShe forgets the stove on 100 % of occasions.\n";
+    let rule = "Whenever the stove has been on for 40 minutes, she turns it off.\n";
+    let live = |routine: &str| {
+        let run = run(routine, 14);
+        let stove = run.home().plan.thing("stove").unwrap() as u32;
+        stove_spans(&events(run, DAY), stove)
+    };
+    let (without, with) = (live(forgetful), live(&format!("{forgetful}{rule}")));
+    let longest = |spans: &[Micros]| spans.iter().max().copied().unwrap_or(0) / SECOND / 60;
+    assert!(longest(&without) > 90, "{} minutes", longest(&without));
+    // What is not to be interrupted, such as a meal, comes first.
+    assert!(longest(&with) < 90, "{} minutes", longest(&with));
+    assert!(with.len() > 10);
+}
+
+#[test]
+fn visitors_come_stay_and_leave() {
+    let run = run("Margaret is 82.\nOn Tuesday her daughter visits at about 15:00 for 1 hour.\n", 9);
+    assert_eq!(run.names(), ["margaret", "margaret's daughter"]);
+    let moves = run.moves();
+    let here: Micros = moves[1].iter().filter(|next| next.doing != Doing::Away).map(|next| next.end - next.begin).sum();
+    let hours = here as f64 / HOUR as f64;
+    assert!((1.8..2.6).contains(&hours), "two visits take {hours} hours");
+}
+
+#[test]
+fn what_cannot_be_reached_is_said_before_the_run() {
+    let mut closed = files(ORDINARY, &[]);
+    let home = closed["home.json"].replace(
+        "\"name\": \"bathroom door\", \"from\": [2.6, 1.65], \"to\": [2.6, 2.55]",
+        "\"name\": \"bathroom door\", \"from\": [2.6, 1.65], \"to\": [2.6, 2.55], \"open\": false",
+    );
+    assert_ne!(home, closed["home.json"]);
+    closed.insert("home.json".into(), home);
+    let said = household(&closed, &[]).unwrap_err();
+    assert!(said.contains("margaret cannot get from \"bed\" to \"toilet\""), "{said}");
+}
+
+#[test]
+fn conditions_that_show_each_other_are_refused() {
+    let others = [
+        ("conditions/sorrow.routine", "She shows mild worry.\n"),
+        ("conditions/worry.routine", "She shows mild sorrow.\n"),
+    ];
+    let said = household(&files("Margaret is 82.\nShe shows sorrow.\n", &others), &[]).unwrap_err();
+    assert!(said.contains("show each other in a circle"), "{said}");
+}
+
+#[test]
+fn a_condition_of_ones_own_needs_no_rust() {
+    let own = [("conditions/winter-sleep.routine", "# Ours.\nShe gets up 2 hours later.\n")];
+    let (scenario, household) = household(&files("Margaret is 82.\nShe shows winter sleep.\n", &own), &[]).unwrap();
+    assert!(scenario.sources.contains_key("conditions/winter-sleep.routine"));
+    let plain = activities(&events(run("Margaret is 82.\n", 3), DAY), 0, 3 * DAY);
+    let late = activities(&events(Run::new(&scenario, &household, scenario.file.seed, 3 * DAY), DAY), 0, 3 * DAY);
+    let up = |lived: &[(Micros, Micros, String)]| lived.iter().find(|(_, _, name)| name == "getting_up").unwrap().0;
+    assert_eq!(up(&late) - up(&plain), 2 * HOUR);
+}
+
+#[test]
+fn leaving_out_what_nobody_shows_is_a_mistake() {
+    let said = household(&files(DECLINE, &[]), &["depresion"]).unwrap_err();
+    assert!(said.contains("nobody shows \"depresion\"") && said.contains("cognitive-decline"), "{said}");
+}

@@ -1,0 +1,234 @@
+//! Lives: what the whole model costs beside the bare kernel, what a year of a life into SQLite costs beside a bare loop of
+//! inserts, and what a cohort costs beside as many programs of one life each.
+//!
+//! Both sides of a ratio take turns in one run, so that a noisy machine disturbs both.
+//!
+//! Ends with one line per figure: `RATIO <name> <median> <min>..<max>` and `DECLINE seconds <median>`.
+
+use homebody_core::drivers::Move;
+use homebody_core::event::Events;
+use homebody_core::home::{Build, Home};
+use homebody_core::run::Run;
+use homebody_core::scenario::load::{Files, Scenario};
+use homebody_core::time::{DAY, Micros, SECOND, seconds};
+use homebody_core::world::World;
+use homebody_log::{Logger, RunInfo, Url};
+use homebody_routine::household::Household;
+use rusqlite::{Connection, params};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::sync::Arc;
+use std::time::Instant;
+
+const ROUNDS: usize = 7;
+const YEAR: Micros = 365 * DAY;
+/// How often a run hands over what it has.
+const STEP: Micros = 6 * 3600 * SECOND;
+/// Members of the cohort, and how long each lives.
+const MEMBERS: usize = 16;
+const MEMBERS_DAYS: usize = 60;
+
+fn main() {
+    let mut lines = vec![against_kernel(90 * DAY), against_inserts(YEAR)];
+    lines.push(decline());
+    lines.push(cohort_against_programs());
+    lines.iter().for_each(|line| println!("{line}"));
+}
+
+/// A scenario that comes with the program, and who lives there.
+fn scenario(name: &str) -> (Scenario, Household) {
+    let folder = Folder(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios").join(name));
+    let mut scenario = Scenario::load(&folder, "scenario.json").expect("a scenario without problems");
+    let household = Household::read(&mut scenario, &folder, &[]).expect("routines without problems");
+    (scenario, household)
+}
+
+struct Folder(PathBuf);
+
+impl Files for Folder {
+    fn read(&self, name: &str) -> Result<String, String> {
+        fs::read_to_string(self.0.join(name)).map_err(|error| error.to_string())
+    }
+}
+
+/// The whole model (routine, needs, paths, all sensors, link) against the bare kernel on the same movement.
+fn against_kernel(length: Micros) -> String {
+    let (scenario, household) = scenario("tigerplace");
+    let moves = Run::new(&scenario, &household, scenario.file.seed, length).moves();
+    let mut bare = scenario.home.clone();
+    bare.sensors.retain(|sensor| sensor.on().is_none());
+    let builds: Vec<Build> = (0..moves.len())
+        .map(|body| scenario.residents.get(body).map_or(Build::adult(), |resident| Build::of(&resident.file)))
+        .collect();
+    let home = Arc::new(Home::bake(&bare, &builds));
+    let mut ratios = Vec::new();
+    for _ in 0..ROUNDS {
+        let life_s = live(&scenario, &household, length);
+        let kernel_s = kernel(&home, &moves, length);
+        let days = seconds(length) / 86_400.0;
+        println!("a day: whole model {:.0} us, bare kernel {:.0} us", life_s / days * 1e6, kernel_s / days * 1e6);
+        ratios.push(kernel_s / life_s);
+    }
+    Spread::of(&ratios).line("life_vs_kernel", 3)
+}
+
+/// Lives the scenario and forgets what happens; seconds, with the making of the run.
+fn live(scenario: &Scenario, household: &Household, length: Micros) -> f64 {
+    let start = Instant::now();
+    let mut run = Run::new(scenario, household, scenario.file.seed, length);
+    let mut events = Events::default();
+    while run.now() < length {
+        run.advance(run.now() + STEP, &mut events);
+        events.clear();
+    }
+    start.elapsed().as_secs_f64()
+}
+
+/// Gives the kernel the moves of all bodies in their order; seconds.
+fn kernel(home: &Arc<Home>, moves: &[Vec<Move>], length: Micros) -> f64 {
+    let mut world = World::new(home.clone(), moves.len(), 1);
+    let mut events = Events::default();
+    let mut next = vec![0; moves.len()];
+    let start = Instant::now();
+    while world.now() < length {
+        let mut until = length;
+        for (body, moves) in moves.iter().enumerate() {
+            if let Some(due) = moves.get(next[body]).filter(|due| due.begin <= world.now()) {
+                world.begin(body, due);
+                next[body] += 1;
+            }
+            until = until.min(moves.get(next[body]).map_or(length, |due| due.begin));
+        }
+        world.advance(until, &mut events);
+        events.clear();
+    }
+    start.elapsed().as_secs_f64()
+}
+
+/// A resident-year into SQLite against a bare loop that inserts the same rows: how many times as long it takes.
+fn against_inserts(length: Micros) -> String {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (run, bare) = (folder.path().join("run.db"), folder.path().join("bare.db"));
+    let (scenario, household) = scenario("tigerplace");
+    live_into(&run, &scenario, &household, length);
+    let rows = rows(&run);
+    let mut ratios = Vec::new();
+    for _ in 0..ROUNDS {
+        let bare_s = insert(&bare, &rows);
+        let run_s = live_into(&run, &scenario, &household, length);
+        println!("{} rows of a year: bare loop {bare_s:.2} s, life {run_s:.2} s", rows.len());
+        ratios.push(run_s / bare_s);
+    }
+    Spread::of(&ratios).line("life_sqlite_vs_bare", 3)
+}
+
+/// Two years of decline, lived into SQLite: how many seconds.
+fn decline() -> String {
+    let folder = tempfile::tempdir().expect("a folder");
+    let run = folder.path().join("run.db");
+    let (scenario, household) = scenario("tigerplace-decline");
+    let length = homebody_core::time::micros(scenario.file.days * 86_400.0);
+    let each_s: Vec<f64> = (0..3).map(|_| live_into(&run, &scenario, &household, length)).collect();
+    let rows = rows(&run);
+    let bare_s = insert(&folder.path().join("bare.db"), &rows);
+    let median = Spread::of(&each_s).median;
+    println!("{} days of decline: {} rows in {median:.2} s, bare loop {bare_s:.2} s", scenario.file.days, rows.len());
+    format!("DECLINE seconds {median:.2}, {:.2} of a bare loop's rate", bare_s / median)
+}
+
+/// Lives the scenario into a database; seconds.
+fn live_into(path: &Path, scenario: &Scenario, household: &Household, length: Micros) -> f64 {
+    let url: Url = format!("sqlite:{}", path.display()).parse().expect("a URL");
+    let info = RunInfo { id: 1, scenario: "bench".into(), seed: 1, version: "bench".into() };
+    let start = Instant::now();
+    let mut run = Run::new(scenario, household, scenario.file.seed, length);
+    let sensors: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
+    let file = Default::default();
+    let mut logger = Logger::open(&[url], &file, &sensors, &scenario.calendar, &info, true).expect("an open database");
+    let mut events = Events::default();
+    while run.now() < length {
+        run.advance(run.now() + STEP, &mut events);
+        logger.store(&events.firings, run.now()).expect("stored firings");
+        events.clear();
+    }
+    logger.finish().expect("a finished log");
+    start.elapsed().as_secs_f64()
+}
+
+/// A cohort in one program against as many programs started together: how many times as fast it is.
+fn cohort_against_programs() -> String {
+    let program = env!("CARGO_BIN_EXE_homebody");
+    let folder = tempfile::tempdir().expect("a folder");
+    let scenario = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/tigerplace");
+    let run = |more: &[&str]| -> Child {
+        let mut command = Command::new(program);
+        command.arg("run").arg(&scenario).args(["--quiet", "--for", &format!("{MEMBERS_DAYS}d")]).args(more);
+        command.current_dir(folder.path()).stdout(Stdio::null()).spawn().expect("a running program")
+    };
+    let all_done = |children: Vec<Child>| {
+        for mut child in children {
+            assert!(child.wait().expect("an exit code").success());
+        }
+        fs::remove_dir_all(folder.path().join("runs")).expect("a folder of runs");
+    };
+    let mut ratios = Vec::new();
+    for _ in 0..3 {
+        let start = Instant::now();
+        all_done((0..MEMBERS).map(|seed| run(&["--seed", &seed.to_string()])).collect());
+        let programs_s = start.elapsed().as_secs_f64();
+        let start = Instant::now();
+        all_done(vec![run(&["--residents", &MEMBERS.to_string()])]);
+        let cohort_s = start.elapsed().as_secs_f64();
+        println!("{MEMBERS} lives of {MEMBERS_DAYS} days: programs {programs_s:.2} s, cohort {cohort_s:.2} s");
+        ratios.push(programs_s / cohort_s);
+    }
+    Spread::of(&ratios).line("cohort_vs_programs", 2)
+}
+
+/// The rows of a log: time, sensor, value.
+fn rows(path: &Path) -> Vec<[String; 3]> {
+    let connection = Connection::open(path).expect("the log");
+    let mut select = connection.prepare("SELECT fired_at, sensor, value FROM firing ORDER BY seq").expect("a table");
+    let rows = select.query_map([], |row| Ok([row.get(0)?, row.get(1)?, row.get(2)?])).expect("rows");
+    rows.collect::<Result<_, _>>().expect("rows of text")
+}
+
+/// One prepared statement in one transaction, a row at a time; seconds.
+fn insert(path: &Path, rows: &[[String; 3]]) -> f64 {
+    let _ = fs::remove_file(path);
+    let start = Instant::now();
+    let mut connection = Connection::open(path).expect("a database");
+    let table = "CREATE TABLE firing (run_id INTEGER, seq INTEGER, fired_at TEXT, sensor TEXT, value TEXT, \
+                 PRIMARY KEY (run_id, seq)) WITHOUT ROWID";
+    connection.execute_batch(table).expect("a table");
+    let transaction = connection.transaction().expect("a transaction");
+    {
+        let mut insert = transaction.prepare("INSERT INTO firing VALUES (?, ?, ?, ?, ?)").expect("a statement");
+        for (seq, [fired_at, sensor, value]) in rows.iter().enumerate() {
+            insert.execute(params![1, seq as i64, fired_at, sensor, value]).expect("a row");
+        }
+    }
+    transaction.commit().expect("a commit");
+    connection.close().expect("a closed database");
+    start.elapsed().as_secs_f64()
+}
+
+/// The middle and the ends of some measurements.
+struct Spread {
+    least: f64,
+    median: f64,
+    most: f64,
+}
+
+impl Spread {
+    fn of(values: &[f64]) -> Spread {
+        let mut values = values.to_vec();
+        values.sort_by(f64::total_cmp);
+        Spread { least: values[0], median: values[values.len() / 2], most: values[values.len() - 1] }
+    }
+
+    fn line(&self, name: &str, decimals: usize) -> String {
+        format!("RATIO {name} {:.decimals$} {:.decimals$}..{:.decimals$}", self.median, self.least, self.most)
+    }
+}

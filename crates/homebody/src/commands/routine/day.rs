@@ -1,0 +1,111 @@
+//! `homebody routine day`: one day, lived and told.
+
+use crate::commands::answer::Answer;
+use crate::failure::Failure;
+use crate::folder;
+use homebody_core::event::{Events, Fact};
+use homebody_core::run::Run;
+use homebody_core::time::{Micros, SECOND};
+use homebody_log::{Activity, Life, Log};
+use homebody_study::dates::{date_of, midnight, on_wall};
+use homebody_study::day::Day;
+use homebody_study::picture::day_chart;
+use std::path::PathBuf;
+
+/// Lives a scenario as far as a day and says what was done on it, and in which rooms.
+///
+/// It is the very day that a run of the scenario has: another seed is another day.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  homebody routine day scenarios/tigerplace
+  homebody routine day scenarios/tigerplace-depression 2009-06-01 --svg day.svg
+  homebody routine day scenarios/tigerplace-depression 2009-06-01 --without depression")]
+pub struct Arguments {
+    /// The scenario's folder, or its scenario.json
+    scenario: PathBuf,
+    /// The day, such as 2009-03-02; the run's second without it, as the first begins in the night
+    #[arg(value_name = "DATE")]
+    date: Option<jiff::civil::Date>,
+    /// The number all randomness comes from, instead of the scenario's
+    #[arg(long)]
+    seed: Option<u64>,
+    /// Leave out a condition that a routine shows; may be given several times
+    #[arg(long, value_name = "CONDITION")]
+    without: Vec<String>,
+    #[command(flatten)]
+    answer: Answer,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let (scenario, _, household) = folder::load_lives(&self.scenario, &self.without)?;
+        let answer = self.answer.check([""], &folder::files(&self.scenario, &scenario))?;
+        let zone = scenario.calendar.local(0).time_zone().clone();
+        let wall = |at: Micros| on_wall(scenario.calendar.timestamp(at).as_microsecond(), &zone);
+        let first = date_of(wall(0));
+        let date = self.date.unwrap_or_else(|| first.saturating_add(jiff::Span::new().days(1)));
+        let day = (date - first).get_days();
+        if !(0..=36_525).contains(&day) {
+            let what = format!("{} begins on {first} and has no {date}", scenario.file.name);
+            return Err(Failure::usage(format!("{what}\n  hint: name a day within a hundred years of its beginning")));
+        }
+        let (begin, end) = (scenario.calendar.instant(day, 0), scenario.calendar.instant(day + 1, 0));
+        let run = Run::new(&scenario, &household, self.seed.unwrap_or(scenario.file.seed), end);
+        let mut lives = Lived::new(&run);
+        lives.live(run, begin, wall);
+        let name = format!("{}, lived", scenario.file.name);
+        let day = Day::of(&name, &Log::default(), &lives.lives, date_of(midnight(date)));
+        answer.give(&day, [&|| day_chart(&day.chart())])
+    }
+}
+
+/// What everybody does, and where, as a run tells it.
+struct Lived {
+    lives: Vec<Life>,
+    rooms: Vec<String>,
+}
+
+impl Lived {
+    fn new(run: &Run) -> Lived {
+        let life = |resident| Life { resident, ..Life::default() };
+        let rooms = run.home().plan.rooms.iter().map(|room| room.name.clone()).collect();
+        Lived { lives: run.names().into_iter().map(life).collect(), rooms }
+    }
+
+    /// Lives the run to its end, and keeps what goes on from an instant on.
+    fn live(&mut self, mut run: Run, from: Micros, wall: impl Fn(Micros) -> Micros) {
+        let mut events = Events::default();
+        while run.now() < run.length() {
+            run.advance(run.now() + 6 * 3600 * SECOND, &mut events);
+            for fact in events.facts.drain(..) {
+                match fact {
+                    Fact::Activity { resident, at, name } => {
+                        turn(&mut self.lives[resident as usize].activities, wall(at), name);
+                    }
+                    Fact::Room { resident, at, room } => {
+                        let name = room.map(|room| self.rooms[room as usize].clone());
+                        turn(&mut self.lives[resident as usize].rooms, wall(at), name);
+                    }
+                    _ => {}
+                }
+            }
+            events.clear();
+        }
+        let end = wall(run.length());
+        for life in &mut self.lives {
+            turn(&mut life.activities, end, None);
+            turn(&mut life.rooms, end, None);
+            life.activities.retain(|activity| activity.end > wall(from));
+            life.rooms.retain(|room| room.end > wall(from));
+        }
+        self.lives.retain(|life| !life.activities.is_empty() || !life.rooms.is_empty());
+    }
+}
+
+/// Ends what goes on and begins what is next.
+fn turn(spans: &mut Vec<Activity>, at: Micros, next: Option<String>) {
+    if let Some(last) = spans.last_mut().filter(|last| last.end == Micros::MAX) {
+        last.end = at;
+    }
+    spans.extend(next.map(|name| Activity { name, begin: at, end: Micros::MAX }));
+}
