@@ -27,8 +27,8 @@ pub struct Needs {
 /// snack after seven without one.
 const THIRST: f64 = 24.0 / 4.0;
 const HUNGER: f64 = 24.0 / 7.0;
-/// Seven hours after getting up, as naps have their peak at 14:30-15:00.
-const TIREDNESS: f64 = 24.0 / 7.0;
+/// Some seven hours after getting up, as naps have their peak at 14:30-15:00.
+const TIREDNESS: f64 = 24.0 / 7.2;
 
 /// Shape of the gamma distribution of thresholds (ours).
 const SHAPE: f64 = 3.0;

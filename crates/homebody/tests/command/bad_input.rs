@@ -67,7 +67,7 @@ fn what_is_asked_wrongly_is_refused() {
         ("run flat --owt csv:a", "--out"),
         (
             "new home --template castle",
-            "there is none of that name; there are: by-hand, older-adult, sphere-house, tigerplace",
+            "there is none of that name; there are: by-hand, couple-with-cat, house-two-floors, older-adult, sphere-house",
         ),
         ("convert flat/home.json --to csv:a --time-zone Mars/Olympus", "Mars/Olympus"),
         ("convert flat/home.json", "--to <URL>"),
