@@ -37,8 +37,8 @@ pub enum Kind {
 /// What a value says, whatever the case of its letters.
 pub fn says(value: &str) -> Says {
     const WORDS: [(Says, &[&str]); 4] = [
-        (Says::Begins, &["on", "fire", "fired", "true", "1", "present", "detected", "occupied", "motion"]),
-        (Says::Ends, &["off", "false", "0", "absent", "clear", "cleared", "unoccupied", "vacant", "idle"]),
+        (Says::Begins, &["on", "fire", "fired", "true", "1", "present", "detected", "occupied", "motion", "in"]),
+        (Says::Ends, &["off", "false", "0", "absent", "clear", "cleared", "unoccupied", "vacant", "idle", "out"]),
         (Says::Opens, &["open", "opened"]),
         (Says::Closes, &["close", "closed"]),
     ];
@@ -62,12 +62,14 @@ pub fn kinds(log: &Log) -> Vec<Kind> {
             Says::Begins | Says::Ends if numbers[event.sensor as usize] && is_number[event.value as usize] => 2,
             Says::Begins | Says::Ends => 0,
             Says::Opens | Says::Closes => 1,
-            Says::Else => 2,
+            Says::Else if is_number[event.value as usize] => 2,
+            // A word about something that goes on, such as how restless somebody is.
+            Says::Else => continue,
         };
         rows[event.sensor as usize][looks] += 1;
     }
     let kind = |(name, &[motion, contact, reading]): (&String, &[u64; 3])| match () {
-        () if reading > motion.max(contact) => Kind::Reading,
+        () if reading > motion.max(contact) || motion + contact == 0 => Kind::Reading,
         () if contact > motion => Kind::Contact,
         () if is_used(name) => Kind::Used,
         () => Kind::Motion,
@@ -127,10 +129,15 @@ pub fn words(name: &str) -> Vec<String> {
 
 /// Whether a name is that of a thing that is used, though it says `ON`.
 fn is_used(name: &str) -> bool {
-    const THINGS: [&str; 8] = ["light", "lamp", "switch", "pressure", "mattress", "mat", "item", "power"];
+    const THINGS: [&str; 14] = [
+        "light", "lamp", "switch", "pressure", "mattress", "mat", "item", "power", "bed", "chair", "stove", "water",
+        "flow", "tv",
+    ];
     // CASAS's lights and items: L012, I05.
     let is_numbered = name.strip_prefix(['L', 'I']).is_some_and(|rest| rest.parse::<u32>().is_ok());
-    is_numbered || words(name).iter().any(|word| THINGS.contains(&word.as_str()))
+    let words = words(name);
+    is_numbered
+        || words.iter().any(|word| THINGS.contains(&word.as_str())) && !words.iter().any(|word| word == "motion")
 }
 
 #[cfg(test)]

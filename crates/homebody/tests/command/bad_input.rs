@@ -7,7 +7,7 @@ use std::fs;
 #[test]
 fn all_that_is_wrong_is_said_at_once() {
     let folder = Folder::new();
-    folder.copy_scenario("tigerplace");
+    folder.copy_hand_written_day();
     folder.edit("tigerplace/scenario.json", "America/Chicago", "America/Chikago");
     folder.edit("tigerplace/home.json", "\"name\": \"bed\", \"at\"", "\"name\": \"bed\", \"att\"");
     folder.edit("tigerplace/logger.json", "\"fire_only\"", "\"fire-only\"");
@@ -16,7 +16,7 @@ fn all_that_is_wrong_is_said_at_once() {
     let places = [
         ("scenario.json:6:16: ", "did you mean \"America/Chicago\"?"),
         ("home.json:34:22: \"att\" is no key", "did you mean \"at\"?"),
-        ("logger.json:24:15: ", "did you mean \"fire_only\"?"),
+        ("logger.json:26:15: ", "did you mean \"fire_only\"?"),
         ("day.path.json:10:32: ", "from \"00:00\" to \"23:59:59.999999\""),
     ];
     for words in ["check tigerplace", "run tigerplace", "coverage tigerplace --svg map.svg"] {
@@ -44,6 +44,23 @@ fn all_that_is_wrong_is_said_at_once() {
 }
 
 #[test]
+fn problems_of_routines_come_with_the_others() {
+    let folder = Folder::new();
+    folder.copy_scenario("tigerplace");
+    folder.edit("tigerplace/scenario.json", "America/Chicago", "America/Chikago");
+    folder.edit("tigerplace/logger.json", "\"fire_only\"", "\"fire-only\"");
+    folder.edit("tigerplace/margaret.routine", "she watches television", "she wtches television");
+    folder.edit("tigerplace/margaret.routine", "naps in the armchair", "naps in the armchiar");
+    for words in ["check tigerplace", "routine check tigerplace", "run tigerplace"] {
+        let said = folder.run(words).fails(2, "4 problems").err;
+        for part in ["America/Chikago", "\"fire-only\"", "\"wtches", "did you mean \"watches television\"", "armchair"]
+        {
+            assert!(said.contains(part), "{words}: {said}");
+        }
+    }
+}
+
+#[test]
 fn what_is_asked_wrongly_is_refused() {
     let folder = flat();
     let given = folder.files();
@@ -67,7 +84,8 @@ fn what_is_asked_wrongly_is_refused() {
         ("run flat --owt csv:a", "--out"),
         (
             "new home --template castle",
-            "there is none of that name; there are: by-hand, couple-with-cat, house-two-floors, older-adult, sphere-house",
+            "there is none of that name; there are: by-hand, couple-with-cat, house-two-floors, older-adult, sphere-house, studio, tigerplace, \
+             tigerplace-decline, tigerplace-depression",
         ),
         ("convert flat/home.json --to csv:a --time-zone Mars/Olympus", "Mars/Olympus"),
         ("convert flat/home.json", "--to <URL>"),
@@ -159,7 +177,8 @@ fn no_file_makes_the_command_break_down() {
             }
             Some(2) => {
                 ended[1] += 1;
-                assert!(done.err.contains(".json") && done.err.contains("problem"), "{what}");
+                let names_a_file = done.err.contains(".json") || done.err.contains(".routine");
+                assert!(names_a_file && done.err.contains("problem"), "{what}");
             }
             _ => panic!("{what}"),
         }

@@ -16,10 +16,7 @@ fn names(folder: &str) -> Vec<String> {
 fn every_template_is_new_checked_and_run() {
     let folder = Folder::new();
     let templates = names("scenarios");
-    assert_eq!(
-        templates,
-        ["by-hand", "couple-with-cat", "house-two-floors", "older-adult", "sphere-house", "studio", "tigerplace"]
-    );
+    assert!(templates.len() >= 9, "{templates:?}");
     for template in &templates {
         let said = folder.run(&format!("new homes/{template} --template {template}")).ok().err;
         assert!(said.contains(&format!("homebody run homes/{template}")), "{said}");

@@ -51,6 +51,14 @@ impl Folder {
         }
     }
 
+    /// The example's apartment with a day that was written by hand, so that a test knows what happens when.
+    pub fn copy_hand_written_day(&self) {
+        self.copy_scenario("tigerplace");
+        fs::remove_file(self.path("tigerplace/margaret.routine")).unwrap();
+        self.write("tigerplace/day.path.json", include_str!("day.path.json"));
+        self.edit("tigerplace/margaret.json", "\"routine\": \"margaret.routine\"", "\"path\": \"day.path.json\"");
+    }
+
     /// All files and empty folders, in order.
     pub fn files(&self) -> Vec<String> {
         let mut files = Vec::new();
