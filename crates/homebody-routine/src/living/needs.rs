@@ -48,6 +48,10 @@ impl Needs {
                 habit.activity == Activity::UseBathroom && habit.visitor.is_none() && of_night == at_night
             })
         };
+        // Who naps by plan does not nap for being tired, too.
+        let plans_naps = life.habits(0).any(|(habit, _, _)| habit.activity == Activity::Nap && habit.visitor.is_none());
+        let naps = if plans_naps { 0.0 } else { life.constitution.naps };
+        let constitution = Constitution { naps, ..life.constitution };
         let mut stream = life.stream("needs");
         let mut need = || Need::new(now, stream.gamma(SHAPE, 1.0));
         let (toilet, thirst, hunger) = (need(), need(), need());
@@ -57,7 +61,7 @@ impl Needs {
             hunger,
             tiredness: Need::new(now, 1.0),
             asleep: false,
-            constitution: life.constitution,
+            constitution,
             plans_nights: plans(true),
             plans_days: plans(false),
             stream,
