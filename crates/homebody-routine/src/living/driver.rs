@@ -192,9 +192,12 @@ impl RoutineDriver {
         let arrival = moves.last().map_or(now, |last| last.end);
         self.lamps(from, spot.room, now, moves);
         self.watches.arrive(spot.room, &spot.name, &self.home.plan, arrival, &self.life);
-        // Who comes by sees what was left on.
+        // Who comes by sees what was left on; on an errand only at the thing itself.
+        let is_errand = self.name == Activity::Housework.name();
         for thing in self.watches.left_on() {
-            if self.home.plan.room_at(self.home.plan.things[thing as usize].at) == spot.room {
+            if self.home.plan.room_at(self.home.plan.things[thing as usize].at) == spot.room
+                && (!is_errand || spot.name == self.places.thing_name(thing))
+            {
                 self.act(thing, false, arrival);
             }
         }
