@@ -4,6 +4,7 @@ use crate::drivers::live::{KeyTrack, LiveDriver};
 use crate::drivers::path::PathDriver;
 use crate::drivers::{Body, Decide, Driver, Move, Next};
 use crate::event::{Act, Doing, Events, Fact};
+use crate::geometry::{self, Point};
 use crate::home::plan::Plan;
 use crate::home::{Build, Home, Sun};
 use crate::link::{self, Link};
@@ -37,6 +38,8 @@ struct Resident {
     room: Option<u32>,
     /// Whether any room was told yet.
     located: bool,
+    /// Where the move that was told last ends; nothing while away.
+    last: Option<Point>,
 }
 
 /// Who decides for those whose driver is not of this crate.
@@ -98,7 +101,7 @@ impl Run {
     pub fn of(home: Arc<Home>, builds: Vec<Build>, drivers: Vec<Driver>, seed: u64, length: Micros) -> Run {
         let users = vec![Vec::new(); home.plan.things.len()];
         let world = World::new(home, drivers.len(), seed);
-        let resident = |(build, driver)| Resident { build, driver, until: 0, room: None, located: false };
+        let resident = |(build, driver)| Resident { build, driver, until: 0, room: None, located: false, last: None };
         let names = (1..=drivers.len()).map(|number| format!("resident {number}")).collect();
         Run {
             world,
@@ -256,6 +259,26 @@ impl Run {
     /// Tells the truth which rooms the resident comes through.
     fn tell_rooms(&mut self, resident: usize, next: &Move, events: &mut Events) {
         let plan = &self.world.home().plan;
+        let Resident { room, last, .. } = &mut self.residents[resident];
+        let before = std::mem::replace(
+            last,
+            match next.doing {
+                Doing::Stride { to, .. } => Some(to),
+                Doing::Stir { at, .. } | Doing::Rest { at } => Some(at),
+                Doing::Away => None,
+            },
+        );
+        // Mostly the room stays the same, which needs no search.
+        match next.doing {
+            Doing::Stir { at, .. } | Doing::Rest { at } if before == Some(at) => return,
+            Doing::Stride { from, to } if before == Some(from) => {
+                let here = room.map(|room| &plan.rooms[room as usize]);
+                if here.is_some_and(|room| room.is_convex && geometry::contains(&room.outline, to)) {
+                    return;
+                }
+            }
+            _ => {}
+        }
         let rooms = match next.doing {
             Doing::Stride { from, to } => plan.rooms_along(&Stride::new(from, to, next.begin, next.end)),
             Doing::Stir { at, .. } | Doing::Rest { at } => vec![(next.begin, plan.room_at(at))],

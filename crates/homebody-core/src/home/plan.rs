@@ -11,6 +11,7 @@ use crate::time::Micros;
 pub struct Room {
     pub name: String,
     pub outline: Vec<Point>,
+    pub is_convex: bool,
 }
 
 /// What a solid was in the home's file: the index into that list.
@@ -102,7 +103,10 @@ impl Plan {
         let rooms: Vec<Room> = home
             .rooms
             .iter()
-            .map(|room| Room { name: room.name.clone(), outline: room.outline.iter().map(|&at| point(at)).collect() })
+            .map(|room| {
+                let outline: Vec<Point> = room.outline.iter().map(|&at| point(at)).collect();
+                Room { name: room.name.clone(), is_convex: is_convex(&outline), outline }
+            })
             .collect();
         let thing = |name: &str, at, on| Thing { name: name.into(), at, on };
         let doors = home.doors.iter().map(|door| {
@@ -233,4 +237,15 @@ pub fn furniture_outline(piece: &FurnitureFile) -> Vec<Point> {
     );
     let middle = point(at);
     vec![middle - x - y, middle + x - y, middle + x + y, middle - x + y]
+}
+
+/// Whether an outline turns the same way at all its corners.
+fn is_convex(outline: &[Point]) -> bool {
+    let count = outline.len();
+    let turn = |index: usize| {
+        let (a, b, c) = (outline[index], outline[(index + 1) % count], outline[(index + 2) % count]);
+        (b - a).perp_dot(c - b)
+    };
+    let turns: Vec<f64> = (0..count).map(turn).collect();
+    turns.iter().all(|&turn| turn >= 0.0) || turns.iter().all(|&turn| turn <= 0.0)
 }

@@ -19,7 +19,7 @@ use homebody_core::geometry::Point;
 use homebody_core::home::Home;
 use homebody_core::random::Stream;
 use homebody_core::scenario::path::Posture;
-use homebody_core::time::{Micros, SECOND, micros};
+use homebody_core::time::{DAY, Micros, SECOND, micros};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -47,6 +47,8 @@ pub struct RoutineDriver {
     pub(super) watches: Watches,
     /// How many scripts there have been today: each has random numbers of its own.
     pub(super) begun: u32,
+    /// From which the hours of the day are counted.
+    pub(super) midnight: Micros,
     /// What a visitor, rather than somebody who lives here, is called.
     pub(super) visitor: Option<String>,
 }
@@ -85,6 +87,7 @@ impl RoutineDriver {
             told: String::new(),
             name: String::new(),
             begun: 0,
+            midnight: life.midnight(agenda.day),
             visitor: None,
             needs,
             agenda,
@@ -114,7 +117,7 @@ impl RoutineDriver {
             if let Some(next) = self.ready.front() {
                 if matches!(next, Next::Move(_) | Next::Act(_)) && self.told != self.name {
                     self.told.clone_from(&self.name);
-                    return Next::Activity(Some(self.name.clone()));
+                    return Next::Activity((!self.name.is_empty()).then(|| self.name.clone()));
                 }
                 if let Next::Move(next) = next {
                     self.body.follow(next);
@@ -170,7 +173,7 @@ impl RoutineDriver {
             Step::Act(thing, on) => self.act(thing, on, now),
             Step::Away { lasts, until } => self.away(lasts, until, now),
             Step::Wander { kind, lasts } => {
-                let hour = self.life.hour(now);
+                let hour = self.hour(now);
                 if let Some(playing) = self.scripts.last_mut() {
                     let moves = self.body.wander(kind, lasts, now, hour, self.mood.pace, &mut playing.stream);
                     self.ready.extend(moves.into_iter().map(Next::Move));
@@ -184,7 +187,7 @@ impl RoutineDriver {
     }
 
     fn go(&mut self, spot: Spot, now: Micros) {
-        let hour = self.life.hour(now);
+        let hour = self.hour(now);
         let Some(playing) = self.scripts.last_mut() else { return };
         playing.spot = Some(spot.clone());
         let from = self.body.room();
@@ -285,7 +288,7 @@ impl RoutineDriver {
 
     /// How many times the usual movement there is now, for each manner of staying.
     fn activity(&self, now: Micros) -> impl Fn(&Manner) -> f64 + use<> {
-        let (restless, awake) = (self.mood.restless, self.mood.activity(self.life.hour(now)));
+        let (restless, awake) = (self.mood.restless, self.mood.activity(self.hour(now)));
         move |manner| if *manner == Manner::ASLEEP || *manner == Manner::AWAKE_IN_BED { restless } else { awake }
     }
 
@@ -316,7 +319,7 @@ impl RoutineDriver {
             }
             return;
         }
-        if let Some(activity) = self.needs.pressing(now, self.life.hour(now)) {
+        if let Some(activity) = self.needs.pressing(now, self.hour(now)) {
             let key = format!("need/{}", self.begun);
             let mut stream = self.life.stream_of_day(self.agenda.day, &key);
             let (median_min, sigma) = match activity {
@@ -428,7 +431,7 @@ impl RoutineDriver {
         let mut stream = self.life.stream_of_day(self.agenda.day, &key);
         let said: Vec<&Activity> = self.life.habits(self.agenda.day).map(|(habit, _, _)| &habit.activity).collect();
         let (mut fillers, mut weights) = (Vec::new(), Vec::new());
-        let rising = RISES * self.mood.activity(self.life.hour(now));
+        let rising = RISES * self.mood.activity(self.hour(now));
         for (activity, weight, minutes) in FILLERS {
             // A home without a desk has no computer.
             let can = activity != Activity::UseComputer || self.places.has(Role::Desk);
@@ -461,6 +464,11 @@ impl RoutineDriver {
                 stay.may = May::Yield;
             }
         }
+    }
+
+    /// The time of day, in hours.
+    fn hour(&self, now: Micros) -> f64 {
+        (now - self.midnight).rem_euclid(DAY) as f64 / (3600 * SECOND) as f64
     }
 
     pub(super) fn tell_conditions(&mut self) {

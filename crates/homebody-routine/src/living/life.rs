@@ -7,7 +7,7 @@ use crate::fuzzy::Fuzzy;
 use crate::routine::{Activity, Change, Days, Effect, Habit, Meal, Moment, PartOfDay, Phase, Routine, Rule};
 use homebody_core::random::Stream;
 use homebody_core::scenario::calendar::Calendar;
-use homebody_core::time::{Micros, micros};
+use homebody_core::time::{DAY, Micros, micros};
 use std::collections::BTreeMap;
 
 /// A person's life as it was written, with the conditions that it shows.
@@ -207,15 +207,15 @@ impl Life {
         self.stream(&format!("day/{day}/{purpose}"))
     }
 
+    /// The instant from which the hours of a day are counted: a whole number of days before noon, so that they are right from
+    /// the morning on also on days on which clocks change.
+    pub fn midnight(&self, day: i32) -> Micros {
+        self.calendar.instant(day, DAY / 2) - DAY / 2
+    }
+
     /// The instant of a time of day, in seconds since midnight.
     pub fn instant(&self, day: i32, time_s: f64) -> Micros {
         self.calendar.instant(day, micros(time_s))
-    }
-
-    /// The time of day of an instant, in hours.
-    pub fn hour(&self, at: Micros) -> f64 {
-        let time = self.calendar.local(at).time();
-        f64::from(time.hour()) + f64::from(time.minute()) / 60.0 + f64::from(time.second()) / 3600.0
     }
 
     /// The habits in force on a day, each with the strength of what it comes from.
@@ -410,6 +410,9 @@ impl Mood {
 
     /// How many times the usual movement there is at an hour of the day.
     pub fn activity(&self, hour: f64) -> f64 {
+        if self.active.is_empty() {
+            return 1.0;
+        }
         let holds = |part: &Option<PartOfDay>| {
             part.is_none_or(|part| {
                 let (from, to) = part.hours();

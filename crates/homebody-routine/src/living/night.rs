@@ -89,6 +89,7 @@ impl RoutineDriver {
         let day = self.agenda.day + 1;
         self.mood = self.life.mood(day);
         self.agenda = Agenda::of(&self.life, day, &self.mood);
+        self.midnight = self.life.midnight(day);
         (self.next_item, self.next_break, self.begun) = (0, 0, 0);
         self.next_break = self.agenda.breaks.partition_point(|item| item.start < now);
         self.tell_conditions();

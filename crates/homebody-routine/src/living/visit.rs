@@ -26,6 +26,7 @@ impl RoutineDriver {
             let day = self.agenda.day + 1;
             self.mood = self.life.mood(day);
             self.agenda = Agenda::of(&self.life, day, &self.mood);
+            self.midnight = self.life.midnight(day);
             self.next_item = 0;
         }
         let end = now.saturating_add(30 * 1440 * MINUTE);
@@ -50,7 +51,8 @@ impl RoutineDriver {
         }
         steps.extend(door.map(Step::Go));
         steps.push_back(talk(Posture::Standing, 40 * SECOND));
-        steps.push_back(Step::Name("away".into()));
+        // Out of the home is no activity of theirs.
+        steps.push_back(Step::Name(String::new()));
         self.play(steps, stream, "visiting".into());
     }
 }

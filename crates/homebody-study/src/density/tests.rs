@@ -58,7 +58,7 @@ fn no_event_is_lost_or_doubled() {
         ((state >> 33) % below as u64) as i64
     };
     for _ in 0..50 {
-        let names = ["front door", "hall", "bed", "D1", "T1"];
+        let names = ["front door", "hall", "bedroom", "D1", "T1"];
         let mut rows: Vec<(Micros, &str, &str)> = Vec::new();
         for _ in 0..1 + random(400) {
             let (at, name) = (random(20 * 86_400) - 5 * 86_400, names[random(5) as usize]);
