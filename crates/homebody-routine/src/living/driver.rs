@@ -205,9 +205,12 @@ impl RoutineDriver {
         let arrival = moves.last().map_or(now, |last| last.end);
         self.lamps(from, spot.room, now, moves);
         self.watches.arrive(spot.room, &spot.name, &self.home.plan, arrival, &self.life);
-        // Who comes by sees what was left on.
+        // Who comes by sees what was left on; on an errand only at the thing itself.
+        let is_errand = self.name == Activity::Housework.name();
         for thing in self.watches.left_on() {
-            if self.home.plan.room_at(self.home.plan.things[thing as usize].at) == spot.room {
+            if self.home.plan.room_at(self.home.plan.things[thing as usize].at) == spot.room
+                && (!is_errand || spot.name == self.places.thing_name(thing))
+            {
                 self.act(thing, false, arrival);
             }
         }
@@ -548,12 +551,12 @@ const DARK: f64 = 0.08;
 /// a day come near those of people of 75 and more (American Time Use Survey); housework stands for the small errands that
 /// nobody plans, from which people of that age rise from their seats 46-60 times a day.
 const FILLERS: [(Activity, f64, f64); 6] = [
-    (Activity::WatchTelevision, 1.0, 14.0),
+    (Activity::WatchTelevision, 0.98, 14.0),
     (Activity::Relax, 0.21, 8.0),
     (Activity::Read, 0.14, 13.0),
     (Activity::Housework, 0.5, 1.3),
     (Activity::Phone, 0.1, 12.0),
-    (Activity::UseComputer, 0.107, 14.0),
+    (Activity::UseComputer, 0.1, 14.0),
 ];
 
 /// So many times as often somebody who sits gets up for an errand as one errand follows another (ours).

@@ -24,8 +24,8 @@ pub struct Needs {
 /// snack after seven without one.
 const THIRST: f64 = 24.0 / 4.0;
 const HUNGER: f64 = 24.0 / 7.0;
-/// Seven hours after getting up, as naps have their peak at 14:30-15:00.
-const TIREDNESS: f64 = 24.0 / 7.0;
+/// Some seven hours after getting up, as naps have their peak at 14:30-15:00.
+const TIREDNESS: f64 = 24.0 / 7.2;
 
 /// Shape of the gamma distribution of thresholds (ours).
 const SHAPE: f64 = 3.0;
@@ -39,18 +39,14 @@ const ANYWAY: f64 = 2.0;
 
 impl Needs {
     pub fn new(life: &Life, now: Micros) -> Needs {
+        // Who naps by plan does not nap for being tired, too.
+        let plans_naps = life.habits(0).any(|(habit, _, _)| habit.activity == Activity::Nap && habit.visitor.is_none());
+        let naps = if plans_naps { 0.0 } else { life.constitution.naps };
+        let constitution = Constitution { naps, ..life.constitution };
         let mut stream = life.stream("needs");
         let mut need = || Need::new(now, stream.gamma(SHAPE, 1.0));
         let (toilet, thirst, hunger) = (need(), need(), need());
-        Needs {
-            toilet,
-            thirst,
-            hunger,
-            tiredness: Need::new(now, 1.0),
-            asleep: false,
-            constitution: life.constitution,
-            stream,
-        }
+        Needs { toilet, thirst, hunger, tiredness: Need::new(now, 1.0), asleep: false, constitution, stream }
     }
 
     pub fn asleep(&self) -> bool {

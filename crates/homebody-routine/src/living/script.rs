@@ -309,12 +309,17 @@ impl Steps<'_, '_> {
         self.act(Role::WashingMachine, false);
     }
 
-    /// A round through the home, a few minutes here and there.
+    /// A round through the home, a moment here and there. Mostly it is near where one sits: of two places, the nearer
+    /// (ours); nobody takes the stairs for every errand.
     fn housework(&mut self, lasts: Micros) {
         let stations = self.setting.places.stations();
+        let seat = self.setting.places.of(Role::Armchair).map(|seat| seat.at);
         let mut left = lasts;
         while left > 0 && !stations.is_empty() {
-            let spot = &stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()];
+            let mut any = || &stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()];
+            let (one, other) = (any(), any());
+            let far = |spot: &Spot| seat.map_or(0.0, |seat| seat.distance(spot.at));
+            let spot = if far(other) < far(one) { other } else { one };
             let span = self.around(45.0).clamp(SECOND, left.max(SECOND));
             self.push(Step::Go(spot.clone()));
             self.stay(Posture::Standing, Manner::BUSY, span, May::Interrupt);
