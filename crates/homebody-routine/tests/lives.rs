@@ -258,10 +258,12 @@ fn once_a_week_is_once_in_each_week() {
     let days = 42;
     let routine = "Margaret is 82.\nShe exercises twice a week at about 11:00 for 10 minutes.\n";
     let lived = activities(&events(run(routine, days), DAY), 0, days * DAY);
+    // What a need interrupts goes on afterwards, on the same day.
+    let mut on: Vec<i64> =
+        lived.iter().filter(|(_, _, name)| name == "exercising").map(|(at, _, _)| at / DAY).collect();
+    on.dedup();
     let mut weeks = vec![0; 6];
-    for (at, _, _) in lived.iter().filter(|(_, _, name)| name == "exercising") {
-        weeks[(at / DAY / 7) as usize] += 1;
-    }
+    on.iter().for_each(|day| weeks[(day / 7) as usize] += 1);
     assert_eq!(weeks, [2; 6]);
 }
 
