@@ -11,7 +11,8 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Micros;
 use homebody_log::source::Clock;
 use homebody_log::{Life, Log, lives, read};
-use homebody_study::dates::{on_wall, put_on_wall};
+use homebody_study::dates::{date_of, dates, on_wall, put_on_wall};
+use jiff::civil::Date;
 use std::fs;
 use std::ops::Range;
 use std::path::PathBuf;
@@ -70,6 +71,12 @@ impl Given {
         let recorded = span.filter(|span| log.events.iter().all(|event| span.contains(&event.at)));
         let sources = [Some(url.path().to_owned()), truth, recording].into_iter().flatten().collect();
         Ok(Given { name: named(text), log, lives, recorded, sources })
+    }
+
+    /// The first and the last of its dates: those of its run, on which nothing may have been said, else those of its rows.
+    pub fn dates(&self) -> Option<(Date, Date)> {
+        let of_run = self.recorded.as_ref().map(|run| (date_of(run.start), date_of(run.end - 1)));
+        of_run.or_else(|| dates(&self.log))
     }
 }
 

@@ -3,7 +3,7 @@
 use super::answer::Answer;
 use crate::failure::Failure;
 use crate::given::Given;
-use homebody_study::dates::{Asked, dates};
+use homebody_study::dates::Asked;
 use homebody_study::day::Day;
 use homebody_study::picture::day_chart;
 
@@ -31,7 +31,7 @@ impl Arguments {
         let given = Given::read(&self.log, self.time_zone.as_deref())?;
         let answer = self.answer.check([""], &given.sources)?;
         let no_rows = || Failure::usage(format!("{}: it has no rows, so no day", self.log));
-        let there = dates(&given.log).ok_or_else(no_rows)?;
+        let there = given.dates().ok_or_else(no_rows)?;
         let no_day = || {
             let ((first, last), asked, log) = (there, self.date, &self.log);
             Failure::usage(format!(

@@ -6,9 +6,10 @@ use crate::failure::Failure;
 use crate::given::Given;
 use homebody_core::scenario::nearest::nearest;
 use homebody_core::time::Micros;
-use homebody_study::dates::{self, dates};
+use homebody_study::dates;
 use homebody_study::density::{Asked, density};
 use homebody_study::picture::density_map;
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 /// Says and draws how much somebody moves in each hour of each day, and when nobody is at home: the motion density map of
@@ -64,7 +65,7 @@ impl Arguments {
         if !problems.is_empty() {
             return Err(Failure::usage(problems.join("\nerror: ")));
         }
-        let from = self.from.and_then(|from| from.within(dates(&log.log)?));
+        let from = self.from.and_then(|from| from.within(log.dates()?));
         let days = self.days.map(|days| days as usize);
         let (doors, away_after) = (self.doors(&log), self.away_after);
         let asked = Asked { doors, away_after, recorded: log.recorded.clone(), from, days };
@@ -94,14 +95,17 @@ impl Arguments {
         unknown.map(move |door| {
             let hint = match nearest(door, sensors()) {
                 Some(near) => format!("did you mean {near:?}?"),
-                None => format!("the sensors are {}", sensors().collect::<Vec<_>>().join(", ")),
+                None => {
+                    let known: BTreeSet<&str> = sensors().collect();
+                    format!("the sensors are {}", known.into_iter().collect::<Vec<_>>().join(", "))
+                }
             };
             format!("--door {door:?}: there is no such sensor\n  hint: {hint}")
         })
     }
 
     fn unknown_day(&self, log: &Given) -> Option<String> {
-        let (asked, there) = (self.from?, dates(&log.log)?);
+        let (asked, there) = (self.from?, log.dates()?);
         let problem = || {
             let (first, last) = there;
             format!("--from {asked}: {} has no such day\n  hint: it goes from {first} to {last}", self.log)

@@ -98,6 +98,17 @@ fn a_day_is_told_and_drawn() {
 }
 
 #[test]
+fn a_day_of_a_run_on_which_nothing_was_said_is_one_of_its_days() {
+    let folder = Folder::new();
+    folder.copy_scenario("by-hand");
+    folder.run("run by-hand --quiet --for 2d").ok();
+    let done = folder.run("day runs/by-hand-1 last").ok();
+    assert!(done.out.contains("Wednesday 2026-01-07, 0 firings of 3 sensors"), "{}", done.out);
+    let part = folder.run("density runs/by-hand-1 --from 2026-01-06 --json").ok().json();
+    assert_eq!((&part["days"][0]["date"], &part["days"][0]["recorded_h"]), (&json!("2026-01-06"), &json!(24.0)));
+}
+
+#[test]
 fn a_log_alone_is_enough() {
     let folder = Folder::new();
     folder.write(
