@@ -100,10 +100,10 @@ fn the_parts_of_the_day_of_the_page_are_those_of_the_code() {
         ("at noon", PartOfDay::Noon),
         ("in the afternoon", PartOfDay::Afternoon),
         ("in the evening", PartOfDay::Evening),
-        ("at night", PartOfDay::Night),
         ("during the day", PartOfDay::Day),
     ] {
         let (from, to) = part.hours();
         assert_eq!(row(words)[1], format!("any time from {} to {}", clock(from), clock(to)));
     }
+    assert_eq!(row("at night")[1], "any time while in bed");
 }

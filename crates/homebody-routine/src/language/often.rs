@@ -241,5 +241,5 @@ fn with_probability(probability: f64) -> Chance {
 /// Exactly so many days of each week, where it is a whole number of them.
 fn days_a_week_of(amount: &Amount) -> Option<u8> {
     let days = amount.from;
-    (amount.from == amount.to && days >= 1.0 && days <= 7.0 && libm::floor(days) == days).then_some(days as u8)
+    (amount.from == amount.to && (1.0..=7.0).contains(&days) && libm::floor(days) == days).then_some(days as u8)
 }

@@ -35,10 +35,17 @@ impl Arguments {
         for (index, resident) in scenario.residents.iter().enumerate() {
             let Some(routine) = household.routine(index) else { continue };
             routines += 1;
-            let (habits, rules, changes) = (routine.habits.len(), routine.rules.len(), routine.changes.len());
+            let counted = |count: usize, one: &str, more: &str| match count {
+                1 => format!("1 {one}"),
+                count => format!("{count} {more}"),
+            };
             tell(format_args!(
-                "{}: nothing is wrong. {} does {habits} things, has {rules} rules, and {changes} changes come.",
-                routine.file, resident.file.name
+                "{}: nothing is wrong. {} has {}, {} and {}.",
+                routine.file,
+                resident.file.name,
+                counted(routine.habits.len(), "habit", "habits"),
+                counted(routine.rules.len(), "rule", "rules"),
+                counted(routine.changes.len(), "change to come", "changes to come"),
             ));
         }
         if routines == 0 {
