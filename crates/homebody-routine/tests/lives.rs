@@ -104,6 +104,26 @@ fn twins_differ_from_the_onset_on() {
     assert!((45 * 60 * SECOND..3 * HOUR).contains(&later), "up {} minutes later", later / SECOND / 60);
 }
 
+#[test]
+fn what_a_condition_does_not_touch_draws_the_same_numbers() {
+    let own = [("conditions/no-lunch.routine", "She skips lunch on 100 % of days.\n")];
+    let routine = format!("{ORDINARY}\nFrom day 4 she shows no lunch.\n");
+    let twin = |without: &[&str]| {
+        let (scenario, household) = household(&files(&routine, &own), without).unwrap();
+        let events = events(Run::new(&scenario, &household, 11, 12 * DAY), DAY);
+        let lived = activities(&events, 0, 12 * DAY);
+        let at = |name: &str| -> Vec<Micros> {
+            lived.iter().filter(|(_, _, what)| what == name).map(|(at, _, _)| *at).collect()
+        };
+        (at("getting_up"), at("eating_lunch"), at("showering").len(), at("eating_dinner").len())
+    };
+    let ((up, lunches, showers, dinners), (up_without, lunches_without, ..)) = (twin(&["no-lunch"]), twin(&[]));
+    assert_eq!(up, up_without, "she gets up when she does");
+    assert!(lunches.len() >= 12 && lunches_without.len() <= 4, "{} and {}", lunches.len(), lunches_without.len());
+    let (_, _, showers_with, dinners_with) = twin(&[]);
+    assert_eq!((showers, dinners > 0), (showers_with, dinners_with > 0));
+}
+
 /// Moves follow each other without gaps in time, and in space but for absences.
 #[test]
 fn nobody_is_in_two_places() {

@@ -67,7 +67,7 @@ impl Calendar {
 
     /// Year, month and day of the month.
     pub fn date(&self, day: i32) -> (i16, u8, u8) {
-        let date = self.start.date().saturating_add(jiff::Span::new().days(day));
+        let date = self.start.date().saturating_add(jiff::Span::new().days(day.clamp(-4_000_000, 4_000_000)));
         (date.year(), date.month() as u8, date.day() as u8)
     }
 

@@ -20,7 +20,7 @@ use homebody_core::home::Home;
 use homebody_core::random::Stream;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros, SECOND, micros};
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
 
 pub(super) const MINUTE: Micros = 60 * SECOND;
@@ -45,8 +45,10 @@ pub struct RoutineDriver {
     pub(super) name: String,
     pub(super) needs: Needs,
     pub(super) watches: Watches,
-    /// How many scripts there have been today: each has random numbers of its own.
+    /// How many scripts there have been today.
     pub(super) begun: u32,
+    /// How many times today each activity was done that nobody planned.
+    pub(super) unplanned: BTreeMap<Activity, u32>,
     /// The conditions that were told last.
     pub(super) shown: Vec<String>,
     /// From which the hours of the day are counted.
@@ -91,6 +93,7 @@ impl RoutineDriver {
             told: String::new(),
             name: String::new(),
             begun: 0,
+            unplanned: BTreeMap::new(),
             shown: Vec::new(),
             midnight: life.midnight(agenda.day),
             visitor: None,
@@ -346,7 +349,7 @@ impl RoutineDriver {
             return;
         }
         if let Some(activity) = self.needs.pressing(now, self.hour(now)) {
-            let key = format!("need/{}", self.begun);
+            let key = format!("need/{}/{}", activity.name(), self.times(&activity));
             let mut stream = self.life.stream_of_day(self.agenda.day, &key);
             let (median_min, sigma) = match activity {
                 // By night visits are shorter.
@@ -384,7 +387,7 @@ impl RoutineDriver {
                 }
             }
             Response::Do { activity, place, lasts } => {
-                let key = format!("rule/{}", self.begun);
+                let key = format!("rule/{}/{}", activity.name(), self.times(&activity));
                 let mut stream = self.life.stream_of_day(self.agenda.day, &key);
                 let (median_min, sigma) = activity.usual_minutes();
                 let lasts_s = match lasts {
@@ -444,6 +447,14 @@ impl RoutineDriver {
         });
     }
 
+    /// How many times today something was done that nobody planned: each time has random numbers of its own, whatever else
+    /// was done. What fills the time is counted as relaxing.
+    fn times(&mut self, activity: &Activity) -> u32 {
+        let times = self.unplanned.entry(activity.clone()).or_default();
+        *times += 1;
+        *times
+    }
+
     /// Nothing is being done: what is next?
     fn decide(&mut self, now: Micros) {
         if self.interrupted_at(now) <= now {
@@ -475,7 +486,7 @@ impl RoutineDriver {
     /// Fills the time until something is due, by the weights of older adults' days.
     fn fill(&mut self, until: Micros, now: Micros) {
         let gap = until - now;
-        let key = format!("fill/{}", self.begun);
+        let key = format!("fill/{}", self.times(&Activity::Relax));
         let mut stream = self.life.stream_of_day(self.agenda.day, &key);
         let said: Vec<&Activity> = self.life.habits(self.agenda.day).map(|(habit, _, _)| &habit.activity).collect();
         let (mut fillers, mut weights) = (Vec::new(), Vec::new());

@@ -373,6 +373,9 @@ impl Constitution {
     }
 }
 
+/// Nobody moves more than so many times as much as usual (ours).
+const MOST_MOVEMENT: f64 = 20.0;
+
 /// How long a change has lasted, and whose pace it changes.
 #[derive(Clone, Copy)]
 struct Span {
@@ -428,7 +431,7 @@ impl Mood {
             }
             Effect::Irregular(by) => self.irregular *= factor(by),
             Effect::Active { part, factor: by } => self.active.push((*part, factor(by))),
-            Effect::Restless(by) => self.restless *= factor(by),
+            Effect::Restless(by) => self.restless = (self.restless * factor(by)).min(MOST_MOVEMENT),
             Effect::Forgets { thing, chance } => {
                 self.forgets.push((thing.to_lowercase(), (chance * strength).min(1.0)))
             }
@@ -449,7 +452,8 @@ impl Mood {
                 (from..to).contains(&hour) || (from..to).contains(&(hour + 24.0))
             })
         };
-        self.active.iter().filter(|(part, _)| holds(part)).map(|(_, factor)| factor).product()
+        // Several changes together are not without bounds.
+        self.active.iter().filter(|(part, _)| holds(part)).map(|(_, factor)| factor).product::<f64>().min(MOST_MOVEMENT)
     }
 
     /// How many seconds later something is done.

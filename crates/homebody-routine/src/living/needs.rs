@@ -16,8 +16,8 @@ pub struct Needs {
     tiredness: Need,
     asleep: bool,
     constitution: Constitution,
-    /// Thresholds, and whether one naps.
-    stream: Stream,
+    /// A stream for each kind, so that a meal that is skipped leaves the toilet's thresholds as they are.
+    streams: [Stream; 4],
 }
 
 /// So many times a day of waking it would press (ours, but for the toilet): a drink every four hours beside meals, a
@@ -26,6 +26,9 @@ const THIRST: f64 = 24.0 / 4.0;
 const HUNGER: f64 = 24.0 / 7.0;
 /// Some seven hours after getting up, as naps have their peak at 14:30-15:00.
 const TIREDNESS: f64 = 24.0 / 7.2;
+
+/// All of them, in their own order.
+const KINDS: [Kind; 4] = [Kind::Toilet, Kind::Thirst, Kind::Hunger, Kind::Tiredness];
 
 /// Shape of the gamma distribution of thresholds (ours).
 const SHAPE: f64 = 3.0;
@@ -43,10 +46,9 @@ impl Needs {
         let plans_naps = life.habits(0).any(|(habit, _, _)| habit.activity == Activity::Nap && habit.visitor.is_none());
         let naps = if plans_naps { 0.0 } else { life.constitution.naps };
         let constitution = Constitution { naps, ..life.constitution };
-        let mut stream = life.stream("needs");
-        let mut need = || Need::new(now, stream.gamma(SHAPE, 1.0));
-        let (toilet, thirst, hunger) = (need(), need(), need());
-        Needs { toilet, thirst, hunger, tiredness: Need::new(now, 1.0), asleep: false, constitution, stream }
+        let mut streams = KINDS.map(|kind| life.stream(&format!("needs/{kind:?}")));
+        let [toilet, thirst, hunger, _] = streams.each_mut().map(|stream| Need::new(now, stream.gamma(SHAPE, 1.0)));
+        Needs { toilet, thirst, hunger, tiredness: Need::new(now, 1.0), asleep: false, constitution, streams }
     }
 
     pub fn asleep(&self) -> bool {
@@ -113,7 +115,7 @@ impl Needs {
         if self.tiredness.presses_at() > now {
             return None;
         }
-        if (12.5..17.5).contains(&hour) && self.stream.chance(self.constitution.naps) {
+        if (12.5..17.5).contains(&hour) && self.streams[Kind::Tiredness as usize].chance(self.constitution.naps) {
             return Some(Activity::Nap);
         }
         // Overcome, until tomorrow.
@@ -123,7 +125,7 @@ impl Needs {
 
     /// A need is met; how strong it was.
     pub fn meet(&mut self, kind: Kind, now: Micros) -> f64 {
-        let threshold = if kind == Kind::Tiredness { 1.5 } else { self.stream.gamma(SHAPE, 1.0) };
+        let threshold = if kind == Kind::Tiredness { 1.5 } else { self.streams[kind as usize].gamma(SHAPE, 1.0) };
         let need = match kind {
             Kind::Toilet => &mut self.toilet,
             Kind::Thirst => &mut self.thirst,

@@ -93,6 +93,7 @@ impl RoutineDriver {
         self.agenda = Agenda::of(&self.life, day, &self.mood);
         self.midnight = self.life.midnight(day);
         (self.next_item, self.next_break, self.begun) = (0, 0, 0);
+        self.unplanned.clear();
         self.next_break = self.agenda.breaks.partition_point(|item| item.start < now);
         self.tell_conditions();
         self.needs.waking(now, &self.mood, self.life.plans_toilet(day, false));
