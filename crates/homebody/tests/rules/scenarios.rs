@@ -64,3 +64,17 @@ fn entries(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("the folder can be read");
     entries.map(|entry| entry.expect("the entry can be read").path()).collect()
 }
+
+/// A scenario is a folder by itself, so these are copies; they must not drift apart.
+#[test]
+fn the_tigerplace_scenarios_have_one_home() {
+    let read = |scenario: &str, file: &str| {
+        let path = repository().join("scenarios").join(scenario).join(file);
+        std::fs::read_to_string(path).expect("a file of a scenario")
+    };
+    for copy in ["tigerplace-depression", "tigerplace-decline"] {
+        for file in ["home.json", "logger.json", "margaret.json"] {
+            assert!(read("tigerplace", file) == read(copy, file), "{file} of {copy} is not that of tigerplace");
+        }
+    }
+}
