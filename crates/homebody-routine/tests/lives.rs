@@ -357,6 +357,19 @@ fn a_condition_of_ones_own_needs_no_rust() {
 }
 
 #[test]
+fn every_condition_that_the_program_knows_can_be_shown_and_lived() {
+    for (name, text) in homebody_routine::household::CONDITIONS {
+        let routine =
+            format!("Margaret is 82.\nFrom day 2, over 2 days, she shows severe {}.\n", name.replace('-', " "));
+        let (scenario, household) = household(&files(&routine, &[]), &[]).unwrap();
+        let events = events(Run::new(&scenario, &household, 1, 4 * DAY), DAY);
+        let told = |fact: &&Fact| matches!(fact, Fact::Condition { name: of, .. } if of == name);
+        assert!(events.facts.iter().filter(told).count() >= 2, "{name}");
+        assert!(text.starts_with('#') && text.contains("ours"), "{name} says where its numbers are from");
+    }
+}
+
+#[test]
 fn leaving_out_what_nobody_shows_is_a_mistake() {
     let said = household(&files(DECLINE, &[]), &["depresion"]).unwrap_err();
     assert!(said.contains("nobody shows \"depresion\"") && said.contains("cognitive-decline"), "{said}");
