@@ -177,6 +177,9 @@ impl fmt::Display for Day {
                 writeln!(f, "  {}-{}  {:24}  {kind}", time(*begin_s), time(*end_s), what.replace('_', " "))?;
             }
         }
+        if self.sensors.is_empty() && self.readings == 0 {
+            return Ok(());
+        }
         let names = self.sensors.iter().map(|sensor| sensor.sensor.chars().count());
         let width = names.max().unwrap_or(0).max(6);
         let most = self.sensors.iter().map(|sensor| sensor.firings).max().unwrap_or(0).max(1);
