@@ -261,6 +261,22 @@ fn what_comes_then_comes_also_after_getting_up_and_after_the_toilet() {
 }
 
 #[test]
+fn who_gets_up_late_washes_and_dresses_first() {
+    let late = ORDINARY.replace("at about 06:45, give or take 45 minutes", "at about 11:00, give or take 15 minutes");
+    assert_ne!(late, ORDINARY);
+    let lived = activities(&events(run(&late, 14), DAY), 0, 14 * DAY);
+    let next =
+        |from: Micros, name: &str| lived.iter().find(|(at, _, what)| *at >= from && what == name).map(|(at, ..)| *at);
+    let ups: Vec<Micros> = lived.iter().filter(|(_, _, name)| name == "getting_up").map(|(at, ..)| *at).collect();
+    for up in &ups[..13] {
+        let (washing, dressing) = (next(*up, "washing").unwrap(), next(*up, "dressing").unwrap());
+        let first =
+            ["preparing_breakfast", "leaving_home"].into_iter().filter_map(|name| next(*up, name)).min().unwrap();
+        assert!(washing < first && dressing < first && dressing - up < 2 * HOUR, "on day {}", up / DAY);
+    }
+}
+
+#[test]
 fn what_has_its_time_in_the_night_is_done_in_the_night() {
     let tea = hours_of("Margaret is 82.\nShe makes tea at 3:00 at night.\n", 4, "drinking");
     assert!(tea.iter().filter(|hour| (2.9..3.6).contains(*hour)).count() >= 3, "{tea:?}");

@@ -64,6 +64,9 @@ enum Start {
 const MINUTE: f64 = 60.0;
 const HOUR: f64 = 3600.0;
 
+/// So long after getting up the morning's washing and dressing is over (ours).
+const SOON: Micros = 3600 * SECOND;
+
 /// Outings shorter than this are left out (ours).
 const LEAST_OUT: Micros = 10 * 60 * SECOND;
 
@@ -78,9 +81,17 @@ impl Agenda {
         let (up, bed) = (up(life, day, mood), bed(life, day, mood));
         // As it would be if tomorrow were as today: a change that begins tomorrow does not touch tonight.
         let next_up = self::up(life, day + 1, mood);
-        let mut planner = Planner { life, mood, day, up, bed, next_up, drafts: Vec::new(), breaks: Vec::new() };
+        let mut planner =
+            Planner { life, mood, day, up, bed, next_up, drafts: Vec::new(), breaks: Vec::new(), mornings: Vec::new() };
         planner.draw();
         let mut items = planner.resolve();
+        items.sort_by_key(|item| item.start);
+        let ready = planner.ready(&items);
+        // Who gets up late begins the day later, and not with what is overdue.
+        for item in items.iter_mut().filter(|item| item.start < ready && !planner.mornings.contains(&item.key)) {
+            item.latest += ready - item.start;
+            item.start = ready;
+        }
         items.sort_by_key(|item| item.start);
         let mut breaks = planner.breaks;
         breaks.sort_by_key(|item| item.start);
@@ -139,6 +150,8 @@ struct Planner<'a> {
     next_up: Micros,
     drafts: Vec<Draft>,
     breaks: Vec<Item>,
+    /// What is done after getting up, by key: washing, dressing.
+    mornings: Vec<String>,
 }
 
 impl Planner<'_> {
@@ -311,6 +324,8 @@ impl Planner<'_> {
             }
         }
         self.come_home();
+        let mornings = self.drafts.iter().filter(|draft| matches!(draft.start, Start::After(Activity::GetUp, _)));
+        self.mornings = mornings.map(|draft| draft.item.key.clone()).collect();
         let is_done = |activity: &Activity| self.drafts.iter().any(|draft| draft.item.activity == *activity);
         // There is nothing to wash up after a meal that was skipped.
         let is_idle = |draft: &Draft| match &draft.start {
@@ -318,6 +333,14 @@ impl Planner<'_> {
             _ => false,
         };
         self.drafts.iter().filter(|draft| !is_idle(draft)).map(|draft| draft.item.clone()).collect()
+    }
+
+    /// When what is done after getting up is done, as far as it is done soon.
+    fn ready(&self, items: &[Item]) -> Micros {
+        let soon = items.iter().filter(|item| {
+            self.mornings.contains(&item.key) && item.start < self.up + SOON && item.activity != Activity::ComeHome
+        });
+        soon.map(|item| item.start + item.lasts).fold(self.up, Micros::max)
     }
 
     /// Coming home at a time ends the outing before it.

@@ -194,7 +194,7 @@ impl Live<'_> {
             let bar = "█".repeat((rows * 30).div_ceil(most) as usize);
             text += &format!("  {name:width$} {rows:>8}  {bar}\n");
         }
-        text += &format!("  {:width$} {:>8}\n\n", "all", stored.rows);
+        text += &format!("  {:width$} {:>8}\n\n", "rows", stored.rows);
         for url in &stored.places {
             text += &format!("log        {url}\n");
         }
