@@ -9,6 +9,7 @@ use homebody_core::drivers::Move;
 use homebody_core::event::Events;
 use homebody_core::home::{Build, Home};
 use homebody_core::run::Run;
+use homebody_core::scenario::link::{LinkFile, Network};
 use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use homebody_core::world::World;
@@ -30,7 +31,12 @@ const MEMBERS: usize = 16;
 const MEMBERS_DAYS: usize = 60;
 
 fn main() {
-    let mut lines = vec![against_kernel(90 * DAY), against_inserts(YEAR)];
+    let link = Some(LinkFile { preset: Network::Zigbee, ..LinkFile::default() });
+    let mut lines = vec![
+        against_kernel("life_vs_kernel", None, 90 * DAY),
+        against_kernel("life_with_link_vs_kernel", link, 90 * DAY),
+        against_inserts(YEAR),
+    ];
     lines.push(decline());
     lines.push(cohort_against_programs());
     lines.iter().for_each(|line| println!("{line}"));
@@ -52,9 +58,11 @@ impl Files for Folder {
     }
 }
 
-/// The whole model (routine, needs, paths, all sensors, link) against the bare kernel on the same movement.
-fn against_kernel(length: Micros) -> String {
-    let (scenario, household) = scenario("tigerplace");
+/// The whole model (routine, needs, paths, all sensors, and the link if there is one) against the bare kernel on the same
+/// movement.
+fn against_kernel(name: &str, link: Option<LinkFile>, length: Micros) -> String {
+    let (mut scenario, household) = scenario("tigerplace");
+    scenario.link = link;
     let moves = Run::new(&scenario, &household, scenario.file.seed, length).moves();
     let mut bare = scenario.home.clone();
     bare.sensors.retain(|sensor| sensor.on().is_none());
@@ -70,7 +78,7 @@ fn against_kernel(length: Micros) -> String {
         println!("a day: whole model {:.0} us, bare kernel {:.0} us", life_s / days * 1e6, kernel_s / days * 1e6);
         ratios.push(kernel_s / life_s);
     }
-    Spread::of(&ratios).line("life_vs_kernel", 3)
+    Spread::of(&ratios).line(name, 3)
 }
 
 /// Lives the scenario and forgets what happens; seconds, with the making of the run.
