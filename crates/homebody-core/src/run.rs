@@ -150,25 +150,31 @@ impl Run {
         let until = until.min(self.length);
         let Some(mut link) = self.link.take() else {
             while self.now() < until {
-                self.step(until, events);
+                self.begin_due(events);
+                self.go_on(until, events);
             }
             return;
         };
         let mut said = Events::default();
         while self.now() < until {
-            self.step(until, &mut said);
+            self.begin_due(events);
+            self.go_on(until, &mut said);
             link.carry(&mut said, self.now(), events);
         }
         self.link = Some(link);
     }
 
-    /// Lives until `until`, or until somebody's move ends.
-    fn step(&mut self, until: Micros, events: &mut Events) {
+    /// Asks the drivers of all whose move is over what comes next.
+    fn begin_due(&mut self, events: &mut Events) {
         for resident in 0..self.residents.len() {
             if self.residents[resident].until <= self.world.now() {
                 self.begin_next(resident, events);
             }
         }
+    }
+
+    /// Lets the world go on until somebody's move is over, or `until`.
+    fn go_on(&mut self, until: Micros, events: &mut Events) {
         let next = self.residents.iter().map(|resident| resident.until).min();
         self.world.advance(until.min(next.unwrap_or(until)), events);
     }

@@ -146,6 +146,10 @@ impl Link {
     /// Takes from `said` what the world has said up to `now`, and adds to `events` what the logger receives before then,
     /// and what of it is lost.
     pub fn carry(&mut self, said: &mut Events, now: Micros, events: &mut Events) {
+        let due = self.under_way.peek().map_or(NEVER, |Reverse(due)| due.at);
+        if said.firings.is_empty() && said.facts.is_empty() && due.min(self.sources.next()) >= now {
+            return;
+        }
         let mut causes = Vec::with_capacity(said.firings.len());
         for fact in said.facts.drain(..) {
             match fact {
