@@ -25,6 +25,8 @@ pub struct Household {
     /// By resident; nothing for those who follow a path or keys.
     routines: Vec<Option<Routine>>,
     conditions: BTreeMap<String, Routine>,
+    /// What people do where their routines say nothing of it.
+    ordinary: Routine,
     guests: Vec<Visitor>,
     is_one_of_many: bool,
 }
@@ -83,19 +85,15 @@ impl Household {
     /// `without` names conditions that are left out; one that nobody shows is a problem.
     pub fn read(scenario: &mut Scenario, files: &dyn Files, without: &[String]) -> Result<Household, Problems> {
         let plan = Plan::new(&scenario.home);
-        let mut reader = Reader { files, known: BTreeMap::new(), sources: BTreeMap::new(), problems: Vec::new() };
+        let first = Some(scenario.calendar.date(0));
+        let mut reader = Reader::new(files, &scenario.home, &plan, first);
         let mut routines = Vec::new();
         for resident in &scenario.residents {
             let Driver::Routine { file, text } = &resident.driver else {
                 routines.push(None);
                 continue;
             };
-            let first = Some(scenario.calendar.date(0));
-            let known = known(&scenario.home, &plan, Some(&resident.file.name), reader.names(text), first);
-            let (routine, problems) = language::routine(file, text, &known);
-            reader.problems.extend(problems);
-            reader.follow(&routine, &scenario.home, &plan, first, &mut Vec::new());
-            routines.push(Some(routine));
+            routines.push(Some(reader.routine(file, text, Some(&resident.file.name))));
         }
         for name in without {
             let shown = |routine: &Routine| shows(routine).any(|condition| condition == name);
@@ -109,7 +107,7 @@ impl Household {
                 reader.problems.push(Problem::of_file(file, format!("nobody shows {name:?}"), Some(hint)));
             }
         }
-        let mut problems = reader.problems;
+        let mut problems = std::mem::take(&mut reader.problems);
         for (resident, routine) in scenario.residents.iter().zip(&routines) {
             if let Some(routine) = routine {
                 check_home(scenario, &plan, resident.file.radius_m, &resident.file.name, routine, &mut problems);
@@ -120,9 +118,18 @@ impl Household {
         }
         let mut conditions = reader.known;
         conditions.retain(|name, _| !without.contains(name));
-        scenario.sources.extend(reader.sources);
-        let mut household =
-            Household { scenario: scenario.clone(), routines, conditions, guests: Vec::new(), is_one_of_many: false };
+        let sources = reader.sources;
+        let (ordinary, _) =
+            language::condition("ordinary.routine", ORDINARY, &known(&scenario.home, &plan, None, Vec::new(), None));
+        scenario.sources.extend(sources);
+        let mut household = Household {
+            scenario: scenario.clone(),
+            routines,
+            conditions,
+            ordinary,
+            guests: Vec::new(),
+            is_one_of_many: false,
+        };
         household.guests = household.find_guests();
         Ok(household)
     }
@@ -152,13 +159,9 @@ impl Household {
     pub fn life(&self, resident: usize, seed: u64) -> Option<Life> {
         let routine = self.routine(resident)?.clone();
         let file = &self.scenario.residents[resident].file;
-        let plan = Plan::new(&self.scenario.home);
-        let (ordinary, _) = match routine.person.as_ref().map(|person| person.kind) {
-            Some(Kind::Cat | Kind::Dog) => (Routine::default(), Vec::new()),
-            _ => {
-                let known = known(&self.scenario.home, &plan, None, Vec::new(), None);
-                language::condition("ordinary.routine", ORDINARY, &known)
-            }
+        let ordinary = match routine.person.as_ref().map(|person| person.kind) {
+            Some(Kind::Cat | Kind::Dog) => Routine::default(),
+            _ => self.ordinary.clone(),
         };
         let calendar = &self.scenario.calendar;
         Some(Life::new(
@@ -222,13 +225,9 @@ pub struct Spoken;
 
 impl Language for Spoken {
     fn problems(&self, said: &Said, home: &HomeFile, plan: &Plan, files: &dyn Files) -> Vec<Problem> {
-        let mut reader = Reader { files, known: BTreeMap::new(), sources: BTreeMap::new(), problems: Vec::new() };
-        let first = said.calendar.map(|calendar| calendar.date(0));
-        let known = known(home, plan, said.resident, reader.names(said.text), first);
-        let (routine, mut problems) = language::routine(said.file, said.text, &known);
-        reader.follow(&routine, home, plan, first, &mut Vec::new());
-        problems.extend(reader.problems);
-        problems
+        let mut reader = Reader::new(files, home, plan, said.calendar.map(|calendar| calendar.date(0)));
+        reader.routine(said.file, said.text, said.resident);
+        reader.problems
     }
 }
 
@@ -267,15 +266,33 @@ fn known(
     }
 }
 
-/// Reads conditions as routines ask for them.
+/// Reads routines, and conditions as they ask for them.
 struct Reader<'a> {
     files: &'a dyn Files,
+    home: &'a HomeFile,
+    plan: &'a Plan,
+    /// Year, month and day of the run's first day, if it is known.
+    first: Option<(i16, u8, u8)>,
     known: BTreeMap<String, Routine>,
     sources: BTreeMap<String, String>,
     problems: Vec<Problem>,
 }
 
-impl Reader<'_> {
+impl<'a> Reader<'a> {
+    fn new(files: &'a dyn Files, home: &'a HomeFile, plan: &'a Plan, first: Option<(i16, u8, u8)>) -> Reader<'a> {
+        let (known, sources, problems) = (BTreeMap::new(), BTreeMap::new(), Vec::new());
+        Reader { files, home, plan, first, known, sources, problems }
+    }
+
+    /// Reads a person's routine and the conditions that it shows.
+    fn routine(&mut self, file: &str, text: &str, person: Option<&str>) -> Routine {
+        let known = known(self.home, self.plan, person, self.names(text), self.first);
+        let (routine, problems) = language::routine(file, text, &known);
+        self.problems.extend(problems);
+        self.follow(&routine, &mut Vec::new());
+        routine
+    }
+
     /// The names of the conditions that may be meant in a text: those the program knows, and the scenario's own files.
     fn names(&self, text: &str) -> Vec<String> {
         let mut names: Vec<String> = CONDITIONS.iter().map(|(name, _)| (*name).to_owned()).collect();
@@ -299,14 +316,7 @@ impl Reader<'_> {
     }
 
     /// Reads the conditions that a routine shows, and those that these show; `path` are the ones on the way here.
-    fn follow(
-        &mut self,
-        routine: &Routine,
-        home: &HomeFile,
-        plan: &Plan,
-        first: Option<(i16, u8, u8)>,
-        path: &mut Vec<String>,
-    ) {
+    fn follow(&mut self, routine: &Routine, path: &mut Vec<String>) {
         for change in &routine.changes {
             let Effect::Shows { condition, .. } = &change.effect else { continue };
             if path.contains(condition) {
@@ -325,12 +335,13 @@ impl Reader<'_> {
             let built_in = || CONDITIONS.iter().find(|(name, _)| name == condition).map(|(_, text)| (*text).to_owned());
             let Some(text) = own.or_else(built_in) else { continue };
             let names = self.names(&text);
-            let (routine, problems) = language::condition(&file, &text, &known(home, plan, None, names, first));
+            let (routine, problems) =
+                language::condition(&file, &text, &known(self.home, self.plan, None, names, self.first));
             self.problems.extend(problems);
             self.sources.insert(file, text);
             self.known.insert(condition.clone(), routine.clone());
             path.push(condition.clone());
-            self.follow(&routine, home, plan, first, path);
+            self.follow(&routine, path);
             path.pop();
         }
     }

@@ -5,6 +5,9 @@
 //!
 //! Ends with one line per figure: `RATIO <name> <median> <min>..<max>` and `DECLINE seconds <median>`.
 
+#[path = "../../homebody-core/benches/measure/mod.rs"]
+mod measure;
+
 use homebody_core::drivers::Move;
 use homebody_core::event::Events;
 use homebody_core::home::{Build, Home};
@@ -15,7 +18,7 @@ use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use homebody_core::world::World;
 use homebody_log::{Logger, RunInfo, Url};
 use homebody_routine::household::Household;
-use rusqlite::{Connection, params};
+use measure::{Spread, insert, rows};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
@@ -192,51 +195,4 @@ fn cohort_against_programs() -> String {
         ratios.push(programs_s / cohort_s);
     }
     Spread::of(&ratios).line("cohort_vs_programs", 2)
-}
-
-/// The rows of a log: time, sensor, value.
-fn rows(path: &Path) -> Vec<[String; 3]> {
-    let connection = Connection::open(path).expect("the log");
-    let mut select = connection.prepare("SELECT fired_at, sensor, value FROM firing ORDER BY seq").expect("a table");
-    let rows = select.query_map([], |row| Ok([row.get(0)?, row.get(1)?, row.get(2)?])).expect("rows");
-    rows.collect::<Result<_, _>>().expect("rows of text")
-}
-
-/// One prepared statement in one transaction, a row at a time; seconds.
-fn insert(path: &Path, rows: &[[String; 3]]) -> f64 {
-    let _ = fs::remove_file(path);
-    let start = Instant::now();
-    let mut connection = Connection::open(path).expect("a database");
-    let table = "CREATE TABLE firing (run_id INTEGER, seq INTEGER, fired_at TEXT, sensor TEXT, value TEXT, \
-                 PRIMARY KEY (run_id, seq)) WITHOUT ROWID";
-    connection.execute_batch(table).expect("a table");
-    let transaction = connection.transaction().expect("a transaction");
-    {
-        let mut insert = transaction.prepare("INSERT INTO firing VALUES (?, ?, ?, ?, ?)").expect("a statement");
-        for (seq, [fired_at, sensor, value]) in rows.iter().enumerate() {
-            insert.execute(params![1, seq as i64, fired_at, sensor, value]).expect("a row");
-        }
-    }
-    transaction.commit().expect("a commit");
-    connection.close().expect("a closed database");
-    start.elapsed().as_secs_f64()
-}
-
-/// The middle and the ends of some measurements.
-struct Spread {
-    least: f64,
-    median: f64,
-    most: f64,
-}
-
-impl Spread {
-    fn of(values: &[f64]) -> Spread {
-        let mut values = values.to_vec();
-        values.sort_by(f64::total_cmp);
-        Spread { least: values[0], median: values[values.len() / 2], most: values[values.len() - 1] }
-    }
-
-    fn line(&self, name: &str, decimals: usize) -> String {
-        format!("RATIO {name} {:.decimals$} {:.decimals$}..{:.decimals$}", self.median, self.least, self.most)
-    }
 }

@@ -10,11 +10,11 @@ use super::life::{Life, Mood};
 use super::manner::Manner;
 use super::needs::Needs;
 use super::places::{Places, Role, Spot};
-use super::script::{May, Met, Setting, Stay, Step, script};
+use super::script::{May, Setting, Stay, Step, script};
 use super::watch::Watches;
 use crate::routine::{Activity, Response};
 use homebody_core::drivers::{self, Decide, Move, Next};
-use homebody_core::event::{Act, Doing, Need as NeedKind};
+use homebody_core::event::{Act, Doing, Need};
 use homebody_core::geometry::Point;
 use homebody_core::home::Home;
 use homebody_core::random::Stream;
@@ -45,8 +45,6 @@ pub struct RoutineDriver {
     pub(super) name: String,
     pub(super) needs: Needs,
     pub(super) watches: Watches,
-    /// How many scripts there have been today.
-    pub(super) begun: u32,
     /// How many times today each activity was done that nobody planned.
     pub(super) unplanned: BTreeMap<Activity, u32>,
     /// The conditions that were told last.
@@ -92,7 +90,6 @@ impl RoutineDriver {
             ready: VecDeque::new(),
             told: String::new(),
             name: String::new(),
-            begun: 0,
             unplanned: BTreeMap::new(),
             shown: Vec::new(),
             midnight: life.midnight(agenda.day),
@@ -190,7 +187,7 @@ impl RoutineDriver {
                 }
             }
             Step::LieDown => self.lie_down(now),
-            Step::Meet(met) => self.meet(met, now),
+            Step::Meet(need) => self.meet(need, now),
             Step::Wake => self.wake(now),
             Step::Stay(_) => {}
         }
@@ -429,7 +426,6 @@ impl RoutineDriver {
     }
 
     pub(super) fn play(&mut self, steps: VecDeque<Step>, stream: Stream, name: String) {
-        self.begun += 1;
         let spot = None;
         // What is interrupted is resumed where it is.
         let here = self.body.spot().cloned();
@@ -458,9 +454,9 @@ impl RoutineDriver {
     /// Nothing is being done: what is next?
     fn decide(&mut self, now: Micros) {
         if self.interrupted_at(now) <= now {
-            let before = (self.next_break, self.begun);
+            let before = self.next_break;
             self.interrupt(now);
-            if self.begun != before.1 || self.next_break != before.0 {
+            if !self.scripts.is_empty() || self.next_break != before {
                 return;
             }
         }
@@ -542,16 +538,10 @@ impl RoutineDriver {
         self.shown = now.iter().map(|(name, _)| name.clone()).collect();
     }
 
-    fn meet(&mut self, met: Met, now: Micros) {
-        let kind = match met {
-            Met::Toilet => NeedKind::Toilet,
-            Met::Thirst => NeedKind::Thirst,
-            Met::Hunger => NeedKind::Hunger,
-            Met::Tiredness => NeedKind::Tiredness,
-        };
-        let before = self.needs.meet(kind, now);
-        self.ready.push_back(Next::Need(kind, before));
-        self.ready.push_back(Next::Need(kind, 0.0));
+    fn meet(&mut self, need: Need, now: Micros) {
+        let before = self.needs.meet(need, now);
+        self.ready.push_back(Next::Need(need, before));
+        self.ready.push_back(Next::Need(need, 0.0));
     }
 }
 

@@ -92,7 +92,7 @@ impl RoutineDriver {
         self.mood = self.life.mood(day);
         self.agenda = Agenda::of(&self.life, day, &self.mood);
         self.midnight = self.life.midnight(day);
-        (self.next_item, self.next_break, self.begun) = (0, 0, 0);
+        self.next_item = 0;
         self.unplanned.clear();
         self.next_break = self.agenda.breaks.partition_point(|item| item.start < now);
         self.tell_conditions();

@@ -5,6 +5,7 @@ use super::manner::Manner;
 use super::places::{Places, Role, Spot};
 use crate::routine::{Activity, Meal};
 use crate::walk::Wandering;
+use homebody_core::event::Need;
 use homebody_core::geometry::Point;
 use homebody_core::random::Stream;
 use homebody_core::scenario::path::Posture;
@@ -33,7 +34,7 @@ pub enum Step {
     /// The clothes of the night, or of the day: heart and lungs are told anew.
     LieDown,
     /// A need is met.
-    Meet(Met),
+    Meet(Need),
     /// The day is over: the next one's plan is made.
     Wake,
 }
@@ -61,15 +62,6 @@ pub enum May {
     Interrupt,
     /// These, and whatever is next on the plan, which ends it.
     Yield,
-}
-
-/// What an activity does for needs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Met {
-    Toilet,
-    Thirst,
-    Hunger,
-    Tiredness,
 }
 
 /// What a script is made from.
@@ -117,8 +109,8 @@ impl Steps<'_, '_> {
             Activity::Prepare(meal) => self.prepare(*meal, lasts),
             Activity::Eat(_) => {
                 self.at(Role::DiningSeat, place, lasts, Manner::EATING, May::Rules);
-                self.push(Step::Meet(Met::Hunger));
-                self.push(Step::Meet(Met::Thirst));
+                self.push(Step::Meet(Need::Hunger));
+                self.push(Step::Meet(Need::Thirst));
             }
             Activity::WashUp => self.with_water(Role::Sink, place, lasts, Manner::BUSY),
             Activity::WatchTelevision => self.watch_television(place, lasts, until),
@@ -203,7 +195,7 @@ impl Steps<'_, '_> {
         self.at(Role::Toilet, None, lasts, Manner::ON_TOILET, May::Rules);
         self.act(Role::Toilet, true);
         self.act(Role::Toilet, false);
-        self.push(Step::Meet(Met::Toilet));
+        self.push(Step::Meet(Need::Toilet));
         let washing = self.around(25.0);
         self.with_water(Role::Washbasin, None, washing, Manner::WASHING);
     }
@@ -298,7 +290,7 @@ impl Steps<'_, '_> {
     fn nap(&mut self, place: Option<&Spot>, lasts: Micros, until: Option<Micros>) {
         let role = if self.setting.stream.chance(0.5) { Role::Bed } else { Role::Armchair };
         // Met as it begins: who naps does not take another nap for being tired.
-        self.push(Step::Meet(Met::Tiredness));
+        self.push(Step::Meet(Need::Tiredness));
         self.until(role, place, lasts, until, Manner::ASLEEP);
     }
 
@@ -372,12 +364,12 @@ impl Steps<'_, '_> {
         }
         self.with_water(Role::Sink, None, (lasts / 4).max(10 * SECOND), Manner::BUSY);
         self.at(Role::DiningSeat, None, lasts * 3 / 4, Manner::EATING, May::Rules);
-        self.push(Step::Meet(Met::Thirst));
+        self.push(Step::Meet(Need::Thirst));
     }
 
     fn snack(&mut self, lasts: Micros) {
         self.station(Role::Fridge, lasts);
         self.at(Role::DiningSeat, None, lasts, Manner::EATING, May::Rules);
-        self.push(Step::Meet(Met::Hunger));
+        self.push(Step::Meet(Need::Hunger));
     }
 }

@@ -5,6 +5,7 @@
 use homebody_core::geometry::Point;
 use std::fmt::Write;
 
+use super::chart::heading;
 use super::font;
 use super::paint::{FLOOR, HAIRLINE, INK, MUTED, Paint, WALL, WHITE};
 use super::svg::{Anchor, Px, Svg, Type};
@@ -61,8 +62,7 @@ const AXIS: Type = Type::new(13.0, MUTED);
 pub fn day_chart(day: &DayChart) -> String {
     let words = in_words(day);
     let mut svg = Svg::new(&day.title, &words);
-    svg.text(&font::shortened(&day.title, 24.0, WIDTH - 80.0), Point::new(40.0, 42.0), &Type::new(24.0, INK));
-    svg.text(&words, Point::new(40.0, 72.0), &Type::new(15.0, MUTED));
+    heading(&mut svg, &font::shortened(&day.title, 24.0, WIDTH - 80.0), &words);
     legend(&mut svg, day);
     let bands: f64 = day.bands.iter().map(height).sum();
     let gap = if day.bands.is_empty() || day.ticks.is_empty() { 0.0 } else { 16.0 };

@@ -3,8 +3,10 @@
 use crate::failure::Failure;
 use crate::folder;
 use crate::print::{print_json, tell};
+use homebody_core::scenario::load::Scenario;
+use homebody_routine::household::Household;
 use serde_json::json;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Reports everything that is wrong with a scenario, with file, line and a hint.
 #[derive(clap::Args)]
@@ -19,15 +21,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let loaded = folder::load_lives(&self.scenario, &[]);
-        if self.json {
-            match &loaded {
-                Ok(_) => print_json(&json!({ "problems": [] }))?,
-                Err(Failure::Problems(problems)) => print_json(&json!({ "problems": problems }))?,
-                Err(_) => {}
-            }
-        }
-        let (scenario, ..) = loaded?;
+        let (scenario, _) = load_and_say(&self.scenario, self.json)?;
         let home = &scenario.home;
         tell(format_args!(
             "{}: nothing is wrong. {}, {}, {}, {}; {}.",
@@ -42,6 +36,19 @@ impl Arguments {
     }
 }
 
-fn counted(count: usize, one: &str, many: &str) -> String {
+/// Loads a scenario with its routines; as JSON, the problems are said whether or not there are any.
+pub fn load_and_say(path: &Path, json: bool) -> Result<(Scenario, Household), Failure> {
+    let loaded = folder::load_lives(path, &[]);
+    if json {
+        match &loaded {
+            Ok(_) => print_json(&json!({ "problems": [] }))?,
+            Err(Failure::Problems(problems)) => print_json(&json!({ "problems": problems }))?,
+            Err(_) => {}
+        }
+    }
+    loaded.map(|(scenario, _, household)| (scenario, household))
+}
+
+pub fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }

@@ -1,9 +1,8 @@
 //! `homebody routine check`: everything that is wrong with routines.
 
+use crate::commands::check::{counted, load_and_say};
 use crate::failure::Failure;
-use crate::folder;
-use crate::print::{print_json, tell};
-use serde_json::json;
+use crate::print::tell;
 use std::path::PathBuf;
 
 /// Reports everything that is wrong with the routines of a scenario and the conditions that they show: each at its word,
@@ -22,23 +21,11 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let loaded = folder::load_lives(&self.scenario, &[]);
-        if self.json {
-            match &loaded {
-                Ok(_) => print_json(&json!({ "problems": [] }))?,
-                Err(Failure::Problems(problems)) => print_json(&json!({ "problems": problems }))?,
-                Err(_) => {}
-            }
-        }
-        let (scenario, _, household) = loaded?;
+        let (scenario, household) = load_and_say(&self.scenario, self.json)?;
         let mut routines = 0;
         for (index, resident) in scenario.residents.iter().enumerate() {
             let Some(routine) = household.routine(index) else { continue };
             routines += 1;
-            let counted = |count: usize, one: &str, more: &str| match count {
-                1 => format!("1 {one}"),
-                count => format!("{count} {more}"),
-            };
             tell(format_args!(
                 "{}: nothing is wrong. {} has {}, {} and {}.",
                 routine.file,

@@ -7,7 +7,7 @@ use homebody_core::event::{Events, Fact};
 use homebody_core::run::Run;
 use homebody_core::time::{Micros, SECOND};
 use homebody_log::{Activity, Life, Log};
-use homebody_study::dates::{date_of, midnight, on_wall};
+use homebody_study::dates::{date_of, on_wall};
 use homebody_study::day::Day;
 use homebody_study::picture::day_chart;
 use std::path::PathBuf;
@@ -54,7 +54,7 @@ impl Arguments {
         let mut lives = Lived::new(&run);
         lives.live(run, begin, wall);
         let name = format!("{}, lived", scenario.file.name);
-        let day = Day::of(&name, &Log::default(), &lives.lives, date_of(midnight(date)));
+        let day = Day::of(&name, &Log::default(), &lives.lives, date);
         answer.give(&day, [&|| day_chart(&day.chart())])
     }
 }
