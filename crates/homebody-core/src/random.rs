@@ -33,6 +33,11 @@ impl Stream {
         (self.0.next_u64() >> 11) as f64 * UNIT_STEP
     }
 
+    /// Several numbers at once. Draws one value.
+    pub fn lot(&mut self) -> Lot {
+        Lot(self.0.next_u64())
+    }
+
     /// True with this probability; never for 0 or less, always for 1 or more. Draws one value in any case.
     pub fn chance(&mut self, probability: f64) -> bool {
         self.unit() < probability
@@ -121,6 +126,20 @@ impl Stream {
             left -= weight;
         }
         picked
+    }
+}
+
+/// Numbers from one drawn value, of which only those that are asked for cost anything.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Lot(u64);
+
+impl Lot {
+    /// One of its numbers, from 0 up to, but not including, 1; by SplitMix64 (Steele, Lea & Flood 2014), begun at the value.
+    pub fn unit(self, index: u32) -> f64 {
+        let state = self.0.wrapping_add((u64::from(index) + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15));
+        let mixed = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((mixed ^ (mixed >> 31)) >> 11) as f64 * UNIT_STEP
     }
 }
 

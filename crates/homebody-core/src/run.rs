@@ -16,6 +16,9 @@ use crate::world::World;
 use std::borrow::Cow;
 use std::sync::Arc;
 
+/// How much the world says before the link carries it: enough that the carrying itself costs little.
+const AT_ONCE: usize = 256;
+
 /// A scenario being lived. A clone continues exactly as the original.
 #[derive(Clone, Debug)]
 pub struct Run {
@@ -159,7 +162,9 @@ impl Run {
         while self.now() < until {
             self.begin_due(events);
             self.go_on(until, &mut said);
-            link.carry(&mut said, self.now(), events);
+            if said.firings.len() + said.facts.len() >= AT_ONCE || self.now() >= until {
+                link.carry(&mut said, self.now(), events);
+            }
         }
         self.link = Some(link);
     }
@@ -200,7 +205,8 @@ impl Run {
     /// Asks the resident's driver what comes next, and tells the world.
     fn begin_next(&mut self, resident: usize, events: &mut Events) {
         let now = self.world.now();
-        let others: Vec<Body> = self.others(resident);
+        let minds_others = self.residents[resident].driver.minds_others();
+        let others = if minds_others { self.others(resident) } else { Vec::new() };
         let next = loop {
             match self.residents[resident].driver.next(now, &others) {
                 Next::Activity(name) => {

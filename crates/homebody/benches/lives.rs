@@ -3,7 +3,8 @@
 //!
 //! Both sides of a ratio take turns in one run, so that a noisy machine disturbs both.
 //!
-//! Ends with one line per figure: `RATIO <name> <median> <min>..<max>` and `DECLINE seconds <median>`.
+//! Ends with one line per figure: `RATIO <name> <median> <min>..<max>` and `DECLINE seconds <median>`. Names after `--` ask
+//! for those figures alone.
 
 #[path = "../../homebody-core/benches/measure/mod.rs"]
 mod measure;
@@ -33,15 +34,22 @@ const STEP: Micros = 6 * 3600 * SECOND;
 const MEMBERS: usize = 16;
 const MEMBERS_DAYS: usize = 60;
 
+/// Measures what the figure of a name says.
+type Figure<'a> = &'a dyn Fn(&str) -> String;
+
 fn main() {
-    let link = Some(LinkFile { preset: Network::Zigbee, ..LinkFile::default() });
-    let mut lines = vec![
-        against_kernel("life_vs_kernel", None, 90 * DAY),
-        against_kernel("life_with_link_vs_kernel", link, 90 * DAY),
-        against_inserts(YEAR),
+    let zigbee = || LinkFile { preset: Network::Zigbee, ..LinkFile::default() };
+    let figures: [(&str, Figure); 5] = [
+        ("life_vs_kernel", &|name| against_kernel(name, None, 90 * DAY)),
+        ("life_with_link_vs_kernel", &|name| against_kernel(name, Some(zigbee()), 90 * DAY)),
+        ("life_sqlite_vs_bare", &|name| against_inserts(name, YEAR)),
+        ("DECLINE", &decline),
+        ("cohort_vs_programs", &cohort_against_programs),
     ];
-    lines.push(decline());
-    lines.push(cohort_against_programs());
+    let asked: Vec<String> = std::env::args().skip(1).filter(|arg| !arg.starts_with('-')).collect();
+    let is_asked = |name: &str| asked.is_empty() || asked.iter().any(|asked| asked == name);
+    let lines: Vec<String> =
+        figures.iter().filter(|(name, _)| is_asked(name)).map(|(name, figure)| figure(name)).collect();
     lines.iter().for_each(|line| println!("{line}"));
 }
 
@@ -118,7 +126,7 @@ fn kernel(home: &Arc<Home>, moves: &[Vec<Move>], length: Micros) -> f64 {
 }
 
 /// A resident-year into SQLite against a bare loop that inserts the same rows: how many times as long it takes.
-fn against_inserts(length: Micros) -> String {
+fn against_inserts(name: &str, length: Micros) -> String {
     let folder = tempfile::tempdir().expect("a folder");
     let (run, bare) = (folder.path().join("run.db"), folder.path().join("bare.db"));
     let (scenario, household) = scenario("tigerplace");
@@ -131,11 +139,11 @@ fn against_inserts(length: Micros) -> String {
         println!("{} rows of a year: bare loop {bare_s:.2} s, life {run_s:.2} s", rows.len());
         ratios.push(run_s / bare_s);
     }
-    Spread::of(&ratios).line("life_sqlite_vs_bare", 3)
+    Spread::of(&ratios).line(name, 3)
 }
 
 /// Two years of decline, lived into SQLite: how many seconds.
-fn decline() -> String {
+fn decline(name: &str) -> String {
     let folder = tempfile::tempdir().expect("a folder");
     let run = folder.path().join("run.db");
     let (scenario, household) = scenario("tigerplace-decline");
@@ -145,7 +153,7 @@ fn decline() -> String {
     let bare_s = insert(&folder.path().join("bare.db"), &rows);
     let median = Spread::of(&each_s).median;
     println!("{} days of decline: {} rows in {median:.2} s, bare loop {bare_s:.2} s", scenario.file.days, rows.len());
-    format!("DECLINE seconds {median:.2}, {:.2} of a bare loop's rate", bare_s / median)
+    format!("{name} seconds {median:.2}, {:.2} of a bare loop's rate", bare_s / median)
 }
 
 /// Lives the scenario into a database; seconds.
@@ -168,7 +176,7 @@ fn live_into(path: &Path, scenario: &Scenario, household: &Household, length: Mi
 }
 
 /// A cohort in one program against as many programs started together: how many times as fast it is.
-fn cohort_against_programs() -> String {
+fn cohort_against_programs(name: &str) -> String {
     let program = env!("CARGO_BIN_EXE_homebody");
     let folder = tempfile::tempdir().expect("a folder");
     let scenario = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/tigerplace");
@@ -194,5 +202,5 @@ fn cohort_against_programs() -> String {
         println!("{MEMBERS} lives of {MEMBERS_DAYS} days: programs {programs_s:.2} s, cohort {cohort_s:.2} s");
         ratios.push(programs_s / cohort_s);
     }
-    Spread::of(&ratios).line("cohort_vs_programs", 2)
+    Spread::of(&ratios).line(name, 2)
 }

@@ -80,7 +80,7 @@ pub enum Driver {
 
 /// What every driver does that is written elsewhere; see [`Driver`] for what each answer means.
 pub trait Decide: fmt::Debug + Send + Sync {
-    fn next(&mut self, now: Micros, others: &[Body]) -> Next;
+    fn next(&mut self, now: Micros) -> Next;
     fn pose(&self) -> (Point, Posture);
     /// A copy that decides as the original.
     fn copy(&self) -> Box<dyn Decide>;
@@ -94,16 +94,21 @@ impl Clone for Box<dyn Decide> {
 
 impl Driver {
     /// What the resident does from `now` on. `now` is the end of the last span, or 0;
-    /// `others` are the bodies of the other residents who are at home.
+    /// `others` are the bodies of the other residents who are at home, for those who mind them.
     pub fn next(&mut self, now: Micros, others: &[Body]) -> Next {
         match self {
             Driver::Path(driver) => driver.next(now),
             Driver::Live(driver) => driver.next(now, others),
-            Driver::Other(driver) => driver.next(now, others),
+            Driver::Other(driver) => driver.next(now),
             Driver::Absent => {
                 Next::Move(Move { begin: now, end: NEVER, doing: Doing::Away, posture: Posture::Standing })
             }
         }
+    }
+
+    /// Whether the resident runs into others.
+    pub fn minds_others(&self) -> bool {
+        matches!(self, Driver::Live(_))
     }
 
     /// Where the body is, and how, at the end of the spans handed out so far.

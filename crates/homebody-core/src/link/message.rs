@@ -1,7 +1,7 @@
 //! A message under way, and the chances that were drawn for it as it set out.
 
 use crate::event::{Band, Cause, Value};
-use crate::random::Stream;
+use crate::random::{Lot, Stream};
 use crate::time::Micros;
 
 /// A message that has left its device.
@@ -17,36 +17,33 @@ pub struct Message {
     pub luck: Luck,
 }
 
-/// What chance has in store for a message: numbers from 0 up to 1.
+/// What chance has in store for a message: a number from 0 up to 1 for each of what may befall it.
 ///
-/// All of them are drawn for every message, whatever it meets, so that another loss or delay changes nothing else.
+/// All of them are there for every message, whatever it meets, so that another loss or delay changes nothing else.
 #[derive(Clone, Copy, Debug)]
-pub struct Luck {
-    pub miss: f64,
-    pub battery: f64,
-    pub loss: f64,
-    pub bad_link: f64,
-    pub corruption: f64,
-    pub damage: f64,
-    pub delay: f64,
-    pub duplicate: f64,
+pub struct Luck(Lot);
+
+#[derive(Clone, Copy, Debug)]
+pub enum Chance {
+    Miss,
+    Battery,
+    Loss,
+    BadLink,
+    Corruption,
+    Damage,
+    Delay,
+    Duplicate,
     /// How much later it comes the second time.
-    pub again: f64,
+    Again,
 }
 
 impl Luck {
     pub fn draw(stream: &mut Stream) -> Luck {
-        Luck {
-            miss: stream.unit(),
-            battery: stream.unit(),
-            loss: stream.unit(),
-            bad_link: stream.unit(),
-            corruption: stream.unit(),
-            damage: stream.unit(),
-            delay: stream.unit(),
-            duplicate: stream.unit(),
-            again: stream.unit(),
-        }
+        Luck(stream.lot())
+    }
+
+    pub fn of(self, chance: Chance) -> f64 {
+        self.0.unit(chance as u32)
     }
 }
 

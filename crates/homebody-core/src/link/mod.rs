@@ -24,7 +24,7 @@ use crate::scenario::home::{MotionFile, SensorFile};
 use crate::scenario::link::{FaultFile, LinkFile, MovedFile, Span, of_days};
 use crate::time::{Micros, NEVER};
 use clock::Clocks;
-use message::{Message, garbled_id, garbled_value};
+use message::{Chance, Message, garbled_id, garbled_value};
 use radio::Radio;
 use sources::{Sources, Told, next_time_of_day};
 use std::cmp::{Ordering, Reverse};
@@ -188,7 +188,7 @@ impl Link {
         }
         let luck = way.draw();
         let message = Message { sent_at: at, sensor, id: sensor, value, cause, luck };
-        match way.lost_by_device(at, &luck) {
+        match way.lost_by_device(at, luck) {
             Some(loss) => lose(&message, loss, events),
             None => {
                 way.said = Some(value);
@@ -204,7 +204,7 @@ impl Link {
         let value = if repeats { way.said } else { Some(Value::Fire) };
         let Some(value) = value.filter(|_| repeats || !way.is_numb(at)) else { return };
         let message = Message { sent_at: at, sensor, id: sensor, value, cause, luck };
-        match way.lost_by_battery(at, &luck) {
+        match way.lost_by_battery(at, luck) {
             true => lose(&message, Loss::Battery, events),
             false => self.send(message, events),
         }
@@ -251,14 +251,14 @@ impl Link {
     fn receive(&mut self, at: Micros, mut message: Message, events: &mut Events) {
         let way = &self.ways[message.sensor as usize];
         let luck = message.luck;
-        if way.lost_on_the_way(message.sent_at, &luck) {
+        if way.lost_on_the_way(message.sent_at, luck) {
             return lose(&message, Loss::Radio, events);
         }
-        if luck.corruption < way.corruption && !self.garble(&mut message) {
+        if luck.of(Chance::Corruption) < way.corruption && !self.garble(&mut message) {
             return lose(&message, Loss::Garbled, events);
         }
-        let arrives = at + way.delay(luck.delay);
-        let again = (luck.duplicate < way.duplicates).then(|| arrives + way.delay(luck.again));
+        let arrives = at + way.delay(luck.of(Chance::Delay));
+        let again = (luck.of(Chance::Duplicate) < way.duplicates).then(|| arrives + way.delay(luck.of(Chance::Again)));
         self.wait(arrives, Stage::Arrives, message);
         if let Some(again) = again {
             message.cause.why = Why::Duplicate;
@@ -268,7 +268,7 @@ impl Link {
 
     /// Damages a message's id or its value, one as often as the other (ours); whether it can still be understood.
     fn garble(&self, message: &mut Message) -> bool {
-        let damage = 2.0 * message.luck.damage;
+        let damage = 2.0 * message.luck.of(Chance::Damage);
         if damage < 1.0 {
             let id = garbled_id(self.ways[message.sensor as usize].id, damage);
             let owner = self.ways.iter().position(|way| way.id == id);

@@ -1,7 +1,7 @@
 //! One sensor and its way to the logger: how often things go wrong, and what is wrong with it when.
 
 use super::clock::Clock;
-use super::message::{IDS, Luck};
+use super::message::{Chance, IDS, Luck};
 use crate::event::{Loss, Value};
 use crate::random::{Range, Stream};
 use crate::scenario::link::{FaultFile, LinkFile, Span, of_days};
@@ -98,21 +98,21 @@ impl Way {
     }
 
     /// Why its device does not say what it ought to, if it does not.
-    pub fn lost_by_device(&self, at: Micros, luck: &Luck) -> Option<Loss> {
+    pub fn lost_by_device(&self, at: Micros, luck: Luck) -> Option<Loss> {
         let of_fault = |(begin, fault)| match fault {
-            Fault::Battery { fades } => (luck.battery < spent(at - begin, fades)).then_some(Loss::Battery),
+            Fault::Battery { fades } => (luck.of(Chance::Battery) < spent(at - begin, fades)).then_some(Loss::Battery),
             Fault::Stuck => Some(Loss::Stuck),
             Fault::FallsOff => Some(Loss::Place),
             Fault::BadLink { .. } => None,
         };
-        let missed = || (luck.miss < self.misses).then_some(Loss::Miss);
+        let missed = || (luck.of(Chance::Miss) < self.misses).then_some(Loss::Miss);
         self.faults(at).find_map(of_fault).or_else(missed)
     }
 
     /// Whether its device has not enough power to send this.
-    pub fn lost_by_battery(&self, at: Micros, luck: &Luck) -> bool {
+    pub fn lost_by_battery(&self, at: Micros, luck: Luck) -> bool {
         self.faults(at).any(|(begin, fault)| match fault {
-            Fault::Battery { fades } => luck.battery < spent(at - begin, fades),
+            Fault::Battery { fades } => luck.of(Chance::Battery) < spent(at - begin, fades),
             Fault::Stuck | Fault::FallsOff | Fault::BadLink { .. } => false,
         })
     }
@@ -127,9 +127,9 @@ impl Way {
     }
 
     /// Whether its message, sent at this instant, gets lost on the way by chance.
-    pub fn lost_on_the_way(&self, sent_at: Micros, luck: &Luck) -> bool {
-        let by_link = |(_, fault)| matches!(fault, Fault::BadLink { loss } if luck.bad_link < loss);
-        luck.loss < self.loss || self.faults(sent_at).any(by_link)
+    pub fn lost_on_the_way(&self, sent_at: Micros, luck: Luck) -> bool {
+        let by_link = |(_, fault)| matches!(fault, Fault::BadLink { loss } if luck.of(Chance::BadLink) < loss);
+        luck.of(Chance::Loss) < self.loss || self.faults(sent_at).any(by_link)
     }
 
     /// A delay, by a number from 0 up to 1.

@@ -2,7 +2,7 @@
 
 use crate::random_home::{self, Dice, Model};
 use crate::*;
-use homebody_core::drivers::{Body, Decide, Move, Next};
+use homebody_core::drivers::{Decide, Move, Next};
 use homebody_core::event::Act;
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
@@ -29,7 +29,7 @@ struct Walker {
 }
 
 impl Decide for Walker {
-    fn next(&mut self, now: Micros, _others: &[Body]) -> Next {
+    fn next(&mut self, now: Micros) -> Next {
         self.has_acted = !self.has_acted;
         if self.has_acted {
             return Next::Act(Act { thing: self.door, on: self.next.is_multiple_of(2) });

@@ -13,7 +13,7 @@ use super::places::{Places, Role, Spot};
 use super::script::{May, Setting, Stay, Step, script};
 use super::watch::Watches;
 use crate::routine::{Activity, Response};
-use homebody_core::drivers::{self, Decide, Move, Next};
+use homebody_core::drivers::{Decide, Move, Next};
 use homebody_core::event::{Act, Doing, Need};
 use homebody_core::geometry::Point;
 use homebody_core::home::Home;
@@ -571,7 +571,7 @@ impl Item {
 }
 
 impl Decide for RoutineDriver {
-    fn next(&mut self, now: Micros, _others: &[drivers::Body]) -> Next {
+    fn next(&mut self, now: Micros) -> Next {
         self.step(now)
     }
 

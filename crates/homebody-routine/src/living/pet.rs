@@ -16,7 +16,7 @@ use super::life::Life;
 use super::manner::Manner;
 use super::places::{Places, Role, Spot};
 use crate::walk::Wandering;
-use homebody_core::drivers::{self, Decide, Move, Next};
+use homebody_core::drivers::{Decide, Move, Next};
 use homebody_core::event::Doing;
 use homebody_core::geometry::Point;
 use homebody_core::random::Stream;
@@ -138,7 +138,7 @@ impl PetDriver {
 }
 
 impl Decide for PetDriver {
-    fn next(&mut self, now: Micros, _others: &[drivers::Body]) -> Next {
+    fn next(&mut self, now: Micros) -> Next {
         self.step(now)
     }
 

@@ -162,8 +162,7 @@ impl Places {
     /// The spot of a name that the user wrote: a place, a piece of furniture, or a room.
     pub fn named(&self, name: &str) -> Option<&Spot> {
         let name = name.to_lowercase();
-        let own = format!("{} {name}", self.whose);
-        self.spot(&own).or_else(|| self.spot(&name))
+        self.own_spot(&name).or_else(|| self.spot(&name))
     }
 
     /// Where the role is filled, if anything in the home will do.
@@ -179,7 +178,7 @@ impl Places {
     /// Where the role itself is filled, by what is called after the resident before what is anybody's.
     fn own(&self, role: Role) -> Option<&Spot> {
         let (names, _) = role.names();
-        let own = names.iter().find_map(|name| self.spot(&format!("{} {name}", self.whose)));
+        let own = names.iter().find_map(|name| self.own_spot(name));
         own.or_else(|| names.iter().find_map(|name| self.spot(name)))
     }
 
@@ -211,9 +210,10 @@ impl Places {
         }
         let (names, _) = role.names();
         // The lamp of the kitchen is no stove.
-        let named = |name: &str| self.thing_named(name).filter(|&thing| (thing as usize) < self.lamps);
-        let own = names.iter().find_map(|name| named(&format!("{} {name}", self.whose)));
-        own.or_else(|| names.iter().find_map(|name| named(name)))
+        let things = &self.things[..self.lamps];
+        let own = names.iter().find_map(|name| things.iter().position(|thing| self.own_name(thing) == Some(name)));
+        let thing = own.or_else(|| names.iter().find_map(|name| things.iter().position(|thing| thing == name)));
+        thing.map(|thing| thing as u32)
     }
 
     pub fn thing_named(&self, name: &str) -> Option<u32> {
@@ -234,6 +234,16 @@ impl Places {
     /// What to look at on a round through the home.
     pub fn stations(&self) -> &[Spot] {
         &self.stations
+    }
+
+    /// What is called so after the resident.
+    fn own_spot(&self, name: &str) -> Option<&Spot> {
+        self.spots.iter().find(|spot| self.own_name(&spot.name) == Some(name))
+    }
+
+    /// What a name says besides whose it is, if that is the resident.
+    fn own_name<'a>(&self, name: &'a str) -> Option<&'a str> {
+        name.strip_prefix(&self.whose)?.strip_prefix(' ')
     }
 
     fn spot(&self, name: &str) -> Option<&Spot> {
