@@ -16,9 +16,6 @@ use crate::world::World;
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// How much the world says before the link carries it: enough that the carrying itself costs little.
-const AT_ONCE: usize = 256;
-
 /// A scenario being lived. A clone continues exactly as the original.
 #[derive(Clone, Debug)]
 pub struct Run {
@@ -162,9 +159,7 @@ impl Run {
         while self.now() < until {
             self.begin_due(events);
             self.go_on(until, &mut said);
-            if said.firings.len() + said.facts.len() >= AT_ONCE || self.now() >= until {
-                link.carry(&mut said, self.now(), events);
-            }
+            link.carry(&mut said, self.now(), events);
         }
         self.link = Some(link);
     }

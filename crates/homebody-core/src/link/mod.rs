@@ -29,7 +29,6 @@ use radio::Radio;
 use sources::{Sources, Told, next_time_of_day};
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
-use std::vec::Drain;
 use way::Way;
 
 /// The way of all sensors' messages to the logger. A clone continues exactly as the original.
@@ -143,27 +142,20 @@ impl Link {
         self.clocks.settled(now)
     }
 
-    /// Takes from `said` what the world has said up to `now`, and adds to `events` what the logger receives before then,
+    /// Takes from `said` what the world has said up to `now`, firings and their causes alone, and adds to `events` what the logger receives before then,
     /// and what of it is lost.
     pub fn carry(&mut self, said: &mut Events, now: Micros, events: &mut Events) {
         let due = self.under_way.peek().map_or(NEVER, |Reverse(due)| due.at);
-        if said.firings.is_empty() && said.facts.is_empty() && due.min(self.sources.next()) >= now {
+        if said.firings.is_empty() && due.min(self.sources.next()) >= now {
             return;
         }
-        let mut causes = Vec::with_capacity(said.firings.len());
-        for fact in said.facts.drain(..) {
-            match fact {
-                Fact::Cause { cause, .. } => causes.push(cause),
-                fact => events.facts.push(fact),
-            }
-        }
-        let mut said = Said { firings: said.firings.drain(..), causes: causes.drain(..), first: None };
+        let mut said = said.firings.drain(..).zip(said.facts.drain(..)).peekable();
         loop {
-            let of_world = said.next_at();
+            let of_world = said.peek().map_or(NEVER, |(firing, _)| firing.at);
             let of_sources = self.sources.next();
             let due = self.under_way.peek().map_or(NEVER, |Reverse(due)| due.at);
             if of_world <= of_sources.min(due) {
-                let Some((firing, cause)) = said.take() else { break };
+                let Some((firing, Fact::Cause { cause, .. })) = said.next() else { break };
                 self.says(firing, cause, events);
             } else if of_sources.min(due) >= now {
                 break;
@@ -304,27 +296,6 @@ impl Link {
 fn lose(message: &Message, loss: Loss, events: &mut Events) {
     let Message { sent_at, sensor, value, cause, .. } = *message;
     events.facts.push(Fact::Lost { at: sent_at, sensor, value, cause, loss });
-}
-
-/// What the world has said, with why, in order.
-struct Said<'a> {
-    firings: Drain<'a, Firing>,
-    causes: Drain<'a, Cause>,
-    first: Option<Firing>,
-}
-
-impl Said<'_> {
-    fn next_at(&mut self) -> Micros {
-        if self.first.is_none() {
-            self.first = self.firings.next();
-        }
-        self.first.map_or(NEVER, |firing| firing.at)
-    }
-
-    fn take(&mut self) -> Option<(Firing, Cause)> {
-        self.next_at();
-        Some((self.first.take()?, self.causes.next()?))
-    }
 }
 
 impl Due {

@@ -319,6 +319,9 @@ fn changed_by_another_sensor(radio: bool) -> u64 {
             *added.name_mut() = "added".into();
             more.sensors.insert(0, added);
             let before = lived(run(case, home, Some(link.clone()), LENGTH), &[]);
+            // Its damaged ids would be those of others.
+            let mut link = link;
+            link["sensors"]["added"] = json!({ "corruption": 0 });
             let after = lived(run(case, more, Some(link), LENGTH), &[]);
             fates(&before, 0) != fates(&after, 1)
         })

@@ -47,6 +47,8 @@ pub struct Mesh {
     borders: Vec<(Point, Point)>,
     /// For each of `NARROWER`, widest first.
     grounds: Vec<Ground>,
+    /// For each room of the plan, a free point to go to, and the area it is of.
+    rooms: Vec<(Point, Option<usize>)>,
 }
 
 #[derive(Clone, Debug)]
@@ -98,7 +100,9 @@ impl Mesh {
         let ground =
             |part: f64| Ground::new(plan.bounds(), &outlines, &borders, radius_m * part, |p| plan.is_inside(p));
         let grounds = NARROWER.map(ground).into();
-        Mesh { plan: plan.clone(), obstacles, borders, grounds }
+        let mut mesh = Mesh { plan: plan.clone(), obstacles, borders, grounds, rooms: Vec::new() };
+        mesh.rooms = plan.rooms.iter().map(|room| mesh.room_point(&room.outline)).collect();
+        mesh
     }
 
     /// Whether the body can stand there with its whole radius.
@@ -157,10 +161,11 @@ impl Mesh {
         })
     }
 
-    /// A random free point of a room, by at most 64 values of the stream: every one equally likely, of those from which
+    /// A random free point of a room of the plan, by at most 64 values of the stream: every one equally likely, of those from which
     /// the room's own point can be reached. A room that is too full for the tries has its own point.
-    pub fn free_point(&self, room: &[Point], stream: &mut Stream) -> Point {
-        let (own, area) = self.room_point(room);
+    pub fn free_point(&self, room: usize, stream: &mut Stream) -> Point {
+        let (own, area) = self.rooms[room];
+        let room = &self.plan.rooms[room].outline;
         let (least, most) = geometry::bounds(room.iter().copied());
         for _ in 0..TRIES {
             let p = Point::new(stream.between(least.x, most.x), stream.between(least.y, most.y));
@@ -182,32 +187,24 @@ impl Mesh {
         self.plan.is_inside(from)
             && self.plan.is_inside(to)
             && !self.obstacles.iter().any(is_near)
-            && !self.borders.iter().any(|&(a, b)| geometry::segments_meet(from, to, a, b))
+            && !self.meets_border(from, to)
     }
 
-    /// The nearest point of anything that stops the body.
-    pub(super) fn nearest_obstacle(&self, p: Point) -> Option<Point> {
-        let mut nearest: Option<(f64, Point)> = None;
-        let mut consider = |(a, b): (Point, Point)| {
-            let at = geometry::nearest_on_segment(p, a, b);
-            let away = at.distance(p);
-            if nearest.is_none_or(|(least, _)| away < least) {
-                nearest = Some((away, at));
-            }
-            away
-        };
-        let mut least = f64::INFINITY;
-        for obstacle in &self.obstacles {
-            if obstacle.away(p) <= least {
-                least = geometry::sides(&obstacle.outline).map(&mut consider).fold(least, f64::min);
-            }
-        }
-        for &(a, b) in &self.borders {
-            if p.distance(p.clamp(a.min(b), a.max(b))) <= least {
-                least = least.min(consider((a, b)));
-            }
-        }
-        nearest.map(|(_, at)| at)
+    /// Whether the home ends somewhere on a straight line.
+    fn meets_border(&self, from: Point, to: Point) -> bool {
+        let (least, most) = (from.min(to), from.max(to));
+        self.borders.iter().any(|&(a, b)| {
+            let may_meet = a.min(b).cmple(most).all() && a.max(b).cmpge(least).all();
+            may_meet && geometry::segments_meet(from, to, a, b)
+        })
+    }
+
+    /// The sides of everything that stops the body, as far as they may be within reach.
+    pub(super) fn sides_near(&self, p: Point, reach_m: f64) -> Vec<(Point, Point)> {
+        let is_near = |&(a, b): &(Point, Point)| p.distance(p.clamp(a.min(b), a.max(b))) <= reach_m;
+        let obstacles = self.obstacles.iter().filter(|obstacle| obstacle.away(p) <= reach_m);
+        let sides = obstacles.flat_map(|obstacle| geometry::sides(&obstacle.outline));
+        sides.chain(self.borders.iter().copied()).filter(is_near).collect()
     }
 
     /// Whether the body can go straight from one free point to the other with its whole radius.
@@ -279,8 +276,7 @@ impl Mesh {
 
     /// Whether an obstacle that counts, or the border of the home, is between two points.
     fn blocks(&self, a: Point, b: Point, counts: impl Fn(&Obstacle) -> bool) -> bool {
-        self.obstacles.iter().any(|obstacle| counts(obstacle) && obstacle.cuts(a, b))
-            || self.borders.iter().any(|&(c, d)| geometry::segments_meet(a, b, c, d))
+        self.obstacles.iter().any(|obstacle| counts(obstacle) && obstacle.cuts(a, b)) || self.meets_border(a, b)
     }
 
     /// A free point of the room to go to, and the area it is of; where the whole radius does not fit in, what is nearest to

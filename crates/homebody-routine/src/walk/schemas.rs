@@ -140,13 +140,16 @@ fn goals(kind: Wandering, mesh: &Mesh, plan: &Plan, from: Point, stream: &mut St
     let mut goals: Vec<Point> = Vec::new();
     let mut second_best: Vec<Point> = Vec::new();
     for _ in 0..TRIES {
-        let Some(room) = plan.rooms.get(stream.pick(&sizes)) else { break };
-        let p = mesh.free_point(&room.outline, stream);
+        let room = stream.pick(&sizes);
+        if room >= plan.rooms.len() {
+            break;
+        }
+        let p = mesh.free_point(room, stream);
         if goals.len() == count || !mesh.is_free(p) || !mesh.can_reach(from, p) {
             continue;
         }
         let is_apart = goals.iter().all(|goal| goal.distance(p) >= APART_M);
-        let has_room = mesh.nearest_obstacle(p).is_none_or(|obstacle| obstacle.distance(p) >= ROOM_AROUND_M);
+        let has_room = nearest(&mesh.sides_near(p, ROOM_AROUND_M), p).is_none_or(|at| at.distance(p) >= ROOM_AROUND_M);
         if is_apart && has_room { goals.push(p) } else { second_best.push(p) }
     }
     for p in second_best {
@@ -225,20 +228,14 @@ impl Wanderer<'_> {
             self.noise_steps = stream.between(NOISE_STEPS[0], NOISE_STEPS[1]) as u32;
         }
         self.noise_steps -= 1;
+        let near = self.mesh.sides_near(self.at, AVOID_FROM_M + self.step_m);
         let mut to = self.at;
         for _ in 0..STEERINGS {
             let to_goal = (corner - to).normalize_or_zero() * GOAL_GAIN;
-            let sum = to_goal + self.push(to) + self.noise;
+            let sum = to_goal + push(&near, to) + self.noise;
             to += sum.normalize_or_zero() * (self.step_m / f64::from(STEERINGS));
         }
         (to != self.at && self.mesh.is_clear_way(self.at, to)).then_some(to)
-    }
-
-    /// Away from the nearest obstacle.
-    fn push(&self, at: Point) -> Point {
-        let Some(obstacle) = self.mesh.nearest_obstacle(at) else { return Point::ZERO };
-        let nearness = (AVOID_FROM_M - at.distance(obstacle)) / (AVOID_FROM_M - AVOID_MOST_M);
-        (at - obstacle).normalize_or_zero() * (AVOID_GAIN * nearness.clamp(0.0, 1.0))
     }
 
     /// Takes one step along a way, around its corners, and removes those that are behind; true once it is over.
@@ -275,6 +272,19 @@ impl Wanderer<'_> {
     }
 }
 
+/// Away from the nearest of the sides of obstacles.
+fn push(sides: &[(Point, Point)], at: Point) -> Point {
+    let Some(obstacle) = nearest(sides, at) else { return Point::ZERO };
+    let nearness = (AVOID_FROM_M - at.distance(obstacle)) / (AVOID_FROM_M - AVOID_MOST_M);
+    (at - obstacle).normalize_or_zero() * (AVOID_GAIN * nearness.clamp(0.0, 1.0))
+}
+
+/// The nearest point of any of the sides.
+fn nearest(sides: &[(Point, Point)], p: Point) -> Option<Point> {
+    let nearest = sides.iter().map(|&(a, b)| geometry::nearest_on_segment(p, a, b));
+    nearest.min_by(|a, b| a.distance(p).total_cmp(&b.distance(p)))
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::homes::{random_home, sphere_house, tigerplace};
@@ -287,7 +297,7 @@ mod tests {
 
     fn start(plan: &Plan, mesh: &Mesh) -> Point {
         let stream = &mut Stream::named(1, "start");
-        plan.rooms.iter().map(|room| mesh.free_point(&room.outline, stream)).find(|&at| mesh.is_free(at)).unwrap()
+        (0..plan.rooms.len()).map(|room| mesh.free_point(room, stream)).find(|&at| mesh.is_free(at)).unwrap()
     }
 
     /// Where the body is at the end of each move, the moves checked to follow each other.

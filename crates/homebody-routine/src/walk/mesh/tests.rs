@@ -137,8 +137,8 @@ fn random_points_of_a_room_are_free_and_all_over_it() {
     for plan in [tigerplace(), sphere_house()] {
         let mesh = Mesh::new(&plan, RADIUS_M);
         let mut stream = Stream::named(3, "points");
-        for room in &plan.rooms {
-            let points: Vec<Point> = (0..200).map(|_| mesh.free_point(&room.outline, &mut stream)).collect();
+        for (index, room) in plan.rooms.iter().enumerate() {
+            let points: Vec<Point> = (0..200).map(|_| mesh.free_point(index, &mut stream)).collect();
             assert!(points.iter().all(|&p| mesh.is_free(p) && geometry::contains(&room.outline, p)), "{}", room.name);
             assert!(points.iter().all(|&p| mesh.can_reach(points[0], p)), "{}", room.name);
             let (least, most) = geometry::bounds(points.iter().copied());
