@@ -160,8 +160,10 @@ impl Plan {
     /// The rooms that a stride comes through: from which instant on, and which, if any.
     pub fn rooms_along(&self, stride: &Stride) -> Vec<(Micros, Option<usize>)> {
         let way = stride.to - stride.from;
+        let (least, most) = (stride.from.min(stride.to), stride.from.max(stride.to));
+        let is_near = |(a, b): &(Point, Point)| a.min(*b).cmple(most).all() && a.max(*b).cmpge(least).all();
         let mut cuts = vec![0.0];
-        for (a, b) in self.rooms.iter().flat_map(|room| geometry::sides(&room.outline)) {
+        for (a, b) in self.rooms.iter().flat_map(|room| geometry::sides(&room.outline)).filter(is_near) {
             let (side, turn) = (b - a, way.perp_dot(b - a));
             let (along, across) = ((a - stride.from).perp_dot(side) / turn, (a - stride.from).perp_dot(way) / turn);
             if turn != 0.0 && along > 0.0 && along < 1.0 && (0.0..=1.0).contains(&across) {

@@ -149,24 +149,29 @@ impl Link {
         if said.firings.is_empty() && due.min(self.sources.next()) >= now {
             return;
         }
-        let mut said = said.firings.drain(..).zip(said.facts.drain(..)).peekable();
+        let mut told = 0;
         loop {
-            let of_world = said.peek().map_or(NEVER, |(firing, _)| firing.at);
+            let of_world = said.firings.get(told).map_or(NEVER, |firing| firing.at);
             let of_sources = self.sources.next();
             let due = self.under_way.peek().map_or(NEVER, |Reverse(due)| due.at);
             if of_world <= of_sources.min(due) {
-                let Some((firing, Fact::Cause { cause, .. })) = said.next() else { break };
+                let (Some(&firing), Some(&Fact::Cause { cause, .. })) = (said.firings.get(told), said.facts.get(told))
+                else {
+                    break;
+                };
                 self.says(firing, cause, events);
+                told += 1;
             } else if of_sources.min(due) >= now {
                 break;
             } else if of_sources <= due {
-                let Some(told) = self.sources.speak() else { break };
-                self.says_for_no_reason(&told, events);
+                let Some(spoken) = self.sources.speak() else { break };
+                self.says_for_no_reason(&spoken, events);
             } else {
                 let Some(Reverse(due)) = self.under_way.pop() else { break };
                 self.goes_on(due, events);
             }
         }
+        said.clear();
     }
 
     /// A device has something to say.

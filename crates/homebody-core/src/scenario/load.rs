@@ -10,7 +10,7 @@ use super::logger::LoggerFile;
 use super::path::PathFile;
 use super::resident::{DriverFile, ResidentFile};
 use super::schema::FileKind;
-use super::shape;
+use super::shape::{self, Misshape};
 use super::source::{Source, Value};
 use crate::geometry::{Point, point};
 use crate::home::plan::Plan;
@@ -330,7 +330,7 @@ impl Loader<'_> {
             }
         };
         self.sources.insert(name.into(), source.text.clone());
-        let problems = shape::check(&source, &kind.schema());
+        let Misshape { problems, keys } = shape::check(&source, &kind.schema());
         if !problems.is_empty() {
             let mistaken = mistaken_for(&source, kind).map(|other| {
                 self.order.retain(|(known, _)| known != name || link.is_none());
@@ -346,8 +346,11 @@ impl Loader<'_> {
                     None
                 }
                 None => {
+                    // If only keys are wrong, what the file means can be said already.
+                    let meant = (keys.len() == problems.len()).then(|| source.root.to_json_as_meant(&keys));
+                    let data = meant.and_then(|meant| serde_json::from_value(meant).ok());
                     self.problems.extend(problems);
-                    Some(Read { source, data: None })
+                    Some(Read { source, data })
                 }
             };
         }
@@ -407,6 +410,6 @@ fn mistaken_for(source: &Source, kind: FileKind) -> Option<FileKind> {
     if entries.iter().all(|(key, _)| key.name == "$schema") {
         return None;
     }
-    let fits = |other: &FileKind| *other != kind && shape::check(source, &other.schema()).is_empty();
+    let fits = |other: &FileKind| *other != kind && shape::check(source, &other.schema()).problems.is_empty();
     FileKind::ALL.into_iter().find(fits)
 }

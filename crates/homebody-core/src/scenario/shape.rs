@@ -3,21 +3,30 @@
 //! The walk knows those parts of JSON Schema that the scenario's types produce, no more.
 
 use super::nearest::nearest;
-use super::source::{Key, Node, Source, Value};
+use super::source::{Key, Misspelt, Node, Source, Value};
 use crate::problem::Problem;
 use serde_json::Value as Schema;
 
+/// What is wrong with a source's shape.
+#[derive(Debug, Default)]
+pub struct Misshape {
+    pub problems: Vec<Problem>,
+    /// The keys that are none, by where they start, and which were meant; if there are as many as problems, the rest can be
+    /// read.
+    pub keys: Misspelt,
+}
+
 /// Everything about the source's shape that its schema refuses.
-pub fn check(source: &Source, schema: &Schema) -> Vec<Problem> {
-    let mut walk = Walk { source, root: schema, problems: Vec::new() };
+pub fn check(source: &Source, schema: &Schema) -> Misshape {
+    let mut walk = Walk { source, root: schema, found: Misshape::default() };
     walk.value(&source.root, schema, "the file");
-    walk.problems
+    walk.found
 }
 
 struct Walk<'a> {
     source: &'a Source,
     root: &'a Schema,
-    problems: Vec<Problem>,
+    found: Misshape,
 }
 
 impl<'a> Walk<'a> {
@@ -121,6 +130,7 @@ impl<'a> Walk<'a> {
             if let Some((first, _)) = entries[..index].iter().find(|(other, _)| other.name == key.name) {
                 let hint = format!("it is already given on line {}", self.source.line(first.start));
                 self.report(key.start, format!("{:?} is given twice", key.name), Some(hint));
+                self.found.keys.insert(key.start, None);
                 continue;
             }
             let subject = format!("{:?}", key.name);
@@ -130,6 +140,8 @@ impl<'a> Walk<'a> {
                 self.value(value, schema, &subject);
             } else {
                 let near = nearest(&key.name, known.iter().copied());
+                let is_free = |near: &&str| !meant.contains(near) && entries.iter().all(|(key, _)| key.name != *near);
+                self.found.keys.insert(key.start, near.filter(is_free).map(String::from));
                 meant.extend(near);
                 let hint = match near {
                     Some(near) => format!("did you mean {near:?}?"),
@@ -295,7 +307,7 @@ impl<'a> Walk<'a> {
     }
 
     fn report(&mut self, at: usize, what: String, hint: Option<String>) {
-        self.problems.push(self.source.problem_at(at, what, hint));
+        self.found.problems.push(self.source.problem_at(at, what, hint));
     }
 }
 

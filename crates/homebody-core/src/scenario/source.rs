@@ -6,6 +6,7 @@ use jsonc_parser::common::Ranged;
 use jsonc_parser::errors::ParseErrorKind;
 use jsonc_parser::{CollectOptions, ParseOptions, ParseStringErrorKind, parse_to_ast};
 use serde_json::Number;
+use std::collections::BTreeMap;
 
 /// Deeper nesting is refused before parsing, so that no text can overflow the stack.
 const GREATEST_DEPTH: usize = 64;
@@ -38,6 +39,9 @@ pub enum Value {
     List(Vec<Node>),
     Object(Vec<(Key, Node)>),
 }
+
+/// Keys that are none, by where they start, and which were meant, if that is known.
+pub type Misspelt = BTreeMap<usize, Option<String>>;
 
 /// A key of an object and where it starts in the text.
 #[derive(Debug)]
@@ -120,13 +124,22 @@ impl Source {
 impl Node {
     /// The value as plain JSON. A whole number becomes an integer however it is written, as JSON Schema sees it.
     pub fn to_json(&self) -> serde_json::Value {
+        self.to_json_as_meant(&Misspelt::new())
+    }
+
+    /// The same with other keys in the places of some.
+    pub fn to_json_as_meant(&self, keys: &Misspelt) -> serde_json::Value {
         match &self.value {
             Value::Null => serde_json::Value::Null,
             Value::Bool(value) => (*value).into(),
             Value::Number(number, _) => number.clone().map_or(serde_json::Value::Null, serde_json::Value::Number),
             Value::Text(text) => text.as_str().into(),
-            Value::List(items) => items.iter().map(Node::to_json).collect(),
-            Value::Object(entries) => entries.iter().map(|(key, value)| (key.name.clone(), value.to_json())).collect(),
+            Value::List(items) => items.iter().map(|item| item.to_json_as_meant(keys)).collect(),
+            Value::Object(entries) => {
+                let name = |key: &Key| keys.get(&key.start).map_or_else(|| Some(key.name.clone()), Clone::clone);
+                let entries = entries.iter().filter_map(|(key, value)| Some((name(key)?, value)));
+                entries.map(|(name, value)| (name, value.to_json_as_meant(keys))).collect()
+            }
         }
     }
 }

@@ -118,3 +118,21 @@ fn a_file_that_is_wrong_throughout_does_not_bury_the_others() {
     assert_eq!(said.lines().count(), 102);
     assert!(said.contains("ann.path.json: there are 401 more problems\nbob.keys.json:4:15: time runs backward"));
 }
+
+/// A key that is none hides nothing: the rest is understood as it was meant.
+#[test]
+#[rustfmt::skip] // A problem a line.
+fn misspelt_keys_hide_no_mistake_of_meaning() {
+    let files = broken(&[
+        ("home.json", r#""height_m": 0.7"#, r#""heigth_m": 0.7, "colour": "red""#),
+        ("home.json", r#""name": "front door", "from": [1, 0]"#, r#""name": "front door", "form": [1, 0]"#),
+        ("home.json", r#""at": [0.05, 1.5]"#, r#""at": [50, 1.5]"#),
+    ]);
+    let expected = [
+        r#"home.json:16:29: "form" is no key of a door; did you mean "from"?"#,
+        r#"home.json:19:62: "heigth_m" is no key of a piece of furniture; did you mean "height_m"?"#,
+        r#"home.json:19:79: "colour" is no key of a piece of furniture; its keys are "name", "at", "size_m", "turn_deg", "outline", "height_m", "enterable""#,
+        r#"home.json:27:57: the sensor "kitchen motion" at (50, 1.5) is outside the home; mount it on the surface, on the side from which it should see"#,
+    ];
+    assert_eq!(said(&files), expected.join("\n"));
+}
