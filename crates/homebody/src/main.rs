@@ -4,6 +4,7 @@ mod commands;
 mod failure;
 mod folder;
 mod given;
+mod length;
 mod pace;
 mod places;
 mod print;

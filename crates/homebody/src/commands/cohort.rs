@@ -2,13 +2,14 @@
 
 use super::live::{Live, Output, speed_in_words, stop_on_signal};
 use crate::failure::Failure;
+use crate::length::days_lived;
 use crate::pace::{Asked, Pace};
 use crate::places::Places;
 use crate::print::{json_text, print_json, print_text};
 use homebody_core::recording::Recording;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::time::{Micros, seconds};
+use homebody_core::time::Micros;
 use homebody_log::fresh::FreshFile;
 use homebody_routine::household::Household;
 use indicatif::ProgressBar;
@@ -102,12 +103,12 @@ impl Cohort<'_> {
     fn list(&self, lived: &[Member]) -> Value {
         let member = |member: &Member| {
             json!({ "name": member.name, "seed": member.seed, "firings": member.firings, "rows": member.rows,
-                "days": seconds(member.lived) / 86_400.0 })
+                "days": days_lived(&self.scenario.calendar, member.lived) })
         };
         json!({
             "scenario": self.scenario.file.name,
             "seed": self.recording.seed,
-            "days": seconds(self.recording.length_us) / 86_400.0,
+            "days": days_lived(&self.scenario.calendar, self.recording.length_us),
             "members": lived.iter().map(member).collect::<Vec<_>>(),
         })
     }

@@ -4,10 +4,10 @@ use super::cohort::Cohort;
 use super::live::{Live, Output};
 use crate::failure::Failure;
 use crate::folder;
+use crate::length::{Length, length};
 use crate::pace::Asked;
 use homebody_core::recording::Recording;
 use homebody_core::run::Run;
-use homebody_core::time::{Micros, SECOND, micros};
 use std::path::PathBuf;
 
 /// Lives a scenario and stores what its sensors say.
@@ -26,8 +26,10 @@ pub struct Arguments {
     /// The scenario's folder, or its scenario.json
     scenario: PathBuf,
     /// How long to live: 90s, 15m, 2h, 7d or 52w; the scenario's days without it
-    #[arg(long = "for", value_name = "SPAN", value_parser = span)]
-    length: Option<Micros>,
+    ///
+    /// Days and weeks are those of the calendar: a run of 7d ends at the hour at which it began, also where clocks change.
+    #[arg(long = "for", value_name = "SPAN", value_parser = length)]
+    length: Option<Length>,
     /// The number all randomness comes from, instead of the scenario's
     #[arg(long)]
     seed: Option<u64>,
@@ -54,7 +56,7 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let (scenario, entry, household) = folder::load_lives(&self.scenario, &self.without)?;
         let seed = self.seed.unwrap_or(scenario.file.seed);
-        let length = self.length.unwrap_or_else(|| micros(scenario.file.days * 86_400.0));
+        let length = self.length.unwrap_or(Length::Days(scenario.file.days)).from_start(&scenario.calendar);
         let recording = Recording {
             version: env!("CARGO_PKG_VERSION").into(),
             entry,
@@ -74,40 +76,5 @@ impl Arguments {
         let run = Run::new(&scenario, &household, seed, length);
         let live = Live { scenario: &scenario, recording, record: self.record, output: self.output, sources };
         live.live(run, &self.pace)
-    }
-}
-
-/// A hundred years.
-pub const LONGEST: Micros = 36_525 * 86_400 * SECOND;
-
-/// A span of time as people write it.
-pub fn span(text: &str) -> Result<Micros, String> {
-    let (number, unit) = text.split_at(text.trim_end_matches(|c: char| c.is_ascii_alphabetic()).len());
-    let unit = match unit {
-        "s" => 1.0,
-        "m" | "min" => 60.0,
-        "h" => 3600.0,
-        "d" => 86_400.0,
-        "w" => 604_800.0,
-        _ => return Err("write a number with its unit: 90s, 15m, 2h, 7d or 52w".into()),
-    };
-    let number: f64 = number.parse().map_err(|_| "write one number with its unit: 90s, 15m, 2h, 7d or 52w")?;
-    let span = micros(number * unit);
-    let is_span = span > 0 && span <= LONGEST;
-    is_span.then_some(span).ok_or_else(|| "it is longer than nothing and at most 100 years long".into())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn spans_are_read_as_people_write_them() {
-        assert_eq!(span("90s"), Ok(90_000_000));
-        assert_eq!(span("1.5h"), Ok(5_400_000_000));
-        assert_eq!(span("7d"), Ok(604_800_000_000));
-        for wrong in ["", "7", "d", "-1d", "0s", "NaNd", "7 days", "1e9d", "infd", "1e-9s"] {
-            assert!(span(wrong).is_err(), "{wrong}");
-        }
     }
 }
