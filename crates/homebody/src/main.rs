@@ -8,6 +8,7 @@ mod length;
 mod pace;
 mod places;
 mod print;
+mod remarks;
 
 use clap::Parser;
 use commands::Command;

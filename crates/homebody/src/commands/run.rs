@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use crate::folder;
 use crate::length::{Length, length};
 use crate::pace::Asked;
+use crate::remarks;
 use homebody_core::recording::Recording;
 use homebody_core::run::Run;
 use std::path::PathBuf;
@@ -57,6 +58,9 @@ impl Arguments {
         let (scenario, entry, household) = folder::load_lives(&self.scenario, &self.without)?;
         let seed = self.seed.unwrap_or(scenario.file.seed);
         let length = self.length.unwrap_or(Length::Days(scenario.file.days)).from_start(&scenario.calendar);
+        if !self.output.quiet {
+            remarks::of(&scenario, length).iter().for_each(remarks::tell_remark);
+        }
         let recording = Recording {
             version: env!("CARGO_PKG_VERSION").into(),
             entry,
