@@ -141,7 +141,7 @@ mod tests {
             assert!((lived - days).abs() < 1e-9, "{days} but {lived}");
         }
         let noon = Calendar::new("2009-03-07T12:00:00", "America/Chicago").unwrap();
-        assert_eq!(days_lived(&noon, 6 * HOUR), 0.25);
+        assert_eq!(days_lived(&noon, 6 * HOUR), 6.0 / 23.0);
         assert_eq!(days_lived(&noon, 13 * HOUR), 13.0 / 23.0);
     }
 }

@@ -8,6 +8,7 @@ mod length;
 mod pace;
 mod places;
 mod print;
+mod profiles;
 mod remarks;
 
 use clap::Parser;
