@@ -15,8 +15,8 @@ pub enum Length {
 }
 
 impl Length {
-    /// How long it is from the start of a run.
-    pub fn from_start(self, calendar: &Calendar) -> Micros {
+    /// How long that is from the start of a run, by its calendar.
+    pub fn by(self, calendar: &Calendar) -> Micros {
         match self {
             Length::Time(span) => span,
             Length::Days(days) => {
@@ -113,31 +113,31 @@ mod tests {
             ("UTC", "2009-03-02T00:00:00", 60.0, 60 * 24),
         ] {
             let calendar = Calendar::new(start, zone).unwrap();
-            let length = Length::Days(days).from_start(&calendar);
+            let length = Length::Days(days).by(&calendar);
             assert_eq!(length, hours * HOUR, "{days} days from {start} in {zone}");
             assert_eq!(calendar.local(length).time(), calendar.local(0).time());
             assert_eq!(days_lived(&calendar, length), days);
-            assert_eq!(Length::Time(days as Micros * DAY).from_start(&calendar), days as Micros * DAY);
+            assert_eq!(Length::Time(days as Micros * DAY).by(&calendar), days as Micros * DAY);
         }
     }
 
     #[test]
     fn a_day_whose_end_the_clock_skips_or_shows_twice_ends_once() {
         let skipped = Calendar::new("2009-03-07T02:30:00", "America/Chicago").unwrap();
-        let length = Length::Days(1.0).from_start(&skipped);
+        let length = Length::Days(1.0).by(&skipped);
         assert_eq!(skipped.local(length).to_string(), "2009-03-08T03:30:00-05:00[America/Chicago]");
         let twice = Calendar::new("2009-10-31T01:30:00", "America/Chicago").unwrap();
-        assert_eq!(Length::Days(1.0).from_start(&twice), 24 * HOUR);
-        assert_eq!(Length::Days(2.0).from_start(&twice), 49 * HOUR);
+        assert_eq!(Length::Days(1.0).by(&twice), 24 * HOUR);
+        assert_eq!(Length::Days(2.0).by(&twice), 49 * HOUR);
     }
 
     #[test]
     fn parts_of_days_are_parts_of_the_day_that_it_is() {
         let calendar = Calendar::new("2009-03-07T00:00:00", "America/Chicago").unwrap();
-        assert_eq!(Length::Days(0.5).from_start(&calendar), 12 * HOUR);
-        assert_eq!(Length::Days(1.5).from_start(&calendar), 24 * HOUR + 23 * HOUR / 2);
+        assert_eq!(Length::Days(0.5).by(&calendar), 12 * HOUR);
+        assert_eq!(Length::Days(1.5).by(&calendar), 24 * HOUR + 23 * HOUR / 2);
         for days in [0.0, 0.01, 0.5, 1.0, 1.5, 2.25, 239.75] {
-            let lived = days_lived(&calendar, Length::Days(days).from_start(&calendar));
+            let lived = days_lived(&calendar, Length::Days(days).by(&calendar));
             assert!((lived - days).abs() < 1e-9, "{days} but {lived}");
         }
         let noon = Calendar::new("2009-03-07T12:00:00", "America/Chicago").unwrap();

@@ -44,7 +44,7 @@ pub fn load_and_say(path: &Path, json: bool) -> Result<(Scenario, Household), Fa
     let loaded = folder::load_lives(path, &[]);
     let remarks = loaded.as_ref().map_or_else(
         |_| Vec::new(),
-        |(scenario, _, _)| remarks::of(scenario, Length::Days(scenario.file.days).from_start(&scenario.calendar)),
+        |(scenario, _, _)| remarks::of(scenario, Length::Days(scenario.file.days).by(&scenario.calendar)),
     );
     if json {
         match &loaded {

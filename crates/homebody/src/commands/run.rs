@@ -81,7 +81,7 @@ impl Arguments {
         let without = if self.profiles.is_some() { &[][..] } else { &self.without };
         let (scenario, entry, household) = folder::load_lives(&self.scenario, without)?;
         let seed = self.seed.unwrap_or(scenario.file.seed);
-        let length = self.length.unwrap_or(Length::Days(scenario.file.days)).from_start(&scenario.calendar);
+        let length = self.length.unwrap_or(Length::Days(scenario.file.days)).by(&scenario.calendar);
         let files = folder::files_beside(&self.scenario);
         let base = Base { scenario: &scenario, household: &household, files: &files };
         let members = match (&self.profiles, self.residents) {
