@@ -390,3 +390,15 @@ fn leaving_out_what_nobody_shows_is_a_mistake() {
     let said = household(&files(DECLINE, &[]), &["depresion"]).unwrap_err();
     assert!(said.contains("nobody shows \"depresion\"") && said.contains("cognitive-decline"), "{said}");
 }
+
+#[test]
+fn a_pace_that_is_said_exactly_is_that_of_all_of_many() {
+    let paces = |routine: &str| {
+        let (_, household) = household(&files(routine, &[]), &[]).unwrap();
+        let many = household.one_of_many();
+        [1, 2, 3].map(|seed| many.life(0, seed).unwrap().pace_mps)
+    };
+    assert_eq!(paces("She walks at 0.5 m/s."), [0.5; 3]);
+    let about = paces("She walks at about 0.5 m/s.");
+    assert!(about.iter().all(|&pace| pace != 0.5) && about[0] != about[1], "{about:?}");
+}

@@ -53,6 +53,11 @@ pub fn load_lives(path: &Path, without: &[String]) -> Result<(Scenario, String, 
     Ok((scenario, entry, household))
 }
 
+/// The files of the folder in which a scenario is.
+pub fn files_beside(path: &Path) -> impl Files + Sync + use<> {
+    Folder(folder_of(path).to_owned())
+}
+
 /// The files that a scenario was loaded from.
 pub fn files(path: &Path, scenario: &Scenario) -> Vec<PathBuf> {
     scenario.sources.keys().map(|name| folder_of(path).join(name)).collect()

@@ -4,9 +4,12 @@ mod commands;
 mod failure;
 mod folder;
 mod given;
+mod length;
 mod pace;
 mod places;
 mod print;
+mod profiles;
+mod remarks;
 
 use clap::Parser;
 use commands::Command;

@@ -165,7 +165,10 @@ impl Life {
                 false => Person::AS_WRITTEN,
             },
         };
-        life.pace_mps *= life.person.pace;
+        // A pace that is said exactly is theirs, whoever else there is.
+        if pace.is_none_or(|pace| pace.low < pace.high) {
+            life.pace_mps *= life.person.pace;
+        }
         let mentioned: Vec<&Habit> = routine.habits.iter().collect();
         let unsaid = |habit: &Habit| !mentioned.iter().any(|said| said.activity == habit.activity);
         let habits = ordinary.habits.into_iter().filter(unsaid).collect();

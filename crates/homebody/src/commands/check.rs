@@ -2,13 +2,16 @@
 
 use crate::failure::Failure;
 use crate::folder;
+use crate::length::Length;
 use crate::print::{print_json, tell};
+use crate::remarks;
 use homebody_core::scenario::load::Scenario;
 use homebody_routine::household::Household;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
-/// Reports everything that is wrong with a scenario, with file, line and a hint.
+/// Reports everything that is wrong with a scenario, with file, line and a hint; and warns of what is hardly meant, such as a
+/// fault that comes when the run is over.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  homebody check scenarios/tigerplace\n  homebody check my-home --json")]
 pub struct Arguments {
@@ -39,13 +42,18 @@ impl Arguments {
 /// Loads a scenario with its routines; as JSON, the problems are said whether or not there are any.
 pub fn load_and_say(path: &Path, json: bool) -> Result<(Scenario, Household), Failure> {
     let loaded = folder::load_lives(path, &[]);
+    let remarks = loaded.as_ref().map_or_else(
+        |_| Vec::new(),
+        |(scenario, _, _)| remarks::of(scenario, Length::Days(scenario.file.days).by(&scenario.calendar)),
+    );
     if json {
         match &loaded {
-            Ok(_) => print_json(&json!({ "problems": [] }))?,
+            Ok(_) => print_json(&json!({ "problems": [], "warnings": remarks }))?,
             Err(Failure::Problems(problems)) => print_json(&json!({ "problems": problems }))?,
             Err(_) => {}
         }
     }
+    remarks.iter().for_each(remarks::tell_remark);
     loaded.map(|(scenario, _, household)| (scenario, household))
 }
 

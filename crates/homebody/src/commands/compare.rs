@@ -5,15 +5,18 @@ use crate::failure::Failure;
 use crate::print::{print_json, print_text, tell};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::{Log, activities, read};
-use homebody_study::compare::{begins, compare};
+use homebody_study::compare::{MEASURES, begins, compare};
 
 /// Compares the firings of two logs: by sensor and in all, the agreement of their numbers, and how their times between
 /// firings are spread. The second is the reference. Where activities are known, from a truth.db beside the log or from
 /// notes in it, also by activity, as Godsey & Skubic have it.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_help = format!("Examples:
   homebody compare runs/tigerplace-2 runs/tigerplace-1
-  homebody compare simulated.db casas:real.txt --json")]
+  homebody compare simulated.db casas:real.txt --json
+
+Measures:
+{}", MEASURES.trim_end()))]
 pub struct Arguments {
     /// A log: a file, a run's folder, or sqlite:FILE, csv:FILE or casas:FILE
     a: String,

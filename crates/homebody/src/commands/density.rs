@@ -1,9 +1,9 @@
 //! `homebody density`: how much somebody moves in each hour of each day.
 
 use super::answer::Answer;
-use super::run::span;
 use crate::failure::Failure;
 use crate::given::Given;
+use crate::length::span;
 use homebody_core::scenario::nearest::nearest;
 use homebody_core::time::Micros;
 use homebody_study::dates;

@@ -21,6 +21,7 @@ mod schema;
 use crate::failure::Failure;
 use clap::Subcommand;
 
+pub use cohort::LIST;
 pub use convert::{place, tell_remarks};
 
 #[derive(Subcommand)]

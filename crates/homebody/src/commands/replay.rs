@@ -1,8 +1,8 @@
 //! `homebody replay`: live a recording again.
 
 use super::live::{Live, Output};
-use super::run::LONGEST;
 use crate::failure::Failure;
+use crate::length::LONGEST;
 use crate::pace::Asked;
 use homebody_core::recording::Recording;
 use homebody_routine::household::Household;

@@ -1,13 +1,15 @@
 //! `homebody run`: live a scenario.
 
-use super::cohort::Cohort;
+use super::cohort::{Cohort, Members};
 use super::live::{Live, Output};
 use crate::failure::Failure;
 use crate::folder;
+use crate::length::{Length, length};
 use crate::pace::Asked;
+use crate::profiles::{self, Base};
+use crate::remarks;
 use homebody_core::recording::Recording;
 use homebody_core::run::Run;
-use homebody_core::time::{Micros, SECOND, micros};
 use std::path::PathBuf;
 
 /// Lives a scenario and stores what its sensors say.
@@ -20,14 +22,30 @@ use std::path::PathBuf;
   homebody run scenarios/tigerplace --for 2h --speed 60
   homebody run scenarios/tigerplace-depression --without depression
   homebody run scenarios/tigerplace --residents 100 --for 28d
+  homebody run scenarios/tigerplace --profiles people.csv --for 28d
   homebody run my-home --out sqlite:log.db --out csv:log.csv --truth truth.db --force
-  printf 'step 60\\nstop\\n' | homebody run my-home --control --paused")]
+  printf 'step 60\\nstop\\n' | homebody run my-home --control --paused
+
+Columns of --profiles:
+  name        what the member's folder is called
+  seed        a number of their own; without it, it follows from the name and the seed of the run
+  age         in years
+  pace_mps    how fast they walk, in metres a second
+  conditions  those that they show instead of the routine's, with + between several; or none
+  severity    mild, moderate or severe; with + between several, or one for all, as in the next three
+  onset       from when on: week 6, day 40 or 2009-04-13; from the beginning without it
+  over        how long it takes to come: 10 days, 4 weeks
+  until       until when: week 12, day 80, 2009-06-01
+  routine     a text in the scenario's folder to live by instead
+  resident    whom the row is about, where several live by routines")]
 pub struct Arguments {
     /// The scenario's folder, or its scenario.json
     scenario: PathBuf,
     /// How long to live: 90s, 15m, 2h, 7d or 52w; the scenario's days without it
-    #[arg(long = "for", value_name = "SPAN", value_parser = span)]
-    length: Option<Micros>,
+    ///
+    /// Days and weeks are those of the calendar: a run of 7d ends at the hour at which it began, also where clocks change.
+    #[arg(long = "for", value_name = "SPAN", value_parser = length)]
+    length: Option<Length>,
     /// The number all randomness comes from, instead of the scenario's
     #[arg(long)]
     seed: Option<u64>,
@@ -41,6 +59,13 @@ pub struct Arguments {
     #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..=100_000),
           conflicts_with_all = ["out", "truth", "record", "force", "control", "speed", "paused"])]
     residents: Option<u32>,
+    /// Live the members of this list side by side: a CSV file with a row for each
+    ///
+    /// Its first line names the columns, of which only the name is needed; what a row leaves empty is as in the scenario. All
+    /// that it does not say differs as people differ.
+    #[arg(long, value_name = "FILE",
+          conflicts_with_all = ["residents", "out", "truth", "record", "force", "control", "speed", "paused"])]
+    profiles: Option<PathBuf>,
     #[command(flatten)]
     output: Output,
     /// Record what is needed to replay the run into this file
@@ -52,9 +77,20 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let (scenario, entry, household) = folder::load_lives(&self.scenario, &self.without)?;
+        // Who shows a condition that is left out, only the list knows.
+        let without = if self.profiles.is_some() { &[][..] } else { &self.without };
+        let (scenario, entry, household) = folder::load_lives(&self.scenario, without)?;
         let seed = self.seed.unwrap_or(scenario.file.seed);
-        let length = self.length.unwrap_or_else(|| micros(scenario.file.days * 86_400.0));
+        let length = self.length.unwrap_or(Length::Days(scenario.file.days)).by(&scenario.calendar);
+        let files = folder::files_beside(&self.scenario);
+        let base = Base { scenario: &scenario, household: &household, files: &files };
+        let members = match (&self.profiles, self.residents) {
+            (Some(file), _) => Some(Members::Listed(profiles::read(file, &base, &self.without)?)),
+            (None, residents) => residents.map(Members::Many),
+        };
+        if !self.output.quiet {
+            remarks::of(&scenario, length).iter().for_each(remarks::tell_remark);
+        }
         let recording = Recording {
             version: env!("CARGO_PKG_VERSION").into(),
             entry,
@@ -67,47 +103,11 @@ impl Arguments {
             sha256: String::new(),
         };
         let sources = folder::files(&self.scenario, &scenario);
-        if let Some(residents) = self.residents {
-            let cohort = Cohort { scenario: &scenario, household: &household, recording, sources, output: self.output };
-            return cohort.live(residents);
+        if let Some(members) = members {
+            return Cohort { base, recording, sources, output: self.output }.live(&members);
         }
         let run = Run::new(&scenario, &household, seed, length);
         let live = Live { scenario: &scenario, recording, record: self.record, output: self.output, sources };
         live.live(run, &self.pace)
-    }
-}
-
-/// A hundred years.
-pub const LONGEST: Micros = 36_525 * 86_400 * SECOND;
-
-/// A span of time as people write it.
-pub fn span(text: &str) -> Result<Micros, String> {
-    let (number, unit) = text.split_at(text.trim_end_matches(|c: char| c.is_ascii_alphabetic()).len());
-    let unit = match unit {
-        "s" => 1.0,
-        "m" | "min" => 60.0,
-        "h" => 3600.0,
-        "d" => 86_400.0,
-        "w" => 604_800.0,
-        _ => return Err("write a number with its unit: 90s, 15m, 2h, 7d or 52w".into()),
-    };
-    let number: f64 = number.parse().map_err(|_| "write one number with its unit: 90s, 15m, 2h, 7d or 52w")?;
-    let span = micros(number * unit);
-    let is_span = span > 0 && span <= LONGEST;
-    is_span.then_some(span).ok_or_else(|| "it is longer than nothing and at most 100 years long".into())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn spans_are_read_as_people_write_them() {
-        assert_eq!(span("90s"), Ok(90_000_000));
-        assert_eq!(span("1.5h"), Ok(5_400_000_000));
-        assert_eq!(span("7d"), Ok(604_800_000_000));
-        for wrong in ["", "7", "d", "-1d", "0s", "NaNd", "7 days", "1e9d", "infd", "1e-9s"] {
-            assert!(span(wrong).is_err(), "{wrong}");
-        }
     }
 }

@@ -44,6 +44,21 @@ fn every_template_is_new_checked_and_run() {
 }
 
 #[test]
+fn the_help_names_every_template() {
+    let help = Folder::new().run("new --help").ok().out;
+    for template in names("scenarios") {
+        let line = help.lines().find(|line| line.trim_start().starts_with(&format!("{template} ")));
+        let about: serde_json::Value = serde_json::from_str(
+            &fs::read_to_string(Path::new(ROOT).join(format!("scenarios/{template}/scenario.json"))).unwrap(),
+        )
+        .unwrap();
+        let words =
+            line.unwrap_or_else(|| panic!("{template} is not in\n{help}")).trim_start()[template.len()..].trim();
+        assert!(!words.is_empty() && about["about"].as_str().unwrap().starts_with(words), "{words}");
+    }
+}
+
+#[test]
 fn what_is_there_is_not_begun_again() {
     let folder = Folder::new();
     folder.write("full/precious", "mine");

@@ -56,8 +56,8 @@ fn two_maps_are_held_against_each_other() {
     let both: Value = serde_json::from_str(&folder.read("both.json")).unwrap();
     let distance = both["against"]["distance"].as_f64().unwrap();
     assert!(distance > 0.0 && distance < 1.0, "{distance}");
-    // Its last hour is that of daylight saving time.
-    assert!(folder.read("both.svg").contains("other.csv, 2009-03-02 to 2009-03-16"));
+    // Fourteen days, on one of which clocks go forward.
+    assert!(folder.read("both.svg").contains("other.csv, 2009-03-02 to 2009-03-15"));
 }
 
 #[test]
@@ -160,4 +160,47 @@ fn a_day_or_a_log_that_is_not_there_is_refused() {
         folder.run(words).fails(code, said);
     }
     assert_eq!(folder.files(), given);
+}
+
+#[test]
+fn days_that_were_asked_for_are_days_of_the_map() {
+    let folder = flat();
+    // Clocks go forward on 2009-03-08 in Chicago and back on 2009-11-01; Berlin is three weeks later, and a week earlier.
+    for (begin, zone) in [
+        ("2009-03-07", "America/Chicago"),
+        ("2009-10-31", "America/Chicago"),
+        ("2009-03-28", "Europe/Berlin"),
+        ("2009-10-24", "Europe/Berlin"),
+    ] {
+        let scenario: Value = serde_json::from_str(&folder.read("flat/scenario.json")).unwrap();
+        let changed = json!({ "start": format!("{begin}T00:00:00"), "time_zone": zone, "days": 2 });
+        let scenario = [scenario, changed].into_iter().flat_map(|part| part.as_object().unwrap().clone());
+        folder.write("flat/scenario.json", Value::Object(scenario.collect()).to_string());
+        for span in ["", "--for 2d", "--for 48h"] {
+            let words = format!("run flat {span} --out csv:a.csv --record recording.json --force --quiet");
+            folder.run(&words).ok();
+            let said = folder.run("density a.csv --json").ok().json();
+            let from_march = begin.contains("-03-");
+            // By the clock, 48 hours from midnight end at one o'clock or at eleven.
+            let days = if span == "--for 48h" && from_march { 3 } else { 2 };
+            assert_eq!(said["days"].as_array().map(Vec::len), Some(days), "{begin} in {zone}, {span}");
+            let recording: Value = serde_json::from_str(&folder.read("recording.json")).unwrap();
+            let hours = recording["length_us"].as_i64().unwrap() / 3_600_000_000;
+            let by_calendar = if from_march { 47 } else { 49 };
+            assert_eq!(hours, if span == "--for 48h" { 48 } else { by_calendar });
+        }
+    }
+}
+
+#[test]
+fn a_cohort_is_no_log_and_its_members_are() {
+    let folder = flat();
+    folder.run("run flat --residents 2 --for 1m --quiet").ok();
+    for command in ["density", "compare runs/flat-1/0001", "convert --to csv:a.csv"] {
+        let hint = "each member has a log of their own\n  hint: name one of them, such as runs/flat-1/0001";
+        folder.run(&format!("{command} runs/flat-1")).fails(2, hint);
+    }
+    folder.run("day runs/flat-1 first").fails(2, "runs/flat-1 is a cohort");
+    folder.run("day flat first").fails(1, "flat is a folder without a log.db\n  hint: name the log itself");
+    folder.run("compare runs/flat-1/0001 runs/flat-1/0002").ok();
 }

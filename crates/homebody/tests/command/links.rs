@@ -116,3 +116,67 @@ fn a_wrong_link_is_refused() {
     assert!(done.err.contains("hint: did you mean \"StudyFloor\"?"), "{}", done.err);
     done.fails(2, "link.json:15:34: the home has no sensor \"StudyFlor\"");
 }
+
+#[test]
+fn faults_that_come_when_the_run_is_over_are_warned_of() {
+    let link = r#"{ "faults": [
+  { "kind": "outage", "at": "08:05", "hours": 1 },
+  { "kind": "outage", "at": "07:00", "hours": 1 },
+  { "kind": "battery", "sensor": "BedroomWall", "from_day": 0.01 },
+  { "kind": "stuck", "sensor": "KitchenWall", "from_day": 0.009 }
+] }"#;
+    let folder = linked(link);
+    let said = folder.run("check flat").ok().err;
+    // The run is of 0.01 days from eight o'clock.
+    for part in [
+        "warning: link.json:3:3: \"outage\" never comes: it would begin on 2009-03-03 at 07:00, \
+         and the run ends on 2009-03-02 at 08:14\n  hint: days count from 0",
+        "warning: link.json:4:3: \"battery\" of \"BedroomWall\" never comes",
+        "nothing is wrong",
+    ] {
+        assert!(said.contains(part), "{said}");
+    }
+    assert_eq!(said.matches("warning").count(), 2, "{said}");
+    let json = folder.run("check flat --json").ok().json();
+    assert_eq!(json["problems"], json!([]));
+    assert_eq!(json["warnings"].as_array().map(Vec::len), Some(2));
+    // What is asked for counts, not what is written.
+    assert_eq!(folder.run("run flat --for 2d --out csv:a.csv").ok().err.matches("warning").count(), 0);
+    assert_eq!(folder.run("run flat --for 1m --out csv:b.csv").ok().err.matches("warning").count(), 4);
+    assert_eq!(folder.run("run flat --for 1m --out csv:c.csv --quiet").ok().err, "");
+}
+
+#[test]
+fn sensors_that_always_speak_at_once_on_one_channel_are_warned_of() {
+    let folder = linked(r#"{ "preset": "x10" }"#);
+    let pads = |pads: &str| {
+        let folder = linked(r#"{ "preset": "x10" }"#);
+        let furniture = r#""furniture": [
+    { "name": "bed", "at": [5, 0.2], "size_m": [2, 0.9], "height_m": 0.5, "enterable": true }
+  ],
+  "sensors": ["#;
+        folder.edit("flat/home.json", "\"sensors\": [", &format!("{furniture}{pads},"));
+        folder
+    };
+    assert!(!folder.run("check flat").ok().err.contains("warning"));
+    let two = r#"{ "kind": "bed", "name": "left", "on": "bed" }, { "kind": "bed", "name": "right", "on": "bed" }"#;
+    let said = pads(two).run("check flat").ok().err;
+    let warning = "warning: link.json:1:13: \"left\" and \"right\" speak of \"bed\" at the same instants, \
+                   and spoil each other's messages\n  hint: on this radio nobody waits for another";
+    assert!(said.contains(warning), "{said}");
+    // A pad that waits speaks at instants of its own, and so does whoever is on no channel.
+    let later = r#"{ "kind": "bed", "name": "left", "on": "bed" },
+    { "kind": "pressure", "name": "pad", "on": "bed", "delay_s": 2 }"#;
+    assert!(!pads(later).run("check flat").ok().err.contains("warning"));
+    let folder = pads(two);
+    folder.write("flat/link.json", r#"{ "preset": "zigbee" }"#);
+    assert!(!folder.run("check flat").ok().err.contains("warning"));
+}
+
+#[test]
+fn an_id_of_a_sensor_that_is_not_there_is_refused() {
+    let folder = flat();
+    folder.write("flat/logger.json", r#"{ "ids": { "KitchenWal": "A1" } }"#);
+    let said = "logger.json:1:12: the home has no sensor \"KitchenWal\"";
+    assert!(folder.run("check flat").fails(2, said).err.contains("did you mean \"KitchenWall\"?"));
+}

@@ -16,3 +16,4 @@ mod logs;
 mod days;
 mod figures;
 mod lives;
+mod cohorts;

@@ -1,0 +1,147 @@
+//! Lengths of time as people ask for them: days by the calendar, hours and less by the clock.
+
+use homebody_core::scenario::calendar::Calendar;
+use homebody_core::time::{Micros, SECOND, micros};
+
+/// A hundred years.
+pub const LONGEST: Micros = 36_525 * 86_400 * SECOND;
+
+/// How long a run is to last.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Length {
+    /// Days of the home's own time: one on which clocks change has 23 or 25 hours.
+    Days(f64),
+    Time(Micros),
+}
+
+impl Length {
+    /// How long that is from the start of a run, by its calendar.
+    pub fn by(self, calendar: &Calendar) -> Micros {
+        match self {
+            Length::Time(span) => span,
+            Length::Days(days) => {
+                let (begin, end) = day(calendar, days as i32);
+                begin + ((end - begin) as f64 * days.fract()).round() as Micros
+            }
+        }
+    }
+}
+
+/// How many days have been lived at an instant of a run.
+pub fn days_lived(calendar: &Calendar, at: Micros) -> f64 {
+    // It began a day early at most, since a run may begin at noon.
+    let mut whole = calendar.day(at);
+    while whole > 0 && day(calendar, whole).0 > at {
+        whole -= 1;
+    }
+    let (begin, end) = day(calendar, whole);
+    f64::from(whole) + (at - begin) as f64 / (end - begin) as f64
+}
+
+/// From when to when a day of a run is that begins at the hour of its start.
+fn day(calendar: &Calendar, day: i32) -> (Micros, Micros) {
+    let begin = |day| if day == 0 { 0 } else { calendar.instant(day, calendar.start_of_day()) };
+    (begin(day), begin(day.saturating_add(1)))
+}
+
+/// The length of a run as people write it.
+pub fn length(text: &str) -> Result<Length, String> {
+    let (number, unit) = parts(text)?;
+    match unit {
+        "d" => span(text).map(|_| Length::Days(number)),
+        "w" => span(text).map(|_| Length::Days(number * 7.0)),
+        _ => span(text).map(Length::Time),
+    }
+}
+
+/// A span of time as people write it, in which all days have 24 hours.
+pub fn span(text: &str) -> Result<Micros, String> {
+    let (number, unit) = parts(text)?;
+    let unit = match unit {
+        "s" => 1.0,
+        "m" | "min" => 60.0,
+        "h" => 3600.0,
+        "d" => 86_400.0,
+        _ => 604_800.0,
+    };
+    let span = micros(number * unit);
+    let is_span = span > 0 && span <= LONGEST;
+    is_span.then_some(span).ok_or_else(|| "it is longer than nothing and at most 100 years long".into())
+}
+
+/// A number and a unit that is known.
+fn parts(text: &str) -> Result<(f64, &str), String> {
+    let (number, unit) = text.split_at(text.trim_end_matches(|c: char| c.is_ascii_alphabetic()).len());
+    if !["s", "m", "min", "h", "d", "w"].contains(&unit) {
+        return Err("write a number with its unit: 90s, 15m, 2h, 7d or 52w".into());
+    }
+    let number = number.parse().map_err(|_| "write one number with its unit: 90s, 15m, 2h, 7d or 52w")?;
+    Ok((number, unit))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homebody_core::time::DAY;
+
+    const HOUR: Micros = 3600 * SECOND;
+
+    #[test]
+    fn spans_are_read_as_people_write_them() {
+        assert_eq!(span("90s"), Ok(90_000_000));
+        assert_eq!(span("1.5h"), Ok(5_400_000_000));
+        assert_eq!(span("7d"), Ok(604_800_000_000));
+        assert_eq!(length("7d"), Ok(Length::Days(7.0)));
+        assert_eq!(length("1.5w"), Ok(Length::Days(10.5)));
+        assert_eq!(length("48h"), Ok(Length::Time(2 * DAY)));
+        for wrong in ["", "7", "d", "-1d", "0s", "NaNd", "7 days", "1e9d", "infd", "1e-9s"] {
+            assert!(span(wrong).is_err() && length(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn days_end_at_the_hour_at_which_they_began() {
+        // Clocks go forward on 2009-03-08 in Chicago and on 03-29 in Berlin, back on 11-01 and 10-25.
+        for (zone, start, days, hours) in [
+            ("America/Chicago", "2009-03-02T00:00:00", 60.0, 60 * 24 - 1),
+            ("America/Chicago", "2009-10-02T18:30:00", 60.0, 60 * 24 + 1),
+            ("America/Chicago", "2009-03-07T12:00:00", 1.0, 23),
+            ("America/Chicago", "2009-10-31T12:00:00", 1.0, 25),
+            ("Europe/Berlin", "2009-03-02T00:00:00", 60.0, 60 * 24 - 1),
+            ("Europe/Berlin", "2009-10-02T00:00:00", 60.0, 60 * 24 + 1),
+            ("Europe/Berlin", "2009-03-02T00:00:00", 365.0, 365 * 24),
+            ("UTC", "2009-03-02T00:00:00", 60.0, 60 * 24),
+        ] {
+            let calendar = Calendar::new(start, zone).unwrap();
+            let length = Length::Days(days).by(&calendar);
+            assert_eq!(length, hours * HOUR, "{days} days from {start} in {zone}");
+            assert_eq!(calendar.local(length).time(), calendar.local(0).time());
+            assert_eq!(days_lived(&calendar, length), days);
+            assert_eq!(Length::Time(days as Micros * DAY).by(&calendar), days as Micros * DAY);
+        }
+    }
+
+    #[test]
+    fn a_day_whose_end_the_clock_skips_or_shows_twice_ends_once() {
+        let skipped = Calendar::new("2009-03-07T02:30:00", "America/Chicago").unwrap();
+        let length = Length::Days(1.0).by(&skipped);
+        assert_eq!(skipped.local(length).to_string(), "2009-03-08T03:30:00-05:00[America/Chicago]");
+        let twice = Calendar::new("2009-10-31T01:30:00", "America/Chicago").unwrap();
+        assert_eq!(Length::Days(1.0).by(&twice), 24 * HOUR);
+        assert_eq!(Length::Days(2.0).by(&twice), 49 * HOUR);
+    }
+
+    #[test]
+    fn parts_of_days_are_parts_of_the_day_that_it_is() {
+        let calendar = Calendar::new("2009-03-07T00:00:00", "America/Chicago").unwrap();
+        assert_eq!(Length::Days(0.5).by(&calendar), 12 * HOUR);
+        assert_eq!(Length::Days(1.5).by(&calendar), 24 * HOUR + 23 * HOUR / 2);
+        for days in [0.0, 0.01, 0.5, 1.0, 1.5, 2.25, 239.75] {
+            let lived = days_lived(&calendar, Length::Days(days).by(&calendar));
+            assert!((lived - days).abs() < 1e-9, "{days} but {lived}");
+        }
+        let noon = Calendar::new("2009-03-07T12:00:00", "America/Chicago").unwrap();
+        assert_eq!(days_lived(&noon, 6 * HOUR), 6.0 / 23.0);
+        assert_eq!(days_lived(&noon, 13 * HOUR), 13.0 / 23.0);
+    }
+}

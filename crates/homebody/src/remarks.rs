@@ -1,0 +1,90 @@
+//! What is not wrong with a scenario, but hardly meant: faults that come when the run is over, sensors that always speak at
+//! once on one channel.
+
+use crate::print::tell;
+use homebody_core::problem::Problem;
+use homebody_core::scenario::calendar::time_of_day;
+use homebody_core::scenario::home::SensorFile;
+use homebody_core::scenario::link::{FaultFile, LinkFile};
+use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::source::Source;
+use homebody_core::time::{DAY, Micros, micros};
+use std::collections::BTreeMap;
+
+/// What is to be said of a scenario whose run is so long. Nothing of it keeps anybody from running it.
+pub fn of(scenario: &Scenario, length: Micros) -> Vec<Problem> {
+    let Some((name, link)) = scenario.file.link.as_ref().zip(scenario.link.as_ref()) else { return Vec::new() };
+    let text = scenario.sources.get(name).map(String::as_str).unwrap_or_default();
+    let Ok(source) = Source::parse(name, text) else { return Vec::new() };
+    let mut remarks = too_late(&source, link, scenario, length);
+    remarks.extend(at_once(&source, link, &scenario.home.sensors));
+    remarks
+}
+
+/// Tells people a remark.
+pub fn tell_remark(remark: &Problem) {
+    tell(format_args!("warning: {remark}"));
+}
+
+/// Faults that begin when the run is over.
+fn too_late(source: &Source, link: &LinkFile, scenario: &Scenario, length: Micros) -> Vec<Problem> {
+    let calendar = &scenario.calendar;
+    let begins = |fault: &FaultFile| {
+        let begin = fault.span().begin;
+        let FaultFile::Outage(outage) = fault else { return begin };
+        // It begins when clocks first show its time.
+        // Its days have 24 hours, as those of all faults.
+        let at = outage.at.as_deref().and_then(time_of_day);
+        at.map_or(begin, |at| begin + (at - calendar.start_of_day() - begin).rem_euclid(DAY))
+    };
+    let faults = link.faults.iter().enumerate().filter(|(_, fault)| begins(fault) >= length);
+    let remark = |(index, fault): (usize, &FaultFile)| {
+        let whose = fault.sensor().map_or(String::new(), |sensor| format!(" of {sensor:?}"));
+        let on_wall = |at: Micros| calendar.local(at).strftime("%Y-%m-%d at %H:%M").to_string();
+        let (kind, begin, end) = (fault.kind(), on_wall(begins(fault)), on_wall(length));
+        let what = format!("{kind:?}{whose} never comes: it would begin on {begin}, and the run ends on {end}");
+        let hint = "days count from 0: let it begin before the end, or live longer".to_owned();
+        source.problem(&format!("/faults/{index}"), what, Some(hint))
+    };
+    faults.map(remark).collect()
+}
+
+/// What sensors tell the instant of, if they tell it as it happens.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+enum Instant<'a> {
+    /// Somebody has come into a piece of furniture, or left it, so long ago.
+    Pressed(&'a str, Micros),
+    /// A thing is used.
+    Used(&'a str),
+}
+
+/// Sensors of one thing that always have something to say at the same instant, on a channel on which nobody waits.
+fn at_once(source: &Source, link: &LinkFile, sensors: &[SensorFile]) -> Vec<Problem> {
+    if link.channel().is_none() {
+        return Vec::new();
+    }
+    let mut speakers: BTreeMap<Instant, Vec<&str>> = BTreeMap::new();
+    for sensor in sensors {
+        let instant = match sensor {
+            SensorFile::Bed(bed) => Some(Instant::Pressed(&bed.on, 0)),
+            SensorFile::Pressure(pad) => pad.on.as_deref().map(|on| Instant::Pressed(on, micros(pad.delay_s))),
+            SensorFile::Contact(contact) => Some(Instant::Used(&contact.on)),
+            SensorFile::Power(power) => Some(Instant::Used(&power.on)),
+            SensorFile::Flow(flow) => Some(Instant::Used(&flow.on)),
+            _ => None,
+        };
+        if let Some(instant) = instant {
+            speakers.entry(instant).or_default().push(sensor.name());
+        }
+    }
+    let together = speakers.into_iter().filter(|(_, names)| names.len() > 1);
+    let remark = |(instant, names): (Instant, Vec<&str>)| {
+        let (Instant::Pressed(thing, _) | Instant::Used(thing)) = instant;
+        let names = names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(" and ");
+        let what = format!("{names} speak of {thing:?} at the same instants, and spoil each other's messages");
+        let hint = "on this radio nobody waits for another: leave one out, or take another network for all".to_owned();
+        let at = if link.radio.is_some() { "/radio" } else { "/preset" };
+        source.problem(at, what, Some(hint))
+    };
+    together.map(remark).collect()
+}

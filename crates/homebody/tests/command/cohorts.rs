@@ -1,0 +1,240 @@
+//! Cohorts from a list of profiles: who their members are, what of a list is refused.
+
+use crate::flat::flat;
+use crate::folder::Folder;
+use serde_json::Value;
+
+/// The example's apartment and a list of people.
+fn listed(list: &str) -> Folder {
+    let folder = Folder::new();
+    folder.copy_scenario("tigerplace");
+    folder.write("people.csv", list);
+    folder
+}
+
+const LIVE: &str = "run tigerplace --profiles people.csv --for 2d --quiet";
+
+/// Log, truth and recording of a member.
+fn life(folder: &Folder, member: &str) -> [String; 3] {
+    let path = |name: &str| format!("runs/{member}/{name}");
+    let log = folder.query(&path("log.db"), "SELECT ts_local, sensor_id, event_code FROM event ORDER BY seq");
+    [log.join("\n"), folder.truth_sha256(&path("truth.db")), folder.read(&path("recording.json"))]
+}
+
+/// The routine of a member, as the recording has it.
+fn routine(folder: &Folder, member: &str) -> String {
+    let recording: Value = serde_json::from_str(&life(folder, member)[2]).unwrap();
+    recording["files"]["margaret.routine"].as_str().unwrap().to_owned()
+}
+
+#[test]
+fn every_member_lives_as_the_list_says() {
+    let folder = listed(
+        "name;seed;age;pace_mps;conditions;severity;onset;over;until\n\
+         Anna Öz;;75;0.5;;;;;\n\
+         bea;7;;;depression + Urinary tract infection;severe + ;week 6 + 2009-03-20;4 weeks + ;+ day 40\n\
+         carl;;;;;;;;\n",
+    );
+    folder.run(LIVE).ok();
+    let list: Value = serde_json::from_str(&folder.read("runs/tigerplace-1/cohort.json")).unwrap();
+    let members = list["members"].as_array().unwrap();
+    let names: Vec<_> = members.iter().map(|member| member["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["Anna Öz", "bea", "carl"]);
+    assert_eq!(members[0]["profile"]["pace_mps"], "0.5");
+    assert_eq!((&members[1]["seed"], &members[1]["profile"]["until"]), (&Value::from(7), &Value::from("+ day 40")));
+    assert_eq!((&members[2]["profile"], &members[2]["days"]), (&serde_json::json!({}), &Value::from(2.0)));
+    let anna = routine(&folder, "tigerplace-1/Anna Öz");
+    assert!(anna.contains("\nThe person is 75. The person walks at 0.5 m/s.\n"), "{anna}");
+    assert!(!anna.contains("82") && !anna.contains("0.65"), "{anna}");
+    let bea = routine(&folder, "tigerplace-1/bea");
+    let conditions = "From week 6, over 4 weeks, the person shows severe depression.\n\
+                      From 2009-03-20, until day 40, the person shows Urinary tract infection.\n";
+    assert!(bea.ends_with(conditions), "{bea}");
+    let given = folder.read("tigerplace/margaret.routine");
+    assert_eq!(routine(&folder, "tigerplace-1/carl"), given);
+    // What a row says, its life shows: a pace that is given is that pace.
+    let steps = "SELECT to_x - from_x, to_y - from_y, (julianday(end_at) - julianday(begin_at)) * 86400 \
+                 FROM movement WHERE kind = 'stride'";
+    let steps = folder.query("runs/tigerplace-1/Anna Öz/truth.db", steps);
+    let step = |row: &String| {
+        let of: Vec<f64> = row.split('|').map(|number| number.parse().unwrap()).collect();
+        (of[0].hypot(of[1]), of[2])
+    };
+    let (way, took) = steps.iter().map(step).fold((0.0, 0.0), |(way, took), step| (way + step.0, took + step.1));
+    let pace = way / took;
+    assert!((0.3..0.6).contains(&pace), "{pace} m/s");
+    folder.run("replay runs/tigerplace-1/bea/recording.json --out csv:b.csv").ok();
+}
+
+#[test]
+fn a_members_life_depends_on_their_profile_and_seed_alone() {
+    let head = "name,seed,conditions,onset\n";
+    let (anna, bea) = ("anna,,depression,day 1\n", "bea,5,frailty,week 1\n");
+    let folder = listed(&format!("{head}{anna}{bea}"));
+    folder.run(LIVE).ok();
+    let others: String = (0..6).map(|number| format!("other {number},{number},grief,\n")).collect();
+    folder.write("people.csv", format!("{head}{others}{bea}{anna}"));
+    folder.run(LIVE).ok();
+    folder.write("people.csv", format!("{head}{bea}"));
+    folder.run(LIVE).ok();
+    for (member, cohorts) in [("anna", &[2][..]), ("bea", &[2, 3])] {
+        let first = life(&folder, &format!("tigerplace-1/{member}"));
+        for cohort in cohorts {
+            assert!(first == life(&folder, &format!("tigerplace-{cohort}/{member}")), "{member} in {cohort}");
+        }
+    }
+    // And alone in a thread, as a replay is.
+    folder.run("replay runs/tigerplace-2/anna/recording.json --out csv:a.csv").ok();
+    // A negative control: another name without a seed, and another seed, are other lives.
+    folder.write("people.csv", format!("{head}ann,,depression,day 1\nbea,6,frailty,week 1\n"));
+    folder.run(LIVE).ok();
+    assert!(life(&folder, "tigerplace-1/anna")[0] != life(&folder, "tigerplace-4/ann")[0]);
+    assert!(life(&folder, "tigerplace-1/bea")[0] != life(&folder, "tigerplace-4/bea")[0]);
+}
+
+#[test]
+fn a_twin_is_the_same_until_the_onset() {
+    let folder = listed("name,seed,conditions,severity,onset\nill,1,depression + insomnia,severe,day 3\nwell,1,,,\n");
+    let live = "run tigerplace --profiles people.csv --for 4d --quiet";
+    folder.run(live).ok();
+    let days = |member: &str| {
+        let sql = "SELECT ts_local, sensor_id FROM event WHERE ts_local";
+        let of = |which: &str| folder.query(&format!("runs/{member}/log.db"), &format!("{sql} {which} '2009-03-04'"));
+        (of("<"), of(">="))
+    };
+    let (ill, well) = (days("tigerplace-1/ill"), days("tigerplace-1/well"));
+    assert!(ill.0 == well.0 && ill.0.len() > 1000);
+    assert!(ill.1 != well.1);
+    // Nobody has it, where anybody did.
+    folder.run(&format!("{live} --without depression --without insomnia")).ok();
+    assert!(days("tigerplace-2/ill") == well);
+    folder.run("replay runs/tigerplace-2/ill/recording.json --out csv:a.csv").ok();
+    let said = "people.csv: nobody in it shows \"grief\"";
+    folder.run(&format!("{live} --without grief")).fails(2, said);
+}
+
+#[test]
+fn conditions_of_the_scenario_go_where_a_row_has_its_own() {
+    let folder = Folder::new();
+    folder.copy_scenario("tigerplace-depression");
+    folder.write("people.csv", "name,conditions,severity\nas it is,,\nwell,none,\nfrail,frailty,mild\n");
+    folder.run("run tigerplace-depression --profiles people.csv --for 1d --quiet").ok();
+    let shows = |member: &str| {
+        let routine = routine(&folder, &format!("tigerplace-depression-1/{member}"));
+        let lines: Vec<String> = routine.lines().filter(|line| line.contains(" shows ")).map(String::from).collect();
+        lines
+    };
+    assert!(shows("as it is")[0].contains("depression"));
+    assert_eq!(shows("well"), [""; 0]);
+    assert_eq!(shows("frail"), ["The person shows mild frailty."]);
+}
+
+#[test]
+fn another_routine_and_one_of_several_residents_may_be_meant() {
+    let folder = Folder::new();
+    folder.copy_scenario("couple-with-cat");
+    folder.write("couple-with-cat/early.routine", "She gets up at 05:00.\n");
+    folder.write("people.csv", "name,resident,routine,age\nearly,Ruth,early.routine,70\nold,henry,,99\n");
+    folder.run("run couple-with-cat --profiles people.csv --for 1d --quiet").ok();
+    let files = |member: &str| {
+        let recording: Value =
+            serde_json::from_str(&folder.read(&format!("runs/couple-with-cat-1/{member}/recording.json"))).unwrap();
+        recording["files"].clone()
+    };
+    let early = files("early");
+    assert_eq!(early["early.routine"], "She gets up at 05:00.\n\nThe person is 70.\n");
+    assert!(early["ruth.json"].as_str().unwrap().contains("early.routine"));
+    assert!(files("old")["henry.routine"].as_str().unwrap().contains("The person is 99."));
+    folder.run("replay runs/couple-with-cat-1/early/recording.json --out csv:a.csv").ok();
+    folder.write("people.csv", "name,resident,age\na,,70\nb,minka,12\nc,hnery,70\nd,,\n");
+    let said = folder.run("run couple-with-cat --profiles people.csv").fails(2, "3 problems").err;
+    for part in [
+        "people.csv:2:4: it is not said whom this is about",
+        "hint: add a column resident: henry or ruth",
+        "people.csv:3:3: nobody called \"minka\" lives there by a routine",
+        "people.csv:4:3: nobody called \"hnery\"",
+        "did you mean \"henry\"?",
+    ] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+}
+
+#[test]
+fn all_that_is_wrong_with_a_list_is_said_at_once() {
+    let folder = listed(
+        "name,seed,age,pace,conditions,severity,onset,over,routine,Name\n\
+         anna,x,abc,,depresion,sever,weak 6,,none.routine\n\
+         a/b,-1,200,,depression,,,4 weeks\n\
+         ANNA,,,,none,severe\n\
+         ,,80\n\
+         eva,,,,grief + frailty,mild + mild + mild,\n\
+         fay,,,,grief + Grief,,2009-13-01,4 weekz,../a.routine,,more\n\
+         gil,,,,depression. She naps,,,,other.routine\n\
+         hal,,0x1f,,\n",
+    );
+    folder.write("tigerplace/other.routine", "She reeds.\n");
+    let given = folder.files();
+    let done = folder.run("run tigerplace --profiles people.csv --for 5000w").fails(2, "problems");
+    for part in [
+        "people.csv:1:15: \"pace\" is no column that is known",
+        "hint: did you mean \"pace_mps\"?",
+        "people.csv:1:59: there are two columns \"name\"",
+        "people.csv:2:6: \"x\" is no seed",
+        "people.csv:2:8: \"abc\" is no age in years",
+        "people.csv:2:13: \"depresion\" is no condition that Homebody knows",
+        "hint: did you mean \"depression\"?",
+        "people.csv:2:23: \"sever\" is no severity",
+        "hint: did you mean \"severe\"?",
+        "people.csv:2:29: ",
+        "people.csv:2:37: \"none.routine\" cannot be read: there is no such file",
+        "people.csv:3:1: no folder can be called \"a/b\"",
+        "people.csv:3:5: \"-1\" is no seed",
+        "people.csv:3:8: nobody is 200",
+        "people.csv:3:26: it is not said from when",
+        "people.csv:4:1: two members are called \"ANNA\"",
+        "people.csv:4:14: this row names no condition",
+        "people.csv:5:3: this member has no name",
+        "people.csv:6:24: 3 values for 2 conditions",
+        "people.csv:7:16: \"Grief\" is named twice",
+        "people.csv:7:23: there is no such date",
+        "people.csv:7:34: ",
+        "people.csv:7:42: \"../a.routine\" is no file name inside the scenario's folder",
+        "people.csv:7:56: no column stands above this",
+        "people.csv:8:8: \"depression. She naps\" is not understood",
+        "other.routine:1:5: \"reeds\"",
+        "people.csv:9:6: \"0x1f\" is no age",
+    ] {
+        assert!(done.err.contains(part), "{part}\n{}", done.err);
+    }
+    assert_eq!(folder.files(), given);
+}
+
+#[test]
+fn a_list_that_is_none_is_refused() {
+    let folder = flat();
+    folder.run("run flat --profiles people.csv").fails(1, "people.csv: there is no such file");
+    folder.run("run flat --profiles flat").fails(1, "flat: it is a folder");
+    for (text, said) in [
+        (&b""[..], "people.csv: no column is called \"name\""),
+        (b"name,age\n", "people.csv: there is nobody in it\n"),
+        (b"name\n\"anna\nbea\n", "people.csv:2:2: this cell is never closed"),
+        (b"name\n\xff\n", "people.csv: it is not text in UTF-8"),
+        (b"name,age\nanna,80\n", "people.csv:2:6: nobody in this scenario lives by a routine"),
+    ] {
+        folder.write("people.csv", text);
+        folder.run("run flat --profiles people.csv").fails(2, said);
+    }
+    folder.run("run flat --profiles people.csv --residents 3").fails(2, "cannot be used with");
+    // Who differs in nothing may be on the list of any scenario.
+    folder.write("people.csv", "name,seed\nanna,1\n");
+    folder.run("run flat --profiles people.csv --for 1m").ok();
+    assert!(folder.path("runs/flat-1/anna/log.db").is_file());
+}
+
+#[test]
+fn a_long_list_of_faults_is_cut() {
+    let rows: String = (0..300).map(|row| format!("m{row},x\n")).collect();
+    let folder = listed(&format!("name,age\n{rows}"));
+    let said = folder.run("run tigerplace --profiles people.csv").fails(2, "there are 200 more problems").err;
+    assert_eq!(said.matches("is no age").count(), 100);
+}
