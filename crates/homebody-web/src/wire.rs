@@ -1,0 +1,263 @@
+//! What the page and the server say to each other.
+//!
+//! The page's own types in `web/src/wire.ts` are made from these; a test keeps them so. Over the socket, what the page says is
+//! JSON, a [`Say`] each; what it hears is JSON where it is a [`Tell`], and MessagePack where it is a [`Frame`]. All the rest
+//! is asked for by HTTP, and answered in JSON.
+//!
+//! Lengths are metres, angles degrees, instants whole microseconds since the run's start, which any number of JSON holds
+//! exactly for two hundred years. Points are `[x, y]`, with y up on the plan.
+
+use serde::{Deserialize, Serialize};
+use ts_rs::TS;
+
+/// A point on the plan, in metres.
+pub type At = [f64; 2];
+
+/// A home as it is drawn.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct HomeView {
+    pub name: String,
+    /// The lower left and the upper right corner of all there is.
+    pub bounds: [At; 2],
+    pub rooms: Vec<RoomView>,
+    /// Walls, doors that are closed, and furniture: convex outlines.
+    pub solids: Vec<SolidView>,
+    pub doors: Vec<DoorView>,
+    /// What can be used, in the order of [`Frame::on`].
+    pub things: Vec<ThingView>,
+    /// In the order in which firings count them.
+    pub sensors: Vec<SensorView>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct RoomView {
+    pub name: String,
+    pub outline: Vec<At>,
+    /// Where its name goes.
+    pub middle: At,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct SolidView {
+    pub kind: SolidKind,
+    /// Of furniture.
+    pub name: Option<String>,
+    pub outline: Vec<At>,
+    /// Whether bodies can be in it: a bed, a chair, a rug.
+    pub enterable: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
+#[serde(rename_all = "snake_case")]
+pub enum SolidKind {
+    Wall,
+    Door,
+    Furniture,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct DoorView {
+    pub name: String,
+    /// Its jambs; a door that stands open is hinged at the first.
+    pub from: At,
+    pub to: At,
+    pub open: bool,
+    /// Whether it leads out of the home.
+    pub outside: bool,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct ThingView {
+    pub name: String,
+    pub kind: ThingKind,
+    pub at: At,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
+#[serde(rename_all = "snake_case")]
+pub enum ThingKind {
+    Door,
+    Furniture,
+    /// The lamp of a room, under the room's name.
+    Lamp,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct SensorView {
+    pub name: String,
+    /// As its file says it: `motion`, `bed`, `contact`, ...
+    pub kind: String,
+    pub at: At,
+    /// The parts of its beams in which it sees a standing adult, from where to where; of sensors on walls.
+    pub beams: Vec<[At; 2]>,
+    /// What it sees from the ceiling, or the mat or bed that it feels.
+    pub area: Option<Vec<At>>,
+}
+
+/// A run that is being lived, or about to be.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct RunView {
+    /// The name of its folder, if it is stored in one: what playback knows it by.
+    pub id: Option<String>,
+    pub scenario: String,
+    pub home: HomeView,
+    /// Residents first, then visitors and pets.
+    pub residents: Vec<ResidentView>,
+    /// Who is moved by keys.
+    pub driven: Option<u32>,
+    #[ts(type = "number")]
+    pub length_us: i64,
+    /// A number below 2^53.
+    #[ts(type = "number")]
+    pub seed: u64,
+    /// Where the log goes, as URLs.
+    pub log: Vec<String>,
+    /// Whether a recording is being lived again.
+    pub replay: bool,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct ResidentView {
+    pub name: String,
+    pub radius_m: f64,
+}
+
+/// What a run looks like at an instant.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct Frame {
+    #[ts(type = "number")]
+    pub now_us: i64,
+    /// The time on the home's clock, as `2009-03-02 07:12:03`.
+    pub clock: String,
+    pub state: State,
+    /// How many seconds go by in a second; nothing where it goes as fast as it can.
+    pub speed: Option<f64>,
+    /// By resident; nothing for those who are out.
+    pub bodies: Vec<Option<BodyView>>,
+    /// The sensors that see somebody move.
+    pub seeing: Vec<u32>,
+    /// The things that are on, or open.
+    pub on: Vec<u32>,
+    /// The sine of the sun's height: below 0 it is dark.
+    pub sun: f64,
+    /// How many firings there have been.
+    #[ts(type = "number")]
+    pub told: u64,
+    /// The last of those since the frame before, in order.
+    pub firings: Vec<FiringView>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
+#[serde(rename_all = "snake_case")]
+pub enum State {
+    Paused,
+    Playing,
+    /// It has come to its end, or was stopped; its files are complete.
+    Over,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct BodyView {
+    pub at: At,
+    /// Where it faces, counted from east against the clock.
+    pub heading_deg: f64,
+    pub posture: Posture,
+    pub room: Option<u32>,
+    /// What the truth calls what it does.
+    pub activity: Option<String>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, TS)]
+#[serde(rename_all = "snake_case")]
+pub enum Posture {
+    Standing,
+    Sitting,
+    Lying,
+}
+
+/// A firing, with the row that the log has of it.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct FiringView {
+    #[ts(type = "number")]
+    pub seq: u64,
+    #[ts(type = "number")]
+    pub at_us: i64,
+    pub sensor: u32,
+    pub value: String,
+    /// Time, sensor and message as they are stored; nothing where the logger's file says that this is not.
+    pub row: Option<[String; 3]>,
+}
+
+/// What the page asks of the run. All pages have the same run.
+#[derive(Clone, Debug, PartialEq, Deserialize, TS)]
+#[serde(tag = "say", rename_all = "snake_case", deny_unknown_fields)]
+pub enum Say {
+    /// The first thing that a page says: nothing else is heard before.
+    Hello {
+        token: String,
+    },
+    Play,
+    Pause,
+    /// Go on by so many seconds, then pause.
+    Step {
+        seconds: f64,
+    },
+    /// From 0.1 to 1000; nothing for as fast as it goes.
+    Speed {
+        times: Option<f64>,
+    },
+    /// Go to an instant; back means to live it again from the start, with the same input.
+    Jump {
+        #[ts(type = "number")]
+        to_us: i64,
+    },
+    /// From now on exactly these keys are held.
+    Hold {
+        keys: Vec<Key>,
+    },
+    /// Who is driven sits, lies or stands from now on.
+    Be {
+        posture: Posture,
+    },
+    /// Who is driven turns on or opens a thing, or turns it off or closes it.
+    Use {
+        thing: u32,
+        on: bool,
+    },
+    /// Begin a run anew: with somebody moved by keys, or everybody as the scenario says; conditions left out by name.
+    Start {
+        driven: Option<u32>,
+        without: Vec<String>,
+        seed: Option<u32>,
+    },
+    /// End the run, so that its files are complete.
+    Stop,
+    /// Live the recording of a stored run again.
+    Replay {
+        run: String,
+    },
+}
+
+/// The keys that move a body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, TS)]
+#[serde(rename_all = "snake_case")]
+pub enum Key {
+    Up,
+    Down,
+    Left,
+    Right,
+    /// Twice the pace.
+    Fast,
+    /// Half the pace.
+    Slow,
+}
+
+/// What the page hears besides frames.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+#[serde(tag = "tell", rename_all = "snake_case")]
+pub enum Tell {
+    /// A run has begun; frames that follow are of this one.
+    Run { run: Box<RunView> },
+    /// Something to read: what was done, or why it could not be.
+    Note { text: String, bad: bool },
+}
