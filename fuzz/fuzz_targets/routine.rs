@@ -8,7 +8,7 @@
 //! RUSTC_BOOTSTRAP=1 cargo fuzz run routine -s none -- -max_total_time=300 -max_len=2048 -timeout=10
 //! ```
 //!
-//! `-s none` leaves the sanitizer out, which has nothing to find where no code is unsafe, and is some times as fast.
+//! `-s none` leaves the sanitizer out, which has nothing to find where no code is unsafe.
 
 #![no_main]
 
