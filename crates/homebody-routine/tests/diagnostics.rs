@@ -181,6 +181,16 @@ fn a_purpose() {
     let what = "\"to use the toilet\" is a purpose";
     refused("She gets up at 4:00 to use the toilet.", "to use the toilet", what, "then she uses the toilet");
     understood("She gets up at 4:00, then she uses the toilet.");
+    refused("She likes to sit by the bed.", "likes to sit", "says more than what is done", "write \"she sits\"");
+}
+
+#[test]
+fn what_is_not_done_stays_so() {
+    let until = "until week 12 she knits in the armchair for 1 hour";
+    refused("She does not knit in the armchair for 1 hour.", "knit", "is nothing", until);
+    refused("She no longer sews.", "sews", "is nothing", until);
+    refused("She does not raed.", "raed", "is nothing", "did you mean \"reads\"?");
+    refused("She cooks lunch, then does not eat.", "eat", "it is not clear what \"eat\" is about", "name the meal");
 }
 
 #[test]
@@ -211,6 +221,9 @@ fn a_verb_that_goes_with_something_else() {
     let own = "a new activity needs a place and a duration: \"she feeds the cat in the hall for 20 minutes\"";
     refused("She feeds the cat in the hall.", "feeds the cat", "is nothing", own);
     refused("She waters her plants.", "waters her plants", "is nothing", "she waters her plants in the kitchen");
+    refused("She has visitors.", "has visitors", "is nothing", "known are \"has shower\"");
+    let rule = "\"whenever she has been in bed for 10 hours, she gets up\"";
+    refused("She paces when she is restless.", "when", "is not understood here", rule);
     refused("Her son phones on Sunday.", "Her son", "nobody who lives here", "she phones her son for 10 minutes");
 }
 
@@ -365,7 +378,9 @@ fn a_change_over_a_time_without_a_beginning() {
 #[test]
 fn a_change_said_of_some_days_only() {
     refused("On Tuesday she walks 10 % slower.", "On Tuesday", "does not fit here", "");
-    refused("She gets up 1 hour later on Sunday.", "on Sunday", "does not fit here", "");
+    let instead = "say how it is then instead: \"on Sunday she gets up at 9:00\"";
+    refused("She gets up 1 hour later on Sunday.", "on Sunday", "does not fit here", instead);
+    refused("She naps 30 % longer on Sunday.", "on Sunday", "does not fit here", "on Sunday she naps for 1 hour");
     refused("She gets up 1 hour later in the kitchen.", "in the kitchen", "does not fit here", "");
 }
 

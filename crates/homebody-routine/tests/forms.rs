@@ -46,9 +46,10 @@ she watches television
 she does the laundry
 she leaves the apartment for 1 to 12 hours
 ";
-    let needs_others = ["after", "before", "with", "henever", "If", "home", "during", "while", "over breakfast"]
-        .iter()
-        .any(|word| text.contains(word));
+    let needs_others =
+        ["after", "before", "with", "henever", "If", "home", "during", "while", "over breakfast", "at breakfast"]
+            .iter()
+            .any(|word| text.contains(word));
     if !needs_others {
         return short(&understood(text));
     }

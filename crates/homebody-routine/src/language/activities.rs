@@ -89,7 +89,7 @@ static PHRASES: [(Activity, &[&str]); 32] = [
         Activity::Drink,
         &[
             "~have|take drink",
-            "~have|drink|make [cup|glass|mug] [of] tea|coffee|water|juice|milk|cocoa",
+            "~have|drink|make [cup|glass|mug] [of] tea|coffee|water|juice|milk|cocoa|wine|beer",
             "~drink [something]",
         ],
     ),

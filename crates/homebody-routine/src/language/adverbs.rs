@@ -7,7 +7,7 @@ use super::reader::Reader;
 use super::times;
 use super::words::{Span, Token};
 use crate::fuzzy::Fuzzy;
-use crate::routine::{Chance, Moment, PartOfDay, When};
+use crate::routine::{Activity, Chance, Moment, PartOfDay, When};
 
 /// Something that was said, where, and whether by this sentence or by the heading above it.
 #[derive(Clone, Debug, PartialEq)]
@@ -490,14 +490,16 @@ impl Adverbs {
         if gap.is_none() {
             reader.eat("right|shortly|soon|immediately|just|straight");
         }
-        let after = reader.eat_any(&[("after", 0), ("before", 1), ("with|during|while", 2), ("over", 3)])?;
+        let after = reader.eat_any(&[("after", 0), ("before", 1), ("with|during|while", 2), ("over|at", 3)])?;
         let at = reader.at;
-        let other = activities::event(reader);
+        let other = activities::event(reader).filter(|event| after < 3 || matches!(event, Activity::Eat(_)));
+        if other.is_none() && after == 3 {
+            return None;
+        }
         let Some(other) = other else {
             reader.at = at;
             let what = match times::time(reader, true) {
                 Some(_) => "leaves open when",
-                None if after == 3 => return None,
                 None => {
                     reader.skip_determiners();
                     reader.at += 1;

@@ -186,11 +186,30 @@ fn check_times(reader: &mut Reader, adverbs: &Adverbs, when: &When) {
 fn change(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     let Some((effect, allowed)) = effect(reader, clause) else { return };
     let why = "a change holds on all days from its beginning on";
+    if let (Predicate::Does(activity), Some(days), Some(measure)) =
+        (&clause.predicate, &clause.adverbs.weekdays, &clause.measure)
+        && let (true, Some(instead)) = (days.own, instead(activity, measure.of))
+    {
+        let what = format!("{:?} does not fit here: {why}", reader.said(days.span));
+        let days_said = weekday_words(days.value);
+        let hint = format!("say how it is then instead: \"{days_said} she {} {instead}\"", phrase(activity));
+        return reader.fault(days.span, what, hint);
+    }
     only(reader, &clause.adverbs, &allowed, why);
     no_place(reader, clause);
     let phase = clause.adverbs.phase_meant(reader, draft.is_condition);
     draft.phase(reader, &phase, &clause.adverbs, clause.span);
     draft.routine.changes.push(Change { said: draft.said(clause.span), phase, effect });
+}
+
+/// How a sentence of its own may end that says of some days what a change cannot.
+fn instead(activity: &Activity, of: Of) -> Option<&'static str> {
+    match (activity, of) {
+        (Activity::GoToBed, Of::Later) => Some("at 22:00"),
+        (_, Of::Later) => Some("at 9:00"),
+        (_, Of::Longer | Of::LongerBy) => Some("for 1 hour"),
+        _ => None,
+    }
 }
 
 const PHASE: &[Part] = &[Part::Phase];
@@ -321,7 +340,9 @@ fn not_a_change(reader: &mut Reader, clause: &Clause) {
             \"walks up and down\" or \"goes for a walk\""
         }
         Predicate::Is => IS,
-        Predicate::Sleeps => "write \"sleeps 30 % more restlessly\", \"goes to bed at 22:30\" or \"gets up at 09:00\"",
+        Predicate::Sleeps => {
+            "write \"sleeps 30 % more restlessly\", \"goes to bed at 22:30\", \"gets up at 09:00\" or \"naps\""
+        }
         Predicate::Vary => "write \"her hours vary twice as much\"",
         Predicate::Breathes => "write \"breathes 6 breaths a minute faster\"",
         _ => "such changes are \"later\", \"longer\" and \"more often\"",

@@ -82,6 +82,15 @@ fn every_so_many(reader: &mut Reader) -> Option<Often> {
     if reader.eat("third day|night") {
         return Some(Often { every: Some(3), ..Often::NOTHING });
     }
+    // A weekday comes round on days that lie seven apart, so every other one is on every other day.
+    let nth_weekday = |reader: &mut Reader| {
+        let every = reader.eat_any(&[("other|second", 2), ("third", 3), ("fourth", 4)])?;
+        Some((every, times::weekdays(reader)?))
+    };
+    if let Some((every, weekdays)) = reader.attempt(nth_weekday) {
+        let part = reader.eat_any(&times::PARTS);
+        return Some(Often { every: Some(every), weekdays: Some(weekdays), part, ..Often::NOTHING });
+    }
     if let Some(days) = reader.eat_any(&PERIODS) {
         return Some(Often { chance: Some(with_probability(1.0 / days)), ..Often::NOTHING });
     }

@@ -495,6 +495,18 @@ pub fn unknown_doing(reader: &mut Reader, words: &str, span: Span, example: &str
     reader.fault(span, format!("{said:?} is nothing that Homebody knows how to do"), hint);
 }
 
+/// The same of what is not done.
+pub fn unknown_not(reader: &mut Reader, span: Span) {
+    let said = reader.said(span);
+    let hint = match meant(&activities::in_third_person(&said.to_lowercase())) {
+        Some(phrase) => format!("did you mean {phrase:?}?"),
+        None => "to end something of your own, say until when it is so: \"until week 12 she knits in the armchair for \
+            1 hour\""
+            .to_owned(),
+    };
+    reader.fault(span, format!("{said:?} is nothing that Homebody knows how to do"), hint);
+}
+
 /// Whether these words only say that she goes somewhere, not what she does there.
 pub fn is_way(words: &str) -> bool {
     !words.contains(' ') && ["go", "walk", "move", "come"].iter().any(|verb| activities::is_form(verb, words))

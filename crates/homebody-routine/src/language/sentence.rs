@@ -187,12 +187,19 @@ fn predicate(
         reader.fault(who, "the sentence ends before it says what is done", None);
         return None;
     }
-    if let Some(found) = meal_meant(reader, cooked) {
+    // What is read by now says that the rest is not so.
+    let is_negated = reader.at > from;
+    if let Some(found) = meal_meant(reader, cooked.filter(|_| !is_negated)) {
         return found.map(|activity| (Predicate::Does(activity), reader.span(from)));
     }
-    let negated = reader.eat("does|do not") || reader.eat("doesn't|never");
-    let Some((words, span)) = predicates::own_words(reader).filter(|_| !negated) else {
-        let span = if reader.at == from { reader.here() } else { reader.span(from) };
+    let own = predicates::own_words(reader);
+    if is_negated {
+        let span = own.map_or(reader.here(), |(_, span)| span);
+        predicates::unknown_not(reader, span);
+        return None;
+    }
+    let Some((words, span)) = own else {
+        let span = nothing_of_its_own(reader);
         let words = reader.said(span).to_lowercase();
         predicates::unknown_verb(reader, &words, span);
         return None;
@@ -202,6 +209,16 @@ fn predicate(
         return None;
     }
     Some((Predicate::Own(words), span))
+}
+
+/// The words of an activity that begins with one that is known to begin something else: "has visitors".
+fn nothing_of_its_own(reader: &mut Reader) -> Span {
+    let from = reader.at;
+    if reader.eat("has|have") {
+        predicates::own_words(reader);
+        return reader.span(from);
+    }
+    reader.here()
 }
 
 /// "eats" or "cooks" without saying what: the meal just cooked, or a fault.
@@ -300,6 +317,11 @@ fn not_understood(reader: &mut Reader, clause: &Clause) {
     let at = reader.at;
     if reader.eat("to") && activities::activity(reader).is_some() {
         let (span, doing) = (reader.span(at), reader.said(reader.span(at + 1)));
+        if let Predicate::Own(words) = &clause.predicate {
+            let what = format!("{:?} says more than what is done", format!("{words} {}", reader.said(span)));
+            let hint = format!("write \"she {}\"", activities::in_third_person(&doing));
+            return reader.fault(clause.predicate_span.to(span), what, hint);
+        }
         let hint = format!("say what she does, not what for: \"then she {}\"", activities::in_third_person(&doing));
         return reader.fault(span, format!("{:?} is a purpose", reader.said(span)), hint);
     }
@@ -324,6 +346,10 @@ fn not_understood(reader: &mut Reader, clause: &Clause) {
 
 /// What could stand where a word is not understood.
 fn expected(reader: &mut Reader, clause: &Clause, word: &str) -> String {
+    if ["when", "if", "whenever", "because", "unless"].contains(&word) {
+        return "what depends on something begins with it: \"whenever she has been in bed for 10 hours, she gets up\""
+            .into();
+    }
     if word == "late" || word == "early" {
         return format!(
             "say at what time, such as \"at about 9:00\", or by how much: \"1 hour {}\"",
