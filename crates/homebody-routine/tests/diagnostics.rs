@@ -109,7 +109,7 @@ fn a_slip_within_a_time() {
         refused(&format!("She reads {when}."), slip, "there is no time", &format!("did you mean \"{meant}\"?"));
     }
     refused("She reads at 7:40:00.", "7:40:00", "there is no time", "");
-    understood("She reads at 7:40, then naps. She phones from 10:00-11:00. She drinks at 7am,for 5 minutes.");
+    understood("She reads at 7:40, then naps. She phones from 10:00-11:00. She drinks at 7:00on Monday,for 5 minutes.");
 }
 
 #[test]

@@ -41,7 +41,9 @@ pub fn clock(reader: &mut Reader, bare: bool) -> Option<f64> {
     let implied = |reader: &mut Reader| half_by_end(reader, face).or_else(|| half_by_rest(reader));
     let half = direct.or_else(|| if face.is_clear { None } else { implied(reader) });
     let (span, by_twelve) = (reader.span(from), (1.0..=12.0).contains(&face.hours));
-    if is_glued(reader) || !face.is_time() || said_half.is_some() && !by_twelve {
+    // A whole time with a word right behind it lacks a blank, and no more.
+    let lacks_blank = face.is_clear && face.is_time() && reader.token(0) == Some(Token::Word);
+    if is_glued(reader) && !lacks_blank || !face.is_time() || said_half.is_some() && !by_twelve {
         return Some(no_time(reader, from));
     }
     if half.is_none() && !face.is_clear {
@@ -214,6 +216,7 @@ fn is_glued(reader: &Reader) -> bool {
         matches!((before, reader.words.get(at)), (Some(before), Some(word)) if before.span.end == word.span.start)
     };
     match reader.token(0) {
+        Some(Token::Comma) if reader.peek(0) == "," => false,
         Some(Token::Comma) => follows(reader.at) && follows(reader.at + 1) && is_digit(reader.peek(1)),
         Some(Token::Word) => follows(reader.at) && reader.peek(0) != "to",
         _ => false,
