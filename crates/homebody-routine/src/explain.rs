@@ -33,7 +33,10 @@ pub struct Row {
     /// Seconds since midnight.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub start: Option<Spread>,
-    /// Seconds.
+    /// For how long something has to have been so before a rule holds, in seconds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub waits: Option<Spread>,
+    /// How long it is done, in seconds.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lasts: Option<Spread>,
     /// From when on, until when.
@@ -134,6 +137,7 @@ fn row(line: u32, said: &str, kind: Kind, what: String) -> Row {
         probability: None,
         when: String::new(),
         start: None,
+        waits: None,
         lasts: None,
         phase: String::new(),
         in_words: String::new(),
@@ -200,12 +204,17 @@ fn of_rule(rule: &Rule) -> Row {
         }
     };
     let after = lasts_words(&rule.lasts);
+    let lasts = match &rule.response {
+        Response::Do { lasts, .. } => lasts.as_ref().map(Spread::of),
+        Response::Turn { .. } => None,
+    };
     let chance = format!("with probability {}", number(rule.probability));
     let said = [format!("whenever {whenever} for {after}, {chance} the person {response}"), phase_words(&rule.phase)];
     Row {
         probability: Some(rule.probability),
         when: format!("whenever {whenever} for {after}"),
-        lasts: Some(Spread::of(&rule.lasts)),
+        waits: Some(Spread::of(&rule.lasts)),
+        lasts,
         days: format!("p {}", number(rule.probability)),
         phase: phase_words(&rule.phase),
         in_words: sentence(said.into_iter()),
@@ -227,7 +236,7 @@ fn effect_words(effect: &Effect) -> String {
     let factor = |factor: &Fuzzy| format!("{} times", numbers(factor.low, factor.high));
     let part = |part: &Option<PartOfDay>| part.map_or(String::new(), |part| format!(" ({})", part.word()));
     match effect {
-        Effect::Shows { condition, severity } => format!("{condition}, at {} times a moderate case", number(*severity)),
+        Effect::Shows { condition, severity } => format!("{condition}, {}", severity_words(*severity)),
         Effect::Pace(by) => format!("walking speed {}", factor(by)),
         Effect::PaceEachWeek(by) => format!("walking speed {} m/s more each week", numbers(by.low, by.high)),
         Effect::Later { activity, by } => shift(&phrase(activity), by, "later", "earlier"),
@@ -249,6 +258,15 @@ fn effect_words(effect: &Effect) -> String {
         }
         Effect::Pulse(by) => format!("pulse {} beats a minute more", numbers(by.low, by.high)),
         Effect::Respiration(by) => format!("breathing {} breaths a minute more", numbers(by.low, by.high)),
+    }
+}
+
+fn severity_words(severity: f64) -> String {
+    match severity {
+        1.0 => "a moderate case".into(),
+        2.0 => "twice a moderate case".into(),
+        less if less < 1.0 => format!("{} of a moderate case", number(less)),
+        more => format!("{} times a moderate case", number(more)),
     }
 }
 

@@ -32,7 +32,7 @@ fn every_sentence_is_said_again_in_words() {
         ),
         (
             "From week 6 to week 12, over 10 days, fading over 2 weeks, she shows severe depression.",
-            "Depression, at 1.5 times a moderate case; from day 36, fully there after 10 days, until the beginning of \
+            "Depression, 1.5 times a moderate case; from day 36, fully there after 10 days, until the beginning of \
              day 85, gone after 14 days more.",
         ),
         ("She gets up 45 to 90 minutes earlier.", "Gets up 45 min to 1 h 30 min earlier."),
@@ -63,6 +63,30 @@ line  what                                       on   when         lasts        
 3     walking speed 0.9 times
 ";
     assert!(text.starts_with(wanted), "{text}");
+}
+
+#[test]
+fn how_long_a_rule_waits_is_not_how_long_it_lasts() {
+    let text = "She cooks lunch.\nWhenever the stove has been on for 20 minutes, she rests on the sofa for 1 hour.";
+    let explained = explain(&understood(text));
+    let json = serde_json::to_value(&explained.sentences[1]).unwrap();
+    let mean = |what: &str| json[what]["mean"].as_f64().unwrap().round();
+    assert_eq!((mean("waits"), mean("lasts")), (1_200.0, 3_600.0));
+    let turns = "She cooks lunch.\nWhenever the stove has been on for 20 minutes, she turns it off.";
+    let text = explain(&understood(turns)).to_text();
+    let line = text.lines().nth(2).unwrap();
+    assert!(line.ends_with("p 1  whenever the stove has been on or open for 18 min to 22 min"), "{text}");
+}
+
+#[test]
+fn how_severe_a_case_is_is_said_as_people_do() {
+    for (severity, words) in [
+        ("mild", "Depression, 0.5 of a moderate case."),
+        ("moderate", "Depression, a moderate case."),
+        ("severe", "Depression, 1.5 times a moderate case."),
+    ] {
+        assert_eq!(row(&format!("She shows {severity} depression.")).in_words, words);
+    }
 }
 
 #[test]

@@ -47,7 +47,9 @@ she does the laundry
 she leaves the apartment for 1 to 12 hours
 ";
     let needs_others =
-        ["after", "before", "with", "henever", "If", "home", "during"].iter().any(|word| text.contains(word));
+        ["after", "before", "with", "henever", "If", "home", "during", "while", "over breakfast", "at breakfast"]
+            .iter()
+            .any(|word| text.contains(word));
     if !needs_others {
         return short(&understood(text));
     }

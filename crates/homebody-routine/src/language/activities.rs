@@ -1,16 +1,18 @@
 //! What can be done, in all the ways of saying it that are understood.
 
+use super::predicates::is_beginning;
 use super::reader::{Reader, is_determiner};
+use super::words::Token;
 use crate::routine::{Activity, Meal};
 use std::sync::LazyLock;
 
 /// Ways of saying an activity, the usual one first.
 ///
-/// `~` marks a verb, which may stand in any form; `[x]` may be missing; `a|b` is either; `SELF` is herself, himself or
-/// themselves; `WHOM` is somebody; words such as "the" and "her" may stand anywhere.
+/// `~` marks a verb, which may stand in any form; `[x]` may be missing; `a|b` is either; up to three other words may
+/// stand before `*x`; `SELF` is herself, himself or themselves; `WHOM` is somebody, `HOST` somebody elsewhere; words such as "the" and "her" may stand anywhere.
 static PHRASES: [(Activity, &[&str]); 32] = [
     (Activity::GetUp, &["~get up", "~wake [up]", "~rise", "~get out of bed"]),
-    (Activity::UseBathroom, &["~go to bathroom|toilet|loo|restroom", "~use bathroom|toilet|loo|restroom"]),
+    (Activity::UseBathroom, &["~go to bathroom|toilet|loo|restroom", "~use|visit bathroom|toilet|loo|restroom"]),
     (Activity::Shower, &["~take shower|bath", "~have shower|bath", "~shower", "~bathe"]),
     (
         Activity::Wash,
@@ -25,16 +27,28 @@ static PHRASES: [(Activity, &[&str]); 32] = [
     (Activity::Dress, &["~get dressed", "~dress [SELF]", "~put clothes on", "~put on clothes"]),
     (
         Activity::TakeMedicine,
-        &["~take medicine|medicines|medication|medications|pills|pill|tablets|tablet", "~have medicine|medication"],
+        &["~take *medicine|medicines|medication|medications|pills|pill|tablets|tablet", "~have medicine|medication"],
     ),
-    (Activity::Prepare(Meal::Breakfast), &["~prepare|make|cook|fix breakfast"]),
-    (Activity::Prepare(Meal::Lunch), &["~prepare|make|cook|fix lunch"]),
-    (Activity::Prepare(Meal::Dinner), &["~prepare|make|cook|fix dinner|supper"]),
-    (Activity::Eat(Meal::Breakfast), &["~eat|have breakfast"]),
-    (Activity::Eat(Meal::Lunch), &["~eat|have lunch"]),
-    (Activity::Eat(Meal::Dinner), &["~eat|have dinner|supper"]),
+    (
+        Activity::Prepare(Meal::Breakfast),
+        &["~prepare|make|cook|fix breakfast", "~prepare|make|cook|fix *for breakfast"],
+    ),
+    (Activity::Prepare(Meal::Lunch), &["~prepare|make|cook|fix lunch", "~prepare|make|cook|fix *for lunch"]),
+    (
+        Activity::Prepare(Meal::Dinner),
+        &["~prepare|make|cook|fix dinner|supper", "~prepare|make|cook|fix *for dinner|supper"],
+    ),
+    (Activity::Eat(Meal::Breakfast), &["~eat|have breakfast", "~eat|have *for breakfast"]),
+    (Activity::Eat(Meal::Lunch), &["~eat|have lunch", "~eat|have *for lunch"]),
+    (Activity::Eat(Meal::Dinner), &["~eat|have dinner|supper", "~eat|have *for dinner|supper"]),
     (Activity::WashUp, &["~wash up", "~do|wash|clean dishes", "~do washing up"]),
-    (Activity::WatchTelevision, &["~watch television|tv|telly", "~watch news|film|movie [on] [television|tv]"]),
+    (
+        Activity::WatchTelevision,
+        &[
+            "~watch television|tv|telly",
+            "~watch *news|film|movie|programme|programmes|program|programs|show|shows|series [on] [television|tv|telly]",
+        ],
+    ),
     (Activity::Read, &["~read [newspaper|newspapers|paper|book|books|magazine|magazines|bible|letters|novel]"]),
     (
         Activity::Phone,
@@ -46,7 +60,7 @@ static PHRASES: [(Activity, &[&str]); 32] = [
             "~talk|speak|chat to|with WHOM on phone|telephone",
         ],
     ),
-    (Activity::Nap, &["~nap", "~take|have nap|siesta", "~doze"]),
+    (Activity::Nap, &["~nap", "~take|have nap|siesta", "~doze [off]"]),
     (Activity::Laundry, &["~do laundry|washing", "~wash clothes|laundry"]),
     (
         Activity::Housework,
@@ -63,9 +77,10 @@ static PHRASES: [(Activity, &[&str]); 32] = [
             "~go out [shopping|walking]",
             "~go out for walk|meal|lunch|dinner|drive",
             "~go shopping|outside|swimming|walking",
-            "~go for walk|stroll|drive|ride",
+            "~go for *walk|stroll|drive|ride",
             "~go to shops|shop|store|supermarket|market|church|doctor|park|library|club|work|town",
-            "~take|have walk",
+            "~take|have *walk",
+            "~visit HOST",
         ],
     ),
     (Activity::ComeHome, &["~come home|back [home]", "~return [home]", "~get home|back"]),
@@ -74,7 +89,7 @@ static PHRASES: [(Activity, &[&str]); 32] = [
         Activity::Drink,
         &[
             "~have|take drink",
-            "~have|drink|make [cup|glass|mug] [of] tea|coffee|water|juice|milk|cocoa",
+            "~have|drink|make [cup|glass|mug] [of] tea|coffee|water|juice|milk|cocoa|wine|beer",
             "~drink [something]",
         ],
     ),
@@ -156,11 +171,19 @@ fn fits(reader: &Reader, way: &str) -> Option<usize> {
         while ahead > 0 && is_determiner(reader.peek(ahead)) {
             ahead += 1;
         }
+        let wanted = match wanted.strip_prefix('*') {
+            Some(noun) => {
+                ahead += adjectives(reader, ahead, noun);
+                noun
+            }
+            None => wanted,
+        };
         let word = reader.peek(ahead);
         let found = match wanted {
             "SELF" => ["herself", "himself", "themselves", "themself", "itself"].contains(&word),
             // Somebody has to be named with a word such as "her" or "a" before it.
             "WHOM" => ahead > at && !word.is_empty(),
+            "HOST" => ahead > at && !word.is_empty() && !is_here(reader, word),
             _ => match wanted.strip_prefix('~') {
                 Some(verbs) => verbs.split('|').any(|verb| is_form(verb, word)),
                 None => wanted.split('|').any(|wanted| wanted == word),
@@ -173,6 +196,22 @@ fn fits(reader: &Reader, way: &str) -> Option<usize> {
         }
     }
     Some(reader.at + at)
+}
+
+/// Whether something at home begins with this word.
+fn is_here(reader: &Reader, word: &str) -> bool {
+    reader.names.has_first(word) || ["bathroom", "toilet", "loo", "restroom"].contains(&word)
+}
+
+/// How many words stand before one of these nouns: none if it does not come soon.
+fn adjectives(reader: &Reader, from: usize, nouns: &str) -> usize {
+    const MOST: usize = 3;
+    let is_noun = |ahead: usize| nouns.split('|').any(|noun| noun == reader.peek(from + ahead));
+    let is_word = |ahead: usize| {
+        let word = reader.peek(from + ahead);
+        reader.token(from + ahead) == Some(Token::Word) && !is_determiner(word) && !is_beginning(word)
+    };
+    (0..=MOST).take_while(|ahead| (0..*ahead).all(is_word)).find(|ahead| is_noun(*ahead)).unwrap_or(0)
 }
 
 /// Whether a word is a form of this verb: "get", "gets", "getting".
@@ -190,6 +229,14 @@ pub fn third_person(verb: &str) -> String {
         _ if consonant_y.is_some() => format!("{}ies", consonant_y.unwrap_or_default()),
         _ if ["s", "sh", "ch", "x", "o"].iter().any(|end| verb.ends_with(end)) => format!("{verb}es"),
         _ => format!("{verb}s"),
+    }
+}
+
+/// "goes to the bathroom" of "go to the bathroom".
+pub fn in_third_person(doing: &str) -> String {
+    match doing.split_once(' ') {
+        Some((verb, rest)) => format!("{} {rest}", third_person(verb)),
+        None => third_person(doing),
     }
 }
 
@@ -255,9 +302,12 @@ pub fn all_phrases() -> &'static [String] {
 
 fn spell_out() -> Vec<String> {
     let mut all = Vec::new();
-    for way in PHRASES.iter().flat_map(|(_, ways)| ways.iter()) {
+    let ways = PHRASES.iter().flat_map(|(_, ways)| ways.iter());
+    // What is eaten "for breakfast" only its eater can name.
+    for way in ways.filter(|way| !way.contains("*for")) {
         let mut said = vec![String::new()];
-        for wanted in way.split(' ').filter(|wanted| !wanted.starts_with('[') && *wanted != "WHOM") {
+        for wanted in way.split(' ').filter(|wanted| !wanted.starts_with('[') && !["WHOM", "HOST"].contains(wanted)) {
+            let wanted = wanted.trim_start_matches('*');
             let forms: Vec<String> = match wanted.strip_prefix('~') {
                 Some(verbs) => verbs.split('|').map(third_person).collect(),
                 None => wanted.split('|').map(str::to_owned).collect(),
@@ -273,7 +323,7 @@ fn spell_out() -> Vec<String> {
 
 fn spoken(way: &str) -> String {
     let words = way.split(' ').filter(|word| !word.starts_with('[')).map(|word| {
-        let first = word.split('|').next().unwrap_or_default();
+        let first = word.trim_start_matches('*').split('|').next().unwrap_or_default();
         first.strip_prefix('~').map_or(first.to_owned(), third_person)
     });
     words.collect::<Vec<_>>().join(" ")

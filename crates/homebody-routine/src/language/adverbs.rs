@@ -7,7 +7,7 @@ use super::reader::Reader;
 use super::times;
 use super::words::{Span, Token};
 use crate::fuzzy::Fuzzy;
-use crate::routine::{Chance, Moment, PartOfDay, When};
+use crate::routine::{Activity, Chance, Moment, PartOfDay, When};
 
 /// Something that was said, where, and whether by this sentence or by the heading above it.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,7 +21,7 @@ pub struct Slot<T> {
 const HALF_A_DAY_S: f64 = 12.0 * 3600.0;
 
 /// The words that may begin one of these parts: whatever begins otherwise need not be tried.
-const FIRST: [&str; 96] = [
+const FIRST: [&str; 105] = [
     "a",
     "about",
     "after",
@@ -99,6 +99,7 @@ const FIRST: [&str; 96] = [
     "exactly",
     "the",
     "two",
+    "throughout",
     "three",
     "four",
     "five",
@@ -109,7 +110,15 @@ const FIRST: [&str; 96] = [
     "ten",
     "eleven",
     "twelve",
+    "thirteen",
+    "fourteen",
     "fifteen",
+    "sixteen",
+    "seventeen",
+    "eighteen",
+    "nineteen",
+    "quarter",
+    "while",
     "twenty",
     "thirty",
     "forty",
@@ -166,6 +175,40 @@ fn put<T>(reader: &mut Reader, slot: &mut Option<Slot<T>>, value: T, span: Span,
     } else {
         *slot = Some(Slot { value, span, own: true });
     }
+}
+
+/// "after two weeks".
+fn after_days(reader: &mut Reader) -> Option<Moment> {
+    let days = times::days(reader).filter(|days| !days.is_range())?;
+    days.as_count().map(|(days, _)| Moment::Day(days as i32))
+}
+
+/// "until she goes to bed": what is planned has to have an hour.
+fn until_event(reader: &mut Reader, from: usize) -> Option<()> {
+    let at = reader.at;
+    activities::event(reader)?;
+    let (span, event) = (reader.span(from), reader.said(reader.span(at)));
+    let hint = format!("write a time, such as \"until 22:00\", or how long before it: \"for 2 hours before {event}\"");
+    reader.fault(span, format!("{:?} is no time of day", reader.said(span)), hint);
+    Some(())
+}
+
+/// "from 20:00", where no time of day follows.
+fn no_end(reader: &mut Reader, from: usize) -> Option<()> {
+    let (time, faults) = (reader.at, reader.faults.count());
+    times::time(reader, true)?;
+    if reader.faults.count() > faults {
+        return Some(());
+    }
+    let (span, time) = (reader.span(from), reader.said(reader.span(time)));
+    let until = reader.at;
+    if reader.eat("until|till") && until_event(reader, until).is_some() {
+        return Some(());
+    }
+    reader.at = until;
+    let hint = format!("write \"at {time}\", or until when: \"from {time} to ...\"");
+    reader.fault(span, format!("{:?} leaves open until when", reader.said(span)), hint);
+    Some(())
 }
 
 impl Adverbs {
@@ -302,7 +345,9 @@ impl Adverbs {
             return Some(());
         }
         if reader.eat("from") {
-            let (first, last) = times::time_range(reader, "to|until|till")?;
+            let Some((first, last)) = times::time_range(reader, "to|until|till") else {
+                return no_end(reader, from);
+            };
             let span = reader.span(from);
             put(reader, &mut self.when, When::At(first.fuzzy()), span, kind);
             put(reader, &mut self.until_time, last.fuzzy(), span, "both say until when");
@@ -310,7 +355,7 @@ impl Adverbs {
             return Some(());
         }
         if reader.eat("until|till") {
-            let time = times::time(reader, true)?;
+            let Some(time) = times::time(reader, true) else { return until_event(reader, from) };
             let span = reader.span(from);
             put(reader, &mut self.until_time, time.fuzzy(), span, "both say until when");
             self.last = Last::Until;
@@ -327,13 +372,22 @@ impl Adverbs {
     /// "from week 6", "from day 100 to day 120", "until 2009-05-01", "in week 6", "on 2009-05-01".
     fn phase(&mut self, reader: &mut Reader) -> Option<()> {
         let start = reader.at;
-        if reader.eat("until|till") {
-            let (moment, _) = times::moment(reader)?;
+        if reader.eat("until|till|before") {
+            let is_end = reader.eat("the end of");
+            let (moment, length) = times::moment(reader)?;
+            let moment = if is_end { times::end_of(moment, length) } else { moment };
             let span = reader.span(start);
             put(reader, &mut self.until, moment, span, "both say until when");
             return Some(());
         }
-        if reader.eat("in|on") {
+        if reader.eat("after") {
+            let moment = reader.attempt(times::moment).map(|(moment, length)| times::end_of(moment, length));
+            let moment = moment.or_else(|| after_days(reader))?;
+            let span = reader.span(start);
+            put(reader, &mut self.from, moment, span, "both say from when");
+            return Some(());
+        }
+        if reader.eat("in|on|during|throughout") || reader.peek(1) == "the" && reader.eat("for") {
             let (moment, length) = times::moment(reader)?;
             let span = reader.span(start);
             put(reader, &mut self.from, moment, span, "both say from when");
@@ -436,9 +490,12 @@ impl Adverbs {
         if gap.is_none() {
             reader.eat("right|shortly|soon|immediately|just|straight");
         }
-        let after = reader.eat_any(&[("after", 0), ("before", 1), ("with|during", 2)])?;
+        let after = reader.eat_any(&[("after", 0), ("before", 1), ("with|during|while", 2), ("over|at", 3)])?;
         let at = reader.at;
-        let other = activities::event(reader);
+        let other = activities::event(reader).filter(|event| after < 3 || matches!(event, Activity::Eat(_)));
+        if other.is_none() && after == 3 {
+            return None;
+        }
         let Some(other) = other else {
             reader.at = at;
             let what = match times::time(reader, true) {
@@ -450,7 +507,10 @@ impl Adverbs {
                 }
             };
             let what = format!("{:?} {what}", reader.said(reader.span(start)));
-            let hint = "write \"after breakfast\", \"before she goes to bed\", or \"between 20:00 and 22:00\"";
+            let hint = match after {
+                2 => "write \"with breakfast\", or leave it out",
+                _ => "write \"after breakfast\", \"before she goes to bed\", or \"between 20:00 and 22:00\"",
+            };
             reader.fault(reader.span(start), what, hint.to_owned());
             reader.at = reader.words.len();
             return Some(());

@@ -44,7 +44,7 @@ const DAY_S: f64 = 86_400.0;
 pub const MONTH_DAYS: f64 = 30.0;
 pub const YEAR_DAYS: f64 = 365.0;
 
-const NUMBERS: [(&str, f64); 20] = [
+const NUMBERS: [(&str, f64); 19] = [
     ("one", 1.0),
     ("two", 2.0),
     ("three", 3.0),
@@ -57,13 +57,24 @@ const NUMBERS: [(&str, f64); 20] = [
     ("ten", 10.0),
     ("eleven", 11.0),
     ("twelve", 12.0),
+    ("thirteen", 13.0),
+    ("fourteen", 14.0),
     ("fifteen", 15.0),
+    ("sixteen", 16.0),
+    ("seventeen", 17.0),
+    ("eighteen", 18.0),
+    ("nineteen", 19.0),
+];
+
+/// Those that one of the first nine may follow: "twenty five".
+const TENS: [(&str, f64); 8] = [
     ("twenty", 20.0),
     ("thirty", 30.0),
     ("forty", 40.0),
-    ("forty five", 45.0),
     ("fifty", 50.0),
     ("sixty", 60.0),
+    ("seventy", 70.0),
+    ("eighty", 80.0),
     ("ninety", 90.0),
 ];
 
@@ -194,7 +205,15 @@ pub fn number(reader: &mut Reader) -> Option<f64> {
         reader.at += 1;
         return Some(value);
     }
+    if let Some(tens) = reader.eat_any(&TENS) {
+        return Some(tens + reader.eat_any(&NUMBERS[..9]).unwrap_or(0.0));
+    }
     reader.eat_any(&NUMBERS)
+}
+
+/// Whether a unit comes next.
+pub fn is_unit(reader: &mut Reader) -> bool {
+    reader.ahead(|reader| reader.eat_any(&UNITS).is_some())
 }
 
 impl Amount {

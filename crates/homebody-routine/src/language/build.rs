@@ -1,13 +1,14 @@
 //! What a clause means, once all of it is read: a habit, a change, or who the person is.
 
 use super::Draft;
+use super::activities::phrase;
 use super::adverbs::Adverbs;
 use super::meaning::Kind as Part;
 use super::measures::{Measure, Of};
-use super::predicates::{Predicate, Subject};
-use super::reader::Reader;
-use super::sentence::Clause;
-use super::times::is_of_next_day;
+use super::predicates::{Predicate, Subject, is_way, unknown_doing};
+use super::reader::{Reader, Sort};
+use super::sentence::{Clause, PLACES};
+use super::times::{ALL_WEEKDAYS, is_of_next_day, weekday_words};
 use super::words::Span;
 use crate::fuzzy::{Fuzzy, Quantifier};
 use crate::routine::{Activity, Chance, Change, Effect, Habit, Kind, PartOfDay, Person, When};
@@ -79,10 +80,17 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
         _ => return,
     };
     let adverbs = &clause.adverbs;
+    if let (Predicate::Own(words), Some((name, place))) = (&clause.predicate, &clause.place)
+        && is_way(words)
+    {
+        let at = if reader.names.has(&name.to_lowercase(), Sort::Room) { "in" } else { "at" };
+        let hint = format!("say what she does there, and for how long: \"she sits {at} the {name} for 20 minutes\"");
+        let span = clause.predicate_span.to(*place);
+        return reader.fault(span, format!("{:?} leaves open what she does there", reader.said(span)), hint);
+    }
     let lacks = clause.place.is_none() || adverbs.lasts.is_none() && adverbs.until_time.is_none();
     if is_own && lacks {
-        let words = reader.said(clause.predicate_span).to_lowercase();
-        return super::predicates::unknown_verb(reader, &words, clause.predicate_span);
+        return lacks_place_or_time(reader, &clause);
     }
     if matches!(activity, Activity::GetUp | Activity::GoToBed) {
         once_a_day(reader, &clause);
@@ -119,6 +127,18 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
     };
     draft.routine.habits.push(habit);
     draft.habit_spans.push(clause.predicate_span);
+}
+
+/// What is new has to be said with a place and a duration: shows how, with those that are there.
+fn lacks_place_or_time(reader: &mut Reader, clause: &Clause) {
+    let span = clause.predicate_span;
+    let words = reader.said(span).to_lowercase();
+    let named = reader.names.of(&PLACES).find(|name| words.ends_with(&format!(" {}", name.to_lowercase())));
+    let usual = named.map_or_else(|| "in the kitchen".to_owned(), |name| format!("at the {name}"));
+    let place = clause.place.as_ref().map_or(usual, |(_, span)| reader.said(*span));
+    let lasts =
+        clause.adverbs.lasts.as_ref().map_or_else(|| "for 20 minutes".to_owned(), |slot| reader.said(slot.span));
+    unknown_doing(reader, &words, span, &format!("she {words} {place} {lasts}"));
 }
 
 /// A day begins and ends once; what interrupts a night has words of its own.
@@ -166,11 +186,30 @@ fn check_times(reader: &mut Reader, adverbs: &Adverbs, when: &When) {
 fn change(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     let Some((effect, allowed)) = effect(reader, clause) else { return };
     let why = "a change holds on all days from its beginning on";
+    if let (Predicate::Does(activity), Some(days), Some(measure)) =
+        (&clause.predicate, &clause.adverbs.weekdays, &clause.measure)
+        && let (true, Some(instead)) = (days.own, instead(activity, measure.of))
+    {
+        let what = format!("{:?} does not fit here: {why}", reader.said(days.span));
+        let days_said = weekday_words(days.value);
+        let hint = format!("say how it is then instead: \"{days_said} she {} {instead}\"", phrase(activity));
+        return reader.fault(days.span, what, hint);
+    }
     only(reader, &clause.adverbs, &allowed, why);
     no_place(reader, clause);
     let phase = clause.adverbs.phase_meant(reader, draft.is_condition);
     draft.phase(reader, &phase, &clause.adverbs, clause.span);
     draft.routine.changes.push(Change { said: draft.said(clause.span), phase, effect });
+}
+
+/// How a sentence of its own may end that says of some days what a change cannot.
+fn instead(activity: &Activity, of: Of) -> Option<&'static str> {
+    match (activity, of) {
+        (Activity::GoToBed, Of::Later) => Some("at 22:00"),
+        (_, Of::Later) => Some("at 9:00"),
+        (_, Of::Longer | Of::LongerBy) => Some("for 1 hour"),
+        _ => None,
+    }
 }
 
 const PHASE: &[Part] = &[Part::Phase];
@@ -203,6 +242,10 @@ fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
         (Predicate::Shows(condition, severity), None) => {
             (Effect::Shows { condition: condition.clone(), severity: *severity }, PHASE)
         }
+        (Predicate::Not(activity) | Predicate::Skips(activity), None) if says_weekdays(clause) => {
+            on_some_weekdays(reader, clause, activity);
+            return None;
+        }
         (Predicate::Not(activity), None) => match chance(clause) {
             Some(chance) => (Effect::Skips { activity: activity.clone(), chance }, PHASE_AND_CHANCE),
             None => {
@@ -226,6 +269,26 @@ fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
         }
     };
     Some((found.0, found.1.to_vec()))
+}
+
+fn says_weekdays(clause: &Clause) -> bool {
+    clause.adverbs.weekdays.as_ref().is_some_and(|slot| slot.own)
+}
+
+/// What is left out on Sundays is done on the other days.
+fn on_some_weekdays(reader: &mut Reader, clause: &Clause, activity: &Activity) {
+    let Some(days) = clause.adverbs.weekdays.as_ref() else { return };
+    let (others, share) = (ALL_WEEKDAYS & !days.value, (f64::from(days.value.count_ones()) / 0.07).round());
+    let what = format!("{:?} does not fit here: what is left out is left out by chance", reader.said(days.span));
+    let hint = match others {
+        0 => "leave it out".to_owned(),
+        _ => format!(
+            "say on which days she does it, \"she {} {}\", or how often not: \"on {share} % of days\"",
+            phrase(activity),
+            weekday_words(others)
+        ),
+    };
+    reader.fault(days.span, what, hint);
 }
 
 /// Whether what changes is one of several reasons to go out, which are one activity to the living.
@@ -277,7 +340,9 @@ fn not_a_change(reader: &mut Reader, clause: &Clause) {
             \"walks up and down\" or \"goes for a walk\""
         }
         Predicate::Is => IS,
-        Predicate::Sleeps => "write \"sleeps 30 % more restlessly\", \"goes to bed at 22:30\" or \"gets up at 09:00\"",
+        Predicate::Sleeps => {
+            "write \"sleeps 30 % more restlessly\", \"goes to bed at 22:30\", \"gets up at 09:00\" or \"naps\""
+        }
         Predicate::Vary => "write \"her hours vary twice as much\"",
         Predicate::Breathes => "write \"breathes 6 breaths a minute faster\"",
         _ => "such changes are \"later\", \"longer\" and \"more often\"",

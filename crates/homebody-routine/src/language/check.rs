@@ -5,7 +5,7 @@ use super::activities::phrase;
 use super::faults::Faults;
 use super::times::days_between;
 use crate::fuzzy::Fuzzy;
-use crate::routine::{Activity, Habit, Moment, Trigger, When};
+use crate::routine::{Activity, Habit, Meal, Moment, Trigger, When};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Things that only some activities use.
@@ -124,7 +124,12 @@ fn missing_anchors(draft: &Draft, faults: &mut Faults) {
         };
         if !is_done {
             let what = format!("no sentence says that she {}, so this has no time", phrase(other));
-            let hint = format!("add a sentence such as \"she {} at about 12:00\"", phrase(other));
+            let at = match other {
+                Activity::Eat(Meal::Breakfast) => "8:00",
+                Activity::Eat(Meal::Dinner) => "18:00",
+                _ => "12:00",
+            };
+            let hint = format!("add a sentence such as \"she {} at about {at}\"", phrase(other));
             faults.add(draft.habit_spans[index], what, Some(hint));
         }
     }

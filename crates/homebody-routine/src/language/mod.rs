@@ -9,6 +9,7 @@ mod words;
 mod faults;
 mod reader;
 pub mod amounts;
+mod clock;
 pub mod times;
 mod often;
 mod adverbs;
@@ -140,7 +141,8 @@ fn one(draft: &mut Draft, names: &mut Names, faults: &mut Faults, heading: &mut 
         faults.add(sentence.span(), "this line is indented, but no heading stands above it", Some(hint));
     }
     let above = heading.as_ref().map(|heading| &heading.adverbs);
-    let mut reader = Reader { words: &sentence.words, at: 0, names, faults, text: draft.text };
+    let part = above.and_then(|above| above.part.as_ref()).map(|part| part.value);
+    let mut reader = Reader { words: &sentence.words, at: 0, names, faults, text: draft.text, part };
     let before = reader.faults.count();
     let Some(adverbs) = sentence::sentence(&mut reader, draft, above) else {
         if let Some(name) = draft.name.as_ref().filter(|_| names.person.is_none()) {

@@ -82,11 +82,27 @@ fn every_so_many(reader: &mut Reader) -> Option<Often> {
     if reader.eat("third day|night") {
         return Some(Often { every: Some(3), ..Often::NOTHING });
     }
+    // A weekday comes round on days that lie seven apart, so every other one is on every other day.
+    let nth_weekday = |reader: &mut Reader| {
+        let every = reader.eat_any(&[("other|second", 2), ("third", 3), ("fourth", 4)])?;
+        Some((every, times::weekdays(reader)?))
+    };
+    if let Some((every, weekdays)) = reader.attempt(nth_weekday) {
+        let part = reader.eat_any(&times::PARTS);
+        return Some(Often { every: Some(every), weekdays: Some(weekdays), part, ..Often::NOTHING });
+    }
     if let Some(days) = reader.eat_any(&PERIODS) {
         return Some(Often { chance: Some(with_probability(1.0 / days)), ..Often::NOTHING });
     }
     let from = reader.at;
-    let days = number(reader)?;
+    let days = if reader.ahead(|reader| reader.eat("hour")) { 1.0 } else { number(reader)? };
+    if reader.eat("hour|hours") {
+        const AWAKE_H: f64 = 16.0;
+        let a_day = (AWAKE_H / days.max(1.0)).round().max(1.0);
+        let what = format!("{:?} is more often than once a day", reader.said(reader.span(from - 1)));
+        reader.fault(reader.span(from - 1), what, format!("say how many times, such as \"{a_day} times a day\""));
+        return Some(Often::NOTHING);
+    }
     if !reader.eat("days|nights") {
         return None;
     }
@@ -122,6 +138,13 @@ fn quantified(reader: &mut Reader) -> Option<Often> {
         return Some(of(quantifier));
     }
     let quantifier = reader.eat_any(&OF_DAYS)?;
+    let is_share = ["all", "of", "the"].iter().any(|end| reader.passed(from).ends_with(end));
+    if is_share && reader.eat("day|night|morning|afternoon|evening") {
+        let span = reader.span(from);
+        let hint = "say from when to when, \"from 14:00 to 17:00\", or on which days: \"every day\", \"most days\"";
+        reader.fault(span, format!("{:?} says how long, but not from when", reader.said(span)), hint.to_owned());
+        return Some(Often::NOTHING);
+    }
     let (weekdays, part) = kind_of_day(reader)?;
     Some(Often { weekdays, part, ..of(quantifier) })
 }
@@ -203,13 +226,17 @@ pub fn at_first(reader: &mut Reader) -> Option<Often> {
 /// How many days these have on average.
 const PERIODS: [(&str, f64); 3] = [("week", 7.0), ("month", 30.4375), ("year", 365.25)];
 
+const ADVERBS_OF_PERIODS: [(&str, f64); 3] =
+    [("weekly", PERIODS[0].1), ("monthly", PERIODS[1].1), ("yearly", PERIODS[2].1)];
+
 /// What comes after a number of times: how often that is, if a span is named.
 pub fn times_in(reader: &mut Reader, amount: &Amount) -> Option<Often> {
     let from = reader.at;
-    if !reader.eat("a|per|each|every") {
+    let period = reader.eat_any(&ADVERBS_OF_PERIODS);
+    if period.is_none() && !reader.eat("a|per|each|every") {
         return None;
     }
-    if let Some(days) = reader.eat_any(&PERIODS) {
+    if let Some(days) = period.or_else(|| reader.eat_any(&PERIODS)) {
         let what = format!("{:?} is more than once a day", reader.said(amount.span));
         return Some(once_in_a_while(reader, amount, days, (what, "say how many times a day")));
     }

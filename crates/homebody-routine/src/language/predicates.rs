@@ -1,13 +1,13 @@
 //! Who does what: the subject of a sentence and its verb.
 
 use super::activities;
-use super::adverbs::Adverbs;
+use super::adverbs::{Adverbs, Slot};
 use super::amounts::{Unit, amount};
 use super::faults::did_you_mean;
 use super::measures::{Measure, Of, measure, rises_by};
 use super::reader::{Reader, Sort, is_determiner};
 use super::words::{Span, Token};
-use crate::routine::{Activity, Kind};
+use crate::routine::{Activity, Kind, PartOfDay, When};
 use homebody_core::scenario::nearest::nearest;
 
 /// Who or what a sentence is about.
@@ -131,22 +131,68 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
         return Some(being(reader, adverbs));
     }
     let not = reader.eat("does|do not") || reader.eat("doesn't|don't|never") || reader.eat("no longer");
-    if not {
+    if not || reader.eat("stops|stop") {
         reader.eat("ever");
         return negated(reader);
+    }
+    if let Some(activity) = reader.attempt(|reader| until_up(reader, adverbs)) {
+        return Some(Predicate::Does(activity));
     }
     for read in [walking, changing, illness, forgetting, skipping] {
         if let Some(found) = reader.attempt(read) {
             return Some(found);
         }
     }
+    reader.attempt(|reader| {
+        let begins = reader.eat("starts|start|begins|begin") && (reader.eat("to") || !reader.is_over());
+        (begins && reader.ahead(activities::activity).is_some()).then_some(())
+    });
     if let Some(activity) = activities::activity(reader) {
+        if activity == Activity::GetUp
+            && let Some(purpose) = at_night_for(reader, adverbs)
+        {
+            return Some(Predicate::Does(purpose));
+        }
         if activity == Activity::ComeHome || activity == Activity::Leave {
             reader.attempt(|reader| (reader.eat("from") && reader.name(&[Sort::Place]).is_some()).then_some(()));
         }
         return Some(Predicate::Does(activity));
     }
     reader.eat("walks|walk").then_some(Predicate::Walks)
+}
+
+/// Who stays in bed until 9:00 gets up at 9:00, and who stays up until midnight goes to bed then.
+fn until_up(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Activity> {
+    let stays_up = reader.eat("stays|stay|remains|remain up|awake");
+    if !(stays_up || reader.eat("stays|stay|remains|remain|lies|lie in bed") || reader.eat("sleeps|sleep")) {
+        return None;
+    }
+    reader.eat("in");
+    let mut rest = adverbs.clone();
+    rest.all(reader);
+    let fits = |part: PartOfDay| (part == PartOfDay::Morning) != stays_up && part != PartOfDay::Afternoon;
+    if rest.when.is_some() || rest.lasts.is_some() || rest.part.as_ref().is_some_and(|part| !fits(part.value)) {
+        return None;
+    }
+    let until = rest.until_time.take()?;
+    rest.when = Some(Slot { value: When::At(until.value), span: until.span, own: until.own });
+    *adverbs = rest;
+    Some(if stays_up { Activity::GoToBed } else { Activity::GetUp })
+}
+
+/// "gets up twice a night to go to the bathroom": what for.
+fn at_night_for(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Activity> {
+    reader.attempt(|reader| {
+        let mut rest = adverbs.clone();
+        rest.all(reader);
+        let at_night = rest.part.as_ref().is_some_and(|part| part.value == PartOfDay::Night);
+        if !(at_night && reader.eat("to")) {
+            return None;
+        }
+        let purpose = activities::activity(reader)?;
+        *adverbs = rest;
+        Some(purpose)
+    })
 }
 
 /// "walks" where a speed or a change of it follows.
@@ -250,7 +296,7 @@ fn illness(reader: &mut Reader) -> Option<Predicate> {
     Some(Predicate::Shows(String::new(), severity))
 }
 
-/// "forgets the stove", "leaves the fridge open".
+/// "forgets the stove", "leaves the fridge open"; "forgets her pills".
 fn forgetting(reader: &mut Reader) -> Option<Predicate> {
     if reader.eat("leaves|leave") {
         let thing = reader.name(&[Sort::Thing])?;
@@ -259,12 +305,26 @@ fn forgetting(reader: &mut Reader) -> Option<Predicate> {
     if !reader.eat("forgets|forget") {
         return None;
     }
+    if let Some(activity) = reader.attempt(what_is_left_out) {
+        return Some(Predicate::Skips(activity));
+    }
     let verb = reader.eat("to turn|switch off") || reader.eat("to close|shut|turn|switch");
     let thing = thing(reader);
     if verb {
         reader.eat("off");
     }
     Some(Predicate::Forgets(thing))
+}
+
+/// What is not done by who forgets it: "her pills", "to eat lunch".
+fn what_is_left_out(reader: &mut Reader) -> Option<Activity> {
+    if reader.eat("to") {
+        return activities::activity(reader);
+    }
+    if reader.ahead(|reader| reader.name(&[Sort::Thing]).is_some()) {
+        return None;
+    }
+    activities::event(reader).filter(|event| matches!(event, Activity::TakeMedicine | Activity::Eat(_)))
 }
 
 /// A thing of this home; a fault where there is none.
@@ -277,6 +337,11 @@ pub fn thing(reader: &mut Reader) -> String {
 
 /// Passes over the words of a name that nothing has.
 pub fn unknown_name(reader: &mut Reader, sorts: &[Sort], what: &str) -> String {
+    unknown_name_or(reader, sorts, what, None)
+}
+
+/// The same, with a hint for where no name is near.
+pub fn unknown_name_or(reader: &mut Reader, sorts: &[Sort], what: &str, far: Option<&str>) -> String {
     reader.skip_determiners();
     let from = reader.at;
     while !reader.is_over() && reader.token(0) != Some(Token::Comma) && !begins_adverb(reader) && reader.at < from + 4 {
@@ -284,8 +349,9 @@ pub fn unknown_name(reader: &mut Reader, sorts: &[Sort], what: &str) -> String {
     }
     let span = if reader.at == from { reader.here() } else { reader.span(from) };
     let said = reader.said(span);
-    let hint = did_you_mean(&said.to_lowercase(), reader.names.of(sorts));
-    reader.fault(span, format!("{said:?} is {what}"), hint);
+    let known = did_you_mean(&said.to_lowercase(), reader.names.of(sorts));
+    let near = known.filter(|hint| far.is_none() || hint.starts_with("did"));
+    reader.fault(span, format!("{said:?} is {what}"), near.or(far.map(str::to_owned)));
     said
 }
 
@@ -317,7 +383,10 @@ pub fn of_body(reader: &mut Reader, subject: &Subject) -> Option<Predicate> {
 pub fn own_words(reader: &mut Reader) -> Option<(String, Span)> {
     const MOST: usize = 6;
     let from = reader.at;
-    let goes_on = |reader: &Reader| reader.token(0) == Some(Token::Word) && !begins_adverb(reader);
+    let goes_on = |reader: &mut Reader| {
+        let is_object = reader.at > from && is_spoken_to(reader);
+        reader.token(0) == Some(Token::Word) && (is_object || !begins_adverb(reader))
+    };
     while goes_on(reader) && reader.at < from + MOST {
         reader.at += 1;
     }
@@ -327,6 +396,20 @@ pub fn own_words(reader: &mut Reader) -> Option<(String, Span)> {
     }
     let words: Vec<&str> = reader.words[from..reader.at].iter().map(|word| word.text.as_str()).collect();
     Some((words.join(" "), reader.span(from)))
+}
+
+/// "to the radio", of who listens to it: no way to a place, and no purpose.
+fn is_spoken_to(reader: &mut Reader) -> bool {
+    let verb = reader.at.checked_sub(1).and_then(|verb| reader.words.get(verb)).map_or("", |word| &word.text);
+    let moves = ["go", "walk", "move", "come", "get", "sit"].iter().any(|known| activities::is_form(known, verb));
+    let is_noun = is_determiner(reader.peek(1)) || reader.peek(1) == "music";
+    !moves
+        && reader.peek(0) == "to"
+        && is_noun
+        && !reader.ahead(|reader| {
+            reader.at += 1;
+            reader.name(&[Sort::Place, Sort::Room, Sort::Thing]).is_some()
+        })
 }
 
 /// Words that begin a place, a time, how often or how much.
@@ -388,32 +471,77 @@ const BEGINNINGS: [&str; 53] = [
 
 pub fn begins_adverb(reader: &Reader) -> bool {
     matches!(reader.token(0), Some(Token::Number(_) | Token::Clock(..) | Token::Date(..)))
-        || BEGINNINGS.contains(&reader.peek(0))
+        || is_beginning(reader.peek(0))
+}
+
+pub fn is_beginning(word: &str) -> bool {
+    BEGINNINGS.contains(&word)
 }
 
 /// Says that nobody knows how to do this, with what was probably meant.
 pub fn unknown_verb(reader: &mut Reader, words: &str, span: Span) {
-    let example = "a new activity needs a place and a duration: \"she knits in the armchair for 1 hour\"";
-    let hint = match meant(words) {
-        Some(phrase) => format!("did you mean {phrase:?}? {}", capital(example)),
-        None => example.to_owned(),
+    unknown_doing(reader, words, span, "she knits in the armchair for 1 hour");
+}
+
+/// The same, with a sentence that would do.
+pub fn unknown_doing(reader: &mut Reader, words: &str, span: Span, example: &str) {
+    let example = format!("a new activity needs a place and a duration: {example:?}");
+    let hint = match (meant(words), goes_with(words)) {
+        (Some(phrase), _) => format!("did you mean {phrase:?}? {}", capital(&example)),
+        (None, Some(known)) => format!("known are {known}; {example}"),
+        (None, None) => example,
     };
     let said = reader.said(span);
     reader.fault(span, format!("{said:?} is nothing that Homebody knows how to do"), hint);
 }
 
+/// The same of what is not done.
+pub fn unknown_not(reader: &mut Reader, span: Span) {
+    let said = reader.said(span);
+    let hint = match meant(&activities::in_third_person(&said.to_lowercase())) {
+        Some(phrase) => format!("did you mean {phrase:?}?"),
+        None => "to end something of your own, say until when it is so: \"until week 12 she knits in the armchair for \
+            1 hour\""
+            .to_owned(),
+    };
+    reader.fault(span, format!("{said:?} is nothing that Homebody knows how to do"), hint);
+}
+
+/// Whether these words only say that she goes somewhere, not what she does there.
+pub fn is_way(words: &str) -> bool {
+    !words.contains(' ') && ["go", "walk", "move", "come"].iter().any(|verb| activities::is_form(verb, words))
+}
+
+/// What else is done with this verb, where the verb alone is known.
+fn goes_with(words: &str) -> Option<String> {
+    const FEW: usize = 4;
+    let verb = words.split(' ').next()?;
+    let known = activities::all_phrases().iter().filter(|phrase| phrase.split(' ').next() == Some(verb));
+    let known: Vec<String> = known.take(FEW).map(|phrase| format!("{phrase:?}")).collect();
+    (!known.is_empty()).then(|| known.join(", "))
+}
+
+/// Whether a verb is known as it stands: then it is no slip of another.
+fn is_known_verb(verb: &str) -> bool {
+    activities::all_phrases().iter().any(|phrase| phrase.split(' ').next() == Some(verb))
+}
+
 /// The phrase that these words are probably a slip of.
 pub fn meant(words: &str) -> Option<String> {
     let words: Vec<&str> = words.split(' ').filter(|word| !is_determiner(word)).collect();
+    let verb = words.first().copied().unwrap_or_default();
+    let is_verb = is_known_verb(verb);
     let phrases = activities::all_phrases();
     let verbs = ["shows", "skips", "forgets", "sleeps", "breathes", "walks", "turns in bed", "prepares", "visits"];
     let all = phrases.iter().map(String::as_str).chain(verbs);
     // As many words of what was said as the phrase has; the longest phrase that is near wins.
     let mut best: Option<(usize, &str)> = None;
-    for phrase in all {
+    for phrase in all.filter(|phrase| !is_verb || phrase.split(' ').next() == Some(verb)) {
         let length = phrase.split(' ').count();
         let said = words.get(..length).map(|words| words.join(" "));
-        let is_near = said.is_some_and(|said| is_slip(&said, phrase) && nearest(&said, [phrase]).is_some());
+        // Who says more than the phrase does has said less of it wrongly.
+        let slips = if length < words.len() { 1 } else { 2 };
+        let is_near = said.is_some_and(|said| is_slip(&said, phrase, slips) && nearest(&said, [phrase]).is_some());
         if is_near && best.is_none_or(|(longest, _)| length > longest) {
             best = Some((length, phrase));
         }
@@ -422,9 +550,9 @@ pub fn meant(words: &str) -> Option<String> {
 }
 
 /// Whether two phrases differ as slips do: most letters are the same, in order.
-fn is_slip(said: &str, phrase: &str) -> bool {
+fn is_slip(said: &str, phrase: &str, slips: usize) -> bool {
     let (same, longer) = same_letters(said, phrase);
-    same + 2 >= longer
+    same + slips >= longer
 }
 
 /// Whether these words are a phrase but for a letter in each: too near to be something new.

@@ -3,6 +3,7 @@
 use super::Known;
 use super::faults::Faults;
 use super::words::{self, Span, Token, Word};
+use crate::routine::PartOfDay;
 use std::collections::BTreeMap;
 
 /// Words that say nothing where a thing is named.
@@ -10,6 +11,19 @@ const DETERMINERS: [&str; 9] = ["a", "an", "the", "her", "his", "their", "its", 
 
 pub fn is_determiner(word: &str) -> bool {
     DETERMINERS.contains(&word)
+}
+
+/// The word that homes usually have for what this word means.
+fn also_called(word: &str) -> Option<&'static str> {
+    const SAME: [(&str, &str); 6] = [
+        ("tv", "television"),
+        ("telly", "television"),
+        ("couch", "sofa"),
+        ("settee", "sofa"),
+        ("cooker", "stove"),
+        ("refrigerator", "fridge"),
+    ];
+    SAME.iter().find(|(said, _)| *said == word).map(|(_, usual)| *usual)
 }
 
 /// What a name may stand for.
@@ -62,6 +76,11 @@ impl Names {
         self.of(&[sort]).any(|known| known.to_lowercase() == name)
     }
 
+    /// Whether a name begins with this word.
+    pub fn has_first(&self, word: &str) -> bool {
+        self.names.contains_key(word)
+    }
+
     /// All names of these sorts, for hints.
     pub fn of<'a>(&'a self, sorts: &'a [Sort]) -> impl Iterator<Item = &'a str> + Clone {
         let all = self.names.values().flatten();
@@ -82,6 +101,8 @@ pub struct Reader<'a> {
     pub faults: &'a mut Faults,
     /// The whole file.
     pub text: &'a str,
+    /// The part of the day that the heading above names.
+    pub part: Option<PartOfDay>,
 }
 
 impl Reader<'_> {
@@ -186,8 +207,11 @@ impl Reader<'_> {
     pub fn name(&mut self, sorts: &[Sort]) -> Option<String> {
         let at = self.at;
         self.skip_determiners();
-        let found = self.names.names.get(self.peek(0)).and_then(|names| {
-            let fits = |words: &[String]| (0..words.len()).all(|i| words[i] == self.peek(i));
+        let first = self.peek(0);
+        let known = self.names.names.get(first).or_else(|| self.names.names.get(also_called(first)?));
+        let found = known.and_then(|names| {
+            let is_called = |i: usize, name: &str| name == self.peek(i) || also_called(self.peek(i)) == Some(name);
+            let fits = |words: &[String]| words.iter().enumerate().all(|(i, word)| is_called(i, word));
             let rank = |sort: &Sort| sorts.iter().position(|wanted| wanted == sort);
             let names = names.iter().filter(|(words, sort, _)| rank(sort).is_some() && fits(words));
             names.max_by_key(|(words, sort, _)| (words.len(), std::cmp::Reverse(rank(sort))))

@@ -156,6 +156,12 @@ fn predicate(
             reader.fault(who, format!("{:?} does nothing by itself", reader.said(who)), hint);
             return None;
         }
+        Subject::Visitor(_) if activities::activity(reader) == Some(Activity::Phone) => {
+            let what = format!("{:?} is nobody who lives here", reader.said(who));
+            let hint = format!("write \"she phones {} for 10 minutes\"", reader.said(who).to_lowercase());
+            reader.fault(who, what, hint);
+            return None;
+        }
         Subject::Visitor(name) => {
             let what = format!("{:?} is nobody who lives here: a visitor only visits", reader.said(who));
             reader.fault(who, what, format!("write \"her {name} visits on Sunday for 2 hours\""));
@@ -181,12 +187,19 @@ fn predicate(
         reader.fault(who, "the sentence ends before it says what is done", None);
         return None;
     }
-    if let Some(found) = meal_meant(reader, cooked) {
+    // What is read by now says that the rest is not so.
+    let is_negated = reader.at > from;
+    if let Some(found) = meal_meant(reader, cooked.filter(|_| !is_negated)) {
         return found.map(|activity| (Predicate::Does(activity), reader.span(from)));
     }
-    let negated = reader.eat("does|do not") || reader.eat("doesn't|never");
-    let Some((words, span)) = predicates::own_words(reader).filter(|_| !negated) else {
-        let span = if reader.at == from { reader.here() } else { reader.span(from) };
+    let own = predicates::own_words(reader);
+    if is_negated {
+        let span = own.map_or(reader.here(), |(_, span)| span);
+        predicates::unknown_not(reader, span);
+        return None;
+    }
+    let Some((words, span)) = own else {
+        let span = nothing_of_its_own(reader);
         let words = reader.said(span).to_lowercase();
         predicates::unknown_verb(reader, &words, span);
         return None;
@@ -196,6 +209,16 @@ fn predicate(
         return None;
     }
     Some((Predicate::Own(words), span))
+}
+
+/// The words of an activity that begins with one that is known to begin something else: "has visitors".
+fn nothing_of_its_own(reader: &mut Reader) -> Span {
+    let from = reader.at;
+    if reader.eat("has|have") {
+        predicates::own_words(reader);
+        return reader.span(from);
+    }
+    reader.here()
 }
 
 /// "eats" or "cooks" without saying what: the meal just cooked, or a fault.
@@ -281,12 +304,35 @@ pub fn eat_preposition(reader: &mut Reader) -> bool {
 fn not_understood(reader: &mut Reader, clause: &Clause) {
     let (here, word) = (reader.here(), reader.peek(0).to_owned());
     if word == "and" || word == "but" || word == "or" {
-        let hint = "write \"then\" between things done one after another, or make two sentences".to_owned();
+        let hint = match reader.ahead(|reader| {
+            reader.at += 1;
+            Adverbs::default().next(reader)
+        }) {
+            true => "make two sentences, one for each",
+            false => "write \"then\" between things done one after another, or make two sentences",
+        };
+        let hint = hint.to_owned();
         return reader.fault(here, format!("{word:?} joins more than one sentence can say"), hint);
     }
     let at = reader.at;
+    if reader.eat("to") && activities::activity(reader).is_some() {
+        let (span, doing) = (reader.span(at), reader.said(reader.span(at + 1)));
+        if let Predicate::Own(words) = &clause.predicate {
+            let what = format!("{:?} says more than what is done", format!("{words} {}", reader.said(span)));
+            let hint = format!("write \"she {}\"", activities::in_third_person(&doing));
+            return reader.fault(clause.predicate_span.to(span), what, hint);
+        }
+        let hint = format!("say what she does, not what for: \"then she {}\"", activities::in_third_person(&doing));
+        return reader.fault(span, format!("{:?} is a purpose", reader.said(span)), hint);
+    }
+    reader.at = at;
     if eat_preposition(reader) && !reader.is_over() && !matches!(reader.token(0), Some(Token::Number(_))) {
-        predicates::unknown_name(reader, &PLACES, "no place of this home, and no time");
+        let goes = match &clause.predicate {
+            Predicate::Own(words) => predicates::is_way(words),
+            other => *other == Predicate::Is,
+        };
+        let outside = goes.then_some("for what is outside, write \"she goes out at 10:00 for 2 hours\"");
+        predicates::unknown_name_or(reader, &PLACES, "no place of this home, and no time", outside);
         return;
     }
     reader.at = at;
@@ -300,6 +346,16 @@ fn not_understood(reader: &mut Reader, clause: &Clause) {
 
 /// What could stand where a word is not understood.
 fn expected(reader: &mut Reader, clause: &Clause, word: &str) -> String {
+    if ["when", "if", "whenever", "because", "unless"].contains(&word) {
+        return "what depends on something begins with it: \"whenever she has been in bed for 10 hours, she gets up\""
+            .into();
+    }
+    if word == "late" || word == "early" {
+        return format!(
+            "say at what time, such as \"at about 9:00\", or by how much: \"1 hour {}\"",
+            if word == "late" { "later" } else { "earlier" }
+        );
+    }
     let known = did_you_mean(word, vocabulary().filter(|known| *known != word));
     if let Some(hint) = known.filter(|hint| hint.starts_with("did")) {
         return hint;
@@ -311,10 +367,25 @@ fn expected(reader: &mut Reader, clause: &Clause, word: &str) -> String {
     if clause.predicate == Predicate::Is {
         return build::IS.into();
     }
+    if word == "to" {
+        return "for a stretch of time, write \"from 10:00 to 12:00\"".into();
+    }
+    if matches!(reader.token(0), Some(Token::Number(_)))
+        && reader.token(1) == Some(Token::Word)
+        && !reader.ahead(|reader| amount(reader).is_some_and(|amount| amount.unit != Unit::None))
+    {
+        return format!("say how many times, or for how long: \"{word} times a day\", \"for {word} minutes\"");
+    }
+    if word == "until" || word == "till" {
+        return "write \"until 22:00\" or \"until day 100\"".into();
+    }
     if word.contains(',') {
         return format!("a number has a point, not a comma: {:?}", word.replace(',', "."));
     }
     if "later earlier longer shorter more less slower faster".split(' ').any(|more| more == word) {
+        if clause.predicate == Predicate::Walks {
+            return "say by how much, such as \"10 % slower\"".into();
+        }
         return format!("say by how much, such as \"1 hour {word}\" or \"30 % {word}\"");
     }
     "expected where, when, how long or how often: \"in the armchair\", \"at about 19:00\", \"for 20 minutes\"".into()

@@ -1,6 +1,7 @@
-//! Times of day, parts of the day, days of the run and of the calendar.
+//! Times and parts of the day, days of the run and of the calendar.
 
-use super::amounts::{ABOUT, Amount, Unit, amount, number};
+use super::amounts::{ABOUT, Amount, MONTH_DAYS, Unit, YEAR_DAYS, amount, number};
+use super::clock::clock;
 use super::reader::Reader;
 use super::words::Token;
 use crate::fuzzy::Fuzzy;
@@ -76,73 +77,10 @@ pub fn time(reader: &mut Reader, bare: bool) -> Option<Time> {
     })
 }
 
-fn clock(reader: &mut Reader, bare: bool) -> Option<f64> {
-    let from = reader.at;
-    if reader.eat("noon|midday") {
-        return Some(12.0 * HOUR_S);
-    }
-    if reader.eat("midnight") {
-        return Some(DAY_S);
-    }
-    let (hours, minutes, has_minutes) = match reader.token(0)? {
-        Token::Clock(hours, minutes) => {
-            reader.at += 1;
-            (f64::from(hours), f64::from(minutes), true)
-        }
-        _ => (number(reader)?, 0.0, false),
-    };
-    let oclock = reader.eat("o'clock");
-    let said_half = reader.eat_any(&[("am", false), ("pm", true)]);
-    let half = said_half.or_else(|| half_by_part(reader));
-    let is_clear = half.is_some() || has_minutes;
-    if !(is_clear || oclock || bare && ends_here(reader)) {
-        return None;
-    }
-    let (span, by_twelve) = (reader.span(from), (1.0..=12.0).contains(&hours));
-    let is_time = hours.fract() == 0.0 && minutes < 60.0 && (hours < 24.0 || hours == 24.0 && minutes == 0.0);
-    if !is_time || said_half.is_some() && !by_twelve {
-        let hint = match hours.fract() == 0.0 {
-            true => "times go from 00:00 to 24:00, or from 1 am to 12 pm",
-            false => "hours and minutes have a colon between them: \"06:45\"",
-        };
-        reader.fault(span, format!("there is no time {:?}", reader.said(span)), hint.to_owned());
-        return Some(12.0 * HOUR_S);
-    }
-    if !is_clear {
-        let hint = match hours {
-            1.0..=12.0 => format!("write \"{hours} am\" or \"{hours} pm\""),
-            _ => format!("write \"{hours}:00\""),
-        };
-        reader.fault(span, format!("it is not clear which time of day {:?} is", reader.said(span)), hint);
-    }
-    let hours = match half {
-        Some(is_pm) if by_twelve => hours % 12.0 + if is_pm { 12.0 } else { 0.0 },
-        _ => hours,
-    };
-    Some(hours * HOUR_S + minutes * 60.0)
-}
-
-/// Whether an hour is of the second half of the day, by the part of the day that follows: `8 in the evening`.
-fn half_by_part(reader: &Reader) -> Option<bool> {
-    match (reader.peek(0), reader.peek(1), reader.peek(2)) {
-        ("in", "the", "morning") => Some(false),
-        ("in", "the", "afternoon" | "evening") => Some(true),
-        _ => None,
-    }
-}
-
-/// Whether a number is the last of its kind: no unit follows.
-fn ends_here(reader: &mut Reader) -> bool {
-    let word = reader.peek(0);
-    word.is_empty()
-        || matches!(reader.token(0), Some(Token::Comma))
-        || ["and", "for", "on", "in", "until", "then", "every", "give", "with", "to", "from", "at"].contains(&word)
-}
-
 /// Two times with a word between them, the second the later one.
 pub fn time_range(reader: &mut Reader, between: &str) -> Option<(Time, Time)> {
     reader.attempt(|reader| {
-        let start = reader.at;
+        let (start, faults) = (reader.at, reader.faults.count());
         let from = time(reader, true)?;
         if !reader.eat(between) {
             return None;
@@ -151,9 +89,12 @@ pub fn time_range(reader: &mut Reader, between: &str) -> Option<(Time, Time)> {
         if is_of_next_day(to.at, from.at) {
             to.at += DAY_S;
         } else if to.at <= from.at {
-            let span = reader.span(start);
-            let what = format!("{:?} is upside down", reader.said(span));
-            reader.fault(span, what, "the earlier time goes first".to_owned());
+            // What is no time at all is neither earlier nor later.
+            if reader.faults.count() == faults {
+                let span = reader.span(start);
+                let what = format!("{:?} is upside down", reader.said(span));
+                reader.fault(span, what, "the earlier time goes first".to_owned());
+            }
             to.at = from.at;
         }
         Some((from, to))
@@ -174,11 +115,13 @@ pub fn moment(reader: &mut Reader) -> Option<(Moment, Length)> {
         reader.eat("the");
         if let Some(Token::Date(year, month, day)) = reader.token(0) {
             reader.at += 1;
-            return Some((date(reader, year, month, day), Length::Day));
+            return Some((date(reader, year, month, day), Length::DAY));
         }
         let by_month = |reader: &mut Reader| {
             let month_first = reader.eat_any(&MONTHS);
             let day = whole(reader)?;
+            reader.eat("st|nd|rd|th");
+            reader.eat("of");
             let month = month_first.or_else(|| reader.eat_any(&MONTHS))?;
             reader.skip_commas();
             let year = whole(reader)?;
@@ -186,9 +129,17 @@ pub fn moment(reader: &mut Reader) -> Option<(Moment, Length)> {
         };
         let start = reader.at;
         if let Some(date) = reader.attempt(by_month) {
-            return Some((date, Length::Day));
+            return Some((date, Length::DAY));
         }
-        let length = reader.eat_any(&[("day", Length::Day), ("week", Length::Week)])?;
+        if let Some(first) = reader.attempt(ordinal) {
+            let count = reader.attempt(number).filter(|count| count.fract() == 0.0 && (1.0..=1000.0).contains(count));
+            let unit = reader.eat_any(&LENGTHS)?;
+            let begin = (first - 1) * unit.days;
+            // "The first two weeks" are one stretch; "the second two weeks" are none that anybody means.
+            let length = Length { days: unit.days * count.filter(|_| first == 1).unwrap_or(1.0) as i32 };
+            return ((count.is_none() || first == 1) && reader.peek(0) != "of").then_some((Moment::Day(begin), length));
+        }
+        let length = reader.eat_any(&LENGTHS)?;
         let number = number(reader)?;
         let span = reader.span(start);
         if number.fract() != 0.0 || !(1.0..=36_525.0).contains(&number) {
@@ -196,29 +147,44 @@ pub fn moment(reader: &mut Reader) -> Option<(Moment, Length)> {
             reader.fault(span, what, "the first is day 1, in week 1".to_owned());
             return Some((Moment::Day(0), length));
         }
-        Some((Moment::Day((number as i32 - 1) * length.days()), length))
+        Some((Moment::Day((number as i32 - 1) * length.days), length))
     })
 }
 
 /// How long the time is that a moment names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Length {
-    Day,
-    Week,
+pub struct Length {
+    pub days: i32,
 }
 
 impl Length {
-    fn days(self) -> i32 {
-        match self {
-            Length::Day => 1,
-            Length::Week => 7,
-        }
-    }
+    const DAY: Length = Length { days: 1 };
 }
 
-/// The moment at which that day or week is over.
+const LENGTHS: [(&str, Length); 4] = [
+    ("day|days|night|nights", Length::DAY),
+    ("week|weeks", Length { days: 7 }),
+    ("month|months", Length { days: MONTH_DAYS as i32 }),
+    ("year|years", Length { days: YEAR_DAYS as i32 }),
+];
+
+const ORDINALS: [&str; 12] = [
+    "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth", "eleventh",
+    "twelfth",
+];
+
+/// "third", or "3rd".
+fn ordinal(reader: &mut Reader) -> Option<i32> {
+    if let Some(before) = ORDINALS.iter().position(|ordinal| reader.eat(ordinal)) {
+        return Some(before as i32 + 1);
+    }
+    let number = whole(reader).filter(|number| (1..=1000).contains(number))?;
+    reader.eat("st|nd|rd|th").then_some(number as i32)
+}
+
+/// The moment at which that time is over.
 pub fn end_of(moment: Moment, length: Length) -> Moment {
-    later(moment, length.days())
+    later(moment, length.days)
 }
 
 /// So many days after a moment.
@@ -287,8 +253,33 @@ fn whole(reader: &mut Reader) -> Option<u32> {
     }
 }
 
+pub fn is_month(word: &str) -> bool {
+    MONTHS.iter().any(|(names, _)| names.split('|').any(|name| name == word))
+}
+
 pub fn is_weekday(word: &str) -> bool {
     WEEKDAYS.iter().any(|(names, _)| names.split('|').any(|name| name == word))
+}
+
+pub const ALL_WEEKDAYS: u8 = 0b111_1111;
+
+/// These days as a sentence says them: "from Monday to Saturday", "on Monday and Friday".
+pub fn weekday_words(days: u8) -> String {
+    let name = |day: u8| {
+        let name = WEEKDAYS.get(usize::from(day)).and_then(|(names, _)| names.split('|').next()).unwrap_or_default();
+        name.chars().take(1).flat_map(char::to_uppercase).chain(name.chars().skip(1)).collect::<String>()
+    };
+    let set: Vec<u8> = (0..7).filter(|day| days & 1 << day != 0).collect();
+    let is_stretch = set.windows(2).all(|pair| pair[1] == pair[0] + 1);
+    match (set.as_slice(), set.split_last()) {
+        ([first, _, .., last], _) if is_stretch => format!("from {} to {}", name(*first), name(*last)),
+        (_, Some((last, []))) => format!("on {}", name(*last)),
+        (_, Some((last, rest))) => {
+            let rest: Vec<String> = rest.iter().map(|day| name(*day)).collect();
+            format!("on {} and {}", rest.join(", "), name(*last))
+        }
+        (_, None) => "never".into(),
+    }
 }
 
 /// A list of weekdays, or a stretch of them, as bits.

@@ -1,0 +1,298 @@
+//! The time that a clock shows, in digits or in words, and what was probably meant by a slip.
+
+use super::amounts::{is_unit, number};
+use super::reader::Reader;
+use super::times::{DAY_S, is_month, is_weekday};
+use super::words::{Span, Token};
+use crate::routine::PartOfDay;
+
+const HOUR_S: f64 = 3600.0;
+
+/// What a clock shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Face {
+    hours: f64,
+    minutes: f64,
+    /// Whether both halves of the day cannot be meant.
+    is_clear: bool,
+}
+
+/// Seconds since midnight, if a time of day comes next. `bare` says whether a number alone is taken for one.
+pub fn clock(reader: &mut Reader, bare: bool) -> Option<f64> {
+    let from = reader.at;
+    if reader.eat("noon|midday") || reader.eat("12|twelve noon|midday") {
+        return Some(12.0 * HOUR_S);
+    }
+    if reader.eat("midnight") || reader.eat("12|twelve midnight") {
+        return Some(DAY_S);
+    }
+    if bare && reader.token(0) == Some(Token::Word) && begins_with_slip(reader) {
+        return Some(no_time(reader, from));
+    }
+    let in_words = reader.attempt(|reader| in_words(reader, bare));
+    let face = in_words.or_else(|| shown(reader, bare))?;
+    let oclock = reader.eat("o'clock");
+    let said_half = reader.eat_any(&[("am", false), ("pm", true)]);
+    let direct = said_half.or_else(|| half_by_part(reader, face));
+    let is_last = bare && !is_unit(reader) && !is_day_of_month(reader);
+    if !(in_words.is_some() || face.is_clear || oclock || direct.is_some() || is_last) {
+        return None;
+    }
+    let implied = |reader: &mut Reader| half_by_end(reader, face).or_else(|| half_by_rest(reader));
+    let half = direct.or_else(|| if face.is_clear { None } else { implied(reader) });
+    let (span, by_twelve) = (reader.span(from), (1.0..=12.0).contains(&face.hours));
+    // A whole time with a word right behind it lacks a blank, and no more.
+    let lacks_blank = face.is_clear && face.is_time() && reader.token(0) == Some(Token::Word);
+    if is_glued(reader) && !lacks_blank || !face.is_time() || said_half.is_some() && !by_twelve {
+        return Some(no_time(reader, from));
+    }
+    if half.is_none() && !face.is_clear {
+        let said = reader.said(span);
+        reader.fault(span, format!("it is not clear which time of day {said:?} is"), face.both(&said));
+    }
+    let hours = match half {
+        Some(is_pm) if by_twelve => face.hours % 12.0 + if is_pm { 12.0 } else { 0.0 },
+        _ => face.hours,
+    };
+    Some(hours * HOUR_S + face.minutes * 60.0)
+}
+
+impl Face {
+    fn is_time(self) -> bool {
+        let is_whole = self.hours.fract() == 0.0 && self.minutes < 60.0;
+        is_whole && (self.hours < 24.0 || self.hours == 24.0 && self.minutes == 0.0)
+    }
+
+    /// How both of the times are said that may be meant.
+    fn both(self, said: &str) -> String {
+        let (hours, is_whole) = (self.hours, self.minutes == 0.0);
+        let early = if (3.0..12.0).contains(&hours) { "in the morning" } else { "at night" };
+        let late = if (6.0..12.0).contains(&hours) { "in the evening" } else { "in the afternoon" };
+        match hours {
+            1.0..=12.0 if is_whole => format!("write \"{hours} am\" or \"{hours} pm\""),
+            1.0..=12.0 => format!("write \"{said} {early}\" or \"{said} {late}\""),
+            _ => format!("write \"{hours}:00\""),
+        }
+    }
+}
+
+/// "half past seven", "a quarter to eight", "ten past 8", "20 minutes to noon".
+fn in_words(reader: &mut Reader, bare: bool) -> Option<Face> {
+    let (from, in_digits) = (reader.at, reader.token(0) != Some(Token::Word));
+    let half = reader.eat("half");
+    let quarter = !half && (reader.eat("quarter") || reader.eat("a quarter"));
+    let minutes = match (half, quarter) {
+        (true, _) => 30.0,
+        (_, true) => 15.0,
+        _ => number(reader).filter(|minutes| minutes.fract() == 0.0 && (1.0..60.0).contains(minutes))?,
+    };
+    let says_minutes = !half && !quarter && reader.eat("minutes|minute|min|mins");
+    let Some(is_to) = reader.eat_any(&[("past", false), ("to", true)]) else {
+        return if half && bare { half_an_hour_off(reader, from) } else { None };
+    };
+    // "From 10 to 12" is a stretch of time.
+    if is_to && (half || in_digits && !says_minutes) {
+        return None;
+    }
+    let noon = reader.eat("noon|midday");
+    let midnight = !noon && reader.eat("midnight");
+    let hours = match (noon, midnight) {
+        (true, _) => 12.0,
+        (_, true) => 24.0,
+        _ => number(reader).filter(|hours| hours.fract() == 0.0 && (1.0..=24.0).contains(hours))?,
+    };
+    if is_to && !(noon || midnight || quarter || says_minutes || is_last_of_its_kind(reader)) {
+        return None;
+    }
+    let is_clear = noon || midnight || hours > 12.0;
+    let (hours, minutes) = match is_to {
+        true if hours == 1.0 => (12.0, 60.0 - minutes),
+        true => (hours - 1.0, 60.0 - minutes),
+        false => (if midnight { 0.0 } else { hours }, minutes),
+    };
+    Some(Face { hours, minutes, is_clear })
+}
+
+/// "Half eight" is half past eight to some and half past seven to others.
+fn half_an_hour_off(reader: &mut Reader, from: usize) -> Option<Face> {
+    let word = reader.peek(0).to_owned();
+    let hours = number(reader).filter(|hours| hours.fract() == 0.0 && (1.0..=12.0).contains(hours))?;
+    let (span, hint) = (reader.span(from), format!("write \"half past {word}\" if it is that"));
+    reader.fault(span, format!("it is not clear which time {:?} is", reader.said(span)), hint);
+    Some(Face { hours, minutes: 30.0, is_clear: true })
+}
+
+/// "7:30", "7.30", "7", "seven", "seven thirty".
+fn shown(reader: &mut Reader, bare: bool) -> Option<Face> {
+    if let Token::Clock(hours, minutes) = reader.token(0)? {
+        reader.at += 1;
+        return Some(Face { hours: hours.into(), minutes: minutes.into(), is_clear: true });
+    }
+    if let Some((hours, minutes)) = dotted(reader.peek(0)) {
+        reader.at += 1;
+        let is_time = bare || is_last_of_its_kind(reader) || ["am", "pm"].contains(&reader.peek(0));
+        return is_time.then_some(Face { hours, minutes, is_clear: true });
+    }
+    let in_words = reader.token(0) == Some(Token::Word);
+    let hours = number(reader)?;
+    let minutes = reader.attempt(|reader| {
+        let minutes = if in_words && reader.token(0) == Some(Token::Word) { number(reader) } else { None };
+        minutes.filter(|minutes| (10.0..60.0).contains(minutes) && !is_unit(reader))
+    });
+    Some(Face { hours, minutes: minutes.unwrap_or(0.0), is_clear: false })
+}
+
+/// The hours and minutes of "7.30".
+fn dotted(text: &str) -> Option<(f64, f64)> {
+    let (hours, minutes) = text.split_once('.')?;
+    let (hours, minutes) = (hours.parse::<u8>().ok()?, minutes.parse::<u8>().ok().filter(|_| minutes.len() == 2)?);
+    (hours <= 24 && minutes < 60).then_some((hours.into(), minutes.into()))
+}
+
+/// Whether nothing follows that would make a number one of something else.
+fn is_last_of_its_kind(reader: &Reader) -> bool {
+    const NEXT: [&str; 16] = [
+        "and", "for", "on", "in", "until", "till", "then", "every", "give", "with", "to", "from", "at", "o'clock",
+        "am", "pm",
+    ];
+    reader.is_over() || reader.token(0) == Some(Token::Comma) || NEXT.contains(&reader.peek(0))
+}
+
+/// Whether a number is that of a day: "until 1st May", "from 1 May".
+fn is_day_of_month(reader: &Reader) -> bool {
+    ["st", "nd", "rd", "th", "of"].contains(&reader.peek(0)) || is_month(reader.peek(0))
+}
+
+/// Whether an hour is of the second half of the day, by the part of the day that follows: `8 in the evening`.
+fn half_by_part(reader: &Reader, face: Face) -> Option<bool> {
+    match (reader.peek(0), reader.peek(1), reader.peek(2)) {
+        ("in", "the", "morning") => Some(false),
+        ("in", "the", "afternoon" | "evening") => Some(true),
+        ("at", "night", _) if (9.0..12.0).contains(&face.hours) => Some(true),
+        ("at", "night", _) if !face.is_clear && (face.hours < 6.0 || face.hours == 12.0) => Some(false),
+        _ => None,
+    }
+}
+
+/// By the end of a stretch of time: `from 9 to 11 am`.
+fn half_by_end(reader: &mut Reader, face: Face) -> Option<bool> {
+    reader.ahead(|reader| {
+        if !reader.eat("to|and|until|till") {
+            return None;
+        }
+        let end = reader.attempt(|reader| in_words(reader, false)).or_else(|| shown(reader, true))?;
+        reader.eat("o'clock");
+        let half = reader.eat_any(&[("am", false), ("pm", true)]).or_else(|| half_by_part(reader, end))?;
+        let at = |face: Face| face.hours % 12.0 * 60.0 + face.minutes;
+        Some(if at(face) < at(end) { half } else { !half })
+    })
+}
+
+/// By the only part of the day that the sentence names, or else the heading above it: `every evening at 8`.
+fn half_by_rest(reader: &Reader) -> Option<bool> {
+    const BEFORE: [&str; 7] = ["every", "each", "most", "some", "many", "almost", "all"];
+    let words: Vec<&str> = reader.words.iter().map(|word| word.text.as_str()).collect();
+    let mut found = words.iter().enumerate().filter_map(|(at, word)| {
+        let before = |back: usize| at.checked_sub(back).and_then(|at| words.get(at)).copied().unwrap_or_default();
+        let is_when = BEFORE.contains(&before(1)) || is_weekday(before(1)) || before(1) == "the" && before(2) == "in";
+        match word.trim_end_matches('s') {
+            "morning" if is_when => Some(false),
+            "afternoon" | "evening" if is_when => Some(true),
+            _ => None,
+        }
+    });
+    match (found.next(), reader.part) {
+        (Some(half), _) => found.all(|other| other == half).then_some(half),
+        (None, Some(PartOfDay::Morning)) => Some(false),
+        (None, Some(PartOfDay::Afternoon | PartOfDay::Evening)) => Some(true),
+        (None, _) => None,
+    }
+}
+
+/// Whether a time goes on right behind what was read of it: `7:4o`, `7;40`.
+fn is_glued(reader: &Reader) -> bool {
+    let follows = |at: usize| {
+        let before = at.checked_sub(1).and_then(|before| reader.words.get(before));
+        matches!((before, reader.words.get(at)), (Some(before), Some(word)) if before.span.end == word.span.start)
+    };
+    match reader.token(0) {
+        Some(Token::Comma) if reader.peek(0) == "," => false,
+        Some(Token::Comma) => follows(reader.at) && follows(reader.at + 1) && is_digit(reader.peek(1)),
+        Some(Token::Word) => follows(reader.at) && reader.peek(0) != "to",
+        _ => false,
+    }
+}
+
+fn is_digit(word: &str) -> bool {
+    word.starts_with(|first: char| first.is_ascii_digit())
+}
+
+/// Passes over all that is written without a blank.
+fn skip_glued(reader: &mut Reader) {
+    reader.at += 1;
+    while is_glued(reader) || reader.at > 0 && is_digit(reader.peek(0)) && reader.here().start == last_end(reader) {
+        reader.at += 1;
+    }
+}
+
+fn last_end(reader: &Reader) -> usize {
+    reader.words.get(reader.at.saturating_sub(1)).map_or(0, |word| word.span.end)
+}
+
+/// Whether a word that is none is a time but for a slip: `l0:00`.
+fn begins_with_slip(reader: &mut Reader) -> bool {
+    let from = reader.at;
+    let has_digit = reader.peek(0).contains(|c: char| c.is_ascii_digit());
+    has_digit
+        && reader.ahead(|reader| {
+            skip_glued(reader);
+            meant(&written(reader, reader.span(from))).is_some()
+        })
+}
+
+fn written(reader: &Reader, span: Span) -> String {
+    reader.text.get(span.start..span.end).unwrap_or_default().to_owned()
+}
+
+/// Says that there is no such time, and which one was probably meant; goes on with that.
+fn no_time(reader: &mut Reader, from: usize) -> f64 {
+    if reader.at == from || is_glued(reader) {
+        skip_glued(reader);
+    }
+    let span = reader.span(from);
+    let text = written(reader, span);
+    let meant = meant(&text);
+    let hint = match meant {
+        Some((hours, minutes)) => format!("did you mean \"{hours}:{minutes:02}\"?"),
+        None if text.split_once(':').is_some_and(|(_, minutes)| minutes.len() >= 2) || text.contains(' ') => {
+            "times go from 00:00 to 24:00, or from 1 am to 12 pm".into()
+        }
+        None => "hours and minutes have a colon between them: \"06:45\"".into(),
+    };
+    reader.fault(span, format!("there is no time {:?}", reader.said(span)), hint);
+    meant.map_or(12.0 * HOUR_S, |(hours, minutes)| f64::from(hours) * HOUR_S + f64::from(minutes) * 60.0)
+}
+
+/// The hours and minutes that were meant where letters stand for digits, or another sign for the colon.
+fn meant(text: &str) -> Option<(u8, u8)> {
+    let mended: String = text
+        .chars()
+        .map(|c| match c {
+            'o' | 'O' => '0',
+            'l' | 'I' | 'i' => '1',
+            ';' | '.' | ',' | 'h' | '\'' => ':',
+            other => other,
+        })
+        .collect();
+    let (hours, minutes) = match mended.split_once(':') {
+        Some(parts) => parts,
+        None if matches!(mended.len(), 3 | 4) => mended.split_at_checked(mended.len() - 2)?,
+        None => return None,
+    };
+    let two = |digits: &str| digits.len() <= 2 && digits.chars().all(|c| c.is_ascii_digit());
+    if !(two(hours) && two(minutes) && minutes.len() == 2) {
+        return None;
+    }
+    let (hours, minutes) = (hours.parse().ok()?, minutes.parse().ok()?);
+    (hours < 24 && minutes < 60).then_some((hours, minutes))
+}
