@@ -1,5 +1,6 @@
 //! What can go wrong with a log.
 
+use crate::url::UrlError;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -38,6 +39,14 @@ pub enum LogError {
     File { path: PathBuf, source: io::Error },
     #[error("{0}: {source}", .path.display())]
     Database { path: PathBuf, source: rusqlite::Error },
+    #[error("{0} is read by this command, which cannot replace it\n  hint: name another file", .path.display())]
+    IsSource { path: PathBuf },
+    #[error("{0}: {source}\n  hint: a run needs a folder that may be written; --out writes elsewhere", .path.display())]
+    Unmade { path: PathBuf, source: io::Error },
+    #[error(transparent)]
+    Url(#[from] UrlError),
+    #[error("the recording cannot be written down: {0}")]
+    Recording(#[from] serde_json::Error),
     #[error("{0}")]
     Zone(String),
     #[error("{0} takes no more rows after its error", .path.display())]

@@ -1,7 +1,7 @@
 //! Where a log goes and where it comes from: databases and files, ours and real networks'.
 //!
 //! A run gives its firings to a [`Logger`], which stores them in as many places as wished, and its
-//! facts to a [`TruthLog`], which keeps the ground truth in a file of its own. No firing's file ever
+//! facts to a [`TruthLog`], which keeps the ground truth in a file of its own; a [`RunLog`] is both, and the recording. No firing's file ever
 //! holds a fact. Both hand their rows to writer threads, so that the simulation does not wait for disks;
 //! an error of such a thread comes out of the next call.
 //!
@@ -16,6 +16,7 @@ pub mod url;
 pub mod error;
 
 pub mod fresh;
+pub mod places;
 
 mod clock;
 mod mapping;
@@ -27,12 +28,16 @@ mod writer;
 pub mod logger;
 pub mod truth;
 
+pub mod run_log;
+
 pub mod convert;
 pub mod source;
 
 pub use convert::convert;
 pub use error::LogError;
 pub use logger::{Logger, RunInfo, Stored};
+pub use places::Places;
+pub use run_log::RunLog;
 pub use source::{Activity, Event, Life, Log, activities, lives, read};
 pub use truth::TruthLog;
 pub use url::Url;

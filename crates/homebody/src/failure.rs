@@ -61,6 +61,7 @@ impl From<LogError> for Failure {
             | LogError::SameName { .. }
             | LogError::SameSensor { .. }
             | LogError::SameFile { .. }
+            | LogError::Url(_)
             | LogError::Zone(_) => Failure::Usage(error.to_string()),
             error => Failure::Io(error.to_string()),
         }

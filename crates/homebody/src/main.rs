@@ -6,7 +6,6 @@ mod folder;
 mod given;
 mod length;
 mod pace;
-mod places;
 mod print;
 mod profiles;
 mod remarks;

@@ -1,8 +1,8 @@
 //! What commands that answer a question leave: words for people, figures as JSON, pictures.
 
 use crate::failure::Failure;
-use crate::places::can_be_written;
 use crate::print::{json_text, print_json, print_text, tell, write_file};
+use homebody_log::places::can_be_written;
 use homebody_study::picture::{PngError, png};
 use serde::Serialize;
 use std::fmt::Display;

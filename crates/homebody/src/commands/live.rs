@@ -2,16 +2,13 @@
 
 use crate::failure::Failure;
 use crate::pace::{Asked, Pace};
-use crate::places::Places;
-use crate::print::{json_text, print_json, print_text};
+use crate::print::{print_json, print_text};
 use homebody_core::event::Events;
-use homebody_core::recording::{Recording, Seal};
+use homebody_core::recording::Recording;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{Micros, SECOND, seconds};
-use homebody_log::fresh::FreshFile;
-use homebody_log::truth::Names;
-use homebody_log::{Logger, RunInfo, Stored, TruthLog, Url};
+use homebody_log::{Places, RunLog, Stored, Url};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
 use std::path::PathBuf;
@@ -99,41 +96,11 @@ impl Live<'_> {
         progress: &ProgressBar,
     ) -> Result<Lived, Failure> {
         let started = Instant::now();
-        let force = self.output.force;
-        let record = places.recording.as_ref().map(|path| FreshFile::create(path, force)).transpose()?;
-        let (mut logger, mut truth) = self.open(places, run)?;
-        let seal = advance(run, pace, &mut logger, truth.as_mut(), progress)?;
-        let stored = logger.finish()?;
-        if let Some(truth) = truth {
-            truth.finish(run.now())?;
-        }
-        let recording = Recording {
-            version: VERSION.into(),
-            length_us: run.now(),
-            firings: seal.firings(),
-            sha256: seal.hex(),
-            ..self.recording.clone()
-        };
-        if let Some(mut file) = record {
-            file.write(json_text(&recording)?.as_bytes())?;
-            file.finish()?;
-        }
+        let recording = Recording { version: VERSION.into(), ..self.recording.clone() };
+        let mut log = RunLog::open(places, self.scenario, run, &recording, self.output.force)?;
+        advance(run, pace, &mut log, progress)?;
+        let (stored, recording) = log.finish(run, recording)?;
         Ok(Lived { recording, stored, took: started.elapsed() })
-    }
-
-    fn open(&self, places: &Places, run: &Run) -> Result<(Logger, Option<TruthLog>), Failure> {
-        let sensors: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
-        let rooms: Vec<String> = run.home().plan.rooms.iter().map(|room| room.name.clone()).collect();
-        let things: Vec<String> = run.home().plan.things.iter().map(|thing| thing.name.clone()).collect();
-        let residents = run.names();
-        let Scenario { file, logger, calendar, .. } = self.scenario;
-        let info = RunInfo { id: 1, scenario: file.name.clone(), seed: self.recording.seed, version: VERSION.into() };
-        let force = self.output.force;
-        let log = Logger::open(&places.log, logger, &sensors, calendar, &info, force)?;
-        let names = Names { residents: &residents, rooms: &rooms, things: &things, sensors: &sensors };
-        let truth = places.truth.as_ref();
-        let truth = truth.map(|path| TruthLog::open(path, &places.log, logger, names, calendar, &info, force));
-        Ok((log, truth.transpose()?))
     }
 
     /// Tells people and scripts what has become of the run.
@@ -212,24 +179,13 @@ impl Live<'_> {
 }
 
 /// Lets the run go at its pace, and hands what happens to the logs.
-fn advance(
-    run: &mut Run,
-    mut pace: Pace,
-    logger: &mut Logger,
-    mut truth: Option<&mut TruthLog>,
-    progress: &ProgressBar,
-) -> Result<Seal, Failure> {
-    let mut seal = Seal::default();
+fn advance(run: &mut Run, mut pace: Pace, log: &mut RunLog, progress: &ProgressBar) -> Result<(), Failure> {
     let mut events = Events::default();
     while run.now() < run.length() {
         let before = run.now();
         let Some(until) = pace.next(before) else { break };
         run.advance(until, &mut events);
-        seal.add(&events.firings);
-        logger.store(&events.firings, run.settled())?;
-        if let Some(truth) = &mut truth {
-            truth.store(&events)?;
-        }
+        log.store(run, &events)?;
         events.clear();
         if !progress.is_hidden() {
             progress.inc((run.now() - before) as u64);
@@ -238,7 +194,7 @@ fn advance(
             progress.set_message(format!("{} of {}, {speed}", span_in_words(lived), span_in_words(all)));
         }
     }
-    Ok(seal)
+    Ok(())
 }
 
 /// A flag that the first interrupt sets; the second ends the program at once.

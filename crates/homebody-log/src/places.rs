@@ -1,12 +1,15 @@
 //! The files of a run: where they go, and that they can, before the run begins.
 
-use crate::failure::Failure;
+use crate::error::LogError;
+use crate::fresh::{all_can_be_written, same_file};
+use crate::url::Url;
 use homebody_core::scenario::load::Scenario;
-use homebody_log::Url;
-use homebody_log::fresh::{all_can_be_written, same_file};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
+
+/// The folder that runs go into where nothing else is asked for.
+pub const RUNS: &str = "runs";
 
 /// Where a run is written.
 pub struct Places {
@@ -26,7 +29,7 @@ impl Places {
         scenario: &Scenario,
         sources: &[PathBuf],
         force: bool,
-    ) -> Result<Places, Failure> {
+    ) -> Result<Places, LogError> {
         let mut places = Places { log, truth, recording, made: Vec::new() };
         let asked = if places.log.is_empty() { places.default_to_folder(scenario) } else { Ok(()) };
         match asked.and_then(|()| can_be_written(&places.files(), sources, force)) {
@@ -46,13 +49,13 @@ impl Places {
     }
 
     /// A new folder for a cohort of a scenario, with nothing in it.
-    pub fn cohort(scenario: &Scenario) -> Result<PathBuf, Failure> {
+    pub fn cohort(scenario: &Scenario) -> Result<PathBuf, LogError> {
         let mut places = Places { log: Vec::new(), truth: None, recording: None, made: Vec::new() };
-        places.make_numbered(Path::new("runs"), &scenario.file.name)
+        places.make_numbered(Path::new(RUNS), &scenario.file.name)
     }
 
     /// The files of one member of a cohort, all in a folder of its own.
-    pub fn member(cohort: &Path, member: &str, scenario: &Scenario) -> Result<Places, Failure> {
+    pub fn member(cohort: &Path, member: &str, scenario: &Scenario) -> Result<Places, LogError> {
         let mut places = Places { log: Vec::new(), truth: None, recording: None, made: Vec::new() };
         let folder = cohort.join(member);
         places.make(&folder)?;
@@ -61,17 +64,17 @@ impl Places {
     }
 
     /// Makes a folder for the run, and puts everything into it that has no place yet.
-    fn default_to_folder(&mut self, scenario: &Scenario) -> Result<(), Failure> {
-        let folder = self.make_numbered(Path::new("runs"), &scenario.file.name)?;
+    fn default_to_folder(&mut self, scenario: &Scenario) -> Result<(), LogError> {
+        let folder = self.make_numbered(Path::new(RUNS), &scenario.file.name)?;
         self.put_into(&folder, scenario)
     }
 
     /// Puts everything into a folder that has no place yet.
-    fn put_into(&mut self, folder: &Path, scenario: &Scenario) -> Result<(), Failure> {
+    fn put_into(&mut self, folder: &Path, scenario: &Scenario) -> Result<(), LogError> {
         let to = &scenario.logger.to;
         let default = [String::from("sqlite:log.db")];
         for url in if to.is_empty() { &default[..] } else { to } {
-            let url = url.parse::<Url>().map_err(Failure::usage)?.within(folder);
+            let url = url.parse::<Url>()?.within(folder);
             if let Some(inner) = url.path().parent().filter(|inner| inner.starts_with(folder)) {
                 self.make(inner)?;
             }
@@ -83,7 +86,7 @@ impl Places {
     }
 
     /// Makes a new folder in `parent`, named after the scenario and numbered.
-    fn make_numbered(&mut self, parent: &Path, name: &str) -> Result<PathBuf, Failure> {
+    fn make_numbered(&mut self, parent: &Path, name: &str) -> Result<PathBuf, LogError> {
         self.make(parent)?;
         let name = folder_name(name);
         for number in 1.. {
@@ -101,7 +104,7 @@ impl Places {
     }
 
     /// Makes a folder and those it is in, as far as they are not there.
-    fn make(&mut self, folder: &Path) -> Result<(), Failure> {
+    fn make(&mut self, folder: &Path) -> Result<(), LogError> {
         let is_missing = |folder: &&Path| !folder.as_os_str().is_empty() && !folder.is_dir();
         let missing: Vec<&Path> = folder.ancestors().take_while(is_missing).collect();
         for folder in missing.into_iter().rev() {
@@ -124,13 +127,12 @@ impl Places {
 
 /// Looks at all files that a command is going to write, before the first is touched. None of the `sources`, which the
 /// command reads, is replaced, also where that is forced.
-pub fn can_be_written(files: &[&Path], sources: &[PathBuf], force: bool) -> Result<(), Failure> {
+pub fn can_be_written(files: &[&Path], sources: &[PathBuf], force: bool) -> Result<(), LogError> {
     let is_source = |path: &&&Path| sources.iter().any(|source| same_file(source, path));
     if let Some(path) = files.iter().find(is_source) {
-        let what = "is read by this command, which cannot replace it\n  hint: name another file";
-        return Err(Failure::Io(format!("{} {what}", path.display())));
+        return Err(LogError::IsSource { path: path.into() });
     }
-    Ok(all_can_be_written(files, force)?)
+    all_can_be_written(files, force)
 }
 
 /// A scenario's name as that of a folder.
@@ -142,8 +144,8 @@ fn folder_name(name: &str) -> String {
     if words.is_empty() { "run".into() } else { words.join("-") }
 }
 
-fn no_folder(folder: &Path, error: std::io::Error) -> Failure {
-    Failure::io(folder, format!("{error}\n  hint: a run needs a folder that may be written; --out writes elsewhere"))
+fn no_folder(folder: &Path, source: std::io::Error) -> LogError {
+    LogError::Unmade { path: folder.into(), source }
 }
 
 #[cfg(test)]
