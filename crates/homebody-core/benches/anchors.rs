@@ -181,11 +181,17 @@ fn live_step(home: Arc<Home>, build: Build) -> String {
     // Into walls and furniture, round the room and through doors.
     let keys = (0..STEPS / 40).map(|turn| {
         let held = vec![turns[turn as usize % 4], turns[(turn as usize / 3) % 4]];
-        KeysFile { at_s: seconds(turn * 40 * SECOND / 60), held }
+        KeysFile { at_s: seconds(turn * 40 * SECOND / 60), held, posture: Posture::Standing, uses: Vec::new() }
     });
     let input = InputFile { schema: None, keys: keys.collect() };
     let each_us = (0..ROUNDS).map(|_| {
-        let driver = LiveDriver::new(&home.plan, Point::new(1.75, 1.5), build.radius_m, 1.0, KeyTrack::written(&input));
+        let driver = LiveDriver::new(
+            &home.plan,
+            Point::new(1.75, 1.5),
+            build.radius_m,
+            1.0,
+            KeyTrack::written(&input, &home.plan),
+        );
         let length = STEPS * SECOND / 60;
         let mut run = Run::of(home.clone(), vec![build], vec![Driver::Live(Box::new(driver))], 1, length);
         let mut events = Events::default();

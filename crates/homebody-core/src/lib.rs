@@ -24,6 +24,7 @@ pub mod drivers;
 pub mod world;
 pub mod link;
 pub mod run;
+pub mod scene;
 pub mod recording;
 
 // The naive way, as oracle and as baseline.

@@ -1,6 +1,6 @@
 //! A run: residents with their drivers in a world, and the one loop of the program.
 
-use crate::drivers::live::{KeyTrack, LiveDriver};
+use crate::drivers::live::{Input, KeyTrack, LiveDriver};
 use crate::drivers::path::PathDriver;
 use crate::drivers::{Body, Decide, Driver, Move, Next};
 use crate::event::{Act, Doing, Events, Fact};
@@ -9,6 +9,7 @@ use crate::home::plan::Plan;
 use crate::home::{Build, Home, Sun};
 use crate::link::{self, Link};
 use crate::scenario::load::{self, Scenario};
+use crate::scene::{Presence, Scene};
 use crate::sensors::Sensor;
 use crate::stride::Stride;
 use crate::time::{Micros, NEVER, SECOND};
@@ -142,6 +143,43 @@ impl Run {
     /// How long it is in all.
     pub fn length(&self) -> Micros {
         self.length
+    }
+
+    /// What the run looks like now.
+    pub fn scene(&self) -> Scene {
+        let body = |resident: usize| {
+            Some(Presence {
+                at: self.world.position(resident)?,
+                heading: self.world.heading(resident),
+                posture: self.world.posture(resident),
+                room: self.residents[resident].room,
+            })
+        };
+        let all = 0..self.residents.len();
+        let is_on = |thing: &usize| !self.users[*thing].is_empty();
+        Scene {
+            now: self.now(),
+            bodies: all.clone().map(body).collect(),
+            seeing: all.fold(0, |seeing, resident| seeing | self.world.seeing(resident)),
+            on: (0..self.users.len()).filter(is_on).map(|thing| thing as u32).collect(),
+        }
+    }
+
+    /// The input of a resident who is moved by keys comes from whoever lives the run, after what its file says. False if the
+    /// resident is not moved by keys.
+    pub fn open_input(&mut self, resident: usize) -> bool {
+        let driver = self.residents.get_mut(resident).map(|resident| &mut resident.driver);
+        let Some(Driver::Live(driver)) = driver else { return false };
+        driver.open();
+        true
+    }
+
+    /// From now on the input of a resident whose input is open is this.
+    pub fn input(&mut self, resident: usize, input: Input) {
+        let now = self.now();
+        if let Some(Driver::Live(driver)) = self.residents.get_mut(resident).map(|resident| &mut resident.driver) {
+            driver.input(now, input);
+        }
     }
 
     /// Lives until `until` or the end of the run, whichever is first, and adds to `events` what happens
@@ -309,7 +347,7 @@ fn driver(resident: &load::Resident, plan: &Plan, start_of_day: Micros) -> Optio
     match driver {
         load::Driver::Path(path) => Some(Driver::Path(PathDriver::new(path, plan, file.pace_mps, start_of_day))),
         load::Driver::Live { input, start } => {
-            let keys = KeyTrack::written(input);
+            let keys = KeyTrack::written(input, plan);
             Some(Driver::Live(Box::new(LiveDriver::new(plan, *start, file.radius_m, file.pace_mps, keys))))
         }
         load::Driver::Routine { .. } => None,

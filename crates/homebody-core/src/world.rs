@@ -207,6 +207,25 @@ impl World {
         }
     }
 
+    /// Where a resident walks, of length one; nothing for who stays.
+    pub fn heading(&self, resident: usize) -> Option<Point> {
+        match self.bodies[resident].act {
+            Act::Stride(stride) => Some((stride.to - stride.from).normalize_or_zero()),
+            Act::Stir { .. } | Act::Rest { .. } | Act::Away => None,
+        }
+    }
+
+    /// The sensors in whose field a resident moves, as bits.
+    pub fn seeing(&self, resident: usize) -> Mask {
+        let Body { posture, act } = &self.bodies[resident];
+        let field = self.home.field(resident, *posture);
+        match act {
+            Act::Stride(stride) => field.seen_at(stride.position(self.now)),
+            Act::Stir { at, .. } => field.seen_at(*at),
+            Act::Rest { .. } | Act::Away => 0,
+        }
+    }
+
     pub fn posture(&self, resident: usize) -> Posture {
         self.bodies[resident].posture
     }

@@ -3,21 +3,22 @@
 //! What it does: sixty times a second the body tries to move the way the keys point, runs into
 //! walls, furniture, closed doors and other people, and slides along them.
 //!
-//! What we assume: a body is a ball seen from above, and nothing it runs into gives way.
+//! What we assume: a body is a ball seen from above, and nothing it runs into gives way. Who sits or lies does not walk,
+//! and things are used from wherever the body is.
 //!
 //! How: see [`obstacles`] for how far a body gets in a step. A step ends at a whole microsecond
 //! counted from the scenario's start, so steps never drift.
 //!
-//! What is left out: turning, getting up to speed, postures, and leaving the home: a door that leads
-//! out stops the body even when it is open.
+//! What is left out: turning, getting up to speed, and leaving the home: a door that leads out stops the body even when it
+//! is open. A door that is used is felt by its sensor; bodies and beams find it as the plan has it.
 
 mod obstacles;
 
 use super::{Body, Move, Next};
-use crate::event::Doing;
+use crate::event::{Act, Doing};
 use crate::geometry::Point;
 use crate::home::plan::Plan;
-use crate::scenario::input::{InputFile, Key};
+use crate::scenario::input::{InputFile, Key, KeysFile, UseFile};
 use crate::scenario::path::Posture;
 use crate::time::{Micros, SECOND, micros, seconds};
 use obstacles::Obstacles;
@@ -45,16 +46,25 @@ impl LiveDriver {
         LiveDriver { keys, pace_mps, at: start, obstacles: Obstacles::new(plan, radius_m) }
     }
 
-    /// From `at` on exactly these keys are held, whatever else was to come. For the keys of a [`KeyTrack::live`]:
-    /// who rests until the next line of a file is not asked before.
-    pub fn hold(&mut self, at: Micros, keys: Held) {
-        self.keys.hold(at, keys);
+    /// After what is known already, more input may come.
+    pub fn open(&mut self) {
+        self.keys.open = true;
+    }
+
+    /// From `at` on the input is this, whatever else was to come. For input that is open: who rests until the next line of a
+    /// file is not asked before.
+    pub fn input(&mut self, at: Micros, input: Input) {
+        self.keys.input(at, input);
     }
 
     /// What the resident does from `now` on; `others` are the bodies to run into.
     pub fn next(&mut self, now: Micros, others: &[Body]) -> Next {
-        let held = self.keys.held_at(now);
-        let velocity = held.direction() * (self.pace_mps * held.haste());
+        let Input { held, posture, .. } = *self.keys.at(now);
+        if let Some(act) = self.keys.uses.pop_front() {
+            return Next::Act(act);
+        }
+        let stands = f64::from(u8::from(posture == Posture::Standing));
+        let velocity = held.direction() * (self.pace_mps * held.haste() * stands);
         let step_end = step_from(now.saturating_add(1));
         let end = if velocity != Point::ZERO || self.keys.open {
             step_end
@@ -75,12 +85,12 @@ impl LiveDriver {
                 doing = Doing::Stride { from, to };
             }
         }
-        Next::Move(Move { begin: now, end, doing, posture: Posture::Standing })
+        Next::Move(Move { begin: now, end, doing, posture })
     }
 
     /// Where the body is, and how, at the end of the spans handed out so far.
     pub fn pose(&self) -> (Point, Posture) {
-        (self.at, Posture::Standing)
+        (self.at, self.keys.now.posture)
     }
 }
 
@@ -91,45 +101,69 @@ fn step_from(at: Micros) -> Micros {
     (at - within).saturating_add(steps * SECOND / STEPS_PER_SECOND)
 }
 
-/// Which keys are held, and when that changes.
+/// What somebody does at the keys from an instant on.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Input {
+    pub held: Held,
+    pub posture: Posture,
+    /// What is used at that instant.
+    pub uses: Vec<Act>,
+}
+
+impl Input {
+    /// The input that a line of a file describes, which has passed its checks.
+    pub fn written(line: &KeysFile, plan: &Plan) -> Input {
+        let act = |used: &UseFile| Some(Act { thing: plan.thing(&used.thing)? as u32, on: used.on });
+        Input {
+            held: line.held.iter().copied().collect(),
+            posture: line.posture,
+            uses: line.uses.iter().filter_map(act).collect(),
+        }
+    }
+}
+
+/// What somebody does at the keys, and when that changes.
 #[derive(Clone, Debug)]
 pub struct KeyTrack {
-    held: Held,
+    now: Input,
+    /// What has been used, but is not told yet.
+    uses: VecDeque<Act>,
     /// The changes to come, in order of time.
-    coming: VecDeque<(Micros, Held)>,
+    coming: VecDeque<(Micros, Input)>,
     /// Whether changes that are not known yet may come: then no rest is longer than a step.
     open: bool,
 }
 
 impl KeyTrack {
-    /// The keys of a file; nothing comes after its last line.
-    pub fn written(input: &InputFile) -> KeyTrack {
+    /// The input of a file; nothing comes after its last line.
+    pub fn written(input: &InputFile, plan: &Plan) -> KeyTrack {
         let mut coming: Vec<_> =
-            input.keys.iter().map(|keys| (micros(keys.at_s), keys.held.iter().copied().collect())).collect();
+            input.keys.iter().map(|line| (micros(line.at_s), Input::written(line, plan))).collect();
         coming.sort_by_key(|&(at, _)| at);
-        KeyTrack { held: Held::default(), coming: coming.into(), open: false }
+        KeyTrack { coming: coming.into(), open: false, ..KeyTrack::live() }
     }
 
-    /// No keys yet: they come while the run goes on.
+    /// No input yet: it comes while the run goes on.
     pub fn live() -> KeyTrack {
-        KeyTrack { held: Held::default(), coming: VecDeque::new(), open: true }
+        KeyTrack { now: Input::default(), uses: VecDeque::new(), coming: VecDeque::new(), open: true }
     }
 
-    fn hold(&mut self, at: Micros, held: Held) {
-        while self.coming.back().is_some_and(|&(later, _)| later >= at) {
+    fn input(&mut self, at: Micros, input: Input) {
+        while self.coming.back().is_some_and(|&(later, _)| later > at) {
             self.coming.pop_back();
         }
-        self.coming.push_back((at, held));
+        self.coming.push_back((at, input));
     }
 
-    fn held_at(&mut self, now: Micros) -> Held {
-        while let Some(&(at, held)) = self.coming.front()
-            && at <= now
+    fn at(&mut self, now: Micros) -> &Input {
+        while let Some((at, _)) = self.coming.front()
+            && *at <= now
+            && let Some((_, input)) = self.coming.pop_front()
         {
-            self.held = held;
-            self.coming.pop_front();
+            self.uses.extend(input.uses.iter().copied());
+            self.now = input;
         }
-        self.held
+        &self.now
     }
 
     fn next_change(&self) -> Option<Micros> {
@@ -210,9 +244,13 @@ mod tests {
         LiveDriver::new(&plan(), Point::new(x, y), RADIUS_M, PACE_MPS, KeyTrack::live())
     }
 
+    fn holding(keys: &[Key]) -> Input {
+        Input { held: keys.iter().copied().collect(), ..Input::default() }
+    }
+
     /// Holds the keys for a time, and returns what the body did.
     fn walk(driver: &mut LiveDriver, keys: &[Key], from: Micros, to: Micros, others: &[Body]) -> Vec<Move> {
-        driver.hold(from, keys.iter().copied().collect());
+        driver.input(from, holding(keys));
         let (mut now, mut spans) = (from, Vec::new());
         while now < to {
             let Next::Move(span) = driver.next(now, others) else { panic!("live movement has ended") };
@@ -232,7 +270,7 @@ mod tests {
                 let bits = random.next_u32();
                 let keys = [Key::Up, Key::Down, Key::Left, Key::Right, Key::Fast, Key::Slow];
                 let held = keys.into_iter().filter(|&key| bits >> key as u32 & 1 == 1).collect();
-                driver.hold(now, held);
+                driver.input(now, Input { held, ..Input::default() });
             }
             let Next::Move(span) = driver.next(now, &[]) else { panic!("live movement has ended") };
             now = span.end;
@@ -273,7 +311,7 @@ mod tests {
             { "at_s": 0.51, "held": ["right"] }, { "at_s": 0.56, "held": [] }, { "at_s": 3600, "held": ["up"] },
             { "at_s": 3600.1, "held": ["up", "down"] },
         ] });
-        let keys = KeyTrack::written(&serde_json::from_value(input).unwrap());
+        let keys = KeyTrack::written(&serde_json::from_value(input).unwrap(), &plan());
         let mut driver = LiveDriver::new(&plan(), point([1.0, 1.0]), RADIUS_M, PACE_MPS, keys);
         let (mut now, mut rests, mut strides) = (0, Vec::new(), 0);
         while let Next::Move(span) = driver.next(now, &[]) {
@@ -389,12 +427,25 @@ mod tests {
     #[test]
     fn later_keys_replace_what_was_to_come() {
         let mut driver = standing_at(1.0, 1.0);
-        driver.hold(10 * SECOND, Held::from_iter([Key::Up]));
-        driver.hold(SECOND, Held::from_iter([Key::Right]));
-        assert_eq!((driver.keys.held_at(0), driver.keys.next_change()), (Held::default(), Some(SECOND)));
+        driver.input(10 * SECOND, holding(&[Key::Up]));
+        driver.input(SECOND, holding(&[Key::Right]));
+        assert_eq!((driver.keys.at(0).held, driver.keys.next_change()), (Held::default(), Some(SECOND)));
         assert_eq!(
-            (driver.keys.held_at(20 * SECOND), driver.keys.next_change()),
+            (driver.keys.at(20 * SECOND).held, driver.keys.next_change()),
             (Held::from_iter([Key::Right]), None)
         );
+    }
+
+    #[test]
+    fn who_sits_does_not_walk_and_uses_things() {
+        let mut driver = standing_at(1.0, 1.0);
+        let lamp = Act { thing: plan().thing("hall").unwrap() as u32, on: true };
+        driver.input(0, Input { posture: Posture::Sitting, uses: vec![lamp, lamp], ..holding(&[Key::Right]) });
+        assert_eq!([driver.next(0, &[]), driver.next(0, &[])], [Next::Act(lamp), Next::Act(lamp)]);
+        let Next::Move(sat) = driver.next(0, &[]) else { panic!("no move") };
+        assert_eq!((sat.doing, sat.posture), (Doing::Rest { at: Point::new(1.0, 1.0) }, Posture::Sitting));
+        driver.input(sat.end, holding(&[Key::Right]));
+        let Next::Move(walked) = driver.next(sat.end, &[]) else { panic!("no move") };
+        assert!(matches!(walked.doing, Doing::Stride { .. }) && walked.posture == Posture::Standing);
     }
 }

@@ -1,9 +1,10 @@
-//! Live input from a file: which keys are held, and when that changes.
+//! Live input from a file: which keys are held, how the body is, which things are used, and when that changes.
 
+use super::path::Posture;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A file of key states over time.
+/// A file of what somebody did at the keys over time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "live input")]
@@ -11,11 +12,11 @@ pub struct InputFile {
     /// Where the JSON Schema of this file is, for editors.
     #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
     pub schema: Option<String>,
-    /// Every change of the held keys, in order of time.
+    /// Every change, in order of time.
     pub keys: Vec<KeysFile>,
 }
 
-/// From `at_s` on, exactly these keys are held.
+/// From `at_s` on, exactly these keys are held, and the body is so.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "change of keys")]
@@ -25,6 +26,26 @@ pub struct KeysFile {
     pub at_s: f64,
     /// The keys that are held down from then on.
     pub held: Vec<Key>,
+    /// How the body is from then on. Who sits or lies does not walk.
+    #[serde(default, skip_serializing_if = "is_standing")]
+    pub posture: Posture,
+    /// The things that are used then.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub uses: Vec<UseFile>,
+}
+
+fn is_standing(posture: &Posture) -> bool {
+    *posture == Posture::Standing
+}
+
+/// A thing that is turned on or opened, or turned off or closed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "use of a thing")]
+pub struct UseFile {
+    /// A door, a piece of furniture, or a room, whose lamp is meant.
+    pub thing: String,
+    pub on: bool,
 }
 
 /// A key that drives the body. North is up on the plan.

@@ -232,7 +232,7 @@ impl Loader<'_> {
             }
             let input: Read<InputFile> = self.link(&source, &root, "/driver/live/keys", FileKind::Input)?;
             let data = input.data?;
-            check::input::check(&input.source, &data, &mut self.problems);
+            check::input::check(&input.source, &data, surroundings, &mut self.problems);
             Driver::Live { input: data, start: point(live?.start) }
         };
         Some(Resident { file: file?, driver })

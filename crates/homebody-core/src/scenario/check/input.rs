@@ -1,11 +1,12 @@
-//! Live input: times that run forward, keys that are held once.
+//! Live input: times that run forward, keys that are held once, things that are there.
 
-use super::Report;
+use super::{Report, Surroundings};
 use crate::problem::Problem;
 use crate::scenario::input::InputFile;
+use crate::scenario::nearest::nearest;
 use crate::scenario::source::Source;
 
-pub fn check(source: &Source, file: &InputFile, problems: &mut Vec<Problem>) {
+pub fn check(source: &Source, file: &InputFile, surroundings: &Surroundings, problems: &mut Vec<Problem>) {
     let report = &mut Report { source, problems };
     for (index, pair) in file.keys.windows(2).enumerate() {
         let (before, after) = (pair[0].at_s, pair[1].at_s);
@@ -18,6 +19,18 @@ pub fn check(source: &Source, file: &InputFile, problems: &mut Vec<Problem>) {
         for (second, key) in change.held.iter().enumerate() {
             if change.held[..second].contains(key) {
                 report.add(&format!("/keys/{index}/held/{second}"), "this key is held twice");
+            }
+        }
+        let Some(plan) = surroundings.plan else { continue };
+        for (number, used) in change.uses.iter().enumerate() {
+            let names = || plan.things.iter().map(|thing| thing.name.as_str());
+            if !names().any(|name| name == used.thing) {
+                let hint = match nearest(&used.thing, names()) {
+                    Some(near) => format!("did you mean {near:?}?"),
+                    None => "name a door, a piece of furniture or a room".into(),
+                };
+                let what = format!("there is no {:?} to use in this home", used.thing);
+                report.hinted(&format!("/keys/{index}/uses/{number}/thing"), what, hint);
             }
         }
     }

@@ -1,0 +1,28 @@
+//! What a run looks like at an instant, for those who watch it. Looking changes nothing.
+
+use crate::geometry::Point;
+use crate::home::field::Mask;
+use crate::scenario::path::Posture;
+use crate::time::Micros;
+
+/// A run at the instant that it has come to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    pub now: Micros,
+    /// By resident; nothing for those who are out.
+    pub bodies: Vec<Option<Presence>>,
+    /// The sensors that see somebody move, as bits.
+    pub seeing: Mask,
+    /// The things that somebody has turned on or opened.
+    pub on: Vec<u32>,
+}
+
+/// A body in the home.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Presence {
+    pub at: Point,
+    /// Where it walks, of length one; nothing for who stays.
+    pub heading: Option<Point>,
+    pub posture: Posture,
+    pub room: Option<u32>,
+}
