@@ -29,6 +29,7 @@ pub mod logger;
 pub mod truth;
 
 pub mod run_log;
+pub mod rows;
 
 pub mod convert;
 pub mod source;
@@ -37,6 +38,7 @@ pub use convert::convert;
 pub use error::LogError;
 pub use logger::{Logger, RunInfo, Stored};
 pub use places::Places;
+pub use rows::{RowText, Rows};
 pub use run_log::RunLog;
 pub use source::{Activity, Event, Life, Log, activities, lives, read};
 pub use truth::TruthLog;

@@ -31,7 +31,7 @@ impl Places {
         force: bool,
     ) -> Result<Places, LogError> {
         let mut places = Places { log, truth, recording, made: Vec::new() };
-        let asked = if places.log.is_empty() { places.default_to_folder(scenario) } else { Ok(()) };
+        let asked = if places.log.is_empty() { places.default_to_folder(Path::new(RUNS), scenario) } else { Ok(()) };
         match asked.and_then(|()| can_be_written(&places.files(), sources, force)) {
             Ok(()) => Ok(places),
             Err(failure) => {
@@ -48,15 +48,26 @@ impl Places {
         }
     }
 
+    /// The files of a run in a new folder among `runs`.
+    pub fn run(runs: &Path, scenario: &Scenario) -> Result<Places, LogError> {
+        let mut places = Places::nowhere();
+        places.default_to_folder(runs, scenario)?;
+        Ok(places)
+    }
+
+    fn nowhere() -> Places {
+        Places { log: Vec::new(), truth: None, recording: None, made: Vec::new() }
+    }
+
     /// A new folder for a cohort of a scenario, with nothing in it.
     pub fn cohort(scenario: &Scenario) -> Result<PathBuf, LogError> {
-        let mut places = Places { log: Vec::new(), truth: None, recording: None, made: Vec::new() };
+        let mut places = Places::nowhere();
         places.make_numbered(Path::new(RUNS), &scenario.file.name)
     }
 
     /// The files of one member of a cohort, all in a folder of its own.
     pub fn member(cohort: &Path, member: &str, scenario: &Scenario) -> Result<Places, LogError> {
-        let mut places = Places { log: Vec::new(), truth: None, recording: None, made: Vec::new() };
+        let mut places = Places::nowhere();
         let folder = cohort.join(member);
         places.make(&folder)?;
         places.put_into(&folder, scenario)?;
@@ -64,8 +75,8 @@ impl Places {
     }
 
     /// Makes a folder for the run, and puts everything into it that has no place yet.
-    fn default_to_folder(&mut self, scenario: &Scenario) -> Result<(), LogError> {
-        let folder = self.make_numbered(Path::new(RUNS), &scenario.file.name)?;
+    fn default_to_folder(&mut self, runs: &Path, scenario: &Scenario) -> Result<(), LogError> {
+        let folder = self.make_numbered(runs, &scenario.file.name)?;
         self.put_into(&folder, scenario)
     }
 

@@ -1,2 +1,25 @@
 //! The local web app: a server that lives runs, and the page that looks at them.
+//!
+//! The page draws and sends input; everything that counts happens here, on the same engine as every other run, into the same
+//! files. A run has one thread of its own, the stage. Pages come and go: what they miss are pictures, never firings.
+//!
+//! In reading order:
+
+/// What the page and the server say to each other.
 pub mod wire;
+
+/// The folders that the page may see: the scenario, and the runs.
+pub mod shelf;
+
+/// A run that is lived, paused, driven, lived again.
+pub mod act;
+mod draw;
+pub mod stage;
+
+/// Who may ask what, and who answers.
+pub mod guard;
+mod page;
+pub mod server;
+mod socket;
+
+pub use server::{Options, ServeError, serve};

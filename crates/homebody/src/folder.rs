@@ -64,7 +64,7 @@ pub fn files(path: &Path, scenario: &Scenario) -> Vec<PathBuf> {
 }
 
 /// The folder of a scenario that is named by its folder or by a file in it.
-fn folder_of(path: &Path) -> &Path {
+pub fn folder_of(path: &Path) -> &Path {
     if path.is_dir() { path } else { path.parent().unwrap_or(Path::new("")) }
 }
 

@@ -17,6 +17,7 @@ mod replay;
 mod routine;
 mod run;
 mod schema;
+mod serve;
 
 use crate::failure::Failure;
 use clap::Subcommand;
@@ -34,6 +35,8 @@ pub enum Command {
     Check(check::Arguments),
     /// Check, explain and try routines: lives in plain language
     Routine(routine::Arguments),
+    /// Open a page on which a scenario is seen, driven and played
+    Serve(serve::Arguments),
     /// Draw the floor plan of a home
     Plan(plan::Arguments),
     /// Say where in the home the sensors see, with a map
@@ -63,6 +66,7 @@ impl Command {
             Command::Replay(arguments) => arguments.run(),
             Command::Check(arguments) => arguments.run(),
             Command::Routine(arguments) => arguments.run(),
+            Command::Serve(arguments) => arguments.run(),
             Command::Plan(arguments) => arguments.run(),
             Command::Coverage(arguments) => arguments.run(),
             Command::Compare(arguments) => arguments.run(),

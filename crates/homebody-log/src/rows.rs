@@ -1,0 +1,65 @@
+//! The rows of a log as text, for those who watch a run: the very ones that a logger of the same mapping stores.
+
+use crate::clock::Clock;
+use crate::error::LogError;
+use crate::mapping::Shown;
+use crate::messages::{Messages, Row};
+use homebody_core::event::Firing;
+use homebody_core::scenario::calendar::Calendar;
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::time::Micros;
+
+/// Turns a run's firings into the rows that its log has of them.
+pub struct Rows {
+    messages: Messages,
+    shown: Shown,
+    clock: Clock,
+    rows: Vec<Row>,
+}
+
+/// A row as a log shows it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RowText {
+    /// The rows of a run are numbered from 0.
+    pub seq: u64,
+    pub at: Micros,
+    /// Index into the run's sensors.
+    pub sensor: u32,
+    pub time: String,
+    /// What the sensor is called in the log.
+    pub id: String,
+    pub value: String,
+}
+
+impl Rows {
+    /// For the sensors of these names, in their order; wrong names are refused as a logger refuses them.
+    pub fn new(file: &LoggerFile, sensors: &[String], calendar: &Calendar) -> Result<Rows, LogError> {
+        Ok(Rows {
+            messages: Messages::new(&file.messages, sensors.len()),
+            shown: Shown::new(file, sensors)?,
+            clock: Clock::new(calendar, file.time),
+            rows: Vec::new(),
+        })
+    }
+
+    /// The rows of all firings from the last `until` to this one, which are given in their order.
+    pub fn of(&mut self, firings: &[Firing], until: Micros) -> impl Iterator<Item = RowText> {
+        self.rows.clear();
+        for firing in firings {
+            self.messages.firing(firing, &mut self.rows);
+        }
+        self.messages.quiet(until, &mut self.rows);
+        let Rows { shown, clock, rows, .. } = self;
+        rows.iter().map(|row| {
+            let mut buffer = String::new();
+            RowText {
+                seq: row.seq,
+                at: row.at,
+                sensor: row.sensor,
+                time: clock.text(row.at).into(),
+                id: shown.sensors[row.sensor as usize].clone(),
+                value: shown.value(row.value, &mut buffer).into(),
+            }
+        })
+    }
+}

@@ -1,0 +1,364 @@
+//! One run on the stage: the scenario that it is of, who is driven in it, and the files that it leaves.
+
+use crate::draw;
+use crate::shelf::Shelf;
+use crate::wire::{FiringView, Frame, Key, Posture, ResidentView, RunView, State};
+use homebody_core::drivers::live::Input;
+use homebody_core::event::{Events, Fact};
+use homebody_core::geometry::Point;
+use homebody_core::home::field::bits;
+use homebody_core::home::plan::Plan;
+use homebody_core::recording::{Recording, Seal};
+use homebody_core::run::Run;
+use homebody_core::scenario::input::{self, InputFile, KeysFile, UseFile};
+use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::path;
+use homebody_core::time::{Micros, micros, seconds};
+use homebody_log::{LogError, Places, RowText, Rows, RunLog};
+use homebody_routine::household::{Household, Spoken};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// What a run is begun with.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Start {
+    /// The resident who is moved by keys.
+    pub driven: Option<u32>,
+    pub without: Vec<String>,
+    pub seed: Option<u64>,
+    /// What was done at the keys already, to be done again.
+    pub input: Vec<KeysFile>,
+}
+
+/// A run that is being lived, with everything that belongs to it.
+pub struct Act {
+    pub start: Start,
+    scenario: Scenario,
+    run: Run,
+    recording: Recording,
+    /// The file that the keys are recorded into, if somebody is driven.
+    keys: Option<String>,
+    /// The keys that are held.
+    held: KeysFile,
+    files: Option<Files>,
+    /// Whether it is a recording lived again, which leaves no files.
+    is_replay: bool,
+    seal: Seal,
+    rows: Rows,
+    /// What the log has got that nobody has taken to show yet.
+    fresh: Vec<FiringView>,
+    told: u64,
+    activities: Vec<Option<String>>,
+    headings: Vec<f64>,
+    /// Its files are complete.
+    is_over: bool,
+    events: Events,
+}
+
+struct Files {
+    places: Places,
+    /// Until they are complete.
+    log: Option<RunLog>,
+}
+
+impl Act {
+    /// A run of the scenario on the shelf, from its start. It leaves files from when it is first advanced.
+    pub fn new(shelf: &Shelf, start: Start) -> Result<Act, String> {
+        let mut files = shelf.texts().map_err(|error| format!("the scenario's folder: {error}"))?;
+        let first = load(&files, &shelf.entry)?;
+        let mut keys = None;
+        if let Some(driven) = start.driven {
+            let name = drive(&mut files, &first, &shelf.entry, driven as usize, &start.input)?;
+            keys = Some(name);
+        }
+        let mut scenario = if keys.is_some() { load(&files, &shelf.entry)? } else { first };
+        let household = Household::read(&mut scenario, &files, &start.without).map_err(|problems| problems.render())?;
+        let seed = start.seed.unwrap_or(scenario.file.seed);
+        let recording = Recording {
+            version: env!("CARGO_PKG_VERSION").into(),
+            entry: shelf.entry.clone(),
+            files: scenario.sources.clone(),
+            seed,
+            length_us: micros(scenario.file.days * 86_400.0),
+            without: start.without.clone(),
+            one_of_many: false,
+            firings: 0,
+            sha256: String::new(),
+        };
+        let mut run = Run::new(&scenario, &household, seed, recording.length_us);
+        if let Some(driven) = start.driven {
+            run.open_input(driven as usize);
+        }
+        Act::of(scenario, run, recording, keys, start, false)
+    }
+
+    /// A recording, to be lived again.
+    pub fn again(recording: Recording) -> Result<Act, String> {
+        let mut scenario = recording.scenario().map_err(|problems| problems.render())?;
+        let household = Household::read(&mut scenario, &recording.files, &recording.without);
+        let household = household.map_err(|problems| problems.render())?;
+        let household = if recording.one_of_many { household.one_of_many() } else { household };
+        let run = recording.run(&scenario, &household);
+        Act::of(scenario, run, recording, None, Start::default(), true)
+    }
+
+    fn of(
+        scenario: Scenario,
+        run: Run,
+        recording: Recording,
+        keys: Option<String>,
+        start: Start,
+        is_replay: bool,
+    ) -> Result<Act, String> {
+        let sensors: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
+        let rows = Rows::new(&scenario.logger, &sensors, &scenario.calendar).map_err(|error| error.to_string())?;
+        let bodies = run.names().len();
+        let held = start.input.last().cloned().unwrap_or_else(nothing_held);
+        Ok(Act {
+            start,
+            scenario,
+            run,
+            recording,
+            keys,
+            held,
+            files: None,
+            is_replay,
+            seal: Seal::default(),
+            rows,
+            fresh: Vec::new(),
+            told: 0,
+            activities: vec![None; bodies],
+            headings: vec![0.0; bodies],
+            is_over: false,
+            events: Events::default(),
+        })
+    }
+
+    pub fn now(&self) -> Micros {
+        self.run.now()
+    }
+
+    pub fn length(&self) -> Micros {
+        self.run.length()
+    }
+
+    pub fn is_over(&self) -> bool {
+        self.is_over
+    }
+
+    /// Where its files go, once it has some.
+    fn folder(&self) -> Option<&Path> {
+        self.files.as_ref()?.places.recording.as_ref()?.parent()
+    }
+
+    /// The run as it is told to the pages.
+    pub fn view(&self) -> RunView {
+        let names = self.run.names().into_iter();
+        let radius = |index: usize| self.run.home().field(index, path::Posture::Standing).size.radius_m;
+        RunView {
+            id: self.folder().and_then(|folder| Some(folder.file_name()?.to_string_lossy().into_owned())),
+            scenario: self.scenario.file.name.clone(),
+            home: draw::home(&self.scenario.home, self.run.home(), self.run.sensors()),
+            residents: names.enumerate().map(|(index, name)| ResidentView { name, radius_m: radius(index) }).collect(),
+            driven: self.start.driven,
+            length_us: self.run.length(),
+            seed: self.recording.seed,
+            log: self.files.iter().flat_map(|files| &files.places.log).map(ToString::to_string).collect(),
+            replay: self.is_replay,
+        }
+    }
+
+    /// Lives until `until`; true if files have been begun for it, so that its view is another.
+    pub fn advance(&mut self, until: Micros, shelf: &Shelf) -> Result<bool, String> {
+        let until = until.min(self.run.length());
+        if until <= self.run.now() || self.is_over {
+            return Ok(false);
+        }
+        let begins = self.files.is_none() && !self.is_replay;
+        if begins {
+            self.files = Some(self.open(shelf).map_err(|error| error.to_string())?);
+        }
+        self.run.advance(until, &mut self.events);
+        self.seal.add(&self.events.firings);
+        if let Some(log) = self.files.as_mut().and_then(|files| files.log.as_mut()) {
+            log.store(&self.run, &self.events).map_err(|error| error.to_string())?;
+        }
+        for fact in &self.events.facts {
+            if let Fact::Activity { resident, name, .. } = fact {
+                self.activities[*resident as usize].clone_from(name);
+            }
+        }
+        for row in self.rows.of(&self.events.firings, self.run.settled()) {
+            self.told = row.seq + 1;
+            self.fresh.push(firing_view(row));
+        }
+        self.events.clear();
+        Ok(begins)
+    }
+
+    fn open(&self, shelf: &Shelf) -> Result<Files, LogError> {
+        let places = Places::run(&shelf.runs, &self.scenario)?;
+        let log = RunLog::open(&places, &self.scenario, &self.run, &self.recording, false)?;
+        Ok(Files { places, log: Some(log) })
+    }
+
+    /// From now on these keys are held.
+    pub fn hold(&mut self, keys: &[Key]) {
+        self.held.held = keys.iter().map(|&key| key_of(key)).collect();
+        self.input(Vec::new());
+    }
+
+    /// Who is driven is so from now on.
+    pub fn be(&mut self, posture: Posture) {
+        self.held.posture = match posture {
+            Posture::Standing => path::Posture::Standing,
+            Posture::Sitting => path::Posture::Sitting,
+            Posture::Lying => path::Posture::Lying,
+        };
+        self.input(Vec::new());
+    }
+
+    /// Who is driven uses a thing.
+    pub fn use_thing(&mut self, thing: u32, on: bool) {
+        if let Some(known) = self.run.home().plan.things.get(thing as usize) {
+            let thing = known.name.clone();
+            self.input(vec![UseFile { thing, on }]);
+        }
+    }
+
+    /// What is done at the keys happens in the run, and is kept for the recording.
+    fn input(&mut self, uses: Vec<UseFile>) {
+        let Some(driven) = self.start.driven.filter(|_| !self.is_over && !self.is_replay) else { return };
+        let line = KeysFile { at_s: seconds(self.run.now()), uses, ..self.held.clone() };
+        self.run.input(driven as usize, Input::written(&line, &self.run.home().plan));
+        self.start.input.push(line);
+    }
+
+    /// What was done at the keys before an instant.
+    pub fn input_before(&self, at: Micros) -> Vec<KeysFile> {
+        self.start.input.iter().filter(|line| micros(line.at_s) < at).cloned().collect()
+    }
+
+    /// What this is the replay of, if it is one.
+    pub fn recording_again(&self) -> Option<Recording> {
+        self.is_replay.then(|| self.recording.clone())
+    }
+
+    /// Completes all files; what is said about it.
+    pub fn finish(&mut self) -> Result<Option<String>, String> {
+        if std::mem::replace(&mut self.is_over, true) {
+            return Ok(None);
+        }
+        if self.is_replay {
+            let is_whole = self.run.now() == self.run.length();
+            let is_same = self.seal.firings() == self.recording.firings && self.seal.hex() == self.recording.sha256;
+            return match (is_whole, is_same) {
+                (false, _) => Ok(None),
+                (true, true) => Ok(Some("The same as the recording, firing by firing.".into())),
+                (true, false) => Err("The replay differs from the recording.".into()),
+            };
+        }
+        let Some(log) = self.files.as_mut().and_then(|files| files.log.take()) else { return Ok(None) };
+        let mut recording = self.recording.clone();
+        if let Some(keys) = &self.keys {
+            recording.files.insert(keys.clone(), input_text(&self.start.input));
+        }
+        let (stored, recording) = log.finish(&self.run, recording).map_err(|error| error.to_string())?;
+        self.recording = recording;
+        let folder = self.folder().map(|folder| folder.display().to_string());
+        Ok(Some(format!("{} rows are in {}.", stored.rows, folder.unwrap_or_default())))
+    }
+
+    /// What the run looks like now; rows are apart.
+    pub fn frame(&mut self, state: State, speed: Option<f64>) -> Frame {
+        let scene = self.run.scene();
+        for (heading, body) in self.headings.iter_mut().zip(&scene.bodies) {
+            if let Some(Point { x, y }) = body.and_then(|body| body.heading) {
+                *heading = y.atan2(x).to_degrees();
+            }
+        }
+        let body = |(index, seen): (usize, &Option<_>)| {
+            seen.as_ref().map(|seen| draw::body(seen, self.headings[index], self.activities[index].clone()))
+        };
+        let sensors = self.run.sensors().len();
+        Frame {
+            now_us: scene.now,
+            clock: self.scenario.calendar.local(scene.now).strftime("%Y-%m-%d %H:%M:%S").to_string(),
+            state: if self.is_over { State::Over } else { state },
+            speed,
+            bodies: scene.bodies.iter().enumerate().map(body).collect(),
+            seeing: bits(scene.seeing).filter(|&sensor| sensor < sensors).map(|sensor| sensor as u32).collect(),
+            on: scene.on,
+            sun: self.run.home().sun.height(scene.now),
+            told: self.told,
+            firings: Vec::new(),
+        }
+    }
+
+    /// The rows that the log has got since they were taken last.
+    pub fn take_rows(&mut self) -> std::vec::Drain<'_, FiringView> {
+        self.fresh.drain(..)
+    }
+}
+
+fn firing_view(row: RowText) -> FiringView {
+    let RowText { seq, at, sensor, time, id, value } = row;
+    FiringView { seq, at_us: at, sensor, value: value.clone(), row: Some([time, id, value]) }
+}
+
+fn load(files: &BTreeMap<String, String>, entry: &str) -> Result<Scenario, String> {
+    Scenario::load_in(&Spoken, files, entry).map_err(|problems| problems.render())
+}
+
+fn nothing_held() -> KeysFile {
+    KeysFile { at_s: 0.0, held: Vec::new(), posture: path::Posture::Standing, uses: Vec::new() }
+}
+
+fn key_of(key: Key) -> input::Key {
+    match key {
+        Key::Up => input::Key::Up,
+        Key::Down => input::Key::Down,
+        Key::Left => input::Key::Left,
+        Key::Right => input::Key::Right,
+        Key::Fast => input::Key::Fast,
+        Key::Slow => input::Key::Slow,
+    }
+}
+
+fn input_text(input: &[KeysFile]) -> String {
+    let file = InputFile { schema: None, keys: input.to_vec() };
+    serde_json::to_string_pretty(&file).unwrap_or_default() + "\n"
+}
+
+/// Makes a resident of the texts one who is moved by keys; returns the name of the file that holds them.
+fn drive(
+    files: &mut BTreeMap<String, String>,
+    scenario: &Scenario,
+    entry: &str,
+    driven: usize,
+    input: &[KeysFile],
+) -> Result<String, String> {
+    let no_json = |error: serde_json::Error| error.to_string();
+    let resident = scenario.residents.get(driven).ok_or("there is no such resident")?;
+    let root: Value = serde_json::from_str(files.get(entry).map_or("", String::as_str)).map_err(no_json)?;
+    let file = root["residents"][driven].as_str().ok_or("the resident has no file")?.to_owned();
+    let mut told: Value = serde_json::from_str(files.get(&file).map_or("", String::as_str)).map_err(no_json)?;
+    let keys = format!("{}.keys.json", file.trim_end_matches(".json"));
+    let at = standing_place(&Plan::new(&scenario.home), resident.file.radius_m);
+    told["driver"] = json!({ "live": { "keys": keys, "start": [at.x, at.y] } });
+    files.insert(file, serde_json::to_string_pretty(&told).map_err(no_json)? + "\n");
+    files.insert(keys.clone(), input_text(input));
+    Ok(keys)
+}
+
+/// Where somebody stands who is about to be driven: a place with a name and room around it, else any free place.
+fn standing_place(plan: &Plan, radius_m: f64) -> Point {
+    /// Beside the body, so that it can leave the place (ours).
+    const ROOM_M: f64 = 0.1;
+    let (least, most) = plan.bounds();
+    let named = plan.places.iter().map(|(_, at)| *at);
+    let steps = || (1..40).map(|step| f64::from(step) / 40.0);
+    let all = steps().flat_map(|x| steps().map(move |y| least + (most - least) * Point::new(x, y)));
+    named.chain(all).find(|&at| plan.is_walkable(at, radius_m + ROOM_M)).unwrap_or((least + most) / 2.0)
+}

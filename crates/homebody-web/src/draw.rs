@@ -1,0 +1,119 @@
+//! A home and what is in it, in the words of the wire.
+
+use crate::wire::{
+    At, BodyView, DoorView, HomeView, Posture, RoomView, SensorView, SolidKind, SolidView, ThingKind, ThingView,
+};
+use homebody_core::geometry::{self, Point};
+use homebody_core::home::Home;
+use homebody_core::home::bake;
+use homebody_core::home::plan::Origin;
+use homebody_core::scenario::device::PressureFile;
+use homebody_core::scenario::home::{HomeFile, SensorFile};
+use homebody_core::scenario::path;
+use homebody_core::sensors::{Kind, Sensor};
+
+/// How high the body reaches for which beams are drawn: an adult who stands.
+const BODY_M: f64 = 1.65;
+
+/// The home as the page draws it. Of sensors that are moved in the course of a run, the first place.
+pub fn home(file: &HomeFile, home: &Home, sensors: &[Sensor]) -> HomeView {
+    let plan = &home.plan;
+    let (least, most) = plan.bounds();
+    let doors = file.doors.len();
+    let kind = |index: usize| match index {
+        index if index < doors => ThingKind::Door,
+        index if index < plan.things.len() - plan.rooms.len() => ThingKind::Furniture,
+        _ => ThingKind::Lamp,
+    };
+    HomeView {
+        name: file.name.clone(),
+        bounds: [at(least), at(most)],
+        rooms: plan
+            .rooms
+            .iter()
+            .map(|room| RoomView {
+                name: room.name.clone(),
+                outline: outline(&room.outline),
+                middle: at(geometry::inner_point(&room.outline)),
+            })
+            .collect(),
+        solids: plan
+            .solids
+            .iter()
+            .map(|solid| {
+                let (kind, name) = match solid.origin {
+                    Origin::Wall(_) => (SolidKind::Wall, None),
+                    Origin::Door(door) => (SolidKind::Door, Some(file.doors[door].name.clone())),
+                    Origin::Furniture(piece) => (SolidKind::Furniture, Some(file.furniture[piece].name.clone())),
+                };
+                SolidView { kind, name, outline: outline(&solid.outline), enterable: !solid.stops_bodies }
+            })
+            .collect(),
+        doors: file
+            .doors
+            .iter()
+            .map(|door| DoorView {
+                name: door.name.clone(),
+                from: door.from,
+                to: door.to,
+                open: door.open,
+                outside: door.outside,
+            })
+            .collect(),
+        things: plan
+            .things
+            .iter()
+            .enumerate()
+            .map(|(index, thing)| ThingView { name: thing.name.clone(), kind: kind(index), at: at(thing.at) })
+            .collect(),
+        sensors: sensors.iter().zip(&file.sensors).map(|(sensor, file)| self::sensor(sensor, file, home)).collect(),
+    }
+}
+
+fn sensor(sensor: &Sensor, file: &SensorFile, home: &Home) -> SensorView {
+    let beams = match sensor.kind {
+        Kind::Motion(_) => bake::beams(sensor, &home.plan, BODY_M),
+        Kind::CeilingMotion(_) | Kind::Device(_) => Vec::new(),
+    };
+    let on = file.on().and_then(|thing| home.plan.piece(thing)).map(|piece| outline(&piece.outline));
+    let area = match (&sensor.kind, file) {
+        (Kind::CeilingMotion(ceiling), _) => Some(outline(&ceiling.outline)),
+        (_, SensorFile::Pressure(PressureFile { area: Some(area), .. })) => Some(area.clone()),
+        (_, SensorFile::Pressure(_) | SensorFile::Bed(_)) => on,
+        _ => None,
+    };
+    SensorView {
+        name: sensor.name.clone(),
+        kind: kind(file),
+        at: at(sensor.at),
+        beams: beams.iter().map(|beam| [at(beam.start), at(beam.start + beam.direction * beam.length)]).collect(),
+        area,
+    }
+}
+
+/// As the file says it.
+fn kind(file: &SensorFile) -> String {
+    let file = serde_json::to_value(file).unwrap_or_default();
+    file.get("kind").and_then(serde_json::Value::as_str).unwrap_or_default().into()
+}
+
+/// A body; `heading_deg` is where it faced last.
+pub fn body(seen: &homebody_core::scene::Presence, heading_deg: f64, activity: Option<String>) -> BodyView {
+    BodyView { at: at(seen.at), heading_deg, posture: posture(seen.posture), room: seen.room, activity }
+}
+
+fn posture(posture: path::Posture) -> Posture {
+    match posture {
+        path::Posture::Standing => Posture::Standing,
+        path::Posture::Sitting => Posture::Sitting,
+        path::Posture::Lying => Posture::Lying,
+    }
+}
+
+fn at(p: Point) -> At {
+    [p.x, p.y]
+}
+
+fn outline(points: &[Point]) -> Vec<At> {
+    points.iter().map(|&p| at(p)).collect()
+}

@@ -1,0 +1,117 @@
+//! Who may ask anything at all.
+//!
+//! A server on loopback can be reached by any page that the browser shows, and by anybody on the same machine. So a request is
+//! only heard under a name of this machine (a foreign page can make its own name mean this machine), only from the page itself
+//! (a foreign page can send requests, but not lie about whence), and, below `/api/`, only with the token that was printed when the
+//! server began. The token comes in a header or, over the socket, in the first message: never in an address, which is logged and
+//! kept.
+
+use axum::extract::{Request, State};
+use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, Uri, header};
+use axum::middleware::Next;
+use axum::response::{IntoResponse, Response};
+use std::net::{IpAddr, SocketAddr};
+use subtle::ConstantTimeEq;
+
+/// The header that the token comes in.
+pub const TOKEN: HeaderName = HeaderName::from_static("x-homebody-token");
+
+/// What scripts, pictures and connections the page may have: its own.
+const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; \
+    connect-src 'self'; font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+/// What a server lets through.
+#[derive(Clone, Debug)]
+pub struct Guard {
+    /// The names under which it may be asked, each with its port.
+    hosts: Vec<String>,
+    token: String,
+}
+
+impl Guard {
+    /// A guard with a new token of 256 bits.
+    pub fn new(address: SocketAddr) -> Result<Guard, getrandom::Error> {
+        let mut bytes = [0; 32];
+        getrandom::fill(&mut bytes)?;
+        let token = bytes.iter().map(|byte| format!("{byte:02x}")).collect();
+        Ok(Guard { hosts: hosts(address), token })
+    }
+
+    pub fn token(&self) -> &str {
+        &self.token
+    }
+
+    /// Whether this is the token; how long that takes says nothing about it.
+    pub fn knows(&self, token: &str) -> bool {
+        token.as_bytes().ct_eq(self.token.as_bytes()).into()
+    }
+
+    /// Whether the request comes under one of our names: exactly one `Host`, and the same in a whole address.
+    fn is_for_us(&self, headers: &HeaderMap, uri: &Uri) -> bool {
+        let mut named = headers.get_all(header::HOST).iter();
+        let (Some(host), None) = (named.next(), named.next()) else { return false };
+        let is_ours = |host: &str| self.hosts.iter().any(|ours| ours.eq_ignore_ascii_case(host));
+        host.to_str().is_ok_and(is_ours) && uri.authority().is_none_or(|authority| is_ours(authority.as_str()))
+    }
+
+    /// Whether the request comes from our own page. A browser leaves `Origin` out of what a page of ours fetches plainly,
+    /// never of what another page sends; what is no browser needs the token, which no page of others has.
+    fn is_from_us(&self, headers: &HeaderMap) -> bool {
+        let mut named = headers.get_all(header::ORIGIN).iter();
+        match (named.next(), named.next()) {
+            (None, _) => true,
+            (Some(origin), None) => {
+                let host = origin.to_str().ok().and_then(|origin| origin.strip_prefix("http://"));
+                host.is_some_and(|host| self.hosts.iter().any(|ours| ours == host))
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether a socket comes from our own page: its browser always says whence.
+    pub fn is_socket_from_us(&self, headers: &HeaderMap) -> bool {
+        headers.contains_key(header::ORIGIN) && self.is_from_us(headers)
+    }
+}
+
+/// The names of a server at an address: loopback has three.
+fn hosts(address: SocketAddr) -> Vec<String> {
+    let port = address.port();
+    let named = |name: &str| if port == 80 { name.to_owned() } else { format!("{name}:{port}") };
+    match address.ip() {
+        ip if ip.is_loopback() => ["127.0.0.1", "localhost", "[::1]"].map(named).to_vec(),
+        IpAddr::V4(ip) => vec![named(&ip.to_string())],
+        IpAddr::V6(ip) => vec![named(&format!("[{ip}]"))],
+    }
+}
+
+/// Lets a request through, or says why not; whatever the answer is, it tells the browser to be strict.
+pub async fn watch(State(guard): State<Guard>, request: Request, next: Next) -> Response {
+    let (headers, path) = (request.headers(), request.uri().path());
+    let has_token = || {
+        let given = headers.get(TOKEN).and_then(|token| token.to_str().ok());
+        given.is_some_and(|token| guard.knows(token))
+    };
+    // The socket's token comes in its first message.
+    let is_open = !path.starts_with("/api/") || path == crate::server::SOCKET;
+    let mut response = if !guard.is_for_us(headers, request.uri()) {
+        (StatusCode::FORBIDDEN, "This server has another name.").into_response()
+    } else if !guard.is_from_us(headers) {
+        (StatusCode::FORBIDDEN, "Only its own page may ask this server.").into_response()
+    } else if !is_open && !has_token() {
+        (StatusCode::UNAUTHORIZED, "The token is missing or wrong.").into_response()
+    } else {
+        next.run(request).await
+    };
+    let strict = [
+        (header::CONTENT_SECURITY_POLICY, POLICY),
+        (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
+        (header::REFERRER_POLICY, "no-referrer"),
+        (HeaderName::from_static("cross-origin-opener-policy"), "same-origin"),
+        (HeaderName::from_static("cross-origin-resource-policy"), "same-origin"),
+    ];
+    for (name, value) in strict {
+        response.headers_mut().insert(name, HeaderValue::from_static(value));
+    }
+    response
+}

@@ -1,0 +1,35 @@
+//! The page: files that were built into the program.
+
+use axum::http::{StatusCode, Uri, header};
+use axum::response::{IntoResponse, Response};
+use include_dir::{Dir, include_dir};
+
+static PAGE: Dir = include_dir!("$HOMEBODY_PAGE");
+
+/// Answers with a file of the page; `/` is its beginning. Names are looked up in a list, so no path leads elsewhere.
+pub async fn file(uri: Uri) -> Response {
+    let name = match uri.path() {
+        "/" => "index.html",
+        path => path.trim_start_matches('/'),
+    };
+    let Some(file) = PAGE.get_file(name) else {
+        return (StatusCode::NOT_FOUND, "There is no such page.").into_response();
+    };
+    // The names of what is built say what is in it; the beginning says which of them there are.
+    let cache = if name.starts_with("assets/") { "public, max-age=31536000, immutable" } else { "no-cache" };
+    let headers = [(header::CONTENT_TYPE, kind(name)), (header::CACHE_CONTROL, cache)];
+    (headers, file.contents()).into_response()
+}
+
+fn kind(name: &str) -> &'static str {
+    match name.rsplit_once('.').map_or("", |(_, end)| end) {
+        "html" => "text/html; charset=utf-8",
+        "js" => "text/javascript; charset=utf-8",
+        "css" => "text/css; charset=utf-8",
+        "svg" => "image/svg+xml",
+        "json" => "application/json",
+        "woff2" => "font/woff2",
+        "png" => "image/png",
+        _ => "application/octet-stream",
+    }
+}

@@ -1,0 +1,168 @@
+//! The server: its address, its routes, its limits.
+
+use crate::guard::{self, Guard};
+use crate::page;
+use crate::shelf::Shelf;
+use crate::socket;
+use crate::stage::Stage;
+use axum::Router;
+use axum::body::Body;
+use axum::extract::ws::WebSocketUpgrade;
+use axum::extract::{DefaultBodyLimit, Path, State};
+use axum::http::{HeaderMap, StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use axum::routing::get;
+use std::future::IntoFuture;
+use std::net::{IpAddr, Ipv4Addr, SocketAddr};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+use tokio::net::TcpListener;
+use tokio::sync::Semaphore;
+
+/// Where pages say what they want, and see what there is.
+pub const SOCKET: &str = "/api/live";
+
+/// What a page may send by HTTP (ours).
+const LARGEST_BODY: usize = 8 << 20;
+
+/// So many pages may look at once (ours).
+const SOCKETS: usize = 32;
+
+/// What to serve, and where.
+#[derive(Clone, Debug)]
+pub struct Options {
+    pub shelf: Shelf,
+    /// Loopback, unless somebody wants others to come.
+    pub ip: IpAddr,
+    /// Nothing for the first one that is free, from [`FIRST_PORT`] on.
+    pub port: Option<u16>,
+}
+
+/// Where free ports are looked for first.
+pub const FIRST_PORT: u16 = 8642;
+/// How many ports are tried.
+const PORTS: u16 = 20;
+
+/// Why there is no server.
+#[derive(Debug, thiserror::Error)]
+pub enum ServeError {
+    #[error("{0}")]
+    Scenario(String),
+    #[error("no port from {first} to {last} is free on {ip}\n  hint: name one with --port")]
+    NoPort { ip: IpAddr, first: u16, last: u16 },
+    #[error("{address} cannot be listened to: {source}\n  hint: another program may be there; --port names another")]
+    Port { address: SocketAddr, source: std::io::Error },
+    #[error("there is no randomness for a token: {0}")]
+    Token(getrandom::Error),
+    #[error("the server cannot run: {0}")]
+    Broken(std::io::Error),
+}
+
+impl Options {
+    /// The scenario and the runs on this machine's loopback.
+    pub fn new(shelf: Shelf) -> Options {
+        Options { shelf, ip: Ipv4Addr::LOCALHOST.into(), port: None }
+    }
+}
+
+/// Serves until `stop` is set, then completes the files of the run; `ready` hears the address to open, with the token where no
+/// server sees it.
+pub fn serve(options: Options, stop: &AtomicBool, ready: impl FnOnce(&str)) -> Result<(), ServeError> {
+    let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build();
+    runtime.map_err(ServeError::Broken)?.block_on(async {
+        let listener = listen(&options).await?;
+        let address = listener.local_addr().map_err(ServeError::Broken)?;
+        let guard = Guard::new(address).map_err(ServeError::Token)?;
+        let stage = Stage::open(options.shelf.clone()).map_err(ServeError::Scenario)?;
+        let house =
+            House { guard, stage: stage.clone(), shelf: options.shelf, sockets: Arc::new(Semaphore::new(SOCKETS)) };
+        ready(&format!("http://{address}/#token={}", house.guard.token()));
+        let serving = axum::serve(listener, routes(house)).into_future();
+        let served = tokio::select! {
+            served = serving => served,
+            () = set(stop) => Ok(()),
+        };
+        stage.close();
+        served.map_err(ServeError::Broken)
+    })
+}
+
+async fn set(stop: &AtomicBool) {
+    while !stop.load(Ordering::Relaxed) {
+        tokio::time::sleep(Duration::from_millis(50)).await;
+    }
+}
+
+async fn listen(options: &Options) -> Result<TcpListener, ServeError> {
+    let ip = options.ip;
+    if let Some(port) = options.port {
+        let address = SocketAddr::new(ip, port);
+        return TcpListener::bind(address).await.map_err(|source| ServeError::Port { address, source });
+    }
+    let last = FIRST_PORT + PORTS - 1;
+    for port in FIRST_PORT..=last {
+        if let Ok(listener) = TcpListener::bind(SocketAddr::new(ip, port)).await {
+            return Ok(listener);
+        }
+    }
+    Err(ServeError::NoPort { ip, first: FIRST_PORT, last })
+}
+
+/// What answers are made from.
+#[derive(Clone)]
+struct House {
+    guard: Guard,
+    stage: Stage,
+    shelf: Shelf,
+    sockets: Arc<Semaphore>,
+}
+
+fn routes(house: House) -> Router {
+    Router::new()
+        .route(SOCKET, get(live))
+        .route("/api/runs", get(runs))
+        .route("/api/runs/{run}/{what}", get(file_of_run))
+        .fallback(get(page::file))
+        .layer(DefaultBodyLimit::max(LARGEST_BODY))
+        .layer(axum::middleware::from_fn_with_state(house.guard.clone(), guard::watch))
+        .with_state(house)
+}
+
+async fn live(State(house): State<House>, headers: HeaderMap, upgrade: WebSocketUpgrade) -> Response {
+    if !house.guard.is_socket_from_us(&headers) {
+        return (StatusCode::FORBIDDEN, "Only its own page may ask this server.").into_response();
+    }
+    let Ok(place) = house.sockets.try_acquire_owned() else {
+        return (StatusCode::SERVICE_UNAVAILABLE, "Too many pages look already.").into_response();
+    };
+    let upgrade = upgrade.max_message_size(socket::LONGEST).max_frame_size(socket::LONGEST);
+    upgrade.on_upgrade(async move |socket| {
+        socket::serve(socket, house.guard, house.stage).await;
+        drop(place);
+    })
+}
+
+async fn runs(State(house): State<House>) -> Response {
+    axum::Json(house.shelf.runs()).into_response()
+}
+
+/// A file of a stored run, as a download.
+async fn file_of_run(State(house): State<House>, Path((run, what)): Path<(String, String)>) -> Response {
+    let name = match what.as_str() {
+        "log" => "log.db",
+        "recording" => crate::shelf::RECORDING,
+        _ => return (StatusCode::NOT_FOUND, "A run has a log and a recording.").into_response(),
+    };
+    let Some(path) = house.shelf.file_of_run(&run, name) else {
+        return (StatusCode::NOT_FOUND, "There is no such file of such a run.").into_response();
+    };
+    match tokio::fs::read(&path).await {
+        Ok(bytes) => {
+            let named = format!("attachment; filename=\"{name}\"");
+            let kind = "application/octet-stream".to_owned();
+            ([(header::CONTENT_TYPE, kind), (header::CONTENT_DISPOSITION, named)], Body::from(bytes)).into_response()
+        }
+        Err(error) => (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()).into_response(),
+    }
+}

@@ -1,0 +1,86 @@
+//! The folders that the page may see: one scenario, and the runs below the folder in which the program was started.
+//!
+//! The page knows both by names that are looked up in a listing, never by paths. What is no plain file in its folder, such as a
+//! link that leads out of it, is not there.
+
+use homebody_core::recording::Recording;
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// No file of a scenario is larger (ours).
+const LARGEST: u64 = 8 << 20;
+
+/// Where scenario and runs are.
+#[derive(Clone, Debug)]
+pub struct Shelf {
+    /// The scenario's folder.
+    pub scenario: PathBuf,
+    /// The name of its own file in there.
+    pub entry: String,
+    /// The folder of all runs, whether it is there yet or not.
+    pub runs: PathBuf,
+}
+
+impl Shelf {
+    /// The texts of the scenario's folder, by name.
+    pub fn texts(&self) -> io::Result<BTreeMap<String, String>> {
+        let mut texts = BTreeMap::new();
+        for (name, path) in plain_files(&self.scenario)? {
+            if fs::metadata(&path)?.len() <= LARGEST
+                && let Ok(text) = String::from_utf8(fs::read(&path)?)
+            {
+                texts.insert(name, text);
+            }
+        }
+        Ok(texts)
+    }
+
+    /// The names of all runs that have a recording, the latest first.
+    pub fn runs(&self) -> Vec<String> {
+        let folders = fs::read_dir(&self.runs).into_iter().flatten().flatten();
+        let runs = folders.filter(|folder| folder.file_type().is_ok_and(|kind| kind.is_dir()));
+        let runs = runs.filter(|folder| folder.path().join(RECORDING).is_file());
+        let changed = |folder: &fs::DirEntry| folder.metadata().and_then(|meta| meta.modified()).ok();
+        let mut runs: Vec<_> =
+            runs.filter_map(|folder| Some((changed(&folder), folder.file_name().into_string().ok()?))).collect();
+        runs.sort_by(|a, b| b.cmp(a));
+        runs.into_iter().map(|(_, name)| name).collect()
+    }
+
+    /// The folder of a run, if there is one of that name.
+    pub fn run(&self, name: &str) -> Option<PathBuf> {
+        let run = self.runs().into_iter().find(|run| run == name)?;
+        Some(self.runs.join(run))
+    }
+
+    /// A plain file of a run's folder.
+    pub fn file_of_run(&self, run: &str, file: &str) -> Option<PathBuf> {
+        let files = plain_files(&self.run(run)?).ok()?;
+        files.into_iter().find(|(name, _)| name == file).map(|(_, path)| path)
+    }
+
+    /// The recording of a run, or why there is none.
+    pub fn recording(&self, run: &str) -> Result<Recording, String> {
+        let path = self.file_of_run(run, RECORDING).ok_or_else(|| format!("there is no run {run:?}"))?;
+        let text = fs::read_to_string(&path).map_err(|error| format!("the recording of {run:?}: {error}"))?;
+        serde_json::from_str(&text).map_err(|error| format!("{run:?} has no sound recording: {error}"))
+    }
+}
+
+/// What a run's recording is called in its folder.
+pub const RECORDING: &str = "recording.json";
+
+/// The plain files of a folder, by name; links are none.
+fn plain_files(folder: &Path) -> io::Result<Vec<(String, PathBuf)>> {
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        if let (true, Ok(name)) = (entry.file_type()?.is_file(), entry.file_name().into_string()) {
+            files.push((name, entry.path()));
+        }
+    }
+    files.sort();
+    Ok(files)
+}

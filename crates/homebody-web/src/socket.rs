@@ -1,0 +1,111 @@
+//! One page's socket: what it says goes to the stage, and what there is to be seen comes back.
+//!
+//! A page that does not read holds up nobody: the next picture is made when the one before has gone out.
+
+use crate::guard::Guard;
+use crate::stage::{Seen, Stage};
+use crate::wire::Say;
+use axum::extract::ws::{CloseFrame, Message, WebSocket};
+use futures_util::StreamExt;
+use std::time::Duration;
+use tokio::time::{Instant, interval, sleep_until, timeout};
+
+/// A message of a page is no longer than this (ours).
+pub const LONGEST: usize = 64 << 10;
+
+/// No page sees more pictures than sixty a second.
+const FRAME: Duration = Duration::from_micros(16_000);
+
+/// How many rows come with a picture at most: as many as a table shows (ours).
+const ROWS: usize = 500;
+
+/// Who does not say the token by then is sent away (ours).
+const PATIENCE: Duration = Duration::from_secs(10);
+
+/// What a socket is closed with whose token is wrong.
+const WRONG_TOKEN: u16 = 4401;
+
+/// A page that has not read what was sent to it for so long is gone (ours).
+const STUCK: Duration = Duration::from_secs(900);
+
+/// Serves a page until it goes.
+pub async fn serve(mut socket: WebSocket, guard: Guard, stage: Stage) {
+    let hello = timeout(PATIENCE, socket.recv()).await;
+    let is_known = match &hello {
+        Ok(Some(Ok(Message::Text(text)))) => match serde_json::from_str(text) {
+            Ok(Say::Hello { token }) => guard.knows(&token),
+            _ => false,
+        },
+        _ => false,
+    };
+    if !is_known {
+        let reason = "the token is missing or wrong".into();
+        let _ = socket.send(Message::Close(Some(CloseFrame { code: WRONG_TOKEN, reason }))).await;
+        return;
+    }
+    let held = Held { stage: &stage, keys: false };
+    // The page is gone when either side of it is.
+    let _ = talk(socket, held).await;
+}
+
+/// The keys that a page holds, which are let go when it goes.
+struct Held<'a> {
+    stage: &'a Stage,
+    keys: bool,
+}
+
+impl Drop for Held<'_> {
+    fn drop(&mut self) {
+        if self.keys {
+            self.stage.say(Say::Hold { keys: Vec::new() });
+        }
+    }
+}
+
+async fn talk(socket: WebSocket, mut held: Held<'_>) -> Option<()> {
+    let stage = held.stage;
+    let mut changed = stage.changed();
+    let mut seen = Seen::default();
+    let mut next = Instant::now();
+    let (mut out, mut heard) = socket.split();
+    let mut alive = interval(Duration::from_secs(20));
+    changed.mark_changed();
+    loop {
+        let fresh = async {
+            sleep_until(next).await;
+            changed.changed().await
+        };
+        tokio::select! {
+            message = heard.next() => match message?.ok()? {
+                Message::Text(text) => match serde_json::from_str(&text) {
+                    Ok(say) => {
+                        if let Say::Hold { keys } = &say {
+                            held.keys = !keys.is_empty();
+                        }
+                        stage.say(say);
+                    }
+                    Err(_) => return None,
+                },
+                Message::Close(_) => return None,
+                Message::Binary(_) | Message::Ping(_) | Message::Pong(_) => {}
+            },
+            change = fresh => {
+                change.ok()?;
+                next = Instant::now() + FRAME;
+                let news = stage.news(&mut seen, ROWS);
+                let sending = async {
+                    for tell in news.tells {
+                        feed(&mut out, Message::Text(serde_json::to_string(&tell).ok()?.into())).await?;
+                    }
+                    feed(&mut out, Message::Binary(rmp_serde::to_vec_named(&news.frame).ok()?.into())).await
+                };
+                timeout(STUCK, sending).await.ok()??;
+            }
+            _ = alive.tick() => timeout(STUCK, feed(&mut out, Message::Ping(Default::default()))).await.ok()??,
+        }
+    }
+}
+
+async fn feed(out: &mut (impl futures_util::Sink<Message> + Unpin), message: Message) -> Option<()> {
+    futures_util::SinkExt::send(out, message).await.ok()
+}

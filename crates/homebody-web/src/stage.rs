@@ -1,0 +1,360 @@
+//! The thread on which the run is lived, at its pace, with everybody's wishes heard in between.
+//!
+//! It never waits for a page. What pages look at is put on a board; a page that is slow finds the next picture there when it
+//! comes for it.
+
+use crate::act::{Act, Start};
+use crate::shelf::Shelf;
+use crate::wire::{FiringView, Frame, RunView, Say, State, Tell};
+use homebody_core::time::{Micros, SECOND, micros};
+use std::collections::VecDeque;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+use tokio::sync::watch;
+
+/// How often the run is advanced, and looked at.
+const FRAME: Duration = Duration::from_micros(16_667);
+
+/// How much is lived at once where it goes as fast as it can, before the clock is looked at again.
+const STRETCH: Micros = 60 * SECOND;
+
+/// How often a paused run looks after its log.
+const IDLE: Duration = Duration::from_millis(250);
+
+/// How many of the latest rows a page may still ask for (ours).
+const KEPT: usize = 2000;
+
+/// How many notes (ours).
+const NOTES: usize = 20;
+
+/// The run that everybody looks at. A clone is another view of the same.
+#[derive(Clone)]
+pub struct Stage {
+    wishes: Sender<Wish>,
+    board: Arc<Mutex<Board>>,
+    changed: watch::Receiver<u64>,
+}
+
+/// What the stage is asked for.
+enum Wish {
+    Say(Say),
+    /// To complete all files, and then to say so.
+    Close(Sender<()>),
+}
+
+/// What there is to be seen.
+struct Board {
+    /// Grows with each run and each change of what is told of it.
+    number: u64,
+    view: Arc<RunView>,
+    frame: Frame,
+    rows: VecDeque<FiringView>,
+    /// What was told, numbered from 0.
+    notes: VecDeque<(u64, Tell)>,
+    next_note: u64,
+}
+
+/// What a page has seen already.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Seen {
+    run: Option<u64>,
+    row: u64,
+    note: Option<u64>,
+}
+
+/// What a page has not seen yet.
+pub struct News {
+    pub tells: Vec<Tell>,
+    pub frame: Frame,
+}
+
+impl Stage {
+    /// Opens the scenario on the shelf, and keeps its run at its start until somebody says so.
+    pub fn open(shelf: Shelf) -> Result<Stage, String> {
+        let mut act = Act::new(&shelf, Start::default())?;
+        let board = Board {
+            number: 0,
+            view: Arc::new(act.view()),
+            frame: act.frame(State::Paused, Some(1.0)),
+            rows: VecDeque::new(),
+            notes: VecDeque::new(),
+            next_note: 0,
+        };
+        let board = Arc::new(Mutex::new(board));
+        let (wishes, heard) = channel();
+        let (change, changed) = watch::channel(0);
+        let director = Director {
+            shelf,
+            act,
+            state: State::Paused,
+            speed: Some(1.0),
+            from: (0, Instant::now()),
+            jump: None,
+            heard,
+            board: board.clone(),
+            change,
+        };
+        thread::spawn(move || director.direct());
+        Ok(Stage { wishes, board, changed })
+    }
+
+    /// Asks for something. What comes of it is on the board.
+    pub fn say(&self, say: Say) {
+        // The thread only ends with the program.
+        let _ = self.wishes.send(Wish::Say(say));
+    }
+
+    /// Ends the run, and comes back when its files are complete.
+    pub fn close(&self) {
+        let (done, is_done) = channel();
+        if self.wishes.send(Wish::Close(done)).is_ok() {
+            let _ = is_done.recv();
+        }
+    }
+
+    /// Changes whenever there is something new to be seen.
+    pub fn changed(&self) -> watch::Receiver<u64> {
+        self.changed.clone()
+    }
+
+    /// What is new since a page has looked last.
+    pub fn news(&self, seen: &mut Seen, most_rows: usize) -> News {
+        let board = locked(&self.board);
+        let mut tells = Vec::new();
+        if seen.run != Some(board.number) {
+            seen.run = Some(board.number);
+            tells.push(Tell::Run { run: Box::new((*board.view).clone()) });
+        }
+        let first = seen.note.unwrap_or(board.next_note);
+        tells.extend(board.notes.iter().filter(|(number, _)| *number >= first).map(|(_, tell)| tell.clone()));
+        seen.note = Some(board.next_note);
+        let mut frame = board.frame.clone();
+        // A run that was begun anew counts its rows from 0 again.
+        if frame.told < seen.row {
+            seen.row = 0;
+        }
+        let fresh = board.rows.iter().rev().take_while(|row| row.seq >= seen.row).take(most_rows);
+        frame.firings = fresh.cloned().collect();
+        frame.firings.reverse();
+        seen.row = frame.told;
+        News { tells, frame }
+    }
+}
+
+/// Nobody panics while the board is held; if somebody did, what is on it is whole all the same.
+fn locked(board: &Mutex<Board>) -> MutexGuard<'_, Board> {
+    board.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Who decides when the run is advanced, and how far.
+struct Director {
+    shelf: Shelf,
+    act: Act,
+    state: State,
+    speed: Option<f64>,
+    /// Where the run was, and when, at the last change of pace.
+    from: (Micros, Instant),
+    /// Where a jump or a step ends, to which it goes as fast as it can, and what its state is then.
+    jump: Option<(Micros, State)>,
+    heard: Receiver<Wish>,
+    board: Arc<Mutex<Board>>,
+    change: watch::Sender<u64>,
+}
+
+impl Director {
+    fn direct(mut self) {
+        loop {
+            match self.heard.recv_timeout(self.wait()) {
+                Ok(wish) => {
+                    self.fulfil(wish);
+                    // What else was said meanwhile is done before the next picture.
+                    while let Ok(wish) = self.heard.try_recv() {
+                        self.fulfil(wish);
+                    }
+                }
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => return,
+            }
+            self.go_on();
+            self.show();
+        }
+    }
+
+    fn wait(&self) -> Duration {
+        let runs = self.state == State::Playing && !self.act.is_over();
+        match (runs, self.is_hurrying()) {
+            (false, _) => IDLE,
+            (true, true) => Duration::ZERO,
+            (true, false) => FRAME,
+        }
+    }
+
+    fn is_hurrying(&self) -> bool {
+        self.speed.is_none() || self.jump.is_some()
+    }
+
+    fn fulfil(&mut self, wish: Wish) {
+        match wish {
+            Wish::Say(say) => self.obey(say),
+            Wish::Close(done) => {
+                self.finish();
+                // Whoever asked may be gone.
+                let _ = done.send(());
+            }
+        }
+    }
+
+    fn obey(&mut self, say: Say) {
+        let now = self.act.now();
+        self.from = (now, Instant::now());
+        match say {
+            Say::Hello { .. } => {}
+            Say::Play => self.state = State::Playing,
+            Say::Pause => (self.state, self.jump) = (State::Paused, None),
+            Say::Step { seconds } if seconds.is_finite() && (0.0..=86_400.0).contains(&seconds) => {
+                self.state = State::Playing;
+                self.jump = Some((now + micros(seconds), State::Paused));
+            }
+            Say::Step { .. } => self.note("a step is at most a day long".into(), true),
+            Say::Speed { times } => match times {
+                Some(times) if !(0.1..=1000.0).contains(&times) => {
+                    self.note("a speed is from 0.1 to 1000 times".into(), true);
+                }
+                times => self.speed = times,
+            },
+            Say::Jump { to_us } => self.jump(to_us.clamp(0, self.act.length())),
+            Say::Hold { keys } => self.act.hold(&keys),
+            Say::Be { posture } => self.act.be(posture),
+            Say::Use { thing, on } => self.act.use_thing(thing, on),
+            Say::Start { driven, without, seed } => {
+                let start = Start { driven, without, seed: seed.map(u64::from), input: Vec::new() };
+                let act = Act::new(&self.shelf, start);
+                self.change_act(act);
+            }
+            Say::Stop => self.finish(),
+            Say::Replay { run } => {
+                let act = self.shelf.recording(&run).and_then(Act::again);
+                if self.change_act(act) {
+                    self.state = State::Playing;
+                }
+            }
+        }
+    }
+
+    /// Forward as fast as it goes; back by living it again from the start, with the same input.
+    fn jump(&mut self, to: Micros) {
+        let before = self.state;
+        if to < self.act.now() {
+            let start = Start { input: self.act.input_before(to), ..self.act.start.clone() };
+            let act = match self.act.recording_again() {
+                Some(recording) => Act::again(recording),
+                None => Act::new(&self.shelf, start),
+            };
+            if !self.change_act(act) {
+                return;
+            }
+        }
+        self.state = State::Playing;
+        self.jump = Some((to, before));
+    }
+
+    /// Another run takes the stage, if there is one; the files of this one are completed before.
+    fn change_act(&mut self, act: Result<Act, String>) -> bool {
+        match act {
+            Ok(act) => {
+                self.finish();
+                self.act = act;
+                (self.state, self.jump) = (State::Paused, None);
+                self.from = (0, Instant::now());
+                self.begin_anew();
+                true
+            }
+            Err(why) => {
+                self.note(why, true);
+                false
+            }
+        }
+    }
+
+    fn finish(&mut self) {
+        match self.act.finish() {
+            Ok(Some(text)) => self.note(text, false),
+            Ok(None) => {}
+            Err(why) => self.note(why, true),
+        }
+        self.state = State::Paused;
+    }
+
+    /// Lives what is due by now.
+    fn go_on(&mut self) {
+        if self.state != State::Playing || self.act.is_over() {
+            return;
+        }
+        let begun = Instant::now();
+        let (from, since) = self.from;
+        let stop = self.jump.map_or(self.act.length(), |(at, _)| at);
+        let due = match self.speed.filter(|_| !self.is_hurrying()) {
+            Some(times) => from + (since.elapsed().as_secs_f64() * times * SECOND as f64) as Micros,
+            None => Micros::MAX,
+        };
+        while self.act.now() < due.min(stop) && self.state == State::Playing {
+            let until = due.min(stop).min(self.act.now() + STRETCH);
+            match self.act.advance(until, &self.shelf) {
+                Ok(true) => self.tell_run_again(),
+                Ok(false) => {}
+                Err(why) => {
+                    self.note(why, true);
+                    self.finish();
+                }
+            }
+            if begun.elapsed() >= FRAME {
+                break;
+            }
+        }
+        if let Some((at, state)) = self.jump
+            && self.act.now() >= at
+        {
+            (self.jump, self.state) = (None, state);
+            self.from = (self.act.now(), Instant::now());
+        }
+        if self.act.now() >= self.act.length() {
+            self.finish();
+        }
+    }
+
+    /// Puts on the board what there is to be seen.
+    fn show(&mut self) {
+        let frame = self.act.frame(self.state, self.speed);
+        let mut board = locked(&self.board);
+        board.frame = frame;
+        board.rows.extend(self.act.take_rows());
+        let superfluous = board.rows.len().saturating_sub(KEPT);
+        board.rows.drain(..superfluous);
+        drop(board);
+        self.change.send_modify(|change| *change += 1);
+    }
+
+    fn begin_anew(&mut self) {
+        locked(&self.board).rows.clear();
+        self.tell_run_again();
+    }
+
+    fn tell_run_again(&mut self) {
+        let view = Arc::new(self.act.view());
+        let mut board = locked(&self.board);
+        board.number += 1;
+        board.view = view;
+    }
+
+    fn note(&mut self, text: String, bad: bool) {
+        let mut board = locked(&self.board);
+        let number = board.next_note;
+        board.notes.push_back((number, Tell::Note { text, bad }));
+        board.next_note += 1;
+        if board.notes.len() > NOTES {
+            board.notes.pop_front();
+        }
+    }
+}

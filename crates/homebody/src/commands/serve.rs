@@ -1,0 +1,76 @@
+//! `homebody serve`: the web app, on this machine.
+
+use super::live::stop_on_signal;
+use crate::failure::Failure;
+use crate::folder;
+use crate::print::{print_text, tell};
+use homebody_log::places::RUNS;
+use homebody_web::shelf::Shelf;
+use homebody_web::{Options, ServeError};
+use std::net::{IpAddr, Ipv4Addr};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// Opens a page on which a scenario is lived: seen, driven by keys, recorded and played again.
+///
+/// The page is served to this machine alone, and only to who has the address that is printed: it holds a token. Runs go into
+/// new folders under runs/, as those of homebody run. Ctrl-C ends the run and the server.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  homebody serve scenarios/tigerplace
+  homebody serve my-home --port 9000 --no-open")]
+pub struct Arguments {
+    /// The scenario's folder, or its scenario.json
+    scenario: PathBuf,
+    /// The port to listen on; without it, the first free one from 8642 on
+    #[arg(long)]
+    port: Option<u16>,
+    /// Only print the address, and open no browser
+    #[arg(long)]
+    no_open: bool,
+    /// Let others than this machine come: listen on this address of it
+    #[arg(long, value_name = "IP")]
+    bind: Option<IpAddr>,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let (_, entry, _) = folder::load_lives(&self.scenario, &[])?;
+        let scenario = folder::folder_of(&self.scenario).to_owned();
+        let shelf = Shelf { scenario, entry, runs: Path::new(RUNS).into() };
+        let ip = self.bind.unwrap_or(Ipv4Addr::LOCALHOST.into());
+        if !ip.is_loopback() {
+            tell(format_args!(
+                "warning: who can reach {ip} can reach this server, and what is said to it can be overheard on the way"
+            ));
+        }
+        let options = Options { ip, port: self.port, ..Options::new(shelf) };
+        let opens = !self.no_open;
+        let ready = |address: &str| {
+            // Nobody is there to read it where standard output is closed.
+            let _ = print_text(&format!("{address}\n"));
+            if opens {
+                open(address);
+            }
+        };
+        Ok(homebody_web::serve(options, &stop_on_signal(), ready)?)
+    }
+}
+
+/// Opens the address in the browser that this machine has, if it has one.
+fn open(address: &str) {
+    let opener = if cfg!(target_os = "macos") { "open" } else { "xdg-open" };
+    let mut command = Command::new(opener);
+    if command.arg(address).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn().is_err() {
+        tell("open this address in a browser");
+    }
+}
+
+impl From<ServeError> for Failure {
+    fn from(error: ServeError) -> Failure {
+        match error {
+            ServeError::Scenario(why) => Failure::Usage(why),
+            error => Failure::Io(error.to_string()),
+        }
+    }
+}
