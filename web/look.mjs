@@ -1,0 +1,118 @@
+// Looks at the page in Chromium, playing with its made-up home: `npm run look -- FOLDER` takes pictures, has axe-core check
+// both themes, measures frames, and fails where something is wrong. The page is served as the program serves it, with its
+// Content-Security-Policy, so that what that forbids is seen here.
+
+import { mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { tmpdir } from 'node:os';
+import { extname, join, normalize } from 'node:path';
+import { chromium } from 'playwright-core';
+import { build } from 'vite';
+
+const POLICY =
+  "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self'; font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+const TYPES = { '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml' };
+const BROWSER = process.env.CHROMIUM ?? '/usr/bin/chromium';
+
+const folder = process.argv[2];
+if (!folder) throw new Error('Say into which folder the pictures go.');
+mkdirSync(folder, { recursive: true });
+
+const dist = mkdtempSync(join(tmpdir(), 'homebody-page-'));
+const profile = mkdtempSync(join(tmpdir(), 'homebody-chromium-'));
+const wrong = [];
+
+await build({ mode: 'fake', build: { outDir: dist, emptyOutDir: true }, logLevel: 'warn' });
+const server = createServer((request, response) => {
+  const path = normalize(new URL(request.url, 'http://page').pathname);
+  try {
+    const file = join(dist, path === '/' ? 'index.html' : path);
+    const body = readFileSync(file);
+    response.writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream', 'content-security-policy': POLICY });
+    response.end(body);
+  } catch {
+    response.writeHead(404).end();
+  }
+}).listen(0, '127.0.0.1');
+await new Promise((listening) => server.once('listening', listening));
+const address = `http://127.0.0.1:${server.address().port}`;
+
+const flags = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+const context = await chromium.launchPersistentContext(profile, { executablePath: BROWSER, headless: true, args: flags });
+const axe = readFileSync(new URL('node_modules/axe-core/axe.min.js', import.meta.url), 'utf8');
+
+async function open(query, { scheme, width, height, wait = 3500, hash = '#/live' }) {
+  const page = await context.newPage();
+  page.on('console', (message) => {
+    if (message.type() === 'error' || message.text().includes('Content Security Policy')) wrong.push(`${query}: ${message.text()}`);
+  });
+  page.on('pageerror', (error) => wrong.push(`${query}: ${error}`));
+  await page.setViewportSize({ width, height });
+  await page.emulateMedia({ colorScheme: scheme });
+  await page.goto(`${address}/${query}${hash}`);
+  await page.waitForTimeout(wait);
+  return page;
+}
+
+async function check(page, name) {
+  await page.screenshot({ path: join(folder, `${name}.png`) });
+  // The policy forbids scripts from elsewhere, and evaluating one through the debugger is not held to it.
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
+  for (const { id, help, nodes } of violations) wrong.push(`${name}: ${id}: ${help}: ${nodes.map(({ html, any }) => `${html.slice(0, 120)} ${any[0]?.message ?? ''}`).join(' | ')}`);
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+  if (wide > 0) wrong.push(`${name}: the page is ${wide} pixels wider than its window`);
+  console.log(`${name}: ${violations.length} violations`);
+}
+
+const SIZES = { '1280x720': { width: 1280, height: 720 }, '1024x768': { width: 1024, height: 768 } };
+for (const scheme of ['light', 'dark']) {
+  for (const [name, size] of Object.entries(SIZES)) {
+    for (const [what, query] of Object.entries({ live: '', keys: '?driven=0&hour=21', fast: '?speed=1000&hour=10', many: '?residents=10&sensors=100', hostile: '?hostile=1&driven=0' })) {
+      const page = await open(query, { scheme, ...size });
+      await check(page, `${what}-${scheme}-${name}`);
+      await page.close();
+    }
+  }
+}
+
+const phone = await open('?driven=0', { scheme: 'light', width: 420, height: 900 });
+await check(phone, 'phone');
+await phone.close();
+for (const view of ['plan', 'life', 'playback', 'log']) {
+  const page = await open('', { scheme: 'dark', width: 1280, height: 720, hash: `#/${view}`, wait: 400 });
+  await check(page, view);
+  await page.close();
+}
+
+// What a frame takes, and how often one comes, with ten people and a hundred sensors.
+const page = await open('?residents=10&sensors=100', { scheme: 'light', width: 1280, height: 720 });
+const times = await page.evaluate(
+  () =>
+    new Promise((done) => {
+      const [gaps, work] = [[], []];
+      let last = performance.now();
+      const request = window.requestAnimationFrame.bind(window);
+      window.requestAnimationFrame = (call) =>
+        request((now) => {
+          const begin = performance.now();
+          call(now);
+          work.push(performance.now() - begin);
+        });
+      request(function tick(now) {
+        gaps.push(now - last);
+        last = now;
+        if (gaps.length < 600) request(tick);
+        else done({ gaps: gaps.slice(10), work });
+      });
+    }),
+);
+const share = (all, part) => [...all].sort((a, b) => a - b)[Math.floor(all.length * part)].toFixed(1);
+console.log(`drawing a frame: p50 ${share(times.work, 0.5)} ms, p95 ${share(times.work, 0.95)} ms, ${times.work.length} frames`);
+console.log(`from frame to frame: p50 ${share(times.gaps, 0.5)} ms, p95 ${share(times.gaps, 0.95)} ms`);
+
+await context.close();
+server.close();
+for (const path of [dist, profile]) rmSync(path, { recursive: true, force: true });
+for (const line of new Set(wrong)) console.error(line);
+process.exitCode = wrong.length > 0 ? 1 : 0;

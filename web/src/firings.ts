@@ -1,0 +1,86 @@
+// The firings that have been heard of: the last few hundred for the table, the last ten minutes for the time line, and
+// how many there were of each sensor. What was told of but not shown is counted, never passed over.
+
+import { clockAt } from './clock';
+import type { FiringView, Frame } from './wire';
+
+/** A firing, and when it was on the home's clock; or how many there were of which no more is known. */
+export type Row = { firing: FiringView; clock_ms: number } | { missing: number; until_us: number };
+
+const KEPT = 500;
+
+export const LANE_US = 600_000_000;
+
+/** Beyond this a lane is a solid bar anyway. */
+const KEPT_A_LANE = 4000;
+
+export class Firings {
+  /** The oldest first. */
+  rows: Row[] = [];
+  /** By sensor: the instants at which it fired, within the last ten minutes. */
+  lanes: number[][] = [];
+  /** By sensor: how often it was heard to fire since the run began, or was last taken back. */
+  counts: number[] = [];
+  /** Grows with every row, also where old ones fall off the other end. */
+  added = 0;
+  missing = 0;
+  now_us = 0;
+  private told: number | null = null;
+
+  clear(sensors: number): void {
+    this.rows = [];
+    this.lanes = Array.from({ length: sensors }, () => []);
+    this.counts = Array.from({ length: sensors }, () => 0);
+    this.added = 0;
+    this.missing = 0;
+    this.now_us = 0;
+    this.told = null;
+  }
+
+  /** Those of the frame that are new. */
+  take(frame: Frame): FiringView[] {
+    if (frame.now_us < this.now_us || (this.told !== null && frame.told < this.told)) this.goBack(frame);
+    this.now_us = frame.now_us;
+    const missing = frame.told - (this.told ?? 0) - frame.firings.length;
+    this.told = frame.told;
+    if (missing > 0) {
+      this.missing += missing;
+      this.push({ missing, until_us: frame.now_us });
+    }
+    for (const firing of frame.firings) {
+      this.push({ firing, clock_ms: clockAt(firing.at_us, frame.now_us, frame.clock) });
+      this.counts[firing.sensor] = (this.counts[firing.sensor] ?? 0) + 1;
+      (this.lanes[firing.sensor] ??= []).push(firing.at_us);
+    }
+    this.forget();
+    return frame.firings;
+  }
+
+  private push(row: Row): void {
+    this.rows.push(row);
+    this.added += 1;
+  }
+
+  private forget(): void {
+    if (this.rows.length > KEPT) this.rows.splice(0, this.rows.length - KEPT);
+    const from = this.now_us - LANE_US;
+    for (const lane of this.lanes) {
+      let old = Math.max(lane.length - KEPT_A_LANE, 0);
+      while (old < lane.length && lane[old]! < from) old += 1;
+      if (old > 0) lane.splice(0, old);
+    }
+  }
+
+  /** The run was taken back: what is not yet so any more is forgotten, and what is told again is not kept twice. */
+  private goBack(frame: Frame): void {
+    const again = frame.firings[0]?.seq ?? Infinity;
+    const from_us = frame.firings[0]?.at_us ?? Infinity;
+    this.rows = this.rows.filter((row) =>
+      'firing' in row ? row.firing.seq < again && row.firing.at_us <= frame.now_us : row.until_us <= frame.now_us,
+    );
+    this.lanes = this.lanes.map((lane) => lane.filter((at) => at <= frame.now_us && at < from_us));
+    this.counts = this.counts.map(() => 0);
+    this.told = frame.told - frame.firings.length;
+    this.added += 1;
+  }
+}

@@ -1,0 +1,141 @@
+// The run that is being lived, as this page knows it. All views share it, and it goes on while another view is looked at.
+
+import { Announcer } from './views/live/announce';
+import { Firings } from './firings';
+import { Throttle } from './plan/glow';
+import { Server, keepToken } from './server';
+import { Socket, type Status, type Wire } from './socket';
+import type { FiringView, Frame, RunView, Say, Tell } from './wire';
+
+export type Note = { id: number; text: string; bad: boolean };
+
+/** What is read as text need not change more often than one can read. */
+const TEXT_MS = 120;
+const NOTES = 4;
+const NOTE_MS = 9000;
+
+export class Live {
+  status = $state<Status>('closed');
+  run = $state.raw<RunView | null>(null);
+  /** The frame as text shows it; drawings have every one. */
+  frame = $state.raw<Frame | null>(null);
+  notes = $state.raw<Note[]>([]);
+  /** For a screen reader: which sensors fired of late. */
+  spoken = $state('');
+  /** Grows when `firings` has changed. */
+  heard = $state(0);
+  /** The last run that was stored in a folder and has ended. */
+  stored = $state<string | null>(null);
+
+  readonly firings = new Firings();
+  readonly server: Server;
+  latest: Frame | null = null;
+  private readonly socket: Socket;
+  private readonly watchers = new Set<(frame: Frame, fresh: FiringView[]) => void>();
+  private readonly cuts = new Set<() => void>();
+  private readonly texts = new Throttle(TEXT_MS);
+  private readonly announcer = new Announcer();
+  private noted = 0;
+  private timer: ReturnType<typeof setInterval> | undefined;
+
+  constructor(token: string, onWrongToken: () => void, make?: () => Wire) {
+    const refuse = () => {
+      keepToken(() => window.sessionStorage, null);
+      onWrongToken();
+    };
+    this.server = new Server(token, refuse);
+    this.socket = new Socket(
+      token,
+      {
+        status: (status) => {
+          this.status = status;
+          if (status === 'refused') refuse();
+          else if (status !== 'open') for (const cut of this.cuts) cut();
+        },
+        frame: (frame) => this.take(frame),
+        tell: (tell) => this.hear(tell),
+        trouble: (text) => this.note(text, true),
+      },
+      make,
+    );
+  }
+
+  open(): void {
+    this.socket.open();
+    // The last frames and firings before a pause are shown, too, though no other comes after them.
+    this.timer = setInterval(() => this.catchUp(performance.now()), TEXT_MS);
+  }
+
+  close(): void {
+    clearInterval(this.timer);
+    this.socket.close();
+  }
+
+  tryNow(): void {
+    this.socket.hurry();
+  }
+
+  /** What cannot be sent is said so: a click that does nothing would be worse. */
+  say(say: Say): boolean {
+    const sent = this.socket.say(say);
+    if (!sent && say.say !== 'hold') this.note('There is no connection to the server, so nothing was done.', true);
+    return sent;
+  }
+
+  /** @returns how to stop being told. */
+  watch(watcher: (frame: Frame, fresh: FiringView[]) => void): () => void {
+    this.watchers.add(watcher);
+    return () => this.watchers.delete(watcher);
+  }
+
+  /** @returns how to stop being told when the line is cut. */
+  whenCut(cut: () => void): () => void {
+    this.cuts.add(cut);
+    return () => this.cuts.delete(cut);
+  }
+
+  note(text: string, bad: boolean): void {
+    const note = { id: ++this.noted, text, bad };
+    this.notes = [...this.notes.filter((old) => old.text !== text), note].slice(-NOTES);
+    // What went wrong stays until somebody has read it.
+    if (!bad) setTimeout(() => this.dismiss(note.id), NOTE_MS);
+  }
+
+  dismiss(id: number): void {
+    this.notes = this.notes.filter((note) => note.id !== id);
+  }
+
+  private hear(tell: Tell): void {
+    if (tell.tell === 'note') {
+      this.note(tell.text, tell.bad);
+      return;
+    }
+    this.run = tell.run;
+    this.frame = null;
+    this.latest = null;
+    this.firings.clear(tell.run.home.sensors.length);
+    this.announcer.clear();
+    this.heard += 1;
+  }
+
+  private take(frame: Frame): void {
+    // Before a run is told of there is no home in which a frame could be shown.
+    if (this.run === null) return;
+    const turns = this.latest?.state !== frame.state;
+    this.latest = frame;
+    const fresh = this.firings.take(frame);
+    for (const firing of fresh) this.announcer.fired(this.run.home.sensors[firing.sensor]?.name ?? 'an unknown sensor');
+    for (const watcher of this.watchers) watcher(frame, fresh);
+    if (frame.state === 'over' && !this.run.replay && this.run.id !== null) this.stored = this.run.id;
+    if (turns) this.frame = frame;
+    this.catchUp(performance.now());
+  }
+
+  private catchUp(now_ms: number): void {
+    const sentence = this.announcer.due(now_ms);
+    if (sentence !== null) this.spoken = sentence;
+    if (this.frame === this.latest || !this.texts.due(now_ms)) return;
+    this.frame = this.latest;
+    this.heard += 1;
+  }
+}

@@ -1,0 +1,70 @@
+// Points and outlines on the plan, in metres.
+
+import type { HomeView } from '../wire';
+
+export type At = [number, number];
+
+export function distance(a: At, b: At): number {
+  return Math.hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+/** Left, bottom, right and top of an outline. */
+export function box(outline: At[]): [number, number, number, number] {
+  let [left, bottom, right, top] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (const [x, y] of outline) {
+    left = Math.min(left, x);
+    right = Math.max(right, x);
+    bottom = Math.min(bottom, y);
+    top = Math.max(top, y);
+  }
+  return [left, bottom, right, top];
+}
+
+export function middle(outline: At[]): At {
+  const [left, bottom, right, top] = box(outline);
+  return [(left + right) / 2, (bottom + top) / 2];
+}
+
+export function inside(outline: At[], [x, y]: At): boolean {
+  let within = false;
+  for (let i = 0, j = outline.length - 1; i < outline.length; j = i++) {
+    const [ax, ay] = outline[i]!;
+    const [bx, by] = outline[j]!;
+    if (ay > y !== by > y && x < ((bx - ax) * (y - ay)) / (by - ay) + ax) within = !within;
+  }
+  return within;
+}
+
+/** The leaf of a door that stands open: from its hinge, the first jamb, a quarter turn against the clock. */
+export function openLeaf(from: At, to: At): At {
+  const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+  return [from[0] - dy, from[1] + dx];
+}
+
+/** Where a sensor's glyph points: the mean of its beams, in radians from east against the clock. */
+export function facing(at: At, beams: [At, At][]): number | null {
+  let [x, y] = [0, 0];
+  for (const [, [toX, toY]] of beams) {
+    const far = Math.hypot(toX - at[0], toY - at[1]) || 1;
+    x += (toX - at[0]) / far;
+    y += (toY - at[1]) / far;
+  }
+  return beams.length > 0 && Math.hypot(x, y) > 1e-6 ? Math.atan2(y, x) : null;
+}
+
+/** Which doors stand open now. What can be used says so; the others are as the home has them. */
+export function openDoors(home: HomeView, on: number[]): boolean[] {
+  const isOn = new Set(on);
+  const things = new Map(home.things.flatMap((thing, index) => (thing.kind === 'door' ? [[thing.name, index]] : [])));
+  return home.doors.map((door) => {
+    const thing = things.get(door.name);
+    return thing === undefined ? door.open : isOn.has(thing);
+  });
+}
+
+/** The things that somebody at `at` can reach, the nearest first. */
+export function within(home: HomeView, at: At, reach_m: number): number[] {
+  const far = home.things.map((thing) => distance(thing.at, at));
+  const near = home.things.map((_, index) => index).filter((index) => far[index]! <= reach_m);
+  return near.sort((a, b) => far[a]! - far[b]!);
+}

@@ -1,0 +1,92 @@
+// How brightly sensors are drawn, so that nothing on the plan flashes. WCAG 2.3.1 allows three flashes in a second; a run
+// in fast time would make hundreds.
+
+const RISE_S = 0.15;
+const FALL_S = 0.9;
+
+/** By sensor, from 0 to 1: quick to light up, slow to fade, so that one that comes and goes stays lit. */
+export class Glow {
+  readonly levels: number[] = [];
+  private last_ms: number | null = null;
+
+  /** @returns whether anything is lit, or was until now. */
+  step(sensors: number, lit: Iterable<number>, now_ms: number): boolean {
+    const past = this.last_ms === null ? 0 : Math.min(Math.max((now_ms - this.last_ms) / 1000, 0), 0.25);
+    this.last_ms = now_ms;
+    const isLit = new Set(lit);
+    let any = false;
+    for (let sensor = 0; sensor < sensors; sensor++) {
+      const level = this.levels[sensor] ?? 0;
+      const next = isLit.has(sensor) ? Math.min(level + past / RISE_S, 1) : Math.max(level - past / FALL_S, 0);
+      this.levels[sensor] = next;
+      any ||= next > 0 || level > 0;
+    }
+    this.levels.length = sensors;
+    return any;
+  }
+}
+
+/** A number that goes from 0 to 1 in no less than a second, however fast what it follows. */
+export class Eased {
+  level: number | null = null;
+  private last_ms = 0;
+
+  /** @returns whether it has moved. */
+  step(target: number, now_ms: number): boolean {
+    const most = Math.min(Math.max((now_ms - this.last_ms) / 1000, 0), 0.25);
+    this.last_ms = now_ms;
+    const before = this.level ?? target;
+    this.level = before + Math.min(Math.max(target - before, -most), most);
+    return this.level !== before;
+  }
+}
+
+export type Pulse = { sensor: number; since_ms: number };
+
+const PULSE_MS = 1100;
+const MOST_A_SECOND = 3;
+
+/** The rings around sensors that have just fired: never more than three that begin within a second. */
+export class Pulses {
+  private begun: number[] = [];
+  private running: Pulse[] = [];
+
+  /** @returns whether a ring begins; where none may, the count beside the sensor still grows. */
+  fire(sensor: number, now_ms: number): boolean {
+    this.begun = this.begun.filter((at) => at > now_ms - 1000);
+    if (this.begun.length >= MOST_A_SECOND || this.running.some((pulse) => pulse.sensor === sensor && now_ms - pulse.since_ms < 400)) return false;
+    this.begun.push(now_ms);
+    this.running.push({ sensor, since_ms: now_ms });
+    return true;
+  }
+
+  /** Each ring and its age, from 0 to 1. */
+  at(now_ms: number): { sensor: number; age: number }[] {
+    this.running = this.running.filter((pulse) => now_ms - pulse.since_ms < PULSE_MS);
+    return this.running.map(({ sensor, since_ms }) => ({ sensor, age: (now_ms - since_ms) / PULSE_MS }));
+  }
+
+  clear(): void {
+    this.running = [];
+  }
+}
+
+/** From this speed on sensors are not lit one by one: only their counts grow. */
+const FAST = 20;
+
+export function isFast(speed: number | null): boolean {
+  return speed === null || speed > FAST;
+}
+
+/** Lets something through at most so often. */
+export class Throttle {
+  private last_ms = -Infinity;
+
+  constructor(private readonly every_ms: number) {}
+
+  due(now_ms: number): boolean {
+    if (now_ms - this.last_ms < this.every_ms) return false;
+    this.last_ms = now_ms;
+    return true;
+  }
+}

@@ -1,0 +1,56 @@
+// Kinds of sensors: each has a shape, a colour and a word, so that none of them stands alone.
+
+import { okabeIto } from './palette';
+import type { At } from './geometry';
+
+export type Kind = { word: string; shape: Shape; colour: string };
+
+export type Shape = 'arrow' | 'ring' | 'pill' | 'gap' | 'hexagon' | 'bolt' | 'flame' | 'drop' | 'star' | 'cross' | 'square';
+
+const KINDS: Record<string, Kind> = {
+  motion: { word: 'motion, on a wall', shape: 'arrow', colour: okabeIto.blue },
+  ceiling_motion: { word: 'motion, from the ceiling', shape: 'ring', colour: okabeIto.sky },
+  bed: { word: 'bed', shape: 'pill', colour: okabeIto.purple },
+  contact: { word: 'contact', shape: 'gap', colour: okabeIto.orange },
+  pressure: { word: 'pressure', shape: 'hexagon', colour: okabeIto.green },
+  power: { word: 'power', shape: 'bolt', colour: okabeIto.yellow },
+  stove_temperature: { word: 'stove temperature', shape: 'flame', colour: okabeIto.vermillion },
+  flow: { word: 'flow', shape: 'drop', colour: okabeIto.sky },
+  light: { word: 'light', shape: 'star', colour: okabeIto.yellow },
+  temperature: { word: 'temperature', shape: 'cross', colour: okabeIto.vermillion },
+};
+
+/** A kind that this page has not met yet is drawn as a grey square under its own word. */
+export function kindOf(kind: string): Kind {
+  return Object.hasOwn(KINDS, kind) ? KINDS[kind]! : { word: kind.replaceAll('_', ' '), shape: 'square', colour: '#8a949f' };
+}
+
+/** Outlines in a square from -1 to 1, x to where it faces, y to its left: canvas and SVG draw the same. */
+export const OUTLINES: Record<Shape, At[]> = {
+  arrow: [[1.15, 0], [-0.85, 0.85], [-0.4, 0], [-0.85, -0.85]],
+  ring: circle(0.8, 20),
+  pill: [[-1, 0.35], [-0.8, 0.6], [0.8, 0.6], [1, 0.35], [1, -0.35], [0.8, -0.6], [-0.8, -0.6], [-1, -0.35]],
+  gap: [[-1, 0.7], [-0.2, 0.7], [-0.2, 0.15], [0.2, 0.15], [0.2, 0.7], [1, 0.7], [1, -0.7], [0.2, -0.7], [0.2, -0.15], [-0.2, -0.15], [-0.2, -0.7], [-1, -0.7]],
+  hexagon: circle(0.95, 6),
+  bolt: [[0.25, 1.05], [-0.75, -0.15], [-0.1, -0.15], [-0.25, -1.05], [0.75, 0.2], [0.1, 0.2]],
+  flame: [[0, 1.1], [0.4, 0.45], [0.8, 0], [0.75, -0.55], [0.35, -0.9], [-0.35, -0.9], [-0.75, -0.55], [-0.8, 0], [-0.35, 0.2]],
+  drop: [[0, 1.1], [0.4, 0.4], [0.65, -0.05], [0.65, -0.45], [0.35, -0.8], [0, -0.9], [-0.35, -0.8], [-0.65, -0.45], [-0.65, -0.05], [-0.4, 0.4]],
+  star: star(8, 1.05, 0.6),
+  cross: [[-0.3, 0.95], [0.3, 0.95], [0.3, 0.3], [0.95, 0.3], [0.95, -0.3], [0.3, -0.3], [0.3, -0.95], [-0.3, -0.95], [-0.3, -0.3], [-0.95, -0.3], [-0.95, 0.3], [-0.3, 0.3]],
+  square: [[-0.7, 0.7], [0.7, 0.7], [0.7, -0.7], [-0.7, -0.7]],
+};
+
+function circle(radius: number, corners: number): At[] {
+  return Array.from({ length: corners }, (_, index) => {
+    const angle = (index / corners) * 2 * Math.PI;
+    return [Math.cos(angle) * radius, Math.sin(angle) * radius];
+  });
+}
+
+function star(points: number, far: number, near: number): At[] {
+  return Array.from({ length: 2 * points }, (_, index) => {
+    const angle = (index / (2 * points)) * 2 * Math.PI;
+    const radius = index % 2 === 0 ? far : near;
+    return [Math.cos(angle) * radius, Math.sin(angle) * radius];
+  });
+}

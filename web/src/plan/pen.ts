@@ -1,0 +1,73 @@
+// Strokes that still and moving things have in common.
+
+import type { At } from './geometry';
+import { type Kind, OUTLINES } from './kinds';
+import type { Palette } from './palette';
+import { type View, toScreen } from './transform';
+
+export type Pen = CanvasRenderingContext2D;
+
+export const FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif';
+
+export function trace(pen: Pen, view: View, outline: At[]): void {
+  outline.forEach((point, index) => {
+    const [x, y] = toScreen(view, point);
+    if (index === 0) pen.moveTo(x, y);
+    else pen.lineTo(x, y);
+  });
+  pen.closePath();
+}
+
+export function segments(pen: Pen, view: View, beams: [At, At][]): void {
+  for (const [from, to] of beams) {
+    const [ax, ay] = toScreen(view, from);
+    const [bx, by] = toScreen(view, to);
+    pen.moveTo(ax, ay);
+    pen.lineTo(bx, by);
+  }
+}
+
+/** A kind's sign around a point on the screen; `angle` is that to which it faces, from east against the clock. */
+export function glyph(pen: Pen, kind: Kind, [x, y]: At, size: number, angle: number, palette: Palette): void {
+  const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+  pen.beginPath();
+  OUTLINES[kind.shape].forEach(([ahead, aside], index) => {
+    const px = x + (ahead * cos - aside * sin) * size;
+    const py = y - (ahead * sin + aside * cos) * size;
+    if (index === 0) pen.moveTo(px, py);
+    else pen.lineTo(px, py);
+  });
+  pen.closePath();
+  pen.lineJoin = 'round';
+  pen.lineWidth = 4.5;
+  pen.strokeStyle = palette.halo;
+  pen.stroke();
+  pen.fillStyle = kind.colour;
+  pen.fill();
+  pen.lineWidth = 1.4;
+  pen.strokeStyle = palette.outline;
+  pen.stroke();
+  if (kind.shape === 'ring') {
+    pen.beginPath();
+    pen.arc(x, y, size * 0.28, 0, 2 * Math.PI);
+    pen.fillStyle = palette.outline;
+    pen.fill();
+  }
+}
+
+/** Text around a point, with a rim in the colour of what it lies on, so that lines below it do not cross it. */
+export function text(pen: Pen, words: string, x: number, y: number, colour: string, rim: string | null, width = 3.5): void {
+  if (rim !== null) {
+    pen.lineJoin = 'round';
+    pen.lineWidth = width;
+    pen.strokeStyle = rim;
+    pen.strokeText(words, x, y);
+  }
+  pen.fillStyle = colour;
+  pen.fillText(words, x, y);
+}
+
+export function capsule(pen: Pen, x: number, y: number, width: number, height: number): void {
+  pen.beginPath();
+  pen.roundRect(x, y, width, height, Math.min(width, height) / 2);
+}

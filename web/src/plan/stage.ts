@@ -1,0 +1,185 @@
+// A plan on a canvas: it keeps what stands still on a canvas of its own, and draws over it only what moves.
+
+import type { Frame, HomeView, ResidentView } from '../wire';
+import { type At, distance } from './geometry';
+import { Eased, Glow, Pulses, Throttle, isFast } from './glow';
+import type { Layers } from './layers';
+import {
+  type Person, drawCounts, drawDoors, drawFloor, drawOn, drawPeople, drawPulses, drawSeen, drawTrails, litRooms, sides,
+} from './moving';
+import { type Palette, daylight } from './palette';
+import type { Pen } from './pen';
+import { drawStill, place } from './still';
+import { Trails } from './trails';
+import { type Size, type View, fit, pan, toPlan, toScreen, zoom } from './transform';
+
+const MARGIN = 28;
+
+/** How near the pointer must come to a sensor to be told its name, in pixels. */
+const NEAR = 14;
+
+export type Scene = {
+  home: HomeView;
+  residents: ResidentView[];
+  driven: number | null;
+  layers: Layers;
+  palette: Palette;
+  reducedMotion: boolean;
+};
+
+export class Stage {
+  view: View = { scale: 1, x: 0, y: 0 };
+  private size: Size = { width: 0, height: 0 };
+  private dpr = 1;
+  private scene: Scene | null = null;
+  private fitted = true;
+  private sides: number[] = [];
+  private readonly still = document.createElement('canvas');
+  private stillIs = false;
+  private readonly glow = new Glow();
+  private readonly lamps = new Glow();
+  private readonly day = new Eased();
+  private readonly pulses = new Pulses();
+  private readonly trails = new Trails();
+  /** What the counts were when they were last let grow. */
+  private shown: number[] = [];
+  private readonly counting = new Throttle(400);
+  private frame: Frame | null = null;
+  private dirty = true;
+
+  constructor(private readonly canvas: HTMLCanvasElement) {}
+
+  set(scene: Scene): void {
+    if (this.scene?.home !== scene.home) {
+      this.sides = sides(scene.home);
+      this.trails.clear();
+      this.pulses.clear();
+      this.frame = null;
+      this.fitted = true;
+    }
+    this.scene = scene;
+    if (this.fitted) this.fit();
+    this.stale();
+  }
+
+  resize(width: number, height: number, dpr: number): void {
+    if (width < 1 || height < 1) return;
+    // Beyond two there is nothing more to see, but four times as much to fill.
+    this.dpr = Math.min(dpr, 2);
+    const before = toPlan(this.view, [this.size.width / 2, this.size.height / 2]);
+    this.size = { width, height };
+    for (const canvas of [this.canvas, this.still]) {
+      canvas.width = Math.round(width * this.dpr);
+      canvas.height = Math.round(height * this.dpr);
+    }
+    if (this.fitted) this.fit();
+    else {
+      const [x, y] = toScreen(this.view, before);
+      this.view = pan(this.view, width / 2 - x, height / 2 - y);
+    }
+    this.stale();
+  }
+
+  /** All of the home, in the middle. */
+  fit(): void {
+    this.fitted = true;
+    if (this.scene) this.view = fit(this.scene.home.bounds, this.size, Math.min(MARGIN, this.size.width / 10));
+    this.stale();
+  }
+
+  zoom(factor: number, at: At = [this.size.width / 2, this.size.height / 2]): void {
+    this.fitted = false;
+    this.view = zoom(this.view, factor, at);
+    this.stale();
+  }
+
+  pan(dx: number, dy: number): void {
+    this.fitted = false;
+    this.view = pan(this.view, dx, dy);
+    this.stale();
+  }
+
+  /** The sensor under the pointer. */
+  sensorAt(at: At): number | null {
+    let [nearest, near] = [null as number | null, NEAR];
+    this.scene?.home.sensors.forEach((sensor, index) => {
+      const far = distance(place(sensor, this.view), at);
+      if (far < near) [nearest, near] = [index, far];
+    });
+    return nearest;
+  }
+
+  take(frame: Frame, now_ms: number): void {
+    const goesBack = this.frame !== null && frame.now_us < this.frame.now_us;
+    if (goesBack) this.trails.clear();
+    this.frame = frame;
+    this.trails.take(frame, now_ms);
+    if (isFast(frame.speed)) this.pulses.clear();
+    else for (const firing of frame.firings) this.pulses.fire(firing.sensor, now_ms);
+    this.dirty = true;
+  }
+
+  /** @returns whether anything was drawn: a run that is paused costs nothing. */
+  draw(now_ms: number, counts: number[] = []): boolean {
+    const scene = this.scene;
+    const pen = this.canvas.getContext('2d');
+    if (scene === null || pen === null || this.size.width < 1) return false;
+    const { frame, view } = this;
+    const fast = frame !== null && frame.state !== 'paused' && isFast(frame.speed);
+    const pulses = this.pulses.at(now_ms);
+    const lit = this.glow.step(scene.home.sensors.length, fast || frame === null ? [] : frame.seeing, now_ms);
+    const dusk = this.day.step(daylight(frame?.sun ?? 1), now_ms);
+    const lamps = this.lamps.step(scene.home.rooms.length, frame ? litRooms(scene.home, frame.on) : [], now_ms);
+    const fading = this.trails.fade(now_ms);
+    if (fast && this.counting.due(now_ms)) {
+      this.shown = counts.slice();
+      this.dirty = true;
+    }
+    if (!this.dirty && !lit && !dusk && !lamps && !fading && pulses.length === 0) return false;
+    this.dirty = pulses.length > 0;
+    if (!this.stillIs) this.redrawStill(scene);
+
+    this.begin(pen);
+    pen.fillStyle = scene.palette.outside;
+    pen.fillRect(0, 0, this.size.width, this.size.height);
+    drawFloor(pen, scene.home, view, scene.palette, this.day.level ?? 1, this.lamps.levels);
+    pen.setTransform(1, 0, 0, 1, 0, 0);
+    pen.drawImage(this.still, 0, 0);
+    this.begin(pen);
+    drawSeen(pen, scene.home, view, scene.palette, this.glow.levels, scene.layers);
+    drawDoors(pen, scene.home, view, scene.palette, frame?.on ?? [], this.sides);
+    if (frame === null) return true;
+    drawOn(pen, scene.home, view, scene.palette, frame.on);
+    if (scene.layers.trails && !scene.reducedMotion) drawTrails(pen, view, this.trails.of, now_ms);
+    drawPulses(pen, scene.home, view, scene.palette, pulses, scene.reducedMotion);
+    if (fast) drawCounts(pen, scene.home, view, scene.palette, this.shown);
+    drawPeople(pen, view, scene.palette, persons(scene, frame));
+    return true;
+  }
+
+  private begin(pen: Pen): void {
+    pen.setTransform(this.dpr, 0, 0, this.dpr, 0, 0);
+  }
+
+  private stale(): void {
+    this.stillIs = false;
+    this.dirty = true;
+  }
+
+  private redrawStill(scene: Scene): void {
+    const pen = this.still.getContext('2d');
+    if (pen === null) return;
+    pen.setTransform(1, 0, 0, 1, 0, 0);
+    pen.clearRect(0, 0, this.still.width, this.still.height);
+    this.begin(pen);
+    drawStill(pen, scene.home, this.view, scene.layers, scene.palette);
+    this.stillIs = true;
+  }
+}
+
+function persons(scene: Scene, frame: Frame): Person[] {
+  return scene.residents.flatMap((resident, index) => {
+    const body = frame.bodies[index];
+    return body ? [{ resident, body, index, driven: scene.driven === index }] : [];
+  });
+}

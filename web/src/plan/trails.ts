@@ -1,0 +1,50 @@
+// Where bodies have just been.
+
+import { type At, distance } from './geometry';
+import type { Frame } from '../wire';
+
+const KEPT_MS = 9000;
+const LONGEST = 400;
+/** Nearer steps add nothing that one could see. */
+const STEP_M = 0.04;
+/** A body that is this far from where it was has been taken there: no line leads through the walls between. */
+const LEAP_M = 0.8;
+
+export type Step = { at: At; since_ms: number; leap: boolean };
+
+export class Trails {
+  /** By resident, the oldest first. */
+  readonly of: Step[][] = [];
+
+  take(frame: Frame, now_ms: number): void {
+    frame.bodies.forEach((body, index) => {
+      const steps = (this.of[index] ??= []);
+      if (body === null) {
+        steps.length = 0;
+        return;
+      }
+      const last = steps.at(-1);
+      const far = last === undefined ? Infinity : distance(last.at, body.at);
+      if (far > STEP_M) steps.push({ at: body.at, since_ms: now_ms, leap: far > LEAP_M });
+    });
+  }
+
+  /** @returns whether any step is left. */
+  fade(now_ms: number): boolean {
+    for (const steps of this.of) {
+      let old = Math.max(steps.length - LONGEST, 0);
+      while (old < steps.length && now_ms - steps[old]!.since_ms > KEPT_MS) old += 1;
+      if (old > 0) steps.splice(0, old);
+    }
+    return this.of.some((steps) => steps.length > 1);
+  }
+
+  /** How much of a step is left, from 1 to 0. */
+  static left(step: Step, now_ms: number): number {
+    return Math.max(1 - (now_ms - step.since_ms) / KEPT_MS, 0);
+  }
+
+  clear(): void {
+    this.of.length = 0;
+  }
+}

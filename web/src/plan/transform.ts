@@ -1,0 +1,47 @@
+// The way from metres on the plan, y up, to CSS pixels on the screen, y down, and back.
+
+import type { At } from './geometry';
+
+/** How the plan lies on the screen: pixels a metre, and where the plan's origin is. */
+export type View = { scale: number; x: number; y: number };
+
+export type Size = { width: number; height: number };
+
+export type Bounds = [At, At];
+
+/** Nearer than this a shoe fills the screen; farther, a house is a dot. */
+const NEAREST = 600;
+const FARTHEST = 4;
+
+/** The view in which all of `bounds` is seen, in the middle, with `margin` pixels around it. */
+export function fit(bounds: Bounds, size: Size, margin: number): View {
+  const [[left, bottom], [right, top]] = bounds;
+  const wide = Math.max(right - left, 0.1);
+  const high = Math.max(top - bottom, 0.1);
+  const room = { width: Math.max(size.width - 2 * margin, 1), height: Math.max(size.height - 2 * margin, 1) };
+  const scale = Math.min(room.width / wide, room.height / high);
+  return {
+    scale,
+    x: size.width / 2 - ((left + right) / 2) * scale,
+    y: size.height / 2 + ((bottom + top) / 2) * scale,
+  };
+}
+
+export function toScreen(view: View, [x, y]: At): At {
+  return [view.x + x * view.scale, view.y - y * view.scale];
+}
+
+export function toPlan(view: View, [x, y]: At): At {
+  return [(x - view.x) / view.scale, (view.y - y) / view.scale];
+}
+
+/** Nearer by `factor`; what is under `at` on the screen stays there. */
+export function zoom(view: View, factor: number, at: At): View {
+  const scale = Math.min(Math.max(view.scale * factor, FARTHEST), NEAREST);
+  const by = scale / view.scale;
+  return { scale, x: at[0] - (at[0] - view.x) * by, y: at[1] - (at[1] - view.y) * by };
+}
+
+export function pan(view: View, dx: number, dy: number): View {
+  return { scale: view.scale, x: view.x + dx, y: view.y + dy };
+}

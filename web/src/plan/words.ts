@@ -1,0 +1,38 @@
+// Names as they may be drawn. They come from files that anybody may have written: as long as a book, in any script, or
+// with marks that turn the text beside them around.
+
+/** Marks that reorder or break what stands around them. */
+const UNRULY = /[\u0000-\u001f\u007f-\u009f\u200e\u200f\u2028-\u202e\u2066-\u2069]/g;
+
+const [ISOLATE, END] = ['\u2068', '\u2069'];
+
+const letters = new Intl.Segmenter(undefined, { granularity: 'grapheme' });
+
+/** At most `most` letters of a name, on one line. */
+export function shortened(name: string, most: number): string {
+  // A letter has few code units, so that the whole of a long name is never taken apart.
+  const begin = name.slice(0, most * 16).replace(UNRULY, ' ');
+  let [text, count] = ['', 0];
+  for (const { segment } of letters.segment(begin)) {
+    if (count === most) return `${text.trimEnd()}…`;
+    text += segment;
+    count += 1;
+  }
+  return begin.length < name.length ? `${text}…` : text;
+}
+
+/** The longest beginning of `name` that is at most `width` pixels wide; nothing where not even two letters are. */
+export function fitting(name: string, width: number, measure: (text: string) => number): string | null {
+  const whole = shortened(name, 48);
+  if (measure(whole) <= width) return whole;
+  for (let most = Math.min(whole.length - 1, 47); most >= 2; most -= 1) {
+    const text = shortened(name, most);
+    if (measure(text) <= width) return text;
+  }
+  return null;
+}
+
+/** A name whose direction is its own affair. */
+export function isolated(text: string): string {
+  return `${ISOLATE}${text}${END}`;
+}

@@ -1,0 +1,107 @@
+// The server by HTTP, and the token that it asks for. `homebody serve` prints an address such as
+// http://127.0.0.1:8642/#token=HEX; whoever has it may do what the page can.
+
+import { type Keeper, keep, read } from './kept';
+
+const TOKEN = 'homebody-token';
+
+/** What a token looks like, so that other fragments are left alone. */
+const FORM = /^[0-9A-Za-z_-]{8,256}$/;
+
+/** The token in a fragment such as `#token=HEX`, or in a whole address that was pasted, or by itself. */
+export function tokenIn(text: string): string | null {
+  const pasted = text.trim();
+  const named = /[#&?]token=([^&\s]+)/.exec(pasted)?.[1];
+  const token = named ?? pasted;
+  return FORM.test(token) ? token : null;
+}
+
+/** The token from the address, or the one that was kept; it is gone from the address bar afterwards. */
+export function takeToken(location: Pick<Location, 'hash'>, history: Pick<History, 'replaceState'>, keeper: () => Keeper) {
+  if (/^#(.*&)?token=/.test(location.hash)) {
+    const token = tokenIn(location.hash);
+    history.replaceState(null, '', '#/live');
+    if (token !== null) {
+      keep(keeper, TOKEN, token);
+      return token;
+    }
+  }
+  return read(keeper, TOKEN);
+}
+
+export function keepToken(keeper: () => Keeper, token: string | null): void {
+  keep(keeper, TOKEN, token);
+}
+
+/** Why the server did not do what it was asked. */
+export class Refused extends Error {
+  constructor(
+    readonly status: number,
+    message: string,
+  ) {
+    super(message);
+  }
+}
+
+export type Fetch = (path: string, init: RequestInit) => Promise<Response>;
+
+export class Server {
+  /** @param onWrongToken is told when the server does not know the token. */
+  constructor(
+    private readonly token: string,
+    private readonly onWrongToken: () => void,
+    private readonly fetch: Fetch = (path, init) => window.fetch(path, init),
+  ) {}
+
+  async json<T>(path: string): Promise<T> {
+    return (await (await this.ask('GET', path)).json()) as T;
+  }
+
+  async post<T>(path: string, body: unknown): Promise<T> {
+    return (await (await this.ask('POST', path, body)).json()) as T;
+  }
+
+  /** A file, and the name that the server gives it. */
+  async file(path: string, otherwise: string): Promise<{ blob: Blob; name: string }> {
+    const answer = await this.ask('GET', path);
+    const named = /filename="([^"\\/]+)"/.exec(answer.headers.get('content-disposition') ?? '')?.[1];
+    return { blob: await answer.blob(), name: named ?? otherwise };
+  }
+
+  private async ask(method: string, path: string, body?: unknown): Promise<Response> {
+    const headers: Record<string, string> = { 'x-homebody-token': this.token };
+    if (body !== undefined) headers['content-type'] = 'application/json';
+    const init: RequestInit = { method, headers, cache: 'no-store' };
+    if (body !== undefined) init.body = JSON.stringify(body);
+    let answer: Response;
+    try {
+      answer = await this.fetch(path, init);
+    } catch {
+      throw new Refused(0, 'The server cannot be reached.');
+    }
+    if (answer.status === 401) {
+      this.onWrongToken();
+      throw new Refused(401, 'The server does not know this token.');
+    }
+    if (!answer.ok) {
+      const said = (await answer.text()).trim().slice(0, 500);
+      throw new Refused(answer.status, said || `The server answered ${answer.status}.`);
+    }
+    return answer;
+  }
+}
+
+/** The path of a run's file; a run is a folder's name, which may hold anything. */
+export function runPath(id: string, file: 'log' | 'recording'): string {
+  return `/api/runs/${encodeURIComponent(id)}/${file}`;
+}
+
+/** Has the browser save a file, as if its link had been clicked. */
+export function save(blob: Blob, name: string): void {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  // The browser reads the file after the click has returned.
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}

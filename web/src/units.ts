@@ -1,0 +1,25 @@
+// Lengths as they are shown. Files and messages are in metres; what is shown may be in feet.
+
+export type Units = 'metric' | 'feet';
+
+const FOOT_M = 0.3048;
+
+const INCHES_A_FOOT = 12;
+
+/** Such as `1.25 m` or `4 ft 1 in`. */
+export function length(metres: number, units: Units): string {
+  if (units === 'metric') return `${metres.toFixed(2)} m`;
+  const inches = Math.round((metres / FOOT_M) * INCHES_A_FOOT);
+  const [feet, rest] = [Math.floor(inches / INCHES_A_FOOT), inches % INCHES_A_FOOT];
+  if (feet === 0) return `${rest} in`;
+  return rest === 0 ? `${feet} ft` : `${feet} ft ${rest} in`;
+}
+
+/** A round length for a scale bar of at most `widest` pixels, and how many pixels it takes. */
+export function scaleBar(pixelsPerMetre: number, widest: number, units: Units): { label: string; pixels: number } {
+  const unit = units === 'metric' ? 1 : FOOT_M;
+  const most = widest / (pixelsPerMetre * unit);
+  const tens = 10 ** Math.floor(Math.log10(most));
+  const round = [5, 2, 1].map((step) => step * tens).find((step) => step <= most) ?? tens;
+  return { label: `${Number(round.toPrecision(1))} ${units === 'metric' ? 'm' : 'ft'}`, pixels: round * unit * pixelsPerMetre };
+}

@@ -1,0 +1,94 @@
+// The keys that walk somebody about. They are known by where they are on the keyboard, not by their letters, so that W, A,
+// S and D lie alike on every one; and they count only while the plan has the focus.
+
+import type { Key } from '../../wire';
+
+const CODES: Record<string, Key> = {
+  KeyW: 'up', ArrowUp: 'up',
+  KeyS: 'down', ArrowDown: 'down',
+  KeyA: 'left', ArrowLeft: 'left',
+  KeyD: 'right', ArrowRight: 'right',
+  ShiftLeft: 'fast', ShiftRight: 'fast',
+  ControlLeft: 'slow', ControlRight: 'slow', KeyC: 'slow',
+};
+
+const ORDER: Key[] = ['up', 'down', 'left', 'right', 'fast', 'slow'];
+
+export type Pressed = Pick<KeyboardEvent, 'code' | 'shiftKey' | 'ctrlKey' | 'altKey' | 'metaKey'>;
+
+/** Which keys are held, by keyboard and by the buttons on the screen; whoever listens is told only of changes. */
+export class HeldKeys {
+  private readonly sources = new Map<string, Key>();
+  private said = '';
+
+  constructor(private readonly say: (keys: Key[]) => void) {}
+
+  get held(): Key[] {
+    const held = new Set(this.sources.values());
+    return ORDER.filter((key) => held.has(key));
+  }
+
+  /** @returns whether the key is one of ours, so that the page does not scroll by it. */
+  down(event: Pressed): boolean {
+    // With these it is a shortcut of the browser; and a Mac tells of no key going up while Command is down.
+    if (event.altKey || event.metaKey) {
+      this.releaseAll();
+      return false;
+    }
+    const key = CODES[event.code];
+    if (key === undefined || (event.code === 'KeyC' && event.ctrlKey)) return false;
+    this.sources.set(event.code, key);
+    this.tell();
+    return true;
+  }
+
+  up(event: Pressed): boolean {
+    const ours = this.sources.delete(event.code);
+    // Of two Shift keys that are let go together, some keyboards tell only once.
+    if (!event.shiftKey) this.drop('ShiftLeft', 'ShiftRight');
+    if (!event.ctrlKey) this.drop('ControlLeft', 'ControlRight');
+    this.tell();
+    return ours;
+  }
+
+  /** A button on the screen; `source` tells one finger from another. */
+  press(source: string, key: Key): void {
+    this.sources.set(source, key);
+    this.tell();
+  }
+
+  release(source: string): void {
+    if (this.sources.delete(source)) this.tell();
+  }
+
+  releaseAll(): void {
+    this.sources.clear();
+    this.tell();
+  }
+
+  /** The line was cut: the server has let go of everything, and what is held is said anew. */
+  forget(): void {
+    this.sources.clear();
+    this.said = '';
+  }
+
+  private drop(...codes: string[]): void {
+    for (const code of codes) this.sources.delete(code);
+  }
+
+  private tell(): void {
+    const held = this.held;
+    const now = held.join();
+    if (now === this.said) return;
+    this.said = now;
+    this.say(held);
+  }
+}
+
+const FIELDS = 'input, select, textarea, button, a[href], summary, [contenteditable], [role="slider"]';
+
+/** Whether Space means something else where it is pressed. A button that was only clicked gives Space back to the run. */
+export function takesSpace(focused: Element | null, clicked: Element | null): boolean {
+  if (focused === null || !focused.matches(FIELDS)) return false;
+  return !(focused === clicked && focused.matches('button'));
+}
