@@ -15,6 +15,8 @@ const TYPES = { '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '
 const BROWSER = process.env.CHROMIUM ?? '/usr/bin/chromium';
 
 const folder = process.argv[2];
+/** Only the pictures whose name begins so. */
+const only = process.argv[3] ?? '';
 if (!folder) throw new Error('Say into which folder the pictures go.');
 mkdirSync(folder, { recursive: true });
 
@@ -69,6 +71,7 @@ const SIZES = { '1280x720': { width: 1280, height: 720 }, '1024x768': { width: 1
 for (const scheme of ['light', 'dark']) {
   for (const [name, size] of Object.entries(SIZES)) {
     for (const [what, query] of Object.entries({ live: '', keys: '?driven=0&hour=21', fast: '?speed=1000&hour=10', many: '?residents=10&sensors=100', hostile: '?hostile=1&driven=0' })) {
+      if (!`${what}-${scheme}-${name}`.startsWith(only)) continue;
       const page = await open(query, { scheme, ...size });
       await check(page, `${what}-${scheme}-${name}`);
       await page.close();

@@ -2,11 +2,14 @@
 // in fast time would make hundreds.
 
 const RISE_S = 0.15;
+/** So long one stays lit after it was last seen to be: shorter gaps, of which a second can hold many, are not seen at all. */
+const HOLD_MS = 300;
 const FALL_S = 0.9;
 
-/** By sensor, from 0 to 1: quick to light up, slow to fade, so that one that comes and goes stays lit. */
+/** By sensor or lamp, from 0 to 1: quick to light up, slow to fade, so that one that comes and goes stays lit. */
 export class Glow {
   readonly levels: number[] = [];
+  private readonly until_ms: number[] = [];
   private last_ms: number | null = null;
 
   /** @returns whether anything is lit, or was until now. */
@@ -17,9 +20,10 @@ export class Glow {
     let any = false;
     for (let sensor = 0; sensor < sensors; sensor++) {
       const level = this.levels[sensor] ?? 0;
-      const next = isLit.has(sensor) ? Math.min(level + past / RISE_S, 1) : Math.max(level - past / FALL_S, 0);
+      if (isLit.has(sensor)) this.until_ms[sensor] = now_ms + HOLD_MS;
+      const next = now_ms <= (this.until_ms[sensor] ?? -Infinity) ? Math.min(level + past / RISE_S, 1) : Math.max(level - past / FALL_S, 0);
       this.levels[sensor] = next;
-      any ||= next > 0 || level > 0;
+      any ||= next !== level || (next > 0 && !isLit.has(sensor));
     }
     this.levels.length = sensors;
     return any;

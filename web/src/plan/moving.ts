@@ -107,6 +107,8 @@ export function drawOn(pen: Pen, home: HomeView, view: View, palette: Palette, o
 
 /** Beams and areas of sensors that see somebody, as bright as their glow. */
 export function drawSeen(pen: Pen, home: HomeView, view: View, palette: Palette, levels: number[], layers: Layers): void {
+  // Many at once would cover the plan with a colour that then says nothing.
+  const alpha = Math.min(0.45, 2.2 / Math.max(levels.filter((level) => level > 0.3).length, 1));
   home.sensors.forEach((sensor, index) => {
     const level = levels[index] ?? 0;
     if (level <= 0.01) return;
@@ -122,7 +124,7 @@ export function drawSeen(pen: Pen, home: HomeView, view: View, palette: Palette,
       pen.stroke();
     }
     if (layers.beams && sensor.beams.length > 0) {
-      pen.globalAlpha = 0.5 * level;
+      pen.globalAlpha = Math.max(alpha, 0.1) * level;
       pen.lineWidth = 1;
       pen.beginPath();
       segments(pen, view, sensor.beams);
@@ -130,7 +132,7 @@ export function drawSeen(pen: Pen, home: HomeView, view: View, palette: Palette,
     }
     const [x, y] = place(sensor, view);
     pen.globalAlpha = level;
-    pen.lineWidth = 2.5;
+    pen.lineWidth = 2.2;
     pen.beginPath();
     pen.arc(x, y, GLYPH + 4, 0, 2 * Math.PI);
     pen.stroke();
@@ -140,9 +142,9 @@ export function drawSeen(pen: Pen, home: HomeView, view: View, palette: Palette,
 
 export function drawPulses(pen: Pen, home: HomeView, view: View, palette: Palette, pulses: { sensor: number; age: number }[], still: boolean): void {
   for (const { sensor, age } of pulses) {
-    const view_ = home.sensors[sensor];
-    if (view_ === undefined) continue;
-    const [x, y] = place(view_, view);
+    const fired = home.sensors[sensor];
+    if (fired === undefined) continue;
+    const [x, y] = place(fired, view);
     pen.globalAlpha = 1 - age;
     pen.lineWidth = still ? 3 : 3.5 - 2 * age;
     pen.strokeStyle = palette.seen;
@@ -258,12 +260,12 @@ function name(pen: Pen, view: View, palette: Palette, { resident, body, index }:
   const [x, y] = toScreen(view, body.at);
   const radius = Math.max(resident.radius_m * view.scale, 6);
   const words = shortened(resident.name, 18);
-  pen.font = `600 12px ${FONT}`;
+  pen.font = `600 11px ${FONT}`;
   pen.textAlign = 'center';
   pen.textBaseline = 'middle';
-  const width = pen.measureText(words).width + 14;
-  const top = y - radius * 1.6 - 26;
-  capsule(pen, x - width / 2, top, width, 19);
+  const width = pen.measureText(words).width + 12;
+  const top = y - radius * 1.6 - 21;
+  capsule(pen, x - width / 2, top, width, 17);
   const colour = colourOf(index);
   pen.fillStyle = colour;
   pen.fill();
@@ -271,7 +273,7 @@ function name(pen: Pen, view: View, palette: Palette, { resident, body, index }:
   pen.strokeStyle = palette.outline;
   pen.stroke();
   const ink = contrast(colour, '#ffffff') >= 4.5 ? '#ffffff' : '#000000';
-  text(pen, isolated(words), x, top + 10, ink, null);
+  text(pen, isolated(words), x, top + 9, ink, null);
 }
 
 function line(pen: Pen, from: At, to: At): void {

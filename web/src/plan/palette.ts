@@ -71,6 +71,7 @@ export type Palette = {
   soft: string;
   text: string;
   quiet: string;
+  sensor: string;
   halo: string;
   beam: string;
   seen: string;
@@ -90,6 +91,7 @@ export const light: Palette = {
   soft: '#f0ebdf',
   text: '#1d2630',
   quiet: '#47515d',
+  sensor: '#004f7c',
   halo: '#ffffff',
   beam: '#0072B2',
   seen: '#D55E00',
@@ -109,6 +111,7 @@ export const dark: Palette = {
   soft: '#333c47',
   text: '#f1f4f7',
   quiet: '#c3cbd4',
+  sensor: '#a9d8f6',
   halo: '#12171d',
   beam: '#56B4E9',
   seen: '#F5B041',

@@ -9,11 +9,15 @@ import {
 } from './moving';
 import { type Palette, daylight } from './palette';
 import type { Pen } from './pen';
-import { drawStill, place } from './still';
+import { drawNames, drawStill, place } from './still';
 import { Trails } from './trails';
-import { type Size, type View, fit, pan, toPlan, toScreen, zoom } from './transform';
+import { type Insets, type Size, type View, fitBest, pan, toPlan, toScreen, zoom } from './transform';
 
-const MARGIN = 28;
+/** The clock and the scale are at the left, or above and below; the buttons are at the right. */
+const WAYS: Insets[] = [
+  { left: 168, top: 12, right: 58, bottom: 12 },
+  { left: 14, top: 86, right: 58, bottom: 42 },
+];
 
 /** How near the pointer must come to a sensor to be told its name, in pixels. */
 const NEAR = 14;
@@ -34,7 +38,9 @@ export class Stage {
   private scene: Scene | null = null;
   private fitted = true;
   private sides: number[] = [];
+  /** What lies below the beams that see somebody, and what must be read over them. */
   private readonly still = document.createElement('canvas');
+  private readonly names = document.createElement('canvas');
   private stillIs = false;
   private readonly glow = new Glow();
   private readonly lamps = new Glow();
@@ -68,7 +74,7 @@ export class Stage {
     this.dpr = Math.min(dpr, 2);
     const before = toPlan(this.view, [this.size.width / 2, this.size.height / 2]);
     this.size = { width, height };
-    for (const canvas of [this.canvas, this.still]) {
+    for (const canvas of [this.canvas, this.still, this.names]) {
       canvas.width = Math.round(width * this.dpr);
       canvas.height = Math.round(height * this.dpr);
     }
@@ -83,7 +89,7 @@ export class Stage {
   /** All of the home, in the middle. */
   fit(): void {
     this.fitted = true;
-    if (this.scene) this.view = fit(this.scene.home.bounds, this.size, Math.min(MARGIN, this.size.width / 10));
+    if (this.scene) this.view = fitBest(this.scene.home.bounds, this.size, WAYS);
     this.stale();
   }
 
@@ -143,14 +149,13 @@ export class Stage {
     pen.fillStyle = scene.palette.outside;
     pen.fillRect(0, 0, this.size.width, this.size.height);
     drawFloor(pen, scene.home, view, scene.palette, this.day.level ?? 1, this.lamps.levels);
-    pen.setTransform(1, 0, 0, 1, 0, 0);
-    pen.drawImage(this.still, 0, 0);
-    this.begin(pen);
+    this.copy(pen, this.still);
     drawSeen(pen, scene.home, view, scene.palette, this.glow.levels, scene.layers);
+    this.copy(pen, this.names);
     drawDoors(pen, scene.home, view, scene.palette, frame?.on ?? [], this.sides);
     if (frame === null) return true;
     drawOn(pen, scene.home, view, scene.palette, frame.on);
-    if (scene.layers.trails && !scene.reducedMotion) drawTrails(pen, view, this.trails.of, now_ms);
+    if (scene.layers.trails && !scene.reducedMotion && !fast) drawTrails(pen, view, this.trails.of, now_ms);
     drawPulses(pen, scene.home, view, scene.palette, pulses, scene.reducedMotion);
     if (fast) drawCounts(pen, scene.home, view, scene.palette, this.shown);
     drawPeople(pen, view, scene.palette, persons(scene, frame));
@@ -161,18 +166,26 @@ export class Stage {
     pen.setTransform(this.dpr, 0, 0, this.dpr, 0, 0);
   }
 
+  private copy(pen: Pen, from: HTMLCanvasElement): void {
+    pen.setTransform(1, 0, 0, 1, 0, 0);
+    pen.drawImage(from, 0, 0);
+    this.begin(pen);
+  }
+
   private stale(): void {
     this.stillIs = false;
     this.dirty = true;
   }
 
   private redrawStill(scene: Scene): void {
-    const pen = this.still.getContext('2d');
-    if (pen === null) return;
-    pen.setTransform(1, 0, 0, 1, 0, 0);
-    pen.clearRect(0, 0, this.still.width, this.still.height);
-    this.begin(pen);
-    drawStill(pen, scene.home, this.view, scene.layers, scene.palette);
+    for (const [canvas, draw] of [[this.still, drawStill], [this.names, drawNames]] as const) {
+      const pen = canvas.getContext('2d');
+      if (pen === null) return;
+      pen.setTransform(1, 0, 0, 1, 0, 0);
+      pen.clearRect(0, 0, canvas.width, canvas.height);
+      this.begin(pen);
+      draw(pen, scene.home, this.view, scene.layers, scene.palette, this.size);
+    }
     this.stillIs = true;
   }
 }

@@ -1,4 +1,4 @@
-// What stands still: furniture, walls, sensors with their beams and areas, and all names. It is drawn once and copied under
+// What stands still: furniture, walls, sensors with their beams and areas, and all names. It is drawn once and copied into
 // each frame; the floor is not in it, for that changes with the sun and the lamps.
 
 import type { HomeView, SensorView } from '../wire';
@@ -7,7 +7,7 @@ import { kindOf } from './kinds';
 import type { Layers } from './layers';
 import type { Palette } from './palette';
 import { FONT, type Pen, glyph, segments, text, trace } from './pen';
-import { type View, toScreen } from './transform';
+import { type Size, type View, toScreen } from './transform';
 import { fitting, isolated, shortened } from './words';
 
 /** Left, top, right, bottom on the screen. */
@@ -16,15 +16,19 @@ type Box = [number, number, number, number];
 export const GLYPH = 6.5;
 
 export function drawStill(pen: Pen, home: HomeView, view: View, layers: Layers, palette: Palette): void {
-  const taken: Box[] = [];
   furniture(pen, home, view, palette);
   if (layers.areas) areas(pen, home.sensors, view, palette);
   if (layers.beams) beams(pen, home.sensors, view, palette);
   walls(pen, home, view, palette);
+}
+
+/** Glyphs and names. None is written over another: what finds no place is left away. */
+export function drawNames(pen: Pen, home: HomeView, view: View, layers: Layers, palette: Palette, size: Size): void {
+  const taken: Box[] = [];
   sensors(pen, home.sensors, view, palette, taken);
   roomNames(pen, home, view, palette, taken);
   if (layers.furnitureNames) furnitureNames(pen, home, view, palette, taken);
-  if (layers.sensorNames) sensorNames(pen, home.sensors, view, palette, taken);
+  if (layers.sensorNames) sensorNames(pen, home.sensors, view, palette, taken, size);
 }
 
 function furniture(pen: Pen, home: HomeView, view: View, palette: Palette): void {
@@ -155,19 +159,21 @@ function broken(name: string, width: number, lines: number, measure: (text: stri
   return cut !== null && cut.length >= 5 ? [cut] : [];
 }
 
-function sensorNames(pen: Pen, sensors: SensorView[], view: View, palette: Palette, taken: Box[]): void {
+function sensorNames(pen: Pen, sensors: SensorView[], view: View, palette: Palette, taken: Box[], size: Size): void {
   pen.textAlign = 'left';
   pen.textBaseline = 'middle';
-  pen.font = `500 11px ${FONT}`;
+  pen.font = `10.5px ${FONT}`;
   for (const sensor of sensors) {
     const [x, y] = place(sensor, view);
     const words = shortened(sensor.name, 28);
     const width = pen.measureText(words).width;
-    const spots: At[] = [[x + 11, y], [x - 11 - width, y], [x - width / 2, y + 15], [x - width / 2, y - 15], [x + 9, y + 13], [x + 9, y - 13], [x - 9 - width, y + 13], [x - 9 - width, y - 13]];
-    const spot = spots.find(([left, at]) => isFree([left, at - 7, left + width, at + 7], taken));
+    const [right, left]: At[] = [[x + 11, y], [x - 11 - width, y]];
+    const looksLeft = Math.cos(facing(sensor.at, sensor.beams) ?? 0) < -0.1;
+    const spots: At[] = [looksLeft ? left! : right!, looksLeft ? right! : left!, [x - width / 2, y + 15], [x - width / 2, y - 15], [x + 9, y + 13], [x + 9, y - 13], [x - 9 - width, y + 13], [x - 9 - width, y - 13]];
+    const spot = spots.find(([left, at]) => left > 2 && left + width < size.width - 2 && isFree([left, at - 7, left + width, at + 7], taken));
     if (spot === undefined) continue;
     taken.push([spot[0], spot[1] - 7, spot[0] + width, spot[1] + 7]);
-    text(pen, isolated(words), spot[0], spot[1], palette.text, palette.halo);
+    text(pen, isolated(words), spot[0], spot[1], palette.sensor, palette.halo, 3);
   }
 }
 

@@ -13,18 +13,27 @@ export type Bounds = [At, At];
 const NEAREST = 600;
 const FARTHEST = 4;
 
-/** The view in which all of `bounds` is seen, in the middle, with `margin` pixels around it. */
-export function fit(bounds: Bounds, size: Size, margin: number): View {
+/** What is kept free at the edges, in pixels. */
+export type Insets = { left: number; top: number; right: number; bottom: number };
+
+/** The view in which all of `bounds` is seen, in the middle of what the insets leave. */
+export function fit(bounds: Bounds, size: Size, insets: Insets): View {
   const [[left, bottom], [right, top]] = bounds;
   const wide = Math.max(right - left, 0.1);
   const high = Math.max(top - bottom, 0.1);
-  const room = { width: Math.max(size.width - 2 * margin, 1), height: Math.max(size.height - 2 * margin, 1) };
+  const room = { width: Math.max(size.width - insets.left - insets.right, 1), height: Math.max(size.height - insets.top - insets.bottom, 1) };
   const scale = Math.min(room.width / wide, room.height / high);
   return {
     scale,
-    x: size.width / 2 - ((left + right) / 2) * scale,
-    y: size.height / 2 + ((bottom + top) / 2) * scale,
+    x: insets.left + room.width / 2 - ((left + right) / 2) * scale,
+    y: insets.top + room.height / 2 + ((bottom + top) / 2) * scale,
   };
+}
+
+/** Of several ways to leave room, the one in which the plan is largest. */
+export function fitBest(bounds: Bounds, size: Size, ways: Insets[]): View {
+  const views = ways.map((insets) => fit(bounds, size, insets));
+  return views.reduce((best, view) => (view.scale > best.scale ? view : best));
 }
 
 export function toScreen(view: View, [x, y]: At): At {

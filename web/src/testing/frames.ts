@@ -1,0 +1,23 @@
+// Frames and firings for tests.
+
+import type { FiringView, Frame } from '../wire';
+
+export function frame(with_: Partial<Frame> = {}): Frame {
+  return {
+    now_us: 0,
+    clock: '2009-03-02 07:12:03',
+    state: 'playing',
+    speed: 1,
+    bodies: [],
+    seeing: [],
+    on: [],
+    sun: 1,
+    told: 0,
+    firings: [],
+    ...with_,
+  };
+}
+
+export function firing(seq: number, at_us: number, sensor = 0, stored = true): FiringView {
+  return { seq, at_us, sensor, value: 'ON', row: stored ? [`time ${seq}`, `S${sensor}`, `message ${seq}`] : null };
+}

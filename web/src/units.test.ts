@@ -1,0 +1,24 @@
+import { expect, test } from 'vitest';
+import { routeOf } from './routes';
+import { length, scaleBar } from './units';
+
+test('lengths in metres and in feet', () => {
+  expect(length(1.2, 'metric')).toBe('1.20 m');
+  expect([0.1, 0.3048, 1.2, 1.524].map((metres) => length(metres, 'feet'))).toEqual(['4 in', '1 ft', '3 ft 11 in', '5 ft']);
+});
+
+test('a scale bar is round and no wider than it may be', () => {
+  expect(scaleBar(50, 130, 'metric')).toEqual({ label: '2 m', pixels: 100 });
+  expect(scaleBar(400, 130, 'metric')).toEqual({ label: '0.2 m', pixels: 80 });
+  for (const scale of [4, 17, 99, 600]) {
+    for (const units of ['metric', 'feet'] as const) {
+      const { pixels } = scaleBar(scale, 130, units);
+      expect(pixels).toBeGreaterThan(50);
+      expect(pixels).toBeLessThanOrEqual(130);
+    }
+  }
+});
+
+test('an address that is none of ours is the live view', () => {
+  expect(['#/plan', '#/log/3', '#playback', '', '#/nowhere', '#/__proto__'].map(routeOf)).toEqual(['plan', 'log', 'playback', 'live', 'live', 'live']);
+});

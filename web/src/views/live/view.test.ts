@@ -1,0 +1,198 @@
+import { encode } from '@msgpack/msgpack';
+import { flushSync, mount, unmount } from 'svelte';
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { Live } from '../../live.svelte';
+import type { Wire } from '../../socket';
+import { firing, frame } from '../../testing/frames';
+import { madeUpRun } from '../../testing/home';
+import type { Frame, RunView } from '../../wire';
+import LiveView from './Live.svelte';
+
+const EVIL = '<img src=x onerror="globalThis.broken=1"><script>globalThis.broken=1</script>';
+
+let sent: { say: string }[];
+let wire: Wire;
+let live: Live;
+let view: Record<string, unknown>;
+
+function begin(run: RunView): void {
+  sent = [];
+  wire = { binaryType: '', onopen: null, onmessage: null, onclose: null, onerror: null, send: (text) => sent.push(JSON.parse(text)), close: () => {} };
+  live = new Live('token', () => {}, () => wire);
+  live.open();
+  wire.onopen!();
+  wire.onmessage!({ data: JSON.stringify({ tell: 'run', run }) });
+  view = mount(LiveView, { target: document.body, props: { live } });
+  show({});
+  sent.length = 0;
+}
+
+function show(part: Partial<Frame>): void {
+  vi.advanceTimersByTime(500);
+  wire.onmessage!({ data: encode(frame({ bodies: live.run!.residents.map(() => ({ at: [6.1, 3.9], heading_deg: 0, posture: 'standing', room: 3, activity: 'walking' })), ...part })) });
+  vi.advanceTimersByTime(500);
+  flushSync();
+}
+
+function key(type: 'keydown' | 'keyup', code: string, target: Element | null = document.activeElement): KeyboardEvent {
+  const event = new KeyboardEvent(type, { code, key: code === 'Space' ? ' ' : code, bubbles: true, cancelable: true });
+  (target ?? document.body).dispatchEvent(event);
+  flushSync();
+  return event;
+}
+
+const plan = () => document.querySelector<HTMLElement>('[role="application"]')!;
+const button = (name: string) => [...document.querySelectorAll('button')].find((one) => (one.getAttribute('aria-label') ?? one.textContent!).trim().startsWith(name))!;
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  begin(madeUpRun(2, 18, 0));
+});
+
+afterEach(async () => {
+  await unmount(view);
+  live.close();
+  vi.useRealTimers();
+});
+
+test('keys walk only while the plan has the focus', () => {
+  key('keydown', 'KeyW', document.body);
+  expect(sent).toEqual([]);
+  plan().focus();
+  const event = key('keydown', 'KeyW');
+  key('keydown', 'KeyW');
+  key('keyup', 'KeyW');
+  expect(sent).toEqual([{ say: 'hold', keys: ['up'] }, { say: 'hold', keys: [] }]);
+  expect(event.defaultPrevented).toBe(true);
+  expect(key('keydown', 'Tab').defaultPrevented).toBe(false);
+});
+
+test('leaving the plan, the window or the page lets go of all keys', () => {
+  for (const leave of [
+    () => plan().blur(),
+    () => window.dispatchEvent(new Event('blur')),
+    () => {
+      vi.spyOn(document, 'hidden', 'get').mockReturnValueOnce(true);
+      document.dispatchEvent(new Event('visibilitychange'));
+    },
+    () => document.querySelector('canvas')!.dispatchEvent(new Event('pointercancel')),
+  ]) {
+    plan().focus();
+    key('keydown', 'ArrowLeft');
+    sent.length = 0;
+    leave();
+    expect(sent).toEqual([{ say: 'hold', keys: [] }]);
+  }
+});
+
+test('where nobody is moved by keys, they move the plan and nobody', () => {
+  void unmount(view);
+  begin(madeUpRun(1, 3, null));
+  plan().focus();
+  key('keydown', 'KeyW');
+  key('keydown', 'ArrowUp');
+  expect(sent).toEqual([]);
+});
+
+test('a button of the pad is held by a finger, by Enter and by Space, and Space does not pause then', () => {
+  const up = button('Walk up');
+  up.setPointerCapture = () => {};
+  up.dispatchEvent(new PointerEvent('pointerdown', { bubbles: true }));
+  up.dispatchEvent(new PointerEvent('pointerup', { bubbles: true }));
+  up.focus();
+  key('keydown', 'Space');
+  key('keyup', 'Space');
+  const [down, let_go] = [{ say: 'hold', keys: ['up'] }, { say: 'hold', keys: [] }];
+  expect(sent).toEqual([down, let_go, down, let_go]);
+});
+
+test('Space plays and pauses, and does nothing to a field', () => {
+  key('keydown', 'Space', document.body);
+  show({ state: 'paused' });
+  plan().focus();
+  key('keydown', 'Space');
+  expect(sent).toEqual([{ say: 'pause' }, { say: 'play' }]);
+  document.querySelector<HTMLElement>('input[type="range"]')!.focus();
+  key('keydown', 'Space');
+  expect(sent).toHaveLength(2);
+});
+
+test('controls say what they are for', () => {
+  button('1 s on').click();
+  button('100×').click();
+  button('As fast').click();
+  button('Sit').click();
+  button('Stop').click();
+  expect(sent).toEqual([
+    { say: 'step', seconds: 1 },
+    { say: 'speed', times: 100 },
+    { say: 'speed', times: null },
+    { say: 'be', posture: 'sitting' },
+    { say: 'stop' },
+  ]);
+});
+
+test('a run begins with whom was chosen, and one that was stopped can be lived again', () => {
+  const who = document.querySelector<HTMLSelectElement>('#walks')!;
+  who.value = '1';
+  who.dispatchEvent(new Event('change', { bubbles: true }));
+  flushSync();
+  expect(button('Replay').disabled).toBe(true);
+  button('New run').click();
+  show({ state: 'over' });
+  button('Replay').click();
+  expect(sent).toEqual([{ say: 'start', driven: 1, without: [], seed: null }, { say: 'replay', run: 'cottage-1' }]);
+});
+
+test('time is gone to by keys once they rest, and is said in words', () => {
+  const slider = document.querySelector<HTMLInputElement>('input[aria-label="Time in the run"]')!;
+  expect(slider.getAttribute('aria-valuetext')).toBe('2 March, 07:12:03');
+  for (const name of ['PageUp', 'ArrowRight', 'ArrowRight']) slider.dispatchEvent(new KeyboardEvent('keydown', { key: name, bubbles: true, cancelable: true }));
+  flushSync();
+  expect(slider.getAttribute('aria-valuetext')).toBe('2 March, 08:14:03');
+  expect(sent).toEqual([]);
+  vi.advanceTimersByTime(400);
+  expect(sent).toEqual([{ say: 'jump', to_us: 3_720_000_000 }]);
+});
+
+test('things within reach are used, and the others are not listed', () => {
+  const doors = document.querySelector('[aria-label="Within reach"]')!;
+  expect(doors.textContent).toContain('sitting room door');
+  expect(doors.textContent).not.toContain('front door');
+  button('Open sitting room door').click();
+  expect(sent).toEqual([{ say: 'use', thing: 0, on: true }]);
+});
+
+test('the table shows rows as they are stored, the newest first, and says what is not stored', () => {
+  show({ now_us: 9_000_000, told: 60, firings: [firing(57, 7_000_000), firing(58, 8_000_000, 1, false), firing(59, 9_000_000, 2)] });
+  const rows = [...document.querySelectorAll('table[aria-rowcount] tbody tr')].map((row) => row.textContent!.replace(/\s+/g, ' ').trim());
+  expect(rows.map((row) => row.replaceAll(' ', ''))).toEqual(['time59S2message59', expect.stringContaining('(notstored)'), 'time57S0message57', '57more,notshown']);
+});
+
+test('of five hundred rows few are in the page', () => {
+  show({ now_us: 600, told: 600, firings: Array.from({ length: 600 }, (_, seq) => firing(seq, seq)) });
+  expect(document.querySelector('table[aria-rowcount]')!.getAttribute('aria-rowcount')).toBe('501');
+  expect(document.querySelectorAll('table[aria-rowcount] tbody tr').length).toBeLessThan(60);
+});
+
+test('firings are spoken of', () => {
+  show({ now_us: 1, told: 1, firings: [firing(0, 1, 0)] });
+  expect(document.querySelector('[aria-live="polite"]')!.textContent).toBe(`Fired: ${live.run!.home.sensors[0]!.name}.`);
+});
+
+test('hostile names are text', () => {
+  void unmount(view);
+  const run = madeUpRun(2, 18, 0, (name) => `${EVIL} ${name} ${'x'.repeat(4000)}`);
+  begin({ ...run, id: EVIL, log: [EVIL] });
+  show({ now_us: 9, told: 1, firings: [{ ...firing(0, 9), row: [EVIL, EVIL, EVIL] }] });
+  expect(document.body.textContent).toContain(EVIL);
+  expect(document.querySelectorAll('img, script')).toHaveLength(0);
+  expect((globalThis as { broken?: number }).broken).toBeUndefined();
+});
+
+test('a click that reaches nobody is said so', () => {
+  wire.onclose!({ code: 1006 });
+  button('1 s on').click();
+  expect(live.status).toBe('lost');
+  expect(live.notes.map((note) => note.bad)).toEqual([true]);
+});
