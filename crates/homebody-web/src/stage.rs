@@ -46,6 +46,8 @@ enum Wish {
 
 /// What there is to be seen.
 struct Board {
+    /// Which run it is, of all that there were.
+    run: u64,
     /// Grows with each run and each change of what is told of it.
     number: u64,
     view: Arc<RunView>,
@@ -59,7 +61,8 @@ struct Board {
 /// What a page has seen already.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Seen {
-    run: Option<u64>,
+    run: u64,
+    number: Option<u64>,
     row: u64,
     note: Option<u64>,
 }
@@ -75,6 +78,7 @@ impl Stage {
     pub fn open(shelf: Shelf) -> Result<Stage, String> {
         let mut act = Act::new(&shelf, Start::default())?;
         let board = Board {
+            run: 0,
             number: 0,
             view: Arc::new(act.view()),
             frame: act.frame(State::Paused, Some(1.0)),
@@ -123,17 +127,17 @@ impl Stage {
     pub fn news(&self, seen: &mut Seen, most_rows: usize) -> News {
         let board = locked(&self.board);
         let mut tells = Vec::new();
-        if seen.run != Some(board.number) {
-            seen.run = Some(board.number);
+        if seen.number != Some(board.number) {
+            seen.number = Some(board.number);
             tells.push(Tell::Run { run: Box::new((*board.view).clone()) });
         }
         let first = seen.note.unwrap_or(board.next_note);
         tells.extend(board.notes.iter().filter(|(number, _)| *number >= first).map(|(_, tell)| tell.clone()));
         seen.note = Some(board.next_note);
         let mut frame = board.frame.clone();
-        // A run that was begun anew counts its rows from 0 again.
-        if frame.told < seen.row {
-            seen.row = 0;
+        // Each run counts its rows from 0.
+        if seen.run != board.run {
+            (seen.run, seen.row) = (board.run, 0);
         }
         let fresh = board.rows.iter().rev().take_while(|row| row.seq >= seen.row).take(most_rows);
         frame.firings = fresh.cloned().collect();
@@ -337,8 +341,12 @@ impl Director {
     }
 
     fn begin_anew(&mut self) {
-        locked(&self.board).rows.clear();
+        let mut board = locked(&self.board);
+        board.run += 1;
+        board.rows.clear();
+        drop(board);
         self.tell_run_again();
+        self.show();
     }
 
     fn tell_run_again(&mut self) {

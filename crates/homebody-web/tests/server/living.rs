@@ -1,0 +1,164 @@
+//! What a page does to a run, and what it does not.
+
+use super::served::{Page, Seen, Served};
+use homebody_core::event::Events;
+use homebody_core::recording::{Recording, Seal};
+use homebody_core::run::Run;
+use homebody_core::scenario::load::Scenario;
+use homebody_core::time::{SECOND, micros};
+use homebody_routine::household::Household;
+use rusqlite::Connection;
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::thread;
+use std::time::Duration;
+
+/// The rows of a run's log: time, sensor, message.
+fn rows(run: &Path) -> Vec<Value> {
+    let log = Connection::open(run.join("log.db")).unwrap();
+    let mut rows = log.prepare("SELECT fired_at, sensor, value FROM firing ORDER BY seq").unwrap();
+    let rows = rows
+        .query_map([], |row| Ok(json!([row.get::<_, String>(0)?, row.get::<_, String>(1)?, row.get::<_, String>(2)?])));
+    rows.unwrap().map(Result::unwrap).collect()
+}
+
+fn recording(run: &Path) -> Recording {
+    serde_json::from_str(&fs::read_to_string(run.join("recording.json")).unwrap()).unwrap()
+}
+
+fn is(state: &'static str) -> impl Fn(&Value) -> bool {
+    move |frame| frame["state"] == state
+}
+
+/// What somebody sees who lets the keys be held for a while each, at the pace of life.
+fn drive(page: &mut Page, ways: &[(&[&str], f64)]) -> Seen {
+    page.say(r#"{"say":"start","driven":0,"without":[],"seed":null}"#);
+    page.say(r#"{"say":"play"}"#);
+    for (keys, s) in ways {
+        page.say(&json!({ "say": "hold", "keys": keys }).to_string());
+        thread::sleep(Duration::from_secs_f64(*s));
+    }
+    page.say(r#"{"say":"hold","keys":[]}"#);
+    thread::sleep(Duration::from_secs_f64(0.5));
+    page.say(r#"{"say":"stop"}"#);
+    page.until(is("over"))
+}
+
+#[test]
+fn who_is_driven_makes_sensors_fire_and_the_page_sees_what_the_log_gets() {
+    let served = Served::scenario("by-hand");
+    let mut page = served.page();
+    let before = page.until(|frame| frame["told"] == 0);
+    assert_eq!(before.run["residents"][0]["name"], "visitor");
+    let seen = drive(&mut page, &[(&["right"], 2.0), (&["up", "right"], 2.5)]);
+    assert!(seen.notes.iter().any(|note| note.contains("rows are in")), "{:?}", seen.notes);
+    let run = served.only_run();
+    let stored = rows(&run);
+    assert!(stored.len() >= 2, "{stored:?}");
+    assert_eq!(seen.rows, stored);
+    // Its recording lives it again.
+    let recording = recording(&run);
+    assert!(recording.files["visitor.keys.json"].contains("\"held\": ["), "{:?}", recording.files.keys());
+    let scenario = recording.scenario().unwrap();
+    let mut run = recording.run(&scenario, &());
+    let (mut events, mut seal) = (Events::default(), Seal::default());
+    run.advance(recording.length_us, &mut events);
+    seal.add(&events.firings);
+    assert_eq!((seal.firings(), seal.hex()), (recording.firings, recording.sha256));
+}
+
+#[test]
+fn a_recording_is_replayed_to_the_same_firings() {
+    let served = Served::scenario("by-hand");
+    let mut page = served.page();
+    let first = drive(&mut page, &[(&["right", "fast"], 2.0), (&["up"], 1.0)]);
+    let id = served.only_run().file_name().unwrap().to_str().unwrap().to_owned();
+    page.say(r#"{"say":"speed","times":null}"#);
+    page.say(&json!({ "say": "replay", "run": id }).to_string());
+    assert_eq!(page.until_told("The same as the recording").rows, first.rows);
+    page.say(r#"{"say":"replay","run":"../by-hand"}"#);
+    page.until_told("there is no run");
+}
+
+/// Whoever looks, and however fast: the log is the one of a run that nobody looks at.
+#[test]
+fn a_page_that_looks_changes_nothing() {
+    let files = texts(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/tigerplace"));
+    let mut scenario = Scenario::load(&files, "scenario.json").unwrap();
+    let household = Household::read(&mut scenario, &files, &[]).unwrap();
+    for (speeds, hours) in [(&["null"][..], 30.0), (&["1000", "0.1", "300"], 9.0)] {
+        let mut served = Served::scenario("tigerplace");
+        let mut page = served.page();
+        let mut idle = served.page();
+        // The first hours are asleep.
+        for (turn, speed) in speeds.iter().enumerate() {
+            page.say(&format!(r#"{{"say":"speed","times":{speed}}}"#));
+            page.say(r#"{"say":"play"}"#);
+            let to = (hours * 3600.0 * (turn + 1) as f64 / speeds.len() as f64 * 1e6) as i64;
+            if speeds.len() > 1 {
+                thread::sleep(Duration::from_millis(300));
+                page.say(&json!({ "say": "jump", "to_us": to }).to_string());
+            }
+            page.until(|frame| frame["now_us"].as_i64() >= Some(to));
+        }
+        page.say(r#"{"say":"stop"}"#);
+        page.until(is("over"));
+        idle.until(is("over"));
+        served.close();
+        let recording = recording(&served.only_run());
+        let mut alone = Run::new(&scenario, &household, recording.seed, micros(scenario.file.days * 86_400.0));
+        let (mut events, mut seal) = (Events::default(), Seal::default());
+        while alone.now() < recording.length_us {
+            alone.advance(recording.length_us.min(alone.now() + 3600 * SECOND), &mut events);
+            seal.add(&events.firings);
+            events.clear();
+        }
+        assert!(recording.firings > 0);
+        assert_eq!((seal.firings(), seal.hex()), (recording.firings, recording.sha256), "{speeds:?}");
+    }
+}
+
+fn texts(folder: &Path) -> BTreeMap<String, String> {
+    let text = |entry: std::io::Result<fs::DirEntry>| {
+        let path = entry.unwrap().path();
+        (path.file_name().unwrap().to_str().unwrap().to_owned(), fs::read_to_string(path).unwrap())
+    };
+    fs::read_dir(folder).unwrap().map(text).collect()
+}
+
+/// The keys of a page that goes away are let go, so that nobody walks on for ever.
+#[test]
+fn who_goes_lets_go_of_the_keys() {
+    let served = Served::scenario("by-hand");
+    let mut page = served.page();
+    let mut other = served.page();
+    page.say(r#"{"say":"start","driven":0,"without":[],"seed":null}"#);
+    page.say(r#"{"say":"play"}"#);
+    page.say(r#"{"say":"hold","keys":["right"]}"#);
+    thread::sleep(Duration::from_millis(500));
+    drop(page);
+    thread::sleep(Duration::from_millis(500));
+    let place = |seen: Seen| seen.frame["bodies"][0]["at"].clone();
+    let at = |us: i64| move |frame: &Value| frame["now_us"].as_i64() > Some(us);
+    let first = place(other.until(at(1_500_000)));
+    let later = place(other.until(at(2_500_000)));
+    assert_eq!(first, later);
+    assert!(first[0].as_f64() > Some(0.7), "nobody walked: {first}");
+}
+
+/// Back in time means to live it again with the same input, and on from there.
+#[test]
+fn a_jump_back_lives_the_same_again() {
+    let served = Served::scenario("tigerplace");
+    let mut page = served.page();
+    page.say(r#"{"say":"jump","to_us":36000000000}"#);
+    let there = page.until(|frame| frame["now_us"].as_i64() >= Some(36_000_000_000)).frame;
+    page.say(r#"{"say":"jump","to_us":28800000000}"#);
+    let back = page.until(|frame| frame["now_us"] == 28_800_000_000_i64).frame;
+    assert!(back["told"].as_u64() < there["told"].as_u64());
+    page.say(r#"{"say":"jump","to_us":36000000000}"#);
+    let again = page.until(|frame| frame["now_us"] == 36_000_000_000_i64).frame;
+    assert_eq!((&again["told"], &again["bodies"]), (&there["told"], &there["bodies"]));
+}

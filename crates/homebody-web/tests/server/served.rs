@@ -1,0 +1,194 @@
+//! A server with a scenario, and those who ask it: as browsers do, and as nobody should.
+
+use homebody_web::server::SOCKET;
+use homebody_web::shelf::Shelf;
+use homebody_web::{Options, serve};
+use std::fs;
+use std::io::{Read, Write};
+use std::net::{SocketAddr, TcpStream};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::channel;
+use std::thread::{self, JoinHandle};
+use std::time::Duration;
+use tempfile::TempDir;
+use tungstenite::client::IntoClientRequest;
+use tungstenite::{Message, WebSocket};
+
+/// A server that is gone, its files complete, when this is dropped.
+pub struct Served {
+    pub folder: TempDir,
+    pub address: SocketAddr,
+    pub token: String,
+    stop: Arc<AtomicBool>,
+    thread: Option<JoinHandle<()>>,
+}
+
+/// What a server answered.
+#[derive(Debug)]
+pub struct Answer {
+    pub code: u16,
+    pub head: String,
+    pub body: Vec<u8>,
+}
+
+pub type Socket = WebSocket<TcpStream>;
+
+impl Served {
+    /// Serves a copy of a scenario of the repository.
+    pub fn scenario(name: &str) -> Served {
+        let folder = tempfile::tempdir().unwrap();
+        let scenario = folder.path().join(name);
+        fs::create_dir(&scenario).unwrap();
+        let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios").join(name);
+        for entry in fs::read_dir(source).unwrap() {
+            let entry = entry.unwrap();
+            fs::copy(entry.path(), scenario.join(entry.file_name())).unwrap();
+        }
+        let shelf = Shelf { scenario, entry: "scenario.json".into(), runs: folder.path().join("runs") };
+        let stop = Arc::new(AtomicBool::new(false));
+        let (ready, is_ready) = channel();
+        let options = Options { port: Some(0), ..Options::new(shelf) };
+        let set = stop.clone();
+        let thread = thread::spawn(move || {
+            serve(options, &set, |address| ready.send(address.to_owned()).unwrap()).unwrap();
+        });
+        let address = is_ready.recv_timeout(Duration::from_secs(60)).expect("a server");
+        let (address, token) = address.strip_prefix("http://").unwrap().split_once("/#token=").unwrap();
+        let (address, token) = (address.parse().unwrap(), token.to_owned());
+        Served { folder, address, token, stop, thread: Some(thread) }
+    }
+
+    /// Ends the server, as Ctrl-C does.
+    pub fn close(&mut self) {
+        self.stop.store(true, Ordering::Relaxed);
+        if let Some(thread) = self.thread.take() {
+            thread.join().unwrap();
+        }
+    }
+
+    /// Sends exactly these bytes, and reads the answer.
+    pub fn ask(&self, request: &[u8]) -> Answer {
+        let mut stream = TcpStream::connect(self.address).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(20))).unwrap();
+        // A server that has seen enough may close before all is sent.
+        let _ = stream.write_all(request);
+        let mut answer = Vec::new();
+        let _ = stream.read_to_end(&mut answer);
+        let end = answer.windows(4).position(|bytes| bytes == b"\r\n\r\n").unwrap_or(answer.len());
+        let head = String::from_utf8_lossy(&answer[..end]).into_owned();
+        let code = head.split(' ').nth(1).and_then(|code| code.parse().ok()).unwrap_or(0);
+        Answer { code, head, body: answer.get(end + 4..).unwrap_or_default().to_vec() }
+    }
+
+    /// Asks for a path as its own page does, with more lines in the head.
+    pub fn get(&self, path: &str, more: &str) -> Answer {
+        let address = self.address;
+        self.ask(format!("GET {path} HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\n{more}\r\n").as_bytes())
+    }
+
+    /// Asks below `/api/` with the token.
+    pub fn api(&self, path: &str) -> Answer {
+        self.get(path, &format!("x-homebody-token: {}\r\n", self.token))
+    }
+
+    /// A socket of its own page that has not said anything yet.
+    pub fn socket(&self) -> Socket {
+        let mut request = format!("ws://{}{SOCKET}", self.address).into_client_request().unwrap();
+        request.headers_mut().insert("origin", format!("http://{}", self.address).parse().unwrap());
+        let stream = TcpStream::connect(self.address).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(30))).unwrap();
+        tungstenite::client(request, stream).unwrap().0
+    }
+
+    /// A page that is let in.
+    pub fn page(&self) -> Page {
+        let mut page = Page { socket: self.socket() };
+        page.say(&format!(r#"{{"say":"hello","token":"{}"}}"#, self.token));
+        page
+    }
+
+    /// The folder of the only run.
+    pub fn only_run(&self) -> PathBuf {
+        let runs: Vec<PathBuf> =
+            fs::read_dir(self.folder.path().join("runs")).unwrap().map(|entry| entry.unwrap().path()).collect();
+        let [run] = &runs[..] else { panic!("{runs:?}") };
+        run.clone()
+    }
+}
+
+impl Drop for Served {
+    fn drop(&mut self) {
+        self.close();
+    }
+}
+
+/// A page's side of a socket.
+pub struct Page {
+    pub socket: Socket,
+}
+
+/// What a page hears.
+#[derive(Debug)]
+pub enum Heard {
+    Frame(serde_json::Value),
+    Tell(serde_json::Value),
+}
+
+impl Page {
+    pub fn say(&mut self, say: &str) {
+        self.socket.send(Message::Text(say.into())).unwrap();
+    }
+
+    pub fn hear(&mut self) -> Heard {
+        loop {
+            match self.socket.read().unwrap() {
+                Message::Text(text) => return Heard::Tell(serde_json::from_str(&text).unwrap()),
+                Message::Binary(bytes) => return Heard::Frame(rmp_serde::from_slice(&bytes).unwrap()),
+                _ => {}
+            }
+        }
+    }
+
+    /// Reads until a frame is as wished, and returns it with all rows and notes that came on the way.
+    pub fn until(&mut self, is_wished: impl Fn(&serde_json::Value) -> bool) -> Seen {
+        let mut seen = Seen::default();
+        loop {
+            match self.hear() {
+                Heard::Tell(tell) if tell["tell"] == "note" => seen.notes.push(tell["text"].as_str().unwrap().into()),
+                Heard::Tell(tell) => seen.run = tell["run"].clone(),
+                Heard::Frame(frame) => {
+                    seen.rows.extend(frame["firings"].as_array().unwrap().iter().map(|row| row["row"].clone()));
+                    if is_wished(&frame) {
+                        seen.frame = frame;
+                        return seen;
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl Page {
+    /// Reads until something is told, and returns all that came on the way and the frame after it.
+    pub fn until_told(&mut self, text: &str) -> Seen {
+        let mut seen = Seen::default();
+        while !seen.notes.iter().any(|note| note.contains(text)) {
+            let next = self.until(|_| true);
+            seen.rows.extend(next.rows);
+            seen.notes.extend(next.notes);
+            seen.frame = next.frame;
+        }
+        seen
+    }
+}
+
+/// What a page has seen.
+#[derive(Debug, Default)]
+pub struct Seen {
+    pub frame: serde_json::Value,
+    pub run: serde_json::Value,
+    pub rows: Vec<serde_json::Value>,
+    pub notes: Vec<String>,
+}
