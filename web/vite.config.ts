@@ -1,14 +1,14 @@
 import { svelte } from '@sveltejs/vite-plugin-svelte';
 import { defineConfig } from 'vitest/config';
 
-// `homebody serve` answers here while `npm run dev` serves the page itself.
+// The program answers here while `npm run dev` serves the page itself; it hears only pages that come from its own address.
 const server = 'http://127.0.0.1:8642';
 
 export default defineConfig({
   plugins: [svelte({ compilerOptions: { runes: true } })],
   // The server lets no data: scripts or styles through, so nothing small is folded into another file.
   build: { assetsInlineLimit: 0, modulePreload: { polyfill: false }, target: 'es2022' },
-  server: { port: 5173, proxy: { '/api': { target: server, ws: true } } },
+  server: { port: 5173, proxy: { '/api': { target: server, ws: true, headers: { origin: server } } } },
   // Components are mounted in tests, so the browser's half of Svelte is wanted.
   resolve: process.env.VITEST ? { conditions: ['browser'] } : {},
   test: { environment: 'happy-dom', include: ['src/**/*.test.ts'] },

@@ -95,8 +95,10 @@ export class Live {
   }
 
   note(text: string, bad: boolean): void {
+    // Said again while it is still there to be read, it would only be read out again.
+    if (this.notes.some((old) => old.text === text && old.bad === bad)) return;
     const note = { id: ++this.noted, text, bad };
-    this.notes = [...this.notes.filter((old) => old.text !== text), note].slice(-NOTES);
+    this.notes = [...this.notes, note].slice(-NOTES);
     // What went wrong stays until somebody has read it.
     if (!bad) setTimeout(() => this.dismiss(note.id), NOTE_MS);
   }

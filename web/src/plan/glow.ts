@@ -58,6 +58,7 @@ export class Pulses {
   /** @returns whether a ring begins; where none may, the count beside the sensor still grows. */
   fire(sensor: number, now_ms: number): boolean {
     this.begun = this.begun.filter((at) => at > now_ms - 1000);
+    this.running = this.running.filter((pulse) => now_ms - pulse.since_ms < PULSE_MS);
     if (this.begun.length >= MOST_A_SECOND || this.running.some((pulse) => pulse.sensor === sensor && now_ms - pulse.since_ms < 400)) return false;
     this.begun.push(now_ms);
     this.running.push({ sensor, since_ms: now_ms });

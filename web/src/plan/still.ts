@@ -36,8 +36,11 @@ function furniture(pen: Pen, home: HomeView, view: View, palette: Palette): void
     if (solid.kind !== 'furniture') continue;
     pen.beginPath();
     trace(pen, view, solid.outline);
+    // The floor shines through, so that furniture, too, is darker at night.
+    pen.globalAlpha = 0.6;
     pen.fillStyle = solid.enterable ? palette.soft : palette.furniture;
     pen.fill();
+    pen.globalAlpha = 1;
     pen.lineWidth = 1.1;
     pen.strokeStyle = palette.furnitureEdge;
     pen.setLineDash(solid.enterable ? [5, 3] : []);

@@ -26,13 +26,15 @@ export class Trails {
       const last = steps.at(-1);
       const far = last === undefined ? Infinity : distance(last.at, body.at);
       if (far > STEP_M) steps.push({ at: body.at, since_ms: now_ms, leap: far > LEAP_M });
+      // In a hidden tab frames come, but nothing is drawn that would fade them.
+      if (steps.length > LONGEST) steps.splice(0, steps.length - LONGEST);
     });
   }
 
   /** @returns whether any step is left. */
   fade(now_ms: number): boolean {
     for (const steps of this.of) {
-      let old = Math.max(steps.length - LONGEST, 0);
+      let old = 0;
       while (old < steps.length && now_ms - steps[old]!.since_ms > KEPT_MS) old += 1;
       if (old > 0) steps.splice(0, old);
     }

@@ -196,7 +196,8 @@ export class FakeServer implements Wire {
     const firings: FiringView[] = [];
     this.seeing = [];
     this.run.home.sensors.forEach((sensor, index) => {
-      const sees = this.walkers.some(({ at, way }) => way.length > 0 && (sensor.area ? inside(sensor.area, at) : inFan(at, sensor.beams)));
+      const moves = (way: At[], who: number) => way.length > 0 || (who === this.run.driven && this.keys.length > 0);
+      const sees = this.walkers.some(({ at, way }, who) => moves(way, who) && (sensor.area ? inside(sensor.area, at) : inFan(at, sensor.beams)));
       if (sees) this.seeing.push(index);
       const often = Math.min(Math.floor(seconds / 7), 4);
       if (!(sees && this.now_us >= this.quiet_until[index]!) && !(often > 0 && this.chance() < 0.3)) return;

@@ -1,0 +1,71 @@
+import { flushSync, mount, unmount } from 'svelte';
+import { afterEach, expect, test } from 'vitest';
+import App from './App.svelte';
+import { WRONG_TOKEN, type Wire } from './socket';
+
+let app: Record<string, unknown>;
+let wires: Wire[];
+let sent: string[];
+
+function open(hash: string, withWire: boolean): void {
+  [wires, sent] = [[], []];
+  window.location.hash = hash;
+  const fake = () => {
+    const wire: Wire = { binaryType: '', onopen: null, onmessage: null, onclose: null, onerror: null, send: (text) => sent.push(text), close: () => {} };
+    wires.push(wire);
+    return wire;
+  };
+  app = mount(App, { target: document.body, props: withWire ? { fake } : {} });
+  flushSync();
+}
+
+afterEach(async () => {
+  await unmount(app);
+  window.sessionStorage.clear();
+});
+
+const form = () => document.querySelector('form');
+
+test('without a token it is asked for, and what is none is not sent', () => {
+  open('#/live', false);
+  expect(document.querySelector('nav')).toBeNull();
+  form()!.dispatchEvent(new Event('submit', { bubbles: true, cancelable: true }));
+  flushSync();
+  expect(document.querySelector('[role="alert"]')!.textContent).toContain('not a token');
+});
+
+test('the server does not know the token: it is asked for again, and why is said', () => {
+  open('#/live', true);
+  wires[0]!.onopen!();
+  flushSync();
+  expect(document.querySelector('nav')).not.toBeNull();
+  wires[0]!.onclose!({ code: WRONG_TOKEN });
+  flushSync();
+  expect(document.querySelector('nav')).toBeNull();
+  expect(document.querySelector('[role="alert"]')!.textContent).toContain('does not know this token');
+  expect(window.sessionStorage.getItem('homebody-token')).toBeNull();
+});
+
+test('a lost connection is seen, and so is that it is back', () => {
+  open('#/live', true);
+  wires[0]!.onopen!();
+  wires[0]!.onclose!({ code: 1006 });
+  flushSync();
+  expect(document.querySelector('.status')!.textContent).toContain('connection lost, trying again');
+  [...document.querySelectorAll('button')].find((button) => button.textContent === 'Try now')!.click();
+  wires[1]!.onopen!();
+  flushSync();
+  expect(document.querySelector('.status')!.textContent).toContain('connected');
+  expect(sent).toEqual(['{"say":"hello","token":"fake-token"}', '{"say":"hello","token":"fake-token"}']);
+});
+
+test('the address says which view is seen, and the line stays open', () => {
+  open('#/log', true);
+  expect(document.querySelector('[aria-current="page"]')!.textContent).toBe('Log');
+  expect(document.body.textContent).toContain('homebody density');
+  window.location.hash = '#/life';
+  window.dispatchEvent(new Event('hashchange'));
+  flushSync();
+  expect(document.querySelector('[aria-current="page"]')!.textContent).toBe('Life');
+  expect(wires).toHaveLength(1);
+});

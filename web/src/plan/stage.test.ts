@@ -1,0 +1,106 @@
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { frame } from '../testing/frames';
+import { madeUpRun } from '../testing/home';
+import type { Frame } from '../wire';
+import { usual } from './layers';
+import { light } from './palette';
+import { type Scene, Stage } from './stage';
+
+type Call = { canvas: HTMLCanvasElement; name: string; args: unknown[] };
+
+let calls: Call[];
+let canvas: HTMLCanvasElement;
+let stage: Stage;
+
+const run = madeUpRun(2, 18);
+const body = (x: number) => ({ at: [x, 2] as [number, number], heading_deg: 0, posture: 'standing' as const, room: 0, activity: null });
+const scene: Scene = { home: run.home, residents: run.residents, driven: null, layers: usual(18), palette: light, reducedMotion: false };
+
+beforeEach(() => {
+  calls = [];
+  // A canvas that draws nothing, and remembers what it was asked to draw.
+  vi.spyOn(HTMLCanvasElement.prototype, 'getContext').mockImplementation(function (this: HTMLCanvasElement) {
+    return new Proxy({}, {
+      get: (_, name: string) => (...args: unknown[]) => {
+        calls.push({ canvas: this, name, args });
+        return name === 'measureText' ? { width: String(args[0]).length * 6 } : undefined;
+      },
+      set: () => true,
+    }) as unknown as GPUCanvasContext;
+  });
+  canvas = document.createElement('canvas');
+  stage = new Stage(canvas);
+  stage.resize(800, 600, 2);
+  stage.set(scene);
+});
+
+afterEach(() => vi.restoreAllMocks());
+
+/** What was drawn since the last time, on the canvas that is seen and on the others. */
+function drawn(now_ms: number, counts: number[] = []): { seen: Call[]; kept: Call[]; did: boolean } {
+  calls = [];
+  const did = stage.draw(now_ms, counts);
+  return { did, seen: calls.filter((call) => call.canvas === canvas), kept: calls.filter((call) => call.canvas !== canvas) };
+}
+
+function take(part: Partial<Frame>, now_ms: number): void {
+  stage.take(frame({ bodies: [body(2), null], ...part }), now_ms);
+}
+
+test('a canvas has as many pixels as the screen, but no more than two each way', () => {
+  expect([canvas.width, canvas.height]).toEqual([1600, 1200]);
+  stage.resize(800, 600, 3);
+  expect(canvas.width).toBe(1600);
+});
+
+test('what stands still is drawn once, and copied from then on', () => {
+  take({}, 0);
+  expect(drawn(0).kept.length).toBeGreaterThan(500);
+  take({ now_us: 1, bodies: [body(2.5), null] }, 16);
+  const { seen, kept } = drawn(16);
+  expect(kept).toEqual([]);
+  expect(seen.filter(({ name }) => name === 'drawImage')).toHaveLength(2);
+  stage.zoom(2);
+  expect(drawn(32).kept.length).toBeGreaterThan(100);
+});
+
+test('where nothing changes nothing is drawn', () => {
+  take({ state: 'paused' }, 0);
+  for (let at = 0; at < 3000; at += 16) stage.draw(at);
+  expect(drawn(3000)).toEqual({ did: false, seen: [], kept: [] });
+});
+
+test('somebody who is out is not drawn', () => {
+  take({}, 0);
+  const named = (name: string) => drawn(0).seen.some((call) => call.name === 'fillText' && String(call.args[0]).includes(name));
+  expect(named('Agnes')).toBe(true);
+  stage.set({ ...scene });
+  expect(named('Bertram')).toBe(false);
+});
+
+test('in fast time no ring grows, and counts grow no more often than one can read', () => {
+  const [x, y] = run.home.sensors[0]!.at;
+  const centre = [stage.view.x + x * stage.view.scale, stage.view.y - y * stage.view.scale];
+  const rings = (calls: Call[]) => calls.filter(({ name, args }) => name === 'arc' && args[0] === centre[0] && args[1] === centre[1]).length;
+  const fired = [{ seq: 0, at_us: 1, sensor: 0, value: 'ON', row: null }];
+  take({ firings: fired }, 1000);
+  expect(rings(drawn(1500).seen)).toBe(1);
+
+  const shown: string[] = [];
+  for (let at = 0; at < 2000; at += 16) {
+    take({ now_us: at, speed: 1000, seeing: [0, 1, 2], firings: fired }, 2000 + at);
+    const { seen } = drawn(2000 + at, run.home.sensors.map(() => 7000 + at));
+    expect(rings(seen)).toBe(0);
+    const count = seen.find(({ name, args }) => name === 'fillText' && /^[78]\d{3}$/.test(String(args[0])));
+    if (count) shown.push(String(count.args[0]));
+  }
+  expect(new Set(shown).size).toBeGreaterThanOrEqual(4);
+  expect(new Set(shown).size).toBeLessThanOrEqual(6);
+});
+
+test('a sensor is found under the pointer, and none where there is none', () => {
+  const [x, y] = run.home.sensors[0]!.at;
+  const at: [number, number] = [stage.view.x + x * stage.view.scale + 3, stage.view.y - y * stage.view.scale];
+  expect(stage.sensorAt(at)).toBe(0);
+  expect(stage.sensorAt([-500, -500])).toBeNull();
+});
