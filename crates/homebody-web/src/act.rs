@@ -13,6 +13,7 @@ use homebody_core::run::Run;
 use homebody_core::scenario::input::{self, InputFile, KeysFile, UseFile};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::path;
+use homebody_core::scene::Scene;
 use homebody_core::time::{Micros, micros, seconds};
 use homebody_log::{LogError, Places, RowText, Rows, RunLog};
 use homebody_routine::household::{Household, Spoken};
@@ -272,7 +273,13 @@ impl Act {
 
     /// What the run looks like now; rows are apart.
     pub fn frame(&mut self, state: State, speed: Option<f64>) -> Frame {
-        let scene = self.run.scene();
+        let mut scene = self.run.scene();
+        if scene.now == 0 {
+            // Where everybody is as it begins, the first instant tells.
+            let mut first = self.run.clone();
+            first.advance(1, &mut Events::default());
+            scene = Scene { now: 0, ..first.scene() };
+        }
         for (heading, body) in self.headings.iter_mut().zip(&scene.bodies) {
             if let Some(Point { x, y }) = body.and_then(|body| body.heading) {
                 *heading = y.atan2(x).to_degrees();

@@ -1,0 +1,55 @@
+// The real program with a scenario of its own, and a real browser that looks at it.
+
+import { execFileSync, spawn } from 'node:child_process';
+import { cpSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { chromium } from 'playwright-core';
+
+const repository = resolve(import.meta.dirname, '../..');
+const program = process.env.HOMEBODY ?? join(repository, 'target/debug/homebody');
+const browser = process.env.CHROMIUM ?? '/usr/bin/chromium';
+const flags = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+
+/** Serves a copy of a scenario of the repository, and opens its page. */
+export async function serve(scenario) {
+  const folder = mkdtempSync(join(tmpdir(), 'homebody-e2e-'));
+  cpSync(join(repository, 'scenarios', scenario), join(folder, scenario), { recursive: true });
+  const server = spawn(program, ['serve', scenario, '--no-open', '--port', '0'], { cwd: folder, stdio: ['ignore', 'pipe', 'inherit'] });
+  const address = await new Promise((ready, failed) => {
+    let said = '';
+    server.stdout.on('data', (text) => {
+      said += text;
+      if (said.includes('\n')) ready(said.trim());
+    });
+    server.on('exit', (code) => failed(new Error(`the server has ended with ${code}`)));
+  });
+  const profile = mkdtempSync(join(tmpdir(), 'homebody-chromium-'));
+  const context = await chromium.launchPersistentContext(profile, {
+    executablePath: browser, headless: true, args: flags, viewport: { width: 1280, height: 1600 }, acceptDownloads: true,
+  });
+  const wrong = [];
+  const watch = (page) => {
+    page.on('pageerror', (error) => wrong.push(String(error)));
+    page.on('console', (message) => message.type() === 'error' && wrong.push(message.text()));
+  };
+  context.on('page', watch);
+  const page = await context.newPage();
+  await page.goto(address);
+  return {
+    folder, page, context, address,
+    /** The folders of runs. */
+    runs: () => readdirSync(join(folder, 'runs')).sort(),
+    /** What the program prints. */
+    homebody: (...words) => execFileSync(program, words, { cwd: folder, encoding: 'utf8' }),
+    async close() {
+      await context.close();
+      await new Promise((gone) => {
+        server.on('exit', gone);
+        server.kill('SIGINT');
+      });
+      for (const path of [folder, profile]) rmSync(path, { recursive: true, force: true });
+      if (wrong.length > 0) throw new Error(wrong.join('\n'));
+    },
+  };
+}
