@@ -9,8 +9,13 @@ const target = document.getElementById('page')!;
 async function begin(): Promise<void> {
   let fake: (() => Wire) | undefined;
   if (import.meta.env.MODE === 'fake') {
-    const { fakeServer } = await import('./testing/fake');
-    fake = fakeServer(new URLSearchParams(window.location.search));
+    const { fakeServer, hostile } = await import('./testing/fake');
+    const asked = new URLSearchParams(window.location.search);
+    fake = fakeServer(asked);
+    const { fakeRuns, storedRun } = await import('./testing/stored');
+    const names = ['cottage-2', 'cottage-1'].map(asked.has('hostile') ? hostile : (name) => name);
+    const stored = fakeRuns(names, (name) => storedRun(name, 30));
+    window.fetch = async (path, init) => stored(String(path), init ?? {});
   }
   mount(App, { target, props: fake ? { fake } : {} });
 }

@@ -1,6 +1,7 @@
 // The server by HTTP, and the token that it asks for. `homebody serve` prints an address such as
 // http://127.0.0.1:8642/#token=HEX; whoever has it may do what the page can.
 
+import { decode } from '@msgpack/msgpack';
 import { type Keeper, keep, read } from './kept';
 
 const TOKEN = 'homebody-token';
@@ -57,6 +58,11 @@ export class Server {
     return (await (await this.ask('GET', path)).json()) as T;
   }
 
+  /** What comes as MessagePack. */
+  async packed<T>(path: string): Promise<T> {
+    return decode(await (await this.ask('GET', path)).arrayBuffer()) as T;
+  }
+
   async post<T>(path: string, body: unknown): Promise<T> {
     return (await (await this.ask('POST', path, body)).json()) as T;
   }
@@ -94,6 +100,12 @@ export class Server {
 /** The path of a run's file; a run is a folder's name, which may hold anything. */
 export function runPath(id: string, file: 'log' | 'recording'): string {
   return `/api/runs/${encodeURIComponent(id)}/${file}`;
+}
+
+/** The path of a stored run, or of a day of it. */
+export function storedPath(name: string, day?: number): string {
+  const run = `/api/runs/${encodeURIComponent(name)}`;
+  return day === undefined ? run : `${run}/days/${day}`;
 }
 
 /** Has the browser save a file, as if its link had been clicked. */

@@ -146,6 +146,94 @@ export type FiringView = { seq: number, at_us: number, sensor: number, value: st
  */
 row: [string, string, string] | null, };
 
+export type StoredView = { 
+/**
+ * The name of its folder.
+ */
+name: string, scenario: string, 
+/**
+ * The local date and time of its start.
+ */
+start: string, days: number, has_truth: boolean, 
+/**
+ * Why it cannot be played back.
+ */
+problem: string | null, };
+
+export type PlaybackView = { name: string, scenario: string, home: HomeView, 
+/**
+ * In the order of [`DayView::lives`].
+ */
+residents: Array<ResidentView>, 
+/**
+ * The local date and time of its start.
+ */
+start: string, zone: string, length_us: number, 
+/**
+ * What the log calls its sensors: those of the home in the home's order, then those that stand nowhere in it.
+ */
+sensors: Array<string>, 
+/**
+ * What sensors say in the log.
+ */
+values: Array<string>, days: Array<DateView>, 
+/**
+ * How many rows the log has in each hour of the clock, by day.
+ */
+hours: Array<Array<number>>, has_truth: boolean, 
+/**
+ * The names of activities.
+ */
+activities: Array<string>, 
+/**
+ * What each resident did: begin, end and the activity's number. Of a long run the short ones are left out.
+ */
+spans: Array<Array<[number, number, number]>>, 
+/**
+ * What is missing or was skipped, in sentences.
+ */
+remarks: Array<string>, };
+
+export type DateView = { 
+/**
+ * Such as `2009-03-02`.
+ */
+date: string, begin_us: number, end_us: number, 
+/**
+ * The time on the clock when the day begins in the run: its first one may begin at noon.
+ */
+clock_us: number, 
+/**
+ * When clocks are set in it, and by how much.
+ */
+turn: [number, number] | null, };
+
+export type DayView = { 
+/**
+ * The log's rows: instant, sensor and value.
+ */
+rows: Array<[number, number, number]>, 
+/**
+ * By resident; of none where there is no truth.
+ */
+lives: Array<LifeView>, };
+
+export type LifeView = { 
+/**
+ * Begin, end, what it was, in which posture, from where, to where.
+ */
+movements: Array<[number, number, Doing, Posture, [number, number] | null, [number, number] | null]>, 
+/**
+ * Begin, end and the number of the home's room; between rooms there is none.
+ */
+rooms: Array<[number, number, number]>, 
+/**
+ * Begin, end and the activity's number.
+ */
+activities: Array<[number, number, number]>, };
+
+export type Doing = "stride" | "stir" | "rest" | "away";
+
 export type Say = { "say": "hello", token: string, } | { "say": "play" } | { "say": "pause" } | { "say": "step", seconds: number, } | { "say": "speed", times: number | null, } | { "say": "jump", to_us: number, } | { "say": "hold", keys: Array<Key>, } | { "say": "be", posture: Posture, } | { "say": "use", thing: number, on: boolean, } | { "say": "start", driven: number | null, without: Array<string>, seed: number | null, } | { "say": "stop" } | { "say": "replay", run: string, };
 
 export type Key = "up" | "down" | "left" | "right" | "fast" | "slow";

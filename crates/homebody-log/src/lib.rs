@@ -40,6 +40,8 @@ pub use logger::{Logger, RunInfo, Stored};
 pub use places::Places;
 pub use rows::{RowText, Rows};
 pub use run_log::RunLog;
-pub use source::{Activity, Event, Life, Log, activities, lives, read};
+pub use source::{
+    Activity, Event, Life, Log, Movement, MovementKind, Movements, RunClock, activities, ids, lives, read,
+};
 pub use truth::TruthLog;
 pub use url::Url;

@@ -102,7 +102,7 @@ pub fn body(seen: &homebody_core::scene::Presence, heading_deg: f64, activity: O
     BodyView { at: at(seen.at), heading_deg, posture: posture(seen.posture), room: seen.room, activity }
 }
 
-fn posture(posture: path::Posture) -> Posture {
+pub fn posture(posture: path::Posture) -> Posture {
     match posture {
         path::Posture::Standing => Posture::Standing,
         path::Posture::Sitting => Posture::Sitting,
@@ -110,7 +110,7 @@ fn posture(posture: path::Posture) -> Posture {
     }
 }
 
-fn at(p: Point) -> At {
+pub fn at(p: Point) -> At {
     [p.x, p.y]
 }
 

@@ -16,6 +16,9 @@ pub mod act;
 mod draw;
 pub mod stage;
 
+/// Runs that are stored, day by day.
+pub mod playback;
+
 /// Who may ask what, and who answers.
 pub mod guard;
 mod page;

@@ -2,6 +2,7 @@
 
 use crate::guard::{self, Guard};
 use crate::page;
+use crate::playback::{Playback, Refusal};
 use crate::shelf::Shelf;
 use crate::socket;
 use crate::stage::Stage;
@@ -75,8 +76,9 @@ pub fn serve(options: Options, stop: &AtomicBool, ready: impl FnOnce(&str)) -> R
         let address = listener.local_addr().map_err(ServeError::Broken)?;
         let guard = Guard::new(address).map_err(ServeError::Token)?;
         let stage = Stage::open(options.shelf.clone()).map_err(ServeError::Scenario)?;
-        let house =
-            House { guard, stage: stage.clone(), shelf: options.shelf, sockets: Arc::new(Semaphore::new(SOCKETS)) };
+        let playback = Playback::new(options.shelf.clone());
+        let sockets = Arc::new(Semaphore::new(SOCKETS));
+        let house = House { guard, stage: stage.clone(), shelf: options.shelf, playback, sockets };
         ready(&format!("http://{address}/#token={}", house.guard.token()));
         let serving = axum::serve(listener, routes(house)).into_future();
         let served = tokio::select! {
@@ -115,6 +117,7 @@ struct House {
     guard: Guard,
     stage: Stage,
     shelf: Shelf,
+    playback: Playback,
     sockets: Arc<Semaphore>,
 }
 
@@ -122,6 +125,8 @@ fn routes(house: House) -> Router {
     Router::new()
         .route(SOCKET, get(live))
         .route("/api/runs", get(runs))
+        .route("/api/runs/{run}", get(stored_run))
+        .route("/api/runs/{run}/days/{day}", get(stored_day))
         .route("/api/runs/{run}/{what}", get(file_of_run))
         .fallback(get(page::file))
         .layer(DefaultBodyLimit::max(LARGEST_BODY))
@@ -144,7 +149,43 @@ async fn live(State(house): State<House>, headers: HeaderMap, upgrade: WebSocket
 }
 
 async fn runs(State(house): State<House>) -> Response {
-    axum::Json(house.shelf.runs()).into_response()
+    match tokio::task::spawn_blocking(move || house.playback.list()).await {
+        Ok(runs) => axum::Json(runs).into_response(),
+        Err(error) => (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()).into_response(),
+    }
+}
+
+/// A stored run as a whole.
+async fn stored_run(State(house): State<House>, Path(run): Path<String>) -> Response {
+    let told = tokio::task::spawn_blocking(move || house.playback.run(&run)).await;
+    match told {
+        Ok(Ok(view)) => axum::Json(&*view).into_response(),
+        Ok(Err(refusal)) => refused(refusal),
+        Err(error) => (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()).into_response(),
+    }
+}
+
+/// A day of a stored run, in MessagePack.
+async fn stored_day(State(house): State<House>, Path((run, day)): Path<(String, String)>) -> Response {
+    let Ok(day) = day.parse() else {
+        return (StatusCode::NOT_FOUND, "The days of a run are numbered from 0.").into_response();
+    };
+    let told = tokio::task::spawn_blocking(move || {
+        let day = house.playback.day(&run, day)?;
+        rmp_serde::to_vec_named(&day).map_err(|error| Refusal::Damaged(error.to_string()))
+    });
+    match told.await {
+        Ok(Ok(bytes)) => ([(header::CONTENT_TYPE, "application/msgpack")], bytes).into_response(),
+        Ok(Err(refusal)) => refused(refusal),
+        Err(error) => (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()).into_response(),
+    }
+}
+
+fn refused(refusal: Refusal) -> Response {
+    match refusal {
+        Refusal::Unknown(why) => (StatusCode::NOT_FOUND, why).into_response(),
+        Refusal::Damaged(why) => (StatusCode::UNPROCESSABLE_ENTITY, why).into_response(),
+    }
 }
 
 /// A file of a stored run, as a download.

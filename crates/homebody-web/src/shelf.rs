@@ -7,7 +7,7 @@ use homebody_core::recording::Recording;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// No file of a scenario is larger (ours).
 const LARGEST: u64 = 8 << 20;
@@ -59,6 +59,20 @@ impl Shelf {
     pub fn file_of_run(&self, run: &str, file: &str) -> Option<PathBuf> {
         let files = plain_files(&self.run(run)?).ok()?;
         files.into_iter().find(|(name, _)| name == file).map(|(_, path)| path)
+    }
+
+    /// A plain file of a run's folder or of plain folders in there, by its path.
+    pub fn file_within_run(&self, run: &str, path: &Path) -> Option<PathBuf> {
+        let mut file = self.run(run)?;
+        for part in path.components() {
+            // Neither up, nor away, nor along a link.
+            let Component::Normal(part) = part else { return None };
+            file.push(part);
+            if fs::symlink_metadata(&file).ok()?.is_symlink() {
+                return None;
+            }
+        }
+        file.is_file().then_some(file)
     }
 
     /// The recording of a run, or why there is none.

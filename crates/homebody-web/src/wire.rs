@@ -188,6 +188,100 @@ pub struct FiringView {
     pub row: Option<[String; 3]>,
 }
 
+/// A run that is stored, as the list of them tells it.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct StoredView {
+    /// The name of its folder.
+    pub name: String,
+    pub scenario: String,
+    /// The local date and time of its start.
+    pub start: String,
+    pub days: u32,
+    pub has_truth: bool,
+    /// Why it cannot be played back.
+    pub problem: Option<String>,
+}
+
+/// A stored run as a whole. Of what is told here and in its days, the truth is only there where the run has left one.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct PlaybackView {
+    pub name: String,
+    pub scenario: String,
+    pub home: HomeView,
+    /// In the order of [`DayView::lives`].
+    pub residents: Vec<ResidentView>,
+    /// The local date and time of its start.
+    pub start: String,
+    pub zone: String,
+    #[ts(type = "number")]
+    pub length_us: i64,
+    /// What the log calls its sensors: those of the home in the home's order, then those that stand nowhere in it.
+    pub sensors: Vec<String>,
+    /// What sensors say in the log.
+    pub values: Vec<String>,
+    pub days: Vec<DateView>,
+    /// How many rows the log has in each hour of the clock, by day.
+    pub hours: Vec<Vec<u32>>,
+    pub has_truth: bool,
+    /// The names of activities.
+    pub activities: Vec<String>,
+    /// What each resident did: begin, end and the activity's number. Of a long run the short ones are left out.
+    #[ts(type = "Array<Array<[number, number, number]>>")]
+    pub spans: Vec<Vec<(i64, i64, u32)>>,
+    /// What is missing or was skipped, in sentences.
+    pub remarks: Vec<String>,
+}
+
+/// A day by the clock on the wall.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct DateView {
+    /// Such as `2009-03-02`.
+    pub date: String,
+    #[ts(type = "number")]
+    pub begin_us: i64,
+    #[ts(type = "number")]
+    pub end_us: i64,
+    /// The time on the clock when the day begins in the run: its first one may begin at noon.
+    #[ts(type = "number")]
+    pub clock_us: i64,
+    /// When clocks are set in it, and by how much.
+    #[ts(type = "[number, number] | null")]
+    pub turn: Option<(i64, i64)>,
+}
+
+/// All of a day of a stored run. What somebody did may begin before the day and end after it.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct DayView {
+    /// The log's rows: instant, sensor and value.
+    #[ts(type = "Array<[number, number, number]>")]
+    pub rows: Vec<(i64, u32, u32)>,
+    /// By resident; of none where there is no truth.
+    pub lives: Vec<LifeView>,
+}
+
+/// What somebody did, in the order of time.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
+pub struct LifeView {
+    /// Begin, end, what it was, in which posture, from where, to where.
+    #[ts(type = "Array<[number, number, Doing, Posture, [number, number] | null, [number, number] | null]>")]
+    pub movements: Vec<(i64, i64, Doing, Posture, Option<At>, Option<At>)>,
+    /// Begin, end and the number of the home's room; between rooms there is none.
+    #[ts(type = "Array<[number, number, number]>")]
+    pub rooms: Vec<(i64, i64, u32)>,
+    /// Begin, end and the activity's number.
+    #[ts(type = "Array<[number, number, number]>")]
+    pub activities: Vec<(i64, i64, u32)>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
+#[serde(rename_all = "snake_case")]
+pub enum Doing {
+    Stride,
+    Stir,
+    Rest,
+    Away,
+}
+
 /// What the page asks of the run. All pages have the same run.
 #[derive(Clone, Debug, PartialEq, Deserialize, TS)]
 #[serde(tag = "say", rename_all = "snake_case", deny_unknown_fields)]

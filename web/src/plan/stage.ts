@@ -52,6 +52,7 @@ export class Stage {
   private readonly counting = new Throttle(400);
   private frame: Frame | null = null;
   private dirty = true;
+  private paint: ((pen: Pen, view: View) => void) | null = null;
 
   constructor(private readonly canvas: HTMLCanvasElement) {}
 
@@ -105,6 +106,12 @@ export class Stage {
     this.stale();
   }
 
+  /** What is painted on the floor, below everything that stands on it. */
+  under(paint: ((pen: Pen, view: View) => void) | null): void {
+    this.paint = paint;
+    this.dirty = true;
+  }
+
   /** The sensor under the pointer. */
   sensorAt(at: At): number | null {
     let [nearest, near] = [null as number | null, NEAR];
@@ -149,6 +156,7 @@ export class Stage {
     pen.fillStyle = scene.palette.outside;
     pen.fillRect(0, 0, this.size.width, this.size.height);
     drawFloor(pen, scene.home, view, scene.palette, this.day.level ?? 1, this.lamps.levels);
+    this.paint?.(pen, view);
     this.copy(pen, this.still);
     drawSeen(pen, scene.home, view, scene.palette, this.glow.levels, scene.layers);
     this.copy(pen, this.names);

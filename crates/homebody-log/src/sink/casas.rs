@@ -74,7 +74,7 @@ impl Sink for Casas {
 }
 
 /// A name without blanks; where it has some, each word begins with a capital.
-fn one_word(name: &str) -> String {
+pub(crate) fn one_word(name: &str) -> String {
     let words: Vec<&str> =
         name.split(|c: char| c.is_whitespace() || c.is_control()).filter(|w| !w.is_empty()).collect();
     match words[..] {

@@ -6,9 +6,12 @@ mod activities;
 mod casas;
 mod csv;
 mod instant;
+mod movements;
+mod run_clock;
 mod sqlite;
 
 use crate::error::LogError;
+use crate::sink::casas::one_word;
 use crate::url::Url;
 use activities::Notes;
 pub use activities::{Activity, Life, activities, lives};
@@ -16,6 +19,8 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{DAY, Micros};
 use instant::{Instant, Instants};
 use jiff::Timestamp;
+pub use movements::{Movement, MovementKind, Movements};
+pub use run_clock::RunClock;
 use serde::Serialize;
 use std::collections::HashMap;
 use std::fs::File;
@@ -99,6 +104,15 @@ pub fn read(url: &Url, file: &LoggerFile) -> Result<Log, LogError> {
             Err(LogError::NoLog { path: path.into(), why: format!("line {}: {}", first.line, first.why) })
         }
         _ => Ok(reading.log),
+    }
+}
+
+/// What a run's log in this place calls sensors of these names.
+pub fn ids(url: &Url, file: &LoggerFile, sensors: &[String]) -> Vec<String> {
+    let ids = sensors.iter().map(|name| file.ids.get(name).unwrap_or(name));
+    match url {
+        Url::Casas(_) => ids.map(|id| one_word(id)).collect(),
+        Url::Sqlite(_) | Url::Csv(_) => ids.cloned().collect(),
     }
 }
 

@@ -1,0 +1,180 @@
+//! What bodies did in a span of a run, from its truth.
+//!
+//! The truth has no index: a row is stored once the movement after it is known, so that rows come in the order of their ends,
+//! and those of a span are found by halving. The one in which somebody is as the span ends may be long, such as a
+//! visitor's absence of weeks; it is looked for further on, once.
+
+use super::instant::{Instant, Instants, since_1970};
+use super::run_clock::RunClock;
+use super::sqlite::{connect, text};
+use crate::error::LogError;
+use homebody_core::geometry::Point;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, SECOND};
+use rusqlite::types::ValueRef;
+use rusqlite::{Connection, OptionalExtension, Row};
+use std::path::{Path, PathBuf};
+
+/// Beyond the end of a span by this, what is not found yet is looked for by name (ours).
+const FURTHER: Micros = 3600 * SECOND;
+
+/// What a body did, from when to when in the run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Movement {
+    pub begin: Micros,
+    pub end: Micros,
+    pub kind: MovementKind,
+    /// Nothing for who is away.
+    pub from: Option<Point>,
+    pub to: Option<Point>,
+    pub posture: Posture,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MovementKind {
+    Stride,
+    Stir,
+    Rest,
+    Away,
+}
+
+/// Finds a run's movements.
+pub struct Movements {
+    path: PathBuf,
+    connection: Connection,
+    clock: RunClock,
+    residents: Vec<String>,
+    rows: i64,
+    instants: Instants,
+    /// By resident, those that lasted beyond a span by far.
+    long: Vec<Vec<Movement>>,
+}
+
+const COLUMNS: &str = "resident, begin_at, end_at, kind, from_x, from_y, to_x, to_y, posture";
+
+impl Movements {
+    /// The movements of these residents; whoever else is in the truth is passed over.
+    pub fn open(truth: &Path, residents: &[String], clock: RunClock) -> Result<Movements, LogError> {
+        let database = |error| LogError::database(truth, error);
+        let connection = connect(truth).map_err(database)?;
+        let sql = "SELECT coalesce(max(rowid), 0) FROM movement";
+        let rows = connection.query_row(sql, [], |row| row.get(0)).map_err(database)?;
+        Ok(Movements {
+            path: truth.into(),
+            connection,
+            clock,
+            residents: residents.to_vec(),
+            rows,
+            instants: Instants::default(),
+            long: vec![Vec::new(); residents.len()],
+        })
+    }
+
+    /// What each resident did between two instants of the run, in order; first and last may reach beyond.
+    pub fn of(&mut self, begin: Micros, end: Micros) -> Result<Vec<Vec<Movement>>, LogError> {
+        self.read(begin, end).map_err(|error| LogError::database(&self.path, error))
+    }
+
+    fn read(&mut self, begin: Micros, end: Micros) -> rusqlite::Result<Vec<Vec<Movement>>> {
+        let first = self.first_that_ends_after(begin)?;
+        let Movements { connection, clock, residents, instants, long, .. } = self;
+        let mut of: Vec<Vec<Movement>> = vec![Vec::new(); residents.len()];
+        let mut last_row = first;
+        let sql = format!("SELECT {COLUMNS}, rowid FROM movement WHERE rowid >= ? ORDER BY rowid");
+        let mut statement = connection.prepare_cached(&sql)?;
+        let mut rows = statement.query([first])?;
+        while let Some(row) = rows.next()? {
+            last_row = row.get(9)?;
+            let who = text(row.get_ref(0)?);
+            let Some(resident) = residents.iter().position(|resident| *resident == who) else { continue };
+            let last = of[resident].last().map_or(begin, |before| before.end);
+            let Some(movement) = movement(row, instants, clock, last)? else { continue };
+            if movement.begin < end && movement.end > begin {
+                of[resident].push(movement);
+            }
+            let is_there = |movements: &Vec<Movement>| movements.last().is_some_and(|last| last.end >= end);
+            if movement.end > end + FURTHER || of.iter().all(is_there) {
+                break;
+            }
+        }
+        drop(rows);
+        let sql = format!("SELECT {COLUMNS} FROM movement WHERE rowid > ? AND resident = ? ORDER BY rowid LIMIT 1");
+        let mut statement = connection.prepare_cached(&sql)?;
+        for (resident, found) in of.iter_mut().enumerate() {
+            let until = found.last().map_or(begin, |last| last.end);
+            if until >= end {
+                continue;
+            }
+            let is_it = |long: &&Movement| long.begin <= until && long.end > until;
+            if let Some(known) = long[resident].iter().find(is_it) {
+                found.push(*known);
+                continue;
+            }
+            let next = |row: &Row| movement(row, instants, clock, until);
+            let next = statement.query_row((last_row, &residents[resident]), next).optional()?.flatten();
+            if let Some(next) = next.filter(|next| next.begin < end && next.end > begin) {
+                long[resident].push(next);
+                found.push(next);
+            }
+        }
+        Ok(of)
+    }
+
+    /// The first row whose movement goes on after an instant. On a clock that goes back an hour is told twice, so it is looked
+    /// for an hour before.
+    fn first_that_ends_after(&mut self, at: Micros) -> rusqlite::Result<i64> {
+        let sql = "SELECT end_at FROM movement WHERE rowid >= ? ORDER BY rowid LIMIT 1";
+        let mut statement = self.connection.prepare_cached(sql)?;
+        let (mut low, mut high) = (1, self.rows + 1);
+        while low < high {
+            let middle = low + (high - low) / 2;
+            let instants = &mut self.instants;
+            let told = statement.query_row([middle], |row| instant(row, 0, instants)).optional()?.flatten();
+            match told.map(|told| self.clock.instant(told, Micros::MIN)) {
+                Some(end) if end <= at - FURTHER => low = middle + 1,
+                _ => high = middle,
+            }
+        }
+        Ok(low)
+    }
+}
+
+/// A row of [`COLUMNS`]; nothing where it is none of ours.
+fn movement(row: &Row, instants: &mut Instants, clock: &RunClock, last: Micros) -> rusqlite::Result<Option<Movement>> {
+    let (Some(begin), Some(end)) = (instant(row, 1, instants)?, instant(row, 2, instants)?) else { return Ok(None) };
+    let begin = clock.instant(begin, last);
+    let kind = match row.get_ref(3)? {
+        ValueRef::Text(b"stride") => MovementKind::Stride,
+        ValueRef::Text(b"stir") => MovementKind::Stir,
+        ValueRef::Text(b"rest") => MovementKind::Rest,
+        ValueRef::Text(b"away") => MovementKind::Away,
+        _ => return Ok(None),
+    };
+    let posture = match row.get_ref(8)? {
+        ValueRef::Text(b"sitting") => Posture::Sitting,
+        ValueRef::Text(b"lying") => Posture::Lying,
+        _ => Posture::Standing,
+    };
+    let point = |x| Ok::<_, rusqlite::Error>(number(row, x)?.zip(number(row, x + 1)?).map(|(x, y)| Point::new(x, y)));
+    let (from, to) = (point(4)?, point(6)?);
+    Ok(Some(Movement { begin, end: clock.instant(end, begin), kind, from, to, posture }))
+}
+
+/// A finite number.
+fn number(row: &Row, column: usize) -> rusqlite::Result<Option<f64>> {
+    Ok(match row.get_ref(column)? {
+        ValueRef::Integer(number) => Some(number as f64),
+        ValueRef::Real(number) => Some(number).filter(|number| number.is_finite()),
+        _ => None,
+    })
+}
+
+/// Microseconds since 1970, on whichever clock.
+fn instant(row: &Row, column: usize, instants: &mut Instants) -> rusqlite::Result<Option<Micros>> {
+    let instant = match row.get_ref(column)? {
+        ValueRef::Integer(number) => since_1970(number as f64),
+        ValueRef::Real(number) => since_1970(number),
+        other => instants.read(&text(other)),
+    };
+    Ok(instant.map(|(Instant::Local(at) | Instant::Utc(at))| at))
+}

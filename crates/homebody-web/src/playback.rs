@@ -1,0 +1,423 @@
+//! Runs that are stored, day by day: what the log says, and beside it, where there is one, what the truth knows.
+//!
+//! A run is opened once: its log is read into memory, its truth is asked day by day. The last few that were opened are kept, as long as their
+//! files stay as they are.
+
+use crate::draw;
+use crate::shelf::{RECORDING, Shelf};
+use crate::wire::{DateView, DayView, Doing, LifeView, PlaybackView, ResidentView, StoredView};
+use homebody_core::recording::Recording;
+use homebody_core::scenario::calendar::Calendar;
+use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::logger::TimeFormat;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, SECOND};
+use homebody_log::source::Clock;
+use homebody_log::{Event, Log, LogError, Movement, MovementKind, Movements, RunClock, Url};
+use homebody_routine::household::{Household, Spoken};
+use std::collections::HashMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::SystemTime;
+
+/// So many runs stay open: two side by side, and the one looked at before (ours).
+const KEPT: usize = 3;
+
+/// So many spans of activities are told of a whole run; of a year they would be tens of thousands (ours).
+const SPANS: usize = 6000;
+
+/// The same activity again after no longer than this is one (ours).
+const PAUSE: Micros = 60 * SECOND;
+
+const HOUR: Micros = 3600 * SECOND;
+
+/// What a run's truth is called in its folder.
+const TRUTH: &str = "truth.db";
+
+/// Why there is no answer, in a sentence.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Refusal {
+    /// There is no such run, or no such day of it.
+    Unknown(String),
+    /// Its files cannot be understood.
+    Damaged(String),
+}
+
+/// The stored runs of a shelf.
+#[derive(Clone)]
+pub struct Playback {
+    shelf: Shelf,
+    /// The last one that was asked for comes last.
+    opened: Arc<Mutex<Vec<Arc<Opened>>>>,
+}
+
+/// A run in memory.
+struct Opened {
+    name: String,
+    /// What it was read from, and what that was like.
+    files: Vec<PathBuf>,
+    state: State,
+    view: Arc<PlaybackView>,
+    /// In the order of time, each with the sensor's number in the view.
+    rows: Vec<Event>,
+    /// By resident; none where there is no truth.
+    rooms: Vec<Vec<(i64, i64, u32)>>,
+    activities: Vec<Vec<(i64, i64, u32)>>,
+    movements: Option<Mutex<Movements>>,
+}
+
+/// When a run's files were written, and how long they are.
+type State = Vec<Option<(SystemTime, u64)>>;
+
+impl Playback {
+    pub fn new(shelf: Shelf) -> Playback {
+        Playback { shelf, opened: Arc::default() }
+    }
+
+    /// All runs, the latest first.
+    pub fn list(&self) -> Vec<StoredView> {
+        self.shelf.runs().into_iter().map(|name| self.stored(name)).collect()
+    }
+
+    fn stored(&self, name: String) -> StoredView {
+        let has_truth = self.shelf.file_of_run(&name, TRUTH).is_some();
+        let scenario = self.shelf.recording(&name).and_then(|recording| {
+            let scenario = recording.scenario().map_err(|problems| problems.render())?;
+            Ok((scenario, recording.length_us))
+        });
+        match scenario {
+            Ok((scenario, length)) => StoredView {
+                name,
+                scenario: scenario.file.name,
+                start: start(&scenario.calendar),
+                days: last_day(&scenario.calendar, length) + 1,
+                has_truth,
+                problem: None,
+            },
+            Err(why) => StoredView {
+                name,
+                scenario: String::new(),
+                start: String::new(),
+                days: 0,
+                has_truth,
+                problem: Some(shortened(&why)),
+            },
+        }
+    }
+
+    /// A run as a whole.
+    pub fn run(&self, name: &str) -> Result<Arc<PlaybackView>, Refusal> {
+        Ok(self.open(name)?.view.clone())
+    }
+
+    /// A day of a run, the first being 0.
+    pub fn day(&self, name: &str, day: usize) -> Result<DayView, Refusal> {
+        let run = self.open(name)?;
+        let days = run.view.days.len();
+        let unknown = || Refusal::Unknown(format!("{name:?} has {days} days, numbered from 0."));
+        let DateView { begin_us, end_us, .. } = run.view.days.get(day).cloned().ok_or_else(unknown)?;
+        // What the last instant of a run says belongs to its last day.
+        let until = if day + 1 == days { Micros::MAX } else { end_us };
+        let rows = between(&run.rows, |row| row.at, if day == 0 { Micros::MIN } else { begin_us }, until);
+        let mut lives = vec![LifeView::default(); run.rooms.len()];
+        if let Some(movements) = &run.movements {
+            let mut movements = movements.lock().unwrap_or_else(PoisonError::into_inner);
+            let of = movements.of(begin_us, end_us).map_err(damaged)?;
+            for (life, of) in lives.iter_mut().zip(of) {
+                life.movements = of.iter().map(told).collect();
+            }
+        }
+        for (index, life) in lives.iter_mut().enumerate() {
+            life.rooms = overlapping(&run.rooms[index], begin_us, end_us);
+            life.activities = overlapping(&run.activities[index], begin_us, end_us);
+        }
+        Ok(DayView { rows: rows.iter().map(|row| (row.at, row.sensor, row.value)).collect(), lives })
+    }
+
+    /// The run in memory, read anew where its files have changed.
+    fn open(&self, name: &str) -> Result<Arc<Opened>, Refusal> {
+        let unknown = || Refusal::Unknown(format!("There is no run {name:?}."));
+        let recording = self.shelf.file_of_run(name, RECORDING).ok_or_else(unknown)?;
+        // Whoever else wants a run waits until this one is open: it may be the same.
+        let mut opened = self.opened.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(at) = opened.iter().position(|run| run.name == name) {
+            let run = opened.remove(at);
+            if run.state == state(&run.files) {
+                opened.push(run.clone());
+                return Ok(run);
+            }
+        }
+        let run = Arc::new(self.read(name, recording)?);
+        opened.push(run.clone());
+        let old = opened.len().saturating_sub(KEPT);
+        opened.drain(..old);
+        Ok(run)
+    }
+
+    fn read(&self, name: &str, recording_path: PathBuf) -> Result<Opened, Refusal> {
+        let recording = self.shelf.recording(name).map_err(|why| Refusal::Damaged(shortened(&why)))?;
+        let length = recording.length_us;
+        let scenario = read_scenario(&recording)?;
+        let mut view = whole(name, &recording, &scenario)?;
+        let calendar = &scenario.calendar;
+
+        let log = self.log(name, &scenario);
+        let truth = self.shelf.file_of_run(name, TRUTH);
+        let folder = recording_path.parent().unwrap_or(Path::new("")).to_owned();
+        let mut files = vec![recording_path, folder.join(TRUTH)];
+        files.extend(log.iter().map(|log| log.path().to_owned()));
+        // Looked at before they are read: what changes meanwhile is read again.
+        let state = state(&files);
+
+        let mut clock = RunClock::new(calendar, length, Clock::Utc);
+        view.days = days(calendar, length, &clock);
+        let rows = match &log {
+            Some(url) => {
+                let log = homebody_log::read(url, &scenario.logger).map_err(damaged)?;
+                clock = RunClock::new(calendar, length, log.clock);
+                rows_of(log, url, &scenario, &clock, &mut view)
+            }
+            None => {
+                view.remarks.push("There is no log in its folder.".into());
+                Vec::new()
+            }
+        };
+        view.hours = hours(&rows, &view.days);
+
+        let mut run = Opened {
+            name: name.into(),
+            files,
+            state,
+            view: Arc::new(view.clone()),
+            rows,
+            rooms: Vec::new(),
+            activities: Vec::new(),
+            movements: None,
+        };
+        if let Some(truth) = &truth {
+            view.has_truth = true;
+            run.learn(truth, &scenario, &mut view).map_err(damaged)?;
+        }
+        run.view = Arc::new(view);
+        Ok(run)
+    }
+
+    /// Where a run's log is, the first of them that is in its folder.
+    fn log(&self, name: &str, scenario: &Scenario) -> Option<Url> {
+        let usual = Url::Sqlite("log.db".into());
+        let named = scenario.logger.to.iter().filter_map(|url| url.parse().ok()).chain([usual]);
+        named.into_iter().find_map(|url: Url| {
+            let file = self.shelf.file_within_run(name, url.path())?;
+            Some(match url {
+                Url::Sqlite(_) => Url::Sqlite(file),
+                Url::Csv(_) => Url::Csv(file),
+                Url::Casas(_) => Url::Casas(file),
+            })
+        })
+    }
+}
+
+impl Opened {
+    /// Reads what the truth tells of the whole run.
+    fn learn(&mut self, truth: &Path, scenario: &Scenario, view: &mut PlaybackView) -> Result<(), LogError> {
+        let told_by = if scenario.logger.time == TimeFormat::Local { Clock::Local } else { Clock::Utc };
+        let clock = RunClock::new(&scenario.calendar, view.length_us, told_by);
+        let names: Vec<String> = view.residents.iter().map(|resident| resident.name.clone()).collect();
+        let rooms: HashMap<&str, u32> = view.home.rooms.iter().map(|room| room.name.as_str()).zip(0..).collect();
+        let mut known: HashMap<String, u32> = HashMap::new();
+        self.rooms = vec![Vec::new(); names.len()];
+        self.activities = vec![Vec::new(); names.len()];
+        for life in homebody_log::lives(truth)? {
+            let Some(resident) = names.iter().position(|name| *name == life.resident) else { continue };
+            let mut last = Micros::MIN;
+            for room in &life.rooms {
+                let begin = clock.instant(room.begin, last);
+                last = clock.instant(room.end, begin);
+                self.rooms[resident].extend(rooms.get(room.name.as_str()).map(|&room| (begin, last, room)));
+            }
+            last = Micros::MIN;
+            for activity in &life.activities {
+                let begin = clock.instant(activity.begin, last);
+                last = clock.instant(activity.end, begin);
+                let number = *known.entry(activity.name.clone()).or_insert_with(|| {
+                    view.activities.push(activity.name.clone());
+                    view.activities.len() as u32 - 1
+                });
+                self.activities[resident].push((begin, last, number));
+            }
+        }
+        view.spans = few(&self.activities);
+        self.movements = Some(Mutex::new(Movements::open(truth, &names, clock)?));
+        Ok(())
+    }
+}
+
+fn state(files: &[PathBuf]) -> State {
+    let look = |path: &PathBuf| fs::metadata(path).and_then(|meta| Ok((meta.modified()?, meta.len()))).ok();
+    files.iter().map(look).collect()
+}
+
+fn damaged(error: LogError) -> Refusal {
+    Refusal::Damaged(shortened(&error.to_string()))
+}
+
+/// Problems of a scenario can be many lines; the page has room for a few.
+fn shortened(why: &str) -> String {
+    const LONGEST: usize = 600;
+    why.chars().take(LONGEST).collect()
+}
+
+fn read_scenario(recording: &Recording) -> Result<Scenario, Refusal> {
+    let problems = |problems: homebody_core::problem::Problems| Refusal::Damaged(shortened(&problems.render()));
+    Scenario::load_in(&Spoken, &recording.files, &recording.entry).map_err(problems)
+}
+
+/// What is known of a run before its log is read.
+fn whole(name: &str, recording: &Recording, scenario: &Scenario) -> Result<PlaybackView, Refusal> {
+    let mut living = scenario.clone();
+    let household = Household::read(&mut living, &recording.files, &recording.without);
+    let household = household.map_err(|problems| Refusal::Damaged(shortened(&problems.render())))?;
+    let run = recording.run(&living, &household);
+    let radius = |index: usize| run.home().field(index, Posture::Standing).size.radius_m;
+    let residents = run.names().into_iter().enumerate();
+    Ok(PlaybackView {
+        name: name.into(),
+        scenario: scenario.file.name.clone(),
+        home: draw::home(&scenario.home, run.home(), run.sensors()),
+        residents: residents.map(|(index, name)| ResidentView { name, radius_m: radius(index) }).collect(),
+        start: start(&scenario.calendar),
+        zone: scenario.file.time_zone.clone(),
+        length_us: recording.length_us,
+        sensors: Vec::new(),
+        values: Vec::new(),
+        days: Vec::new(),
+        hours: Vec::new(),
+        has_truth: false,
+        activities: Vec::new(),
+        spans: Vec::new(),
+        remarks: Vec::new(),
+    })
+}
+
+fn start(calendar: &Calendar) -> String {
+    calendar.local(0).strftime("%Y-%m-%d %H:%M:%S").to_string()
+}
+
+/// The day on which a run ends; midnight still belongs to the day before.
+fn last_day(calendar: &Calendar, length: Micros) -> u32 {
+    u32::try_from(calendar.day((length - 1).max(0))).unwrap_or(0)
+}
+
+fn days(calendar: &Calendar, length: Micros, clock: &RunClock) -> Vec<DateView> {
+    let turns: Vec<_> = clock.turns().collect();
+    let day = |day: u32| {
+        let number = day as i32;
+        let begin = calendar.instant(number, 0).max(0);
+        let end = calendar.instant(number + 1, 0).min(length);
+        let (year, month, of_month) = calendar.date(number);
+        DateView {
+            date: format!("{year:04}-{month:02}-{of_month:02}"),
+            begin_us: begin,
+            end_us: end,
+            clock_us: if day == 0 { calendar.start_of_day() } else { 0 },
+            turn: turns.iter().copied().find(|turn| (begin..end).contains(&turn.0)),
+        }
+    };
+    (0..=last_day(calendar, length)).map(day).collect()
+}
+
+/// A log's rows on the run's own clock, with the view's sensors.
+fn rows_of(log: Log, url: &Url, scenario: &Scenario, clock: &RunClock, view: &mut PlaybackView) -> Vec<Event> {
+    let names: Vec<String> = view.home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
+    view.sensors = homebody_log::ids(url, &scenario.logger, &names);
+    let known: HashMap<String, u32> = view.sensors.iter().cloned().zip(0..).collect();
+    let mut numbers = Vec::new();
+    for sensor in &log.sensors {
+        numbers.push(known.get(sensor).copied().unwrap_or_else(|| {
+            view.sensors.push(sensor.clone());
+            view.sensors.len() as u32 - 1
+        }));
+    }
+    view.remarks.extend(log.remarks);
+    if let Some(first) = log.problems.first() {
+        let why = shortened(&first.why);
+        view.remarks.push(format!("{} lines of the log were skipped; line {}: {why}", log.skipped, first.line));
+    }
+    view.values = log.values;
+    let mut rows = log.events;
+    let mut last = Micros::MIN;
+    for row in &mut rows {
+        row.at = clock.instant(row.at, last);
+        row.sensor = numbers[row.sensor as usize];
+        last = row.at;
+    }
+    // Where messages overtake each other, the log's order is another.
+    if !rows.is_sorted_by_key(|row| row.at) {
+        rows.sort_by_key(|row| row.at);
+    }
+    rows
+}
+
+/// How many rows there are in each hour of each day's clock.
+fn hours(rows: &[Event], days: &[DateView]) -> Vec<Vec<u32>> {
+    let mut begin = 0;
+    let count = |(index, day): (usize, &DateView)| {
+        let mut hours = vec![0; 24];
+        let rest = &rows[begin..];
+        let end = if index + 1 == days.len() { rest.len() } else { rest.partition_point(|row| row.at < day.end_us) };
+        for row in &rest[..end] {
+            let turned = day.turn.filter(|turn| row.at >= turn.0).map_or(0, |turn| turn.1);
+            let clock = row.at - day.begin_us + day.clock_us + turned;
+            hours[clock.div_euclid(HOUR).clamp(0, 23) as usize] += 1;
+        }
+        begin += end;
+        hours
+    };
+    days.iter().enumerate().map(count).collect()
+}
+
+/// Spans of activities, no more than [`SPANS`] in all: what goes on after a pause is one, and the shortest are left out.
+fn few(activities: &[Vec<(i64, i64, u32)>]) -> Vec<Vec<(i64, i64, u32)>> {
+    let mut few: Vec<Vec<(i64, i64, u32)>> = Vec::new();
+    for all in activities {
+        let mut merged: Vec<(i64, i64, u32)> = Vec::new();
+        for &(begin, end, name) in all {
+            match merged.last_mut() {
+                Some(last) if last.2 == name && begin - last.1 <= PAUSE => last.1 = last.1.max(end),
+                _ => merged.push((begin, end, name)),
+            }
+        }
+        few.push(merged);
+    }
+    let mut lengths: Vec<i64> = few.iter().flatten().map(|span| span.1 - span.0).collect();
+    if lengths.len() > SPANS {
+        lengths.sort_unstable_by(|a, b| b.cmp(a));
+        let least = lengths[SPANS];
+        few.iter_mut().for_each(|spans| spans.retain(|span| span.1 - span.0 > least));
+    }
+    few
+}
+
+/// The part of what is in the order of time that lies between two instants.
+fn between<T>(all: &[T], at: impl Fn(&T) -> Micros, begin: Micros, end: Micros) -> &[T] {
+    let first = all.partition_point(|one| at(one) < begin);
+    let last = all.partition_point(|one| at(one) < end);
+    &all[first..last.max(first)]
+}
+
+/// Spans in the order of time that are not over before a span and begin in it.
+fn overlapping(spans: &[(i64, i64, u32)], begin: Micros, end: Micros) -> Vec<(i64, i64, u32)> {
+    spans.iter().copied().filter(|span| span.0 < end && span.1 > begin).collect()
+}
+
+fn told(movement: &Movement) -> (i64, i64, Doing, crate::wire::Posture, Option<[f64; 2]>, Option<[f64; 2]>) {
+    let doing = match movement.kind {
+        MovementKind::Stride => Doing::Stride,
+        MovementKind::Stir => Doing::Stir,
+        MovementKind::Rest => Doing::Rest,
+        MovementKind::Away => Doing::Away,
+    };
+    let (from, to) = (movement.from.map(draw::at), movement.to.map(draw::at));
+    (movement.begin, movement.end, doing, draw::posture(movement.posture), from, to)
+}

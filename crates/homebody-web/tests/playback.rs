@@ -1,0 +1,255 @@
+//! Stored runs are played back as they were stored.
+
+use homebody_core::time::{DAY, Micros, SECOND};
+use homebody_web::act::{Act, Start};
+use homebody_web::playback::{Playback, Refusal};
+use homebody_web::shelf::Shelf;
+use homebody_web::wire::{DayView, Doing, PlaybackView};
+use rusqlite::Connection;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use tempfile::TempDir;
+
+const HOUR: Micros = 3600 * SECOND;
+
+/// A folder with runs in it, and what plays them back.
+struct Stored {
+    folder: TempDir,
+    playback: Playback,
+}
+
+impl Stored {
+    /// A scenario, changed, lived for some time.
+    fn lived(scenario: &str, length: Micros, change: impl Fn(&str, String) -> String) -> Stored {
+        let folder = TempDir::new().unwrap();
+        let own = folder.path().join("scenario");
+        copy(&scenarios().join(scenario), &own, &change);
+        copy(&scenarios().join("../conditions"), &folder.path().join("conditions"), &change);
+        let shelf = Shelf { scenario: own, entry: "scenario.json".into(), runs: folder.path().join("runs") };
+        let mut act = Act::new(&shelf, Start::default()).unwrap();
+        act.advance(length, &shelf).unwrap();
+        act.finish().unwrap();
+        let playback = Playback::new(shelf);
+        Stored { folder, playback }
+    }
+
+    fn name(&self) -> String {
+        self.playback.list()[0].name.clone()
+    }
+
+    fn file(&self, name: &str) -> PathBuf {
+        self.folder.path().join("runs").join(self.name()).join(name)
+    }
+
+    fn view(&self) -> Arc<PlaybackView> {
+        self.playback.run(&self.name()).unwrap()
+    }
+
+    fn days(&self) -> Vec<DayView> {
+        let name = self.name();
+        (0..self.view().days.len()).map(|day| self.playback.day(&name, day).unwrap()).collect()
+    }
+}
+
+fn scenarios() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios")
+}
+
+fn copy(from: &Path, to: &Path, change: &impl Fn(&str, String) -> String) {
+    fs::create_dir_all(to).unwrap();
+    for entry in fs::read_dir(from).unwrap() {
+        let entry = entry.unwrap();
+        let name = entry.file_name().into_string().unwrap();
+        if entry.file_type().unwrap().is_file() {
+            fs::write(to.join(&name), change(&name, fs::read_to_string(entry.path()).unwrap())).unwrap();
+        }
+    }
+}
+
+fn as_it_is(_: &str, text: String) -> String {
+    text
+}
+
+/// Rows in the words of the log.
+fn words(view: &PlaybackView, days: &[DayView]) -> Vec<(String, String)> {
+    let rows = days.iter().flat_map(|day| &day.rows);
+    rows.map(|row| (view.sensors[row.1 as usize].clone(), view.values[row.2 as usize].clone())).collect()
+}
+
+#[test]
+fn the_days_rows_are_the_logs() {
+    let stored = Stored::lived("tigerplace", 30 * HOUR, as_it_is);
+    let (view, days) = (stored.view(), stored.days());
+    assert_eq!((view.days.len(), view.start.as_str(), view.has_truth), (2, "2009-03-02 00:00:00", true));
+    assert_eq!(view.days[1].end_us, 30 * HOUR);
+
+    let connection = Connection::open(stored.file("log.db")).unwrap();
+    let mut statement = connection.prepare("SELECT ts_local, sensor_id, event_code FROM event ORDER BY seq").unwrap();
+    let rows = statement.query_map([], |row| Ok((row.get(0)?, row.get(1)?, row.get(2)?))).unwrap();
+    let rows: Vec<(String, String, String)> = rows.map(Result::unwrap).collect();
+    assert!(rows.len() > 1000);
+    assert_eq!(words(&view, &days), rows.iter().map(|row| (row.1.clone(), row.2.clone())).collect::<Vec<_>>());
+    for (row, told) in days.iter().flat_map(|day| &day.rows).zip(&rows) {
+        let (second, micros) = (row.0 / SECOND, row.0 % SECOND);
+        let (hour, minute, second) = (second / 3600, second / 60 % 60, second % 60);
+        let day = 2 + hour / 24;
+        assert_eq!(format!("2009-03-{day:02} {:02}:{minute:02}:{second:02}.{micros:06}", hour % 24), told.0);
+    }
+    let told: u32 = view.hours.iter().flatten().sum();
+    assert_eq!(told as usize, rows.len());
+    assert_eq!(view.hours[0][7], days[0].rows.iter().filter(|row| row.0 / HOUR == 7).count() as u32);
+}
+
+#[test]
+fn the_days_movements_are_the_truths() {
+    for (scenario, length) in [("tigerplace", 50 * HOUR), ("couple-with-cat", 30 * HOUR)] {
+        let stored = Stored::lived(scenario, length, as_it_is);
+        let (view, days) = (stored.view(), stored.days());
+        let connection = Connection::open(stored.file("truth.db")).unwrap();
+        for (index, resident) in view.residents.iter().enumerate() {
+            let sql = "SELECT kind, posture, from_x FROM movement WHERE resident = ? ORDER BY rowid";
+            let mut statement = connection.prepare(sql).unwrap();
+            let told =
+                statement.query_map([&resident.name], |row| Ok((row.get(0)?, row.get(1)?, row.get(2)?))).unwrap();
+            let told: Vec<(String, String, Option<f64>)> = told.map(Result::unwrap).collect();
+            let mut seen = Vec::new();
+            for (day, date) in days.iter().zip(&view.days) {
+                let movements = &day.lives[index].movements;
+                let (first, last) = (movements.first().unwrap(), movements.last().unwrap());
+                assert!(first.0 <= date.begin_us && last.1 >= date.end_us, "{}", resident.name);
+                assert!(movements.windows(2).all(|pair| pair[0].1 == pair[1].0), "{}: without gaps", resident.name);
+                seen.extend(movements.iter().map(|one| (one.0, one.1, one.2, one.3, one.4.map(|from| from[0]))));
+            }
+            // What goes on over midnight is told of both days.
+            seen.dedup();
+            let seen: Vec<_> = seen.iter().map(|one| (text(&one.2), text(&one.3), one.4)).collect();
+            assert_eq!(seen, told, "{scenario}: {}", resident.name);
+        }
+        assert!(days.iter().all(|day| day.lives.len() == view.residents.len()));
+        assert!(days[0].lives[0].movements.iter().any(|movement| movement.2 == Doing::Stride));
+    }
+}
+
+/// What the wire calls something, as the truth has it.
+fn text(value: &impl serde::Serialize) -> String {
+    serde_json::to_value(value).unwrap().as_str().unwrap().into()
+}
+
+#[test]
+fn rooms_and_activities_are_the_truths() {
+    let stored = Stored::lived("tigerplace", 30 * HOUR, as_it_is);
+    let (view, days) = (stored.view(), stored.days());
+    let connection = Connection::open(stored.file("truth.db")).unwrap();
+    let count = |sql: &str| connection.query_row(sql, [], |row| row.get::<_, i64>(0)).unwrap() as usize;
+    let all: Vec<_> = days.iter().flat_map(|day| &day.lives[0].activities).collect();
+    let across = days[0].lives[0].activities.iter().filter(|span| span.1 > DAY).count();
+    assert_eq!(all.len() - across, count("SELECT count(*) FROM activity WHERE resident = 'margaret'"));
+    assert_eq!(view.activities[all[0].2 as usize], "sleeping");
+    let (begin, end, room) = days[0].lives[0].rooms[0];
+    assert_eq!((begin, view.home.rooms[room as usize].name.as_str()), (0, "bedroom"));
+    assert!(end > HOUR);
+    assert!(!view.spans[0].is_empty() && view.spans[0].len() <= all.len());
+}
+
+#[test]
+fn every_kind_of_log_tells_the_same_instants() {
+    let told = |logger: &'static str| {
+        let change = move |name: &str, text: String| if name == "logger.json" { logger.into() } else { text };
+        // Clocks go forward on the second day.
+        let change = move |name: &str, text: String| change(name, text).replace("2009-03-02T", "2009-03-07T");
+        let stored = Stored::lived("tigerplace", 30 * HOUR, change);
+        let days = stored.days();
+        assert_eq!(stored.view().days[1].turn, Some((26 * HOUR, HOUR)));
+        let rows: Vec<_> = days.iter().flat_map(|day| &day.rows).map(|row| (row.0 / 1000, row.1)).collect();
+        let moved: Vec<_> = days[1].lives[0].movements.iter().map(|one| one.0 / 1000).collect();
+        assert!(rows.len() > 1000 && !moved.is_empty());
+        (rows, moved)
+    };
+    let local = told(r#"{ "table": "seen", "columns": { "time": "t", "sensor": "s", "value": "v" } }"#);
+    for logger in [
+        r#"{ "to": ["sqlite:inner/log.db"], "time": "utc" }"#,
+        r#"{ "time": "local_offset" }"#,
+        r#"{ "time": "epoch_s" }"#,
+        r#"{ "to": ["csv:log.csv"], "columns": { "time": "when", "sensor": "who", "value": "what" } }"#,
+        r#"{ "to": ["casas:log.txt"], "ids": { "bed sensor": "B 001" } }"#,
+    ] {
+        assert_eq!(told(logger), local, "{logger}");
+    }
+}
+
+#[test]
+fn without_a_truth_there_are_rows_alone() {
+    let stored = Stored::lived("tigerplace", 3 * HOUR, as_it_is);
+    let with = stored.days();
+    fs::remove_file(stored.file("truth.db")).unwrap();
+    let (view, days) = (stored.view(), stored.days());
+    assert!(!view.has_truth && view.spans.is_empty() && !stored.playback.list()[0].has_truth);
+    assert_eq!(days[0].rows, with[0].rows);
+    assert!(days[0].lives.is_empty() && !with[0].lives.is_empty());
+}
+
+#[test]
+fn what_there_is_not_is_unknown() {
+    let stored = Stored::lived("by-hand", 20 * SECOND, as_it_is);
+    let name = stored.name();
+    for unknown in ["", ".", "..", "../runs", "nobody", "by-hand-1/", "/", "by-hand-1\0"] {
+        assert!(matches!(stored.playback.run(unknown), Err(Refusal::Unknown(_))), "{unknown:?}");
+    }
+    for day in [1, 2, usize::MAX] {
+        assert!(matches!(stored.playback.day(&name, day), Err(Refusal::Unknown(_))), "{day}");
+    }
+    assert!(stored.playback.day(&name, 0).is_ok());
+}
+
+#[test]
+fn a_run_may_be_called_anything() {
+    let stored = Stored::lived("by-hand", 20 * SECOND, as_it_is);
+    let first = stored.days();
+    let runs = stored.folder.path().join("runs");
+    let evil = "<img src=x onerror=alert(1)> \u{202e} '\"%2e%2e";
+    fs::rename(runs.join(stored.name()), runs.join(evil)).unwrap();
+    assert_eq!(stored.playback.run(evil).unwrap().name, evil);
+    assert_eq!(stored.days(), first);
+}
+
+#[test]
+fn damaged_files_are_told_and_no_path_leads_out() {
+    let stored = Stored::lived("by-hand", 20 * SECOND, as_it_is);
+    let name = stored.name();
+    let damage = |file: &str, text: &str| {
+        let path = stored.file(file);
+        let whole = fs::read(&path).unwrap();
+        fs::write(&path, text).unwrap();
+        let refused = stored.playback.run(&name).map(|view| view.remarks.clone());
+        fs::write(&path, whole).unwrap();
+        refused
+    };
+    for (file, text) in [
+        ("log.db", "no database"),
+        ("truth.db", "no database"),
+        ("recording.json", "{"),
+        (
+            "recording.json",
+            r#"{ "version": "", "entry": "x", "files": {}, "seed": 1, "length_us": 1, "firings": 0, "sha256": "" }"#,
+        ),
+    ] {
+        assert!(matches!(damage(file, text), Err(Refusal::Damaged(_))), "{file}");
+    }
+    let recording = fs::read_to_string(stored.file("recording.json")).unwrap();
+    let secret = stored.folder.path().join("runs/secret.db");
+    fs::copy(stored.file("log.db"), &secret).unwrap();
+    for to in ["sqlite:../secret.db".to_owned(), format!("sqlite:{}", secret.display())] {
+        let mut lured: serde_json::Value = serde_json::from_str(&recording).unwrap();
+        let entry = lured["entry"].as_str().unwrap().to_owned();
+        let mut scenario: serde_json::Value = serde_json::from_str(lured["files"][&entry].as_str().unwrap()).unwrap();
+        scenario["logger"] = "logger.json".into();
+        lured["files"][&entry] = scenario.to_string().into();
+        lured["files"]["logger.json"] = serde_json::json!({ "to": [to] }).to_string().into();
+        let log = fs::read(stored.file("log.db")).unwrap();
+        fs::remove_file(stored.file("log.db")).unwrap();
+        assert_eq!(damage("recording.json", &lured.to_string()).unwrap(), ["There is no log in its folder."]);
+        fs::write(stored.file("log.db"), log).unwrap();
+    }
+    assert!(stored.playback.run(&name).is_ok());
+}

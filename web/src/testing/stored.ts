@@ -1,0 +1,76 @@
+// Stored runs that are none, for tests and for looking at the page without a server.
+
+import { encode } from '@msgpack/msgpack';
+import type { Fetch } from '../server';
+import type { DateView, DayView, LifeView, PlaybackView, StoredView } from '../wire';
+import { madeUpHome, spotIn } from './home';
+
+const HOUR_US = 3_600_000_000;
+const DAY_US = 24 * HOUR_US;
+
+export function date(text: string, begin_us: number, hours = 24, with_: Partial<DateView> = {}): DateView {
+  return { date: text, begin_us, end_us: begin_us + hours * HOUR_US, clock_us: 0, turn: null, ...with_ };
+}
+
+/** A run of some days from 2 March on, with as many sensors. */
+export function storedRun(name: string, days = 3, with_: Partial<PlaybackView> = {}): PlaybackView {
+  const home = madeUpHome(12);
+  return {
+    name,
+    scenario: 'Made-up cottage',
+    home,
+    residents: [{ name: 'Agnes', radius_m: 0.22 }, { name: 'Bertram', radius_m: 0.22 }],
+    start: '2009-03-02 00:00:00',
+    zone: 'America/Chicago',
+    length_us: days * DAY_US,
+    sensors: home.sensors.map((_, index) => `S${index}`),
+    values: ['ON', 'OFF'],
+    days: Array.from({ length: days }, (_, day) => date(`2009-03-${String(day + 2).padStart(2, '0')}`, day * DAY_US)),
+    hours: Array.from({ length: days }, (_, day) => Array.from({ length: 24 }, (_, hour) => (hour < 6 ? 2 : 30 + ((hour * 7 + day * 13) % 40)))),
+    has_truth: true,
+    activities: ['sleeping', 'cooking'],
+    spans: [[], []].map(() => Array.from({ length: days }, (_, day): [number, number, number][] => [
+      [day * DAY_US, day * DAY_US + 7 * HOUR_US, 0],
+      [day * DAY_US + 12 * HOUR_US, day * DAY_US + 13 * HOUR_US, 1],
+    ]).flat()),
+    remarks: [],
+    ...with_,
+  };
+}
+
+/** A day on which somebody goes about from seven on, and sensors say so. */
+export function storedDay(run: PlaybackView, number: number): DayView {
+  const { begin_us } = run.days[number]!;
+  const rows: DayView['rows'] = [];
+  const lives = run.residents.map((_, who): LifeView => {
+    let random = who * 7 + number * 13 + 1;
+    const chance = () => (random = (random * 16_807) % 2_147_483_647) / 2_147_483_647;
+    const bed: [number, number] = [1.2, 6.4];
+    const movements: LifeView['movements'] = [[begin_us, begin_us + 7 * HOUR_US, 'rest', 'lying', bed, bed]];
+    let [at, now] = [bed, begin_us + 7 * HOUR_US];
+    for (let minute = 0; minute < 16 * 60; minute += 10) {
+      const to = spotIn(Math.floor(chance() * 7), chance);
+      movements.push([now, now + 10e6, 'stride', 'standing', at, to], [now + 10e6, now + 600e6, 'rest', 'sitting', to, to]);
+      if (who === 0) rows.push([now + 5e6, Math.floor(chance() * run.home.sensors.length), 0]);
+      [at, now] = [to, now + 600e6];
+    }
+    movements.push([now, begin_us + DAY_US, 'away', 'standing', null, null]);
+    return { movements, rooms: [[begin_us, begin_us + 7 * HOUR_US, 4]], activities: run.spans[who]!.filter(([begin]) => begin >= begin_us && begin < begin_us + DAY_US) };
+  });
+  return { rows, lives: run.has_truth ? lives : [] };
+}
+
+/** Answers as the server does, for runs of these names. */
+export function fakeRuns(names: string[], make: (name: string) => PlaybackView = storedRun): Fetch {
+  const runs = new Map(names.map((name) => [name, make(name)]));
+  return async (path) => {
+    const [, name, day] = /^\/api\/runs\/([^/]+)(?:\/days\/(\d+))?$/.exec(path) ?? [];
+    if (name === undefined) {
+      const list: StoredView[] = [...runs.values()].map(({ name, scenario, start, days, has_truth }) => ({ name, scenario, start, days: days.length, has_truth, problem: null }));
+      return Response.json(list);
+    }
+    const run = runs.get(decodeURIComponent(name));
+    if (run === undefined || Number(day ?? 0) >= run.days.length) return new Response(`There is no run ${decodeURIComponent(name)}.`, { status: 404 });
+    return day === undefined ? Response.json(run) : new Response(encode(storedDay(run, Number(day))) as BodyInit);
+  };
+}

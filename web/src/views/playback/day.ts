@@ -1,0 +1,87 @@
+// A day of a stored run, made ready for drawing: its rows by sensor, and when nothing stirs.
+
+import type { DayView, LifeView, PlaybackView } from '../../wire';
+
+/** Shorter stillness is not worth a jump. */
+export const STILL_US = 60_000_000;
+
+export type Span = [begin: number, end: number];
+
+export type Day = {
+  number: number;
+  view: DayView;
+  /** By sensor: when it fired. What says that it is off again is none. */
+  fired: Float64Array[];
+  /** When for longer than a minute no sensor said anything; and when, besides, nobody went anywhere. */
+  quiet: Span[];
+  still: Span[];
+};
+
+/** The first place in `all`, in order, whose number is above `limit`. */
+export function above<T>(all: ArrayLike<T>, limit: number, of: (one: T) => number): number {
+  let [low, high] = [0, all.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (of(all[middle]!) > limit) high = middle;
+    else low = middle + 1;
+  }
+  return low;
+}
+
+/** Messages after which nothing happens in front of the sensor. */
+export function isOff(value: string): boolean {
+  return /^(off|false)$/i.test(value);
+}
+
+export function prepare(run: PlaybackView, number: number, view: DayView): Day {
+  const { begin_us, end_us } = run.days[number]!;
+  const off = run.values.map(isOff);
+  const fired: number[][] = run.sensors.map(() => []);
+  for (const [at, sensor, value] of view.rows) if (!off[value]) fired[sensor]?.push(at);
+  const rows = view.rows.map(([at]): Span => [at, at]);
+  const strides = view.lives.flatMap(({ movements }) => movements.flatMap(([begin, end, doing]): Span[] => (doing === 'stride' ? [[begin, end]] : [])));
+  return {
+    number,
+    view,
+    fired: fired.map((all) => Float64Array.from(all)),
+    quiet: gaps(rows, begin_us, end_us),
+    still: gaps([...rows, ...strides].sort((a, b) => a[0] - b[0]), begin_us, end_us),
+  };
+}
+
+/** What lies between spans, in the order of their beginnings, where it is long enough. */
+export function gaps(spans: Span[], begin_us: number, end_us: number): Span[] {
+  const found: Span[] = [];
+  let last = begin_us;
+  for (const [begin, end] of spans) {
+    if (begin - last > STILL_US) found.push([last, begin]);
+    last = Math.max(last, end);
+  }
+  if (end_us - last > STILL_US) found.push([last, end_us]);
+  return found;
+}
+
+/** The sensors that fired within the last two seconds of the run. */
+export function lit(day: Day, now_us: number, for_us = 2_000_000): number[] {
+  return day.fired.flatMap((all, sensor) => {
+    const last = all[above(all, now_us, (at) => at) - 1];
+    return last !== undefined && now_us - last < for_us ? [sensor] : [];
+  });
+}
+
+/** How often each sensor fired since the day began. */
+export function counts(day: Day, now_us: number): number[] {
+  return day.fired.map((all) => above(all, now_us, (at) => at));
+}
+
+/** The span in which an instant lies, of spans in order that do not overlap. */
+export function spanAt<T extends readonly [number, number, ...unknown[]]>(spans: readonly T[], at_us: number): T | null {
+  const span = spans[above(spans, at_us, ([begin]) => begin) - 1];
+  return span !== undefined && at_us < span[1] ? span : null;
+}
+
+export function movementAt(life: LifeView, at_us: number): number {
+  const index = above(life.movements, at_us, ([begin]) => begin) - 1;
+  const movement = life.movements[index];
+  return movement !== undefined && at_us <= movement[1] ? index : -1;
+}

@@ -1,0 +1,59 @@
+// The clock on the wall of a stored run. The server says when each day begins on it and when it is set; the page knows no
+// time zone.
+
+import { read } from '../../clock';
+import type { DateView, PlaybackView } from '../../wire';
+
+type Run = Pick<PlaybackView, 'days' | 'length_us'>;
+
+/** The day that an instant lies in; the run's end belongs to its last one. */
+export function dayAt(run: Run, at_us: number): number {
+  let [low, high] = [0, run.days.length - 1];
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if (run.days[middle]!.begin_us <= at_us) low = middle;
+    else high = middle - 1;
+  }
+  return Math.max(low, 0);
+}
+
+/** The time of a day's clock at an instant, in milliseconds as if it were that of Greenwich. */
+function clockIn(day: DateView, at_us: number): number {
+  const turned = day.turn !== null && at_us >= day.turn[0] ? day.turn[1] : 0;
+  return read(`${day.date} 00:00:00`) + (day.clock_us + at_us - day.begin_us + turned) / 1000;
+}
+
+/** The clock at an instant of the run. */
+export function clockOf(run: Run, at_us: number): number {
+  const day = run.days[dayAt(run, at_us)];
+  return day === undefined ? NaN : clockIn(day, at_us);
+}
+
+/** The instant at which the clock shows this; of a time that comes twice the first, and null beyond the run. */
+export function instantOf(run: Run, clock_ms: number): number | null {
+  const date = new Date(clock_ms).toISOString().slice(0, 10);
+  const number = run.days.findIndex((day) => day.date === date);
+  return number === -1 ? null : instantIn(run, number, clock_ms - read(`${date} 00:00:00`));
+}
+
+/** The instant of a time since midnight of a day of the run, or null beyond the run. */
+function instantIn(run: Run, number: number, since_midnight_ms: number): number | null {
+  const day = run.days[number];
+  if (day === undefined) return null;
+  const plain = day.begin_us + since_midnight_ms * 1000 - day.clock_us;
+  const at = day.turn === null || plain < day.turn[0] ? plain : Math.max(plain - day.turn[1], day.turn[0]);
+  return at < 0 || at > run.length_us ? null : at;
+}
+
+/**
+ * Where a second run is while the first is at an instant: at the same date and time, if it knows that date; otherwise at the
+ * same time of its day of the same number.
+ */
+export function follow(first: Run, at_us: number, second: Run): number | null {
+  const clock = clockOf(first, at_us);
+  if (!Number.isFinite(clock)) return null;
+  const shared = second.days.some((day) => first.days.some(({ date }) => date === day.date));
+  if (shared) return instantOf(second, clock);
+  const midnight = Math.floor(clock / 86_400_000) * 86_400_000;
+  return instantIn(second, dayAt(first, at_us), clock - midnight);
+}

@@ -1,0 +1,169 @@
+// What is played back, and how: one run or two, by one clock.
+
+import { Throttle } from '../../plan/glow';
+import { Refused, type Server } from '../../server';
+import type { StoredView } from '../../wire';
+import { dayAt, follow } from './localtime';
+import { Stored } from './stored';
+import { Ticker } from './ticker';
+
+/** What is read as text need not change more often than one can read. */
+const TEXT_MS = 100;
+
+export class Player {
+  list = $state.raw<StoredView[] | null>(null);
+  first = $state.raw<Stored | null>(null);
+  second = $state.raw<Stored | null>(null);
+  /** The run that is being opened. */
+  opening = $state<string | null>(null);
+  problem = $state('');
+  playing = $state(false);
+  speed = $state(1);
+  skip = $state(false);
+  truth = $state(true);
+  heat = $state(false);
+  /** The instant as text shows it; drawings have every one. */
+  shown_us = $state(0);
+  /** Grows when a day has come. */
+  came = $state(0);
+
+  ticker: Ticker | null = null;
+  private readonly texts = new Throttle(TEXT_MS);
+  private asked = 0;
+
+  constructor(private readonly server: Pick<Server, 'json' | 'packed'>) {}
+
+  /** Fetches the list, and opens a run of this name, or the latest. */
+  async begin(name: string | null): Promise<void> {
+    try {
+      this.list = await this.server.json<StoredView[]>('/api/runs');
+    } catch (error) {
+      this.problem = said(error);
+      return;
+    }
+    const wanted = name ?? this.list.find(({ problem }) => problem === null)?.name;
+    if (wanted !== undefined) await this.open(wanted);
+  }
+
+  async open(name: string): Promise<void> {
+    if (this.first?.view.name === name) return;
+    const asked = ++this.asked;
+    this.pause();
+    this.opening = name;
+    this.problem = '';
+    try {
+      const run = await Stored.open(this.server, name);
+      if (asked !== this.asked) return;
+      if (run.view.days.length === 0) throw new Refused(422, 'The run has no days.');
+      this.first = run;
+      this.ticker = new Ticker(run);
+      this.set();
+      this.show();
+      this.load();
+    } catch (error) {
+      if (asked === this.asked) this.problem = said(error);
+    } finally {
+      if (asked === this.asked) this.opening = null;
+    }
+  }
+
+  async beside(name: string | null): Promise<void> {
+    this.second = null;
+    if (name === null) return;
+    this.opening = name;
+    try {
+      this.second = await Stored.open(this.server, name);
+      this.problem = '';
+      this.load();
+    } catch (error) {
+      this.problem = said(error);
+    } finally {
+      this.opening = null;
+    }
+  }
+
+  /** Where the second run is. */
+  get second_us(): number | null {
+    return this.first && this.second && this.ticker ? follow(this.first.view, this.ticker.now_us, this.second.view) : null;
+  }
+
+  /** Time goes by. */
+  step(seconds: number, now_ms: number): void {
+    const { ticker } = this;
+    if (ticker === null) return;
+    const before = ticker.number;
+    // A page that was hidden does not make up for it.
+    ticker.step(Math.min(seconds, 0.25));
+    if (ticker.number !== before || (ticker.playing && this.first?.at(ticker.now_us) === null)) this.load();
+    if (this.playing !== ticker.playing) this.show();
+    else if (ticker.playing && this.texts.due(now_ms)) this.shown_us = ticker.now_us;
+  }
+
+  toggle(): void {
+    if (this.ticker === null) return;
+    if (this.ticker.playing) this.ticker.playing = false;
+    else this.ticker.play();
+    this.show();
+    this.load();
+  }
+
+  pause(): void {
+    if (this.ticker) this.ticker.playing = false;
+    this.playing = false;
+  }
+
+  go(to_us: number): void {
+    this.ticker?.go(to_us);
+    this.show();
+    this.load();
+  }
+
+  turn(days: number): void {
+    this.ticker?.turn(days);
+    this.show();
+    this.load();
+  }
+
+  activity(forward: boolean): void {
+    this.ticker?.activity(forward);
+    this.show();
+    this.load();
+  }
+
+  /** What was chosen holds from now on. */
+  set(): void {
+    if (this.ticker === null) return;
+    this.ticker.speed = this.speed;
+    this.ticker.skip = this.skip;
+    this.ticker.alone = !this.truth || !this.ticker.run.view.has_truth;
+  }
+
+  private show(): void {
+    if (this.ticker === null) return;
+    this.shown_us = this.ticker.now_us;
+    this.playing = this.ticker.playing;
+  }
+
+  /** Fetches today of each run, then what comes next and what was before. */
+  private load(): void {
+    for (const [run, at] of [[this.first, this.ticker?.now_us ?? null], [this.second, this.second_us]] as const) {
+      if (run === null || at === null) continue;
+      const number = dayAt(run.view, at);
+      void (async () => {
+        for (const wanted of [number, number + 1, number - 1, number + 2]) {
+          if (wanted < 0 || wanted >= run.view.days.length) continue;
+          const isNew = !run.has(wanted);
+          await run.day(wanted);
+          if (isNew) this.came += 1;
+        }
+      })().catch((error: unknown) => {
+        this.problem = said(error);
+        this.pause();
+      });
+    }
+  }
+}
+
+function said(error: unknown): string {
+  return error instanceof Refused ? error.message : 'The run cannot be shown: what the server sent is not understood.';
+}

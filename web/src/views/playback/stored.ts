@@ -1,0 +1,57 @@
+// A stored run as the page knows it, and the days of it that have been fetched.
+
+import { type Server, storedPath } from '../../server';
+import type { DayView, PlaybackView } from '../../wire';
+import { type Day, prepare } from './day';
+import { dayAt } from './localtime';
+
+/** So many days are kept; those that were wanted longest ago go first. */
+const KEPT = 12;
+
+export class Stored {
+  private readonly days = new Map<number, Day>();
+  private readonly coming = new Map<number, Promise<Day>>();
+
+  constructor(
+    readonly view: PlaybackView,
+    private readonly server: Pick<Server, 'packed'>,
+  ) {}
+
+  static async open(server: Pick<Server, 'json' | 'packed'>, name: string): Promise<Stored> {
+    return new Stored(await server.json<PlaybackView>(storedPath(name)), server);
+  }
+
+  /** The day of an instant, if it is here already. */
+  at(at_us: number): Day | null {
+    return this.days.get(dayAt(this.view, at_us)) ?? null;
+  }
+
+  has(number: number): boolean {
+    return this.days.has(number);
+  }
+
+  /** A day, fetched if need be. */
+  async day(number: number): Promise<Day> {
+    const known = this.days.get(number);
+    if (known !== undefined) {
+      // It is the last one that was wanted now.
+      this.days.delete(number);
+      this.days.set(number, known);
+      return known;
+    }
+    const before = this.coming.get(number);
+    if (before !== undefined) return before;
+    const fetched = this.server.packed<DayView>(storedPath(this.view.name, number)).then((view) => {
+      const day = prepare(this.view, number, view);
+      this.days.set(number, day);
+      for (const old of [...this.days.keys()].slice(0, -KEPT)) this.days.delete(old);
+      return day;
+    });
+    this.coming.set(number, fetched);
+    try {
+      return await fetched;
+    } finally {
+      this.coming.delete(number);
+    }
+  }
+}

@@ -1,0 +1,128 @@
+import { flushSync, mount, unmount } from 'svelte';
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import type { Live } from '../../live.svelte';
+import { Server } from '../../server';
+import { fakeRuns, storedRun } from '../../testing/stored';
+import type { PlaybackView } from '../../wire';
+import PlaybackPage from './Playback.svelte';
+
+const EVIL = '<img src=x onerror="globalThis.broken=1"><script>globalThis.broken=1</script>';
+const DAY = 86_400_000_000;
+
+let view: Record<string, unknown>;
+
+async function settle(): Promise<void> {
+  await vi.advanceTimersByTimeAsync(50);
+  flushSync();
+}
+
+async function begin(names = ['cottage-2', 'cottage-1'], make: (name: string) => PlaybackView = storedRun): Promise<void> {
+  const server = new Server('token', () => {}, fakeRuns(names, make));
+  view = mount(PlaybackPage, { target: document.body, props: { live: { server } as Live } });
+  for (let turn = 0; turn < 10; turn++) await settle();
+}
+
+function press(key: string, target: Element, shiftKey = false): void {
+  target.dispatchEvent(new KeyboardEvent('keydown', { key, code: key === ' ' ? 'Space' : key, shiftKey, bubbles: true, cancelable: true }));
+  flushSync();
+}
+
+const slider = (name: string) => document.querySelector<HTMLInputElement>(`input[aria-label="${name}"]`)!;
+const said = () => slider('Time of the day').getAttribute('aria-valuetext');
+const button = (name: string) => [...document.querySelectorAll('button')].find((one) => (one.getAttribute('aria-label') ?? one.textContent!).trim().startsWith(name))!;
+
+function choose(id: string, value: string): void {
+  const select = document.querySelector<HTMLSelectElement>(id)!;
+  select.value = value;
+  select.dispatchEvent(new Event('change', { bubbles: true }));
+  window.dispatchEvent(new Event('hashchange'));
+}
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  window.location.hash = '#/playback';
+});
+
+afterEach(async () => {
+  await unmount(view);
+  vi.useRealTimers();
+});
+
+test('the latest run is opened, and another can be chosen', async () => {
+  await begin();
+  expect(document.querySelector<HTMLSelectElement>('#first-run')!.value).toBe('cottage-2');
+  choose('#first-run', 'cottage-1');
+  for (let turn = 0; turn < 5; turn++) await settle();
+  expect(window.location.hash).toBe('#/playback/cottage-1');
+  expect(document.querySelector<HTMLSelectElement>('#first-run')!.value).toBe('cottage-1');
+});
+
+test('sliders go by minute, second, hour and day, and say where', async () => {
+  await begin();
+  const day = slider('Time of the day');
+  expect(said()).toBe('2 March, 00:00:00');
+  press('ArrowRight', day);
+  press('ArrowRight', day, true);
+  expect(said()).toBe('2 March, 00:01:01');
+  press('PageUp', day);
+  expect(said()).toBe('3 March, 00:01:01');
+  press('ArrowRight', slider('Time in the run'));
+  expect(slider('Time in the run').getAttribute('aria-valuetext')).toBe('3 March, 01:01:01, day 2 of 3');
+  press('End', day);
+  expect(said()).toBe('3 March, 23:59:59');
+  press('Home', day);
+  expect(said()).toBe('3 March, 00:00:00');
+  press('End', slider('Time in the run'));
+  expect(Number(slider('Time in the run').value)).toBe(3 * DAY);
+  expect(button('Again')).toBeDefined();
+});
+
+test('Space plays and pauses', async () => {
+  await begin();
+  press(' ', document.body);
+  expect(button('Pause')).toBeDefined();
+  press(' ', document.body);
+  expect(button('Pause')).toBeUndefined();
+});
+
+test('who is where is told in words, and not with the truth hidden', async () => {
+  await begin();
+  button('Next activity').click();
+  for (let turn = 0; turn < 5; turn++) await settle();
+  const now = () => document.querySelector('[aria-label="At this time"]')!.textContent!;
+  expect(now()).toContain('Agnes');
+  expect(now()).toContain('cooking');
+  [...document.querySelectorAll('label')].find((label) => label.textContent!.includes('Show the truth'))!.querySelector('input')!.click();
+  flushSync();
+  expect(now()).not.toContain('Agnes');
+});
+
+test('a run without truth says so and has no activities to go to', async () => {
+  await begin(['alone'], (name) => storedRun(name, 2, { has_truth: false, spans: [] }));
+  expect(button('Next activity')).toBeUndefined();
+  expect(document.body.textContent).toContain('(there is none)');
+});
+
+test('a second run is shown beside the first', async () => {
+  await begin();
+  choose('#second-run', 'cottage-1');
+  for (let turn = 0; turn < 5; turn++) await settle();
+  expect(document.querySelectorAll('[role="application"]')).toHaveLength(2);
+});
+
+test('a run that is not there is told', async () => {
+  window.location.hash = `#/playback/${encodeURIComponent('../etc')}`;
+  await begin();
+  expect(document.querySelector('[role="alert"]')!.textContent).toBe('There is no run ../etc.');
+});
+
+test('hostile names are text', async () => {
+  await begin([EVIL, `${EVIL} two`], (name) =>
+    storedRun(name, 2, { scenario: EVIL, residents: [{ name: EVIL, radius_m: 0.2 }, { name: `${EVIL}${'x'.repeat(4000)}`, radius_m: 0.2 }], activities: [EVIL, EVIL], values: [EVIL, EVIL], remarks: [EVIL] }),
+  );
+  press('End', slider('Time of the day'));
+  await settle();
+  expect(document.body.textContent).toContain(EVIL);
+  expect(document.querySelectorAll('img, script')).toHaveLength(0);
+  expect((globalThis as { broken?: number }).broken).toBeUndefined();
+});
