@@ -106,8 +106,8 @@ export class Stage {
     this.stale();
   }
 
-  /** What is painted on the floor, below everything that stands on it. */
-  under(paint: ((pen: Pen, view: View) => void) | null): void {
+  /** What is painted over floor and furniture, below what sensors see, all names and people. */
+  over(paint: ((pen: Pen, view: View) => void) | null): void {
     this.paint = paint;
     this.dirty = true;
   }
@@ -156,8 +156,8 @@ export class Stage {
     pen.fillStyle = scene.palette.outside;
     pen.fillRect(0, 0, this.size.width, this.size.height);
     drawFloor(pen, scene.home, view, scene.palette, this.day.level ?? 1, this.lamps.levels);
-    this.paint?.(pen, view);
     this.copy(pen, this.still);
+    this.paint?.(pen, view);
     drawSeen(pen, scene.home, view, scene.palette, this.glow.levels, scene.layers);
     this.copy(pen, this.names);
     drawDoors(pen, scene.home, view, scene.palette, frame?.on ?? [], this.sides);
