@@ -1,17 +1,17 @@
 //! Runs that are stored, day by day: what the log says, and beside it, where there is one, what the truth knows.
 //!
-//! A run is opened once: its log is read into memory, its truth is asked day by day. The last few that were opened are kept, as long as their
-//! files stay as they are.
+//! A run is opened once: its log is read into memory, its truth is asked day by day. The last few that were opened are kept, as
+//! long as their files stay as they are.
 
 use crate::draw;
 use crate::shelf::{RECORDING, Shelf};
-use crate::wire::{DateView, DayView, Doing, LifeView, PlaybackView, ResidentView, StoredView};
+use crate::wire::{DateView, DayView, Doing, LifeView, MovementView, PlaybackView, ResidentView, StoredView};
 use homebody_core::recording::Recording;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::scenario::path::Posture;
-use homebody_core::time::{Micros, SECOND};
+use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_log::source::Clock;
 use homebody_log::{Event, Log, LogError, Movement, MovementKind, Movements, RunClock, Url};
 use homebody_routine::household::{Household, Spoken};
@@ -31,6 +31,9 @@ const SPANS: usize = 6000;
 const PAUSE: Micros = 60 * SECOND;
 
 const HOUR: Micros = 3600 * SECOND;
+
+/// No scenario is longer: a hundred years.
+const LONGEST: Micros = 36_525 * DAY;
 
 /// What a run's truth is called in its folder.
 const TRUTH: &str = "truth.db";
@@ -82,7 +85,7 @@ impl Playback {
 
     fn stored(&self, name: String) -> StoredView {
         let has_truth = self.shelf.file_of_run(&name, TRUTH).is_some();
-        let scenario = self.shelf.recording(&name).and_then(|recording| {
+        let scenario = self.recording(&name).and_then(|recording| {
             let scenario = recording.scenario().map_err(|problems| problems.render())?;
             Ok((scenario, recording.length_us))
         });
@@ -106,6 +109,16 @@ impl Playback {
         }
     }
 
+    /// The recording of a run that lasts as long as one can.
+    fn recording(&self, name: &str) -> Result<Recording, String> {
+        let recording = self.shelf.recording(name)?;
+        let length = recording.length_us;
+        if (0..=LONGEST).contains(&length) {
+            return Ok(recording);
+        }
+        Err(format!("{name:?} has no sound recording: no run is {length} microseconds long"))
+    }
+
     /// A run as a whole.
     pub fn run(&self, name: &str) -> Result<Arc<PlaybackView>, Refusal> {
         Ok(self.open(name)?.view.clone())
@@ -115,7 +128,8 @@ impl Playback {
     pub fn day(&self, name: &str, day: usize) -> Result<DayView, Refusal> {
         let run = self.open(name)?;
         let days = run.view.days.len();
-        let unknown = || Refusal::Unknown(format!("{name:?} has {days} days, numbered from 0."));
+        let count = if days == 1 { "one day".into() } else { format!("{days} days") };
+        let unknown = || Refusal::Unknown(format!("{name:?} has {count}, numbered from 0."));
         let DateView { begin_us, end_us, .. } = run.view.days.get(day).cloned().ok_or_else(unknown)?;
         // What the last instant of a run says belongs to its last day.
         let until = if day + 1 == days { Micros::MAX } else { end_us };
@@ -156,7 +170,7 @@ impl Playback {
     }
 
     fn read(&self, name: &str, recording_path: PathBuf) -> Result<Opened, Refusal> {
-        let recording = self.shelf.recording(name).map_err(|why| Refusal::Damaged(shortened(&why)))?;
+        let recording = self.recording(name).map_err(|why| Refusal::Damaged(shortened(&why)))?;
         let length = recording.length_us;
         let scenario = read_scenario(&recording)?;
         let mut view = whole(name, &recording, &scenario)?;
@@ -411,7 +425,7 @@ fn overlapping(spans: &[(i64, i64, u32)], begin: Micros, end: Micros) -> Vec<(i6
     spans.iter().copied().filter(|span| span.0 < end && span.1 > begin).collect()
 }
 
-fn told(movement: &Movement) -> (i64, i64, Doing, crate::wire::Posture, Option<[f64; 2]>, Option<[f64; 2]>) {
+fn told(movement: &Movement) -> MovementView {
     let doing = match movement.kind {
         MovementKind::Stride => Doing::Stride,
         MovementKind::Stir => Doing::Stir,

@@ -259,12 +259,15 @@ pub struct DayView {
     pub lives: Vec<LifeView>,
 }
 
+/// Begin, end, what it was, in which posture, from where, to where.
+pub type MovementView = (i64, i64, Doing, Posture, Option<At>, Option<At>);
+
 /// What somebody did, in the order of time.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
 pub struct LifeView {
     /// Begin, end, what it was, in which posture, from where, to where.
     #[ts(type = "Array<[number, number, Doing, Posture, [number, number] | null, [number, number] | null]>")]
-    pub movements: Vec<(i64, i64, Doing, Posture, Option<At>, Option<At>)>,
+    pub movements: Vec<MovementView>,
     /// Begin, end and the number of the home's room; between rooms there is none.
     #[ts(type = "Array<[number, number, number]>")]
     pub rooms: Vec<(i64, i64, u32)>,

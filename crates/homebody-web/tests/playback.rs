@@ -237,6 +237,11 @@ fn damaged_files_are_told_and_no_path_leads_out() {
         assert!(matches!(damage(file, text), Err(Refusal::Damaged(_))), "{file}");
     }
     let recording = fs::read_to_string(stored.file("recording.json")).unwrap();
+    for length in [i64::MAX, i64::MIN, -1] {
+        let mut long: serde_json::Value = serde_json::from_str(&recording).unwrap();
+        long["length_us"] = length.into();
+        assert!(matches!(damage("recording.json", &long.to_string()), Err(Refusal::Damaged(_))), "{length}");
+    }
     let secret = stored.folder.path().join("runs/secret.db");
     fs::copy(stored.file("log.db"), &secret).unwrap();
     for to in ["sqlite:../secret.db".to_owned(), format!("sqlite:{}", secret.display())] {

@@ -29,7 +29,9 @@ export class Player {
 
   ticker: Ticker | null = null;
   private readonly texts = new Throttle(TEXT_MS);
+  /** Of several runs that were chosen in a row only the last is shown. */
   private asked = 0;
+  private askedBeside = 0;
 
   constructor(private readonly server: Pick<Server, 'json' | 'packed'>) {}
 
@@ -55,6 +57,7 @@ export class Player {
       const run = await Stored.open(this.server, name);
       if (asked !== this.asked) return;
       if (run.view.days.length === 0) throw new Refused(422, 'The run has no days.');
+      if (this.second?.view.name === name) this.second = null;
       this.first = run;
       this.ticker = new Ticker(run);
       this.set();
@@ -68,17 +71,20 @@ export class Player {
   }
 
   async beside(name: string | null): Promise<void> {
+    const asked = ++this.askedBeside;
     this.second = null;
     if (name === null) return;
     this.opening = name;
     try {
-      this.second = await Stored.open(this.server, name);
+      const run = await Stored.open(this.server, name);
+      if (asked !== this.askedBeside || this.first?.view.name === name) return;
+      this.second = run;
       this.problem = '';
       this.load();
     } catch (error) {
-      this.problem = said(error);
+      if (asked === this.askedBeside) this.problem = said(error);
     } finally {
-      this.opening = null;
+      if (asked === this.askedBeside) this.opening = null;
     }
   }
 
