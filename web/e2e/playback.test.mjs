@@ -1,0 +1,37 @@
+// Ninety finished days are opened, and their nights played.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { setTimeout as wait } from 'node:timers/promises';
+import { serve } from './served.mjs';
+
+let served;
+before(async () => {
+  served = await serve('tigerplace');
+  served.homebody('run', 'tigerplace', '--quiet');
+});
+after(() => served.close());
+
+test('a finished run is opened, and a trip of the night played', { timeout: 120_000 }, async () => {
+  const { page, address } = served;
+  await page.goto(`${address.split('#')[0]}#/playback/tigerplace-1`);
+  await page.getByText('Day 1 of 90').waitFor();
+  const people = page.getByRole('row', { name: /margaret/ }).first();
+  const next = page.getByRole('button', { name: 'Next activity' });
+  let doing = '';
+  for (let pressed = 0; pressed < 40 && !/bathroom|toilet/.test(doing); pressed += 1) {
+    await next.click();
+    await wait(80);
+    doing = await people.innerText();
+  }
+  assert.match(doing, /bathroom|toilet/, 'no trip of a night');
+  const clock = page.locator('time, .clock').first();
+  const begun = await clock.innerText();
+  assert.match(begun, /^0[0-6]:/, `${begun} is no night`);
+  await page.getByRole('button', { name: '10×: ' }).click();
+  await page.getByRole('button', { name: 'Play', exact: true }).click();
+  await page.getByRole('row', { name: /margaret.*bathroom/ }).waitFor({ timeout: 20_000 });
+  await page.getByRole('row', { name: /(toilet|bathroom) motion.*ON|A[57].*ON/ }).first().waitFor({ timeout: 20_000 });
+  await page.getByRole('button', { name: 'Pause', exact: true }).click();
+  assert.notEqual(await clock.innerText(), begun);
+});
