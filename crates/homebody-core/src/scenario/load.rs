@@ -116,7 +116,7 @@ impl Scenario {
 }
 
 /// What to do about a link that leads out of the folder.
-const WHERE: &str = "name a file relative to the scenario's folder, with / between folders";
+pub const WHERE: &str = "name a file relative to the scenario's folder, with / between folders";
 
 struct Loader<'a> {
     files: &'a dyn Files,
@@ -364,8 +364,6 @@ impl Loader<'_> {
     }
 
     fn all_problems(self) -> Problems {
-        /// Nobody reads more, and a file that is wrong throughout would bury the others.
-        const MOST_PER_FILE: usize = 100;
         let mut problems = self.problems;
         // Routines come last: they are read when the home is known.
         let rank = |file: &str| self.order.iter().position(|(known, _)| known == file).unwrap_or(usize::MAX);
@@ -380,20 +378,12 @@ impl Loader<'_> {
                 seen.push(problem);
             }
         }
-        let (problems, mut kept) = (seen, Vec::new());
-        for of_file in problems.chunk_by(|a, b| a.file == b.file) {
-            kept.extend_from_slice(&of_file[..of_file.len().min(MOST_PER_FILE)]);
-            if of_file.len() > MOST_PER_FILE {
-                let what = format!("there are {} more problems", of_file.len() - MOST_PER_FILE);
-                kept.push(Problem::of_file(&of_file[0].file, what, None));
-            }
-        }
-        Problems(kept)
+        Problems::as_many_as_are_read(&seen)
     }
 }
 
 /// Why a file's name is refused: nothing outside the scenario's folder is ever read.
-fn outside_folder(name: &str) -> Option<String> {
+pub fn outside_folder(name: &str) -> Option<String> {
     if name.trim().is_empty() {
         return Some("a file name must not be empty".into());
     }
