@@ -127,7 +127,7 @@ struct Loader<'a> {
     order: Vec<(String, FileKind)>,
 }
 
-/// A file, and its text for the places of problems with its meaning.
+/// A file as it is meant, and its text for the places of problems with its meaning.
 struct Read<T> {
     source: Source,
     /// Nothing where its shape is wrong; what it links is looked at all the same.
@@ -322,7 +322,7 @@ impl Loader<'_> {
         if !self.order.iter().any(|(known, _)| known == name) {
             self.order.push((name.into(), kind));
         }
-        let source = match Source::parse(name, text) {
+        let mut source = match Source::parse(name, text) {
             Ok(source) => source,
             Err(problem) => {
                 self.problems.push(problem);
@@ -346,9 +346,10 @@ impl Loader<'_> {
                     None
                 }
                 None => {
-                    // If only keys are wrong, what the file means can be said already.
-                    let meant = (keys.len() == problems.len()).then(|| source.root.to_json_as_meant(&keys));
-                    let data = meant.and_then(|meant| serde_json::from_value(meant).ok());
+                    // What it links is linked by misspelt keys too; if only keys are wrong, what it means can be said already.
+                    source.root.take_as_meant(&keys);
+                    let is_clear = keys.len() == problems.len();
+                    let data = is_clear.then(|| serde_json::from_value(source.root.to_json()).ok()).flatten();
                     self.problems.extend(problems);
                     Some(Read { source, data })
                 }
