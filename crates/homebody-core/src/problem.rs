@@ -43,6 +43,21 @@ fn is_one(width: &u32) -> bool {
 pub struct Problems(pub Vec<Problem>);
 
 impl Problems {
+    /// Of each file, whose problems stand together, no more than anybody reads, and how many more there are.
+    pub fn as_many_as_are_read(problems: &[Problem]) -> Problems {
+        /// A file that is wrong throughout would bury the others.
+        const MOST_PER_FILE: usize = 100;
+        let mut kept = Vec::new();
+        for of_file in problems.chunk_by(|a, b| a.file == b.file) {
+            kept.extend_from_slice(&of_file[..of_file.len().min(MOST_PER_FILE)]);
+            if of_file.len() > MOST_PER_FILE {
+                let what = format!("there are {} more problems", of_file.len() - MOST_PER_FILE);
+                kept.push(Problem::of_file(&of_file[0].file, what, None));
+            }
+        }
+        Problems(kept)
+    }
+
     /// All problems as plain text, each with its source line and carets under the place.
     pub fn render(&self) -> String {
         self.0.iter().map(Problem::render).collect::<Vec<_>>().join("\n")

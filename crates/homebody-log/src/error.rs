@@ -41,7 +41,7 @@ pub enum LogError {
     Database { path: PathBuf, source: rusqlite::Error },
     #[error("{0} is read by this command, which cannot replace it\n  hint: name another file", .path.display())]
     IsSource { path: PathBuf },
-    #[error("{0}: {source}\n  hint: a run needs a folder that may be written; --out writes elsewhere", .path.display())]
+    #[error("{0}: {source}\n  hint: a run needs a folder that may be written", .path.display())]
     Unmade { path: PathBuf, source: io::Error },
     #[error(transparent)]
     Url(#[from] UrlError),

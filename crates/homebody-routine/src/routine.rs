@@ -29,6 +29,9 @@ pub struct Person {
     pub age_years: Option<f64>,
     /// Usual walking speed in metres a second.
     pub pace_mps: Option<Fuzzy>,
+    /// The sentences that say age and pace.
+    pub age_said: Option<Said>,
+    pub pace_said: Option<Said>,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]

@@ -30,6 +30,14 @@ fn an_unknown_verb() {
 }
 
 #[test]
+fn every_other_of_several_days() {
+    let (what, hint) = ("is of several days", "every other Saturday");
+    refused("Her daughter visits every other weekend.", "every other weekend", what, hint);
+    refused("She naps every third Monday and Friday.", "every third Monday and Friday", what, hint);
+    assert_eq!(problems("She naps every third Monday."), []);
+}
+
+#[test]
 fn an_unknown_place() {
     refused("She reads in the armchiar.", "armchiar", "is no place of this home", "did you mean \"armchair\"?");
     refused("She has lunch on the roof.", "roof", "is no place of this home", "there are \"armchair\"");

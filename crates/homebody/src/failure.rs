@@ -63,6 +63,7 @@ impl From<LogError> for Failure {
             | LogError::SameFile { .. }
             | LogError::Url(_)
             | LogError::Zone(_) => Failure::Usage(error.to_string()),
+            LogError::Unmade { .. } => Failure::Io(format!("{error}; --out writes elsewhere")),
             error => Failure::Io(error.to_string()),
         }
     }

@@ -22,7 +22,9 @@ impl Files for Folder {
             ErrorKind::IsADirectory => "it is a folder".to_owned(),
             _ => error.to_string(),
         })?;
-        String::from_utf8(bytes).map_err(|_| "it is not text in UTF-8".into())
+        let text = String::from_utf8(bytes).map_err(|_| "it is not text in UTF-8")?;
+        // A byte order mark says nothing.
+        Ok(text.strip_prefix('\u{feff}').map_or(text.clone(), str::to_owned))
     }
 }
 

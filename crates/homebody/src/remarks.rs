@@ -3,12 +3,11 @@
 
 use crate::print::tell;
 use homebody_core::problem::Problem;
-use homebody_core::scenario::calendar::time_of_day;
 use homebody_core::scenario::home::SensorFile;
 use homebody_core::scenario::link::{FaultFile, LinkFile};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::source::Source;
-use homebody_core::time::{DAY, Micros, micros};
+use homebody_core::time::{Micros, micros};
 use std::collections::BTreeMap;
 
 /// What is to be said of a scenario whose run is so long. Nothing of it keeps anybody from running it.
@@ -29,14 +28,7 @@ pub fn tell_remark(remark: &Problem) {
 /// Faults that begin when the run is over.
 fn too_late(source: &Source, link: &LinkFile, scenario: &Scenario, length: Micros) -> Vec<Problem> {
     let calendar = &scenario.calendar;
-    let begins = |fault: &FaultFile| {
-        let begin = fault.span().begin;
-        let FaultFile::Outage(outage) = fault else { return begin };
-        // It begins when clocks first show its time.
-        // Its days have 24 hours, as those of all faults.
-        let at = outage.at.as_deref().and_then(time_of_day);
-        at.map_or(begin, |at| begin + (at - calendar.start_of_day() - begin).rem_euclid(DAY))
-    };
+    let begins = |fault: &FaultFile| fault.span_from(calendar.start_of_day()).begin;
     let faults = link.faults.iter().enumerate().filter(|(_, fault)| begins(fault) >= length);
     let remark = |(index, fault): (usize, &FaultFile)| {
         let whose = fault.sensor().map_or(String::new(), |sensor| format!(" of {sensor:?}"));

@@ -63,8 +63,8 @@ impl LiveDriver {
         if let Some(act) = self.keys.uses.pop_front() {
             return Next::Act(act);
         }
-        let stands = f64::from(u8::from(posture == Posture::Standing));
-        let velocity = held.direction() * (self.pace_mps * held.haste() * stands);
+        let velocity =
+            if posture == Posture::Standing { held.direction() * (self.pace_mps * held.haste()) } else { Point::ZERO };
         let step_end = step_from(now.saturating_add(1));
         let end = if velocity != Point::ZERO || self.keys.open {
             step_end

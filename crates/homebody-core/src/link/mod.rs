@@ -19,14 +19,13 @@ mod sources;
 mod way;
 
 use crate::event::{Cause, Events, Fact, Firing, Loss, Value, Why};
-use crate::scenario::calendar::time_of_day;
 use crate::scenario::home::{MotionFile, SensorFile};
 use crate::scenario::link::{FaultFile, LinkFile, MovedFile, Span, of_days};
 use crate::time::{Micros, NEVER};
 use clock::Clocks;
 use message::{Chance, Message, garbled_id, garbled_value};
 use radio::Radio;
-use sources::{Sources, Told, next_time_of_day};
+use sources::{Sources, Told};
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 use way::Way;
@@ -107,12 +106,7 @@ impl Link {
         let on_air = radio.as_ref().map_or(0, Radio::longest);
         let slowest = ways.iter().map(|way| way.delay.most).max().unwrap_or(0);
         let outage = |fault: &FaultFile| match fault {
-            FaultFile::Outage(outage) => {
-                let Span { begin, end } = fault.span();
-                let time = outage.at.as_deref().and_then(time_of_day);
-                let late = time.map_or(0, |time| next_time_of_day(begin, time, start_of_day) - begin);
-                Some(Span { begin: begin + late, end: end + late })
-            }
+            FaultFile::Outage(_) => Some(fault.span_from(start_of_day)),
             _ => None,
         };
         Link {
@@ -142,8 +136,8 @@ impl Link {
         self.clocks.settled(now)
     }
 
-    /// Takes from `said` what the world has said up to `now`, firings and their causes alone, and adds to `events` what the logger receives before then,
-    /// and what of it is lost.
+    /// Takes from `said` what the world has said up to `now`, firings and their causes alone, and adds to `events` what the
+    /// logger receives before then, and what of it is lost.
     pub fn carry(&mut self, said: &mut Events, now: Micros, events: &mut Events) {
         let due = self.under_way.peek().map_or(NEVER, |Reverse(due)| due.at);
         if said.firings.is_empty() && due.min(self.sources.next()) >= now {

@@ -145,11 +145,6 @@ impl Hours {
     }
 }
 
-/// The first instant from `from` on at which a clock that showed `start` as the run began shows this time of day.
-pub fn next_time_of_day(from: Micros, time: Micros, start: Micros) -> Micros {
-    from + (time - start - from).rem_euclid(DAY)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -202,15 +197,5 @@ mod tests {
         let fault = json!([{ "kind": "stuck", "sensor": "hall", "from_day": 1, "days": 0.001, "every_s": 7 }]);
         let times: Vec<Micros> = said(0.0, fault, 2).iter().map(|told| (told.at - DAY) / SECOND).collect();
         assert_eq!(times, (0..13).map(|index| index * 7).collect::<Vec<_>>());
-    }
-
-    #[test]
-    fn the_next_time_of_day_is_today_or_tomorrow() {
-        let (hour, start) = (3600 * SECOND, 22 * 3600 * SECOND);
-        assert_eq!(next_time_of_day(0, 23 * hour, start), hour);
-        assert_eq!(next_time_of_day(0, 22 * hour, start), 0);
-        assert_eq!(next_time_of_day(0, 21 * hour, start), 23 * hour);
-        assert_eq!(next_time_of_day(30 * hour, 5 * hour, start), 31 * hour);
-        assert_eq!(next_time_of_day(30 * hour, 3 * hour, start), 53 * hour);
     }
 }

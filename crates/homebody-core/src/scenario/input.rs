@@ -16,7 +16,7 @@ pub struct InputFile {
     pub keys: Vec<KeysFile>,
 }
 
-/// From `at_s` on, exactly these keys are held, and the body is so.
+/// From `at_s` on, exactly these keys are held, and the body is so: what a change does not repeat is over.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "change of keys")]
@@ -26,7 +26,7 @@ pub struct KeysFile {
     pub at_s: f64,
     /// The keys that are held down from then on.
     pub held: Vec<Key>,
-    /// How the body is from then on. Who sits or lies does not walk.
+    /// How the body is from then on; without it, it stands, whatever it was before. Who sits or lies does not walk.
     #[serde(default, skip_serializing_if = "is_standing")]
     pub posture: Posture,
     /// The things that are used then.

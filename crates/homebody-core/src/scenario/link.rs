@@ -1,5 +1,6 @@
 //! `link.json`: the way from the sensors to the logger, and the faults of both.
 
+use super::calendar::time_of_day;
 use super::home::At;
 use crate::time::{DAY, Micros, NEVER};
 use schemars::JsonSchema;
@@ -363,6 +364,18 @@ impl FaultFile {
         }
     }
 
+    /// From when until when in a run whose clocks show `start_of_day` as it begins: an outage waits for its time of day. Its
+    /// days have 24 hours, as those of all faults.
+    pub fn span_from(&self, start_of_day: Micros) -> Span {
+        let Span { begin, end } = self.span();
+        let time = match self {
+            FaultFile::Outage(outage) => outage.at.as_deref().and_then(time_of_day),
+            _ => None,
+        };
+        let late = time.map_or(0, |time| (time - start_of_day - begin).rem_euclid(DAY));
+        Span { begin: begin + late, end: end.saturating_add(late) }
+    }
+
     /// From when until when; what does not end ends never.
     pub fn span(&self) -> Span {
         match self {
@@ -403,4 +416,22 @@ impl Span {
 /// Days as a file writes them, to the nearest microsecond.
 pub fn of_days(days: f64) -> Micros {
     libm::round(days * DAY as f64) as Micros
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_outage_begins_when_clocks_next_show_its_time() {
+        let hour = DAY / 24;
+        let begins = |from_day: f64, at: &str| {
+            let outage = serde_json::json!({ "kind": "outage", "from_day": from_day, "at": at, "hours": 5 });
+            let Span { begin, end } = serde_json::from_value::<FaultFile>(outage).unwrap().span_from(22 * hour);
+            assert_eq!(end - begin, 5 * hour);
+            begin / hour
+        };
+        assert_eq!([begins(0.0, "23:00"), begins(0.0, "22:00"), begins(0.0, "21:00")], [1, 0, 23]);
+        assert_eq!([begins(1.25, "05:00"), begins(1.25, "03:00")], [31, 53]);
+    }
 }

@@ -116,7 +116,7 @@ impl Scenario {
 }
 
 /// What to do about a link that leads out of the folder.
-const WHERE: &str = "name a file relative to the scenario's folder, with / between folders";
+pub const WHERE: &str = "name a file relative to the scenario's folder, with / between folders";
 
 struct Loader<'a> {
     files: &'a dyn Files,
@@ -127,7 +127,7 @@ struct Loader<'a> {
     order: Vec<(String, FileKind)>,
 }
 
-/// A file, and its text for the places of problems with its meaning.
+/// A file as it is meant, and its text for the places of problems with its meaning.
 struct Read<T> {
     source: Source,
     /// Nothing where its shape is wrong; what it links is looked at all the same.
@@ -322,7 +322,7 @@ impl Loader<'_> {
         if !self.order.iter().any(|(known, _)| known == name) {
             self.order.push((name.into(), kind));
         }
-        let source = match Source::parse(name, text) {
+        let mut source = match Source::parse(name, text) {
             Ok(source) => source,
             Err(problem) => {
                 self.problems.push(problem);
@@ -346,9 +346,10 @@ impl Loader<'_> {
                     None
                 }
                 None => {
-                    // If only keys are wrong, what the file means can be said already.
-                    let meant = (keys.len() == problems.len()).then(|| source.root.to_json_as_meant(&keys));
-                    let data = meant.and_then(|meant| serde_json::from_value(meant).ok());
+                    // What it links is linked by misspelt keys too; if only keys are wrong, what it means can be said already.
+                    source.root.take_as_meant(&keys);
+                    let is_clear = keys.len() == problems.len();
+                    let data = is_clear.then(|| serde_json::from_value(source.root.to_json()).ok()).flatten();
                     self.problems.extend(problems);
                     Some(Read { source, data })
                 }
@@ -364,8 +365,6 @@ impl Loader<'_> {
     }
 
     fn all_problems(self) -> Problems {
-        /// Nobody reads more, and a file that is wrong throughout would bury the others.
-        const MOST_PER_FILE: usize = 100;
         let mut problems = self.problems;
         // Routines come last: they are read when the home is known.
         let rank = |file: &str| self.order.iter().position(|(known, _)| known == file).unwrap_or(usize::MAX);
@@ -380,20 +379,12 @@ impl Loader<'_> {
                 seen.push(problem);
             }
         }
-        let (problems, mut kept) = (seen, Vec::new());
-        for of_file in problems.chunk_by(|a, b| a.file == b.file) {
-            kept.extend_from_slice(&of_file[..of_file.len().min(MOST_PER_FILE)]);
-            if of_file.len() > MOST_PER_FILE {
-                let what = format!("there are {} more problems", of_file.len() - MOST_PER_FILE);
-                kept.push(Problem::of_file(&of_file[0].file, what, None));
-            }
-        }
-        Problems(kept)
+        Problems::as_many_as_are_read(&seen)
     }
 }
 
 /// Why a file's name is refused: nothing outside the scenario's folder is ever read.
-fn outside_folder(name: &str) -> Option<String> {
+pub fn outside_folder(name: &str) -> Option<String> {
     if name.trim().is_empty() {
         return Some("a file name must not be empty".into());
     }

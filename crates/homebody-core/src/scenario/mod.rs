@@ -47,7 +47,7 @@ pub struct ScenarioFile {
     pub days: f64,
     /// The number all randomness of the run comes from; at most what every JSON reader keeps exactly.
     #[serde(default)]
-    #[schemars(range(max = 9_007_199_254_740_991_u64))]
+    #[schemars(range(max = GREATEST_SEED))]
     pub seed: u64,
     /// The file that describes the home.
     pub home: String,
@@ -61,6 +61,9 @@ pub struct ScenarioFile {
     #[schemars(length(max = 1_000))]
     pub residents: Vec<String>,
 }
+
+/// Whole numbers up to this are kept exactly by every JSON reader.
+pub const GREATEST_SEED: u64 = 9_007_199_254_740_991;
 
 fn utc() -> String {
     "UTC".into()

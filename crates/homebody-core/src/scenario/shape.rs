@@ -141,13 +141,17 @@ impl<'a> Walk<'a> {
             } else {
                 let near = nearest(&key.name, known.iter().copied());
                 let is_free = |near: &&str| !meant.contains(near) && entries.iter().all(|(key, _)| key.name != *near);
-                self.found.keys.insert(key.start, near.filter(is_free).map(String::from));
+                let free = near.filter(is_free);
+                self.found.keys.insert(key.start, free.map(String::from));
                 meant.extend(near);
                 let hint = match near {
                     Some(near) => format!("did you mean {near:?}?"),
                     None => format!("its keys are {}", list_of(&known)),
                 };
                 self.report(key.start, format!("{:?} is no key of {name}", key.name), Some(hint));
+                if let Some(schema) = free.and_then(property) {
+                    self.value(value, schema, &subject);
+                }
             }
         }
         for key in branches(schema, "required").into_iter().flatten().filter_map(Schema::as_str) {

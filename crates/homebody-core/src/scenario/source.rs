@@ -122,24 +122,32 @@ impl Source {
 }
 
 impl Node {
-    /// The value as plain JSON. A whole number becomes an integer however it is written, as JSON Schema sees it.
-    pub fn to_json(&self) -> serde_json::Value {
-        self.to_json_as_meant(&Misspelt::new())
+    /// Gives misspelt keys the names that were meant, and takes away those of which nothing is known.
+    pub fn take_as_meant(&mut self, keys: &Misspelt) {
+        match &mut self.value {
+            Value::List(items) => items.iter_mut().for_each(|item| item.take_as_meant(keys)),
+            Value::Object(entries) => {
+                entries.retain(|(key, _)| keys.get(&key.start).is_none_or(Option::is_some));
+                for (key, value) in entries {
+                    if let Some(Some(meant)) = keys.get(&key.start) {
+                        key.name.clone_from(meant);
+                    }
+                    value.take_as_meant(keys);
+                }
+            }
+            _ => {}
+        }
     }
 
-    /// The same with other keys in the places of some.
-    pub fn to_json_as_meant(&self, keys: &Misspelt) -> serde_json::Value {
+    /// The value as plain JSON. A whole number becomes an integer however it is written, as JSON Schema sees it.
+    pub fn to_json(&self) -> serde_json::Value {
         match &self.value {
             Value::Null => serde_json::Value::Null,
             Value::Bool(value) => (*value).into(),
             Value::Number(number, _) => number.clone().map_or(serde_json::Value::Null, serde_json::Value::Number),
             Value::Text(text) => text.as_str().into(),
-            Value::List(items) => items.iter().map(|item| item.to_json_as_meant(keys)).collect(),
-            Value::Object(entries) => {
-                let name = |key: &Key| keys.get(&key.start).map_or_else(|| Some(key.name.clone()), Clone::clone);
-                let entries = entries.iter().filter_map(|(key, value)| Some((name(key)?, value)));
-                entries.map(|(name, value)| (name, value.to_json_as_meant(keys))).collect()
-            }
+            Value::List(items) => items.iter().map(Node::to_json).collect(),
+            Value::Object(entries) => entries.iter().map(|(key, value)| (key.name.clone(), value.to_json())).collect(),
         }
     }
 }

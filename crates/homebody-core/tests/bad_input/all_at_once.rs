@@ -136,3 +136,52 @@ fn misspelt_keys_hide_no_mistake_of_meaning() {
     ];
     assert_eq!(said(&files), expected.join("\n"));
 }
+
+/// Also where the value behind it is wrong: that is said, and nothing that follows from it.
+#[test]
+#[rustfmt::skip] // A problem a line.
+fn what_stands_behind_a_misspelt_key_is_looked_at() {
+    let files = broken(&[
+        ("home.json", r#""facing_deg": 0 }"#, r#""facing_deg": 0, "beam": -3 }"#),
+        ("home.json", r#""at": [7.9, 0.1]"#, r#""at": [79, 0.1]"#),
+        ("ann.path.json", r#""until": "07:30""#, r#""untill": 7.3"#),
+        ("ann.path.json", r#""for_s": 600"#, r#""for": 1e300"#),
+    ]);
+    let expected = [
+        r#"home.json:27:87: "beam" is no key of a motion sensor; did you mean "beams"?"#,
+        r#"home.json:27:95: "beam" must be from 1 to 256, but is -3"#,
+        r#"ann.path.json:5:17: "untill" is no key of a wait; did you mean "until"?"#,
+        r#"ann.path.json:5:27: "untill" must be a text, but is the number 7.3; Until when: the next such time of day, "07:30" or "07:30:15.5""#,
+        r#"ann.path.json:9:19: "for" is no key of a wait; did you mean "for_s"?"#,
+        r#"ann.path.json:9:26: "for" must be from 0.000001 to 3200000000, but is 1e300"#,
+    ];
+    assert_eq!(said(&files), expected.join("\n"));
+    // A time of day behind a misspelt key is one of meaning.
+    let files = broken(&[("ann.path.json", r#""until": "07:30""#, r#""untill": "7.30""#)]);
+    let expected = [
+        r#"ann.path.json:5:17: "untill" is no key of a wait; did you mean "until"?"#,
+        r#"ann.path.json:5:27: "7.30" is no time of day; write it as "07:30" or "07:30:15.5", from "00:00" to "23:59:59.999999""#,
+    ];
+    assert_eq!(said(&files), expected.join("\n"));
+}
+
+#[test]
+#[rustfmt::skip] // A problem a line.
+fn a_misspelt_link_hides_nothing_behind_it() {
+    let files = broken(&[
+        ("scenario.json", r#""home": "#, r#""hom": "#),
+        ("scenario.json", r#""residents": ["ann.json", "bob.json"]"#, r#""residentes": ["ann.json", "rob.json"]"#),
+        ("home.json", r#""at": [0.05, 1.5]"#, r#""at": [50, 1.5]"#),
+        ("ann.json", r#""driver": "#, r#""drivr": "#),
+        ("ann.path.json", r#""for_s": 2 }"#, r#""for_s": 30 }"#),
+    ]);
+    let expected = [
+        r#"scenario.json:6:3: "hom" is no key of a scenario; did you mean "home"?"#,
+        r#"scenario.json:8:3: "residentes" is no key of a scenario; did you mean "residents"?"#,
+        r#"scenario.json:8:30: "rob.json" cannot be read: there is no such file"#,
+        r#"home.json:27:57: the sensor "kitchen motion" at (50, 1.5) is outside the home; mount it on the surface, on the side from which it should see"#,
+        r#"ann.json:1:35: "drivr" is no key of a resident; did you mean "driver"?"#,
+        r#"ann.path.json:9:67: a stir of 30 s cannot come every 20 s; "for_s" is at most "every_s""#,
+    ];
+    assert_eq!(said(&files), expected.join("\n"));
+}

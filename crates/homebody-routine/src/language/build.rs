@@ -48,15 +48,23 @@ fn person(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     let name = draft.name.clone().or_else(|| reader.names.person.clone()).unwrap_or_default();
     let said = draft.said(clause.span);
     let person = draft.routine.person.get_or_insert(Person {
-        said,
+        said: said.clone(),
         name,
         kind: Kind::default(),
         age_years: None,
         pace_mps: None,
+        age_said: None,
+        pace_said: None,
     });
     let again = match &clause.predicate {
-        Predicate::Age(age) => person.age_years.replace(*age).is_some(),
-        Predicate::Pace(pace) => person.pace_mps.replace(pace.as_pace()).is_some(),
+        Predicate::Age(age) => {
+            person.age_years = Some(*age);
+            person.age_said.replace(said).is_some()
+        }
+        Predicate::Pace(pace) => {
+            person.pace_mps = Some(pace.as_pace());
+            person.pace_said.replace(said).is_some()
+        }
         Predicate::Kind(kind) => std::mem::replace(&mut person.kind, *kind) != Kind::default(),
         _ => false,
     };

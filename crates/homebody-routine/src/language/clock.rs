@@ -11,7 +11,9 @@ const HOUR_S: f64 = 3600.0;
 /// What a clock shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Face {
+    /// The hour that is named.
     hours: f64,
+    /// After that hour; before it where negative.
     minutes: f64,
     /// Whether both halves of the day cannot be meant.
     is_clear: bool,
@@ -32,7 +34,7 @@ pub fn clock(reader: &mut Reader, bare: bool) -> Option<f64> {
     let in_words = reader.attempt(|reader| in_words(reader, bare));
     let face = in_words.or_else(|| shown(reader, bare))?;
     let oclock = reader.eat("o'clock");
-    let said_half = reader.eat_any(&[("am", false), ("pm", true)]);
+    let said_half = said_half(reader, face);
     let direct = said_half.or_else(|| half_by_part(reader, face));
     let is_last = bare && !is_unit(reader) && !is_day_of_month(reader);
     if !(in_words.is_some() || face.is_clear || oclock || direct.is_some() || is_last) {
@@ -50,24 +52,33 @@ pub fn clock(reader: &mut Reader, bare: bool) -> Option<f64> {
         let said = reader.said(span);
         reader.fault(span, format!("it is not clear which time of day {said:?} is"), face.both(&said));
     }
-    let hours = match half {
-        Some(is_pm) if by_twelve => face.hours % 12.0 + if is_pm { 12.0 } else { 0.0 },
-        _ => face.hours,
-    };
-    Some(hours * HOUR_S + face.minutes * 60.0)
+    Some(match half {
+        Some(is_late) if by_twelve => face.after_twelve_s() + if is_late { DAY_S / 2.0 } else { 0.0 },
+        _ => face.hours * HOUR_S + face.minutes * 60.0,
+    })
 }
 
 impl Face {
     fn is_time(self) -> bool {
         let is_whole = self.hours.fract() == 0.0 && self.minutes < 60.0;
-        is_whole && (self.hours < 24.0 || self.hours == 24.0 && self.minutes == 0.0)
+        is_whole && (self.hours < 24.0 || self.hours == 24.0 && self.minutes <= 0.0)
+    }
+
+    /// Seconds since noon or midnight.
+    fn after_twelve_s(self) -> f64 {
+        (self.hours * HOUR_S + self.minutes * 60.0).rem_euclid(DAY_S / 2.0)
+    }
+
+    /// The last hour that was full.
+    fn full_hours(self) -> f64 {
+        if self.minutes < 0.0 { self.hours - 1.0 } else { self.hours }
     }
 
     /// How both of the times are said that may be meant.
     fn both(self, said: &str) -> String {
         let (hours, is_whole) = (self.hours, self.minutes == 0.0);
-        let early = if (3.0..12.0).contains(&hours) { "in the morning" } else { "at night" };
-        let late = if (6.0..12.0).contains(&hours) { "in the evening" } else { "in the afternoon" };
+        let early = if (3.0..12.0).contains(&self.full_hours()) { "in the morning" } else { "at night" };
+        let late = if (6.0..12.0).contains(&self.full_hours()) { "in the evening" } else { "in the afternoon" };
         match hours {
             1.0..=12.0 if is_whole => format!("write \"{hours} am\" or \"{hours} pm\""),
             1.0..=12.0 => format!("write \"{said} {early}\" or \"{said} {late}\""),
@@ -105,12 +116,8 @@ fn in_words(reader: &mut Reader, bare: bool) -> Option<Face> {
         return None;
     }
     let is_clear = noon || midnight || hours > 12.0;
-    let (hours, minutes) = match is_to {
-        true if hours == 1.0 => (12.0, 60.0 - minutes),
-        true => (hours - 1.0, 60.0 - minutes),
-        false => (if midnight { 0.0 } else { hours }, minutes),
-    };
-    Some(Face { hours, minutes, is_clear })
+    let hours = if midnight && !is_to { 0.0 } else { hours };
+    Some(Face { hours, minutes: if is_to { -minutes } else { minutes }, is_clear })
 }
 
 /// "Half eight" is half past eight to some and half past seven to others.
@@ -163,13 +170,19 @@ fn is_day_of_month(reader: &Reader) -> bool {
     ["st", "nd", "rd", "th", "of"].contains(&reader.peek(0)) || is_month(reader.peek(0))
 }
 
-/// Whether an hour is of the second half of the day, by the part of the day that follows: `8 in the evening`.
+/// Whether a time is of the second half of the day, by what is said of the hour: "a quarter to 12 pm" is in the first.
+fn said_half(reader: &mut Reader, face: Face) -> Option<bool> {
+    let is_pm = reader.eat_any(&[("am", false), ("pm", true)])?;
+    Some(is_pm != (face.hours == 12.0 && face.minutes < 0.0))
+}
+
+/// Whether a time is of the second half of the day, by the part of the day that follows: `8 in the evening`.
 fn half_by_part(reader: &Reader, face: Face) -> Option<bool> {
     match (reader.peek(0), reader.peek(1), reader.peek(2)) {
         ("in", "the", "morning") => Some(false),
         ("in", "the", "afternoon" | "evening") => Some(true),
-        ("at", "night", _) if (9.0..12.0).contains(&face.hours) => Some(true),
-        ("at", "night", _) if !face.is_clear && (face.hours < 6.0 || face.hours == 12.0) => Some(false),
+        ("at", "night", _) if (9.0..12.0).contains(&face.full_hours()) => Some(true),
+        ("at", "night", _) if !face.is_clear && (face.full_hours() < 6.0 || face.full_hours() == 12.0) => Some(false),
         _ => None,
     }
 }
@@ -182,9 +195,8 @@ fn half_by_end(reader: &mut Reader, face: Face) -> Option<bool> {
         }
         let end = reader.attempt(|reader| in_words(reader, false)).or_else(|| shown(reader, true))?;
         reader.eat("o'clock");
-        let half = reader.eat_any(&[("am", false), ("pm", true)]).or_else(|| half_by_part(reader, end))?;
-        let at = |face: Face| face.hours % 12.0 * 60.0 + face.minutes;
-        Some(if at(face) < at(end) { half } else { !half })
+        let half = said_half(reader, end).or_else(|| half_by_part(reader, end))?;
+        Some(if face.after_twelve_s() < end.after_twelve_s() { half } else { !half })
     })
 }
 

@@ -29,6 +29,7 @@ use adverbs::Adverbs;
 use faults::Faults;
 use homebody_core::problem::Problem;
 use reader::{Names, Reader};
+use std::ops::Range;
 use words::{Line, Sentence, Span};
 
 /// What a text may name.
@@ -63,6 +64,18 @@ pub fn routine(file: &str, text: &str, known: &Known) -> (Routine, Vec<Problem>)
 pub fn condition(file: &str, text: &str, known: &Known) -> (Routine, Vec<Problem>) {
     let known = Known { person: None, ..known.clone() };
     read(file, text, &known, true)
+}
+
+/// Where in a text, which begins with no byte order mark, stands what was understood from it.
+pub fn place(said: &Said, text: &str) -> Range<usize> {
+    let line = words::lines(text)[said.line as usize - 1];
+    let before: usize = line.text.chars().take(said.column as usize - 1).map(char::len_utf8).sum();
+    line.start + before..line.start + before + said.text.len()
+}
+
+/// The words for how severe a condition is.
+pub fn severities() -> impl Iterator<Item = &'static str> + Clone {
+    predicates::SEVERITIES.iter().flat_map(|(words, _)| words.split('|'))
 }
 
 /// What has been understood so far.
@@ -109,6 +122,10 @@ fn read(file: &str, text: &str, known: &Known, is_condition: bool) -> (Routine, 
             let what = format!("this line has more than {LONGEST_LINE} characters");
             faults.add(span, what, Some("write one sentence a line".into()));
             continue;
+        }
+        // Below a heading, a sentence that says nothing is one too: one that was taken out leaves its full stop.
+        if let Some(heading) = heading.as_mut().filter(|_| line.is_indented() && line.text.trim().starts_with('.')) {
+            heading.is_used = true;
         }
         for sentence in words::sentences(line) {
             count += 1;

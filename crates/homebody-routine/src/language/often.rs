@@ -87,7 +87,16 @@ fn every_so_many(reader: &mut Reader) -> Option<Often> {
         let every = reader.eat_any(&[("other|second", 2), ("third", 3), ("fourth", 4)])?;
         Some((every, times::weekdays(reader)?))
     };
+    let from = reader.at;
     if let Some((every, weekdays)) = reader.attempt(nth_weekday) {
+        if weekdays.count_ones() > 1 {
+            let what = format!(
+                "{:?} is of several days, of which each would be another week's",
+                reader.said(reader.span(from - 1))
+            );
+            let hint = "make a sentence for each day: \"every other Saturday\", \"every third Monday\"".to_owned();
+            reader.fault(reader.span(from - 1), what, hint);
+        }
         let part = reader.eat_any(&times::PARTS);
         return Some(Often { every: Some(every), weekdays: Some(weekdays), part, ..Often::NOTHING });
     }

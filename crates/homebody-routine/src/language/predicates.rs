@@ -125,13 +125,18 @@ pub fn visits(reader: &mut Reader) -> bool {
     VISITS.iter().any(|phrase| reader.eat(phrase))
 }
 
+/// What goes before where somebody is, not before where they go.
+const WHERE: &str = "at|in|on|by|near|beside|next";
+
 /// What is said of the person, if it is understood; `adverbs` takes what stands within.
 pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
     if reader.eat("is|are") {
         return Some(being(reader, adverbs));
     }
     let not = reader.eat("does|do not") || reader.eat("doesn't|don't|never") || reader.eat("no longer");
-    if not || reader.eat("stops|stop") {
+    // Who stops at the window does something there.
+    let stops = |reader: &mut Reader| reader.eat("stops|stop") && !reader.ahead(|reader| reader.eat(WHERE));
+    if not || reader.attempt(|reader| stops(reader).then_some(())).is_some() {
         reader.eat("ever");
         return negated(reader);
     }

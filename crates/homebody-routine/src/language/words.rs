@@ -59,6 +59,12 @@ pub struct Line<'t> {
     pub text: &'t str,
 }
 
+impl Line<'_> {
+    pub fn is_indented(&self) -> bool {
+        self.text.starts_with([' ', '\t', '\u{a0}'])
+    }
+}
+
 /// The lines of a text, without their ends.
 pub fn lines(text: &str) -> Vec<Line<'_>> {
     let bytes = text.as_bytes();
@@ -79,7 +85,7 @@ pub fn lines(text: &str) -> Vec<Line<'_>> {
 
 /// The sentences of a line; what comes after a `#` is a comment.
 pub fn sentences(line: Line) -> Vec<Sentence> {
-    let indented = line.text.starts_with([' ', '\t', '\u{a0}']);
+    let indented = line.is_indented();
     let text = line.text.split('#').next().unwrap_or_default();
     let mut lexer = Lexer { chars: text.char_indices().collect(), text, at: 0, start: line.start, words: Vec::new() };
     let mut sentences = Vec::new();

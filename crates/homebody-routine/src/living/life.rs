@@ -18,7 +18,6 @@ pub struct Life {
     pub calendar: Calendar,
     /// Metres a second, as the resident's file says or, before it, the routine.
     pub pace_mps: f64,
-    pub age_years: f64,
     seed: u64,
     /// The routine first, then what it leaves unsaid, then the conditions.
     sources: Vec<Source>,
@@ -149,14 +148,12 @@ impl Life {
         conditions: &BTreeMap<String, Routine>,
         is_one_of_many: bool,
     ) -> Life {
-        let person = routine.person.clone();
-        let pace = person.as_ref().and_then(|person| person.pace_mps);
+        let pace = routine.person.as_ref().and_then(|person| person.pace_mps);
         let mut constitution = Stream::named(seed, &format!("resident/{name}/constitution"));
         let mut life = Life {
             name: name.into(),
             calendar: calendar.clone(),
             pace_mps: pace.map_or(pace_mps, |pace| pace.mean()),
-            age_years: person.and_then(|person| person.age_years).unwrap_or(80.0),
             seed,
             sources: Vec::new(),
             constitution: Constitution::draw(&mut constitution),
@@ -174,6 +171,9 @@ impl Life {
         let habits = ordinary.habits.into_iter().filter(unsaid).collect();
         let ordinary = Routine { habits, ..ordinary };
         life.add_conditions(&routine.changes.clone(), &[], conditions, 0);
+        // What is drawn for a habit hangs on its place in a file, wherever that file is.
+        let file = routine.file.rsplit('/').next().unwrap_or_default().to_owned();
+        let routine = Routine { file, ..routine };
         let always = |routine| Source { routine, condition: None, shown: Vec::new() };
         life.sources.splice(0..0, [always(routine), always(ordinary)]);
         life

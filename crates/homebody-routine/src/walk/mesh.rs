@@ -161,8 +161,8 @@ impl Mesh {
         })
     }
 
-    /// A random free point of a room of the plan, by at most 64 values of the stream: every one equally likely, of those from which
-    /// the room's own point can be reached. A room that is too full for the tries has its own point.
+    /// A random free point of a room of the plan, by at most 64 values of the stream: every one equally likely, of those from
+    /// which the room's own point can be reached. A room that is too full for the tries has its own point.
     pub fn free_point(&self, room: usize, stream: &mut Stream) -> Point {
         let (own, area) = self.rooms[room];
         let room = &self.plan.rooms[room].outline;

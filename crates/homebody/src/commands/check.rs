@@ -5,6 +5,7 @@ use crate::folder;
 use crate::length::Length;
 use crate::print::{print_json, tell};
 use crate::remarks;
+use homebody_core::problem::{Problem, Problems};
 use homebody_core::scenario::load::Scenario;
 use homebody_routine::household::Household;
 use serde_json::json;
@@ -24,7 +25,9 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let (scenario, _) = load_and_say(&self.scenario, self.json)?;
+        let remarks =
+            |scenario: &Scenario| remarks::of(scenario, Length::Days(scenario.file.days).by(&scenario.calendar));
+        let (scenario, _) = load_and_say(&self.scenario, self.json, remarks)?;
         let home = &scenario.home;
         tell(format_args!(
             "{}: nothing is wrong. {}, {}, {}, {}; {}.",
@@ -39,19 +42,23 @@ impl Arguments {
     }
 }
 
-/// Loads a scenario with its routines; as JSON, the problems are said whether or not there are any.
-pub fn load_and_say(path: &Path, json: bool) -> Result<(Scenario, Household), Failure> {
+/// Loads a scenario with its routines, and warns of what there is to remark; as JSON, problems and warnings are said
+/// whether or not there are any.
+pub fn load_and_say(
+    path: &Path,
+    json: bool,
+    remarks: impl Fn(&Scenario) -> Vec<Problem>,
+) -> Result<(Scenario, Household), Failure> {
     let loaded = folder::load_lives(path, &[]);
-    let remarks = loaded.as_ref().map_or_else(
-        |_| Vec::new(),
-        |(scenario, _, _)| remarks::of(scenario, Length::Days(scenario.file.days).by(&scenario.calendar)),
-    );
-    if json {
-        match &loaded {
-            Ok(_) => print_json(&json!({ "problems": [], "warnings": remarks }))?,
-            Err(Failure::Problems(problems)) => print_json(&json!({ "problems": problems }))?,
-            Err(_) => {}
-        }
+    let remarks = loaded.as_ref().map_or_else(|_| Vec::new(), |(scenario, _, _)| remarks(scenario));
+    let none = Problems::default();
+    let problems = match &loaded {
+        Ok(_) => Some(&none),
+        Err(Failure::Problems(problems)) => Some(problems),
+        Err(_) => None,
+    };
+    if let Some(problems) = problems.filter(|_| json) {
+        print_json(&json!({ "problems": problems, "warnings": remarks }))?;
     }
     remarks.iter().for_each(remarks::tell_remark);
     loaded.map(|(scenario, _, household)| (scenario, household))

@@ -29,12 +29,12 @@ use std::path::PathBuf;
 Columns of --profiles:
   name        what the member's folder is called
   seed        a number of their own; without it, it follows from the name and the seed of the run
-  age         in years
+  age         in years: the routine says so, and nothing else follows from it
   pace_mps    how fast they walk, in metres a second
   conditions  those that they show instead of the routine's, with + between several; or none
   severity    mild, moderate or severe; with + between several, or one for all, as in the next three
   onset       from when on: week 6, day 40 or 2009-04-13; from the beginning without it
-  over        how long it takes to come: 10 days, 4 weeks
+  over        how long it takes to come, from its onset: 10 days, 4 weeks
   until       until when: week 12, day 80, 2009-06-01
   routine     a text in the scenario's folder to live by instead
   resident    whom the row is about, where several live by routines")]

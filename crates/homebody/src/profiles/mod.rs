@@ -11,14 +11,15 @@ mod table;
 use crate::failure::Failure;
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::scenario::load::{Driver, Files, Scenario};
-use homebody_routine::household::{CONDITIONS, Household};
-use homebody_routine::language::Known;
-use homebody_routine::routine::Kind;
+use homebody_core::scenario::resident::DriverFile;
+use homebody_routine::household::Household;
+use homebody_routine::routine::{Kind, Routine};
 use sentences::Said;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
+use std::sync::Arc;
 use table::Table;
 
 /// Who one member of a cohort is.
@@ -30,10 +31,18 @@ pub struct Profile {
     pub row: BTreeMap<String, String>,
     /// Index of the resident whom it is about; nobody where nothing differs.
     resident: Option<usize>,
-    routine: Option<String>,
+    /// What they live by instead of their own routine.
+    routine: Option<Arc<Other>>,
     said: Said,
     /// Of the conditions that are asked to be left out, those that this member would show.
     pub without: Vec<String>,
+}
+
+/// A routine beside the scenario's, with its text.
+#[derive(Debug, PartialEq)]
+struct Other {
+    routine: Routine,
+    text: String,
 }
 
 /// A scenario that members differ from.
@@ -64,67 +73,49 @@ pub fn read(path: &Path, base: &Base, without: &[String]) -> Result<Vec<Profile>
 
 /// Problems in the order of their places, those of other files than the list last.
 fn in_order(mut problems: Vec<Problem>, file: &str) -> Problems {
-    /// Nobody reads more.
-    const MOST_TOLD: usize = 100;
     problems.sort_by_key(|problem| (problem.file != file, problem.file.clone(), problem.line, problem.column));
     // Of several conditions that begin at once, each has the same to say.
     problems.dedup();
-    let more = problems.len().saturating_sub(MOST_TOLD);
-    problems.truncate(MOST_TOLD);
-    if more > 0 {
-        problems.push(Problem::of_file(file, format!("there are {more} more problems"), None));
-    }
-    Problems(problems)
+    Problems::as_many_as_are_read(&problems)
 }
 
 impl Base<'_> {
     /// The scenario as this member lives it, one of many.
     pub fn lived(&self, profile: &Profile) -> Result<(Scenario, Household), Problems> {
-        let (scenario, household) = self.with(profile.resident, profile.routine.as_deref(), &profile.said)?;
-        match profile.without.is_empty() {
-            true => Ok((scenario, household.one_of_many())),
-            false => {
-                let mut scenario = scenario;
-                let household = Household::read(&mut scenario, self.files, &profile.without)?;
-                Ok((scenario, household.one_of_many()))
-            }
-        }
+        let (scenario, household) = self.with(profile, &profile.without)?;
+        Ok((scenario, household.one_of_many()))
     }
 
-    /// The scenario with another routine of a resident, and with this said in it.
-    fn with(
-        &self,
-        resident: Option<usize>,
-        file: Option<&str>,
-        said: &Said,
-    ) -> Result<(Scenario, Household), Problems> {
+    /// The scenario with what a profile says in it, and without these conditions.
+    fn with(&self, profile: &Profile, without: &[String]) -> Result<(Scenario, Household), Problems> {
         let mut scenario = self.scenario.clone();
-        let mut household = self.household.clone();
-        let Some(resident) = resident else { return Ok((scenario, household)) };
-        if let Some(file) = file {
-            let text = self.files.read(file).map_err(|why| Problems(vec![Problem::of_file(file, why, None)]))?;
-            give_routine(&mut scenario, resident, file, text);
-            household = Household::read(&mut scenario, self.files, &[])?;
+        if let Some(resident) = profile.resident {
+            let other = profile.routine.as_deref();
+            if let Some(Other { routine, text }) = other {
+                give_routine(&mut scenario, resident, &routine.file, text.clone());
+            }
+            let routine = other.map(|other| &other.routine).or(self.household.routine(resident));
+            if let (Some(routine), Driver::Routine { file, text }) = (routine, &scenario.residents[resident].driver)
+                && profile.said != Said::default()
+            {
+                let text = profile.said.within(text, routine);
+                let file = file_of_own(&scenario, resident, file);
+                give_routine(&mut scenario, resident, &file, text);
+            }
         }
-        if *said == Said::default() {
-            return Ok((scenario, household));
-        }
-        let known = self.known(resident, Vec::new());
-        if let (Some(routine), Driver::Routine { file, text }) =
-            (household.routine(resident), &mut scenario.residents[resident].driver)
-        {
-            *text = said.within(text, routine, &known);
-            scenario.sources.insert(file.clone(), text.clone());
-        }
-        let household = Household::read(&mut scenario, self.files, &[])?;
+        let household = match scenario.sources == self.scenario.sources && without.is_empty() {
+            true => self.household.clone(),
+            false => Household::read(&mut scenario, self.files, without)?,
+        };
         Ok((scenario, household))
     }
 
-    /// What sentences about a resident may name.
-    fn known(&self, resident: usize, own: Vec<String>) -> Known {
-        let conditions = CONDITIONS.iter().map(|(name, _)| (*name).to_owned()).chain(own).collect();
-        let person = Some(self.scenario.residents[resident].file.name.clone());
-        Known { person, conditions, first_date: Some(self.scenario.calendar.date(0)), ..Known::default() }
+    /// Another routine for a resident, if it is sound.
+    fn other(&self, resident: usize, file: &str, text: String) -> Result<Other, Problems> {
+        let mut scenario = self.scenario.clone();
+        give_routine(&mut scenario, resident, file, text.clone());
+        let household = Household::read(&mut scenario, self.files, &[])?;
+        Ok(Other { routine: household.routine(resident).cloned().unwrap_or_default(), text })
     }
 
     /// Those who live by a routine as people do.
@@ -139,16 +130,25 @@ impl Base<'_> {
 
 /// Makes a resident live by another routine, also in the text of their file.
 fn give_routine(scenario: &mut Scenario, resident: usize, file: &str, text: String) {
-    let links = |text: &str, resident: &str| {
-        let json: serde_json::Value = serde_json::from_str(text.trim_start_matches('\u{feff}')).ok()?;
-        (json["name"] == resident && json.pointer("/driver/routine").is_some()).then_some(json)
-    };
     let one = &mut scenario.residents[resident];
+    one.file.driver = DriverFile::Routine(file.into());
     one.driver = Driver::Routine { file: file.into(), text: text.clone() };
-    let links = scenario.sources.iter().find_map(|(name, text)| Some((name.clone(), links(text, &one.file.name)?)));
-    if let Some((name, mut json)) = links {
+    if let Some(source) = scenario.sources.get_mut(&scenario.file.residents[resident])
+        && let Ok(mut json) = serde_json::from_str::<serde_json::Value>(source)
+    {
         json["driver"]["routine"] = file.into();
-        scenario.sources.insert(name, format!("{json:#}\n"));
+        *source = format!("{json:#}\n");
     }
     scenario.sources.insert(file.into(), text);
+}
+
+/// A file for the routine of this resident alone, since others may live by the one that it is made from: of the same name, so
+/// that their life is the same but for what is changed, in a folder of their own.
+fn file_of_own(scenario: &Scenario, resident: usize, file: &str) -> String {
+    let folder = scenario.file.residents[resident].trim_end_matches(".json");
+    let mut own = format!("{folder}/{}", file.rsplit('/').next().unwrap_or(file));
+    while scenario.sources.contains_key(&own) {
+        own = format!("{folder}/{own}");
+    }
+    own
 }

@@ -2,31 +2,27 @@
 
 use super::sentences::Said;
 use super::table::{Cell, Table};
-use super::{Base, Profile};
+use super::{Base, Other, Profile};
 use crate::commands::LIST;
 use homebody_core::problem::Problem;
+use homebody_core::scenario::GREATEST_SEED;
+use homebody_core::scenario::load::{WHERE, outside_folder};
 use homebody_core::scenario::nearest::nearest;
 use homebody_routine::household::CONDITIONS;
-use homebody_routine::language;
-use homebody_routine::routine::Effect;
-use std::collections::BTreeMap;
-use std::path::{Component, Path};
+use homebody_routine::language::{self, Known};
+use homebody_routine::routine::{Effect, Routine};
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 /// What may be said of a member.
 const COLUMNS: [&str; 11] =
-    ["name", "seed", "resident", "routine", "age", "pace_mps", "conditions", "severity", "onset", "over", "until"];
-
-/// How severe a condition may be, as the language has it.
-const SEVERITIES: [&str; 3] = ["mild", "moderate", "severe"];
+    ["name", "seed", "age", "pace_mps", "conditions", "severity", "onset", "over", "until", "routine", "resident"];
 
 /// What goes before the name of a condition.
 const SHOWS: &str = "the person shows ";
 
 /// More members than this are refused.
 const MOST: usize = 100_000;
-
-/// Whole numbers up to this are kept exactly by every JSON reader.
-const GREATEST_SEED: u64 = 9_007_199_254_740_991;
 
 /// The profiles of all rows, and all that is wrong with them.
 pub fn read(table: &Table, base: &Base, without: &[String]) -> (Vec<Profile>, Vec<Problem>) {
@@ -40,8 +36,8 @@ struct Reader<'a> {
     table: &'a Table<'a>,
     base: &'a Base<'a>,
     problems: Vec<Problem>,
-    /// The other routines of residents, and whether they are sound.
-    routines: BTreeMap<(usize, String), bool>,
+    /// The other routines of residents; nothing for those that are not sound.
+    routines: BTreeMap<(Option<usize>, String), Option<Arc<Other>>>,
 }
 
 /// A part of a sentence, with the cell that it is from.
@@ -66,22 +62,22 @@ impl<'a> Reader<'a> {
             self.problems.push(self.table.problem_of_file(what, None));
             return Vec::new();
         }
-        let mut names: BTreeMap<String, ()> = BTreeMap::new();
+        let mut names = BTreeSet::new();
         let mut seen: BTreeMap<(Option<usize>, Option<String>, Said), Vec<String>> = BTreeMap::new();
         let mut profiles = Vec::new();
         for cells in &self.table.rows {
             let before = self.problems.len();
             let row = self.row(&columns, cells);
-            let Some(name) = self.name(&row, cells, &mut names) else { continue };
-            let profile = self.profile(name, &row);
+            let name = self.name(&row, cells, &mut names);
+            let mut profile = self.profile(name, &row);
             if self.problems.len() > before {
                 continue;
             }
-            let Some(mut profile) = profile else { continue };
             // Who differs in the same way from the scenario is sound in the same way.
-            let key = (profile.resident, profile.routine.clone(), profile.said.clone());
+            let routine = profile.routine.as_ref().map(|other| other.routine.file.clone());
+            let key = (profile.resident, routine, profile.said.clone());
             if !seen.contains_key(&key) {
-                match self.base.with(profile.resident, profile.routine.as_deref(), &profile.said) {
+                match self.base.with(&profile, &[]) {
                     Ok((_, household)) => {
                         seen.insert(key.clone(), household.conditions().keys().cloned().collect());
                     }
@@ -100,12 +96,18 @@ impl<'a> Reader<'a> {
             profile.without = without.iter().filter(|name| shown.contains(name)).cloned().collect();
             profiles.push(profile);
         }
-        if self.problems.is_empty() {
-            let is_shown = |name: &&String| profiles.iter().any(|profile| profile.without.contains(name));
-            for name in without.iter().filter(|name| !is_shown(name)) {
-                self.problems.push(self.table.problem_of_file(format!("nobody in it shows {name:?}"), None));
-            }
-        }
+        let shown: BTreeSet<&str> = seen.values().flatten().map(String::as_str).collect();
+        let nobodys = without.iter().filter(|name| self.problems.is_empty() && !shown.contains(name.as_str()));
+        let nobodys = nobodys.map(|name| {
+            let hint = match nearest(name, shown.iter().copied()) {
+                Some(near) => format!("did you mean {near:?}?"),
+                None if shown.is_empty() => "nobody in it shows a condition".to_owned(),
+                None => format!("they show {}", Vec::from_iter(shown.iter().copied()).join(", ")),
+            };
+            self.table.problem_of_file(format!("nobody in it shows {name:?}"), Some(hint))
+        });
+        let nobodys: Vec<Problem> = nobodys.collect();
+        self.problems.extend(nobodys);
         profiles
     }
 
@@ -149,12 +151,12 @@ impl<'a> Reader<'a> {
     }
 
     /// A name that is a folder's, too.
-    fn name(&mut self, row: &Row, cells: &[Cell], names: &mut BTreeMap<String, ()>) -> Option<String> {
+    fn name(&mut self, row: &Row, cells: &[Cell], names: &mut BTreeSet<String>) -> String {
         let Some(cell) = row.get("name") else {
             if let Some(first) = cells.iter().find(|cell| !cell.text.is_empty()) {
                 self.fault(first, "this member has no name", "say one in the column name: the member's folder gets it");
             }
-            return None;
+            return String::new();
         };
         let name = &cell.text;
         let is_odd = |c: char| c.is_control() || "/\\:*?\"<>|".contains(c);
@@ -163,13 +165,13 @@ impl<'a> Reader<'a> {
             self.fault(cell, format!("no folder can be called {name:?}"), hint);
         } else if name.to_lowercase() == LIST {
             self.fault(cell, format!("{name:?} is the list of the members"), "choose another name");
-        } else if names.insert(name.to_lowercase(), ()).is_some() {
+        } else if !names.insert(name.to_lowercase()) {
             self.fault(cell, format!("two members are called {name:?}"), "give each a name of their own");
         }
-        Some(name.clone())
+        name.clone()
     }
 
-    fn profile(&mut self, name: String, row: &Row) -> Option<Profile> {
+    fn profile(&mut self, name: String, row: &Row) -> Profile {
         let seed = row.get("seed").and_then(|cell| {
             let seed = cell.text.parse().ok().filter(|&seed: &u64| seed <= GREATEST_SEED);
             if seed.is_none() {
@@ -189,16 +191,12 @@ impl<'a> Reader<'a> {
             said: Said::default(),
             without: Vec::new(),
         };
-        if profile.row.is_empty() {
-            return Some(profile);
+        if !profile.row.is_empty() {
+            profile.resident = self.resident(row);
+            profile.routine = row.get("routine").and_then(|cell| self.routine(profile.resident, cell));
+            profile.said = self.said(row);
         }
-        let resident = self.resident(row)?;
-        profile.resident = Some(resident);
-        if let Some(cell) = row.get("routine") {
-            profile.routine = self.routine(resident, cell).then(|| cell.text.clone());
-        }
-        profile.said = self.said(resident, row);
-        Some(profile)
+        profile
     }
 
     /// Whom a row is about.
@@ -214,8 +212,9 @@ impl<'a> Reader<'a> {
                         ("it is not said whom this is about", format!("add a column resident: {}", names.join(" or ")))
                     }
                 };
-                let cell = row.values().find(|cell| **cell != row["name"]).copied().unwrap_or(row["name"]);
-                self.problems.push(self.table.problem(cell, what, Some(hint).filter(|hint| !hint.is_empty())));
+                let told = row.iter().find(|(column, _)| !["name", "seed"].contains(column));
+                let problem = |(_, cell)| self.table.problem(cell, what, Some(hint).filter(|hint| !hint.is_empty()));
+                self.problems.extend(told.map(|(column, cell)| (column, *cell)).map(problem));
             }
             return people.first().copied().filter(|_| people.len() == 1);
         };
@@ -231,35 +230,35 @@ impl<'a> Reader<'a> {
         found.copied()
     }
 
-    /// Whether there is such a routine, and it is sound; each is looked at once.
-    fn routine(&mut self, resident: usize, cell: &Cell) -> bool {
+    /// Another routine, if there is such a one and it is sound; each is looked at once.
+    fn routine(&mut self, resident: Option<usize>, cell: &Cell) -> Option<Arc<Other>> {
         let key = (resident, cell.text.clone());
-        if let Some(&is_sound) = self.routines.get(&key) {
-            return is_sound;
+        if !self.routines.contains_key(&key) {
+            let other = self.read_routine(resident, cell).map(Arc::new);
+            self.routines.insert(key.clone(), other);
         }
-        let path = Path::new(&cell.text);
-        let is_inside =
-            path.components().all(|part| matches!(part, Component::Normal(_))) && !cell.text.contains(['\\', ':']);
-        let is_sound = if !is_inside {
-            let what = format!("{:?} is no file name inside the scenario's folder", cell.text);
-            self.fault(cell, what, "name a file relative to the scenario's folder, with / between folders");
-            false
-        } else if let Err(why) = self.base.files.read(&cell.text) {
-            let what = format!("{:?} cannot be read: {why}", cell.text);
-            self.fault(cell, what, "name a routine in the scenario's folder");
-            false
-        } else {
-            let wrong = self.base.with(Some(resident), Some(&cell.text), &Said::default()).err();
-            let is_sound = wrong.is_none();
-            self.problems.extend(wrong.into_iter().flat_map(|problems| problems.0));
-            is_sound
+        self.routines[&key].clone()
+    }
+
+    fn read_routine(&mut self, resident: Option<usize>, cell: &Cell) -> Option<Other> {
+        if let Some(what) = outside_folder(&cell.text) {
+            self.fault(cell, what, WHERE);
+            return None;
+        }
+        let text = match self.base.files.read(&cell.text) {
+            Ok(text) => text,
+            Err(why) => {
+                let what = format!("{:?} cannot be read: {why}", cell.text);
+                self.fault(cell, what, "name a routine in the scenario's folder");
+                return None;
+            }
         };
-        self.routines.insert(key, is_sound);
-        is_sound
+        let other = self.base.other(resident?, &cell.text, text);
+        other.map_err(|wrong| self.problems.extend(wrong.0)).ok()
     }
 
     /// What is to stand in the routine.
-    fn said(&mut self, resident: usize, row: &Row) -> Said {
+    fn said(&mut self, row: &Row) -> Said {
         let fact = |reader: &mut Reader, column: &str, words: [&str; 2], what: &str| {
             let cell = row.get(column)?;
             if !cell.text.parse::<f64>().is_ok_and(|number| number.is_finite() && number > 0.0) {
@@ -267,16 +266,16 @@ impl<'a> Reader<'a> {
                 return None;
             }
             let pieces = [(words[0], None), (cell.text.as_str(), Some(*cell)), (words[1], None)];
-            reader.sentence(resident, &pieces, cell)
+            reader.sentence(&pieces, cell, None).map(|(text, _)| text)
         };
         Said {
             age: fact(self, "age", ["The person is ", ""], "age in years"),
             pace: fact(self, "pace_mps", ["The person walks at ", " m/s"], "pace in metres a second"),
-            conditions: self.conditions(resident, row),
+            conditions: self.conditions(row),
         }
     }
 
-    fn conditions(&mut self, resident: usize, row: &Row) -> Option<Vec<String>> {
+    fn conditions(&mut self, row: &Row) -> Option<Vec<String>> {
         const OF_CONDITIONS: [&str; 4] = ["severity", "onset", "over", "until"];
         let named = row.get("conditions").filter(|cell| cell.text.to_lowercase() != "none");
         let Some(cell) = named else {
@@ -293,17 +292,23 @@ impl<'a> Reader<'a> {
             if parts.len() != 1 && parts.len() != conditions.len() {
                 let what = format!("{} values for {} conditions", parts.len(), conditions.len());
                 self.fault(cell, what, "write one for all of them, or one for each with + between");
-                return None;
             }
             of_each.insert(column, parts);
         }
-        let mut said = Vec::new();
+        let (mut said, mut shown) = (Vec::new(), BTreeSet::new());
         for (index, condition) in conditions.iter().enumerate() {
             let of = |column| of_each.get(column).map(|parts: &Vec<Cell>| parts.get(index).unwrap_or(&parts[0]));
-            if conditions[..index].iter().any(|other| other.text.to_lowercase() == condition.text.to_lowercase()) {
+            let own = condition.text.to_lowercase().split_whitespace().collect::<Vec<_>>().join("-");
+            let is_name = own.chars().all(|c| c.is_alphanumeric() || c == '-');
+            let is_own = is_name && self.base.files.read(&format!("conditions/{own}.routine")).is_ok();
+            let own = is_own.then_some(own.as_str());
+            let alone = self.sentence(&[(SHOWS, None), (&condition.text, Some(condition))], condition, own);
+            let name = alone.as_ref().and_then(|(_, routine)| shown_by(routine));
+            if name.is_some_and(|name| !shown.insert(name.to_owned())) {
                 self.fault(condition, format!("{:?} is named twice", condition.text), "leave one of the two out");
             }
-            said.extend(self.condition(resident, condition, of));
+            let together = self.condition(condition, own, alone.is_some(), of);
+            said.extend(together.map(|(text, _)| text));
         }
         Some(said)
     }
@@ -311,17 +316,18 @@ impl<'a> Reader<'a> {
     /// What is said of one condition. Each cell is looked at by itself before all of them are together.
     fn condition<'c>(
         &mut self,
-        resident: usize,
         condition: &'c Cell,
+        own: Option<&str>,
+        is_known: bool,
         of: impl Fn(&'static str) -> Option<&'c Cell>,
-    ) -> Option<String> {
+    ) -> Option<(String, Routine)> {
         let before = self.problems.len();
         let of = |column| of(column).filter(|cell| !cell.text.is_empty());
-        let severity = of("severity");
-        if let Some(cell) = severity.filter(|cell| !SEVERITIES.contains(&cell.text.to_lowercase().as_str())) {
-            let hint = match nearest(&cell.text, SEVERITIES) {
+        let (severity, mut known) = (of("severity"), language::severities());
+        if let Some(cell) = severity.filter(|cell| !known.any(|known| known == cell.text.to_lowercase())) {
+            let hint = match nearest(&cell.text, language::severities()) {
                 Some(near) => format!("did you mean {near:?}?"),
-                None => format!("there are {}", SEVERITIES.join(", ")),
+                None => format!("there are {}", Vec::from_iter(language::severities()).join(", ")),
             };
             self.fault(cell, format!("{:?} is no severity", cell.text), hint);
         }
@@ -333,15 +339,14 @@ impl<'a> Reader<'a> {
             let any = [(", ", None), (SHOWS, None), (CONDITIONS[0].0, None)];
             let pieces = [(from, None), (words, None), (cell.text.as_str(), Some(cell))];
             let so_far = self.problems.len();
-            self.sentence(resident, &[pieces, any].concat(), cell);
+            self.sentence(&[pieces, any].concat(), cell, None);
             let hint = match words {
                 "over " => "write how long it takes to come, such as 10 days or 4 weeks",
                 _ => "write a week, a day or a date, such as week 6, day 40 or 2009-04-13",
             };
             self.problems[so_far..].iter_mut().for_each(|problem| problem.hint = Some(hint.into()));
         }
-        self.sentence(resident, &[(SHOWS, None), (&condition.text, Some(condition))], condition);
-        if self.problems.len() > before {
+        if !is_known || self.problems.len() > before {
             return None;
         }
         let mut pieces: Vec<Piece> = Vec::new();
@@ -351,11 +356,12 @@ impl<'a> Reader<'a> {
         pieces.push((SHOWS, None));
         pieces.extend(severity.into_iter().flat_map(|cell| [(cell.text.as_str(), Some(cell)), (" ", None)]));
         pieces.push((&condition.text, Some(condition)));
-        self.sentence(resident, &pieces, condition)
+        self.sentence(&pieces, condition, own)
     }
 
-    /// A sentence of pieces, if it says one thing; a problem with it is one with the cell at its place.
-    fn sentence(&mut self, resident: usize, pieces: &[Piece], main: &Cell) -> Option<String> {
+    /// A sentence of pieces with what is understood of it, if it says one thing; a problem with it is one with the cell at
+    /// its place. `own` is a condition of the scenario's own.
+    fn sentence(&mut self, pieces: &[Piece], main: &Cell, own: Option<&str>) -> Option<(String, Routine)> {
         let before = self.problems.len();
         for cell in pieces.iter().filter_map(|(_, cell)| *cell) {
             let is_odd = |c: char| !c.is_alphanumeric() && !" -.%".contains(c);
@@ -372,10 +378,9 @@ impl<'a> Reader<'a> {
         }
         let text: String = pieces.iter().map(|(text, _)| *text).collect();
         let text = text[..1].to_uppercase() + &text[1..];
-        let own = main.text.to_lowercase().split_whitespace().collect::<Vec<_>>().join("-");
-        let is_own = self.base.files.read(&format!("conditions/{own}.routine")).is_ok();
-        let known = self.base.known(resident, Vec::from_iter(is_own.then_some(own)));
-        let (routine, problems) = language::routine("", &text, &known);
+        let conditions = CONDITIONS.iter().map(|(name, _)| *name).chain(own).map(String::from).collect();
+        let first_date = Some(self.base.scenario.calendar.date(0));
+        let (routine, problems) = language::routine("", &text, &Known { conditions, first_date, ..Known::default() });
         for problem in problems {
             let mut end = 0;
             let at_or_after = |(text, cell): &Piece| {
@@ -385,9 +390,8 @@ impl<'a> Reader<'a> {
             let cell = pieces.iter().cloned().find(at_or_after).and_then(|(_, cell)| cell).unwrap_or(main);
             self.problems.push(self.table.problem(cell, problem.what, problem.hint));
         }
-        let shows = |effect: &Effect| matches!(effect, Effect::Shows { .. });
         let is_one = match &routine.changes[..] {
-            [change] => shows(&change.effect) && routine.person.is_none(),
+            [_] => shown_by(&routine).is_some() && routine.person.is_none(),
             [] => routine.person.is_some(),
             _ => false,
         };
@@ -398,8 +402,16 @@ impl<'a> Reader<'a> {
                 "write plain words, with + between several",
             );
         }
-        (self.problems.len() == before).then_some(text)
+        (self.problems.len() == before).then_some((text, routine))
     }
+}
+
+/// The condition that a sentence is about.
+fn shown_by(sentence: &Routine) -> Option<&str> {
+    sentence.changes.iter().find_map(|change| match &change.effect {
+        Effect::Shows { condition, .. } => Some(condition.as_str()),
+        _ => None,
+    })
 }
 
 /// Where a problem is.

@@ -140,6 +140,9 @@ fn faults_that_come_when_the_run_is_over_are_warned_of() {
     let json = folder.run("check flat --json").ok().json();
     assert_eq!(json["problems"], json!([]));
     assert_eq!(json["warnings"].as_array().map(Vec::len), Some(2));
+    // Routines have nothing to do with radios.
+    let routines = folder.run("routine check flat --json").ok();
+    assert_eq!((routines.json()["warnings"].clone(), routines.err.matches("warning").count()), (json!([]), 0));
     // What is asked for counts, not what is written.
     assert_eq!(folder.run("run flat --for 2d --out csv:a.csv").ok().err.matches("warning").count(), 0);
     assert_eq!(folder.run("run flat --for 1m --out csv:b.csv").ok().err.matches("warning").count(), 4);

@@ -162,6 +162,7 @@ fn scripts_get_one_object_and_people_their_words_apart() {
     folder.edit("flat/scenario.json", "\"days\": 0.01", "\"days\": 0");
     let wrong = folder.run("check flat --json");
     assert_eq!((wrong.code, wrong.json()["problems"][0]["file"].as_str()), (Some(2), Some("scenario.json")));
+    assert_eq!(wrong.json()["warnings"].as_array().map(Vec::len), Some(0));
     assert!(wrong.err.contains("scenario.json:5:11:") && wrong.err.contains("1 problem"), "{}", wrong.err);
     // What fails otherwise says nothing to scripts but its code.
     folder.run("run flat --json").fails(2, "scenario.json:5:11:");

@@ -10,6 +10,15 @@ use std::process::Command;
 const SCHEMES: [&str; 3] = ["sqlite", "csv", "casas"];
 
 #[test]
+fn where_no_run_can_be_kept_another_place_is_named() {
+    let folder = flat();
+    folder.write("runs", "no folder");
+    let said = "hint: a run needs a folder that may be written; --out writes elsewhere";
+    folder.run("run flat --for 1m").fails(1, said);
+    folder.run("run flat --for 1m --out csv:a.csv").ok();
+}
+
+#[test]
 fn a_place_that_cannot_be_is_told_before_the_run() {
     let folder = flat();
     folder.write("file", "precious");

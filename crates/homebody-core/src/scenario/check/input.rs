@@ -23,9 +23,8 @@ pub fn check(source: &Source, file: &InputFile, surroundings: &Surroundings, pro
         }
         let Some(plan) = surroundings.plan else { continue };
         for (number, used) in change.uses.iter().enumerate() {
-            let names = || plan.things.iter().map(|thing| thing.name.as_str());
-            if !names().any(|name| name == used.thing) {
-                let hint = match nearest(&used.thing, names()) {
+            if plan.thing(&used.thing).is_none() {
+                let hint = match nearest(&used.thing, plan.things.iter().map(|thing| thing.name.as_str())) {
                     Some(near) => format!("did you mean {near:?}?"),
                     None => "name a door, a piece of furniture or a room".into(),
                 };

@@ -21,7 +21,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let (scenario, household) = load_and_say(&self.scenario, self.json)?;
+        let (scenario, household) = load_and_say(&self.scenario, self.json, |_| Vec::new())?;
         let mut routines = 0;
         for (index, resident) in scenario.residents.iter().enumerate() {
             let Some(routine) = household.routine(index) else { continue };
