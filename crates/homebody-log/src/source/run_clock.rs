@@ -4,9 +4,7 @@ use super::Clock;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::{DAY, Micros, SECOND};
 use jiff::Timestamp;
-
-/// What comes later in a file may be this much earlier, as messages overtake each other; more, and clocks went back (ours).
-const OVERTAKING: Micros = 1800 * SECOND;
+use std::cmp::Reverse;
 
 /// Reads a run's instants. A clock on the wall that went back tells an hour twice: in the order in which a file tells them, the
 /// second time is known by the first.
@@ -38,17 +36,13 @@ impl RunClock {
         if self.clock == Clock::Utc {
             return at - self.start;
         }
-        let mut told = None;
-        for (index, &(from, offset)) in self.offsets.iter().enumerate() {
+        let told = self.offsets.iter().enumerate().filter_map(|(index, &(from, offset))| {
             let until = self.offsets.get(index + 1).map_or(Micros::MAX, |next| next.0);
             let instant = at - offset - self.start;
-            if (from..until).contains(&instant) {
-                told = Some(instant);
-                if instant >= last.saturating_sub(OVERTAKING) {
-                    break;
-                }
-            }
-        }
+            (from..until).contains(&instant).then_some(instant)
+        });
+        // Of two, the nearer to what came before: messages overtake each other by less than half an hour.
+        let told = told.min_by_key(|instant| (instant.abs_diff(last), Reverse(*instant)));
         // A time that the clock skips is told by nobody; it is as if it had not skipped.
         told.unwrap_or_else(|| at - self.offsets[0].1 - self.start)
     }
