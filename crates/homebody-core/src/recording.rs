@@ -5,10 +5,13 @@ use crate::event::{Firing, Value};
 use crate::problem::Problems;
 use crate::run::{Lives, Run};
 use crate::scenario::load::Scenario;
-use crate::time::Micros;
+use crate::time::{DAY, Micros};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
+
+/// No run is longer: a hundred years.
+pub const LONGEST: Micros = 36_525 * DAY;
 
 /// A run that can be lived again.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]

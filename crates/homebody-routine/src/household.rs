@@ -12,6 +12,7 @@ use homebody_core::drivers::Decide;
 use homebody_core::home::plan::Plan;
 use homebody_core::home::{Build, Home};
 use homebody_core::problem::{Problem, Problems};
+use homebody_core::recording::Recording;
 use homebody_core::run::{Guest, Lives};
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::load::{Driver, Files, Language, Said, Scenario};
@@ -132,6 +133,14 @@ impl Household {
         };
         household.guests = household.find_guests();
         Ok(household)
+    }
+
+    /// The scenario of a recording, and who lives there.
+    pub fn recorded(recording: &Recording) -> Result<(Scenario, Household), Problems> {
+        let mut scenario = recording.scenario()?;
+        let household = Household::read(&mut scenario, &recording.files, &recording.without)?;
+        let household = if recording.one_of_many { household.one_of_many() } else { household };
+        Ok((scenario, household))
     }
 
     /// The same household as one of a cohort: everybody differs from what is written as people differ, each seed in its

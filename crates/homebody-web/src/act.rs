@@ -45,6 +45,7 @@ pub struct Act {
     files: Option<Files>,
     /// Whether it is a recording lived again, which leaves no files.
     is_replay: bool,
+    /// Of a replay: the files of any other run have their own.
     seal: Seal,
     rows: Rows,
     /// What the log has got that nobody has taken to show yet.
@@ -81,7 +82,7 @@ impl Act {
             entry: shelf.entry.clone(),
             files: scenario.sources.clone(),
             seed,
-            length_us: micros(scenario.file.days * 86_400.0),
+            length_us: scenario.calendar.span_of_days(scenario.file.days),
             without: start.without.clone(),
             one_of_many: false,
             firings: 0,
@@ -96,10 +97,7 @@ impl Act {
 
     /// A recording, to be lived again.
     pub fn again(recording: Recording) -> Result<Act, String> {
-        let mut scenario = recording.scenario().map_err(|problems| problems.render())?;
-        let household = Household::read(&mut scenario, &recording.files, &recording.without);
-        let household = household.map_err(|problems| problems.render())?;
-        let household = if recording.one_of_many { household.one_of_many() } else { household };
+        let (scenario, household) = Household::recorded(&recording).map_err(|problems| problems.render())?;
         let run = recording.run(&scenario, &household);
         Act::of(scenario, run, recording, None, Start::default(), true)
     }
@@ -181,7 +179,9 @@ impl Act {
             self.files = Some(self.open(shelf).map_err(|error| error.to_string())?);
         }
         self.run.advance(until, &mut self.events);
-        self.seal.add(&self.events.firings);
+        if self.is_replay {
+            self.seal.add(&self.events.firings);
+        }
         if let Some(log) = self.files.as_mut().and_then(|files| files.log.as_mut()) {
             log.store(&self.run, &self.events).map_err(|error| error.to_string())?;
         }

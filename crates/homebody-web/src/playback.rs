@@ -6,15 +6,15 @@
 use crate::draw;
 use crate::shelf::{RECORDING, Shelf};
 use crate::wire::{DateView, DayView, Doing, LifeView, MovementView, PlaybackView, ResidentView, StoredView};
-use homebody_core::recording::Recording;
+use homebody_core::run::Run;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::scenario::path::Posture;
-use homebody_core::time::{DAY, Micros, SECOND};
+use homebody_core::time::{Micros, SECOND};
 use homebody_log::source::Clock;
 use homebody_log::{Event, Log, LogError, Movement, MovementKind, Movements, RunClock, Url};
-use homebody_routine::household::{Household, Spoken};
+use homebody_routine::household::Household;
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -31,9 +31,6 @@ const SPANS: usize = 6000;
 const PAUSE: Micros = 60 * SECOND;
 
 const HOUR: Micros = 3600 * SECOND;
-
-/// No scenario is longer: a hundred years.
-const LONGEST: Micros = 36_525 * DAY;
 
 /// What a run's truth is called in its folder.
 const TRUTH: &str = "truth.db";
@@ -85,7 +82,7 @@ impl Playback {
 
     fn stored(&self, name: String) -> StoredView {
         let has_truth = self.shelf.file_of_run(&name, TRUTH).is_some();
-        let scenario = self.recording(&name).and_then(|recording| {
+        let scenario = self.shelf.recording(&name).and_then(|recording| {
             let scenario = recording.scenario().map_err(|problems| problems.render())?;
             Ok((scenario, recording.length_us))
         });
@@ -107,16 +104,6 @@ impl Playback {
                 problem: Some(shortened(&why)),
             },
         }
-    }
-
-    /// The recording of a run that lasts as long as one can.
-    fn recording(&self, name: &str) -> Result<Recording, String> {
-        let recording = self.shelf.recording(name)?;
-        let length = recording.length_us;
-        if (0..=LONGEST).contains(&length) {
-            return Ok(recording);
-        }
-        Err(format!("{name:?} has no sound recording: no run is {length} microseconds long"))
     }
 
     /// A run as a whole.
@@ -170,10 +157,11 @@ impl Playback {
     }
 
     fn read(&self, name: &str, recording_path: PathBuf) -> Result<Opened, Refusal> {
-        let recording = self.recording(name).map_err(|why| Refusal::Damaged(shortened(&why)))?;
+        let recording = self.shelf.recording(name).map_err(|why| Refusal::Damaged(shortened(&why)))?;
         let length = recording.length_us;
-        let scenario = read_scenario(&recording)?;
-        let mut view = whole(name, &recording, &scenario)?;
+        let recorded = Household::recorded(&recording);
+        let (scenario, household) = recorded.map_err(|problems| Refusal::Damaged(shortened(&problems.render())))?;
+        let mut view = whole(name, &recording.run(&scenario, &household), &scenario);
         let calendar = &scenario.calendar;
 
         let log = self.log(name, &scenario);
@@ -282,27 +270,18 @@ fn shortened(why: &str) -> String {
     why.chars().take(LONGEST).collect()
 }
 
-fn read_scenario(recording: &Recording) -> Result<Scenario, Refusal> {
-    let problems = |problems: homebody_core::problem::Problems| Refusal::Damaged(shortened(&problems.render()));
-    Scenario::load_in(&Spoken, &recording.files, &recording.entry).map_err(problems)
-}
-
 /// What is known of a run before its log is read.
-fn whole(name: &str, recording: &Recording, scenario: &Scenario) -> Result<PlaybackView, Refusal> {
-    let mut living = scenario.clone();
-    let household = Household::read(&mut living, &recording.files, &recording.without);
-    let household = household.map_err(|problems| Refusal::Damaged(shortened(&problems.render())))?;
-    let run = recording.run(&living, &household);
+fn whole(name: &str, run: &Run, scenario: &Scenario) -> PlaybackView {
     let radius = |index: usize| run.home().field(index, Posture::Standing).size.radius_m;
     let residents = run.names().into_iter().enumerate();
-    Ok(PlaybackView {
+    PlaybackView {
         name: name.into(),
         scenario: scenario.file.name.clone(),
         home: draw::home(&scenario.home, run.home(), run.sensors()),
         residents: residents.map(|(index, name)| ResidentView { name, radius_m: radius(index) }).collect(),
         start: start(&scenario.calendar),
         zone: scenario.file.time_zone.clone(),
-        length_us: recording.length_us,
+        length_us: run.length(),
         sensors: Vec::new(),
         values: Vec::new(),
         days: Vec::new(),
@@ -311,7 +290,7 @@ fn whole(name: &str, recording: &Recording, scenario: &Scenario) -> Result<Playb
         activities: Vec::new(),
         spans: Vec::new(),
         remarks: Vec::new(),
-    })
+    }
 }
 
 fn start(calendar: &Calendar) -> String {

@@ -3,7 +3,7 @@
 //! The page knows both by names that are looked up in a listing, never by paths. What is no plain file in its folder, such as a
 //! link that leads out of it, is not there.
 
-use homebody_core::recording::Recording;
+use homebody_core::recording::{LONGEST, Recording};
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;
@@ -79,7 +79,13 @@ impl Shelf {
     pub fn recording(&self, run: &str) -> Result<Recording, String> {
         let path = self.file_of_run(run, RECORDING).ok_or_else(|| format!("there is no run {run:?}"))?;
         let text = fs::read_to_string(&path).map_err(|error| format!("the recording of {run:?}: {error}"))?;
-        serde_json::from_str(&text).map_err(|error| format!("{run:?} has no sound recording: {error}"))
+        let recording: Recording =
+            serde_json::from_str(&text).map_err(|error| format!("{run:?} has no sound recording: {error}"))?;
+        let length = recording.length_us;
+        if (0..=LONGEST).contains(&length) {
+            return Ok(recording);
+        }
+        Err(format!("{run:?} has no sound recording: no run is {length} microseconds long"))
     }
 }
 

@@ -1,10 +1,8 @@
 //! Lengths of time as people ask for them: days by the calendar, hours and less by the clock.
 
+use homebody_core::recording::LONGEST;
 use homebody_core::scenario::calendar::Calendar;
-use homebody_core::time::{Micros, SECOND, micros};
-
-/// A hundred years.
-pub const LONGEST: Micros = 36_525 * 86_400 * SECOND;
+use homebody_core::time::{Micros, micros};
 
 /// How long a run is to last.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,29 +17,9 @@ impl Length {
     pub fn by(self, calendar: &Calendar) -> Micros {
         match self {
             Length::Time(span) => span,
-            Length::Days(days) => {
-                let (begin, end) = day(calendar, days as i32);
-                begin + ((end - begin) as f64 * days.fract()).round() as Micros
-            }
+            Length::Days(days) => calendar.span_of_days(days),
         }
     }
-}
-
-/// How many days have been lived at an instant of a run.
-pub fn days_lived(calendar: &Calendar, at: Micros) -> f64 {
-    // It began a day early at most, since a run may begin at noon.
-    let mut whole = calendar.day(at);
-    while whole > 0 && day(calendar, whole).0 > at {
-        whole -= 1;
-    }
-    let (begin, end) = day(calendar, whole);
-    f64::from(whole) + (at - begin) as f64 / (end - begin) as f64
-}
-
-/// From when to when a day of a run is that begins at the hour of its start.
-fn day(calendar: &Calendar, day: i32) -> (Micros, Micros) {
-    let begin = |day| if day == 0 { 0 } else { calendar.instant(day, calendar.start_of_day()) };
-    (begin(day), begin(day.saturating_add(1)))
 }
 
 /// The length of a run as people write it.
@@ -82,7 +60,7 @@ fn parts(text: &str) -> Result<(f64, &str), String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homebody_core::time::DAY;
+    use homebody_core::time::{DAY, SECOND};
 
     const HOUR: Micros = 3600 * SECOND;
 
@@ -116,7 +94,7 @@ mod tests {
             let length = Length::Days(days).by(&calendar);
             assert_eq!(length, hours * HOUR, "{days} days from {start} in {zone}");
             assert_eq!(calendar.local(length).time(), calendar.local(0).time());
-            assert_eq!(days_lived(&calendar, length), days);
+            assert_eq!(calendar.days_lived(length), days);
             assert_eq!(Length::Time(days as Micros * DAY).by(&calendar), days as Micros * DAY);
         }
     }
@@ -137,11 +115,11 @@ mod tests {
         assert_eq!(Length::Days(0.5).by(&calendar), 12 * HOUR);
         assert_eq!(Length::Days(1.5).by(&calendar), 24 * HOUR + 23 * HOUR / 2);
         for days in [0.0, 0.01, 0.5, 1.0, 1.5, 2.25, 239.75] {
-            let lived = days_lived(&calendar, Length::Days(days).by(&calendar));
+            let lived = calendar.days_lived(Length::Days(days).by(&calendar));
             assert!((lived - days).abs() < 1e-9, "{days} but {lived}");
         }
         let noon = Calendar::new("2009-03-07T12:00:00", "America/Chicago").unwrap();
-        assert_eq!(days_lived(&noon, 6 * HOUR), 6.0 / 23.0);
-        assert_eq!(days_lived(&noon, 13 * HOUR), 13.0 / 23.0);
+        assert_eq!(noon.days_lived(6 * HOUR), 6.0 / 23.0);
+        assert_eq!(noon.days_lived(13 * HOUR), 13.0 / 23.0);
     }
 }

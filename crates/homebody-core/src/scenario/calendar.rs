@@ -50,6 +50,30 @@ impl Calendar {
         (self.local(at).date() - self.start.date()).get_days()
     }
 
+    /// How long so many days of the home's own time are, from the start of a run: one on which clocks change has 23 or 25
+    /// hours.
+    pub fn span_of_days(&self, days: f64) -> Micros {
+        let (begin, end) = self.run_day(days as i32);
+        begin + ((end - begin) as f64 * days.fract()).round() as Micros
+    }
+
+    /// How many days have been lived at an instant of a run.
+    pub fn days_lived(&self, at: Micros) -> f64 {
+        // It began a day early at most, since a run may begin at noon.
+        let mut whole = self.day(at);
+        while whole > 0 && self.run_day(whole).0 > at {
+            whole -= 1;
+        }
+        let (begin, end) = self.run_day(whole);
+        f64::from(whole) + (at - begin) as f64 / (end - begin) as f64
+    }
+
+    /// From when to when a day of a run is that begins at the hour of its start.
+    fn run_day(&self, day: i32) -> (Micros, Micros) {
+        let begin = |day| if day == 0 { 0 } else { self.instant(day, self.start_of_day()) };
+        (begin(day), begin(day.saturating_add(1)))
+    }
+
     /// The instant of a time of day, given since midnight; beyond 24 hours it is of the days after. A time that the clock
     /// skips is as much later as it skips; of a time that comes twice, it is the first.
     pub fn instant(&self, day: i32, time_of_day: Micros) -> Micros {

@@ -5,7 +5,7 @@ use homebody_core::event::Events;
 use homebody_core::recording::{Recording, Seal};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::time::{SECOND, micros};
+use homebody_core::time::SECOND;
 use homebody_routine::household::Household;
 use rusqlite::Connection;
 use serde_json::{Value, json};
@@ -108,7 +108,8 @@ fn a_page_that_looks_changes_nothing() {
         idle.until(is("over"));
         served.close();
         let recording = recording(&served.only_run());
-        let mut alone = Run::new(&scenario, &household, recording.seed, micros(scenario.file.days * 86_400.0));
+        let mut alone =
+            Run::new(&scenario, &household, recording.seed, scenario.calendar.span_of_days(scenario.file.days));
         let (mut events, mut seal) = (Events::default(), Seal::default());
         while alone.now() < recording.length_us {
             alone.advance(recording.length_us.min(alone.now() + 3600 * SECOND), &mut events);

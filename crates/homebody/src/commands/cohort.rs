@@ -2,7 +2,6 @@
 
 use super::live::{Live, Output, speed_in_words, stop_on_signal};
 use crate::failure::Failure;
-use crate::length::days_lived;
 use crate::pace::{Asked, Pace};
 use crate::print::{json_text, print_json, print_text};
 use crate::profiles::{Base, Profile};
@@ -138,7 +137,7 @@ impl Cohort<'_> {
         let calendar = &self.base.scenario.calendar;
         let member = |member: &Member| {
             let mut told = json!({ "name": member.name, "seed": member.seed, "firings": member.firings,
-                "rows": member.rows, "days": days_lived(calendar, member.lived) });
+                "rows": member.rows, "days": calendar.days_lived(member.lived) });
             if let Some(row) = &member.row {
                 told["profile"] = json!(row);
             }
@@ -147,7 +146,7 @@ impl Cohort<'_> {
         json!({
             "scenario": self.base.scenario.file.name,
             "seed": self.recording.seed,
-            "days": days_lived(calendar, self.recording.length_us),
+            "days": calendar.days_lived(self.recording.length_us),
             "members": lived.iter().map(member).collect::<Vec<_>>(),
         })
     }

@@ -2,9 +2,8 @@
 
 use super::live::{Live, Output};
 use crate::failure::Failure;
-use crate::length::LONGEST;
 use crate::pace::Asked;
-use homebody_core::recording::Recording;
+use homebody_core::recording::{LONGEST, Recording};
 use homebody_routine::household::Household;
 use std::fmt::Display;
 use std::fs;
@@ -28,9 +27,7 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let recording = self.recording()?;
-        let mut scenario = recording.scenario()?;
-        let household = Household::read(&mut scenario, &recording.files, &recording.without)?;
-        let household = if recording.one_of_many { household.one_of_many() } else { household };
+        let (scenario, household) = Household::recorded(&recording)?;
         let run = recording.run(&scenario, &household);
         let sources = vec![self.recording];
         let live = Live { scenario: &scenario, recording, record: None, output: self.output, sources };
