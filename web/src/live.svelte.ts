@@ -1,6 +1,7 @@
 // The run that is being lived, as this page knows it. All views share it, and it goes on while another view is looked at.
 
 import { Announcer } from './views/live/announce';
+import { Drafts } from './drafts.svelte';
 import { Firings } from './firings';
 import { Throttle } from './plan/glow';
 import { Server, keepToken } from './server';
@@ -29,6 +30,8 @@ export class Live {
 
   readonly firings = new Firings();
   readonly server: Server;
+  /** The scenario's files, as this page writes them. */
+  readonly drafts: Drafts;
   latest: Frame | null = null;
   private readonly socket: Socket;
   private readonly watchers = new Set<(frame: Frame, fresh: FiringView[]) => void>();
@@ -44,6 +47,7 @@ export class Live {
       onWrongToken();
     };
     this.server = new Server(token, refuse);
+    this.drafts = new Drafts(this.server, (text, bad) => this.note(text, bad));
     this.socket = new Socket(
       token,
       {

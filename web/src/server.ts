@@ -58,9 +58,9 @@ export class Server {
     return (await (await this.ask('GET', path)).json()) as T;
   }
 
-  /** What comes as MessagePack. */
-  async packed<T>(path: string): Promise<T> {
-    return decode(await (await this.ask('GET', path)).arrayBuffer()) as T;
+  /** What comes as MessagePack; with a body it is posted. */
+  async packed<T>(path: string, body?: unknown): Promise<T> {
+    return decode(await (await this.ask(body === undefined ? 'GET' : 'POST', path, body)).arrayBuffer()) as T;
   }
 
   async post<T>(path: string, body: unknown): Promise<T> {
@@ -76,9 +76,14 @@ export class Server {
 
   private async ask(method: string, path: string, body?: unknown): Promise<Response> {
     const headers: Record<string, string> = { 'x-homebody-token': this.token };
-    if (body !== undefined) headers['content-type'] = 'application/json';
     const init: RequestInit = { method, headers, cache: 'no-store' };
-    if (body !== undefined) init.body = JSON.stringify(body);
+    if (body instanceof Blob) {
+      headers['content-type'] = 'application/octet-stream';
+      init.body = body;
+    } else if (body !== undefined) {
+      headers['content-type'] = 'application/json';
+      init.body = JSON.stringify(body);
+    }
     let answer: Response;
     try {
       answer = await this.fetch(path, init);

@@ -1,4 +1,4 @@
-// Made from crates/homebody-web/src/wire.rs, which says what each means.
+// Made from crates/homebody-web/src/wire.rs and what is below it, which say what each means.
 
 export type HomeView = { name: string, 
 /**
@@ -56,6 +56,10 @@ export type SensorView = { name: string,
  */
 kind: string, at: [number, number], 
 /**
+ * Where it looks, counted from east against the clock; of sensors on walls.
+ */
+facing_deg: number | null, 
+/**
  * The parts of its beams in which it sees a standing adult, from where to where; of sensors on walls.
  */
 beams: Array<[[number, number], [number, number]]>, 
@@ -81,6 +85,22 @@ driven: number | null, length_us: number,
  * A number below 2^53.
  */
 seed: number, 
+/**
+ * Conditions that its residents show, or would if they were not left out.
+ */
+conditions: Array<string>, 
+/**
+ * Those that are left out.
+ */
+without: Array<string>, 
+/**
+ * The local date and time of its start.
+ */
+start: string, 
+/**
+ * When clocks are set in the course of it, and by how much.
+ */
+turns: Array<[number, number]>, 
 /**
  * Where the log goes, as URLs.
  */
@@ -142,7 +162,7 @@ export type Posture = "standing" | "sitting" | "lying";
 
 export type FiringView = { seq: number, at_us: number, sensor: number, value: string, 
 /**
- * Time, sensor and message as they are stored; nothing where the logger's file says that this is not.
+ * Time, sensor and message as they are stored; nothing where no log is looked at.
  */
 row: [string, string, string] | null, };
 
@@ -234,8 +254,264 @@ activities: Array<[number, number, number]>, };
 
 export type Doing = "stride" | "stir" | "rest" | "away";
 
-export type Say = { "say": "hello", token: string, } | { "say": "play" } | { "say": "pause" } | { "say": "step", seconds: number, } | { "say": "speed", times: number | null, } | { "say": "jump", to_us: number, } | { "say": "hold", keys: Array<Key>, } | { "say": "be", posture: Posture, } | { "say": "use", thing: number, on: boolean, } | { "say": "start", driven: number | null, without: Array<string>, seed: number | null, } | { "say": "stop" } | { "say": "replay", run: string, };
+export type Say = { "say": "hello", token: string, } | { "say": "play" } | { "say": "pause" } | { "say": "step", seconds: number, } | { "say": "speed", times: number | null, } | { "say": "jump", to_us: number, } | { "say": "hold", keys: Array<Key>, } | { "say": "be", posture: Posture, } | { "say": "use", thing: number, on: boolean, } | { "say": "start", driven: number | null, without: Array<string>, 
+/**
+ * Below 2^53.
+ */
+seed: number | null, } | { "say": "stop" } | { "say": "replay", run: string, };
 
 export type Key = "up" | "down" | "left" | "right" | "fast" | "slow";
 
 export type Tell = { "tell": "run", run: RunView, } | { "tell": "note", text: string, bad: boolean, };
+
+export type FilesView = { 
+/**
+ * The scenario's own file; those that follow are the ones that it links, as far as it can be read.
+ */
+entry: string, home: string | null, logger: string | null, lives: Array<LivesView>, files: Array<FileView>, };
+
+export type LivesView = { name: string, 
+/**
+ * The name of the routine's file.
+ */
+routine: string, };
+
+export type FileView = { name: string, text: string, 
+/**
+ * A sign of what is on disk: another text has another version.
+ */
+version: string, };
+
+export type Draft = { texts: { [key in string]: string }, };
+
+export type Save = { files: Array<SaveFile>, };
+
+export type SaveFile = { name: string, text: string, 
+/**
+ * The version that the text was made from; nothing for a file that is not there yet.
+ */
+version: string | null, };
+
+export type SavedView = { 
+/**
+ * The new versions by name; empty where nothing was written.
+ */
+saved: { [key in string]: string }, 
+/**
+ * What is on disk where it is not what the texts were made from.
+ */
+changed: Array<FileView>, };
+
+export type CheckView = { problems: Array<ProblemView>, warnings: Array<ProblemView>, };
+
+export type ProblemView = { file: string, 
+/**
+ * From 1; 0 where the file as a whole is meant.
+ */
+line: number, 
+/**
+ * In characters, from 1; 0 where the file as a whole is meant.
+ */
+column: number, 
+/**
+ * How many characters are meant.
+ */
+width: number, what: string, hint: string | null, };
+
+export type PlanView = { 
+/**
+ * Of the home's file alone.
+ */
+problems: Array<ProblemView>, 
+/**
+ * Nothing where there are problems.
+ */
+home: HomeView | null, coverage: CoverageView | null, };
+
+export type CoverageView = { 
+/**
+ * The side of a cell.
+ */
+step_m: number, 
+/**
+ * The south-west corner of the first cell.
+ */
+corner: [number, number], columns: number, 
+/**
+ * Row by row from the south-west, a byte each: 255 where no body can stand, else how many sensors see it.
+ */
+cells: Uint8Array, whole: FloorView, rooms: Array<FloorView>, 
+/**
+ * Of those that look; in the order of the home's file.
+ */
+sensors: Array<SeenView>, 
+/**
+ * Pairs of sensors and the floor that both see, the largest first.
+ */
+overlaps: Array<[string, string, number]>, 
+/**
+ * The largest first.
+ */
+dead_zones: Array<DeadZoneView>, };
+
+export type FloorView = { name: string, floor_m2: number, 
+/**
+ * Shares that are seen by none, one, two, and three or more.
+ */
+seen_by: [number, number, number, number], };
+
+export type SeenView = { name: string, seen_m2: number, 
+/**
+ * The part of it that no other sensor sees.
+ */
+alone_m2: number, };
+
+export type DeadZoneView = { 
+/**
+ * From 1, the largest first.
+ */
+number: number, room: string | null, area_m2: number, middle: [number, number], outline: Array<[number, number]>, holes: Array<Array<[number, number]>>, };
+
+export type ImportView = { 
+/**
+ * The text of a home's file.
+ */
+text: string, 
+/**
+ * What was left out or guessed, in sentences.
+ */
+remarks: Array<string>, };
+
+export type Explain = { draft: Draft, file: string, };
+
+export type ExplainView = { 
+/**
+ * Of the routine's file and the conditions it shows; empty does not mean that other files are right.
+ */
+problems: Array<ProblemView>, sentences: Array<SentenceView>, 
+/**
+ * What is left unsaid and goes as it usually does.
+ */
+unsaid: Array<SentenceView>, conditions: Array<ConditionView>, 
+/**
+ * What may be written, for completion.
+ */
+words: Array<WordView>, };
+
+export type SentenceView = { 
+/**
+ * From 1.
+ */
+line: number, 
+/**
+ * The words it was understood from.
+ */
+said: string, 
+/**
+ * `person`, `habit`, `rule` or `change`.
+ */
+kind: string, what: string, days: string, when: string, 
+/**
+ * When it begins, in seconds since midnight: one in twenty begins before the first, the mean, one in twenty after the last.
+ */
+start_s: [number, number, number] | null, 
+/**
+ * How long it lasts, in the same way.
+ */
+lasts_s: [number, number, number] | null, in_words: string, };
+
+export type ConditionView = { name: string, 
+/**
+ * How severe it is on each day of the scenario: 0 where it is not there, 1 at its moderate full strength.
+ */
+severity: Array<number>, sentences: Array<SentenceView>, };
+
+export type WordView = { 
+/**
+ * What is written.
+ */
+text: string, kind: WordKind, 
+/**
+ * What it says, in a few words.
+ */
+about: string, };
+
+export type WordKind = "sentence" | "activity" | "time" | "place" | "condition";
+
+export type Month = { draft: Draft, 
+/**
+ * The first day, counted from 0.
+ */
+from: number, 
+/**
+ * At most 31.
+ */
+days: number, 
+/**
+ * Conditions that are left out.
+ */
+without: Array<string>, };
+
+export type MonthView = { 
+/**
+ * Why there is none.
+ */
+problems: Array<ProblemView>, days: Array<DateView>, residents: Array<string>, 
+/**
+ * The names of activities.
+ */
+activities: Array<string>, 
+/**
+ * What each resident did: begin, end and the activity's number.
+ */
+spans: Array<Array<[number, number, number]>>, 
+/**
+ * The names of rooms.
+ */
+rooms: Array<string>, 
+/**
+ * Where each resident was: begin, end and the room's number; away or between rooms there is none.
+ */
+stays: Array<Array<[number, number, number]>>, 
+/**
+ * How often motion sensors fired in each hour of the clock, by day.
+ */
+hours: Array<Array<number>>, };
+
+export type RowsView = { problems: Array<ProblemView>, 
+/**
+ * One for each place that the log goes to.
+ */
+places: Array<PlaceRowsView>, 
+/**
+ * How the URLs of places begin, and what each is.
+ */
+kinds: Array<[string, string]>, };
+
+export type PlaceRowsView = { 
+/**
+ * The URL as the file has it.
+ */
+to: string, 
+/**
+ * Of a database.
+ */
+table: string | null, columns: Array<string>, rows: Array<Array<string>>, };
+
+export type Connect = { draft: Draft, url: string, };
+
+export type ConnectView = { works: boolean, 
+/**
+ * What was found there, or why it does not work and what to do.
+ */
+said: string, };
+
+export type GrowthView = { days: Array<DateView>, 
+/**
+ * How often motion sensors fired in each hour of the clock, by day.
+ */
+hours: Array<Array<number>>, 
+/**
+ * The firings of the day that is being lived: instant and sensor.
+ */
+today: Array<[number, number]>, };

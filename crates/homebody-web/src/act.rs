@@ -1,5 +1,6 @@
 //! One run on the stage: the scenario that it is of, who is driven in it, and the files that it leaves.
 
+use crate::dates;
 use crate::draw;
 use crate::shelf::Shelf;
 use crate::wire::{FiringView, Frame, Key, Posture, ResidentView, RunView, State};
@@ -36,6 +37,8 @@ pub struct Start {
 pub struct Act {
     pub start: Start,
     scenario: Scenario,
+    /// The conditions that its residents show.
+    conditions: Vec<String>,
     run: Run,
     recording: Recording,
     /// The file that the keys are recorded into, if somebody is driven.
@@ -92,18 +95,20 @@ impl Act {
         if let Some(driven) = start.driven {
             run.open_input(driven as usize);
         }
-        Act::of(scenario, run, recording, keys, start, false)
+        Act::of(scenario, &household, run, recording, keys, start, false)
     }
 
     /// A recording, to be lived again.
     pub fn again(recording: Recording) -> Result<Act, String> {
         let (scenario, household) = Household::recorded(&recording).map_err(|problems| problems.render())?;
         let run = recording.run(&scenario, &household);
-        Act::of(scenario, run, recording, None, Start::default(), true)
+        let start = Start { without: recording.without.clone(), ..Start::default() };
+        Act::of(scenario, &household, run, recording, None, start, true)
     }
 
     fn of(
         scenario: Scenario,
+        household: &Household,
         run: Run,
         recording: Recording,
         keys: Option<String>,
@@ -114,9 +119,11 @@ impl Act {
         let rows = Rows::new(&scenario.logger, &sensors, &scenario.calendar).map_err(|error| error.to_string())?;
         let bodies = run.names().len();
         let held = start.input.last().cloned().unwrap_or_else(nothing_held);
+        let conditions = household.conditions().keys().chain(&start.without).cloned().collect();
         Ok(Act {
             start,
             scenario,
+            conditions,
             run,
             recording,
             keys,
@@ -161,6 +168,10 @@ impl Act {
             home: draw::home(&self.scenario.home, self.run.home(), self.run.sensors()),
             residents: names.enumerate().map(|(index, name)| ResidentView { name, radius_m: radius(index) }).collect(),
             driven: self.start.driven,
+            conditions: self.conditions.clone(),
+            without: self.start.without.clone(),
+            start: dates::wall_clock(&self.scenario.calendar, 0),
+            turns: dates::turns(&self.scenario.calendar, self.run.length()),
             length_us: self.run.length(),
             seed: self.recording.seed,
             log: self.files.iter().flat_map(|files| &files.places.log).map(ToString::to_string).collect(),
@@ -291,7 +302,7 @@ impl Act {
         let sensors = self.run.sensors().len();
         Frame {
             now_us: scene.now,
-            clock: self.scenario.calendar.local(scene.now).strftime("%Y-%m-%d %H:%M:%S").to_string(),
+            clock: dates::wall_clock(&self.scenario.calendar, scene.now),
             state: if self.is_over { State::Over } else { state },
             speed,
             bodies: scene.bodies.iter().enumerate().map(body).collect(),

@@ -86,6 +86,10 @@ fn sensor(sensor: &Sensor, file: &SensorFile, home: &Home) -> SensorView {
         name: sensor.name.clone(),
         kind: kind(file),
         at: at(sensor.at),
+        facing_deg: match file {
+            SensorFile::Motion(motion) => Some(motion.facing_deg),
+            _ => None,
+        },
         beams: beams.iter().map(|beam| [at(beam.start), at(beam.start + beam.direction * beam.length)]).collect(),
         area,
     }

@@ -13,6 +13,7 @@ pub mod shelf;
 
 /// A run that is lived, paused, driven, lived again.
 pub mod act;
+mod dates;
 mod draw;
 pub mod stage;
 

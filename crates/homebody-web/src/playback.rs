@@ -3,6 +3,7 @@
 //! A run is opened once: its log is read into memory, its truth is asked day by day. The last few that were opened are kept, as
 //! long as their files stay as they are.
 
+use crate::dates;
 use crate::draw;
 use crate::shelf::{RECORDING, Shelf};
 use crate::wire::{DateView, DayView, Doing, LifeView, MovementView, PlaybackView, ResidentView, StoredView};
@@ -90,8 +91,8 @@ impl Playback {
             Ok((scenario, length)) => StoredView {
                 name,
                 scenario: scenario.file.name,
-                start: start(&scenario.calendar),
-                days: last_day(&scenario.calendar, length) + 1,
+                start: dates::wall_clock(&scenario.calendar, 0),
+                days: dates::last(&scenario.calendar, length) + 1,
                 has_truth,
                 problem: None,
             },
@@ -172,12 +173,11 @@ impl Playback {
         // Looked at before they are read: what changes meanwhile is read again.
         let state = state(&files);
 
-        let mut clock = RunClock::new(calendar, length, Clock::Utc);
-        view.days = days(calendar, length, &clock);
+        view.days = dates::all(calendar, length);
         let rows = match &log {
             Some(url) => {
                 let log = homebody_log::read(url, &scenario.logger).map_err(damaged)?;
-                clock = RunClock::new(calendar, length, log.clock);
+                let clock = RunClock::new(calendar, length, log.clock);
                 rows_of(log, url, &scenario, &clock, &mut view)
             }
             None => {
@@ -279,7 +279,7 @@ fn whole(name: &str, run: &Run, scenario: &Scenario) -> PlaybackView {
         scenario: scenario.file.name.clone(),
         home: draw::home(&scenario.home, run.home(), run.sensors()),
         residents: residents.map(|(index, name)| ResidentView { name, radius_m: radius(index) }).collect(),
-        start: start(&scenario.calendar),
+        start: dates::wall_clock(&scenario.calendar, 0),
         zone: scenario.file.time_zone.clone(),
         length_us: run.length(),
         sensors: Vec::new(),
@@ -291,33 +291,6 @@ fn whole(name: &str, run: &Run, scenario: &Scenario) -> PlaybackView {
         spans: Vec::new(),
         remarks: Vec::new(),
     }
-}
-
-fn start(calendar: &Calendar) -> String {
-    calendar.local(0).strftime("%Y-%m-%d %H:%M:%S").to_string()
-}
-
-/// The day on which a run ends; midnight still belongs to the day before.
-fn last_day(calendar: &Calendar, length: Micros) -> u32 {
-    u32::try_from(calendar.day((length - 1).max(0))).unwrap_or(0)
-}
-
-fn days(calendar: &Calendar, length: Micros, clock: &RunClock) -> Vec<DateView> {
-    let turns: Vec<_> = clock.turns().collect();
-    let day = |day: u32| {
-        let number = day as i32;
-        let begin = calendar.instant(number, 0).max(0);
-        let end = calendar.instant(number + 1, 0).min(length);
-        let (year, month, of_month) = calendar.date(number);
-        DateView {
-            date: format!("{year:04}-{month:02}-{of_month:02}"),
-            begin_us: begin,
-            end_us: end,
-            clock_us: if day == 0 { calendar.start_of_day() } else { 0 },
-            turn: turns.iter().copied().find(|turn| (begin..end).contains(&turn.0)),
-        }
-    };
-    (0..=last_day(calendar, length)).map(day).collect()
 }
 
 /// A log's rows on the run's own clock, with the view's sensors.

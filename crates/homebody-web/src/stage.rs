@@ -232,8 +232,11 @@ impl Director {
             Say::Hold { keys } => self.act.hold(&keys),
             Say::Be { posture } => self.act.be(posture),
             Say::Use { thing, on } => self.act.use_thing(thing, on),
+            Say::Start { seed: Some(seed), .. } if seed >= 1 << 53 => {
+                self.note("a seed is below 2 to the power of 53".into(), true);
+            }
             Say::Start { driven, without, seed } => {
-                let start = Start { driven, without, seed: seed.map(u64::from), input: Vec::new() };
+                let start = Start { driven, without, seed, input: Vec::new() };
                 let act = Act::new(&self.shelf, start);
                 self.change_act(act);
             }

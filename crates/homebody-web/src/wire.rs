@@ -7,6 +7,10 @@
 //! Lengths are metres, angles degrees, instants whole microseconds since the run's start, which any number of JSON holds
 //! exactly for two hundred years. Points are `[x, y]`, with y up on the plan.
 
+mod draft;
+
+pub use draft::*;
+
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
@@ -88,6 +92,8 @@ pub struct SensorView {
     /// As its file says it: `motion`, `bed`, `contact`, ...
     pub kind: String,
     pub at: At,
+    /// Where it looks, counted from east against the clock; of sensors on walls.
+    pub facing_deg: Option<f64>,
     /// The parts of its beams in which it sees a standing adult, from where to where; of sensors on walls.
     pub beams: Vec<[At; 2]>,
     /// What it sees from the ceiling, or the mat or bed that it feels.
@@ -110,6 +116,15 @@ pub struct RunView {
     /// A number below 2^53.
     #[ts(type = "number")]
     pub seed: u64,
+    /// Conditions that its residents show, or would if they were not left out.
+    pub conditions: Vec<String>,
+    /// Those that are left out.
+    pub without: Vec<String>,
+    /// The local date and time of its start.
+    pub start: String,
+    /// When clocks are set in the course of it, and by how much.
+    #[ts(type = "Array<[number, number]>")]
+    pub turns: Vec<(i64, i64)>,
     /// Where the log goes, as URLs.
     pub log: Vec<String>,
     /// Whether a recording is being lived again.
@@ -184,7 +199,7 @@ pub struct FiringView {
     pub at_us: i64,
     pub sensor: u32,
     pub value: String,
-    /// Time, sensor and message as they are stored; nothing where the logger's file says that this is not.
+    /// Time, sensor and message as they are stored; nothing where no log is looked at.
     pub row: Option<[String; 3]>,
 }
 
@@ -325,7 +340,9 @@ pub enum Say {
     Start {
         driven: Option<u32>,
         without: Vec<String>,
-        seed: Option<u32>,
+        /// Below 2^53.
+        #[ts(type = "number | null")]
+        seed: Option<u64>,
     },
     /// End the run, so that its files are complete.
     Stop,

@@ -37,6 +37,34 @@ fn declarations() -> Vec<String> {
         Say,
         Key,
         Tell,
+        FilesView,
+        LivesView,
+        FileView,
+        Draft,
+        Save,
+        SaveFile,
+        SavedView,
+        CheckView,
+        ProblemView,
+        PlanView,
+        CoverageView,
+        FloorView,
+        SeenView,
+        DeadZoneView,
+        ImportView,
+        Explain,
+        ExplainView,
+        SentenceView,
+        ConditionView,
+        WordView,
+        WordKind,
+        Month,
+        MonthView,
+        RowsView,
+        PlaceRowsView,
+        Connect,
+        ConnectView,
+        GrowthView,
     )
 }
 
@@ -45,7 +73,7 @@ fn declarations() -> Vec<String> {
 fn the_page_knows_our_types() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web/src/wire.ts");
     let text = format!(
-        "// Made from crates/homebody-web/src/wire.rs, which says what each means.\n\n{}\n",
+        "// Made from crates/homebody-web/src/wire.rs and what is below it, which say what each means.\n\n{}\n",
         declarations().join("\n\n")
     );
     if std::env::var_os("HOMEBODY_REWRITE").is_some() {

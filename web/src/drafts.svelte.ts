@@ -1,0 +1,179 @@
+// The scenario's files as somebody writes them: what is on disk, what was written since, and what is wrong with it. The views
+// that edit share one of these, so that a wall moved in one and a sentence written in another are checked and saved together.
+
+import type { Server } from './server';
+import type { CheckView, Draft, FileView, FilesView, Save, SavedView } from './wire';
+
+/** How long after the last key everything is checked. */
+const PAUSE_MS = 250;
+/** How often is looked whether somebody else has changed a file. */
+const LOOK_MS = 2000;
+
+export class Drafts {
+  files = $state.raw<FilesView | null>(null);
+  /** What was written and is not saved yet, by the file's name. */
+  texts = $state.raw<Record<string, string>>({});
+  /** What is wrong with all of it; of a moment ago, while somebody writes. */
+  check = $state.raw<CheckView | null>(null);
+  /** Files that another program has changed while there are drafts of them, as they are on disk now. */
+  changed = $state.raw<FileView[]>([]);
+  saving = $state(false);
+
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private checks = 0;
+
+  /** @param note tells people what happened. */
+  constructor(
+    readonly server: Server,
+    private readonly note: (text: string, bad: boolean) => void,
+  ) {}
+
+  get unsaved(): string[] {
+    return Object.keys(this.texts).sort();
+  }
+
+  get draft(): Draft {
+    return { texts: this.texts };
+  }
+
+  /** Loads what is on disk, and looks at it until the function that is returned is called. */
+  open(): () => void {
+    void this.look();
+    const timer = setInterval(() => void this.look(), LOOK_MS);
+    return () => clearInterval(timer);
+  }
+
+  /** The text as it was written, or as it is on disk. */
+  text(name: string): string | undefined {
+    return this.texts[name] ?? this.onDisk(name)?.text;
+  }
+
+  write(name: string, text: string): void {
+    const texts = { ...this.texts, [name]: text };
+    if (this.onDisk(name)?.text === text) delete texts[name];
+    this.texts = texts;
+    this.checkSoon();
+  }
+
+  /** Back to what is on disk. */
+  discard(name: string): void {
+    const theirs = this.changed.find((file) => file.name === name);
+    if (theirs) this.take(theirs);
+    const { [name]: _, ...texts } = this.texts;
+    this.texts = texts;
+    this.checkSoon();
+  }
+
+  /** What was written stays, though the file has changed: saving it replaces what has been seen now. */
+  insist(name: string): void {
+    const theirs = this.changed.find((file) => file.name === name);
+    if (theirs) this.take(theirs);
+  }
+
+  /** Writes all drafts, or those of some files; nothing where a file has changed meanwhile. */
+  async save(names = this.unsaved): Promise<boolean> {
+    const files = names.flatMap((name) => {
+      const text = this.texts[name];
+      return text === undefined ? [] : [{ name, text, version: this.onDisk(name)?.version ?? null }];
+    });
+    if (files.length === 0 || this.saving) return files.length === 0;
+    this.saving = true;
+    try {
+      const { saved, changed } = await this.server.post<SavedView>('/api/files', { files } satisfies Save);
+      if (changed.length > 0) {
+        this.meet(changed);
+        return false;
+      }
+      for (const { name, text } of files) {
+        this.take({ name, text, version: saved[name]! });
+        // What was written while it was being saved is a draft still.
+        if (this.texts[name] === text) {
+          const { [name]: _, ...texts } = this.texts;
+          this.texts = texts;
+        }
+      }
+      await this.reload();
+      return true;
+    } catch (error) {
+      this.note(`Nothing was saved: ${said(error)}`, true);
+      return false;
+    } finally {
+      this.saving = false;
+    }
+  }
+
+  private onDisk(name: string): FileView | undefined {
+    return this.files?.files.find((file) => file.name === name);
+  }
+
+  /** Another text is on disk now. */
+  private take(file: FileView): void {
+    if (this.files === null) return;
+    const others = this.files.files.filter(({ name }) => name !== file.name);
+    this.files = { ...this.files, files: [...others, file].sort((a, b) => (a.name < b.name ? -1 : 1)) };
+    this.changed = this.changed.filter(({ name }) => name !== file.name);
+  }
+
+  /** Files that are another on disk than was thought. */
+  private meet(theirs: FileView[]): void {
+    const drafted = theirs.filter(({ name, text }) => name in this.texts && this.texts[name] !== text);
+    for (const file of theirs) if (!drafted.includes(file)) this.take(file);
+    if (drafted.length > 0) this.changed = drafted;
+  }
+
+  private async look(): Promise<void> {
+    if (this.saving) return;
+    try {
+      if (this.files === null) {
+        await this.reload();
+        return;
+      }
+      const versions = await this.server.json<Record<string, string>>('/api/files/versions');
+      const known = new Map([...this.files.files, ...this.changed].map(({ name, version }) => [name, version]));
+      const names = new Set([...known.keys(), ...Object.keys(versions)]);
+      if ([...names].some((name) => known.get(name) !== versions[name])) await this.reload();
+    } catch {
+      // The header says that there is no connection; it is tried again.
+    }
+  }
+
+  private async reload(): Promise<void> {
+    const fresh = await this.server.json<FilesView>('/api/files');
+    const before = this.files;
+    if (before === null) {
+      this.files = fresh;
+    } else {
+      // Of a file that has a draft, what the draft was made from stays until somebody has decided.
+      const held = (file: FileView) => {
+        const old = before.files.find(({ name }) => name === file.name);
+        return file.name in this.texts && old !== undefined && old.version !== file.version && this.texts[file.name] !== file.text;
+      };
+      const changed = fresh.files.filter(held);
+      const old = (file: FileView) => before.files.find(({ name }) => name === file.name) ?? file;
+      this.files = { ...fresh, files: fresh.files.map((file) => (changed.includes(file) ? old(file) : file)) };
+      this.changed = changed;
+    }
+    const texts = Object.entries(this.texts).filter(([name, text]) => this.onDisk(name)?.text !== text);
+    this.texts = Object.fromEntries(texts);
+    this.checkSoon();
+  }
+
+  private checkSoon(): void {
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => void this.checkNow(), PAUSE_MS);
+  }
+
+  private async checkNow(): Promise<void> {
+    const number = ++this.checks;
+    try {
+      const check = await this.server.post<CheckView>('/api/check', this.draft);
+      if (number === this.checks) this.check = check;
+    } catch (error) {
+      if (number === this.checks) this.note(`The files cannot be checked: ${said(error)}`, true);
+    }
+  }
+}
+
+export function said(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
