@@ -86,6 +86,12 @@ export class Live {
     return sent;
   }
 
+  /** Plays, or pauses. */
+  toggle(): void {
+    const state = this.frame?.state ?? 'over';
+    if (state !== 'over') this.say({ say: state === 'playing' ? 'pause' : 'play' });
+  }
+
   /** @returns how to stop being told. */
   watch(watcher: (frame: Frame, fresh: FiringView[]) => void): () => void {
     this.watchers.add(watcher);
