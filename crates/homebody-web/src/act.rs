@@ -2,6 +2,7 @@
 
 use crate::dates;
 use crate::draw;
+use crate::growth::Growth;
 use crate::shelf::{Drafted, Shelf};
 use crate::wire::{FiringView, Frame, Key, Posture, ResidentView, RunView, State};
 use homebody_core::drivers::live::Input;
@@ -15,12 +16,14 @@ use homebody_core::scenario::input::{self, InputFile, KeysFile, UseFile};
 use homebody_core::scenario::load::{Files as _, Scenario};
 use homebody_core::scenario::path;
 use homebody_core::scene::Scene;
+use homebody_core::sensors::Sensor;
 use homebody_core::time::{Micros, micros, seconds};
 use homebody_log::{LogError, Places, RowText, Rows, RunLog};
 use homebody_routine::household::{Household, Spoken};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// What a run is begun with.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -51,6 +54,7 @@ pub struct Act {
     /// Of a replay: the files of any other run have their own.
     seal: Seal,
     rows: Rows,
+    growth: Arc<Mutex<Growth>>,
     /// What the log has got that nobody has taken to show yet.
     fresh: Vec<FiringView>,
     told: u64,
@@ -120,7 +124,10 @@ impl Act {
         let bodies = run.names().len();
         let held = start.input.last().cloned().unwrap_or_else(nothing_held);
         let conditions = household.conditions().keys().chain(&start.without).cloned().collect();
+        let is_motion = run.sensors().iter().map(Sensor::looks).collect();
+        let growth = Growth::new(&scenario.calendar, run.length(), is_motion);
         Ok(Act {
+            growth: Arc::new(Mutex::new(growth)),
             start,
             scenario,
             conditions,
@@ -196,6 +203,7 @@ impl Act {
         if let Some(log) = self.files.as_mut().and_then(|files| files.log.as_mut()) {
             log.store(&self.run, &self.events).map_err(|error| error.to_string())?;
         }
+        self.growth.lock().unwrap_or_else(PoisonError::into_inner).add(&self.events.firings, self.run.now());
         for fact in &self.events.facts {
             if let Fact::Activity { resident, name, .. } = fact {
                 self.activities[*resident as usize].clone_from(name);
@@ -312,6 +320,11 @@ impl Act {
             told: self.told,
             firings: Vec::new(),
         }
+    }
+
+    /// What the log has got so far, counted; it goes on growing.
+    pub fn growth(&self) -> Arc<Mutex<Growth>> {
+        self.growth.clone()
     }
 
     /// The rows that the log has got since they were taken last.

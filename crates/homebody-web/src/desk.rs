@@ -1,6 +1,8 @@
 //! The desk: where the scenario's files are written in the page. What is asked about a draft never touches the disk; saving
 //! replaces only what the page has seen.
 
+mod life;
+mod log;
 mod plan;
 
 use crate::shelf::{Drafted, Shelf};
@@ -21,11 +23,13 @@ pub struct Desk {
     pub shelf: Shelf,
     /// Held while files are compared and replaced, so that no two pages do so at once.
     writing: Arc<Mutex<()>>,
+    /// Held while a draft is lived: one after the other, so that the run on the stage has a core.
+    living: Arc<Mutex<()>>,
 }
 
 impl Desk {
     pub fn new(shelf: Shelf) -> Desk {
-        Desk { shelf, writing: Arc::default() }
+        Desk { shelf, writing: Arc::default(), living: Arc::default() }
     }
 
     /// All files that can be written, and what the scenario takes them for.

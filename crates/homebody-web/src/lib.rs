@@ -15,6 +15,7 @@ pub mod shelf;
 pub mod act;
 mod dates;
 mod draw;
+mod growth;
 
 /// Files that are written in the page.
 pub mod desk;

@@ -210,11 +210,7 @@ impl Playback {
         let named = scenario.logger.to.iter().filter_map(|url| url.parse().ok()).chain([usual]);
         named.into_iter().find_map(|url: Url| {
             let file = self.shelf.file_within_run(name, url.path())?;
-            Some(match url {
-                Url::Sqlite(_) => Url::Sqlite(file),
-                Url::Csv(_) => Url::Csv(file),
-                Url::Casas(_) => Url::Casas(file),
-            })
+            Some(url.at(file))
         })
     }
 }

@@ -7,7 +7,7 @@ use crate::playback::{Playback, Refusal};
 use crate::shelf::Shelf;
 use crate::socket;
 use crate::stage::Stage;
-use crate::wire::{Draft, Save};
+use crate::wire::{Connect, Draft, Explain, Month, Save};
 use axum::Json;
 use axum::Router;
 use axum::body::Body;
@@ -134,6 +134,11 @@ fn routes(house: House) -> Router {
         .route("/api/files/versions", get(versions))
         .route("/api/check", post(check))
         .route("/api/plan", post(plan))
+        .route("/api/explain", post(explain))
+        .route("/api/month", post(month))
+        .route("/api/rows", post(rows))
+        .route("/api/connect", post(connect))
+        .route("/api/growth", get(growth))
         .route("/api/runs", get(runs))
         .route("/api/runs/{run}", get(stored_run))
         .route("/api/runs/{run}/days/{day}", get(stored_day))
@@ -196,6 +201,26 @@ async fn check(State(house): State<House>, Json(draft): Json<Draft>) -> Response
 
 async fn plan(State(house): State<House>, Json(draft): Json<Draft>) -> Response {
     packed(found(move || house.desk.plan(draft)).await)
+}
+
+async fn explain(State(house): State<House>, Json(asked): Json<Explain>) -> Response {
+    json(found(move || house.desk.explain(asked)).await)
+}
+
+async fn month(State(house): State<House>, Json(asked): Json<Month>) -> Response {
+    packed(found(move || house.desk.month(asked)).await)
+}
+
+async fn rows(State(house): State<House>, Json(draft): Json<Draft>) -> Response {
+    json(found(move || house.desk.rows(draft)).await)
+}
+
+async fn connect(State(house): State<House>, Json(asked): Json<Connect>) -> Response {
+    json(found(move || house.desk.connect(asked)).await)
+}
+
+async fn growth(State(house): State<House>) -> Response {
+    json(Ok(house.stage.growth()))
 }
 
 async fn runs(State(house): State<House>) -> Response {
