@@ -61,11 +61,11 @@ function hatch(pen: CanvasRenderingContext2D, width: number, high: number, palet
   pen.fillStyle = palette.outside;
   pen.fillRect(0, 0, width, high);
   pen.beginPath();
-  for (let at = 0; at < width + high; at += 7) {
+  for (let at = 0; at < width + high; at += 9) {
     pen.moveTo(at, 0);
     pen.lineTo(at - high, high);
   }
-  pen.globalAlpha = 0.45;
+  pen.globalAlpha = 0.28;
   pen.lineWidth = 1;
   pen.strokeStyle = palette.furnitureEdge;
   pen.stroke();
