@@ -6,12 +6,13 @@ import type { DateView, PlaybackView, RunView } from './wire';
 
 /** The days of a run, in order and without gaps. */
 export type Calendar = Pick<PlaybackView, 'days' | 'length_us'>;
+type Days = Pick<PlaybackView, 'days'>;
 
 const HOUR_US = 3_600_000_000;
 const DAY_US = 24 * HOUR_US;
 
 /** The day that an instant lies in; the run's end belongs to its last one. */
-export function dayAt(run: Calendar, at_us: number): number {
+export function dayAt(run: Days, at_us: number): number {
   let [low, high] = [0, run.days.length - 1];
   while (low < high) {
     const middle = (low + high + 1) >> 1;
@@ -28,7 +29,7 @@ function clockIn(day: DateView, at_us: number): number {
 }
 
 /** The clock at an instant of the run. */
-export function clockOf(run: Calendar, at_us: number): number {
+export function clockOf(run: Days, at_us: number): number {
   const day = run.days[dayAt(run, at_us)];
   return day === undefined ? NaN : clockIn(day, at_us);
 }

@@ -91,7 +91,7 @@ function dayMonth(text: string): string {
 /** `Mon, 2 March 2009, 07 to 08 h: 112 firings`. */
 export function words(density: Density, day: number, hour: number): string {
   const count = countAt(density, day, hour);
-  const said = count === null ? 'no data' : count === 0 ? 'no motion' : count === 1 ? '1 firing' : `${count.toLocaleString('en-GB')} firings`;
+  const said = count === null ? 'no data' : count === 0 ? 'no firing' : count === 1 ? '1 firing' : `${count.toLocaleString('en-GB')} firings`;
   const two = (number: number) => String(number).padStart(2, '0');
   return `${date(read(`${density.days[day]?.date} 00:00:00`))}, ${two(hour)} to ${two(hour + 1)} h: ${said}`;
 }

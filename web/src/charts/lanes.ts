@@ -37,7 +37,7 @@ export type Band = { name: string; spans: readonly [begin: number, end: number, 
 export type Lane = { name: string; kind: string; fired: ArrayLike<number> };
 
 /** A day of a run, and what is drawn of it. */
-export type DayDrawing = { calendar: Calendar; number: number; bands: Band[]; activities: string[]; lanes: Lane[] };
+export type DayDrawing = { calendar: Pick<Calendar, 'days'>; number: number; bands: Band[]; activities: string[]; lanes: Lane[] };
 
 export function height(bands: number, lanes: number): number {
   return AXIS + bands * BAND + lanes * LANE + 4;
@@ -107,7 +107,8 @@ export function drawLanes(canvas: HTMLCanvasElement, width: number, dpr: number,
   }
 }
 
-function hours(pen: CanvasRenderingContext2D, calendar: Calendar, number: number, width: number, high: number, x: (at: number) => number, palette: Palette): void {
+/** Marks at round times of a day's clock, across the whole drawing. */
+export function hours(pen: CanvasRenderingContext2D, calendar: Pick<Calendar, 'days'>, number: number, width: number, high: number, x: (at: number) => number, palette: Palette): void {
   const { begin_us, end_us } = calendar.days[number]!;
   const span = end_us - begin_us;
   // As many marks as there is room for, at round times.
