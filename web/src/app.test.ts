@@ -1,5 +1,5 @@
 import { flushSync, mount, unmount } from 'svelte';
-import { afterEach, expect, test } from 'vitest';
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import App from './App.svelte';
 import { WRONG_TOKEN, type Wire } from './socket';
 
@@ -19,8 +19,11 @@ function open(hash: string, withWire: boolean): void {
   flushSync();
 }
 
+beforeEach(() => void vi.spyOn(window, 'fetch').mockImplementation(async () => new Response('', { status: 404 })));
+
 afterEach(async () => {
   await unmount(app);
+  vi.restoreAllMocks();
   window.sessionStorage.clear();
 });
 
@@ -62,7 +65,7 @@ test('a lost connection is seen, and so is that it is back', () => {
 test('the address says which view is seen, and the line stays open', () => {
   open('#/log', true);
   expect(document.querySelector('[aria-current="page"]')!.textContent).toBe('Log');
-  expect(document.body.textContent).toContain('homebody density');
+  expect(document.body.textContent).toContain('The first rows');
   window.location.hash = '#/life';
   window.dispatchEvent(new Event('hashchange'));
   flushSync();

@@ -3,6 +3,7 @@
 import { Announcer } from './views/live/announce';
 import { Drafts } from './drafts.svelte';
 import { Firings } from './firings';
+import { type Calendar, calendarOf } from './localtime';
 import { Throttle } from './plan/glow';
 import { Server, keepToken } from './server';
 import { Socket, type Status, type Wire } from './socket';
@@ -18,6 +19,8 @@ const NOTE_MS = 9000;
 export class Live {
   status = $state<Status>('closed');
   run = $state.raw<RunView | null>(null);
+  /** The days of the run, by which its clock is told. */
+  calendar = $state.raw<Calendar>({ days: [], length_us: 0 });
   /** The frame as text shows it; drawings have every one. */
   frame = $state.raw<Frame | null>(null);
   notes = $state.raw<Note[]>([]);
@@ -123,6 +126,7 @@ export class Live {
       return;
     }
     this.run = tell.run;
+    this.calendar = calendarOf(tell.run);
     this.frame = null;
     this.latest = null;
     this.firings.clear(tell.run.home.sensors.length);

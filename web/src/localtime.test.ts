@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { calendarOf, clockOf, instantOf, livedOf } from './localtime';
+import { calendarOf, clockOf, dayOf, instantOf, livedOf } from './localtime';
 import { date } from './testing/stored';
 
 const HOUR = 3_600_000_000;
@@ -35,4 +35,10 @@ test('an hour that the clock leaves out is not lived, and one that comes twice i
   const noon = date('2009-03-06', 0, 12, { clock_us: 12 * HOUR });
   expect([11, 12, 23].map((hour) => livedOf(noon, hour, DAY))).toEqual([0, HOUR, HOUR]);
   expect([12, 13, 14].map((hour) => livedOf(noon, hour, 1.5 * HOUR))).toEqual([HOUR, HOUR / 2, 0]);
+});
+
+test('days are counted from one, by the calendar, and the end is in the last', () => {
+  const run = calendarOf({ start: '2009-03-06 12:00:00', length_us: 2 * DAY, turns: [] });
+  expect([0, 12 * HOUR - 1, 12 * HOUR, 2 * DAY].map((at) => dayOf(run, at))).toEqual(['day 1 of 3', 'day 1 of 3', 'day 2 of 3', 'day 3 of 3']);
+  expect(dayOf({ days: [] }, 0)).toBe('');
 });

@@ -22,6 +22,11 @@ export function dayAt(run: Days, at_us: number): number {
   return Math.max(low, 0);
 }
 
+/** `day 3 of 90`. */
+export function dayOf(run: Days, at_us: number): string {
+  return run.days.length === 0 ? '' : `day ${dayAt(run, at_us) + 1} of ${run.days.length}`;
+}
+
 /** The time of a day's clock at an instant, in milliseconds as if it were that of Greenwich. */
 function clockIn(day: DateView, at_us: number): number {
   const turned = day.turn !== null && at_us >= day.turn[0] ? day.turn[1] : 0;

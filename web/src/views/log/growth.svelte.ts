@@ -1,12 +1,11 @@
 // What the log of the run that is being lived has got so far, asked about once a second while it grows.
 
-import type { Density } from '../../charts/density';
-import { scaleOf } from '../../charts/density';
+import { type Density, scaleOf } from '../../charts/density';
 import type { Lane } from '../../charts/lanes';
 import { said } from '../../drafts.svelte';
-import { type Calendar, calendarOf, dayAt } from '../../localtime';
-import { kindOf } from '../../plan/kinds';
 import type { Live } from '../../live.svelte';
+import { type Calendar, dayAt } from '../../localtime';
+import { kindOf } from '../../plan/kinds';
 import type { GrowthView, RunView, SensorView } from '../../wire';
 
 const EVERY_MS = 1000;
@@ -28,9 +27,8 @@ export class Growth {
   private asking = false;
   /** What it was when it was last asked: while nothing moves on, nothing is asked. */
   private last: { run: RunView; now_us: number } | null = null;
-  private calendar: { run: RunView; calendar: Calendar } | null = null;
 
-  constructor(private readonly live: Pick<Live, 'run' | 'latest' | 'server'>) {}
+  constructor(private readonly live: Pick<Live, 'run' | 'calendar' | 'latest' | 'server'>) {}
 
   /** @returns how to stop. */
   begin(): () => void {
@@ -49,8 +47,7 @@ export class Growth {
       const view = await this.live.server.json<GrowthView>('/api/growth');
       // Of a run that has ended meanwhile nothing is shown under the name of the next.
       if (this.live.run !== run) return;
-      if (this.calendar?.run !== run) this.calendar = { run, calendar: calendarOf(run) };
-      this.now = grown(run, this.calendar.calendar, view, this.live.latest?.now_us ?? asked.now_us);
+      this.now = grown(run, this.live.calendar, view, this.live.latest?.now_us ?? asked.now_us);
       this.problem = '';
       this.last = asked;
     } catch (error) {

@@ -43,7 +43,7 @@ test('lanes are of sensors, or of kinds with all their firings in order', () => 
 test('it is asked while the run goes on, and once when it does not', async () => {
   let asked = 0;
   const live = {
-    run, latest: { now_us: 0 },
+    run, calendar: calendarOf(run), latest: { now_us: 0 },
     server: { json: async () => ((asked += 1), { days: [], hours: [], today: [] }) },
   };
   const growth = new Growth(live as never);
@@ -60,7 +60,7 @@ test('it is asked while the run goes on, and once when it does not', async () =>
 
 test('what the server refuses is said, and asked again', async () => {
   let works = false;
-  const live = { run, latest: { now_us: 0 }, server: { json: async () => (works ? { days: [], hours: [], today: [] } : Promise.reject(new Error('no run'))) } };
+  const live = { run, calendar: calendarOf(run), latest: { now_us: 0 }, server: { json: async () => (works ? { days: [], hours: [], today: [] } : Promise.reject(new Error('no run'))) } };
   const growth = new Growth(live as never);
   await growth.look();
   expect([growth.problem, growth.now]).toEqual(['no run', null]);
