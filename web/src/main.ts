@@ -13,9 +13,12 @@ async function begin(): Promise<void> {
     const asked = new URLSearchParams(window.location.search);
     fake = fakeServer(asked);
     const { fakeRuns, storedRun } = await import('./testing/stored');
-    const names = ['cottage-2', 'cottage-1'].map(asked.has('hostile') ? hostile : (name) => name);
-    const stored = fakeRuns(names, (name) => storedRun(name, 30));
-    window.fetch = async (path, init) => stored(String(path), init ?? {});
+    const { madeUpFiles } = await import('./testing/logger');
+    const { madeUpHome } = await import('./testing/home');
+    const named = asked.has('hostile') ? hostile : (name: string) => name;
+    const stored = fakeRuns(['cottage-2', 'cottage-1'].map(named), (name) => storedRun(name, 30));
+    const files = madeUpFiles(madeUpHome(Number(asked.get('sensors') ?? 18), named));
+    window.fetch = async (path, init) => (String(path).startsWith('/api/runs') ? stored : files.fetch)(String(path), init ?? {});
   }
   mount(App, { target, props: fake ? { fake } : {} });
 }

@@ -22,9 +22,9 @@ export const TABLE = 'firing';
 export const PLACE = 'sqlite:log.db';
 
 export const COLUMNS: { column: Column; usual: string; title: string; about: string }[] = [
-  { column: 'run', usual: 'run_id', title: 'Run', about: 'which run the row belongs to' },
-  { column: 'seq', usual: 'seq', title: 'Number', about: 'counts the rows of a run' },
-  { column: 'time', usual: 'fired_at', title: 'Time', about: 'when the sensor said it' },
+  { column: 'run', usual: 'run_id', title: 'Run', about: 'which run it is of' },
+  { column: 'seq', usual: 'seq', title: 'Number', about: 'counts the rows' },
+  { column: 'time', usual: 'fired_at', title: 'Time', about: 'when it was said' },
   { column: 'sensor', usual: 'sensor', title: 'Sensor', about: 'its id, or its name' },
   { column: 'value', usual: 'value', title: 'Message', about: 'what it said' },
 ];
