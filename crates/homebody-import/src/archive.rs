@@ -10,7 +10,7 @@ use zip::result::ZipError;
 const ENTRY: &str = "Home.xml";
 
 /// Larger files are mostly models and textures, and hardly of one home (ours).
-const MOST_BYTES: u64 = 64 << 20;
+pub const MOST_BYTES: u64 = 64 << 20;
 
 /// A large house takes about one (ours).
 const MOST_XML_BYTES: u64 = 32 << 20;

@@ -30,5 +30,6 @@ mod sound;
 
 mod sweet_home;
 
+pub use archive::MOST_BYTES;
 pub use error::NotImported;
 pub use sweet_home::{Imported, sweet_home};
