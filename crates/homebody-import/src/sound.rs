@@ -8,8 +8,9 @@ use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::load::Scenario;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What is left out may bring up something else; this often a home is looked at (ours).
-const ROUNDS: usize = 12;
+/// What is left out may bring up something else, and a hundred problems are told at once; this often a home is looked
+/// at (ours).
+const ROUNDS: usize = 30;
 
 /// So many problems are told in their own words (ours).
 const MOST_TOLD: usize = 10;

@@ -18,6 +18,12 @@ pub struct Imported {
     pub remarks: Vec<String>,
 }
 
+/// Nobody reads more (ours).
+const MOST_REMARKS: usize = 40;
+
+/// What the check takes for the size of a home, from its first room.
+const GREATEST_SIZE_M: f64 = 100.0;
+
 /// Makes a home of this name of the bytes of a `.sh3d` file.
 ///
 /// `level` is the name of a level, or its number counted from the lowest; without it, the one with the most walls is
@@ -37,12 +43,17 @@ pub fn sweet_home(bytes: &[u8], name: &str, level: Option<&str>) -> Result<Impor
     };
     let home = build(name, about, drawing, &mut remarks)?;
     let home_json = sound::text(home, &mut remarks)?;
+    if remarks.len() > MOST_REMARKS {
+        let more = remarks.len() - MOST_REMARKS;
+        remarks.truncate(MOST_REMARKS);
+        remarks.push(format!("and {more} more remarks"));
+    }
     Ok(Imported { home_json, remarks })
 }
 
 fn build(name: &str, about: String, drawing: Drawing, remarks: &mut Vec<String>) -> Result<HomeFile, NotImported> {
     let doors = doors::only(drawing.openings, remarks)?;
-    let walls = walls::straight(&drawing.walls, &doors, remarks)?;
+    let mut walls = walls::straight(&drawing.walls, &doors, remarks)?;
     // Rooms and furniture share names: paths go to either, and lamps are called after rooms.
     let mut names = Names::default();
     let mut drawn = drawing.rooms;
@@ -52,9 +63,16 @@ fn build(name: &str, about: String, drawing: Drawing, remarks: &mut Vec<String>)
         drawn = spaces.into_iter().map(room).collect();
         remarks.push(format!("the plan has no rooms; its walls enclose {}", counted(drawn.len(), "room", "rooms")));
     }
-    let rooms = rooms::place(&drawn, &walls, &mut names, remarks)?;
-    if rooms.is_empty() {
-        return Err(NotImported::NoRooms);
+    let mut rooms = rooms::place(&drawn, &walls, &mut names, remarks)?;
+    let Some(first) = rooms.first().map(|room| room.outline[0]) else { return Err(NotImported::NoRooms) };
+    let all = walls.len() + rooms.len();
+    let is_near = |p: &Point| (*p - first).abs().max_element() <= GREATEST_SIZE_M;
+    walls.retain(|wall| is_near(&wall.from) && is_near(&wall.to));
+    rooms.retain(|room| room.outline.iter().all(is_near));
+    let far = all - walls.len() - rooms.len();
+    if far > 0 {
+        let far = counted(far, "wall or room", "walls and rooms");
+        remarks.push(format!("left out: {far} more than {GREATEST_SIZE_M} m away"));
     }
     let doors = doors::place(&doors, &walls, &rooms, remarks);
     let furniture = furniture::place(drawing.pieces, &rooms, &mut names, remarks)?;

@@ -9,8 +9,7 @@ use std::path::Path;
 
 /// Makes a folder that was not there and has it written, by a function that gets the name of what is in it.
 pub fn begin(folder: &Path, write: impl FnOnce(&str) -> Result<(), Failure>) -> Result<(), Failure> {
-    let exists =
-        || Failure::Io(format!("{} exists already\n  hint: name a folder that does not", folder.display()));
+    let exists = || Failure::Io(format!("{} exists already\n  hint: name a folder that does not", folder.display()));
     // What ends in `.` or `..` has no name of its own.
     let name = folder.file_name().ok_or_else(exists)?;
     let parent = folder.parent().filter(|parent| !parent.as_os_str().is_empty());

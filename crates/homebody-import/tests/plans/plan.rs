@@ -6,14 +6,18 @@ use homebody_core::scenario::load::Scenario;
 use homebody_import::{Imported, NotImported, sweet_home};
 use std::collections::BTreeMap;
 use std::io::{Cursor, Write};
-use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipWriter};
 
 /// A file as Sweet Home 3D saves it, with these entries.
 pub fn archive(entries: &[(&str, &[u8])]) -> Vec<u8> {
+    packed(entries, CompressionMethod::Deflated)
+}
+
+pub fn packed(entries: &[(&str, &[u8])], method: CompressionMethod) -> Vec<u8> {
     let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
     for (name, bytes) in entries {
-        writer.start_file(*name, SimpleFileOptions::default()).unwrap();
+        writer.start_file(*name, SimpleFileOptions::default().compression_method(method)).unwrap();
         writer.write_all(bytes).unwrap();
     }
     writer.finish().unwrap().into_inner()
