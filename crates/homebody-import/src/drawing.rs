@@ -156,18 +156,28 @@ fn piece(node: Node, level: Option<String>, is_visible: bool, unsaid_m: Option<f
     })
 }
 
-/// A door or window, as wide as the hole that it makes in a wall.
+/// A door or window, as wide as the hole that it makes in a wall, and where that hole is.
 fn opening(node: Node, level: Option<String>, is_visible: bool) -> Option<Piece> {
     let mut piece = piece(node, level, is_visible, Some(0.0))?;
-    let share = |key, usual| number(node, key).filter(|share| (0.0..=1.0).contains(share)).unwrap_or(usual);
-    let (wide, left) = (share("wallWidth", 1.0), share("wallLeft", 0.0));
-    if wide > 0.0 && left + wide <= 1.0 {
+    let across = geometry::direction(piece.turn_rad.to_degrees());
+    if let Some((middle, share)) = hole(node, "wallLeft", "wallWidth") {
         let mirror = if node.attribute("modelMirrored") == Some("true") { -1.0 } else { 1.0 };
-        let aside_m = mirror * (left + wide / 2.0 - 0.5) * piece.width_m;
-        piece.at += geometry::direction(piece.turn_rad.to_degrees()) * aside_m;
-        piece.width_m *= wide;
+        piece.at += across * (mirror * middle * piece.width_m);
+        piece.width_m *= share;
+    }
+    // The back of a piece is to the north, and the wall's share of its depth is counted from there.
+    if let Some((middle, _)) = hole(node, "wallDistance", "wallThickness") {
+        piece.at -= across.perp() * (middle * piece.depth_m);
     }
     Some(piece)
+}
+
+/// The part of a piece that is in the wall: how far its middle is from that of the piece, and how large it is, both as
+/// shares of the piece.
+fn hole(node: Node, begin: &str, size: &str) -> Option<(f64, f64)> {
+    let share = |key, usual| number(node, key).filter(|share| (0.0..=1.0).contains(share)).unwrap_or(usual);
+    let (begin, size) = (share(begin, 0.0), share(size, 1.0));
+    (size > 0.0 && begin + size <= 1.0).then_some((begin + size / 2.0 - 0.5, size))
 }
 
 /// The compass's latitude as far as homes know days to be long and short.

@@ -149,6 +149,40 @@ fn a_door_is_as_wide_as_its_hole() {
 }
 
 #[test]
+fn a_door_is_where_its_hole_is() {
+    // A quarter of its depth is in the wall, at its back, which is to the north of the plan.
+    let more = "depth='40' wallThickness='0.25' wallDistance='0'";
+    let aside = format!("<doorOrWindow name='Hole' x='800' y='115' width='90' height='210' {more}/>");
+    let home = Home::of(&(two_rooms() + &aside));
+    assert_eq!((home.file.doors[2].from, home.file.doors[2].to), ([6.55, 4.0], [7.45, 4.0]));
+    assert_eq!(home.remarks, [""; 0]);
+}
+
+#[test]
+fn a_door_through_two_walls_is_two_doors() {
+    let walls: String = [
+        wall([0.0, 0.0], [400.0, 0.0]),
+        wall([400.0, 0.0], [400.0, 400.0]),
+        wall([400.0, 400.0], [0.0, 400.0]),
+        wall([0.0, 400.0], [0.0, 0.0]),
+    ]
+    .concat();
+    let beside =
+        walls.replace("='400'", "='820'").replace("xStart='0'", "xStart='420'").replace("xEnd='0'", "xEnd='420'");
+    let beside = beside.replace("yStart='820'", "yStart='400'").replace("yEnd='820'", "yEnd='400'");
+    let door =
+        format!("<doorOrWindow name='Door' x='410' y='200' angle='{FRAC_PI_2}' width='90' depth='40' height='210'/>");
+    let home = Home::of(&(walls + &beside + &door));
+    let doors: Vec<_> = home.file.doors.iter().map(|door| (&door.name[..], door.from[0], door.outside)).collect();
+    assert_eq!(doors, [("Door", 4.0, false), ("Door 2", 4.2, false)]);
+    home.remarks("the door \"Door\" goes through two walls");
+    // Through both there is a way.
+    for x in [4.05, 4.09, 4.11, 4.15] {
+        assert!(home.plan.is_inside(Point::new(x, 2.0)) && !home.plan.is_inside(Point::new(x, 3.0)), "{x}");
+    }
+}
+
+#[test]
 fn outlines_are_put_in_order() {
     let drawn = two_rooms_walls()
         + &room("", &[[110.0, 110.0], [590.0, 490.0], [590.0, 110.0], [110.0, 490.0]])

@@ -78,24 +78,13 @@ fn read(path: &Path) -> Result<Vec<u8>, Failure> {
 
 /// The files of a scenario in a home, with what an ordinary life lacks there.
 fn furnish(name: &str, home: String) -> Result<(Texts, Scenario, Vec<String>), Failure> {
-    let scenario = format!(
-        r#"{{
-  "$schema": "./schemas/scenario.schema.json",
-  "name": {},
-  "start": "2026-01-05T00:00:00",
-  "time_zone": "UTC",
-  "days": 7,
-  "seed": 1,
-  "home": "home.json",
-  "residents": ["anna.json"]
-}}
-"#,
-        json!(name)
-    );
-    let texts = [("scenario.json", scenario), ("home.json", home)].map(|(name, text)| (name.to_owned(), text));
-    let mut alive = Texts::from(texts);
-    let mut standing = alive.clone();
-    alive.extend(resident("routine", "anna.routine", ROUTINE.to_owned()));
+    let inhabited = |resident: &str, files: Vec<(String, String)>| {
+        let mut texts = Texts::from([("scenario.json".to_owned(), scenario(name, resident))]);
+        texts.insert("home.json".to_owned(), home.clone());
+        texts.extend(files);
+        texts
+    };
+    let alive = inhabited("\"anna.json\"", resident("routine", "anna.routine", ROUTINE.to_owned()));
     let problems = match load(&alive) {
         Ok(scenario) => return Ok((alive, scenario, Vec::new())),
         Err(problems) => problems,
@@ -104,10 +93,34 @@ fn furnish(name: &str, home: String) -> Result<(Texts, Scenario, Vec<String>), F
         Some(hint) => format!("{}\n  hint: {hint}", problem.what),
         None => problem.what,
     });
-    let at = somewhere(&standing)?;
-    standing.extend(resident("path", "anna.path.json", path(at)));
-    let scenario = load(&standing)?;
-    Ok((standing, scenario, lack.collect()))
+    let lack = lack.collect();
+    let empty = inhabited("", Vec::new());
+    let scenario = load(&empty)?;
+    let path = path(roomiest(&Plan::new(&scenario.home)));
+    let standing = inhabited("\"anna.json\"", resident("path", "anna.path.json", path));
+    // Where furniture leaves no place to stand, nobody does.
+    Ok(match load(&standing) {
+        Ok(scenario) => (standing, scenario, lack),
+        Err(_) => (empty, scenario, lack),
+    })
+}
+
+/// A week from a Monday on; residents as a list of JSON has them.
+fn scenario(name: &str, residents: &str) -> String {
+    format!(
+        r#"{{
+  "$schema": "./schemas/scenario.schema.json",
+  "name": {},
+  "start": "2026-01-05T00:00:00",
+  "time_zone": "UTC",
+  "days": 7,
+  "seed": 1,
+  "home": "home.json",
+  "residents": [{residents}]
+}}
+"#,
+        json!(name)
+    )
 }
 
 /// Who lives in a home that was imported.
@@ -117,7 +130,7 @@ Anna is 80. She walks at about 0.65 m/s.
 ";
 
 /// The files of a resident.
-fn resident(driver: &str, file: &str, text: String) -> [(String, String); 2] {
+fn resident(driver: &str, file: &str, text: String) -> Vec<(String, String)> {
     let resident = format!(
         r#"{{
   "$schema": "./schemas/resident.schema.json",
@@ -126,7 +139,7 @@ fn resident(driver: &str, file: &str, text: String) -> [(String, String); 2] {
 }}
 "#
     );
-    [("anna.json".to_owned(), resident), (file.to_owned(), text)]
+    vec![("anna.json".to_owned(), resident), (file.to_owned(), text)]
 }
 
 /// Somebody who stands in one place and moves a little.
@@ -150,13 +163,10 @@ fn load(texts: &Texts) -> Result<Scenario, Problems> {
     Ok(scenario)
 }
 
-/// The place of the home that has the most room around it.
-fn somewhere(texts: &Texts) -> Result<Point, Failure> {
+/// The place of a home that has the most room around it.
+fn roomiest(plan: &Plan) -> Point {
     /// So many places are tried each way, besides the middle of each room (ours).
     const STEPS: u32 = 60;
-    let mut empty = texts.clone();
-    empty.insert("scenario.json".into(), texts["scenario.json"].replace("\"anna.json\"", ""));
-    let plan = Plan::new(&load(&empty)?.home);
     let (least, most) = plan.bounds();
     let steps = (0..=STEPS).flat_map(|x| (0..=STEPS).map(move |y| Point::new(f64::from(x), f64::from(y))));
     let places = steps.map(|step| least + (most - least) * step / f64::from(STEPS));
@@ -167,6 +177,6 @@ fn somewhere(texts: &Texts) -> Result<Point, Failure> {
         solids.map(|solid| geometry::distance_to_area(&solid.outline, p)).chain(walls).fold(f64::INFINITY, f64::min)
     };
     let inside = places.filter(|&p| plan.room_at(p).is_some()).map(|p| (free_m(p), p));
-    let best = inside.max_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, p)| (p * 1e3).round() / 1e3);
-    best.ok_or_else(|| Failure::usage("there is no room in this home in which somebody can stand"))
+    let best = inside.max_by(|(a, _), (b, _)| a.total_cmp(b));
+    best.map_or(least, |(_, p)| (p * 1e3).round() / 1e3)
 }
