@@ -11,7 +11,7 @@ export type Offer = {
 
 const PREPOSITION = /^(in|on|at|to|into|by|beside|after|before|with|near)\b/i;
 const BEFORE_PLACE = /(^|\s)(in|on|at|to|into|by|beside|near)(\s+(the|her|his|their|a|an))?$/i;
-const SHOWS = /(^|\s)(shows?|has|have)(\s+signs\s+of)?(\s+(an?|mild|moderate|severe))*$/i;
+const SHOWS = /(^|\s)(shows?|has|have)(\s+signs\s+of)?(\s+an?)?$/i;
 const VERB_OF_CONDITION = /^(shows?|has|have)\b/i;
 const SUBJECT = /(^|\s)(she|he|they|person|then|and|or)$/i;
 
@@ -65,12 +65,14 @@ export function offers(before: string, words: readonly WordView[], names: string
     const text = word.text.toLowerCase();
     const whole = starts.find((start) => text.startsWith(low.slice(start)) && fits(word, leads(start), subjects));
     if (whole !== undefined) {
-      if (text !== low.slice(whole)) ranked.push({ word, from: begin + whole, rank: 1000 + low.length - whole });
+      // What can follow the words that are there comes before whole sentences that begin with them.
+      const rank = (word.kind === 'sentence' ? 50 : 1000) + low.length - whole;
+      if (text !== low.slice(whole)) ranked.push({ word, from: begin + whole, rank });
     } else if (blank) {
       // After a blank everything fits that may follow; a sentence is offered as a whole only to who asks.
       const told = asked || (word.kind !== 'time' && word.kind !== 'sentence' && !(word.kind === 'place' && PREPOSITION.test(word.text)));
       if (told && fits(word, leads(said.length), subjects)) ranked.push({ word, from: before.length, rank: 500 });
-    } else if (low.length - last >= 2 && text.split(/\s+/).some((part) => part.startsWith(low.slice(last))) && fits(word, leads(last), subjects)) {
+    } else if ((asked || word.kind !== 'time') && word.kind !== 'sentence' && low.length - last >= 2 && text.split(/\s+/).some((part) => part.startsWith(low.slice(last))) && fits(word, leads(last), subjects)) {
       ranked.push({ word, from: begin + last, rank: 100 });
     }
   }

@@ -1,11 +1,27 @@
 // How a condition comes and goes, and the sentence that says so.
 
-export type Coming = { name: string; severity: 'mild' | 'moderate' | 'severe'; week: number; over: number };
+import type { ConditionView, WordView } from '../../wire';
+
+/** A condition and how severe it is, such as `moderate depression`, and from when on. */
+export type Coming = { shown: string; week: number; over: number };
 
 /** `From week 6, over 4 weeks, she shows moderate depression.` */
-export function sentenceOf({ name, severity, week, over }: Coming, who: string): string {
+export function sentenceOf({ shown, week, over }: Coming, who: string): string {
   const grows = over > 0 ? `, over ${over} ${over === 1 ? 'week' : 'weeks'},` : '';
-  return `From week ${week}${grows} ${who} ${who === 'they' ? 'show' : 'shows'} ${severity} ${name}.`;
+  return `From week ${week}${grows} ${who} ${who === 'they' ? 'show' : 'shows'} ${shown}.`;
+}
+
+/** The conditions that a routine does not show yet, each with the words for how severe it may be. */
+export function others(words: readonly WordView[], shown: readonly ConditionView[]): Map<string, string[]> {
+  const known = shown.map(({ name }) => name.replaceAll('-', ' '));
+  const all = new Map<string, string[]>();
+  for (const { text, kind } of words) {
+    // How severe comes first, as in `moderate depression`.
+    const [, severity, name] = /^(\S+) (.+)$/.exec(text) ?? [];
+    if (kind !== 'condition' || severity === undefined || name === undefined || known.includes(name)) continue;
+    all.set(name, [...(all.get(name) ?? []), severity]);
+  }
+  return all;
 }
 
 /** What a routine mostly calls the person it is about. */

@@ -14,9 +14,12 @@ export const AXIS = 18;
 const HOUR_US = 3_600_000_000;
 const DAY_US = 24 * HOUR_US;
 
-/** Where the 24 hours of a row begin and end, with a name of the day before them or without. */
-export function edges(width: number, named: boolean): [number, number] {
-  return [named ? Math.min(72, width * 0.3) : 6, width - 10];
+/** How wide the names of days are that stand before the first drawing. */
+export const NAMES = 80;
+
+/** Where the 24 hours of a row begin and end, with the name of the day before them or without. */
+function edges(width: number, named: boolean): [number, number] {
+  return [named ? NAMES : 0, width - 10];
 }
 
 function begin(canvas: HTMLCanvasElement, width: number, high: number): Pen | null {

@@ -3,7 +3,7 @@
 
 import { type CompletionContext, type CompletionResult, autocompletion, insertCompletionText, pickedCompletion } from '@codemirror/autocomplete';
 import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
-import { type Diagnostic, lintKeymap, setDiagnostics } from '@codemirror/lint';
+import { type Diagnostic, forEachDiagnostic, lintKeymap, setDiagnostics } from '@codemirror/lint';
 import { Annotation, EditorState, type Extension, type Range, type Text } from '@codemirror/state';
 import { Decoration, type DecorationSet, EditorView, ViewPlugin, type ViewUpdate, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers } from '@codemirror/view';
 import type { ProblemView, WordView } from '../../wire';
@@ -73,9 +73,7 @@ export class RoutineEditor {
         return [{ ...place, severity, message: problem.what, renderMessage: () => told(problem) }];
       });
     this.view.dispatch(setDiagnostics(this.view.state, [...marks(problems, 'error'), ...marks(warnings, 'warning')]));
-    this.wrong = problems;
   }
-  private wrong: readonly ProblemView[] = [];
 
   /** Puts the cursor to a place, both counted from 1 and in characters, and shows it. */
   goTo(line: number, column: number): void {
@@ -132,7 +130,7 @@ export class RoutineEditor {
       highlightSpecialChars(),
       history(),
       EditorView.lineWrapping,
-      EditorView.contentAttributes.of({ 'aria-label': this.label, spellcheck: 'false' }),
+      EditorView.contentAttributes.of({ 'aria-label': this.label, spellcheck: 'false', tabindex: '0' }),
       // Nothing is chosen until somebody goes down to it, so that Enter at the end of a sentence begins a line.
       autocompletion({ override: [(context) => this.complete(context)], selectOnOpen: false, icons: false, activateOnTypingDelay: 60 }),
       keymap.of([...defaultKeymap, ...historyKeymap, ...lintKeymap]),
@@ -157,15 +155,22 @@ export class RoutineEditor {
     const line = state.doc.lineAt(pos);
     const before = line.text.slice(0, pos - line.from);
     const found = offers(before, this.host.words(), this.host.names(), explicit);
-    let options = found.map(({ word, from }) => option(word, line.from + from, pos));
-    if (options.length === 0 && explicit) {
-      const place = this.wrong.map((problem) => placeOf(problem, state.doc)).find((place) => place !== null && place.from <= pos && place.to >= pos);
-      if (!place || place.from < line.from || place.to > line.to) return null;
-      const wrong = state.sliceDoc(place.from, place.to);
-      const words = instead(wrong, line.text.slice(0, place.from - line.from), this.host.words(), this.host.names());
-      options = words.map((word) => option(word, place.from, place.to));
+    const options = found.map(({ word, from }) => option(word, line.from + from, pos));
+    const wrong = explicit ? this.underlined(state, pos) : null;
+    if (wrong !== null && (pos < wrong.to || options.length === 0)) {
+      const words = instead(state.sliceDoc(wrong.from, wrong.to), line.text.slice(0, wrong.from - line.from), this.host.words(), this.host.names());
+      if (words.length > 0) return { from: pos, options: words.map((word) => option(word, wrong.from, wrong.to)), filter: false };
     }
     return options.length === 0 ? null : { from: pos, options, filter: false };
+  }
+
+  /** Words at a place that were not understood. */
+  private underlined(state: EditorState, pos: number): { from: number; to: number } | null {
+    let found: { from: number; to: number } | null = null;
+    forEachDiagnostic(state, ({ severity }, from, to) => {
+      if (severity === 'error' && from <= pos && pos <= to && to <= state.doc.lineAt(pos).to) found ??= { from, to };
+    });
+    return found;
   }
 }
 

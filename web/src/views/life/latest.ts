@@ -25,6 +25,11 @@ export class Latest<Asked, Answer> {
     }, this.pause_ms);
   }
 
+  /** Whether something else has been wanted since what was asked last. */
+  get wants(): boolean {
+    return this.wanted !== undefined;
+  }
+
   /** Answers that come from now on are not wanted any more. */
   close(): void {
     this.closed = true;

@@ -57,14 +57,14 @@ export class Life {
         return { whole, less: without.length > 0 && whole.problems.length === 0 ? await month(without) : null };
       },
       ({ whole, less }, { from, without }) => {
-        [this.waiting, this.monthTrouble] = [false, ''];
+        [this.waiting, this.monthTrouble] = [this.months.wants, ''];
         this.problems = [...whole.problems, ...(less?.problems ?? [])];
         // What was drawn before stays in sight while a sentence is being mended.
         if (this.problems.length > 0) return;
         this.lived = { whole, less, from, without };
         if (this.day !== null && this.day >= whole.days.length) this.day = null;
       },
-      (why) => [this.waiting, this.monthTrouble] = [false, why],
+      (why) => ([this.waiting, this.monthTrouble] = [this.months.wants, why]),
     );
   }
 

@@ -19,7 +19,7 @@ export const look = EditorView.theme({
   '.cm-lintRange-warning': { textDecorationStyle: 'dotted', textDecorationColor: 'var(--accent)' },
   '.cm-lintRange-active': { backgroundColor: 'var(--bad-soft)' },
   '.cm-lintPoint::after': { borderBottomColor: 'var(--bad)' },
-  '.cm-tooltip': { maxWidth: '420px', border: '1px solid var(--edge)', borderRadius: '8px', backgroundColor: 'var(--raised)', color: 'var(--text)', boxShadow: 'var(--shadow)', overflow: 'hidden' },
+  '.cm-tooltip': { maxWidth: '560px', border: '1px solid var(--edge)', borderRadius: '8px', backgroundColor: 'var(--raised)', color: 'var(--text)', boxShadow: 'var(--shadow)', overflow: 'hidden' },
   '.cm-diagnostic': { padding: '6px 10px', overflowWrap: 'anywhere' },
   '.cm-diagnostic-error': { borderLeft: '4px solid var(--bad)' },
   '.cm-diagnostic-warning': { borderLeft: '4px solid var(--accent)' },
@@ -28,7 +28,7 @@ export const look = EditorView.theme({
   '.cm-tooltip.cm-tooltip-autocomplete > ul': { maxHeight: '260px', fontFamily: 'inherit' },
   '.cm-tooltip.cm-tooltip-autocomplete > ul > li': { minHeight: '26px', padding: '2px 10px', lineHeight: '22px', display: 'flex', gap: '12px' },
   '.cm-tooltip.cm-tooltip-autocomplete > ul > li[aria-selected]': { backgroundColor: 'var(--accent)', color: 'var(--accent-text)' },
-  '.cm-completionLabel': { whiteSpace: 'nowrap' },
-  '.cm-completionDetail': { flex: '1', marginLeft: '0', overflow: 'hidden', textOverflow: 'ellipsis', textAlign: 'right', fontStyle: 'normal', color: 'var(--quiet)' },
+  '.cm-completionLabel': { overflow: 'hidden', textOverflow: 'ellipsis', whiteSpace: 'nowrap' },
+  '.cm-completionDetail': { flex: '1 0 auto', marginLeft: '0', textAlign: 'right', fontStyle: 'normal', color: 'var(--quiet)' },
   'li[aria-selected] .cm-completionDetail': { color: 'inherit' },
 });

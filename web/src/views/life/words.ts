@@ -15,13 +15,6 @@ export function lasting(seconds: number): string {
   return [hours > 0 ? `${hours} h` : '', rest > 0 ? `${rest} min` : ''].filter(Boolean).join(' ');
 }
 
-/** How long something lasts: from one in twenty to all but one in twenty. */
-export function span(lasts_s: readonly [number, number, number] | null): string {
-  if (lasts_s === null) return '';
-  const [least, , most] = lasts_s.map(lasting) as [string, string, string];
-  return least === most ? least : `${least} to ${most}`;
-}
-
 /** Which parts of a day a start and a duration take, in shares of it; what begins after midnight is of the day before. */
 export function bar(start_s: readonly [number, number, number], lasts_s: readonly [number, number, number] | null) {
   const share = (seconds: number) => Math.min(Math.max(seconds / DAY_S, 0), 1);
