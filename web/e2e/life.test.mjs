@@ -20,7 +20,8 @@ before(async () => {
 after(() => served.close());
 
 const onDisk = () => readFileSync(join(served.folder, SCENARIO, 'margaret.routine'), 'utf8');
-const days = () => served.page.getByRole('option').allTextContents();
+const list = () => served.page.getByRole('listbox', { name: /^Days/ });
+const days = () => list().getByRole('option').allTextContents();
 const drawn = () => served.page.locator('canvas').first().evaluate((canvas) => canvas.toDataURL());
 
 /** What the program says of the scenario, where it is wrong. */
@@ -54,7 +55,7 @@ test('a mistake is underlined, in the words of the program, and mended by comple
   // The list leads to the words that are underlined, and completion offers what could stand there instead.
   await problems.getByRole('button').first().click();
   await page.keyboard.press('Control+Space');
-  await page.getByRole('option', { name: 'watches television' }).first().waitFor();
+  await page.getByRole('option', { name: /^watches television/ }).waitFor();
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('Enter');
   await page.getByText('Every sentence is understood.').waitFor();
@@ -70,17 +71,17 @@ test('what is begun is completed while it is written', { timeout: 30_000 }, asyn
   await editor.click();
   await page.keyboard.press('Control+End');
   await page.keyboard.type('\nOften she reads in the liv');
-  await page.getByRole('option', { name: 'living room' }).waitFor();
+  await page.getByRole('option', { name: /^living room *room/ }).waitFor();
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('Enter');
   await page.keyboard.type(' in the aft');
-  await page.getByRole('option', { name: 'in the afternoon' }).waitFor();
+  await page.getByRole('option', { name: /^in the afternoon/ }).waitFor();
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('Enter');
   await page.keyboard.type('.');
   await page.getByRole('region', { name: 'How it was understood' }).getByText('reads (living room)').waitFor();
   assert.match(await editor.innerText(), /Often she reads in the living room in the afternoon\.$/);
-  for (let back = 0; back < 60; back++) await page.keyboard.press('Backspace');
+  await page.getByText('Every sentence is understood.').waitFor();
 });
 
 test('the days are drawn, and are others without the condition', { timeout: 120_000 }, async () => {
@@ -96,14 +97,13 @@ test('the days are drawn, and are others without the condition', { timeout: 120_
   const motion = (all) => all.reduce((sum, day) => sum + Number(/(\d+) motion firings/.exec(day)[1]), 0);
   assert.ok(motion(await days()) > motion(before) * 1.1, 'who is not depressed moves more');
   assert.notEqual(await drawn(), picture);
-  await page.getByRole('listbox', { name: /^Days/ }).focus();
+  await list().focus();
   await page.keyboard.press('Enter');
   await page.getByRole('heading', { name: 'Sun, 3 May 2009' }).waitFor();
 });
 
 test('all of it is lived as it was drawn, and can be played back', { timeout: 300_000 }, async () => {
   const { page } = served;
-  await page.getByRole('button', { name: 'Save', exact: true }).click({ trial: false, timeout: 1000 }).catch(() => {});
   await page.getByRole('button', { name: 'Live all of it' }).click();
   await page.getByRole('progressbar').waitFor();
   const link = page.getByRole('link', { name: /^Play back/ });

@@ -131,8 +131,9 @@ export class RoutineEditor {
       history(),
       EditorView.lineWrapping,
       EditorView.contentAttributes.of({ 'aria-label': this.label, spellcheck: 'false', tabindex: '0' }),
-      // Nothing is chosen until somebody goes down to it, so that Enter at the end of a sentence begins a line.
-      autocompletion({ override: [(context) => this.complete(context)], selectOnOpen: false, icons: false, activateOnTypingDelay: 60 }),
+      // Nothing is chosen until somebody goes down to it, so that Enter at the end of a sentence begins a line; and who goes
+      // down at once means it.
+      autocompletion({ override: [(context) => this.complete(context)], selectOnOpen: false, icons: false, activateOnTypingDelay: 60, interactionDelay: 0 }),
       keymap.of([...defaultKeymap, ...historyKeymap, ...lintKeymap]),
       comments,
       look,
