@@ -1,5 +1,7 @@
 //! The server as its page knows it, and as those who should not be heard do.
 
+mod desk;
 mod guard;
+mod limits;
 mod living;
 mod served;
