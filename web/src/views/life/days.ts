@@ -85,6 +85,12 @@ export function dateAfter(date: string, days: number): string {
   return Number.isFinite(ms) ? dated.format(ms) : '';
 }
 
+/** From one date to another: `2–29 Mar 2009`. */
+export function datesFrom(first: string, last: string): string {
+  const [from, to] = [first, last].map((date) => read(`${date} 00:00:00`)) as [number, number];
+  return Number.isFinite(from) && Number.isFinite(to) ? dated.formatRange(from, to).replace(/\s*–\s*/, ' – ') : '';
+}
+
 /** The same as a file has it, `2009-03-02`. */
 export function isoAfter(date: string, days: number): string {
   const ms = read(`${date} 00:00:00`) + days * 86_400_000;

@@ -15,7 +15,7 @@ const HOUR_US = 3_600_000_000;
 const DAY_US = 24 * HOUR_US;
 
 /** How wide the names of days are that stand before the first drawing. */
-export const NAMES = 80;
+export const NAMES = 84;
 
 /** Where the 24 hours of a row begin and end, with the name of the day before them or without. */
 function edges(width: number, named: boolean): [number, number] {
