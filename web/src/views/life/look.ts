@@ -1,7 +1,7 @@
 // How the editor looks: as the rest of the page, whose colours reach into its shadow root.
 
 import { EditorView } from '@codemirror/view';
-import { LINE_PX } from './line';
+import { LINE_PX } from './rows';
 
 export const look = EditorView.theme({
   '&': { height: '100%', backgroundColor: 'var(--raised)', color: 'var(--text)', fontSize: '14px' },

@@ -1,2 +1,0 @@
-/** The height of a line of the editor; what stands beside it goes by the same one. */
-export const LINE_PX = 24;
