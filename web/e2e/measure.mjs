@@ -142,3 +142,33 @@ for (let press = 0; press < 60; press += 1) {
 }
 say('key to picture', latencies);
 await quiet.close();
+
+// A year that was lived: opened, and looked into at days that were not looked at before.
+const year = await serve('tigerplace', { script });
+await year.page.setViewportSize({ width: 1280, height: 720 });
+year.homebody('run', 'tigerplace', '--for', '365d', '--quiet');
+const origin = new URL(year.address).origin;
+const asked = performance.now();
+await year.page.goto(`${origin}/#/playback/tigerplace-1`);
+await year.page.getByText('Day 1 of 365').waitFor();
+console.log(`a year's log is opened in ${((performance.now() - asked) / 1000).toFixed(2)} s`);
+const scrubs = [];
+for (let round = 0; round < 60; round += 1) {
+  await wait(300);
+  const took = await year.page.evaluate(async (share) => {
+    const slider = document.querySelector('input[aria-label="Time in the run"]');
+    performance.clearResourceTimings();
+    window.watched.pictures = [];
+    slider.value = String(Math.floor(Number(slider.max) * share));
+    const begun = performance.now();
+    slider.dispatchEvent(new Event('input', { bubbles: true }));
+    await new Promise((done) => setTimeout(done, 600));
+    const fetched = performance.getEntriesByType('resource').filter(({ name }) => /\/days\/\d+$/.test(name));
+    const there = Math.max(begun, Math.min(...fetched.map(({ responseEnd }) => responseEnd), Infinity));
+    const picture = window.watched.pictures.find((at) => at >= (Number.isFinite(there) ? there : begun));
+    return picture === undefined ? null : picture - begun;
+  }, (round * 0.6180339887) % 1);
+  if (took !== null) scrubs.push(took);
+}
+say('scrubbed to a day that was not looked at', scrubs);
+await year.close();

@@ -19,11 +19,12 @@ function open(hash: string, withWire: boolean): void {
   flushSync();
 }
 
-beforeEach(() => void vi.spyOn(window, 'fetch').mockImplementation(async () => new Response('', { status: 404 })));
+// Views that ask a server find none here.
+beforeEach(() => void vi.stubGlobal('fetch', () => Promise.reject(new TypeError('no server'))));
 
 afterEach(async () => {
   await unmount(app);
-  vi.restoreAllMocks();
+  vi.unstubAllGlobals();
   window.sessionStorage.clear();
 });
 

@@ -20,7 +20,7 @@ export class Live {
   status = $state<Status>('closed');
   run = $state.raw<RunView | null>(null);
   /** The days of the run, by which its clock is told. */
-  calendar = $state.raw<Calendar>({ days: [], length_us: 0 });
+  readonly calendar: Calendar = $derived(this.run === null ? { days: [], length_us: 0 } : calendarOf(this.run));
   /** The frame as text shows it; drawings have every one. */
   frame = $state.raw<Frame | null>(null);
   notes = $state.raw<Note[]>([]);
@@ -126,7 +126,6 @@ export class Live {
       return;
     }
     this.run = tell.run;
-    this.calendar = calendarOf(tell.run);
     this.frame = null;
     this.latest = null;
     this.firings.clear(tell.run.home.sensors.length);

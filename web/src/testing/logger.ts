@@ -1,14 +1,13 @@
 // A logger's file and a log that grows, made up.
 
 import type { DateView, HomeView, RowsView } from '../wire';
-import { FakeFiles } from './files';
 
 const DAY_US = 86_400_000_000;
 /** When the made-up run begins. */
 const MORNING_US = (6 * 60 + 55) * 60_000_000;
 
-/** The files of a made-up home, for looking at the page without a server. */
-export function madeUpFiles(home: HomeView): FakeFiles {
+/** The files of a made-up home with a logger, and what is answered about its log. */
+export function madeUpLogger(home: HomeView): { texts: Record<string, string>; answers: Record<string, () => unknown> } {
   const sensors = home.sensors.map(({ name, kind, at }) => ({ kind, name, at }));
   const ids = new Map(home.sensors.map(({ name }, index) => [name, `M${String(index + 1).padStart(3, '0')}`]));
   const text = (value: unknown) => `${JSON.stringify(value, null, 2)}\n`;
@@ -24,7 +23,7 @@ export function madeUpFiles(home: HomeView): FakeFiles {
     return { date: `2009-03-${String(day + 2).padStart(2, '0')}`, begin_us, end_us: (day + 1) * DAY_US - MORNING_US, clock_us: day === 0 ? MORNING_US : 0, turn: null };
   });
   const today = Array.from({ length: 900 }, (_, index) => [days[8]!.begin_us + index * 61_000_000, (index * 7) % home.sensors.length]);
-  return new FakeFiles(texts, { home: 'home.json', logger: 'logger.json', lives: [] }, {
+  const answers = {
     '/api/rows': (): RowsView => ({
       problems: [],
       places: [
@@ -35,5 +34,6 @@ export function madeUpFiles(home: HomeView): FakeFiles {
     }),
     '/api/connect': () => ({ works: true, said: 'Each run writes its own, in a new folder in runs, which can be written.' }),
     '/api/growth': () => ({ days, hours, today }),
-  });
+  };
+  return { texts, answers };
 }
