@@ -67,13 +67,13 @@ export function grown(run: RunView, calendar: Calendar, view: GrowthView, now_us
   });
   const fired: number[][] = run.home.sensors.map(() => []);
   for (const [at, sensor] of view.today) fired[sensor]?.push(at);
+  // What is told may be of a moment before or after the last frame, and another day.
   const last = view.today.at(-1)?.[0];
+  const until_us = Math.max(now_us, last ?? 0);
   return {
-    run, calendar, fired,
-    density: { days: calendar.days, hours, until_us: now_us, most: scaleOf(hours) },
-    // What is told may be of a moment before or after the last frame, and another day.
+    run, calendar, fired, until_us,
+    density: { days: calendar.days, hours, until_us, most: scaleOf(hours) },
     number: dayAt(calendar, last ?? now_us),
-    until_us: Math.max(now_us, last ?? 0),
   };
 }
 
