@@ -13,11 +13,12 @@ async function begin(): Promise<void> {
     const asked = new URLSearchParams(window.location.search);
     fake = fakeServer(asked);
     const { fakeRuns, storedRun } = await import('./testing/stored');
-    const names = ['cottage-2', 'cottage-1'].map(asked.has('hostile') ? hostile : (name) => name);
-    const stored = fakeRuns(names, (name) => storedRun(name, 30));
-    const { fakeLives } = await import('./testing/life');
-    const lives = fakeLives(['Agnes', 'Bertram'].map(asked.has('hostile') ? hostile : (name) => name));
-    window.fetch = async (path, init) => (String(path).startsWith('/api/runs') ? stored : lives)(String(path), init ?? {});
+    const { madeUpHome } = await import('./testing/home');
+    const { madeUpScenario } = await import('./testing/scenario');
+    const named = asked.has('hostile') ? hostile : (name: string) => name;
+    const stored = fakeRuns(['cottage-2', 'cottage-1'].map(named), (name) => storedRun(name, 30));
+    const files = await madeUpScenario(madeUpHome(Number(asked.get('sensors') ?? 18), named), ['Agnes', 'Bertram'].map(named));
+    window.fetch = async (path, init) => (String(path).startsWith('/api/runs') ? stored : files)(String(path), init ?? {});
   }
   mount(App, { target, props: fake ? { fake } : {} });
 }
