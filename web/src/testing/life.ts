@@ -52,6 +52,8 @@ function explained(file: string, text: string): ExplainView {
   const shows = /shows moderate (\w+)/.exec(text)?.[1];
   return {
     problems: problemsOf(file, text),
+    first: '2009-03-02',
+    days: 30,
     sentences,
     unsaid: [{ line: 1, said: 'she gets dressed', kind: 'habit', what: 'gets dressed', days: 'p 1', when: 'after: gets up', start_s: null, lasts_s: null, in_words: 'Gets dressed after getting up.' }],
     conditions: shows === undefined ? [] : [{ name: shows, severity: Array.from({ length: 30 }, (_, day) => Math.min(Math.max((day - 7) / 7, 0), 1)), sentences: sentences.slice(0, 1) }],

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { date } from '../../testing/stored';
-import { type Span, clock, dateAfter, datesFrom, isoAfter, isWeekend, meanHours, piecesOf, sinceMidnight, totals, turnOf, weekday } from './days';
+import { type Span, clock, dateAfter, datesFrom, isWeekend, meanHours, piecesOf, sinceMidnight, totals, turnOf, weekday } from './days';
 import { clockHours } from './draw';
 
 const HOUR = 3_600_000_000;
@@ -44,8 +44,8 @@ test('times are added up within the day', () => {
 test('days in words', () => {
   expect(weekday('2009-03-02')).toBe('Mon 2 Mar');
   expect([isWeekend('2009-03-02'), isWeekend('2009-03-08')]).toEqual([false, true]);
-  expect([dateAfter('2009-03-30', 2), isoAfter('2009-03-30', 2), isoAfter('2009-03-01', -1)]).toEqual(['1 Apr 2009', '2009-04-01', '2009-02-28']);
-  expect([dateAfter('no date', 1), isoAfter('', 0), weekday('no date')]).toEqual(['', '', 'no date']);
+  expect(dateAfter('2009-03-30', 2)).toBe('1 Apr 2009');
+  expect([dateAfter('no date', 1), weekday('no date')]).toEqual(['', 'no date']);
   expect([datesFrom('2009-03-02', '2009-03-29'), datesFrom('2009-03-02', '2009-04-01'), datesFrom('', '')]).toEqual(['2 – 29 Mar 2009', '2 Mar – 1 Apr 2009', '']);
   expect([turnOf(short), turnOf(long), turnOf(plain)]).toEqual(['Clocks go forward by 1 h.', 'Clocks go back by 1 h.', '']);
 });

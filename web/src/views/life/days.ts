@@ -91,12 +91,6 @@ export function datesFrom(first: string, last: string): string {
   return Number.isFinite(from) && Number.isFinite(to) ? dated.formatRange(from, to).replace(/\s*–\s*/, ' – ') : '';
 }
 
-/** The same as a file has it, `2009-03-02`. */
-export function isoAfter(date: string, days: number): string {
-  const ms = read(`${date} 00:00:00`) + days * 86_400_000;
-  return Number.isFinite(ms) ? new Date(ms).toISOString().slice(0, 10) : '';
-}
-
 /** `07:05`, of microseconds since midnight. */
 export function clock(since_midnight_us: number): string {
   const minutes = Math.floor(since_midnight_us / 60e6);
