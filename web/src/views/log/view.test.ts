@@ -242,7 +242,7 @@ test('the log of the run is seen to grow, in a drawing and in words', async () =
 });
 
 test('hostile names and odd files are text', async () => {
-  const evil = JSON.stringify({ to: [EVIL], table: EVIL, columns: { time: EVIL }, ids: { [EVIL]: EVIL, __proto__: 'x' }, messages: EVIL, time: EVIL });
+  const evil = JSON.stringify({ to: [EVIL, 'constructor', '__proto__'], table: EVIL, columns: { time: EVIL }, ids: { [EVIL]: EVIL, __proto__: 'x' }, messages: EVIL, time: EVIL });
   await begin(
     { 'logger.json': evil, 'home.json': JSON.stringify({ sensors: [{ name: `${EVIL}${'x'.repeat(4000)}`, kind: EVIL }, { name: '‮a\nb', kind: 'motion' }] }) }, {},
     { problems: [{ file: EVIL, line: 1, column: 1, width: 1, what: EVIL, hint: EVIL }], places: [{ to: EVIL, table: EVIL, columns: [EVIL], rows: [[EVIL]] }], kinds: [] },
