@@ -56,14 +56,16 @@ fn build(name: &str, about: String, drawing: Drawing, remarks: &mut Vec<String>)
     let mut walls = walls::straight(&drawing.walls, &doors, remarks)?;
     // Rooms and furniture share names: paths go to either, and lamps are called after rooms.
     let mut names = Names::default();
-    let mut drawn = drawing.rooms;
-    if drawn.is_empty() {
-        let spaces = enclosed::spaces(&walls);
+    let mut rooms = rooms::place(&drawing.rooms, &walls, &mut names, remarks)?;
+    let spaces = enclosed::without_room(&walls, &rooms);
+    if !spaces.is_empty() {
+        let spaces_are =
+            counted(spaces.len(), "space that walls enclose is a room", "spaces that walls enclose are rooms");
+        remarks.push(format!("{spaces_are} now, which the plan does not draw"));
         let room = |corners| drawing::Room { level: None, name: String::new(), corners };
-        drawn = spaces.into_iter().map(room).collect();
-        remarks.push(format!("the plan has no rooms; its walls enclose {}", counted(drawn.len(), "room", "rooms")));
+        let spaces: Vec<drawing::Room> = spaces.into_iter().map(room).collect();
+        rooms.extend(rooms::place(&spaces, &walls, &mut names, remarks)?);
     }
-    let mut rooms = rooms::place(&drawn, &walls, &mut names, remarks)?;
     let Some(first) = rooms.first().map(|room| room.outline[0]) else { return Err(NotImported::NoRooms) };
     let all = walls.len() + rooms.len();
     let is_near = |p: &Point| (*p - first).abs().max_element() <= GREATEST_SIZE_M;

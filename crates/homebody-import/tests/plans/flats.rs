@@ -52,7 +52,7 @@ fn rooms_that_are_not_drawn_are_found_within_walls() {
         + &door("Door", [200.0, 500.0], PI, "");
     let home = Home::of(&walls);
     assert_eq!(home.rooms(), ["room 1", "room 2"]);
-    home.remarks("no rooms; its walls enclose 2 rooms");
+    home.remarks("2 spaces that walls enclose are rooms now");
     let mut areas: Vec<f64> = home.plan.rooms.iter().map(|room| geometry::signed_area(&room.outline).abs()).collect();
     areas.sort_by(f64::total_cmp);
     assert_eq!(areas, [12.0, 20.0]);
@@ -217,7 +217,10 @@ fn rooms_with_steps_in_doorways_end_in_the_middle_of_walls() {
     let drawn = two_rooms_walls() + &room("Living room", &living) + &door("Door", [600.0, 200.0], FRAC_PI_2, "");
     let home = Home::of(&drawn);
     assert_eq!(home.file.rooms[0].outline, [[0.0, 4.0], [5.0, 4.0], [5.0, 0.0], [0.0, 0.0]]);
-    assert!(home.file.doors[0].outside);
+    // The other is not drawn, but there.
+    home.remarks("1 space that walls enclose is a room now");
+    assert_eq!(home.rooms(), ["Living room", "room 1"]);
+    assert_eq!(home.joins("Door"), [Some("Living room"), Some("room 1")]);
 }
 
 #[test]
