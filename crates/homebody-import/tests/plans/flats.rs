@@ -224,6 +224,39 @@ fn rooms_with_steps_in_doorways_end_in_the_middle_of_walls() {
 }
 
 #[test]
+fn what_people_can_be_in_is_known_by_its_words() {
+    let is_enterable = |name: &str, catalog: &str| {
+        let piece = piece(name, [300.0, 300.0], [20.0, 20.0, 30.0], &format!("catalogId='{catalog}'"));
+        Home::of(&(two_rooms() + &piece)).file.furniture[0].enterable
+    };
+    let seats = [
+        ("Lit", "eTeks#bed140x190"),
+        ("Oma", "Scopia#arm_chair"),
+        ("Toilet unit", ""),
+        ("WC", ""),
+        ("Wall mounted toilet", ""),
+        ("", "eTeks#shower"),
+        ("Persian rug", ""),
+        ("Old sofa", "custom"),
+    ];
+    for (name, catalog) in seats {
+        assert!(is_enterable(name, catalog), "{name} {catalog}");
+    }
+    let others = [
+        ("Bedside table", "eTeks#bedsideTable"),
+        ("Table", "eTeks#table"),
+        ("Shower curtain", ""),
+        ("Bathroom sink", ""),
+        ("Embedded oven", ""),
+        ("Toilet paper", ""),
+        ("", ""),
+    ];
+    for (name, catalog) in others {
+        assert!(!is_enterable(name, catalog), "{name} {catalog}");
+    }
+}
+
+#[test]
 fn names_are_made_fit() {
     let drawn = two_rooms()
         + &piece("Bedroom", [300.0, 300.0], [20.0, 20.0, 30.0], "catalogId='eTeks#bed'")
