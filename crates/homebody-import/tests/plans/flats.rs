@@ -61,6 +61,16 @@ fn rooms_that_are_not_drawn_are_found_within_walls() {
 }
 
 #[test]
+fn the_ground_around_a_house_is_no_room() {
+    let corners = [[-900.0, -900.0], [1900.0, -900.0], [1900.0, 1500.0], [-900.0, 1500.0]];
+    let fence: String = (0..4).map(|side| wall(corners[side], corners[(side + 1) % 4])).collect();
+    let front = door("Front door", [200.0, 500.0], 0.0, "");
+    let home = Home::of(&(two_rooms_walls() + &fence + &front));
+    assert_eq!(home.rooms(), ["room 1", "room 2"]);
+    assert!(home.file.doors[0].outside);
+}
+
+#[test]
 fn curved_walls_become_chords_that_keep_doors_whole() {
     // The east is a half circle around (5 m, 3 m), which the arc goes through at (7 m, 3 m).
     let walls = wall([100.0, 100.0], [500.0, 100.0])

@@ -212,6 +212,9 @@ fn what_is_hard_to_reckon_is_done_soon() {
     timed("a knot of a room", &room("knot", &knot));
     let doors: String = (0..990).map(|index| door("d", [f64::from(index % 900), 100.0], 0.0, "width='3'")).collect();
     timed("many doors", &(two_rooms() + &doors + &star(4_000)));
+    let sheets: String = (0..4_000).map(|at| wall([100.0, 100.0 + f64::from(at) / 10.0], [900.0, 100.0])).collect();
+    let deep: String = (0..990).map(|_| door("d", [500.0, 110.0], 0.0, "wallThickness='0.9'")).collect();
+    timed("doors through many walls", &(two_rooms() + &sheets + &deep));
     let arcs: String = (0..4_000)
         .map(|index| {
             format!("<wall xStart='{index}' yStart='0' xEnd='{index}' yEnd='1' thickness='9' arcExtent='6.28'/>")
