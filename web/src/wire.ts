@@ -498,7 +498,7 @@ to: string,
  */
 table: string | null, columns: Array<string>, rows: Array<Array<string>>, };
 
-export type Connect = { draft: Draft, url: string, };
+export type Connect = { url: string, };
 
 export type ConnectView = { works: boolean, 
 /**

@@ -31,6 +31,8 @@ pub mod truth;
 pub mod run_log;
 pub mod rows;
 
+pub mod preview;
+
 pub mod convert;
 pub mod source;
 

@@ -36,10 +36,15 @@ impl Url {
 
     /// The same place, its path taken from `base` if it is relative.
     pub fn within(&self, base: &Path) -> Url {
+        self.at(base.join(self.path()))
+    }
+
+    /// The same kind of log at another path.
+    pub fn at(&self, path: PathBuf) -> Url {
         match self {
-            Url::Sqlite(path) => Url::Sqlite(base.join(path)),
-            Url::Csv(path) => Url::Csv(base.join(path)),
-            Url::Casas(path) => Url::Casas(base.join(path)),
+            Url::Sqlite(_) => Url::Sqlite(path),
+            Url::Csv(_) => Url::Csv(path),
+            Url::Casas(_) => Url::Casas(path),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Everybody of a scenario who lives by a routine: the residents, and those who visit them.
 
+use crate::completion::{self, Word};
 use crate::language::{self, Known};
 use crate::living::body::Body;
 use crate::living::driver::RoutineDriver;
@@ -41,6 +42,28 @@ struct Visitor {
     name: String,
 }
 
+/// A resident's routine as far as it is understood, whatever is wrong with it.
+#[derive(Clone, Debug)]
+pub struct Understood {
+    pub routine: Routine,
+    /// What it leaves unsaid, and goes as it usually does.
+    pub unsaid: Routine,
+    /// The conditions that it shows, by name.
+    pub conditions: BTreeMap<String, Routine>,
+    /// What is wrong with any of these.
+    pub problems: Vec<Problem>,
+    /// What may be written in it.
+    pub words: Vec<Word>,
+    life: Life,
+}
+
+impl Understood {
+    /// How severe a condition is on a day: 0 where it is not there, 1 for a moderate case.
+    pub fn severity(&self, condition: &str, day: i32) -> f64 {
+        self.life.severity(condition, day)
+    }
+}
+
 /// The conditions that the program knows, by name, as texts.
 pub const CONDITIONS: [(&str, &str); 8] = [
     ("cognitive-decline", include_str!("../../../conditions/cognitive-decline.routine")),
@@ -57,7 +80,7 @@ pub const CONDITIONS: [(&str, &str); 8] = [
 const ORDINARY: &str = include_str!("ordinary.routine");
 
 /// What everybody does without its being said: what [`ORDINARY`] says, what needs drive to, and what fills the time.
-const USUAL: [Activity; 19] = [
+pub(crate) const USUAL: [Activity; 19] = [
     Activity::GetUp,
     Activity::Dress,
     Activity::Wash,
@@ -120,19 +143,42 @@ impl Household {
         let mut conditions = reader.known;
         conditions.retain(|name, _| !without.contains(name));
         let sources = reader.sources;
-        let (ordinary, _) =
-            language::condition("ordinary.routine", ORDINARY, &known(&scenario.home, &plan, None, Vec::new(), None));
         scenario.sources.extend(sources);
         let mut household = Household {
             scenario: scenario.clone(),
             routines,
             conditions,
-            ordinary,
+            ordinary: ordinary(&scenario.home, &plan),
             guests: Vec::new(),
             is_one_of_many: false,
         };
         household.guests = household.find_guests();
         Ok(household)
+    }
+
+    /// How the routine of a resident is understood; nothing for who lives by none. The scenario is sound but for its routines.
+    pub fn understand(scenario: &Scenario, files: &dyn Files, resident: usize) -> Option<Understood> {
+        let Driver::Routine { file, text } = &scenario.residents.get(resident)?.driver else { return None };
+        let person = scenario.residents[resident].file.name.as_str();
+        let plan = Plan::new(&scenario.home);
+        let first = Some(scenario.calendar.date(0));
+        let mut reader = Reader::new(files, &scenario.home, &plan, first);
+        let routine = reader.routine(file, text, Some(person));
+        let names = known(&scenario.home, &plan, Some(person), reader.names(text), first);
+        let Reader { known: conditions, problems, .. } = reader;
+        let mut routines = vec![None; scenario.residents.len()];
+        routines[resident] = Some(routine.clone());
+        let household = Household {
+            scenario: scenario.clone(),
+            routines,
+            conditions,
+            ordinary: ordinary(&scenario.home, &plan),
+            guests: Vec::new(),
+            is_one_of_many: false,
+        };
+        let life = household.life(resident, scenario.file.seed)?;
+        let (unsaid, words) = (life.unsaid().clone(), completion::words(&names, text));
+        Some(Understood { routine, unsaid, conditions: household.conditions, problems, words, life })
     }
 
     /// The scenario of a recording, and who lives there.
@@ -238,6 +284,11 @@ impl Language for Spoken {
         reader.routine(said.file, said.text, said.resident);
         reader.problems
     }
+}
+
+/// What people do where their routines say nothing of it.
+fn ordinary(home: &HomeFile, plan: &Plan) -> Routine {
+    language::condition("ordinary.routine", ORDINARY, &known(home, plan, None, Vec::new(), None)).0
 }
 
 /// The conditions that a routine shows.

@@ -9,6 +9,7 @@ pub mod routine;
 // How text becomes a routine.
 pub mod language;
 pub mod explain;
+pub mod completion;
 
 // The living of it, and everybody of a scenario who does.
 pub mod living;

@@ -2,7 +2,8 @@
 
 use crate::dates;
 use crate::draw;
-use crate::shelf::Shelf;
+use crate::growth::Growth;
+use crate::shelf::{Drafted, Shelf};
 use crate::wire::{FiringView, Frame, Key, Posture, ResidentView, RunView, State};
 use homebody_core::drivers::live::Input;
 use homebody_core::event::{Events, Fact};
@@ -12,15 +13,17 @@ use homebody_core::home::plan::Plan;
 use homebody_core::recording::{Recording, Seal};
 use homebody_core::run::Run;
 use homebody_core::scenario::input::{self, InputFile, KeysFile, UseFile};
-use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::load::{Files as _, Scenario};
 use homebody_core::scenario::path;
 use homebody_core::scene::Scene;
+use homebody_core::sensors::Sensor;
 use homebody_core::time::{Micros, micros, seconds};
 use homebody_log::{LogError, Places, RowText, Rows, RunLog};
 use homebody_routine::household::{Household, Spoken};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// What a run is begun with.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -51,6 +54,7 @@ pub struct Act {
     /// Of a replay: the files of any other run have their own.
     seal: Seal,
     rows: Rows,
+    growth: Arc<Mutex<Growth>>,
     /// What the log has got that nobody has taken to show yet.
     fresh: Vec<FiringView>,
     told: u64,
@@ -70,7 +74,7 @@ struct Files {
 impl Act {
     /// A run of the scenario on the shelf, from its start. It leaves files from when it is first advanced.
     pub fn new(shelf: &Shelf, start: Start) -> Result<Act, String> {
-        let mut files = shelf.texts().map_err(|error| format!("the scenario's folder: {error}"))?;
+        let mut files = Drafted { texts: BTreeMap::new(), shelf };
         let first = load(&files, &shelf.entry)?;
         let mut keys = None;
         if let Some(driven) = start.driven {
@@ -120,7 +124,10 @@ impl Act {
         let bodies = run.names().len();
         let held = start.input.last().cloned().unwrap_or_else(nothing_held);
         let conditions = household.conditions().keys().chain(&start.without).cloned().collect();
+        let is_motion = run.sensors().iter().map(Sensor::looks).collect();
+        let growth = Growth::new(&scenario.calendar, run.length(), is_motion);
         Ok(Act {
+            growth: Arc::new(Mutex::new(growth)),
             start,
             scenario,
             conditions,
@@ -165,7 +172,7 @@ impl Act {
         RunView {
             id: self.folder().and_then(|folder| Some(folder.file_name()?.to_string_lossy().into_owned())),
             scenario: self.scenario.file.name.clone(),
-            home: draw::home(&self.scenario.home, self.run.home(), self.run.sensors()),
+            home: draw::home(&self.scenario.home, &self.run.home().plan, self.run.sensors()),
             residents: names.enumerate().map(|(index, name)| ResidentView { name, radius_m: radius(index) }).collect(),
             driven: self.start.driven,
             conditions: self.conditions.clone(),
@@ -196,6 +203,7 @@ impl Act {
         if let Some(log) = self.files.as_mut().and_then(|files| files.log.as_mut()) {
             log.store(&self.run, &self.events).map_err(|error| error.to_string())?;
         }
+        self.growth.lock().unwrap_or_else(PoisonError::into_inner).add(&self.events.firings, self.run.now());
         for fact in &self.events.facts {
             if let Fact::Activity { resident, name, .. } = fact {
                 self.activities[*resident as usize].clone_from(name);
@@ -314,6 +322,11 @@ impl Act {
         }
     }
 
+    /// What the log has got so far, counted; it goes on growing.
+    pub fn growth(&self) -> Arc<Mutex<Growth>> {
+        self.growth.clone()
+    }
+
     /// The rows that the log has got since they were taken last.
     pub fn take_rows(&mut self) -> std::vec::Drain<'_, FiringView> {
         self.fresh.drain(..)
@@ -325,7 +338,7 @@ fn firing_view(row: RowText) -> FiringView {
     FiringView { seq, at_us: at, sensor, value: value.clone(), row: Some([time, id, value]) }
 }
 
-fn load(files: &BTreeMap<String, String>, entry: &str) -> Result<Scenario, String> {
+fn load(files: &Drafted, entry: &str) -> Result<Scenario, String> {
     Scenario::load_in(&Spoken, files, entry).map_err(|problems| problems.render())
 }
 
@@ -351,7 +364,7 @@ fn input_text(input: &[KeysFile]) -> String {
 
 /// Makes a resident of the texts one who is moved by keys; returns the name of the file that holds them.
 fn drive(
-    files: &mut BTreeMap<String, String>,
+    files: &mut Drafted,
     scenario: &Scenario,
     entry: &str,
     driven: usize,
@@ -359,14 +372,14 @@ fn drive(
 ) -> Result<String, String> {
     let no_json = |error: serde_json::Error| error.to_string();
     let resident = scenario.residents.get(driven).ok_or("there is no such resident")?;
-    let root: Value = serde_json::from_str(files.get(entry).map_or("", String::as_str)).map_err(no_json)?;
+    let root: Value = serde_json::from_str(&files.read(entry)?).map_err(no_json)?;
     let file = root["residents"][driven].as_str().ok_or("the resident has no file")?.to_owned();
-    let mut told: Value = serde_json::from_str(files.get(&file).map_or("", String::as_str)).map_err(no_json)?;
+    let mut told: Value = serde_json::from_str(&files.read(&file)?).map_err(no_json)?;
     let keys = format!("{}.keys.json", file.trim_end_matches(".json"));
     let at = standing_place(&Plan::new(&scenario.home), resident.file.radius_m);
     told["driver"] = json!({ "live": { "keys": keys, "start": [at.x, at.y] } });
-    files.insert(file, serde_json::to_string_pretty(&told).map_err(no_json)? + "\n");
-    files.insert(keys.clone(), input_text(input));
+    files.texts.insert(file, serde_json::to_string_pretty(&told).map_err(no_json)? + "\n");
+    files.texts.insert(keys.clone(), input_text(input));
     Ok(keys)
 }
 

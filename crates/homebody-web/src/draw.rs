@@ -4,9 +4,8 @@ use crate::wire::{
     At, BodyView, DoorView, HomeView, Posture, RoomView, SensorView, SolidKind, SolidView, ThingKind, ThingView,
 };
 use homebody_core::geometry::{self, Point};
-use homebody_core::home::Home;
 use homebody_core::home::bake;
-use homebody_core::home::plan::Origin;
+use homebody_core::home::plan::{Origin, Plan};
 use homebody_core::scenario::device::PressureFile;
 use homebody_core::scenario::home::{HomeFile, SensorFile};
 use homebody_core::scenario::path;
@@ -16,8 +15,7 @@ use homebody_core::sensors::{Kind, Sensor};
 const BODY_M: f64 = 1.65;
 
 /// The home as the page draws it. Of sensors that are moved in the course of a run, the first place.
-pub fn home(file: &HomeFile, home: &Home, sensors: &[Sensor]) -> HomeView {
-    let plan = &home.plan;
+pub fn home(file: &HomeFile, plan: &Plan, sensors: &[Sensor]) -> HomeView {
     let (least, most) = plan.bounds();
     let doors = file.doors.len();
     let kind = |index: usize| match index {
@@ -66,16 +64,16 @@ pub fn home(file: &HomeFile, home: &Home, sensors: &[Sensor]) -> HomeView {
             .enumerate()
             .map(|(index, thing)| ThingView { name: thing.name.clone(), kind: kind(index), at: at(thing.at) })
             .collect(),
-        sensors: sensors.iter().zip(&file.sensors).map(|(sensor, file)| self::sensor(sensor, file, home)).collect(),
+        sensors: sensors.iter().zip(&file.sensors).map(|(sensor, file)| self::sensor(sensor, file, plan)).collect(),
     }
 }
 
-fn sensor(sensor: &Sensor, file: &SensorFile, home: &Home) -> SensorView {
+fn sensor(sensor: &Sensor, file: &SensorFile, plan: &Plan) -> SensorView {
     let beams = match sensor.kind {
-        Kind::Motion(_) => bake::beams(sensor, &home.plan, BODY_M),
+        Kind::Motion(_) => bake::beams(sensor, plan, BODY_M),
         Kind::CeilingMotion(_) | Kind::Device(_) => Vec::new(),
     };
-    let on = file.on().and_then(|thing| home.plan.piece(thing)).map(|piece| outline(&piece.outline));
+    let on = file.on().and_then(|thing| plan.piece(thing)).map(|piece| outline(&piece.outline));
     let area = match (&sensor.kind, file) {
         (Kind::CeilingMotion(ceiling), _) => Some(outline(&ceiling.outline)),
         (_, SensorFile::Pressure(PressureFile { area: Some(area), .. })) => Some(area.clone()),

@@ -15,6 +15,10 @@ pub mod shelf;
 pub mod act;
 mod dates;
 mod draw;
+mod growth;
+
+/// Files that are written in the page.
+pub mod desk;
 pub mod stage;
 
 /// Runs that are stored, day by day.

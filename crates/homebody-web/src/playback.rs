@@ -8,7 +8,6 @@ use crate::draw;
 use crate::shelf::{RECORDING, Shelf};
 use crate::wire::{DateView, DayView, Doing, LifeView, MovementView, PlaybackView, ResidentView, StoredView};
 use homebody_core::run::Run;
-use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::scenario::path::Posture;
@@ -211,11 +210,7 @@ impl Playback {
         let named = scenario.logger.to.iter().filter_map(|url| url.parse().ok()).chain([usual]);
         named.into_iter().find_map(|url: Url| {
             let file = self.shelf.file_within_run(name, url.path())?;
-            Some(match url {
-                Url::Sqlite(_) => Url::Sqlite(file),
-                Url::Csv(_) => Url::Csv(file),
-                Url::Casas(_) => Url::Casas(file),
-            })
+            Some(url.at(file))
         })
     }
 }
@@ -277,7 +272,7 @@ fn whole(name: &str, run: &Run, scenario: &Scenario) -> PlaybackView {
     PlaybackView {
         name: name.into(),
         scenario: scenario.file.name.clone(),
-        home: draw::home(&scenario.home, run.home(), run.sensors()),
+        home: draw::home(&scenario.home, &run.home().plan, run.sensors()),
         residents: residents.map(|(index, name)| ResidentView { name, radius_m: radius(index) }).collect(),
         start: dates::wall_clock(&scenario.calendar, 0),
         zone: scenario.file.time_zone.clone(),

@@ -1,18 +1,22 @@
 //! The server: its address, its routes, its limits.
 
+use crate::desk::Desk;
 use crate::guard::{self, Guard};
 use crate::page;
 use crate::playback::{Playback, Refusal};
 use crate::shelf::Shelf;
 use crate::socket;
 use crate::stage::Stage;
+use crate::wire::{Connect, Draft, Explain, Month, Save};
+use axum::Json;
 use axum::Router;
 use axum::body::Body;
 use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::{DefaultBodyLimit, Path, State};
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use axum::routing::get;
+use axum::routing::{get, post};
+use serde::Serialize;
 use std::future::IntoFuture;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::sync::Arc;
@@ -77,8 +81,9 @@ pub fn serve(options: Options, stop: &AtomicBool, ready: impl FnOnce(&str)) -> R
         let guard = Guard::new(address).map_err(ServeError::Token)?;
         let stage = Stage::open(options.shelf.clone()).map_err(ServeError::Scenario)?;
         let playback = Playback::new(options.shelf.clone());
+        let desk = Desk::new(options.shelf.clone());
         let sockets = Arc::new(Semaphore::new(SOCKETS));
-        let house = House { guard, stage: stage.clone(), shelf: options.shelf, playback, sockets };
+        let house = House { guard, stage: stage.clone(), shelf: options.shelf, playback, desk, sockets };
         ready(&format!("http://{address}/#token={}", house.guard.token()));
         let serving = axum::serve(listener, routes(house)).into_future();
         let served = tokio::select! {
@@ -118,12 +123,22 @@ struct House {
     stage: Stage,
     shelf: Shelf,
     playback: Playback,
+    desk: Desk,
     sockets: Arc<Semaphore>,
 }
 
 fn routes(house: House) -> Router {
     Router::new()
         .route(SOCKET, get(live))
+        .route("/api/files", get(files).post(save))
+        .route("/api/files/versions", get(versions))
+        .route("/api/check", post(check))
+        .route("/api/plan", post(plan))
+        .route("/api/explain", post(explain))
+        .route("/api/month", post(month))
+        .route("/api/rows", post(rows))
+        .route("/api/connect", post(connect))
+        .route("/api/growth", get(growth))
         .route("/api/runs", get(runs))
         .route("/api/runs/{run}", get(stored_run))
         .route("/api/runs/{run}/days/{day}", get(stored_day))
@@ -148,37 +163,85 @@ async fn live(State(house): State<House>, headers: HeaderMap, upgrade: WebSocket
     })
 }
 
-async fn runs(State(house): State<House>) -> Response {
-    match tokio::task::spawn_blocking(move || house.playback.list()).await {
-        Ok(runs) => axum::Json(runs).into_response(),
+/// What a thread for work that takes its time has found.
+async fn found<T: Send + 'static>(find: impl FnOnce() -> T + Send + 'static) -> Result<T, Response> {
+    let failed = |error: tokio::task::JoinError| (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()).into_response();
+    tokio::task::spawn_blocking(find).await.map_err(failed)
+}
+
+fn json(found: Result<impl Serialize, Response>) -> Response {
+    found.map_or_else(|refused| refused, |found| Json(found).into_response())
+}
+
+/// In MessagePack, for what is large.
+fn packed(found: Result<impl Serialize, Response>) -> Response {
+    let pack = |found| match rmp_serde::to_vec_named(&found) {
+        Ok(bytes) => ([(header::CONTENT_TYPE, "application/msgpack")], bytes).into_response(),
         Err(error) => (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()).into_response(),
-    }
+    };
+    found.map_or_else(|refused| refused, pack)
+}
+
+async fn files(State(house): State<House>) -> Response {
+    json(found(move || house.desk.files()).await)
+}
+
+async fn versions(State(house): State<House>) -> Response {
+    json(found(move || house.desk.versions()).await)
+}
+
+async fn save(State(house): State<House>, Json(save): Json<Save>) -> Response {
+    let refused = |why: String| (StatusCode::UNPROCESSABLE_ENTITY, why).into_response();
+    json(found(move || house.desk.save(save)).await.and_then(|saved| saved.map_err(refused)))
+}
+
+async fn check(State(house): State<House>, Json(draft): Json<Draft>) -> Response {
+    json(found(move || house.desk.check(draft)).await)
+}
+
+async fn plan(State(house): State<House>, Json(draft): Json<Draft>) -> Response {
+    packed(found(move || house.desk.plan(draft)).await)
+}
+
+async fn explain(State(house): State<House>, Json(asked): Json<Explain>) -> Response {
+    json(found(move || house.desk.explain(asked)).await)
+}
+
+async fn month(State(house): State<House>, Json(asked): Json<Month>) -> Response {
+    packed(found(move || house.desk.month(asked)).await)
+}
+
+async fn rows(State(house): State<House>, Json(draft): Json<Draft>) -> Response {
+    json(found(move || house.desk.rows(draft)).await)
+}
+
+async fn connect(State(house): State<House>, Json(asked): Json<Connect>) -> Response {
+    json(found(move || house.desk.connect(asked)).await)
+}
+
+async fn growth(State(house): State<House>) -> Response {
+    json(Ok(house.stage.growth()))
+}
+
+async fn runs(State(house): State<House>) -> Response {
+    json(found(move || house.playback.list()).await)
 }
 
 /// A stored run as a whole.
 async fn stored_run(State(house): State<House>, Path(run): Path<String>) -> Response {
-    let told = tokio::task::spawn_blocking(move || house.playback.run(&run)).await;
-    match told {
-        Ok(Ok(view)) => axum::Json(&*view).into_response(),
+    match found(move || house.playback.run(&run)).await {
+        Ok(Ok(view)) => Json(&*view).into_response(),
         Ok(Err(refusal)) => refused(refusal),
-        Err(error) => (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()).into_response(),
+        Err(failed) => failed,
     }
 }
 
-/// A day of a stored run, in MessagePack.
+/// A day of a stored run.
 async fn stored_day(State(house): State<House>, Path((run, day)): Path<(String, String)>) -> Response {
     let Ok(day) = day.parse() else {
         return (StatusCode::NOT_FOUND, "The days of a run are numbered from 0.").into_response();
     };
-    let told = tokio::task::spawn_blocking(move || {
-        let day = house.playback.day(&run, day)?;
-        rmp_serde::to_vec_named(&day).map_err(|error| Refusal::Damaged(error.to_string()))
-    });
-    match told.await {
-        Ok(Ok(bytes)) => ([(header::CONTENT_TYPE, "application/msgpack")], bytes).into_response(),
-        Ok(Err(refusal)) => refused(refusal),
-        Err(error) => (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()).into_response(),
-    }
+    packed(found(move || house.playback.day(&run, day)).await.and_then(|day| day.map_err(refused)))
 }
 
 fn refused(refusal: Refusal) -> Response {

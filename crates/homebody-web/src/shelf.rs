@@ -4,6 +4,7 @@
 //! link that leads out of it, is not there.
 
 use homebody_core::recording::{LONGEST, Recording};
+use homebody_core::scenario::load::Files;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;
@@ -24,17 +25,24 @@ pub struct Shelf {
 }
 
 impl Shelf {
-    /// The texts of the scenario's folder, by name.
-    pub fn texts(&self) -> io::Result<BTreeMap<String, String>> {
-        let mut texts = BTreeMap::new();
-        for (name, path) in plain_files(&self.scenario)? {
-            if fs::metadata(&path)?.len() <= LARGEST
-                && let Ok(text) = String::from_utf8(fs::read(&path)?)
-            {
-                texts.insert(name, text);
-            }
-        }
-        Ok(texts)
+    /// The names of the files that can be written in the page: those of the scenario's folder and of its folder of
+    /// conditions.
+    pub fn written(&self) -> Vec<String> {
+        let named = |folder: &str| {
+            let files = plain_files(&self.scenario.join(folder)).unwrap_or_default();
+            let names = files.into_iter().map(move |(name, _)| name);
+            names.filter(|name| is_written(name)).collect::<Vec<_>>()
+        };
+        let conditions = named(CONDITIONS).into_iter().map(|name| format!("{CONDITIONS}/{name}"));
+        let names = named("").into_iter().chain(conditions);
+        names.filter(|name| self.read(name).is_ok()).collect()
+    }
+
+    /// Where a file that is written in the page is, or is going to be; nothing where no such file may be written.
+    pub fn place_of(&self, name: &str) -> Option<PathBuf> {
+        let own = name.strip_prefix(CONDITIONS).and_then(|rest| rest.strip_prefix('/')).unwrap_or(name);
+        let is_plain = own.len() <= LONGEST_NAME && !own.starts_with('.') && !own.contains(['/', '\\', ':', '\0']);
+        (is_plain && is_written(own)).then(|| self.scenario.join(name))
     }
 
     /// The names of all runs that have a recording, the latest first.
@@ -63,16 +71,7 @@ impl Shelf {
 
     /// A plain file of a run's folder or of plain folders in there, by its path.
     pub fn file_within_run(&self, run: &str, path: &Path) -> Option<PathBuf> {
-        let mut file = self.run(run)?;
-        for part in path.components() {
-            // Neither up, nor away, nor along a link.
-            let Component::Normal(part) = part else { return None };
-            file.push(part);
-            if fs::symlink_metadata(&file).ok()?.is_symlink() {
-                return None;
-            }
-        }
-        file.is_file().then_some(file)
+        plain_file(self.run(run)?, path)
     }
 
     /// The recording of a run, or why there is none.
@@ -89,8 +88,59 @@ impl Shelf {
     }
 }
 
+/// The scenario's files.
+impl Files for Shelf {
+    fn read(&self, name: &str) -> Result<String, String> {
+        let path = plain_file(self.scenario.clone(), Path::new(name)).ok_or("there is no such file")?;
+        let length = fs::metadata(&path).map_err(|error| error.to_string())?.len();
+        if length > LARGEST {
+            return Err(format!("it is larger than {} MB", LARGEST >> 20));
+        }
+        let text = fs::read(&path).map_err(|error| error.to_string())?;
+        let text = String::from_utf8(text).map_err(|_| "it is not text in UTF-8")?;
+        // A byte order mark says nothing.
+        Ok(text.strip_prefix('\u{feff}').map_or(text.clone(), str::to_owned))
+    }
+}
+
+/// A scenario's files with other texts in the places of some.
+pub struct Drafted<'a> {
+    pub texts: BTreeMap<String, String>,
+    pub shelf: &'a Shelf,
+}
+
+impl Files for Drafted<'_> {
+    fn read(&self, name: &str) -> Result<String, String> {
+        self.texts.get(name).map_or_else(|| self.shelf.read(name), |text| Ok(text.clone()))
+    }
+}
+
 /// What a run's recording is called in its folder.
 pub const RECORDING: &str = "recording.json";
+
+/// The folder of a scenario's own conditions.
+const CONDITIONS: &str = "conditions";
+
+/// No file's name is longer (ours).
+const LONGEST_NAME: usize = 100;
+
+/// Whether it is one of the files that people write.
+fn is_written(name: &str) -> bool {
+    name.ends_with(".json") || name.ends_with(".routine")
+}
+
+/// A plain file below a folder, by its path.
+fn plain_file(mut file: PathBuf, path: &Path) -> Option<PathBuf> {
+    for part in path.components() {
+        // Neither up, nor away, nor along a link.
+        let Component::Normal(part) = part else { return None };
+        file.push(part);
+        if fs::symlink_metadata(&file).ok()?.is_symlink() {
+            return None;
+        }
+    }
+    file.is_file().then_some(file)
+}
 
 /// The plain files of a folder, by name; links are none.
 fn plain_files(folder: &Path) -> io::Result<Vec<(String, PathBuf)>> {

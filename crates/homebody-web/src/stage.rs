@@ -4,8 +4,9 @@
 //! comes for it.
 
 use crate::act::{Act, Start};
+use crate::growth::Growth;
 use crate::shelf::Shelf;
-use crate::wire::{FiringView, Frame, RunView, Say, State, Tell};
+use crate::wire::{FiringView, Frame, GrowthView, RunView, Say, State, Tell};
 use homebody_core::time::{Micros, SECOND, micros};
 use std::collections::VecDeque;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
@@ -51,6 +52,7 @@ struct Board {
     /// Grows with each run and each change of what is told of it.
     number: u64,
     view: Arc<RunView>,
+    growth: Arc<Mutex<Growth>>,
     frame: Frame,
     rows: VecDeque<FiringView>,
     /// What was told, numbered from 0.
@@ -81,6 +83,7 @@ impl Stage {
             run: 0,
             number: 0,
             view: Arc::new(act.view()),
+            growth: act.growth(),
             frame: act.frame(State::Paused, Some(1.0)),
             rows: VecDeque::new(),
             notes: VecDeque::new(),
@@ -118,6 +121,12 @@ impl Stage {
         }
     }
 
+    /// What the log of the run has got so far.
+    pub fn growth(&self) -> GrowthView {
+        let growth = locked(&self.board).growth.clone();
+        locked(&growth).view()
+    }
+
     /// Changes whenever there is something new to be seen.
     pub fn changed(&self) -> watch::Receiver<u64> {
         self.changed.clone()
@@ -147,9 +156,9 @@ impl Stage {
     }
 }
 
-/// Nobody panics while the board is held; if somebody did, what is on it is whole all the same.
-fn locked(board: &Mutex<Board>) -> MutexGuard<'_, Board> {
-    board.lock().unwrap_or_else(PoisonError::into_inner)
+/// Nobody panics while it is held; if somebody did, what is there is whole all the same.
+fn locked<T>(held: &Mutex<T>) -> MutexGuard<'_, T> {
+    held.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Who decides when the run is advanced, and how far.
@@ -357,6 +366,7 @@ impl Director {
         let mut board = locked(&self.board);
         board.number += 1;
         board.view = view;
+        board.growth = self.act.growth();
     }
 
     fn note(&mut self, text: String, bad: bool) {

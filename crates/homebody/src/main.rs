@@ -8,7 +8,6 @@ mod length;
 mod pace;
 mod print;
 mod profiles;
-mod remarks;
 
 use clap::Parser;
 use commands::Command;

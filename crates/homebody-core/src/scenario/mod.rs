@@ -3,7 +3,8 @@
 //! `scenario.json` links the home, the link, the logger and the residents; a resident links a driver.
 //! Reading order: this file, [`home`], [`device`], [`resident`], [`path`], [`input`], [`link`], [`logger`], then how the
 //! text becomes data ([`load`]): places in the text ([`source`]), the right shape (`shape`, by the
-//! [`schema`]), the right meaning (`check`).
+//! [`schema`]), the right meaning (`check`), and what is right but hardly
+//! meant ([`remarks`]).
 
 pub mod calendar;
 mod check;
@@ -15,6 +16,7 @@ pub mod load;
 pub mod logger;
 pub mod nearest;
 pub mod path;
+pub mod remarks;
 pub mod resident;
 pub mod schema;
 mod shape;

@@ -294,6 +294,11 @@ pub fn phrase(activity: &Activity) -> String {
     }
 }
 
+/// The usual way of saying each activity that has one.
+pub fn usual_phrases() -> impl Iterator<Item = String> {
+    PHRASES.iter().map(|(activity, _)| phrase(activity))
+}
+
 /// All phrases that are understood, each with its verb in the third person, for hints.
 pub fn all_phrases() -> &'static [String] {
     static ALL: LazyLock<Vec<String>> = LazyLock::new(spell_out);

@@ -267,6 +267,12 @@ impl Life {
         source.shown.iter().map(|(phase, severity)| self.phase(phase, day) * severity).product()
     }
 
+    /// How severe a condition is on a day; 1 is a moderate case.
+    pub fn severity(&self, condition: &str, day: i32) -> f64 {
+        let of_it = self.in_force(day).filter(|(source, _)| source.condition.as_deref() == Some(condition));
+        of_it.map(|(_, strength)| strength).sum()
+    }
+
     /// How far a phase has come on a day: 0 before it, 1 once it is fully there.
     pub fn phase(&self, phase: &Phase, day: i32) -> f64 {
         let day_of = |moment: Moment| f64::from(self.day_of(moment));

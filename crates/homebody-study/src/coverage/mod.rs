@@ -16,8 +16,12 @@ mod grid;
 mod table;
 
 use homebody_core::geometry::Point;
-use homebody_core::home::field::MAX_SENSORS;
+use homebody_core::home::Build;
+use homebody_core::home::field::{Field, MAX_SENSORS};
 use homebody_core::home::plan::Plan;
+use homebody_core::scenario::home::{HomeFile, SensorFile};
+use homebody_core::scenario::path::Posture;
+use homebody_core::sensors::Sensor;
 use serde::Serialize;
 
 pub use grid::{Corner, Grid, Region};
@@ -105,6 +109,29 @@ pub struct DeadZone {
     pub outline: Vec<[f64; 2]>,
     /// Pieces inside the outline that are seen, or not walkable; corners clockwise.
     pub holes: Vec<Vec<[f64; 2]>>,
+}
+
+/// A home as its sensors see it.
+#[derive(Clone, Debug)]
+pub struct Seen {
+    /// With those of its sensors that look: the others have nowhere that they see.
+    pub home: HomeFile,
+    pub coverage: Coverage,
+    pub sensors: Vec<Sensor>,
+    /// What they see of a body of this build that stands.
+    pub field: Field,
+}
+
+/// What the sensors of a home that has passed its checks see of a body of this build that stands.
+pub fn of_home(home: &HomeFile, build: Build) -> Seen {
+    let mut home = home.clone();
+    home.sensors.retain(SensorFile::looks);
+    let plan = Plan::new(&home);
+    let sensors: Vec<Sensor> = home.sensors.iter().map(|sensor| Sensor::new(sensor, &plan)).collect();
+    let names: Vec<String> = sensors.iter().map(|sensor| sensor.name.clone()).collect();
+    let field = Field::bake(&plan, &sensors, build.size(Posture::Standing));
+    let coverage = coverage(&plan, build.radius_m, &names, STEP_M, &|p| field.seen_at(p));
+    Seen { home, coverage, sensors, field }
 }
 
 /// Samples the walkable floor in cells of `step_m` and counts which sensors see each.

@@ -237,7 +237,7 @@ pub struct Month {
 }
 
 /// Some days of a life as a draft has it.
-#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
 pub struct MonthView {
     /// Why there is none.
     pub problems: Vec<ProblemView>,
@@ -282,7 +282,6 @@ pub struct PlaceRowsView {
 #[derive(Clone, Debug, PartialEq, Deserialize, TS)]
 #[serde(deny_unknown_fields)]
 pub struct Connect {
-    pub draft: Draft,
     pub url: String,
 }
 

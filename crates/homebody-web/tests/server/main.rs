@@ -1,5 +1,6 @@
 //! The server as its page knows it, and as those who should not be heard do.
 
+mod desk;
 mod guard;
 mod living;
 mod served;

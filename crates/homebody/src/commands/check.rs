@@ -4,9 +4,9 @@ use crate::failure::Failure;
 use crate::folder;
 use crate::length::Length;
 use crate::print::{print_json, tell};
-use crate::remarks;
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::remarks;
 use homebody_routine::household::Household;
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -60,8 +60,13 @@ pub fn load_and_say(
     if let Some(problems) = problems.filter(|_| json) {
         print_json(&json!({ "problems": problems, "warnings": remarks }))?;
     }
-    remarks.iter().for_each(remarks::tell_remark);
+    remarks.iter().for_each(tell_remark);
     loaded.map(|(scenario, _, household)| (scenario, household))
+}
+
+/// Tells people what is hardly meant.
+pub fn tell_remark(remark: &Problem) {
+    tell(format_args!("warning: {remark}"));
 }
 
 pub fn counted(count: usize, one: &str, many: &str) -> String {

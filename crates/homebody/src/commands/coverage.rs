@@ -4,10 +4,8 @@ use super::answer::Answer;
 use crate::failure::Failure;
 use crate::folder;
 use homebody_core::geometry::Point;
-use homebody_core::home::{Build, Home};
-use homebody_core::scenario::home::SensorFile;
-use homebody_core::scenario::path::Posture;
-use homebody_study::coverage::{STEP_M, coverage};
+use homebody_core::home::Build;
+use homebody_study::coverage::{self, Seen};
 use homebody_study::picture;
 use std::path::PathBuf;
 
@@ -29,22 +27,15 @@ impl Arguments {
         let (scenario, _) = folder::load(&self.scenario)?;
         let answer = self.answer.check([""], &folder::files(&self.scenario, &scenario))?;
         let build = scenario.residents.first().map_or_else(Build::adult, |resident| Build::of(&resident.file));
-        // The others have nowhere that they see.
-        let mut file = scenario.home.clone();
-        file.sensors.retain(SensorFile::looks);
-        let home = Home::bake(&file, &[build]);
-        let names: Vec<String> = home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
-        let field = home.field(0, Posture::Standing);
-        let coverage = coverage(&home.plan, build.radius_m, &names, STEP_M, &|p| field.seen_at(p));
-        let map = || picture::coverage_map(&file, &coverage, &beams(&home));
-        answer.give(&coverage, [&map])
+        let seen = coverage::of_home(&scenario.home, build);
+        let map = || picture::coverage_map(&seen.home, &seen.coverage, &beams(&seen));
+        answer.give(&seen.coverage, [&map])
     }
 }
 
 /// The wall sensors' beams on a standing body, to draw.
-fn beams(home: &Home) -> Vec<(usize, Point, Point)> {
-    let field = home.field(0, Posture::Standing);
-    let walls = (0..home.sensors.len()).filter(|&sensor| home.sensors[sensor].is_on_wall());
+fn beams(Seen { sensors, field, .. }: &Seen) -> Vec<(usize, Point, Point)> {
+    let walls = (0..sensors.len()).filter(|&sensor| sensors[sensor].is_on_wall());
     walls
         .flat_map(|sensor| field.beams[field.range(sensor)].iter().map(move |beam| (sensor, beam.start, beam.end())))
         .collect()

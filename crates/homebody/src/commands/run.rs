@@ -1,5 +1,6 @@
 //! `homebody run`: live a scenario.
 
+use super::check::tell_remark;
 use super::cohort::{Cohort, Members};
 use super::live::{Live, Output};
 use crate::failure::Failure;
@@ -7,9 +8,9 @@ use crate::folder;
 use crate::length::{Length, length};
 use crate::pace::Asked;
 use crate::profiles::{self, Base};
-use crate::remarks;
 use homebody_core::recording::Recording;
 use homebody_core::run::Run;
+use homebody_core::scenario::remarks;
 use std::path::PathBuf;
 
 /// Lives a scenario and stores what its sensors say.
@@ -89,7 +90,7 @@ impl Arguments {
             (None, residents) => residents.map(Members::Many),
         };
         if !self.output.quiet {
-            remarks::of(&scenario, length).iter().for_each(remarks::tell_remark);
+            remarks::of(&scenario, length).iter().for_each(tell_remark);
         }
         let recording = Recording {
             version: env!("CARGO_PKG_VERSION").into(),

@@ -1,13 +1,12 @@
 //! What is not wrong with a scenario, but hardly meant: faults that come when the run is over, sensors that always speak at
 //! once on one channel.
 
-use crate::print::tell;
-use homebody_core::problem::Problem;
-use homebody_core::scenario::home::SensorFile;
-use homebody_core::scenario::link::{FaultFile, LinkFile};
-use homebody_core::scenario::load::Scenario;
-use homebody_core::scenario::source::Source;
-use homebody_core::time::{Micros, micros};
+use super::home::SensorFile;
+use super::link::{FaultFile, LinkFile};
+use super::load::Scenario;
+use super::source::Source;
+use crate::problem::Problem;
+use crate::time::{Micros, micros};
 use std::collections::BTreeMap;
 
 /// What is to be said of a scenario whose run is so long. Nothing of it keeps anybody from running it.
@@ -18,11 +17,6 @@ pub fn of(scenario: &Scenario, length: Micros) -> Vec<Problem> {
     let mut remarks = too_late(&source, link, scenario, length);
     remarks.extend(at_once(&source, link, &scenario.home.sensors));
     remarks
-}
-
-/// Tells people a remark.
-pub fn tell_remark(remark: &Problem) {
-    tell(format_args!("warning: {remark}"));
 }
 
 /// Faults that begin when the run is over.

@@ -1,0 +1,79 @@
+//! The beginning of a log as its readers find it, and whether there can be one at a place.
+
+use crate::error::LogError;
+use crate::fresh::FreshFile;
+use crate::mapping::Columns;
+use crate::url::Url;
+use homebody_core::scenario::logger::LoggerFile;
+use rusqlite::types::ValueRef;
+use rusqlite::{Connection, OpenFlags};
+use std::fs::File;
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+
+/// The first rows of a log.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Preview {
+    /// Of a database.
+    pub table: Option<String>,
+    /// None in a text without a header line.
+    pub columns: Vec<String>,
+    pub rows: Vec<Vec<String>>,
+}
+
+/// The first rows of a log that is complete; `file` is the mapping that it was written by.
+pub fn preview(url: &Url, file: &LoggerFile, most: usize) -> Result<Preview, LogError> {
+    match url {
+        Url::Sqlite(path) => {
+            let table = Columns::new(file)?.table;
+            database(path, &table, most).map_err(|error| LogError::database(path, error))
+        }
+        Url::Csv(path) => values(path, most),
+        Url::Casas(path) => lines(path, most),
+    }
+}
+
+/// Makes sure that a new log can be begun at a place; nothing is left there.
+pub fn try_place(url: &Url) -> Result<(), LogError> {
+    FreshFile::create(url.path(), false).map(drop)
+}
+
+fn database(path: &Path, table: &str, most: usize) -> rusqlite::Result<Preview> {
+    let connection = Connection::open_with_flags(path, OpenFlags::SQLITE_OPEN_READ_ONLY)?;
+    // The table's name is one of those that may reach SQL.
+    let mut select = connection.prepare(&format!("SELECT * FROM \"{table}\" LIMIT {most}"))?;
+    let columns: Vec<String> = select.column_names().into_iter().map(str::to_owned).collect();
+    let mut rows = Vec::new();
+    let mut found = select.query([])?;
+    while let Some(row) = found.next()? {
+        rows.push((0..columns.len()).map(|column| row.get_ref(column).map(text)).collect::<Result<_, _>>()?);
+    }
+    Ok(Preview { table: Some(table.to_owned()), columns, rows })
+}
+
+fn text(value: ValueRef) -> String {
+    match value {
+        ValueRef::Null => String::new(),
+        ValueRef::Integer(number) => number.to_string(),
+        ValueRef::Real(number) => number.to_string(),
+        ValueRef::Text(bytes) | ValueRef::Blob(bytes) => String::from_utf8_lossy(bytes).into_owned(),
+    }
+}
+
+fn values(path: &Path, most: usize) -> Result<Preview, LogError> {
+    let file = File::open(path).map_err(|error| LogError::file(path, error))?;
+    let mut records = csv::ReaderBuilder::new().has_headers(false).from_reader(BufReader::new(file)).into_records();
+    let fields = |record: csv::StringRecord| record.iter().map(str::to_owned).collect::<Vec<_>>();
+    let wrong = |error: csv::Error| LogError::file(path, error.into());
+    let columns = records.next().transpose().map_err(wrong)?.map(fields).unwrap_or_default();
+    let rows = records.take(most).map(|record| record.map(fields).map_err(wrong)).collect::<Result<_, _>>()?;
+    Ok(Preview { table: None, columns, rows })
+}
+
+fn lines(path: &Path, most: usize) -> Result<Preview, LogError> {
+    let file = File::open(path).map_err(|error| LogError::file(path, error))?;
+    let lines = BufReader::new(file).lines().take(most);
+    let fields = |line: String| line.split('\t').map(str::to_owned).collect();
+    let rows = lines.map(|line| line.map(fields).map_err(|error| LogError::file(path, error)));
+    Ok(Preview { table: None, columns: Vec::new(), rows: rows.collect::<Result<_, _>>()? })
+}

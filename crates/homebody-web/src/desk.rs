@@ -1,0 +1,139 @@
+//! The desk: where the scenario's files are written in the page. What is asked about a draft never touches the disk; saving
+//! replaces only what the page has seen.
+
+mod life;
+mod log;
+mod plan;
+
+use crate::shelf::{Drafted, Shelf};
+use crate::wire::{CheckView, Draft, FileView, FilesView, LivesView, ProblemView, Save, SaveFile, SavedView};
+use homebody_core::problem::Problem;
+use homebody_core::scenario::load::{Files, Scenario};
+use homebody_core::scenario::remarks;
+use homebody_log::fresh::FreshFile;
+use homebody_routine::household::{Household, Spoken};
+use serde_json::Value;
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// The files of one scenario. A clone is the same desk.
+#[derive(Clone)]
+pub struct Desk {
+    pub shelf: Shelf,
+    /// Held while files are compared and replaced, so that no two pages do so at once.
+    writing: Arc<Mutex<()>>,
+    /// Held while a draft is lived: one after the other, so that the run on the stage has a core.
+    living: Arc<Mutex<()>>,
+}
+
+impl Desk {
+    pub fn new(shelf: Shelf) -> Desk {
+        Desk { shelf, writing: Arc::default(), living: Arc::default() }
+    }
+
+    /// All files that can be written, and what the scenario takes them for.
+    pub fn files(&self) -> FilesView {
+        let root = self.json(&self.shelf.entry);
+        let text = |value: &Value| value.as_str().map(str::to_owned);
+        let residents = root["residents"].as_array().into_iter().flatten().filter_map(Value::as_str);
+        let lives = residents.filter_map(|file| {
+            let resident = self.json(file);
+            let routine = text(&resident["driver"]["routine"])?;
+            Some(LivesView { name: text(&resident["name"]).unwrap_or_else(|| file.to_owned()), routine })
+        });
+        FilesView {
+            entry: self.shelf.entry.clone(),
+            home: text(&root["home"]),
+            logger: text(&root["logger"]),
+            lives: lives.collect(),
+            files: self.shelf.written().iter().filter_map(|name| self.file(name)).collect(),
+        }
+    }
+
+    /// The versions of all files that can be written, by name.
+    pub fn versions(&self) -> BTreeMap<String, String> {
+        let names = self.shelf.written().into_iter();
+        names.filter_map(|name| Some((name.clone(), version(&self.shelf.read(&name).ok()?)))).collect()
+    }
+
+    /// Writes all texts, or none where one of the files is another than its text was made from.
+    pub fn save(&self, save: Save) -> Result<SavedView, String> {
+        let _writing = self.writing.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut fresh = Vec::new();
+        for file in &save.files {
+            let unknown = || format!("{:?} is no name for a file of this scenario", file.name);
+            let path = self.shelf.place_of(&file.name).ok_or_else(unknown)?;
+            let mut written = FreshFile::create(&path, true).map_err(|error| error.to_string())?;
+            written.write(file.text.as_bytes()).map_err(|error| error.to_string())?;
+            fresh.push(written);
+        }
+        let there = |name: &str| self.file(name).unwrap_or_else(|| gone(name));
+        let is_as_seen = |file: &SaveFile| there(&file.name).version == file.version.clone().unwrap_or_default();
+        let others = save.files.iter().filter(|file| !is_as_seen(file));
+        let changed: Vec<_> = others.map(|file| there(&file.name)).collect();
+        if !changed.is_empty() {
+            return Ok(SavedView { saved: BTreeMap::new(), changed });
+        }
+        for file in fresh {
+            file.finish().map_err(|error| error.to_string())?;
+        }
+        let saved = save.files.into_iter().map(|file| (file.name, version(&file.text))).collect();
+        Ok(SavedView { saved, changed })
+    }
+
+    /// The scenario's files with a draft laid over them.
+    pub fn with(&self, draft: Draft) -> Drafted<'_> {
+        Drafted { texts: draft.texts, shelf: &self.shelf }
+    }
+
+    /// The scenario of a draft and who lives there, or all that is wrong with it.
+    pub fn lives(&self, files: &Drafted, without: &[String]) -> Result<(Scenario, Household), Vec<Problem>> {
+        let mut scenario = Scenario::load_in(&Spoken, files, &self.shelf.entry).map_err(|problems| problems.0)?;
+        let household = Household::read(&mut scenario, files, without).map_err(|problems| problems.0)?;
+        Ok((scenario, household))
+    }
+
+    /// What is wrong with a draft, and what is hardly meant in it: as `homebody check` says it.
+    pub fn check(&self, draft: Draft) -> CheckView {
+        match self.lives(&self.with(draft), &[]) {
+            Ok((scenario, _)) => {
+                let length = scenario.calendar.span_of_days(scenario.file.days);
+                CheckView { problems: Vec::new(), warnings: problems(&remarks::of(&scenario, length)) }
+            }
+            Err(wrong) => CheckView { problems: problems(&wrong), warnings: Vec::new() },
+        }
+    }
+
+    fn file(&self, name: &str) -> Option<FileView> {
+        let text = self.shelf.read(name).ok()?;
+        Some(FileView { name: name.to_owned(), version: version(&text), text })
+    }
+
+    /// What a file says, as far as it can be read.
+    fn json(&self, name: &str) -> Value {
+        self.shelf.read(name).ok().and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default()
+    }
+}
+
+/// A file that is not there.
+fn gone(name: &str) -> FileView {
+    FileView { name: name.to_owned(), text: String::new(), version: String::new() }
+}
+
+/// A sign of a text.
+fn version(text: &str) -> String {
+    Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+pub fn problems(problems: &[Problem]) -> Vec<ProblemView> {
+    let view = |problem: &Problem| ProblemView {
+        file: problem.file.clone(),
+        line: problem.line,
+        column: problem.column,
+        width: problem.excerpt.as_ref().map_or(1, |excerpt| excerpt.width),
+        what: problem.what.clone(),
+        hint: problem.hint.clone(),
+    };
+    problems.iter().map(view).collect()
+}

@@ -1,0 +1,179 @@
+//! Routines that are being written: how they are understood, and some days of the life that they come to.
+
+use super::{Desk, problems};
+use crate::dates;
+use crate::wire::{
+    ConditionView, Explain, ExplainView, Month, MonthView, ProblemView, SentenceView, WordKind, WordView,
+};
+use homebody_core::event::{Events, Fact};
+use homebody_core::problem::Problem;
+use homebody_core::run::Run;
+use homebody_core::scenario::load::{Driver, Scenario};
+use homebody_core::time::Micros;
+use homebody_routine::completion;
+use homebody_routine::explain::{self, Kind, Spread, explain};
+use homebody_routine::household::{Household, Understood};
+use homebody_routine::routine::Routine;
+use std::sync::PoisonError;
+
+/// A month is no longer.
+const LONGEST: u32 = 31;
+
+impl Desk {
+    /// How a routine of a draft is understood.
+    pub fn explain(&self, Explain { draft, file: asked }: Explain) -> ExplainView {
+        let files = self.with(draft);
+        let scenario = match Scenario::load(&files, &self.shelf.entry) {
+            Ok(scenario) => scenario,
+            Err(wrong) => return not_understood(problems(&wrong.0)),
+        };
+        let is_asked = |driver: &Driver| matches!(driver, Driver::Routine { file, .. } if *file == asked);
+        let resident = scenario.residents.iter().position(|resident| is_asked(&resident.driver));
+        let Some(known) = resident.and_then(|resident| Household::understand(&scenario, &files, resident)) else {
+            let nobodys = Problem::of_file(&asked, "nobody lives by this routine", None);
+            return not_understood(problems(&[nobodys]));
+        };
+        let length = scenario.calendar.span_of_days(scenario.file.days);
+        let days = dates::last(&scenario.calendar, length) + 1;
+        let condition = |(name, routine): (&String, &Routine)| ConditionView {
+            name: name.clone(),
+            severity: (0..days).map(|day| known.severity(name, day as i32)).collect(),
+            sentences: sentences(routine),
+        };
+        let Understood { routine, unsaid, conditions, problems: wrong, words, .. } = &known;
+        ExplainView {
+            problems: problems(wrong),
+            sentences: sentences(routine),
+            unsaid: sentences(unsaid),
+            conditions: conditions.iter().map(condition).collect(),
+            words: words.iter().map(word).collect(),
+        }
+    }
+
+    /// Some days of a draft, lived without leaving a file.
+    pub fn month(&self, Month { draft, from, days, without }: Month) -> MonthView {
+        let (scenario, household) = match self.lives(&self.with(draft), &without) {
+            Ok(lives) => lives,
+            Err(wrong) => return MonthView { problems: problems(&wrong), ..MonthView::default() },
+        };
+        let _living = self.living.lock().unwrap_or_else(PoisonError::into_inner);
+        lived(&scenario, &household, from, days.clamp(1, LONGEST))
+    }
+}
+
+fn not_understood(problems: Vec<ProblemView>) -> ExplainView {
+    ExplainView { problems, sentences: Vec::new(), unsaid: Vec::new(), conditions: Vec::new(), words: Vec::new() }
+}
+
+fn lived(scenario: &Scenario, household: &Household, from: u32, days: u32) -> MonthView {
+    let calendar = &scenario.calendar;
+    let length = calendar.span_of_days(scenario.file.days);
+    let last = dates::last(calendar, length);
+    let from = from.min(last);
+    let days = dates::some(calendar, length, from..(from + days).min(last + 1));
+    let (begin, end) = (days.first().map_or(0, |day| day.begin_us), days.last().map_or(0, |day| day.end_us));
+    let mut run = Run::new(scenario, household, scenario.file.seed, end);
+    let is_motion: Vec<bool> = run.sensors().iter().map(homebody_core::sensors::Sensor::looks).collect();
+    let mut view = MonthView {
+        residents: scenario.residents.iter().map(|resident| resident.file.name.clone()).collect(),
+        rooms: run.home().plan.rooms.iter().map(|room| room.name.clone()).collect(),
+        hours: vec![vec![0; 24]; days.len()],
+        spans: vec![Vec::new(); scenario.residents.len()],
+        stays: vec![Vec::new(); scenario.residents.len()],
+        days,
+        ..MonthView::default()
+    };
+    let mut doing = vec![(0, None); view.residents.len()];
+    let mut being = doing.clone();
+    let mut events = Events::default();
+    for day in 0..view.days.len() {
+        run.advance(view.days[day].end_us, &mut events);
+        for fact in &events.facts {
+            match fact {
+                Fact::Activity { resident, at, name } if (*resident as usize) < doing.len() => {
+                    let name = name.as_ref().map(|name| numbered(&mut view.activities, name));
+                    let resident = *resident as usize;
+                    change(&mut doing[resident], *at, name, &mut view.spans[resident]);
+                }
+                Fact::Room { resident, at, room } if (*resident as usize) < being.len() => {
+                    let resident = *resident as usize;
+                    change(&mut being[resident], *at, *room, &mut view.stays[resident]);
+                }
+                _ => {}
+            }
+        }
+        for firing in &events.firings {
+            if is_motion[firing.sensor as usize]
+                && let Some(day) = view.days.iter().rposition(|day| day.begin_us <= firing.at)
+            {
+                view.hours[day][dates::hour(calendar, firing.at)] += 1;
+            }
+        }
+        events.clear();
+    }
+    for resident in 0..doing.len() {
+        change(&mut doing[resident], end, None, &mut view.spans[resident]);
+        change(&mut being[resident], end, None, &mut view.stays[resident]);
+    }
+    // What was before the first day was only lived to come to it.
+    for spans in view.spans.iter_mut().chain(&mut view.stays) {
+        spans.retain(|span| span.1 > begin);
+    }
+    view
+}
+
+/// Ends what was, and begins what is.
+fn change(was: &mut (Micros, Option<u32>), at: Micros, is: Option<u32>, spans: &mut Vec<(Micros, Micros, u32)>) {
+    if let (since, Some(what)) = *was
+        && since < at
+    {
+        spans.push((since, at, what));
+    }
+    *was = (at, is);
+}
+
+/// The number of a name among those that are known.
+fn numbered(names: &mut Vec<String>, name: &str) -> u32 {
+    let known = names.iter().position(|known| known == name);
+    let number = known.unwrap_or_else(|| {
+        names.push(name.to_owned());
+        names.len() - 1
+    });
+    number as u32
+}
+
+fn sentences(routine: &Routine) -> Vec<SentenceView> {
+    explain(routine).sentences.into_iter().map(sentence).collect()
+}
+
+fn sentence(row: explain::Row) -> SentenceView {
+    let kind = match row.kind {
+        Kind::Person => "person",
+        Kind::Habit => "habit",
+        Kind::Rule => "rule",
+        Kind::Change => "change",
+    };
+    let span = |spread: Option<Spread>| spread.map(|spread| [spread.p5, spread.mean, spread.p95]);
+    SentenceView {
+        line: row.line,
+        said: row.said,
+        kind: kind.to_owned(),
+        what: row.place.map_or(row.what.clone(), |place| format!("{} ({place})", row.what)),
+        days: row.days,
+        when: row.when,
+        start_s: span(row.start),
+        lasts_s: span(row.lasts),
+        in_words: row.in_words,
+    }
+}
+
+fn word(word: &completion::Word) -> WordView {
+    let kind = match word.kind {
+        completion::WordKind::Sentence => WordKind::Sentence,
+        completion::WordKind::Activity => WordKind::Activity,
+        completion::WordKind::Time => WordKind::Time,
+        completion::WordKind::Place => WordKind::Place,
+        completion::WordKind::Condition => WordKind::Condition,
+    };
+    WordView { text: word.text.clone(), kind, about: word.about.clone() }
+}

@@ -1,0 +1,109 @@
+//! A logger's file that is being written: its first rows, as they would be stored, and whether its places take a log.
+
+use super::{Desk, problems};
+use crate::wire::{Connect, ConnectView, Draft, PlaceRowsView, RowsView};
+use homebody_core::event::Events;
+use homebody_core::problem::Problem;
+use homebody_core::run::Run;
+use homebody_core::scenario::load::Scenario;
+use homebody_core::time::{DAY, SECOND};
+use homebody_log::preview::{preview, try_place};
+use homebody_log::url::UrlError;
+use homebody_log::{LogError, Logger, RunInfo, Url};
+use homebody_routine::household::Household;
+use std::path::Path;
+use std::sync::PoisonError;
+
+/// How many rows are shown (ours).
+const ROWS: usize = 40;
+
+/// Who makes no rows in so long has none to show.
+const LONGEST: i64 = 3 * DAY;
+
+/// What logs can be written, as URLs begin.
+const KINDS: [(&str, &str); 3] = [
+    ("sqlite:", "a database file, with a table as the network has it"),
+    ("csv:", "comma-separated values with a header line"),
+    ("casas:", "the text of the CASAS homes: time, sensor and message, parted by tabs"),
+];
+
+impl Desk {
+    /// The first rows of a draft's log, written where nobody else looks and read back.
+    pub fn rows(&self, draft: Draft) -> RowsView {
+        let kinds = KINDS.map(|(begins, what)| (begins.to_owned(), what.to_owned())).to_vec();
+        let (problems, places) = match self.lives(&self.with(draft), &[]) {
+            Err(wrong) => (problems(&wrong), Vec::new()),
+            Ok((scenario, household)) => {
+                let _living = self.living.lock().unwrap_or_else(PoisonError::into_inner);
+                match first_rows(&scenario, &household) {
+                    Ok(places) => (Vec::new(), places),
+                    Err(error) => {
+                        let file = scenario.file.logger.as_deref().unwrap_or(&self.shelf.entry);
+                        (problems(&[Problem::of_file(file, error.to_string(), None)]), Vec::new())
+                    }
+                }
+            }
+        };
+        RowsView { problems, places, kinds }
+    }
+
+    /// Whether a log can be begun at a place.
+    pub fn connect(&self, Connect { url }: Connect) -> ConnectView {
+        let tried = url.parse().map_err(LogError::Url).and_then(|url: Url| self.try_url(&url));
+        match tried {
+            Ok(said) => ConnectView { works: true, said },
+            Err(error) => ConnectView { works: false, said: error.to_string() },
+        }
+    }
+
+    fn try_url(&self, url: &Url) -> Result<String, LogError> {
+        if url.path().is_absolute() {
+            try_place(url)?;
+            return Ok(format!(
+                "{} can be written. It is new: a log that is there is not replaced.",
+                url.path().display()
+            ));
+        }
+        // Each run has a folder of its own; what matters is whether it can be made.
+        let there = self.shelf.runs.ancestors().find(|folder| folder.is_dir() || folder.as_os_str().is_empty());
+        let base = there.filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        try_place(&url.at(base.join(format!(".homebody-{}", std::process::id()))))?;
+        let folder = self.shelf.runs.display();
+        Ok(format!(
+            "Each run writes its own {}, in a new folder in {folder}, which can be written.",
+            url.path().display()
+        ))
+    }
+}
+
+fn first_rows(scenario: &Scenario, household: &Household) -> Result<Vec<PlaceRowsView>, LogError> {
+    let unmade = |source| LogError::Unmade { path: std::env::temp_dir(), source };
+    let folder = tempfile::tempdir().map_err(unmade)?;
+    let usual = [String::from("sqlite:log.db")];
+    let to = if scenario.logger.to.is_empty() { &usual[..] } else { &scenario.logger.to };
+    let urls: Vec<Url> = to.iter().map(|to| to.parse()).collect::<Result<_, UrlError>>()?;
+    let hidden = urls.iter().enumerate().map(|(number, url)| url.at(folder.path().join(number.to_string())));
+    let hidden: Vec<Url> = hidden.collect();
+
+    let seed = scenario.file.seed;
+    let length = scenario.calendar.span_of_days(scenario.file.days).min(LONGEST);
+    let mut run = Run::new(scenario, household, seed, length);
+    let sensors: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
+    let info = RunInfo { id: 1, scenario: scenario.file.name.clone(), seed, version: env!("CARGO_PKG_VERSION").into() };
+    let mut logger = Logger::open(&hidden, &scenario.logger, &sensors, &scenario.calendar, &info, false)?;
+    let (mut events, mut count) = (Events::default(), 0);
+    // Of messages that a link delays, and of OFFs that are held, some rows come later than their firings.
+    while count < 2 * ROWS && run.now() < run.length() {
+        run.advance(run.now() + 600 * SECOND, &mut events);
+        logger.store(&events.firings, run.settled())?;
+        count += events.firings.len();
+        events.clear();
+    }
+    logger.finish()?;
+
+    let shown = |(to, url): (&String, &Url)| {
+        let first = preview(url, &scenario.logger, ROWS)?;
+        Ok(PlaceRowsView { to: to.clone(), table: first.table, columns: first.columns, rows: first.rows })
+    };
+    to.iter().zip(&hidden).map(shown).collect()
+}

@@ -1,0 +1,103 @@
+//! A home that is being drawn: what is wrong with it, what it looks like, and where its sensors see.
+
+use super::{Desk, problems};
+use crate::draw;
+use crate::wire::{CoverageView, DeadZoneView, Draft, FloorView, HomeView, PlanView, SeenView};
+use homebody_core::home::Build;
+use homebody_core::home::plan::Plan;
+use homebody_core::problem::Problem;
+use homebody_core::scenario::home::HomeFile;
+use homebody_core::scenario::load::{Files, Scenario};
+use homebody_core::scenario::resident::ResidentFile;
+use homebody_core::sensors::Sensor;
+use homebody_study::coverage::{self, Coverage, Floor, Seen};
+use serde_json::json;
+use std::collections::BTreeMap;
+
+/// What a cell is where no body can stand.
+const NO_FLOOR: u8 = 255;
+
+impl Desk {
+    /// The home of a draft.
+    pub fn plan(&self, draft: Draft) -> PlanView {
+        let files = self.with(draft);
+        match home(&files, &self.shelf.entry) {
+            Ok(home) => PlanView {
+                problems: Vec::new(),
+                home: Some(view(&home)),
+                coverage: Some(covered(&coverage::of_home(&home, build(&files, &self.shelf.entry)))),
+            },
+            Err(wrong) => PlanView { problems: problems(&wrong), home: None, coverage: None },
+        }
+    }
+}
+
+/// A scenario's home by itself: what is wrong with other files is not asked.
+fn home(files: &dyn Files, entry: &str) -> Result<HomeFile, Vec<Problem>> {
+    let of_entry = |what: String| vec![Problem::of_file(entry, what, None)];
+    let text = files.read(entry).map_err(|why| of_entry(format!("cannot be read: {why}")))?;
+    let root: serde_json::Value = serde_json::from_str(&text).map_err(|error| of_entry(error.to_string()))?;
+    let name = root["home"].as_str().ok_or_else(|| of_entry("links no home".into()))?;
+    let text = files.read(name).map_err(|why| of_entry(format!("{name:?} cannot be read: {why}")))?;
+    // Around it a scenario of nobody.
+    let nobody = json!({ "name": "home", "start": "2009-03-02T00:00:00", "days": 1, "home": name, "residents": [] });
+    let around = if name == "scenario.json" { "around.json" } else { "scenario.json" };
+    let alone: BTreeMap<String, String> = [(around.to_owned(), nobody.to_string()), (name.to_owned(), text)].into();
+    Scenario::load(&alone, around).map(|scenario| scenario.home).map_err(|problems| problems.0)
+}
+
+/// The body of the first resident, as far as their file can be read.
+fn build(files: &dyn Files, entry: &str) -> Build {
+    let first = || -> Option<ResidentFile> {
+        let root: serde_json::Value = serde_json::from_str(&files.read(entry).ok()?).ok()?;
+        let name = root["residents"][0].as_str()?.to_owned();
+        serde_json::from_str(&files.read(&name).ok()?).ok()
+    };
+    first().map_or_else(Build::adult, |file| Build::of(&file))
+}
+
+fn view(home: &HomeFile) -> HomeView {
+    let plan = Plan::new(home);
+    let sensors: Vec<Sensor> = home.sensors.iter().map(|sensor| Sensor::new(sensor, &plan)).collect();
+    draw::home(home, &plan, &sensors)
+}
+
+fn covered(Seen { coverage, .. }: &Seen) -> CoverageView {
+    let Coverage { step_m, whole, rooms, doorways, sensors, overlaps, dead_zones, grid, .. } = coverage;
+    let cell = |cell: usize| grid.watchers(cell).map_or(NO_FLOOR, |watchers| watchers as u8);
+    let half = step_m / 2.0;
+    let corner = if grid.cells.is_empty() { [0.0; 2] } else { draw::at(grid.middle(0)).map(|middle| middle - half) };
+    let zone = |zone: &coverage::DeadZone| DeadZoneView {
+        number: zone.number as u32,
+        room: zone.room.clone(),
+        area_m2: zone.area_m2,
+        middle: zone.middle,
+        outline: zone.outline.clone(),
+        holes: zone.holes.clone(),
+    };
+    CoverageView {
+        step_m: *step_m,
+        corner,
+        columns: grid.columns as u32,
+        cells: (0..grid.cells.len()).map(cell).collect(),
+        whole: floor(whole),
+        rooms: rooms.iter().chain(doorways).map(floor).collect(),
+        sensors: sensors
+            .iter()
+            .map(|seen| SeenView { name: seen.name.clone(), seen_m2: seen.seen_m2, alone_m2: seen.alone_m2 })
+            .collect(),
+        overlaps: overlaps
+            .iter()
+            .map(|overlap| {
+                let [one, other] = overlap.sensors.clone();
+                (one, other, overlap.shared_m2)
+            })
+            .collect(),
+        dead_zones: dead_zones.iter().map(zone).collect(),
+    }
+}
+
+fn floor(Floor { name, floor_m2, seen_by, .. }: &Floor) -> FloorView {
+    let seen_by = [seen_by.none, seen_by.one, seen_by.two, seen_by.three_or_more];
+    FloorView { name: name.clone(), floor_m2: *floor_m2, seen_by }
+}

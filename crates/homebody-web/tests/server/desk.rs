@@ -1,0 +1,412 @@
+//! Files that are written in the page: what is asked about them, and how they are saved.
+
+use super::served::{Answer, Served};
+use homebody_core::event::Events;
+use homebody_core::run::Run;
+use homebody_core::scenario::load::Scenario;
+use homebody_routine::household::{Household, Spoken};
+use homebody_web::shelf::Shelf;
+use rusqlite::Connection;
+use serde::Deserialize;
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+impl Served {
+    fn post(&self, path: &str, body: &Value) -> Answer {
+        let (address, token, body) = (self.address, &self.token, body.to_string());
+        let head = format!(
+            "POST {path} HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\nx-homebody-token: {token}\r\n\
+             Content-Type: application/json\r\nContent-Length: {}\r\n\r\n",
+            body.len()
+        );
+        self.ask((head + &body).as_bytes())
+    }
+
+    fn told(&self, path: &str, body: &Value) -> Value {
+        let answer = self.post(path, body);
+        assert_eq!(answer.code, 200, "{path}: {}", String::from_utf8_lossy(&answer.body));
+        match answer.head.contains("msgpack") {
+            true => rmp_serde::from_slice(&answer.body).unwrap(),
+            false => serde_json::from_slice(&answer.body).unwrap(),
+        }
+    }
+
+    fn plan(&self, draft: &Value) -> Plan {
+        rmp_serde::from_slice(&self.post("/api/plan", draft).body).unwrap()
+    }
+
+    fn file(&self, scenario: &str, name: &str) -> PathBuf {
+        self.folder.path().join(scenario).join(name)
+    }
+
+    fn version(&self, name: &str) -> String {
+        let versions: Value = serde_json::from_slice(&self.api("/api/files/versions").body).unwrap();
+        versions[name].as_str().unwrap().to_owned()
+    }
+}
+
+fn draft(name: &str, text: &str) -> Value {
+    json!({ "texts": { name: text } })
+}
+
+/// All files below a folder with their bytes.
+fn all_files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let mut files = BTreeMap::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            files.extend(all_files(&path));
+        } else {
+            files.insert(path.clone(), fs::read(&path).unwrap());
+        }
+    }
+    files
+}
+
+#[test]
+fn the_files_are_told_with_what_the_scenario_takes_them_for() {
+    let served = Served::scenario("couple-with-cat");
+    fs::create_dir(served.file("couple-with-cat", "conditions")).unwrap();
+    fs::write(served.file("couple-with-cat", "conditions/flu.routine"), "she sleeps longer").unwrap();
+    fs::write(served.file("couple-with-cat", "notes.txt"), "not written in the page").unwrap();
+    let files: Value = serde_json::from_slice(&served.api("/api/files").body).unwrap();
+    assert_eq!(
+        (&files["entry"], &files["home"], &files["logger"]),
+        (&json!("scenario.json"), &json!("home.json"), &json!("logger.json"))
+    );
+    assert_eq!(files["lives"].as_array().unwrap().len(), 3);
+    assert!(
+        files["lives"].as_array().unwrap().contains(&json!({ "name": "minka", "routine": "minka.routine" })),
+        "{}",
+        files["lives"]
+    );
+    let names: Vec<&str> =
+        files["files"].as_array().unwrap().iter().map(|file| file["name"].as_str().unwrap()).collect();
+    assert!(names.contains(&"conditions/flu.routine") && !names.contains(&"notes.txt"), "{names:?}");
+    let home = files["files"].as_array().unwrap().iter().find(|file| file["name"] == "home.json").unwrap();
+    assert_eq!(
+        home["text"].as_str().unwrap(),
+        fs::read_to_string(served.file("couple-with-cat", "home.json")).unwrap()
+    );
+    assert_eq!(home["version"], served.version("home.json"));
+}
+
+#[test]
+fn only_what_was_seen_is_replaced_and_all_or_nothing() {
+    let served = Served::scenario("studio");
+    let (home, routine) = (served.file("studio", "home.json"), served.file("studio", "walter.routine"));
+    let old = fs::read_to_string(&home).unwrap();
+    let seen = served.version("home.json");
+    let save = |name: &str, text: &str, version: Value| json!({ "name": name, "text": text, "version": version });
+
+    let new = old.replacen("1", "2", 1);
+    let told = served.told("/api/files", &json!({ "files": [save("home.json", &new, json!(seen))] }));
+    assert_eq!((fs::read_to_string(&home).unwrap(), &told["changed"]), (new.clone(), &json!([])));
+    assert_eq!(told["saved"]["home.json"], served.version("home.json"));
+
+    // Made from a text that is not there any more: neither file is written.
+    let before = all_files(served.folder.path());
+    let both =
+        [save("home.json", "{}", json!(seen)), save("walter.routine", "", json!(served.version("walter.routine")))];
+    let told = served.told("/api/files", &json!({ "files": both }));
+    assert_eq!(told["saved"], json!({}));
+    assert_eq!((&told["changed"][0]["name"], &told["changed"][0]["text"]), (&json!("home.json"), &json!(new)));
+    assert_eq!(all_files(served.folder.path()), before);
+
+    // A new file takes no other's place; one that has gone is made again by who has seen that it has.
+    let told = served.told("/api/files", &json!({ "files": [save("walter.routine", "", Value::Null)] }));
+    assert_eq!(told["changed"][0]["name"], "walter.routine");
+    fs::remove_file(&routine).unwrap();
+    let told = served.told("/api/files", &json!({ "files": [save("walter.routine", "a", json!("0"))] }));
+    assert_eq!(told["changed"][0], json!({ "name": "walter.routine", "text": "", "version": "" }));
+    assert!(!routine.exists());
+    served.told("/api/files", &json!({ "files": [save("walter.routine", "a", json!(""))] }));
+    assert_eq!(fs::read_to_string(&routine).unwrap(), "a");
+    assert!(all_files(served.folder.path()).keys().all(|path| !path.to_string_lossy().contains(".part")));
+}
+
+#[test]
+fn nothing_is_written_under_a_name_that_is_no_plain_file_of_the_scenario() {
+    let served = Served::scenario("studio");
+    let outside = served.folder.path().join("outside.json");
+    fs::write(&outside, "{}").unwrap();
+    #[cfg(unix)]
+    std::os::unix::fs::symlink(&outside, served.file("studio", "link.json")).unwrap();
+    let before = all_files(served.folder.path());
+    let absolute = outside.to_string_lossy().into_owned();
+    let long = "a".repeat(300) + ".json";
+    for name in [
+        "../outside.json",
+        "..",
+        "",
+        ".hidden.json",
+        "a/b.json",
+        "conditions/../../outside.json",
+        "a\\b.json",
+        "c:a.json",
+        "a\0.json",
+        "log.db",
+        "a.json.exe",
+        "/etc/a.json",
+        "conditions//etc/a.json",
+        &absolute,
+        &long,
+    ] {
+        let file = json!({ "name": name, "text": "x", "version": null });
+        let answer = served.post("/api/files", &json!({ "files": [file] }));
+        assert_eq!(answer.code, 422, "{name:?}");
+    }
+    // A link is replaced by nobody: it is not one of the files that the page has seen.
+    if cfg!(unix) {
+        let files: Value = serde_json::from_slice(&served.api("/api/files").body).unwrap();
+        assert!(!files.to_string().contains("link.json"));
+    }
+    assert_eq!(all_files(served.folder.path()), before);
+}
+
+#[test]
+fn a_draft_is_checked_as_the_files_would_be_and_touches_none() {
+    let served = Served::scenario("tigerplace");
+    let before = all_files(served.folder.path());
+    assert_eq!(served.told("/api/check", &json!({ "texts": {} })), json!({ "problems": [], "warnings": [] }));
+    let routine = before[&served.file("tigerplace", "margaret.routine")].clone();
+    let routine = String::from_utf8(routine).unwrap() + "\nShe gest up early.\n";
+    let home = String::from_utf8(before[&served.file("tigerplace", "home.json")].clone()).unwrap();
+    let home = home.replacen("\"thickness_m\": 0.2", "\"thickness_m\": -0.2", 1);
+    let told = served.told("/api/check", &json!({ "texts": { "margaret.routine": routine, "home.json": home } }));
+    let shelf = Shelf { scenario: served.file("tigerplace", ""), entry: "scenario.json".into(), runs: "runs".into() };
+    let files: BTreeMap<String, String> = before
+        .iter()
+        .map(|(path, bytes)| {
+            (path.file_name().unwrap().to_str().unwrap().into(), String::from_utf8(bytes.clone()).unwrap())
+        })
+        .chain([("margaret.routine".into(), routine), ("home.json".into(), home)])
+        .collect();
+    let wrong = Scenario::load_in(&Spoken, &files, &shelf.entry).unwrap_err();
+    let problems = told["problems"].as_array().unwrap();
+    assert_eq!(problems.len(), wrong.0.len());
+    assert!(problems.len() >= 2 || wrong.0.len() == 1);
+    for (told, problem) in problems.iter().zip(&wrong.0) {
+        assert_eq!(
+            (&told["file"], &told["line"], &told["column"]),
+            (&json!(problem.file), &json!(problem.line), &json!(problem.column))
+        );
+        assert_eq!((&told["what"], &told["hint"]), (&json!(problem.what), &json!(problem.hint)));
+    }
+    assert_eq!(all_files(served.folder.path()), before);
+}
+
+#[test]
+fn a_plan_is_told_with_its_coverage_and_a_sensor_that_sees_more_leaves_less_dead() {
+    let served = Served::scenario("studio");
+    let text = fs::read_to_string(served.file("studio", "home.json")).unwrap();
+    let mut home: Value = serde_json::from_str(&text).unwrap();
+    // One sensor alone, that reaches less far the second time.
+    let sensors = home["sensors"].as_array().unwrap().clone();
+    let one = sensors.iter().find(|sensor| sensor["kind"] == "motion").unwrap().clone();
+    let mut short = one.clone();
+    short["reach_m"] = json!(1.0);
+    let mut seen = |sensor: &Value| {
+        home["sensors"] = json!([sensor]);
+        served.plan(&draft("home.json", &home.to_string()))
+    };
+    let (wide, narrow) = (seen(&one), seen(&short));
+    let covered = narrow.coverage.unwrap();
+    let none = covered.whole.seen_by[0];
+    assert!(wide.coverage.unwrap().whole.seen_by[0] < none);
+    // The figures are those of the cells.
+    let count = |wanted: &dyn Fn(u8) -> bool| covered.cells.iter().filter(|&&cell| wanted(cell)).count() as f64;
+    assert!((count(&|cell| cell == 0) / count(&|cell| cell < 255) - none).abs() < 1e-9);
+    assert_eq!(covered.cells.len() % covered.columns, 0);
+    assert_eq!(narrow.home["sensors"][0]["facing_deg"], one["facing_deg"].as_f64().unwrap());
+
+    // What is wrong elsewhere is not asked; what is wrong here is said, and no picture is made up.
+    let told = served.plan(&json!({ "texts": { "walter.routine": "nonsense", "walter.json": "{" } }));
+    assert!(told.problems.is_empty() && told.coverage.is_some());
+    let told = served.plan(&draft("home.json", &text.replacen('{', "{ \"wals\": 1,", 1)));
+    assert!(told.home.is_null() && told.coverage.is_none());
+    assert_eq!(told.problems[0]["line"], 1);
+}
+
+/// A plan as a page reads it, as far as it is looked at here.
+#[derive(Deserialize)]
+struct Plan {
+    problems: Vec<Value>,
+    home: Value,
+    coverage: Option<Coverage>,
+}
+
+#[derive(Deserialize)]
+struct Coverage {
+    columns: usize,
+    #[serde(with = "serde_bytes")]
+    cells: Vec<u8>,
+    whole: Floor,
+}
+
+#[derive(Deserialize)]
+struct Floor {
+    seen_by: [f64; 4],
+}
+
+fn scenario(served: &Served, name: &str) -> (Scenario, Household) {
+    let shelf = Shelf { scenario: served.file(name, ""), entry: "scenario.json".into(), runs: "runs".into() };
+    let mut scenario = Scenario::load_in(&Spoken, &shelf, &shelf.entry).unwrap();
+    let household = Household::read(&mut scenario, &shelf, &[]).unwrap();
+    (scenario, household)
+}
+
+#[test]
+fn a_routine_is_explained_also_where_a_sentence_is_wrong() {
+    let served = Served::scenario("tigerplace-depression");
+    let text = fs::read_to_string(served.file("tigerplace-depression", "margaret.routine")).unwrap();
+    let asked = |text: &str| json!({ "draft": draft("margaret.routine", text), "file": "margaret.routine" });
+    let whole = served.told("/api/explain", &asked(&text));
+    assert_eq!(whole["problems"], json!([]));
+    let severity = whole["conditions"][0]["severity"].as_array().unwrap();
+    assert_eq!((&whole["conditions"][0]["name"], severity.len()), (&json!("depression"), 120));
+    // From week 6, over 4 weeks: the first five weeks are free of it, after nine it is all there.
+    let at = |day: usize| severity[day].as_f64().unwrap();
+    assert_eq!((at(34), at(62), at(119)), (0.0, 1.0, 1.0));
+    assert!(at(35) > 0.0 && at(48) > 0.4 && at(48) < 0.6);
+    let wrong = served.told("/api/explain", &asked(&(text.clone() + "She gest up.\n")));
+    assert_eq!(wrong["sentences"], whole["sentences"]);
+    assert_eq!(wrong["problems"][0]["line"], text.lines().count() + 1);
+    let has = |kind: &str, text: &str| {
+        whole["words"].as_array().unwrap().iter().any(|word| word["kind"] == kind && word["text"] == text)
+    };
+    assert!(has("place", "armchair") && has("condition", "severe heart failure") && has("activity", "takes a shower"));
+    let nobodys = served.told("/api/explain", &json!({ "draft": { "texts": {} }, "file": "other.routine" }));
+    assert_eq!(nobodys["problems"][0]["what"], "nobody lives by this routine");
+}
+
+#[test]
+fn a_month_is_what_a_run_would_be() {
+    let served = Served::scenario("tigerplace-depression");
+    let asked = |without: &[&str]| json!({ "draft": { "texts": {} }, "from": 55, "days": 10, "without": without });
+    let month = served.told("/api/month", &asked(&[]));
+    let (scenario, household) = scenario(&served, "tigerplace-depression");
+    let end = month["days"][9]["end_us"].as_i64().unwrap();
+    let mut run = Run::new(&scenario, &household, scenario.file.seed, end);
+    let mut events = Events::default();
+    run.advance(end, &mut events);
+    let begin = month["days"][0]["begin_us"].as_i64().unwrap();
+    let motion = |sensor: u32| run.sensors()[sensor as usize].looks();
+    let fired = events.firings.iter().filter(|firing| motion(firing.sensor) && firing.at >= begin).count() as u64;
+    let hours = |month: &Value| -> u64 {
+        month["hours"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .flat_map(|day| day.as_array().unwrap())
+            .map(|hour| hour.as_u64().unwrap())
+            .sum()
+    };
+    assert_eq!(hours(&month), fired);
+    // All of the time somebody does something, and what is done follows on what was done before.
+    let spans = month["spans"][0].as_array().unwrap();
+    assert!(spans.len() > 100);
+    assert!(spans.windows(2).all(|pair| pair[0][1].as_i64() <= pair[1][0].as_i64()));
+    let activities = month["activities"].as_array().unwrap();
+    assert!(spans.iter().all(|span| (span[2].as_u64().unwrap() as usize) < activities.len()));
+    let without = served.told("/api/month", &asked(&["depression"]));
+    assert!(hours(&without) > hours(&month), "{} {}", hours(&without), hours(&month));
+    let unknown = served.told("/api/month", &asked(&["hiccups"]));
+    assert!(unknown["problems"][0]["what"].as_str().unwrap().contains("hiccups"));
+    assert!(!served.folder.path().join("runs").exists(), "a draft leaves no run");
+}
+
+#[test]
+fn the_first_rows_are_those_of_a_run_and_its_growth_is_its_logs() {
+    let served = Served::scenario("tigerplace");
+    let text = fs::read_to_string(served.file("tigerplace", "logger.json")).unwrap();
+    let mut logger: Value = serde_json::from_str(&text).unwrap();
+    logger["to"] = json!(["sqlite:log.db", "csv:log.csv", "casas:log.txt"]);
+    let told = served.told("/api/rows", &draft("logger.json", &logger.to_string()));
+    let places = told["places"].as_array().unwrap();
+    assert_eq!(places.len(), 3, "{}", told["problems"]);
+    assert_eq!(
+        (&places[0]["table"], &places[0]["columns"]),
+        (&json!("event"), &json!(["run_id", "seq", "ts_local", "sensor_id", "event_code"]))
+    );
+    assert_eq!(places[1]["columns"], json!(["seq", "ts_local", "sensor_id", "event_code"]));
+    assert!(!served.folder.path().join("runs").exists());
+
+    let mut page = served.page();
+    page.say(r#"{"say":"speed","times":null}"#);
+    page.say(r#"{"say":"jump","to_us":93600000000}"#);
+    page.say(r#"{"say":"play"}"#);
+    page.until(|frame| frame["now_us"].as_i64() >= Some(93_600_000_000));
+    page.say(r#"{"say":"stop"}"#);
+    page.until(|frame| frame["state"] == "over");
+    let log = Connection::open(served.only_run().join("log.db")).unwrap();
+    let mut select = log.prepare("SELECT seq, ts_local, sensor_id, event_code FROM event ORDER BY seq").unwrap();
+    let text = |row: &rusqlite::Row, at| row.get::<_, String>(at);
+    let rows: Vec<[String; 4]> = select
+        .query_map([], |row| Ok([row.get::<_, i64>(0)?.to_string(), text(row, 1)?, text(row, 2)?, text(row, 3)?]))
+        .unwrap()
+        .map(Result::unwrap)
+        .collect();
+    let shown = places[0]["rows"].as_array().unwrap();
+    assert_eq!(shown.len(), 40);
+    for (shown, row) in shown.iter().zip(&rows) {
+        assert_eq!(shown.as_array().unwrap()[1..], row.iter().map(|text| json!(text)).collect::<Vec<_>>());
+    }
+    let in_casas: Vec<Value> = rows[..40].iter().map(|row| json!(&row[1..])).collect();
+    assert_eq!(places[2]["rows"], json!(in_casas));
+
+    let growth: Value = serde_json::from_slice(&served.api("/api/growth").body).unwrap();
+    let days = growth["days"].as_array().unwrap();
+    assert_eq!((days.len(), &days[1]["date"]), (2, &json!("2009-03-03")));
+    // The bed and the stove do not tell of motion.
+    let motion: Vec<&[String; 4]> = rows.iter().filter(|row| row[2] != "C1" && row[2] != "C3").collect();
+    for (day, date) in ["2009-03-02", "2009-03-03"].iter().enumerate() {
+        for hour in 0..24 {
+            let began = format!("{date} {hour:02}");
+            let there = motion.iter().filter(|row| row[1].starts_with(&began)).count();
+            assert_eq!(growth["hours"][day][hour], there, "{began}");
+        }
+    }
+    let today = rows.iter().filter(|row| row[1].starts_with("2009-03-03")).count();
+    assert_eq!(growth["today"].as_array().unwrap().len(), today);
+}
+
+#[test]
+fn a_place_for_a_log_is_tried_without_a_trace() {
+    let served = Served::scenario("studio");
+    let folder = served.folder.path().to_string_lossy().into_owned();
+    let before = all_files(served.folder.path());
+    let tried = |url: &str| served.told("/api/connect", &json!({ "url": url }));
+    assert_eq!(tried("sqlite:log.db")["works"], true);
+    assert_eq!(tried(&format!("csv:{folder}/new.csv"))["works"], true);
+    for (url, said) in [
+        (format!("csv:{folder}/none/new.csv"), "does not exist"),
+        (format!("sqlite:{folder}/studio/home.json"), "exists already"),
+        (format!("sqlite:{folder}"), "is a folder"),
+        ("mysql:log".into(), "the known ones are"),
+        ("log.db".into(), "does not say what to write"),
+    ] {
+        let told = tried(&url);
+        assert!(told["works"] == false && told["said"].as_str().unwrap().contains(said), "{url}: {told}");
+    }
+    assert_eq!(all_files(served.folder.path()), before);
+}
+
+#[test]
+fn what_is_no_question_is_refused_with_a_reason() {
+    let served = Served::scenario("studio");
+    for (path, body) in [
+        ("/api/check", json!({})),
+        ("/api/check", json!({ "texts": { "a": 1 } })),
+        ("/api/plan", json!({ "texts": {}, "more": 1 })),
+        ("/api/month", json!({ "draft": { "texts": {} }, "from": -1, "days": 3, "without": [] })),
+        ("/api/files", json!({ "files": [{ "name": "home.json" }] })),
+        ("/api/connect", json!([])),
+    ] {
+        let answer = served.post(path, &body);
+        assert_eq!(answer.code, 422, "{path} {body}");
+        assert!(!answer.body.is_empty());
+    }
+}
