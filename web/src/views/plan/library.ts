@@ -2,7 +2,7 @@
 
 import { type At, inside } from '../../plan/geometry';
 import { type Element, type Home, type List, type Value, formOf, of, spanOf } from './model';
-import { exact, toSegment, wrapped } from './shape';
+import { exact, toSegment, turnedBox, wrapped } from './shape';
 import { type Targets, mount } from './snap';
 
 export type Piece = { name: string; size_m: At; height_m: number; enterable?: true };
@@ -58,6 +58,8 @@ export const FURNITURE: { title: string; pieces: Piece[] }[] = [
 export const PIECES = FURNITURE.flatMap(({ pieces }) => pieces);
 
 /** Where a kind of sensor belongs: on a wall, over an area, on a thing, in a room. */
+export type Mount = 'wall' | 'area' | 'thing' | 'room';
+
 export const SENSORS = {
   motion: 'wall',
   ceiling_motion: 'area',
@@ -69,14 +71,14 @@ export const SENSORS = {
   flow: 'thing',
   light: 'room',
   temperature: 'room',
-} as const;
+} as const satisfies Record<string, Mount>;
 
 export type SensorKind = keyof typeof SENSORS;
 
 export const DOOR_WIDTH_M = 0.9;
 
 /** The side of the area that a sensor on the ceiling sees at first. */
-const AREA_M = 1.2;
+export const AREA_M = 1.2;
 
 /** A door is thin, and is hit beside it, too. */
 const NEAR_DOOR_M = 0.25;
@@ -108,9 +110,7 @@ export function newSensor(home: Home, kind: SensorKind, at: At, targets: Targets
       return { kind, name: named(roomAt(home, mounted.at)?.name ?? ''), at: mounted.at, height_m: 2.1, facing_deg: wrapped(mounted.normal_deg) };
     }
     case 'area': {
-      const [x, y] = at;
-      const half = AREA_M / 2;
-      const area = ([[x - half, y - half], [x + half, y - half], [x + half, y + half], [x - half, y + half]] as At[]).map(exact);
+      const area = turnedBox(at, [AREA_M, AREA_M], 0).map(exact);
       return { kind, name: named(room?.name ?? ''), area };
     }
     case 'room':

@@ -7,6 +7,8 @@ import type { Units } from '../../units';
 
 /** The way a lens stands off the wall: a small case. */
 const LENS_OFF_WALL_M = 0.02;
+/** So far off a face one is beside the wall. */
+const BESIDE_M = 0.05;
 /** Farther from a wall than this nothing is drawn to it. */
 const FARTHEST_MOUNT_M = 0.5;
 
@@ -31,12 +33,22 @@ export function targetsOf(home: Home, except: Set<string>): Targets {
   const corners = of(home, 'rooms').filter(({ id }) => !except.has(id)).flatMap((room) => formOf(room) ?? []);
   const ends = [...walls.flatMap(({ from, to }) => [from, to]), ...corners];
   const [xs, ys] = [ends.map(([x]) => x), ends.map(([, y]) => y)];
-  for (const { from, to, thickness_m } of walls) {
-    // The faces of walls that run with the grid, against which furniture stands.
-    if (Math.abs(from[0] - to[0]) < 0.001) xs.push(from[0] - thickness_m / 2, from[0] + thickness_m / 2);
-    if (Math.abs(from[1] - to[1]) < 0.001) ys.push(from[1] - thickness_m / 2, from[1] + thickness_m / 2);
+  // The faces of walls that run with the grid, against which furniture stands; those outside the home are none.
+  for (const wall of walls) {
+    for (const side of [1, -1]) {
+      const [x, y] = face(wall, side, 0.5, 0);
+      const isIn = rooms.length === 0 || [0.05, 0.25, 0.5, 0.75, 0.95].some((share) => rooms.some((room) => inside(room, face(wall, side, share, BESIDE_M))));
+      if (isIn && Math.abs(wall.from[0] - wall.to[0]) < 0.001) xs.push(x);
+      if (isIn && Math.abs(wall.from[1] - wall.to[1]) < 0.001) ys.push(y);
+    }
   }
   return { walls, ends, xs, ys, rooms };
+}
+
+/** A point beside a wall, so far along it and so far off its face. */
+function face({ from, to, thickness_m }: Wall, side: number, share: number, off_m: number): At {
+  const normal = direction(angleOf(minus(to, from)) + 90 * side);
+  return add(add(times(from, 1 - share), times(to, share)), times(normal, thickness_m / 2 + off_m));
 }
 
 export function toGrid(value: number, grid_m: number): number {

@@ -3,12 +3,12 @@
 import { type At, distance, inside, middle } from '../../plan/geometry';
 import type { Editor, Tool } from './editor.svelte';
 import { enclosed } from './enclosed';
-import { DOOR_WIDTH_M, SENSORS, freshName, newPiece, newSensor } from './library';
+import { AREA_M, DOOR_WIDTH_M, type Mount, SENSORS, freshName, newPiece, newSensor } from './library';
 import { type Home, formOf, of, wallsOf } from './model';
 import { add, angleOf, area, direction, exact, minus, times, turnedBox } from './shape';
 import { type Guides, type Snapping, mount, snapPoint, snapShift, spanAt, targetsOf } from './snap';
 
-export const PROMPTS: Record<Tool['tool'], string> = {
+const PROMPTS: Record<Tool['tool'], string> = {
   select: '',
   wall: 'Click where the wall begins, then where it ends; the next one begins there. Escape ends.',
   room: 'Click the corners of the room in order; Enter or a click on the first one closes it.',
@@ -16,9 +16,20 @@ export const PROMPTS: Record<Tool['tool'], string> = {
   door: 'Click a wall where the door is to be.',
   place: 'Click where people are to stand.',
   furniture: 'Click where it is to stand.',
-  sensor: 'Click where it is to be.',
+  sensor: '',
   scale: 'Click two points of the image whose distance you know.',
 };
+
+const MOUNTS: Record<Mount, string> = {
+  wall: 'Click near a wall: the sensor is put up there and looks into the room.',
+  area: 'Click the middle of the area that the sensor sees from the ceiling.',
+  thing: 'Click what the sensor hangs on or lies in.',
+  room: 'Click into the room that the sensor measures.',
+};
+
+export function promptOf(tool: Tool): string {
+  return tool.tool === 'sensor' ? MOUNTS[SENSORS[tool.kind]] : PROMPTS[tool.tool];
+}
 
 /** What shows where a click would do what. */
 export type Preview = { forms: At[][]; line: At[]; at: At; guides: Guides };
@@ -61,6 +72,10 @@ export function preview(editor: Editor, home: Home, at: At, snapping: Snapping |
       return { forms: [turnedBox(add(at, shift), tool.piece.size_m, 0)], line: [], at: add(at, shift), guides };
     }
     case 'sensor': {
+      if (SENSORS[tool.kind] === 'area') {
+        const { shift, guides } = stand(home, [AREA_M, AREA_M], at, snapping);
+        return { forms: [turnedBox(add(at, shift), [AREA_M, AREA_M], 0)], line: [], at: add(at, shift), guides };
+      }
       if (SENSORS[tool.kind] !== 'wall') return none;
       const mounted = mount(at, targetsOf(home, new Set()), grid, 3);
       return mounted ? { ...none, at: mounted.at, line: [mounted.at, add(mounted.at, times(direction(mounted.normal_deg), 0.6))] } : none;
@@ -127,7 +142,8 @@ export function click(editor: Editor, home: Home, at: At, snapping: Snapping | n
       return release(editor);
     }
     case 'sensor': {
-      const value = newSensor(home, tool.kind, at, targetsOf(home, new Set()), grid);
+      const to = SENSORS[tool.kind] === 'area' ? add(at, stand(home, [AREA_M, AREA_M], at, snapping).shift) : at;
+      const value = newSensor(home, tool.kind, to, targetsOf(home, new Set()), grid);
       if (typeof value === 'string') {
         editor.said = value;
         return;
