@@ -42,6 +42,9 @@ export type Home = {
 
 export const WALL_THICKNESS_M = 0.1;
 
+/** How far off a wall's middle line a door is in it still. */
+export const IN_WALL_M = 0.01;
+
 export function readHome(text: string): Home | Fault {
   const root = tree(text);
   if (isFault(root)) return root;

@@ -3,7 +3,7 @@
 
 import { type At, distance, middle } from '../../plan/geometry';
 import { type Change, rounded } from './json';
-import { type Element, type Home, atOf, bearerOf, cornersKey, formOf, number, of, point, points, spanOf, wallsOf } from './model';
+import { type Element, type Home, IN_WALL_M, atOf, bearerOf, cornersKey, formOf, number, of, point, points, spanOf, wallsOf } from './model';
 import { add, along, angleOf, direction, dot, exact, minus, onLine, times, toSegment, turn, wrapped } from './shape';
 import { type Guides, type Snapping, mount, snapPoint, snapShift, spanAt, targetsOf } from './snap';
 
@@ -85,7 +85,8 @@ function moveDoor(home: Home, door: Element, by: At, snapping: Snapping | null):
   if (!span) return [];
   const width = distance(span.from, span.to);
   const to = add(middle([span.from, span.to]), by);
-  const placed = spanAt(to, wallsOf(home), width, snapping?.grid_m ?? null);
+  const walls = wallsOf(home);
+  const placed = spanAt(to, walls, width, snapping?.grid_m ?? null, holding(walls, span));
   if (!placed) return [];
   // The hinge stays at the same end.
   const turned = dot(minus(placed.to, placed.from), minus(span.to, span.from)) < 0;
@@ -94,6 +95,12 @@ function moveDoor(home: Home, door: Element, by: At, snapping: Snapping | null):
 }
 
 type Span = { from: At; to: At };
+type Walls = ReturnType<typeof wallsOf>;
+
+/** The wall that a door is in. */
+function holding(walls: Walls, { from, to }: Span): Walls[number] | undefined {
+  return walls.find((wall) => [from, to].every((at) => toSegment(at, wall.from, wall.to) <= IN_WALL_M));
+}
 
 /** Walls get other ends, and what hangs on them comes along: walls that meet them, doors, corners of rooms, sensors. */
 export function moveWalls(home: Home, moved: Map<string, Span>, alone: boolean, except = new Set<string>()): Change[] {
@@ -128,8 +135,6 @@ export function moveWalls(home: Home, moved: Map<string, Span>, alone: boolean, 
   return changes;
 }
 
-type Walls = ReturnType<typeof wallsOf>;
-
 /** Where a point on a wall's line goes when the wall does: its ends with it, what is between them only across. */
 function carried(at: At, walls: Walls, spans: Map<string, Span>): At | null {
   for (const { element, from, to } of walls) {
@@ -155,7 +160,7 @@ function across(at: At, from: At, to: At, span: Span): At {
 
 function carryDoor(door: Element, walls: Walls, spans: Map<string, Span>): Change[] {
   const jambs = spanOf(door);
-  const wall = jambs && walls.find(({ element, from, to }) => spans.has(element.id) && [jambs.from, jambs.to].every((at) => toSegment(at, from, to) <= 0.01));
+  const wall = jambs && holding(walls.filter(({ element }) => spans.has(element.id)), jambs);
   const span = wall && spans.get(wall.element.id);
   if (!jambs || !wall || !span) return [];
   const length_m = distance(span.from, span.to);

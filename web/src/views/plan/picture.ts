@@ -8,11 +8,8 @@ import { type Pen, segments } from '../../plan/pen';
 import { drawNames, drawStill } from '../../plan/still';
 import type { Size, View } from '../../plan/transform';
 import type { HomeView, SensorView, SolidView } from '../../wire';
-import { type Home, type Wall, boundsOf, formOf, number, of, spanOf, spotOf, wallsOf } from './model';
+import { type Home, IN_WALL_M, type Wall, boundsOf, formOf, number, of, spanOf, spotOf, wallsOf } from './model';
 import { add, along, direction, onLine, thick, times, toSegment } from './shape';
-
-/** How far off a wall's middle line a door still cuts it. */
-const JAMB_TOLERANCE_M = 0.01;
 
 /** What is known only by counting: the middles of rooms, and beams, are those of the last draft that was sound. */
 export function pictured(home: Home, counted: HomeView | null): HomeView {
@@ -47,7 +44,7 @@ export function pictured(home: Home, counted: HomeView | null): HomeView {
 function partsOf(wall: Wall, doors: { from: At; to: At }[]): At[][] {
   const { length_m } = along(wall.to, wall.from, wall.to);
   const gaps = doors.flatMap(({ from, to }) => {
-    if ([from, to].some((at) => toSegment(at, wall.from, wall.to) > JAMB_TOLERANCE_M)) return [];
+    if ([from, to].some((at) => toSegment(at, wall.from, wall.to) > IN_WALL_M)) return [];
     const ends = [from, to].map((at) => along(at, wall.from, wall.to).along_m).sort((a, b) => a - b);
     return [ends as At];
   });

@@ -9,6 +9,8 @@ import type { Units } from '../../units';
 const LENS_OFF_WALL_M = 0.02;
 /** So far off a face one is beside the wall. */
 const BESIDE_M = 0.05;
+/** So far a door is dragged off its wall before it takes another. */
+const KEEPS_M = 0.4;
 /** Farther from a wall than this nothing is drawn to it. */
 const FARTHEST_MOUNT_M = 0.5;
 
@@ -114,9 +116,10 @@ export function mount(at: At, targets: Targets, grid_m: number | null, farthest_
   return best;
 }
 
-/** The span of the nearest wall that a door of this width takes. */
-export function spanAt(at: At, walls: Wall[], width_m: number, grid_m: number | null): { from: At; to: At } | null {
-  const sorted = [...walls].sort((a, b) => toSegment(at, a.from, a.to) - toSegment(at, b.from, b.to));
+/** The span of the nearest wall that a door of this width takes; the one that it is in seems nearer. */
+export function spanAt(at: At, walls: Wall[], width_m: number, grid_m: number | null, own?: Wall): { from: At; to: At } | null {
+  const far = (wall: Wall) => toSegment(at, wall.from, wall.to) - (wall === own ? KEEPS_M : 0);
+  const sorted = [...walls].sort((a, b) => far(a) - far(b));
   const wall = sorted.find(({ from, to }) => distance(from, to) >= width_m) ?? sorted[0];
   if (wall === undefined) return null;
   const { along_m, length_m } = along(at, wall.from, wall.to);
