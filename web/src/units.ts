@@ -33,7 +33,8 @@ export function inMetres(value: number, units: Units): number {
   return units === 'metric' ? value : value * FOOT_M;
 }
 
-/** Such as `12.5 m²` or `134.5 ft²`. */
+/** Such as `12.5 m²` or `134.5 ft²`; what is small has one digit more. */
 export function area(square_m: number, units: Units): string {
-  return units === 'metric' ? `${square_m.toFixed(1)} m²` : `${(square_m / FOOT_M ** 2).toFixed(1)} ft²`;
+  const value = units === 'metric' ? square_m : square_m / FOOT_M ** 2;
+  return `${value.toFixed(value < 1 ? 2 : 1)} ${units === 'metric' ? 'm²' : 'ft²'}`;
 }

@@ -63,13 +63,15 @@ export type Layered = {
   /** Over the floor, below all that stands on it. */
   under: (pen: Pen) => void;
   over: (pen: Pen) => void;
+  /** Over all names. */
+  top: (pen: Pen) => void;
   /** The names of sensors whose beams stand out. */
   chosen: string[];
 };
 
 const sidesOf = new WeakMap<HomeView, number[]>();
 
-export function drawPlan(pen: Pen, view: View, size: Size, palette: Palette, { picture, counted, under, over, chosen }: Layered): void {
+export function drawPlan(pen: Pen, view: View, size: Size, palette: Palette, { picture, counted, under, over, top, chosen }: Layered): void {
   const layers = { ...usual(picture.sensors.length), trails: false };
   pen.fillStyle = palette.outside;
   pen.fillRect(0, 0, size.width, size.height);
@@ -90,4 +92,5 @@ export function drawPlan(pen: Pen, view: View, size: Size, palette: Palette, { p
   const side = sidesOf.get(picture) ?? sides(picture);
   sidesOf.set(picture, side);
   drawDoors(pen, picture, view, palette, [], side);
+  top(pen);
 }
