@@ -2,6 +2,7 @@ import { encode } from '@msgpack/msgpack';
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { Drafts } from '../../drafts.svelte';
 import { Server } from '../../server';
+import { FakeFiles } from '../../testing/files';
 import { FLAT } from '../../testing/flat';
 import type { CoverageView, PlanView } from '../../wire';
 import { Coverage } from './coverage.svelte';
@@ -10,21 +11,15 @@ import { colours } from './heat';
 import { shortcut } from './keys';
 import { click, finish } from './tools';
 
-let texts: Record<string, string>;
+let files: FakeFiles;
 let drafts: Drafts;
 let editor: Editor;
 let stop: () => void;
 
-function files() {
-  const version = (name: string) => `${name} ${texts[name]!.length}`;
-  return { entry: 'scenario.json', home: 'home.json', logger: null, lives: [], files: Object.keys(texts).map((name) => ({ name, text: texts[name]!, version: version(name) })) };
-}
-
 beforeEach(async () => {
   vi.useFakeTimers();
-  texts = { 'home.json': FLAT, 'scenario.json': '{}' };
-  const server = new Server('token', () => {}, async (path) => Response.json(path === '/api/files' ? files() : path === '/api/files/versions' ? Object.fromEntries(files().files.map(({ name, version }) => [name, version])) : { problems: [], warnings: [] }));
-  drafts = new Drafts(server, () => {});
+  files = new FakeFiles({ 'home.json': FLAT, 'scenario.json': '{}' }, { home: 'home.json', logger: null, lives: [] });
+  drafts = new Drafts(new Server('token', () => {}, files.fetch), () => {});
   stop = drafts.open();
   await vi.advanceTimersByTimeAsync(10);
   editor = new Editor(drafts);
@@ -74,11 +69,10 @@ test('nudges that follow one another are one step, later ones another', () => {
 });
 
 test('what another program has written is drawn, and can be undone', async () => {
-  texts['home.json'] = FLAT.replace('[2, 1]', '[2, 2]');
-  texts['home.json'] += ' ';
+  files.texts['home.json'] = FLAT.replace('[2, 1]', '[2, 2]');
   await vi.advanceTimersByTimeAsync(2100);
   editor.notice();
-  expect(editor.text).toBe(texts['home.json']);
+  expect(editor.text).toBe(files.texts['home.json']);
   editor.undo();
   expect(editor.text).toBe(FLAT);
 });
