@@ -26,7 +26,7 @@ export function scaleBar(pixelsPerMetre: number, widest: number, units: Units): 
 
 /** A length as a number of the chosen unit, for fields. */
 export function inUnits(metres: number, units: Units): number {
-  return units === 'metric' ? metres : Number((metres / FOOT_M).toFixed(3));
+  return units === 'metric' ? metres : Number((metres / FOOT_M).toFixed(2));
 }
 
 export function inMetres(value: number, units: Units): number {

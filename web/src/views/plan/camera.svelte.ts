@@ -14,10 +14,15 @@ export class Camera {
   private fitted = true;
   private bounds: Bounds = [[0, 0], [10, 7]];
 
-  /** The first bounds are shown whole; later ones only when that is asked for, so that the plan does not jump as it is edited. */
-  know(bounds: Bounds, anew: boolean): void {
+  /** All that was seen is seen still: another home is shown whole, while one that is edited does not jump. */
+  know(bounds: Bounds): void {
     this.bounds = bounds;
-    if (anew && this.fitted) this.fit();
+    const { width, height } = this.size;
+    const isSeen = bounds.every((corner) => {
+      const [x, y] = toScreen(this.view, corner);
+      return x >= 0 && y >= 0 && x <= width && y <= height;
+    });
+    if (this.fitted && !isSeen) this.fit();
   }
 
   resize(width: number, height: number): void {

@@ -38,6 +38,11 @@ export type Home = {
   value: Value;
   elements: Element[];
   byId: Map<string, Element>;
+  byList: Record<List, Element[]>;
+  /** Of the things of a list that have the same name, the first. */
+  byName: Record<List, Map<string, Element>>;
+  /** How many sensors hang on the same thing before each. */
+  before: Map<Element, number>;
 };
 
 export const WALL_THICKNESS_M = 0.1;
@@ -60,7 +65,17 @@ export function readHome(text: string): Home | Fault {
   }
   // Of two lists of one name only the last is in the file's meaning.
   const byId = new Map(elements.map((element) => [element.id, element]));
-  return { text, value, elements: [...byId.values()], byId };
+  const byList = Object.fromEntries(LISTS.map((list) => [list, [...byId.values()].filter((element) => element.list === list)])) as Home['byList'];
+  const byName = Object.fromEntries(LISTS.map((list) => [list, new Map(byList[list].toReversed().map((element) => [element.name, element]))])) as Home['byName'];
+  const home: Home = { text, value, elements: LISTS.flatMap((list) => byList[list]), byId, byList, byName, before: new Map() };
+  const counts = new Map<Element, number>();
+  for (const sensor of byList.sensors) {
+    const bearer = bearerOf(home, sensor);
+    if (bearer === null || atOf(sensor)) continue;
+    home.before.set(sensor, counts.get(bearer) ?? 0);
+    counts.set(bearer, (counts.get(bearer) ?? 0) + 1);
+  }
+  return home;
 }
 
 export function isHome(read: Home | Fault): read is Home {
@@ -74,7 +89,7 @@ function element(list: List, index: number, node: Node): Element {
 }
 
 export function of(home: Home, list: List): Element[] {
-  return home.elements.filter((element) => element.list === list);
+  return home.byList[list];
 }
 
 /** What an element is called where it is listed. */
@@ -156,15 +171,14 @@ export function spotOf(home: Home, element: Element): At | null {
   if (!on) return null;
   const [x, y] = middle(on);
   // Several on one thing stand beside one another.
-  const before = of(home, 'sensors').filter((other) => other.index < element.index && bearerOf(home, other) === bearer && !atOf(other));
-  return [x + before.length * 0.2, y];
+  return [x + (home.before.get(element) ?? 0) * 0.2, y];
 }
 
 /** What a sensor hangs on, or the room it is in. */
 export function bearerOf(home: Home, sensor: Element): Element | null {
   const { on, room } = sensor.value;
   const named = (name: unknown, lists: List[]) =>
-    typeof name === 'string' ? (home.elements.find((other) => lists.includes(other.list) && other.name === name) ?? null) : null;
+    typeof name === 'string' ? (lists.map((list) => home.byName[list].get(name)).find((found) => found !== undefined) ?? null) : null;
   return named(on, ['furniture', 'doors']) ?? named(on, ['rooms']) ?? named(room, ['rooms']);
 }
 

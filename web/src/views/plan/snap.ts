@@ -25,8 +25,17 @@ export type Snapping = { tolerance_m: number; grid_m: number };
 
 export type Guides = { x?: number | undefined; y?: number | undefined };
 
+/** Those of a home are the same for all of a drag. */
+let known: { home: Home; except: string; targets: Targets } | null = null;
+
 /** What does not move along with those that are moved. */
 export function targetsOf(home: Home, except: Set<string>): Targets {
+  const key = [...except].join();
+  if (known?.home !== home || known.except !== key) known = { home, except: key, targets: findTargets(home, except) };
+  return known.targets;
+}
+
+function findTargets(home: Home, except: Set<string>): Targets {
   const walls = wallsOf(home).filter(({ element }) => !except.has(element.id));
   const rooms = of(home, 'rooms').flatMap((room) => {
     const form = formOf(room);

@@ -37,13 +37,11 @@ export type Preview = { forms: At[][]; line: At[]; at: At; guides: Guides };
 /** The point that a click at `at` means. */
 function meant(home: Home, drawn: At[], at: At, snapping: Snapping | null): { at: At; guides: Guides } {
   if (!snapping) return { at: exact(at), guides: {} };
-  const targets = targetsOf(home, new Set());
-  const last = drawn.at(-1);
+  const { ends, xs, ys, ...others } = targetsOf(home, new Set());
   // Straight on from the corner before, and closing where it began.
-  if (last) targets.xs.push(last[0]);
-  if (last) targets.ys.push(last[1]);
-  targets.ends.push(...drawn.slice(0, 1));
-  return snapPoint(at, targets, snapping);
+  const last = drawn.slice(-1);
+  const more = { ends: [...ends, ...drawn.slice(0, 1)], xs: [...xs, ...last.map(([x]) => x)], ys: [...ys, ...last.map(([, y]) => y)] };
+  return snapPoint(at, { ...others, ...more }, snapping);
 }
 
 export function preview(editor: Editor, home: Home, at: At, snapping: Snapping | null): Preview {
@@ -56,7 +54,7 @@ export function preview(editor: Editor, home: Home, at: At, snapping: Snapping |
     case 'room':
       return { ...none, ...point, line: [...drawn, point.at] };
     case 'scale':
-      return { ...none, line: [...drawn, at] };
+      return { ...none, line: drawn.length === 1 ? [...drawn, at] : drawn };
     case 'place':
       return { ...none, ...point };
     case 'fill': {

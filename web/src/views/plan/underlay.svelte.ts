@@ -4,7 +4,7 @@ import { type At, distance } from '../../plan/geometry';
 import type { Pen } from '../../plan/pen';
 import { type View, toScreen } from '../../plan/transform';
 import { rounded } from './json';
-import { add, minus, times } from './shape';
+import { add, exact, minus, times } from './shape';
 
 /** How it lies: the place of its middle, its width, and its turn against the clock. */
 export type Lies = { at: At; width_m: number; turn_deg: number; opacity: number };
@@ -45,7 +45,7 @@ export class Underlay {
     if (!TYPES.includes(file.type)) this.problem = 'This is no PNG, JPEG or SVG file. Choose one of these.';
     else if (file.size > MOST_BYTES) this.problem = 'This file is larger than 50 MB. Choose a smaller picture.';
     else if (await this.load(file, file.name)) {
-      this.lies = { ...this.lies, at, width_m, turn_deg: 0 };
+      this.lies = { ...this.lies, at: exact(at), width_m: rounded(width_m), turn_deg: 0 };
       await this.keep();
     } else this.problem = 'The browser cannot read this picture. Save it as PNG and choose that.';
   }
@@ -59,7 +59,7 @@ export class Underlay {
   scale(a: At, b: At, real_m: number): void {
     const by = real_m / distance(a, b);
     if (!Number.isFinite(by) || by <= 0) return;
-    void this.lie({ width_m: rounded(this.lies.width_m * by), at: add(a, times(minus(this.lies.at, a), by)) });
+    void this.lie({ width_m: rounded(this.lies.width_m * by), at: exact(add(a, times(minus(this.lies.at, a), by))) });
   }
 
   async drop(): Promise<void> {

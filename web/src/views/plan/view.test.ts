@@ -177,7 +177,7 @@ test('numbers are typed in the chosen units, and what cannot be is said', async 
   expect(value().sensors[0]).not.toHaveProperty('field_deg');
   choices.setUnits('feet');
   flushSync();
-  expect(field('Reach').placeholder).toBe('32.808');
+  expect(field('Reach').placeholder).toBe('32.81');
   type('Reach', '20');
   expect(value().sensors[0].reach_m).toBe(6.096);
   const level = field('Level');
