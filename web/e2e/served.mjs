@@ -11,10 +11,20 @@ const program = process.env.HOMEBODY ?? join(repository, 'target/debug/homebody'
 const browser = process.env.CHROMIUM ?? '/usr/bin/chromium';
 const flags = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
 
-/** Serves a copy of a scenario of the repository, and opens its page. */
-export async function serve(scenario) {
+/**
+ * Serves a copy of a scenario of the repository, and opens its page.
+ * @param prepare changes the copy before it is served; `script` runs in each page before its own.
+ */
+export async function serve(scenario, { prepare = () => {}, script } = {}) {
   const folder = mkdtempSync(join(tmpdir(), 'homebody-e2e-'));
   cpSync(join(repository, 'scenarios', scenario), join(folder, scenario), { recursive: true });
+  prepare(join(folder, scenario));
+  const profile = mkdtempSync(join(tmpdir(), 'homebody-chromium-'));
+  const context = await chromium.launchPersistentContext(profile, {
+    executablePath: browser, headless: true, args: flags, viewport: { width: 1280, height: 1600 }, acceptDownloads: true,
+  });
+  if (script) await context.addInitScript(script);
+  const begun = performance.now();
   const server = spawn(program, ['serve', scenario, '--no-open', '--port', '0'], { cwd: folder, stdio: ['ignore', 'pipe', 'inherit'] });
   const address = await new Promise((ready, failed) => {
     let said = '';
@@ -23,10 +33,6 @@ export async function serve(scenario) {
       if (said.includes('\n')) ready(said.trim());
     });
     server.on('exit', (code) => failed(new Error(`the server has ended with ${code}`)));
-  });
-  const profile = mkdtempSync(join(tmpdir(), 'homebody-chromium-'));
-  const context = await chromium.launchPersistentContext(profile, {
-    executablePath: browser, headless: true, args: flags, viewport: { width: 1280, height: 1600 }, acceptDownloads: true,
   });
   const wrong = [];
   const watch = (page) => {
@@ -37,7 +43,9 @@ export async function serve(scenario) {
   const page = await context.newPage();
   await page.goto(address);
   return {
-    folder, page, context, address,
+    folder, page, context, address, wrong,
+    /** When the program was started, by this program's clock. */
+    begun,
     /** The folders of runs. */
     runs: () => readdirSync(join(folder, 'runs')).sort(),
     /** What the program prints. */

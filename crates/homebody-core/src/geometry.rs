@@ -1,5 +1,7 @@
 //! Plane geometry on `f64`: what walls, beams and bodies share.
 
+pub mod overlap;
+
 /// A point or a direction on the floor plan, in metres.
 pub type Point = glam::DVec2;
 

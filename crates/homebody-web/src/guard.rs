@@ -11,7 +11,10 @@ use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, Uri, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 use std::net::{IpAddr, SocketAddr};
+use std::sync::Arc;
+use std::time::Duration;
 use subtle::ConstantTimeEq;
+use tokio::sync::Mutex;
 
 /// The header that the token comes in.
 pub const TOKEN: HeaderName = HeaderName::from_static("x-homebody-token");
@@ -20,12 +23,17 @@ pub const TOKEN: HeaderName = HeaderName::from_static("x-homebody-token");
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; \
     connect-src 'self'; font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
+/// How long a wrong token waits for its answer (ours).
+const DELAY: Duration = Duration::from_millis(100);
+
 /// What a server lets through.
 #[derive(Clone, Debug)]
 pub struct Guard {
     /// The names under which it may be asked, each with its port.
     hosts: Vec<String>,
     token: String,
+    /// Held by the one whose wrong token is being answered.
+    wrong: Arc<Mutex<()>>,
 }
 
 impl Guard {
@@ -34,7 +42,7 @@ impl Guard {
         let mut bytes = [0; 32];
         getrandom::fill(&mut bytes)?;
         let token = bytes.iter().map(|byte| format!("{byte:02x}")).collect();
-        Ok(Guard { hosts: hosts(address), token })
+        Ok(Guard { hosts: hosts(address), token, wrong: Arc::default() })
     }
 
     pub fn token(&self) -> &str {
@@ -44,6 +52,13 @@ impl Guard {
     /// Whether this is the token; how long that takes says nothing about it.
     pub fn knows(&self, token: &str) -> bool {
         token.as_bytes().ct_eq(self.token.as_bytes()).into()
+    }
+
+    /// Takes its time with a token that is wrong, one after the other: who guesses has ten guesses a second, who knows the token
+    /// does not wait.
+    pub async fn delay(&self) {
+        let _turn = self.wrong.lock().await;
+        tokio::time::sleep(DELAY).await;
     }
 
     /// Whether the request comes under one of our names: exactly one `Host`, and the same in a whole address.
@@ -99,6 +114,7 @@ pub async fn watch(State(guard): State<Guard>, request: Request, next: Next) -> 
     } else if !guard.is_from_us(headers) {
         (StatusCode::FORBIDDEN, "Only its own page may ask this server.").into_response()
     } else if !is_open && !has_token() {
+        guard.delay().await;
         (StatusCode::UNAUTHORIZED, "The token is missing or wrong.").into_response()
     } else {
         next.run(request).await

@@ -26,6 +26,7 @@ pub mod playback;
 
 /// Who may ask what, and who answers.
 pub mod guard;
+mod connections;
 mod page;
 pub mod server;
 mod socket;

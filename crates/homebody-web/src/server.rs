@@ -1,5 +1,6 @@
 //! The server: its address, its routes, its limits.
 
+use crate::connections;
 use crate::desk::Desk;
 use crate::guard::{self, Guard};
 use crate::page;
@@ -17,7 +18,6 @@ use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use serde::Serialize;
-use std::future::IntoFuture;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -85,9 +85,8 @@ pub fn serve(options: Options, stop: &AtomicBool, ready: impl FnOnce(&str)) -> R
         let sockets = Arc::new(Semaphore::new(SOCKETS));
         let house = House { guard, stage: stage.clone(), shelf: options.shelf, playback, desk, sockets };
         ready(&format!("http://{address}/#token={}", house.guard.token()));
-        let serving = axum::serve(listener, routes(house)).into_future();
         let served = tokio::select! {
-            served = serving => served,
+            error = connections::serve(listener, routes(house)) => Err(error),
             () = set(stop) => Ok(()),
         };
         stage.close();

@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
+use std::time::SystemTime;
 
 /// No file of a scenario is larger (ours).
 const LARGEST: u64 = 8 << 20;
@@ -45,14 +46,19 @@ impl Shelf {
         (is_plain && is_written(own)).then(|| self.scenario.join(name))
     }
 
-    /// The names of all runs that have a recording, the latest first.
+    /// The names of all runs that have a recording, the latest first. The members of a cohort are in its folder: `cohort-1/0001`.
     pub fn runs(&self) -> Vec<String> {
-        let folders = fs::read_dir(&self.runs).into_iter().flatten().flatten();
-        let runs = folders.filter(|folder| folder.file_type().is_ok_and(|kind| kind.is_dir()));
-        let runs = runs.filter(|folder| folder.path().join(RECORDING).is_file());
-        let changed = |folder: &fs::DirEntry| folder.metadata().and_then(|meta| meta.modified()).ok();
-        let mut runs: Vec<_> =
-            runs.filter_map(|folder| Some((changed(&folder), folder.file_name().into_string().ok()?))).collect();
+        let mut runs = Vec::new();
+        for (changed, name) in folders(&self.runs) {
+            let folder = self.runs.join(&name);
+            if folder.join(RECORDING).is_file() {
+                runs.push((changed, name));
+                continue;
+            }
+            let members = folders(&folder).into_iter();
+            let members = members.filter(|(_, member)| folder.join(member).join(RECORDING).is_file());
+            runs.extend(members.map(|(changed, member)| (changed, format!("{name}/{member}"))));
+        }
         runs.sort_by(|a, b| b.cmp(a));
         runs.into_iter().map(|(_, name)| name).collect()
     }
@@ -140,6 +146,14 @@ fn plain_file(mut file: PathBuf, path: &Path) -> Option<PathBuf> {
         }
     }
     file.is_file().then_some(file)
+}
+
+/// The folders in a folder, with when each was changed; links are none.
+fn folders(within: &Path) -> Vec<(Option<SystemTime>, String)> {
+    let folders = fs::read_dir(within).into_iter().flatten().flatten();
+    let folders = folders.filter(|folder| folder.file_type().is_ok_and(|kind| kind.is_dir()));
+    let changed = |folder: &fs::DirEntry| folder.metadata().and_then(|meta| meta.modified()).ok();
+    folders.filter_map(|folder| Some((changed(&folder), folder.file_name().into_string().ok()?))).collect()
 }
 
 /// The plain files of a folder, by name; links are none.

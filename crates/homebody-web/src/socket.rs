@@ -39,6 +39,7 @@ pub async fn serve(mut socket: WebSocket, guard: Guard, stage: Stage) {
         _ => false,
     };
     if !is_known {
+        guard.delay().await;
         let reason = "the token is missing or wrong".into();
         let _ = socket.send(Message::Close(Some(CloseFrame { code: WRONG_TOKEN, reason }))).await;
         return;

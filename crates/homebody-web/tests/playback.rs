@@ -258,3 +258,18 @@ fn damaged_files_are_told_and_no_path_leads_out() {
     }
     assert!(stored.playback.run(&name).is_ok());
 }
+
+#[test]
+fn members_of_a_cohort_are_played_back_by_their_folders() {
+    let stored = Stored::lived("by-hand", 10 * SECOND, as_it_is);
+    let runs = stored.folder.path().join("runs");
+    let alone = stored.name();
+    fs::create_dir(runs.join("cohort-1")).unwrap();
+    fs::rename(runs.join(&alone), runs.join("cohort-1/0001")).unwrap();
+    assert_eq!(stored.name(), "cohort-1/0001");
+    assert!(stored.view().remarks.is_empty(), "{:?}", stored.view().remarks);
+    assert_eq!(stored.days().len(), 1);
+    for name in ["cohort-1", "cohort-1/", "cohort-1/../cohort-1/0001", "/cohort-1/0001"] {
+        assert!(matches!(stored.playback.run(name), Err(Refusal::Unknown(_))), "{name}");
+    }
+}

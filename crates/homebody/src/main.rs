@@ -1,5 +1,6 @@
 //! The command `homebody`: a table of contents. Each command is a file in `commands`.
 
+mod beginning;
 mod commands;
 mod failure;
 mod folder;

@@ -413,7 +413,7 @@ impl Preset {
 }
 
 /// Columbia, Missouri, where TigerPlace is.
-pub(crate) fn latitude() -> f64 {
+pub fn latitude() -> f64 {
     38.95
 }
 fn is_missouri(value: &f64) -> bool {

@@ -410,3 +410,43 @@ fn what_is_no_question_is_refused_with_a_reason() {
         assert!(!answer.body.is_empty());
     }
 }
+
+#[test]
+fn nothing_is_written_for_who_has_no_token_or_is_another_page() {
+    let served = Served::scenario("studio");
+    let before = all_files(served.folder.path());
+    let file = json!({ "name": "home.json", "text": "x", "version": served.version("home.json") });
+    let body = json!({ "files": [file] }).to_string();
+    let (address, token) = (served.address, format!("x-homebody-token: {}\r\n", served.token));
+    for path in [
+        "/api/files",
+        "/api/check",
+        "/api/plan",
+        "/api/explain",
+        "/api/month",
+        "/api/rows",
+        "/api/connect",
+        "/api/import",
+    ] {
+        for (head, code) in [
+            ("Content-Type: application/json\r\n".to_owned(), 401),
+            (format!("Content-Type: application/json\r\nOrigin: http://evil.com\r\n{token}"), 403),
+            (format!("Content-Type: application/json\r\nOrigin: null\r\n{token}"), 403),
+            // What a form of another page can send without asking.
+            ("Content-Type: text/plain\r\nOrigin: http://evil.com\r\n".into(), 403),
+            ("Content-Type: application/x-www-form-urlencoded\r\n".into(), 401),
+        ] {
+            let length = body.len();
+            let request = format!(
+                "POST {path} HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\n{head}Content-Length: {length}\r\n\r\n{body}"
+            );
+            assert_eq!(served.ask(request.as_bytes()).code, code, "{path} {head}");
+        }
+    }
+    let length = body.len();
+    let plain = format!(
+        "POST /api/files HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\n{token}Content-Type: text/plain\r\nContent-Length: {length}\r\n\r\n{body}"
+    );
+    assert_eq!(served.ask(plain.as_bytes()).code, 415);
+    assert_eq!(all_files(served.folder.path()), before);
+}

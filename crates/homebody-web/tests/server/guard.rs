@@ -6,8 +6,9 @@ use tungstenite::client::IntoClientRequest;
 
 const SECRET: &str = "nobody outside shall read this";
 
-/// Routes of every kind: the page, its files, the list of runs, a file of one, the socket, and nothing.
-const ROUTES: [&str; 6] = ["/", "/favicon.svg", "/api/runs", "/api/runs/a/log", "/api/live", "/api/nothing"];
+/// Routes of every kind: the page, its files, the scenario's, the list of runs, a file of one, the socket, and nothing.
+const ROUTES: [&str; 7] =
+    ["/", "/favicon.svg", "/api/files", "/api/runs", "/api/runs/a/log", "/api/live", "/api/nothing"];
 
 #[test]
 fn other_names_are_refused_on_every_route() {

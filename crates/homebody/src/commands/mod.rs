@@ -10,6 +10,7 @@ mod coverage;
 mod day;
 mod density;
 mod experiment;
+mod import;
 mod live;
 mod new;
 mod plan;
@@ -55,6 +56,8 @@ pub enum Command {
     Schema(schema::Arguments),
     /// Begin a scenario of your own from a template
     New(new::Arguments),
+    /// Begin a scenario of your own from a plan of Sweet Home 3D
+    Import(import::Arguments),
     /// Print what makes a shell complete the command line
     Completions(completions::Arguments),
 }
@@ -76,6 +79,7 @@ impl Command {
             Command::Convert(arguments) => arguments.run(),
             Command::Schema(arguments) => arguments.run(),
             Command::New(arguments) => arguments.run(),
+            Command::Import(arguments) => arguments.run(),
             Command::Completions(arguments) => arguments.run(),
         }
     }

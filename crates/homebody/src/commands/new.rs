@@ -1,13 +1,11 @@
 //! `homebody new`: a scenario of one's own, from one that works.
 
+use crate::beginning::begin;
 use crate::failure::Failure;
 use crate::folder::OWN;
-use crate::print::{json_text, tell, write_file};
-use homebody_core::scenario::schema::schemas;
+use crate::print::{tell, write_file};
 use include_dir::Dir;
 use serde_json::json;
-use std::fs;
-use std::io::ErrorKind;
 use std::path::PathBuf;
 
 /// Begins a scenario of your own in a new folder, from a template that works.
@@ -63,32 +61,12 @@ fn first_words(about: &str) -> &str {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let folder = &self.folder;
-        let exists =
-            || Failure::Io(format!("{} exists already\n  hint: name a folder that does not", folder.display()));
-        // What ends in `.` or `..` has no name of its own.
-        let name = folder.file_name().ok_or_else(exists)?;
-        let parent = folder.parent().filter(|parent| !parent.as_os_str().is_empty());
-        parent.map_or(Ok(()), fs::create_dir_all).map_err(|error| Failure::io(folder, error))?;
-        fs::create_dir(folder).map_err(|error| match error.kind() {
-            ErrorKind::AlreadyExists => exists(),
-            _ => Failure::io(folder, error),
-        })?;
-        let written = self.write(&name.to_string_lossy());
-        if written.is_err() {
-            // It is ours: nothing is left half made.
-            let _ = fs::remove_dir_all(folder);
-        }
-        written?;
+        begin(folder, |name| self.write(name))?;
         tell(format_args!("{} is ready.\n  homebody check {0}\n  homebody run {0}", folder.display()));
         Ok(())
     }
 
     fn write(&self, name: &str) -> Result<(), Failure> {
-        let schemas_folder = self.folder.join("schemas");
-        fs::create_dir(&schemas_folder).map_err(|error| Failure::io(&schemas_folder, error))?;
-        for (name, schema) in schemas() {
-            write_file(&schemas_folder.join(name), json_text(&schema)?.as_bytes(), false)?;
-        }
         let (name, template) = (json!(name), json!(self.template.path().display().to_string()));
         for file in self.template.files() {
             // The schemas of the repository are two folders up, ours are right here; and it has a name of its own.

@@ -5,6 +5,7 @@ mod flat;
 mod folder;
 
 mod beginnings;
+mod imports;
 mod invariants;
 mod links;
 mod replays;

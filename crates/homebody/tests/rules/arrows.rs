@@ -5,13 +5,17 @@ use std::fs;
 use toml::{Table, Value};
 
 /// On which of our crates each of them may depend.
-const ARROWS: [(&str, &[&str]); 6] = [
+const ARROWS: [(&str, &[&str]); 7] = [
     ("homebody-core", &[]),
+    ("homebody-import", &["homebody-core"]),
     ("homebody-log", &["homebody-core"]),
     ("homebody-routine", &["homebody-core"]),
     ("homebody-study", &["homebody-core", "homebody-log"]),
     ("homebody-web", &["homebody-core", "homebody-log", "homebody-routine", "homebody-study"]),
-    ("homebody", &["homebody-core", "homebody-log", "homebody-routine", "homebody-study", "homebody-web"]),
+    (
+        "homebody",
+        &["homebody-core", "homebody-import", "homebody-log", "homebody-routine", "homebody-study", "homebody-web"],
+    ),
 ];
 
 /// Dev-dependencies that point the other way, and why.

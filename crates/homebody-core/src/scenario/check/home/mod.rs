@@ -3,7 +3,6 @@
 mod devices;
 mod furniture;
 mod names;
-mod overlap;
 mod rooms;
 mod sensors;
 mod walls;

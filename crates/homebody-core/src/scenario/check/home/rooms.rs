@@ -1,7 +1,7 @@
 //! Rooms: outlines that enclose an area, each its own.
 
-use super::{Report, is_flat, overlap};
-use crate::geometry::{self, Point, point};
+use super::{Report, is_flat};
+use crate::geometry::{self, Point, overlap, point};
 use crate::scenario::home::HomeFile;
 
 /// Outlines measured from both sides of a wall never agree better than this.

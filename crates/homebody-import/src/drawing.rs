@@ -1,0 +1,203 @@
+//! What a plan draws, in metres, with y to the north and angles counter-clockwise.
+//!
+//! Sweet Home 3D writes centimetres, y to the south and radians clockwise; they are turned into ours here and nowhere
+//! else.
+
+use crate::kinds;
+use homebody_core::geometry::{self, Point};
+use roxmltree::{Document, Node};
+
+/// Numbers beyond this, in centimetres or radians, are none of a home (ours): ten kilometres.
+const GREATEST: f64 = 1e6;
+
+/// Everything in a plan that a home may be made of, on all levels.
+#[derive(Debug, Default)]
+pub struct Drawing {
+    pub levels: Vec<Level>,
+    pub walls: Vec<Wall>,
+    pub rooms: Vec<Room>,
+    pub openings: Vec<Piece>,
+    pub pieces: Vec<Piece>,
+    /// Where the plan's compass says that the home is.
+    pub latitude_deg: Option<f64>,
+    /// How many things had no usable place or size.
+    pub unread: usize,
+}
+
+#[derive(Debug)]
+pub struct Level {
+    pub id: String,
+    pub name: String,
+    pub elevation_m: f64,
+    /// The order of levels of one elevation.
+    pub index: f64,
+}
+
+#[derive(Clone, Debug)]
+pub struct Wall {
+    pub level: Option<String>,
+    pub from: Point,
+    pub to: Point,
+    pub thickness_m: f64,
+    /// How far around its circle a curved wall goes, counter-clockwise; 0 for a straight one.
+    pub arc_rad: f64,
+}
+
+#[derive(Clone, Debug)]
+pub struct Room {
+    pub level: Option<String>,
+    pub name: String,
+    pub corners: Vec<Point>,
+}
+
+/// A piece of furniture, or a door or window.
+#[derive(Clone, Debug)]
+pub struct Piece {
+    pub level: Option<String>,
+    pub name: String,
+    /// The words of its name and of what the catalogue calls it.
+    pub words: Vec<String>,
+    /// The middle of its rectangle.
+    pub at: Point,
+    pub width_m: f64,
+    pub depth_m: f64,
+    pub turn_rad: f64,
+    pub elevation_m: f64,
+    pub height_m: f64,
+    pub is_visible: bool,
+}
+
+/// Reads a plan.
+pub fn read(document: &Document) -> Drawing {
+    let mut drawing = Drawing::default();
+    // What is in groups comes after what is not.
+    let mut waiting: Vec<(Node, Option<String>, bool)> = vec![(document.root_element(), None, true)];
+    while let Some((parent, level, is_visible)) = waiting.pop() {
+        let mut groups = Vec::new();
+        for node in parent.children().filter(Node::is_element) {
+            let level = node.attribute("level").map(str::to_owned).or_else(|| level.clone());
+            let is_visible = is_visible && node.attribute("visible") != Some("false");
+            match node.tag_name().name() {
+                "furnitureGroup" => groups.push((node, level, is_visible)),
+                _ => drawing.add(node, level, is_visible),
+            }
+        }
+        waiting.extend(groups.into_iter().rev());
+    }
+    drawing
+}
+
+impl Drawing {
+    fn add(&mut self, node: Node, level: Option<String>, is_visible: bool) {
+        let is_read = match node.tag_name().name() {
+            "level" => self::level(node).map(|level| self.levels.push(level)),
+            "wall" => wall(node, level).map(|wall| self.walls.push(wall)),
+            "room" => room(node, level).map(|room| self.rooms.push(room)),
+            "doorOrWindow" => opening(node, level, is_visible).map(|opening| self.openings.push(opening)),
+            "pieceOfFurniture" if node.attribute("doorOrWindow") == Some("true") => {
+                opening(node, level, is_visible).map(|opening| self.openings.push(opening))
+            }
+            "pieceOfFurniture" | "light" | "shelfUnit" => {
+                piece(node, level, is_visible, None).map(|piece| self.pieces.push(piece))
+            }
+            "compass" => {
+                self.latitude_deg = latitude_deg(node);
+                Some(())
+            }
+            _ => Some(()),
+        };
+        self.unread += usize::from(is_read.is_none());
+    }
+}
+
+fn level(node: Node) -> Option<Level> {
+    let id = node.attribute("id")?.to_owned();
+    let name = node.attribute("name").unwrap_or(&id).to_owned();
+    let (elevation_m, index) =
+        (length(node, "elevation").unwrap_or(0.0), number(node, "elevationIndex").unwrap_or(0.0));
+    Some(Level { id, name, elevation_m, index })
+}
+
+fn wall(node: Node, level: Option<String>) -> Option<Wall> {
+    /// What Sweet Home 3D gives a new wall.
+    const USUAL_THICKNESS_M: f64 = 0.075;
+    let from = point(node, "xStart", "yStart")?;
+    let to = point(node, "xEnd", "yEnd")?;
+    let thickness_m = length(node, "thickness").filter(|&thickness| thickness > 0.0).unwrap_or(USUAL_THICKNESS_M);
+    let arc_rad = -number(node, "arcExtent").unwrap_or(0.0);
+    Some(Wall { level, from, to, thickness_m, arc_rad })
+}
+
+fn room(node: Node, level: Option<String>) -> Option<Room> {
+    let points = node.children().filter(|child| child.has_tag_name("point"));
+    let corners: Vec<Point> = points.map(|corner| point(corner, "x", "y")).collect::<Option<_>>()?;
+    let name = node.attribute("name").unwrap_or_default().to_owned();
+    (corners.len() > 2).then_some(Room { level, name, corners })
+}
+
+/// A piece, if it has all sizes; `unsaid_m` stands for a depth or height that it does not have.
+fn piece(node: Node, level: Option<String>, is_visible: bool, unsaid_m: Option<f64>) -> Option<Piece> {
+    let positive = |key| length(node, key).filter(|&size| size > 0.0);
+    // A piece that leans has another size as seen from above.
+    let size = |in_plan, upright| positive(in_plan).or_else(|| positive(upright));
+    let name = node.attribute("name").unwrap_or_default().to_owned();
+    let words = kinds::words(&[&name, node.attribute("catalogId").unwrap_or_default()]);
+    Some(Piece {
+        level,
+        name,
+        words,
+        at: point(node, "x", "y")?,
+        width_m: size("widthInPlan", "width")?,
+        depth_m: size("depthInPlan", "depth").or(unsaid_m)?,
+        turn_rad: -number(node, "angle").unwrap_or(0.0),
+        elevation_m: length(node, "elevation").unwrap_or(0.0),
+        height_m: size("heightInPlan", "height").or(unsaid_m)?,
+        is_visible,
+    })
+}
+
+/// A door or window, as wide as the hole that it makes in a wall, and where that hole is.
+fn opening(node: Node, level: Option<String>, is_visible: bool) -> Option<Piece> {
+    let mut piece = piece(node, level, is_visible, Some(0.0))?;
+    let across = geometry::direction(piece.turn_rad.to_degrees());
+    if let Some((middle, share)) = hole(node, "wallLeft", "wallWidth") {
+        let mirror = if node.attribute("modelMirrored") == Some("true") { -1.0 } else { 1.0 };
+        piece.at += across * (mirror * middle * piece.width_m);
+        piece.width_m *= share;
+    }
+    // The back of a piece is to the north, and the wall's share of its depth is counted from there.
+    if let Some((middle, _)) = hole(node, "wallDistance", "wallThickness") {
+        piece.at -= across.perp() * (middle * piece.depth_m);
+    }
+    Some(piece)
+}
+
+/// The part of a piece that is in the wall: how far its middle is from that of the piece, and how large it is, both as
+/// shares of the piece.
+fn hole(node: Node, begin: &str, size: &str) -> Option<(f64, f64)> {
+    let share = |key, usual| number(node, key).filter(|share| (0.0..=1.0).contains(share)).unwrap_or(usual);
+    let (begin, size) = (share(begin, 0.0), share(size, 1.0));
+    (size > 0.0 && begin + size <= 1.0).then_some((begin + size / 2.0 - 0.5, size))
+}
+
+/// The compass's latitude as far as homes know days to be long and short.
+fn latitude_deg(node: Node) -> Option<f64> {
+    /// What a home takes for its latitude.
+    const MOST_DEG: f64 = 65.0;
+    let latitude_deg = number(node, "latitude")?.to_degrees();
+    Some(((latitude_deg * 100.0).round() / 100.0).clamp(-MOST_DEG, MOST_DEG))
+}
+
+fn point(node: Node, x: &str, y: &str) -> Option<Point> {
+    Some(Point::new(length(node, x)?, -length(node, y)?))
+}
+
+/// A length in metres.
+fn length(node: Node, key: &str) -> Option<f64> {
+    number(node, key).map(|centimetres| centimetres / 100.0)
+}
+
+fn number(node: Node, key: &str) -> Option<f64> {
+    let number: f64 = node.attribute(key)?.trim().parse().ok()?;
+    (number.is_finite() && number.abs() <= GREATEST).then_some(number)
+}

@@ -1,0 +1,125 @@
+//! Rooms of a plan that has none: the spaces that its walls enclose.
+//!
+//! Walls are cut where they meet, dead ends are taken off, and each space is walked around with the wall at its right
+//! hand. What stands free within a space, such as a ring of walls in a hall, is a space that overlaps it.
+
+use crate::outline::{is_sound, tidy};
+use crate::walls::Wall;
+use homebody_core::geometry::{self, Point};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Ends nearer than this are one (ours): walls that were meant to meet.
+const JOINED_M: f64 = 0.15;
+
+/// Smaller spaces are shafts (ours).
+const LEAST_AREA_M2: f64 = 0.5;
+
+/// Plans with more walls, or more pieces of them, are none of a home (ours).
+const MOST_WALLS: usize = 2_000;
+const MOST_PIECES: usize = 10_000;
+
+/// The spaces that walls enclose, along their middle lines; none where there are too many walls to tell.
+pub fn spaces(walls: &[Wall]) -> Vec<Vec<Point>> {
+    let graph = if walls.len() > MOST_WALLS { None } else { Graph::new(walls) };
+    let Some(mut graph) = graph else { return Vec::new() };
+    graph.take_off_dead_ends();
+    let outlines = graph.faces().into_iter().map(|face| tidy(&face));
+    outlines.filter(|face| is_sound(face) && geometry::signed_area(face) >= LEAST_AREA_M2).collect()
+}
+
+/// Places where walls meet, and which are joined.
+struct Graph {
+    places: Vec<Point>,
+    joined: Vec<BTreeSet<usize>>,
+}
+
+impl Graph {
+    fn new(walls: &[Wall]) -> Option<Graph> {
+        let mut graph = Graph { places: Vec::new(), joined: Vec::new() };
+        let mut pieces = 0;
+        for wall in walls {
+            let mut cuts = vec![0.0, 1.0];
+            let reach = JOINED_M / wall.length();
+            for other in walls.iter().filter(|other| *other != wall) {
+                cuts.extend(cut(wall, other).filter(|share| (reach..=1.0 - reach).contains(share)));
+            }
+            cuts.sort_by(f64::total_cmp);
+            cuts.dedup_by(|share, before| *share - *before < reach && *share < 1.0);
+            pieces += cuts.len() - 1;
+            if pieces > MOST_PIECES {
+                return None;
+            }
+            let places: Vec<usize> =
+                cuts.iter().map(|share| graph.place(wall.from + (wall.to - wall.from) * *share)).collect();
+            for ends in places.windows(2).filter(|ends| ends[0] != ends[1]) {
+                graph.joined[ends[0]].insert(ends[1]);
+                graph.joined[ends[1]].insert(ends[0]);
+            }
+        }
+        Some(graph)
+    }
+
+    /// The place at a point, or the one that is joined with it.
+    fn place(&mut self, p: Point) -> usize {
+        let near = (0..self.places.len()).filter(|&place| self.places[place].distance(p) <= JOINED_M);
+        let nearest = near.min_by(|&a, &b| self.places[a].distance(p).total_cmp(&self.places[b].distance(p)));
+        nearest.unwrap_or_else(|| {
+            self.places.push(p);
+            self.joined.push(BTreeSet::new());
+            self.places.len() - 1
+        })
+    }
+
+    fn take_off_dead_ends(&mut self) {
+        let mut dead: Vec<usize> = (0..self.places.len()).filter(|&place| self.joined[place].len() == 1).collect();
+        while let Some(place) = dead.pop() {
+            let Some(other) = self.joined[place].pop_first() else { continue };
+            self.joined[other].remove(&place);
+            if self.joined[other].len() == 1 {
+                dead.push(other);
+            }
+        }
+    }
+
+    /// All ways around spaces; those around the whole run clockwise.
+    fn faces(&self) -> Vec<Vec<Point>> {
+        let mut next: BTreeMap<(usize, usize), (usize, usize)> = BTreeMap::new();
+        for (place, joined) in self.joined.iter().enumerate() {
+            let angle = |&other: &usize| {
+                let way = self.places[other] - self.places[place];
+                way.y.atan2(way.x)
+            };
+            let mut around: Vec<usize> = joined.iter().copied().collect();
+            around.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
+            for (index, &from) in around.iter().enumerate() {
+                // Who comes from there leaves by the next way clockwise: the sharpest left turn.
+                let to = around[(index + around.len() - 1) % around.len()];
+                next.insert((from, place), (place, to));
+            }
+        }
+        let mut faces = Vec::new();
+        while let Some((start, mut way)) = next.pop_first() {
+            let mut face = vec![self.places[start.1]];
+            while let Some(following) = next.remove(&way) {
+                face.push(self.places[way.1]);
+                way = following;
+            }
+            faces.push(face);
+        }
+        faces
+    }
+}
+
+/// Where on a wall another meets it, as a share of its length: by crossing it, or by ending at it.
+fn cut(wall: &Wall, other: &Wall) -> impl Iterator<Item = f64> {
+    let (way, across) = (wall.to - wall.from, other.to - other.from);
+    let turn = way.perp_dot(across);
+    let (along, beside) =
+        ((other.from - wall.from).perp_dot(across) / turn, (other.from - wall.from).perp_dot(way) / turn);
+    let crosses = (0.0..=1.0).contains(&along) && (0.0..=1.0).contains(&beside);
+    let touches = [other.from, other.to].map(|end| {
+        let is_near = geometry::distance_to_segment(end, wall.from, wall.to) <= JOINED_M;
+        is_near.then(|| (end - wall.from).dot(way) / way.length_squared())
+    });
+    crosses.then_some(along).into_iter().chain(touches.into_iter().flatten())
+}

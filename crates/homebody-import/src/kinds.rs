@@ -1,0 +1,129 @@
+//! What a door, a window or a piece of furniture is, by the words of its name and of its name in the catalogue.
+
+use crate::drawing::Piece;
+
+/// Higher sills are those of windows (ours): thresholds and steps are lower.
+const SILL_M: f64 = 0.3;
+
+/// The words for windows in the catalogue, and in some languages in which people name them.
+const WINDOW: [&str; 12] = [
+    "window", "windows", "fenster", "fenetre", "fenêtre", "ventana", "finestra", "janela", "raam", "fönster", "vindu",
+    "okno",
+];
+
+/// What makes a window one that people walk through.
+const DOOR: [&str; 8] = ["door", "french", "porte", "tür", "puerta", "porta", "deur", "balcony"];
+
+/// What people lie, sit, stand or walk on, so that they can be where it is.
+const ENTERABLE: [&str; 33] = [
+    "bed",
+    "bunk",
+    "crib",
+    "cot",
+    "futon",
+    "mattress",
+    "daybed",
+    "chair",
+    "armchair",
+    "wheelchair",
+    "deckchair",
+    "seat",
+    "stool",
+    "bench",
+    "recliner",
+    "rocker",
+    "ottoman",
+    "pouf",
+    "sofa",
+    "couch",
+    "settee",
+    "loveseat",
+    "toilet",
+    "wc",
+    "lavatory",
+    "bidet",
+    "rug",
+    "carpet",
+    "mat",
+    "doormat",
+    "shower",
+    "bath",
+    "bathtub",
+];
+
+/// What stands beside those, under a name that has theirs in it, such as a bed table.
+const BESIDE: [&str; 22] = [
+    "table",
+    "stand",
+    "nightstand",
+    "lamp",
+    "light",
+    "cabinet",
+    "shelf",
+    "shelves",
+    "cupboard",
+    "drawer",
+    "drawers",
+    "rack",
+    "mirror",
+    "curtain",
+    "screen",
+    "wall",
+    "sink",
+    "basin",
+    "washbasin",
+    "heater",
+    "machine",
+    "holder",
+];
+
+/// Furniture whose underside is above this stands in nobody's way (ours): lamps on ceilings, cupboards up high.
+const OVERHEAD_M: f64 = 1.5;
+
+/// The words of some names, in small letters: `eTeks#bedsideTable` has `e`, `teks`, `bedside` and `table`.
+pub fn words(names: &[&str]) -> Vec<String> {
+    let mut words = Vec::new();
+    for name in names {
+        let (mut word, mut was_small) = (String::new(), false);
+        for c in name.chars() {
+            if !c.is_alphabetic() || c.is_uppercase() && was_small {
+                words.push(std::mem::take(&mut word));
+            }
+            was_small = c.is_lowercase();
+            word.extend(c.is_alphabetic().then_some(c).into_iter().flat_map(char::to_lowercase));
+        }
+        words.push(word);
+    }
+    words.retain(|word| !word.is_empty());
+    words
+}
+
+/// Whether an opening is a window that nobody walks through.
+pub fn is_window(opening: &Piece) -> bool {
+    opening.elevation_m > SILL_M || has(opening, &WINDOW) && !has(opening, &DOOR)
+}
+
+pub fn is_enterable(piece: &Piece) -> bool {
+    has(piece, &ENTERABLE) && !has(piece, &BESIDE)
+}
+
+pub fn is_overhead(piece: &Piece) -> bool {
+    piece.elevation_m > OVERHEAD_M
+}
+
+fn has(piece: &Piece, known: &[&str]) -> bool {
+    piece.words.iter().any(|word| known.contains(&word.as_str()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_end_where_capitals_and_signs_are() {
+        assert_eq!(words(&["eTeks#bedsideTable"]), ["e", "teks", "bedside", "table"]);
+        assert_eq!(words(&["Bed 140x190", "Scopia#child_chair"]), ["bed", "x", "scopia", "child", "chair"]);
+        assert_eq!(words(&["Fenêtre", "WC"]), ["fenêtre", "wc"]);
+        assert!(words(&["", " 12 "]).is_empty());
+    }
+}

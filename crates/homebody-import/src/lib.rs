@@ -1,0 +1,35 @@
+//! Homes from the plans of other programs: so far those of Sweet Home 3D.
+//!
+//! A file comes in as bytes and goes out as the text of a `home.json` that passes every check, with remarks on what
+//! was left out or guessed. Whoever made the file is not trusted: all sizes have bounds, and no file makes this crate
+//! panic. It does not know files on disk, nor who lives in a home. Reading order:
+
+// What went wrong, in sentences.
+pub mod error;
+
+// From bytes to a drawing: the archive, its XML, what that draws, which level of it.
+mod archive;
+mod markup;
+mod drawing;
+mod levels;
+mod kinds;
+
+// From a drawing to a home: walls, rooms, doors, furniture, and the names of all.
+mod names;
+mod walls;
+mod outline;
+mod rooms;
+mod shared;
+mod enclosed;
+mod doors;
+mod furniture;
+
+// The text of the home, and what of it has to go so that it passes the check.
+mod text;
+mod sound;
+
+mod sweet_home;
+
+pub use archive::MOST_BYTES;
+pub use error::NotImported;
+pub use sweet_home::{Imported, sweet_home};

@@ -1,0 +1,110 @@
+//! The XML of a plan as a tree, after a look at whether it is as plans are.
+//!
+//! The parser counts nodes and refuses entities of its own. It compares all attributes of a tag with each other, and
+//! all namespaces in sight with those of each tag, so these are bounded before.
+
+use crate::error::NotImported;
+use roxmltree::{Document, ParsingOptions};
+
+/// Tags, comments and the like; a large house has some ten thousand (ours).
+const MOST_NODES: usize = 1_000_000;
+
+/// All attributes together (ours).
+const MOST_ATTRIBUTES: usize = 4_000_000;
+
+/// Those of one tag; pieces of furniture have some fifty (ours).
+const MOST_ATTRIBUTES_OF_ONE: usize = 256;
+
+/// Groups within groups; plans have a handful (ours).
+const DEEPEST: usize = 100;
+
+/// Parses the text.
+pub fn parse(text: &str) -> Result<Document<'_>, NotImported> {
+    look_over(text)?;
+    let options = ParsingOptions { allow_dtd: false, nodes_limit: MOST_NODES as u32, ..ParsingOptions::default() };
+    Document::parse_with_options(text, options).map_err(NotImported::disorder)
+}
+
+/// Refuses what no plan has. What is no XML at all is left to the parser.
+fn look_over(text: &str) -> Result<(), NotImported> {
+    let count = |wanted: u8| text.bytes().filter(|&byte| byte == wanted).count();
+    if count(b'<') > MOST_NODES || count(b'=') > MOST_ATTRIBUTES {
+        return Err(NotImported::disorder("it has more parts than any plan"));
+    }
+    let (mut rest, mut depth) = (text, 0_usize);
+    while let Some(at) = rest.find('<') {
+        rest = &rest[at..];
+        let end = if rest.starts_with("<!--") {
+            after(rest, "-->")
+        } else if rest.starts_with("<![CDATA[") {
+            after(rest, "]]>")
+        } else if rest.starts_with("<?") {
+            after(rest, "?>")
+        } else if rest.starts_with("<!") {
+            return Err(NotImported::disorder("it declares a document type, which plans never do"));
+        } else {
+            let Some(tag) = tag(rest) else { return Ok(()) };
+            if tag.attributes > MOST_ATTRIBUTES_OF_ONE {
+                return Err(NotImported::disorder("one of its tags has more attributes than any of a plan"));
+            }
+            if tag.has_namespace {
+                return Err(NotImported::disorder("it declares a namespace, which plans never do"));
+            }
+            match tag.kind {
+                TagKind::Open => depth += 1,
+                TagKind::Close => depth = depth.saturating_sub(1),
+                TagKind::Empty => {}
+            }
+            if depth > DEEPEST {
+                return Err(NotImported::disorder(format!("it is nested more than {DEEPEST} deep")));
+            }
+            Some(tag.length)
+        };
+        let Some(end) = end else { return Ok(()) };
+        rest = &rest[end..];
+    }
+    Ok(())
+}
+
+/// Where the text goes on after a mark.
+fn after(text: &str, mark: &str) -> Option<usize> {
+    text.find(mark).map(|at| at + mark.len())
+}
+
+struct Tag {
+    kind: TagKind,
+    length: usize,
+    attributes: usize,
+    has_namespace: bool,
+}
+
+enum TagKind {
+    Open,
+    Close,
+    Empty,
+}
+
+/// The tag at the beginning of the text, if it comes to an end.
+fn tag(text: &str) -> Option<Tag> {
+    let (mut attributes, mut has_namespace, mut quote) = (0, false, None);
+    let bytes = text.as_bytes();
+    for (at, &byte) in bytes.iter().enumerate() {
+        match (quote, byte) {
+            (Some(open), _) if byte == open => quote = None,
+            (Some(_), _) => {}
+            (None, b'"' | b'\'') => quote = Some(byte),
+            (None, b'=') => attributes += 1,
+            (None, b'x') => has_namespace |= bytes[at..].starts_with(b"xmlns"),
+            (None, b'>') => {
+                let kind = match () {
+                    () if text.starts_with("</") => TagKind::Close,
+                    () if text[..at].ends_with('/') => TagKind::Empty,
+                    () => TagKind::Open,
+                };
+                return Some(Tag { kind, length: at + 1, attributes, has_namespace });
+            }
+            _ => {}
+        }
+    }
+    None
+}

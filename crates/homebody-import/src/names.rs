@@ -1,0 +1,54 @@
+//! Names that tell things apart, as the check asks: case and blanks around make no difference to it.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A home's names have at most 100 characters; the rest is for a number.
+const LONGEST: usize = 90;
+
+/// The names of one kind of things.
+#[derive(Default)]
+pub struct Names {
+    taken: BTreeSet<String>,
+    /// The last number that each name was given.
+    last: BTreeMap<String, usize>,
+}
+
+impl Names {
+    /// A name that nothing else has: the wanted one, with a number where it is taken; `kind` with a number where there
+    /// is none.
+    pub fn give(&mut self, wanted: &str, kind: &str) -> String {
+        let wanted = clean(wanted);
+        let (name, is_named) = if wanted.is_empty() { (kind.to_owned(), false) } else { (wanted, true) };
+        if is_named && self.taken.insert(name.to_lowercase()) {
+            return name;
+        }
+        let last = self.last.entry(name.to_lowercase()).or_insert(usize::from(is_named));
+        loop {
+            *last += 1;
+            let numbered = format!("{name} {last}");
+            if self.taken.insert(numbered.to_lowercase()) {
+                return numbered;
+            }
+        }
+    }
+}
+
+/// The name in one line, without what would break a table or a terminal.
+pub fn clean(name: &str) -> String {
+    let plain: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let words: Vec<&str> = plain.split_whitespace().collect();
+    words.join(" ").chars().take(LONGEST).collect::<String>().trim().to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_numbered_where_they_are_taken_or_missing() {
+        let mut names = Names::default();
+        let given = ["Chair", " chair", "chair 2", "", "\u{7}", "Chair"].map(|name| names.give(name, "piece"));
+        assert_eq!(given, ["Chair", "chair 2", "chair 2 2", "piece 1", "piece 2", "Chair 3"]);
+        assert!(names.give(&"long ".repeat(100), "piece").chars().count() <= LONGEST);
+    }
+}

@@ -1,0 +1,95 @@
+//! Outlines of rooms in order: no corner twice, none in the middle of a side, and no side across another.
+
+use homebody_core::geometry::{self, Point};
+
+/// Corners nearer than this to each other, or to the line of their neighbours, are none (ours): what is written is
+/// rounded to millimetres.
+const SAME_M: f64 = 0.0015;
+
+/// Smaller rooms are slips of the mouse (ours).
+const LEAST_AREA_M2: f64 = 0.05;
+
+/// The outline without corners that are none; nothing is left of one that encloses nothing.
+pub fn tidy(outline: &[Point]) -> Vec<Point> {
+    let mut outline: Vec<Point> = outline.iter().map(|&corner| rounded(corner)).collect();
+    let mut at = 0;
+    // Each step forward is one of at most `len`, each step back follows a removal.
+    while outline.len() > 2 && at < outline.len() {
+        let n = outline.len();
+        let (before, corner, next) = (outline[(at + n - 1) % n], outline[at], outline[(at + 1) % n]);
+        let is_spike = (corner - before).dot(next - corner) < 0.0
+            && geometry::distance_to_segment(next, before, corner)
+                .min(geometry::distance_to_segment(before, corner, next))
+                < SAME_M;
+        if is_spike || geometry::distance_to_segment(corner, before, next) < SAME_M {
+            outline.remove(at);
+            at = at.saturating_sub(2);
+        } else {
+            at += 1;
+        }
+    }
+    if outline.len() > 2 { outline } else { Vec::new() }
+}
+
+/// Whether the outline can be that of a room.
+pub fn is_sound(outline: &[Point]) -> bool {
+    outline.len() > 2 && !geometry::crosses_itself(outline) && geometry::signed_area(outline).abs() >= LEAST_AREA_M2
+}
+
+/// The outline with its corners in an order in which no side crosses another, if there is one nearby.
+///
+/// Where two sides cross, the way between them is gone the other way round: that makes the outline shorter, so it ends.
+pub fn untangled(outline: &[Point]) -> Option<Vec<Point>> {
+    let mut outline = tidy(outline);
+    for _ in 0..=outline.len() {
+        let n = outline.len();
+        let sides: Vec<(Point, Point)> = geometry::sides(&outline).collect();
+        let crossed = (0..n).find_map(|i| {
+            let meets = |&j: &usize| {
+                !(i == 0 && j == n - 1) && geometry::segments_meet(sides[i].0, sides[i].1, sides[j].0, sides[j].1)
+            };
+            (i + 2..n).find(meets).map(|j| (i, j))
+        });
+        match crossed {
+            Some((i, j)) => outline[i + 1..=j].reverse(),
+            None => return Some(outline).filter(|outline| is_sound(outline)),
+        }
+        outline = tidy(&outline);
+    }
+    None
+}
+
+/// The point as it is written: in whole millimetres.
+pub fn rounded(p: Point) -> Point {
+    // Adding zero makes of a negative zero a plain one.
+    (p * 1e3).round() / 1e3 + Point::ZERO
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn outline(corners: &[(f64, f64)]) -> Vec<Point> {
+        corners.iter().map(|&corner| Point::from(corner)).collect()
+    }
+
+    #[test]
+    fn corners_that_are_none_go() {
+        let square = outline(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]);
+        let rich = [(0.0, 0.0), (2.0, 0.0), (4.0, 0.0), (4.0, 0.0), (4.0, 3.0), (6.0, 3.0), (0.0, 3.0), (0.0, 1.0)];
+        assert_eq!(tidy(&outline(&rich)), square);
+        // There and back again, with a spike on the spike.
+        let spiky = [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (5.0, 3.0), (5.0, 4.0), (5.0, 3.0), (4.0, 3.0), (0.0, 3.0)];
+        assert_eq!(tidy(&outline(&spiky)), square);
+        assert!(tidy(&outline(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0)])).is_empty());
+        assert!(tidy(&outline(&[(1.0, 1.0); 5])).is_empty());
+    }
+
+    #[test]
+    fn a_bow_tie_is_untangled() {
+        let tie = outline(&[(0.0, 0.0), (4.0, 3.0), (4.0, 0.0), (0.0, 3.0)]);
+        let square = untangled(&tie).unwrap();
+        assert_eq!(geometry::signed_area(&square).abs(), 12.0);
+        assert_eq!(untangled(&outline(&[(0.0, 0.0), (4.0, 0.0), (8.0, 0.0)])), None);
+    }
+}

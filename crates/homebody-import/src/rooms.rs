@@ -1,0 +1,135 @@
+//! Rooms: outlines in order, drawn out to the middle of the walls around them, apart from each other.
+//!
+//! Plans draw rooms between the faces of walls, and into doorways; a home's rooms meet in the middle of walls. So each
+//! side that runs along a wall moves onto its middle line, and the corners are where the moved sides meet.
+
+use crate::drawing;
+use crate::error::NotImported;
+use crate::names::Names;
+use crate::outline::{is_sound, tidy, untangled};
+use crate::shared;
+use crate::walls::Wall;
+use homebody_core::geometry::{self, Point};
+
+/// A room with a name of its own.
+#[derive(Clone, Debug)]
+pub struct Room {
+    pub name: String,
+    pub outline: Vec<Point>,
+}
+
+/// A floor with more is none of a home (ours).
+const MOST_ROOMS: usize = 200;
+
+/// The corners of all rooms; those of a large house are some hundreds (ours). All rooms are held against each other.
+const MOST_CORNERS: usize = 2_000;
+
+/// Shorter sides are steps in doorways and niches (ours).
+const LEAST_SIDE_M: f64 = 0.2;
+
+/// How far a side may be off the face of its wall (ours): rooms drawn by hand are that careless.
+const OFF_FACE_M: f64 = 0.08;
+
+/// The sine of the angle up to which a side runs along a wall (ours): 3 degrees.
+const ALONG_SINE: f64 = 0.05;
+
+/// The share of a side that must be along the wall (ours).
+const ALONG_SHARE: f64 = 0.4;
+
+/// A corner that goes further is a mistake (ours): in sharp angles of walls the lines meet far away.
+const FARTHEST_M: f64 = 0.6;
+
+/// The rooms of a plan, in its order.
+pub fn place(
+    drawn: &[drawing::Room],
+    walls: &[Wall],
+    names: &mut Names,
+    remarks: &mut Vec<String>,
+) -> Result<Vec<Room>, NotImported> {
+    let hint = "import one level of it, or a plan of one home";
+    let too_many = |what, count, most| Err(NotImported::TooMany { what, count, most, hint });
+    if drawn.len() > MOST_ROOMS {
+        return too_many("rooms", drawn.len(), MOST_ROOMS);
+    }
+    let corners = drawn.iter().map(|room| room.corners.len()).sum();
+    if corners > MOST_CORNERS {
+        return too_many("corners of rooms", corners, MOST_CORNERS);
+    }
+    let mut rooms = Vec::new();
+    for room in drawn {
+        let name = names.give(&room.name, "room");
+        let Some(outline) = untangled(&room.corners) else {
+            remarks.push(format!("left out: the room {name:?}, whose outline encloses nothing"));
+            continue;
+        };
+        if geometry::crosses_itself(&tidy(&room.corners)) {
+            remarks.push(format!("the outline of {name:?} crossed itself; its corners are in another order now"));
+        }
+        let outline = Some(to_walls(&outline, walls)).filter(|outline| is_sound(outline)).unwrap_or(outline);
+        rooms.push(Room { name, outline });
+    }
+    Ok(shared::parted(rooms, remarks))
+}
+
+/// A line through a point.
+#[derive(Clone, Copy)]
+struct Line {
+    through: Point,
+    along: Point,
+}
+
+impl Line {
+    fn foot(&self, p: Point) -> Point {
+        self.through + self.along * (p - self.through).dot(self.along)
+    }
+
+    /// Where two lines meet, unless they run along each other.
+    fn meet(&self, other: &Line) -> Option<Point> {
+        let turn = self.along.perp_dot(other.along);
+        let way = (other.through - self.through).perp_dot(other.along) / turn;
+        (turn.abs() > ALONG_SINE).then_some(self.through + self.along * way)
+    }
+}
+
+/// The outline with its sides moved onto the middle of the walls that they run along.
+fn to_walls(outline: &[Point], walls: &[Wall]) -> Vec<Point> {
+    let lines: Vec<Line> = geometry::sides(outline).map(|(a, b)| line(a, b, walls)).collect();
+    let n = outline.len();
+    let mut moved = Vec::with_capacity(2 * n);
+    for (index, &corner) in outline.iter().enumerate() {
+        let (into, out) = (&lines[(index + n - 1) % n], &lines[index]);
+        match into.meet(out).filter(|p| p.distance(corner) <= FARTHEST_M) {
+            Some(meeting) => moved.push(meeting),
+            // A step from one line to the other.
+            None => moved.extend([into.foot(corner), out.foot(corner)]),
+        }
+    }
+    tidy(&moved)
+}
+
+/// The line that a side runs along: that of the wall which has most of it, or its own.
+fn line(a: Point, b: Point, walls: &[Wall]) -> Line {
+    let (length, along) = (a.distance(b), (b - a).normalize_or_zero());
+    let middle = (a + b) / 2.0;
+    let own = Line { through: middle, along };
+    if length < LEAST_SIDE_M {
+        return own;
+    }
+    let shared_m = |wall: &Wall| {
+        let (from, to) = ((wall.from - a).dot(along), (wall.to - a).dot(along));
+        from.max(to).min(length) - from.min(to).max(0.0)
+    };
+    let near = walls.iter().filter(|wall| {
+        let line = Line { through: wall.from, along: wall.along() };
+        let is_along = wall.along().perp_dot(along).abs() <= ALONG_SINE;
+        let off_m = |p: Point| p.distance(line.foot(p));
+        // The side may lie in the wall or on either of its faces.
+        let most_m = wall.thickness_m / 2.0 + OFF_FACE_M;
+        is_along && off_m(a).max(off_m(b)) <= most_m && off_m(middle) <= most_m
+    });
+    let most = near.map(|wall| (shared_m(wall), wall)).max_by(|(a, _), (b, _)| a.total_cmp(b));
+    match most {
+        Some((shared_m, wall)) if shared_m >= ALONG_SHARE * length => Line { through: wall.from, along: wall.along() },
+        _ => own,
+    }
+}

@@ -1,0 +1,130 @@
+//! A plan of Sweet Home 3D as a home.
+
+use crate::drawing::{self, Drawing};
+use crate::error::NotImported;
+use crate::names::{self, Names};
+use crate::outline::rounded;
+use crate::rooms::Room;
+use crate::walls::{Wall, counted};
+use crate::{archive, doors, enclosed, furniture, levels, markup, rooms, sound, walls};
+use homebody_core::geometry::{self, Point};
+use homebody_core::scenario::home::{At, DoorFile, FurnitureFile, HomeFile, RoomFile, WallFile, latitude};
+
+/// A home, and what was left out of the plan or guessed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Imported {
+    /// The text of a `home.json` that passes the check; its schemas are expected in a folder beside it.
+    pub home_json: String,
+    pub remarks: Vec<String>,
+}
+
+/// Nobody reads more (ours).
+const MOST_REMARKS: usize = 40;
+
+/// What the check takes for the size of a home, from its first room.
+const GREATEST_SIZE_M: f64 = 100.0;
+
+/// Makes a home of this name of the bytes of a `.sh3d` file.
+///
+/// `level` is the name of a level, or its number counted from the lowest; without it, the one with the most walls is
+/// taken. The lower left corner of the walls' middle lines is the origin, and lengths are rounded to millimetres.
+pub fn sweet_home(bytes: &[u8], name: &str, level: Option<&str>) -> Result<Imported, NotImported> {
+    let xml = archive::home_xml(bytes)?;
+    let mut drawing = drawing::read(&markup::parse(&xml)?);
+    let mut remarks = Vec::new();
+    let level = levels::keep_one(&mut drawing, level, &mut remarks)?;
+    if drawing.unread > 0 {
+        let things = counted(drawing.unread, "thing without place or size", "things without place or size");
+        remarks.push(format!("left out: {things}"));
+    }
+    let about = match level {
+        Some(level) => format!("The level {level:?} of a plan made with Sweet Home 3D."),
+        None => "From a plan made with Sweet Home 3D.".to_owned(),
+    };
+    let home = build(name, about, drawing, &mut remarks)?;
+    let home_json = sound::text(home, &mut remarks)?;
+    if remarks.len() > MOST_REMARKS {
+        let more = remarks.len() - MOST_REMARKS;
+        remarks.truncate(MOST_REMARKS);
+        remarks.push(format!("and {more} more remarks"));
+    }
+    Ok(Imported { home_json, remarks })
+}
+
+fn build(name: &str, about: String, drawing: Drawing, remarks: &mut Vec<String>) -> Result<HomeFile, NotImported> {
+    let doors = doors::only(drawing.openings, remarks)?;
+    let mut walls = walls::straight(&drawing.walls, &doors, remarks)?;
+    // Rooms and furniture share names: paths go to either, and lamps are called after rooms.
+    let mut names = Names::default();
+    let mut drawn = drawing.rooms;
+    if drawn.is_empty() {
+        let spaces = enclosed::spaces(&walls);
+        let room = |corners| drawing::Room { level: None, name: String::new(), corners };
+        drawn = spaces.into_iter().map(room).collect();
+        remarks.push(format!("the plan has no rooms; its walls enclose {}", counted(drawn.len(), "room", "rooms")));
+    }
+    let mut rooms = rooms::place(&drawn, &walls, &mut names, remarks)?;
+    let Some(first) = rooms.first().map(|room| room.outline[0]) else { return Err(NotImported::NoRooms) };
+    let all = walls.len() + rooms.len();
+    let is_near = |p: &Point| (*p - first).abs().max_element() <= GREATEST_SIZE_M;
+    walls.retain(|wall| is_near(&wall.from) && is_near(&wall.to));
+    rooms.retain(|room| room.outline.iter().all(is_near));
+    let far = all - walls.len() - rooms.len();
+    if far > 0 {
+        let far = counted(far, "wall or room", "walls and rooms");
+        remarks.push(format!("left out: {far} more than {GREATEST_SIZE_M} m away"));
+    }
+    let doors = doors::place(&doors, &walls, &rooms, remarks);
+    let furniture = furniture::place(drawing.pieces, &rooms, &mut names, remarks)?;
+    let origin = origin(&walls, &rooms);
+    let at = |p: Point| -> At { rounded(p - origin).into() };
+    let wall = |wall: &Wall| WallFile {
+        from: at(wall.from),
+        to: at(wall.to),
+        thickness_m: rounded(Point::splat(wall.thickness_m)).x,
+    };
+    let name = Some(names::clean(name)).filter(|name| !name.is_empty()).unwrap_or_else(|| "home".to_owned());
+    Ok(HomeFile {
+        schema: Some("./schemas/home.schema.json".to_owned()),
+        name,
+        about,
+        latitude_deg: drawing.latitude_deg.unwrap_or_else(latitude),
+        rooms: rooms
+            .iter()
+            .map(|room| RoomFile { name: room.name.clone(), outline: room.outline.iter().map(|&p| at(p)).collect() })
+            .collect(),
+        walls: walls.iter().map(wall).collect(),
+        doors: doors
+            .iter()
+            .map(|door| DoorFile {
+                name: door.name.clone(),
+                from: at(door.from),
+                to: at(door.to),
+                open: !door.is_outside,
+                outside: door.is_outside,
+            })
+            .collect(),
+        furniture: furniture
+            .iter()
+            .map(|piece| FurnitureFile {
+                name: piece.name.clone(),
+                at: Some(at(piece.at)),
+                size_m: Some(piece.size_m),
+                turn_deg: piece.turn_deg,
+                outline: None,
+                height_m: piece.height_m,
+                enterable: piece.is_enterable,
+            })
+            .collect(),
+        places: Vec::new(),
+        sensors: Vec::new(),
+    })
+}
+
+/// The lower left corner of all walls, or of all rooms where there are none.
+fn origin(walls: &[Wall], rooms: &[Room]) -> Point {
+    let ends = walls.iter().flat_map(|wall| [wall.from, wall.to]);
+    let corners = rooms.iter().flat_map(|room| room.outline.iter().copied());
+    let (least, _) = if walls.is_empty() { geometry::bounds(corners) } else { geometry::bounds(ends) };
+    least
+}

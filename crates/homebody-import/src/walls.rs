@@ -1,0 +1,185 @@
+//! Walls as a home has them: straight. Curved ones become chords, cut so that each door is in one of them.
+
+use crate::drawing::{self, Piece};
+use crate::error::NotImported;
+use homebody_core::geometry::{self, Point};
+use std::f64::consts::TAU;
+
+/// A straight wall.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wall {
+    pub from: Point,
+    pub to: Point,
+    pub thickness_m: f64,
+}
+
+/// Shorter walls are slips of the mouse: the check refuses those under a millimetre, and ends are rounded to one.
+const LEAST_LENGTH_M: f64 = 0.003;
+
+/// The range that a home has for the thickness of walls.
+const THICKNESS_M: [f64; 2] = [0.001, 2.0];
+
+/// How far a chord may be off its arc (ours): less than the plaster.
+const CHORD_OFF_M: f64 = 0.01;
+
+/// The chords of one wall, however large its circle is (ours).
+const MOST_CHORDS: f64 = 64.0;
+
+/// Flatter arcs are straight, and fuller ones are circles, whose ends no plan can tell apart (ours).
+const ARC_RAD: [f64; 2] = [1e-3, TAU - 1e-3];
+
+/// How far beside a wall the middle of a door may be that is in it, beyond half the wall's thickness (ours).
+pub const DOOR_OFF_M: f64 = 0.3;
+
+/// What a home has at most.
+const MOST_WALLS: usize = 5_000;
+
+/// The walls as straight ones, in their order.
+pub fn straight(walls: &[drawing::Wall], doors: &[Piece], remarks: &mut Vec<String>) -> Result<Vec<Wall>, NotImported> {
+    let (mut straight, mut curved) = (Vec::new(), 0);
+    for wall in walls {
+        let thickness_m = wall.thickness_m.clamp(THICKNESS_M[0], THICKNESS_M[1]);
+        let points = match Arc::of(wall) {
+            Some(arc) => {
+                curved += 1;
+                arc.points(doors)
+            }
+            None => vec![wall.from, wall.to],
+        };
+        straight.extend(points.windows(2).map(|ends| Wall { from: ends[0], to: ends[1], thickness_m }));
+        if straight.len() > MOST_WALLS {
+            let hint = "import one level of it, or a plan of one home";
+            let count = walls.len().max(straight.len());
+            return Err(NotImported::TooMany { what: "walls", count, most: MOST_WALLS, hint });
+        }
+    }
+    let all = straight.len();
+    straight.retain(|wall| wall.from.distance(wall.to) >= LEAST_LENGTH_M);
+    if curved > 0 {
+        remarks.push(format!("{} of straight chords now", counted(curved, "curved wall is", "curved walls are")));
+    }
+    if straight.len() < all {
+        let short = counted(all - straight.len(), "wall without length", "walls without length");
+        remarks.push(format!("left out: {short}"));
+    }
+    Ok(straight)
+}
+
+pub fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
+
+impl Wall {
+    pub fn length(&self) -> f64 {
+        self.from.distance(self.to)
+    }
+
+    pub fn along(&self) -> Point {
+        (self.to - self.from).normalize_or_zero()
+    }
+}
+
+/// A curved wall's middle line.
+struct Arc {
+    middle: Point,
+    start: Point,
+    end: Point,
+    radius_m: f64,
+    /// Counter-clockwise from start to end.
+    extent_rad: f64,
+    thickness_m: f64,
+}
+
+impl Arc {
+    fn of(wall: &drawing::Wall) -> Option<Arc> {
+        let (half, extent_rad) = ((wall.to - wall.from) / 2.0, wall.arc_rad);
+        if !(ARC_RAD[0]..=ARC_RAD[1]).contains(&extent_rad.abs()) {
+            return None;
+        }
+        let middle = wall.from + half + half.perp() / (extent_rad / 2.0).tan();
+        let radius_m = middle.distance(wall.from);
+        let (start, end, thickness_m) = (wall.from, wall.to, wall.thickness_m);
+        (radius_m > LEAST_LENGTH_M).then_some(Arc { middle, start, end, radius_m, extent_rad, thickness_m })
+    }
+
+    /// The ends of its chords, from start to end.
+    fn points(&self, doors: &[Piece]) -> Vec<Point> {
+        let mut cuts = vec![(0.0, 0.0), (1.0, 1.0)];
+        cuts.extend(doors.iter().filter_map(|door| self.span(door)));
+        cuts.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut shares: Vec<f64> = vec![0.0];
+        for (start, end) in cuts {
+            let last = shares[shares.len() - 1];
+            // Of doors that overlap the first has its chord.
+            if start < last {
+                continue;
+            }
+            let chords = self.chords(start - last);
+            shares.extend((1..=chords as u32).map(|chord| last + (start - last) * f64::from(chord) / chords));
+            shares.push(end);
+        }
+        shares.dedup();
+        let last = shares.len() - 1;
+        let place = |(index, share): (usize, &f64)| match index {
+            0 => self.start,
+            _ if index == last => self.end,
+            _ => self.at(*share),
+        };
+        shares.iter().enumerate().map(place).collect()
+    }
+
+    /// How many chords a share of the arc needs.
+    fn chords(&self, share: f64) -> f64 {
+        let flat = (1.0 - (CHORD_OFF_M / self.radius_m).min(1.0)).acos() * 2.0;
+        (self.extent_rad.abs() * share / flat).ceil().clamp(1.0, MOST_CHORDS)
+    }
+
+    /// The place at a share of the way from start to end.
+    fn at(&self, share: f64) -> Point {
+        self.middle + geometry::direction((self.extent_rad * share).to_degrees()).rotate(self.start - self.middle)
+    }
+
+    /// From which share of the way to which one a door is, if it is in this wall as a whole.
+    fn span(&self, door: &Piece) -> Option<(f64, f64)> {
+        let out = door.at - self.middle;
+        if (out.length() - self.radius_m).abs() > self.thickness_m / 2.0 + DOOR_OFF_M {
+            return None;
+        }
+        let way = self.extent_rad.signum() * (self.start - self.middle).angle_to(out);
+        let middle = way.rem_euclid(TAU) / self.extent_rad.abs();
+        let half = (door.width_m / 2.0 / self.radius_m).min(1.0).asin() / self.extent_rad.abs();
+        (half > 0.0 && middle - half >= 0.0 && middle + half <= 1.0).then_some((middle - half, middle + half))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn half_circle() -> drawing::Wall {
+        let (from, to) = (Point::new(0.0, 0.0), Point::new(4.0, 0.0));
+        drawing::Wall { level: None, from, to, thickness_m: 0.1, arc_rad: std::f64::consts::PI }
+    }
+
+    #[test]
+    fn an_arc_goes_around_its_middle_from_end_to_end() {
+        // Counter-clockwise from the west to the east of the circle around (2, 0): through the south.
+        let arc = Arc::of(&half_circle()).unwrap();
+        assert!(arc.middle.distance(Point::new(2.0, 0.0)) < 1e-12 && (arc.radius_m - 2.0).abs() < 1e-12);
+        assert!(arc.at(0.5).distance(Point::new(2.0, -2.0)) < 1e-12);
+        let points = arc.points(&[]);
+        assert_eq!((points[0], points[points.len() - 1]), (arc.start, arc.end));
+        for ends in points.windows(2) {
+            let off = 2.0 - ((ends[0] + ends[1]) / 2.0).distance(arc.middle);
+            assert!((0.0..CHORD_OFF_M).contains(&off), "{off}");
+        }
+        // A quarter of a circle of the other turn.
+        let quarter = drawing::Wall { arc_rad: -TAU / 4.0, ..half_circle() };
+        let arc = Arc::of(&quarter).unwrap();
+        assert!(arc.middle.distance(Point::new(2.0, -2.0)) < 1e-12, "{}", arc.middle);
+        assert!(arc.at(0.5).distance(Point::new(2.0, 8.0_f64.sqrt() - 2.0)) < 1e-12);
+        // Three quarters.
+        let most = drawing::Wall { arc_rad: TAU * 0.75, ..half_circle() };
+        assert!(Arc::of(&most).unwrap().at(0.5).distance(Point::new(2.0, -2.0 - 8.0_f64.sqrt())) < 1e-12);
+    }
+}

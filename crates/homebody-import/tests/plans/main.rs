@@ -1,0 +1,8 @@
+//! Plans of Sweet Home 3D, made here, and what becomes of them.
+
+mod plan;
+
+mod flats;
+mod levels;
+mod hostile;
+mod random;

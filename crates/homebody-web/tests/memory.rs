@@ -1,0 +1,131 @@
+//! What too much of something does to the server's memory. Alone in this program, since memory is the whole program's.
+//!
+//! `HOMEBODY_STUCK_S=600 cargo test -p homebody-web --test memory -- --nocapture` has a browser stuck for ten minutes.
+#![cfg(target_os = "linux")]
+
+#[expect(dead_code, reason = "other tests use more of it")]
+#[path = "server/served.rs"]
+mod served;
+
+use homebody_core::event::Events;
+use homebody_core::recording::{Recording, Seal};
+use homebody_routine::household::Household;
+use served::Served;
+use std::fs;
+use std::io::{Read, Write};
+use std::net::TcpStream;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// The greatest growth that is taken for none.
+const MOST_KB: u64 = 16 << 10;
+
+fn memory_kb() -> u64 {
+    let status = fs::read_to_string("/proc/self/status").unwrap();
+    let line = status.lines().find(|line| line.starts_with("VmRSS:")).unwrap();
+    line.split_whitespace().nth(1).unwrap().parse().unwrap()
+}
+
+#[test]
+fn neither_huge_bodies_nor_stuck_browsers_take_memory() {
+    huge_bodies();
+    stuck_browsers();
+}
+
+/// 100 MB are refused, whether their length is told or not.
+fn huge_bodies() {
+    let served = Served::scenario("by-hand");
+    // Warm, so that what every first request takes does not count.
+    served.api("/api/files");
+    let before = memory_kb();
+    for route in ["/api/files", "/api/check", "/api/plan"] {
+        for is_told in [true, false] {
+            let mut stream = TcpStream::connect(served.address).unwrap();
+            stream.set_read_timeout(Some(Duration::from_secs(20))).unwrap();
+            let length = if is_told { "Content-Length: 104857600" } else { "Transfer-Encoding: chunked" };
+            let head = format!(
+                "POST {route} HTTP/1.1\r\nHost: {}\r\nx-homebody-token: {}\r\nContent-Type: application/json\r\n{length}\r\n\r\n",
+                served.address, served.token
+            );
+            stream.write_all(head.as_bytes()).unwrap();
+            let part = vec![b' '; 1 << 20];
+            for _ in 0..100 {
+                let sent = if is_told {
+                    stream.write_all(&part)
+                } else {
+                    let chunk = [format!("{:x}\r\n", part.len()).as_bytes(), &part, b"\r\n"].concat();
+                    stream.write_all(&chunk)
+                };
+                // It has seen enough.
+                if sent.is_err() {
+                    break;
+                }
+            }
+            let mut answer = [0; 64];
+            // A server that closes while somebody is still writing may take the answer with it.
+            let length = stream.read(&mut answer).unwrap_or(0);
+            let answer = String::from_utf8_lossy(&answer[..length]);
+            assert!(answer.is_empty() || answer.starts_with("HTTP/1.1 413"), "{route}: {answer}");
+        }
+    }
+    let growth = memory_kb().saturating_sub(before);
+    println!("memory grows by {growth} kB over six bodies of 100 MB");
+    assert!(growth < MOST_KB, "{growth} kB");
+}
+
+/// A page that reads a message a second holds up neither the run nor another page, and nothing is kept for it.
+fn stuck_browsers() {
+    let wished = std::env::var("HOMEBODY_STUCK_S").ok().and_then(|text| text.parse().ok());
+    let length = Duration::from_secs(wished.unwrap_or(6));
+    let mut served = Served::scenario("tigerplace");
+    let done = Arc::new(AtomicBool::new(false));
+    let mut stuck = served.page();
+    let is_done = done.clone();
+    let reader = thread::spawn(move || {
+        while !is_done.load(Ordering::Relaxed) {
+            stuck.hear();
+            thread::sleep(Duration::from_secs(1));
+        }
+    });
+    let mut page = served.page();
+    page.say(r#"{"say":"speed","times":1000}"#);
+    page.say(r#"{"say":"play"}"#);
+    let warm = Instant::now();
+    while warm.elapsed() < Duration::from_secs(2) {
+        page.until(|_| true);
+    }
+    let before = memory_kb();
+    let (begun, mut last) = (Instant::now(), Instant::now());
+    let mut gaps = Vec::new();
+    while begun.elapsed() < length {
+        page.until(|_| true);
+        gaps.push(last.elapsed());
+        last = Instant::now();
+    }
+    let growth = memory_kb().saturating_sub(before);
+    page.say(r#"{"say":"stop"}"#);
+    let frame = page.until(|frame| frame["state"] == "over").frame;
+    done.store(true, Ordering::Relaxed);
+    reader.join().unwrap();
+    gaps.sort();
+    let p99 = gaps[gaps.len() * 99 / 100];
+    println!("{} frames in {length:?}, p99 of their gaps {p99:?}; memory grows by {growth} kB", gaps.len());
+    assert!(growth < MOST_KB, "{growth} kB");
+    assert!(gaps.len() as u64 > 5 * length.as_secs(), "the other page sees {} frames in {length:?}", gaps.len());
+    served.close();
+
+    // The log is that of the same run without anybody.
+    let run = served.only_run();
+    let recording: Recording = serde_json::from_str(&fs::read_to_string(run.join("recording.json")).unwrap()).unwrap();
+    let (scenario, household) = Household::recorded(&recording).unwrap();
+    let mut alone = recording.run(&scenario, &household);
+    let (mut events, mut seal) = (Events::default(), Seal::default());
+    alone.advance(recording.length_us, &mut events);
+    seal.add(&events.firings);
+    assert_eq!((seal.firings(), seal.hex()), (recording.firings, recording.sha256));
+    let log = rusqlite::Connection::open(run.join("log.db")).unwrap();
+    let rows: i64 = log.query_row("SELECT count(*) FROM event", [], |row| row.get(0)).unwrap();
+    assert_eq!((rows, rows as u64), (frame["told"].as_i64().unwrap(), recording.firings));
+}

@@ -1,0 +1,48 @@
+// Every view in light and dark, on a small screen and on a tablet: axe finds nothing, and nothing is wider than the window. With
+// `PICTURES=FOLDER` it also leaves a picture of each.
+
+import assert from 'node:assert/strict';
+import { mkdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { setTimeout as wait } from 'node:timers/promises';
+import { serve } from './served.mjs';
+
+const axe = readFileSync(new URL('../node_modules/axe-core/axe.min.js', import.meta.url), 'utf8');
+const VIEWS = { live: 'live', plan: 'plan', life: 'life', log: 'log', runs: 'playback', playback: 'playback/tigerplace-depression-1' };
+const SIZES = [[1280, 720], [1024, 768]];
+const folder = process.env.PICTURES;
+
+let served;
+before(async () => {
+  served = await serve('tigerplace-depression');
+  served.homebody('run', 'tigerplace-depression', '--for', '5d', '--quiet');
+  if (folder) mkdirSync(folder, { recursive: true });
+  const { page } = served;
+  await page.getByRole('button', { name: 'Play', exact: true }).click();
+  await page.getByRole('button', { name: 'As fast as it goes' }).click();
+  await wait(1500);
+  await page.getByRole('button', { name: '1×: ' }).click();
+});
+after(() => served.close());
+
+for (const theme of ['light', 'dark']) {
+  for (const [name, view] of Object.entries(VIEWS)) {
+    test(`${name}, ${theme}`, { timeout: 60_000 }, async () => {
+      const { page, address } = served;
+      await page.emulateMedia({ colorScheme: theme });
+      await page.goto(`${address.split('#')[0]}#/${view}`);
+      for (const [width, height] of SIZES) {
+        await page.setViewportSize({ width, height });
+        await wait(2000);
+        if (folder) await page.screenshot({ path: join(folder, `${name}-${theme}-${width}.png`) });
+        await page.evaluate(axe);
+        const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
+        const wrong = violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 160)).join(' | ')}`);
+        assert.deepEqual(wrong, [], `${width} wide`);
+        const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+        assert.ok(wide <= 0, `${wide} pixels wider than ${width}`);
+      }
+    });
+  }
+}
