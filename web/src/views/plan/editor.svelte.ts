@@ -220,7 +220,13 @@ const editors = new WeakMap<Drafts, Editor>();
 
 /** One editor as long as there are these drafts, so that what was done can be undone after another view was looked at. */
 export function editorOf(drafts: Drafts): Editor {
-  const editor = editors.get(drafts) ?? new Editor(drafts);
-  editors.set(drafts, editor);
-  return editor;
+  let editor = editors.get(drafts);
+  if (editor === undefined) {
+    // What is derived in it must not end with the view that was the first to ask.
+    $effect.root(() => {
+      editor = new Editor(drafts);
+    });
+    editors.set(drafts, editor!);
+  }
+  return editor!;
 }

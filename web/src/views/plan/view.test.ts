@@ -126,6 +126,27 @@ test('a tool is used without a mouse', async () => {
   expect(button('Select').getAttribute('aria-pressed')).toBe('true');
 });
 
+test('after another view was looked at all goes on, and can be undone', async () => {
+  await begin(FLAT);
+  click('List');
+  click('stove');
+  plan().focus();
+  key('ArrowRight');
+  const moved = text();
+  await unmount(view);
+  view = mount(View, { target: document.body, props: { live } });
+  await settle();
+  expect(document.querySelector('#tab-panel h2')!.textContent).toBe('stove');
+  plan().focus();
+  key('PageDown');
+  expect(document.querySelector('#tab-panel h2')!.textContent).not.toBe('stove');
+  expect(document.getElementById('form-furniture/1')!.getAttribute('points')).toContain('2.75,');
+  key('z', { ctrlKey: true });
+  expect(text()).toBe(FLAT);
+  expect(moved).not.toBe(FLAT);
+  expect(document.getElementById('form-furniture/1')!.getAttribute('points')).not.toContain('2.75,');
+});
+
 test('letters and arrows count only while the plan has the focus, and Space is nobody\'s', async () => {
   await begin(FLAT);
   document.body.focus();
