@@ -92,9 +92,11 @@ const phone = await open('?driven=0', { scheme: 'light', width: 420, height: 900
 await check(phone, 'phone');
 await phone.close();
 for (const view of ['plan', 'life', 'playback', 'log']) {
-  const page = await open('', { scheme: 'dark', width: 1280, height: 720, hash: `#/${view}`, wait: 400 });
-  await check(page, view);
-  await page.close();
+  for (const [what, query] of Object.entries({ '': '', '-hostile': '?hostile=1' })) {
+    const page = await open(query, { scheme: 'dark', width: 1280, height: 720, hash: `#/${view}`, wait: 1800 });
+    await check(page, `${view}${what}`);
+    await page.close();
+  }
 }
 
 function expect(holds, what) {

@@ -22,7 +22,7 @@ before(async () => {
   await page.getByRole('button', { name: 'Play', exact: true }).click();
   await page.getByRole('button', { name: 'As fast as it goes' }).click();
   await wait(1500);
-  await page.getByRole('button', { name: '1×: ' }).click();
+  await page.getByRole('button', { name: /^1×: / }).click();
 });
 after(() => served.close());
 

@@ -1,5 +1,5 @@
 import { flushSync, mount, unmount } from 'svelte';
-import { afterEach, expect, test } from 'vitest';
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import App from './App.svelte';
 import { WRONG_TOKEN, type Wire } from './socket';
 
@@ -19,8 +19,12 @@ function open(hash: string, withWire: boolean): void {
   flushSync();
 }
 
+// Views that ask a server find none here.
+beforeEach(() => void vi.stubGlobal('fetch', () => Promise.reject(new TypeError('no server'))));
+
 afterEach(async () => {
   await unmount(app);
+  vi.unstubAllGlobals();
   window.sessionStorage.clear();
 });
 

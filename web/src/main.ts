@@ -15,7 +15,9 @@ async function begin(): Promise<void> {
     const { fakeRuns, storedRun } = await import('./testing/stored');
     const names = ['cottage-2', 'cottage-1'].map(asked.has('hostile') ? hostile : (name) => name);
     const stored = fakeRuns(names, (name) => storedRun(name, 30));
-    window.fetch = async (path, init) => stored(String(path), init ?? {});
+    const { fakeLives } = await import('./testing/life');
+    const lives = fakeLives(['Agnes', 'Bertram'].map(asked.has('hostile') ? hostile : (name) => name));
+    window.fetch = async (path, init) => (String(path).startsWith('/api/runs') ? stored : lives)(String(path), init ?? {});
   }
   mount(App, { target, props: fake ? { fake } : {} });
 }

@@ -388,7 +388,11 @@ export type ExplainView = {
 /**
  * Of the routine's file and the conditions it shows; empty does not mean that other files are right.
  */
-problems: Array<ProblemView>, sentences: Array<SentenceView>, 
+problems: Array<ProblemView>, 
+/**
+ * The date of the scenario's first day, and how many days it has; none where it cannot be read.
+ */
+first: string, days: number, sentences: Array<SentenceView>, 
 /**
  * What is left unsaid and goes as it usually does.
  */

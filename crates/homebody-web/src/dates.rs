@@ -19,9 +19,8 @@ pub fn some(calendar: &Calendar, length: Micros, days: Range<u32>) -> Vec<DateVi
         let number = day as i32;
         let begin = calendar.instant(number, 0).max(0);
         let end = calendar.instant(number + 1, 0).min(length);
-        let (year, month, of_month) = calendar.date(number);
         DateView {
-            date: format!("{year:04}-{month:02}-{of_month:02}"),
+            date: date(calendar, day),
             begin_us: begin,
             end_us: end,
             clock_us: if day == 0 { calendar.start_of_day() } else { 0 },
@@ -29,6 +28,12 @@ pub fn some(calendar: &Calendar, length: Micros, days: Range<u32>) -> Vec<DateVi
         }
     };
     days.map(day).collect()
+}
+
+/// The date of a day, such as `2009-03-02`.
+pub fn date(calendar: &Calendar, day: u32) -> String {
+    let (year, month, of_month) = calendar.date(day as i32);
+    format!("{year:04}-{month:02}-{of_month:02}")
 }
 
 /// The number of a run's last day.

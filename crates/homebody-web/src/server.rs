@@ -11,12 +11,13 @@ use crate::stage::Stage;
 use crate::wire::{Connect, Draft, Explain, Month, Save};
 use axum::Json;
 use axum::Router;
-use axum::body::Body;
+use axum::body::{Body, Bytes};
 use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::{DefaultBodyLimit, Path, State};
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
+use homebody_import::{MOST_BYTES, NotImported};
 use serde::Serialize;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::sync::Arc;
@@ -133,6 +134,7 @@ fn routes(house: House) -> Router {
         .route("/api/files/versions", get(versions))
         .route("/api/check", post(check))
         .route("/api/plan", post(plan))
+        .route("/api/import", post(import).layer(DefaultBodyLimit::max(MOST_BYTES as usize)))
         .route("/api/explain", post(explain))
         .route("/api/month", post(month))
         .route("/api/rows", post(rows))
@@ -200,6 +202,12 @@ async fn check(State(house): State<House>, Json(draft): Json<Draft>) -> Response
 
 async fn plan(State(house): State<House>, Json(draft): Json<Draft>) -> Response {
     packed(found(move || house.desk.plan(draft)).await)
+}
+
+/// A plan of another program, as its file's bytes.
+async fn import(State(house): State<House>, bytes: Bytes) -> Response {
+    let refused = |why: NotImported| (StatusCode::UNPROCESSABLE_ENTITY, why.to_string()).into_response();
+    json(found(move || house.desk.import(&bytes)).await.and_then(|made| made.map_err(refused)))
 }
 
 async fn explain(State(house): State<House>, Json(asked): Json<Explain>) -> Response {

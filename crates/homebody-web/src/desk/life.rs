@@ -43,6 +43,8 @@ impl Desk {
         let Understood { routine, unsaid, conditions, problems: wrong, words, .. } = &known;
         ExplainView {
             problems: problems(wrong),
+            first: dates::date(&scenario.calendar, 0),
+            days,
             sentences: sentences(routine),
             unsaid: sentences(unsaid),
             conditions: conditions.iter().map(condition).collect(),
@@ -62,7 +64,7 @@ impl Desk {
 }
 
 fn not_understood(problems: Vec<ProblemView>) -> ExplainView {
-    ExplainView { problems, sentences: Vec::new(), unsaid: Vec::new(), conditions: Vec::new(), words: Vec::new() }
+    ExplainView { problems, ..ExplainView::default() }
 }
 
 fn lived(scenario: &Scenario, household: &Household, from: u32, days: u32) -> MonthView {

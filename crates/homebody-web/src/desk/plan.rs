@@ -2,7 +2,7 @@
 
 use super::{Desk, problems};
 use crate::draw;
-use crate::wire::{CoverageView, DeadZoneView, Draft, FloorView, HomeView, PlanView, SeenView};
+use crate::wire::{CoverageView, DeadZoneView, Draft, FloorView, HomeView, ImportView, PlanView, SeenView};
 use homebody_core::home::Build;
 use homebody_core::home::plan::Plan;
 use homebody_core::problem::Problem;
@@ -10,6 +10,7 @@ use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::scenario::resident::ResidentFile;
 use homebody_core::sensors::Sensor;
+use homebody_import::{Imported, NotImported, sweet_home};
 use homebody_study::coverage::{self, Coverage, Floor, Seen};
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -29,6 +30,16 @@ impl Desk {
             },
             Err(wrong) => PlanView { problems: problems(&wrong), home: None, coverage: None },
         }
+    }
+}
+
+impl Desk {
+    /// A home made of the bytes of a Sweet Home 3D file, under the name of the one that is here.
+    pub fn import(&self, bytes: &[u8]) -> Result<ImportView, NotImported> {
+        let home = self.files().home.map(|file| self.json(&file)).unwrap_or_default();
+        let name = home["name"].as_str().unwrap_or("home");
+        let Imported { home_json, remarks } = sweet_home(bytes, name, None)?;
+        Ok(ImportView { text: home_json, remarks })
     }
 }
 

@@ -162,10 +162,13 @@ pub struct Explain {
 }
 
 /// How a routine was understood, and what can be said in it.
-#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
 pub struct ExplainView {
     /// Of the routine's file and the conditions it shows; empty does not mean that other files are right.
     pub problems: Vec<ProblemView>,
+    /// The date of the scenario's first day, and how many days it has; none where it cannot be read.
+    pub first: String,
+    pub days: u32,
     pub sentences: Vec<SentenceView>,
     /// What is left unsaid and goes as it usually does.
     pub unsaid: Vec<SentenceView>,

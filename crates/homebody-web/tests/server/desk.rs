@@ -450,3 +450,24 @@ fn nothing_is_written_for_who_has_no_token_or_is_another_page() {
     assert_eq!(served.ask(plain.as_bytes()).code, 415);
     assert_eq!(all_files(served.folder.path()), before);
 }
+
+#[test]
+fn what_is_no_plan_is_refused_with_a_hint_and_large_ones_are_not_cut_short() {
+    let served = Served::scenario("studio");
+    let (address, token) = (served.address, &served.token);
+    let post = |body: &[u8]| {
+        let head = format!(
+            "POST /api/import HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\nx-homebody-token: {token}\r\n\
+             Content-Type: application/octet-stream\r\nContent-Length: {}\r\n\r\n",
+            body.len()
+        );
+        served.ask(&[head.as_bytes(), body].concat())
+    };
+    // Larger than texts may be, as plans with models and textures are.
+    for body in [&b"no archive"[..], &[0; 20 << 20]] {
+        let answer = post(body);
+        let said = String::from_utf8_lossy(&answer.body).into_owned();
+        assert_eq!(answer.code, 422, "{said}");
+        assert!(said.contains("no Sweet Home 3D file") && said.contains("hint"), "{said}");
+    }
+}

@@ -11,7 +11,7 @@ const ARROWS: [(&str, &[&str]); 7] = [
     ("homebody-log", &["homebody-core"]),
     ("homebody-routine", &["homebody-core"]),
     ("homebody-study", &["homebody-core", "homebody-log"]),
-    ("homebody-web", &["homebody-core", "homebody-log", "homebody-routine", "homebody-study"]),
+    ("homebody-web", &["homebody-core", "homebody-import", "homebody-log", "homebody-routine", "homebody-study"]),
     (
         "homebody",
         &["homebody-core", "homebody-import", "homebody-log", "homebody-routine", "homebody-study", "homebody-web"],

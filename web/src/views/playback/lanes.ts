@@ -105,7 +105,8 @@ function blend(colour: string, ground: string): string {
   return `#${[1, 3, 5].map((at) => Math.round(channel(colour, at) * 0.6 + channel(ground, at) * 0.4).toString(16).padStart(2, '0')).join('')}`;
 }
 
-function hours(pen: CanvasRenderingContext2D, run: PlaybackView, number: number, width: number, high: number, x: (at: number) => number, palette: Palette): void {
+/** Marks at round times of a day's clock, across the whole drawing. */
+export function hours(pen: CanvasRenderingContext2D, run: Pick<PlaybackView, 'days'>, number: number, width: number, high: number, x: (at: number) => number, palette: Palette): void {
   const { begin_us, end_us } = run.days[number]!;
   const span = end_us - begin_us;
   // As many marks as there is room for, at round times.

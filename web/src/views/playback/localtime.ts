@@ -4,10 +4,11 @@
 import { read } from '../../clock';
 import type { DateView, PlaybackView } from '../../wire';
 
+type Days = Pick<PlaybackView, 'days'>;
 type Run = Pick<PlaybackView, 'days' | 'length_us'>;
 
 /** The day that an instant lies in; the run's end belongs to its last one. */
-export function dayAt(run: Run, at_us: number): number {
+export function dayAt(run: Days, at_us: number): number {
   let [low, high] = [0, run.days.length - 1];
   while (low < high) {
     const middle = (low + high + 1) >> 1;
@@ -24,7 +25,7 @@ function clockIn(day: DateView, at_us: number): number {
 }
 
 /** The clock at an instant of the run. */
-export function clockOf(run: Run, at_us: number): number {
+export function clockOf(run: Days, at_us: number): number {
   const day = run.days[dayAt(run, at_us)];
   return day === undefined ? NaN : clockIn(day, at_us);
 }

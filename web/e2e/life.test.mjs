@@ -1,0 +1,115 @@
+// A life is written: a mistake is underlined, mended and saved, and what is left out of the days is seen.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { serve } from './served.mjs';
+
+const SCENARIO = 'tigerplace-depression';
+
+let served;
+let editor;
+before(async () => {
+  served = await serve(SCENARIO);
+  const { page, address } = served;
+  await page.goto(`${address.split('#')[0]}#/life`);
+  editor = page.getByRole('textbox', { name: /^The routine of margaret/ });
+  await page.getByText('Every sentence is understood.').waitFor();
+});
+after(() => served.close());
+
+const onDisk = () => readFileSync(join(served.folder, SCENARIO, 'margaret.routine'), 'utf8');
+const list = () => served.page.getByRole('listbox', { name: /^Days/ });
+const days = () => list().getByRole('option').allTextContents();
+const drawn = () => served.page.locator('canvas').first().evaluate((canvas) => canvas.toDataURL());
+
+/** What the program says of the scenario, where it is wrong. */
+function check() {
+  try {
+    return served.homebody('check', SCENARIO);
+  } catch (error) {
+    return `${error.stdout}${error.stderr}`;
+  }
+}
+
+test('a mistake is underlined, in the words of the program, and mended by completion', { timeout: 60_000 }, async () => {
+  const { page } = served;
+  const problems = page.getByRole('region', { name: 'Problems' });
+  const before = onDisk();
+  await editor.click();
+  await page.keyboard.press('Control+End');
+  await page.keyboard.type('\nShe wtches television at about 20:00 for 1 hour.');
+  await page.keyboard.press('Escape');
+  await problems.getByText('1 problem').waitFor();
+  assert.deepEqual(await page.locator('.cm-lintRange-error').allInnerTexts(), ['wtches television']);
+  assert.equal(onDisk(), before, 'nothing is written before it is saved');
+  await page.keyboard.press('Control+s');
+  await page.getByText('All is saved.').waitFor();
+  const said = check();
+  const [what, hint] = await problems.locator('.words').first().evaluate((words) => [words.firstChild.textContent, words.lastElementChild.textContent]);
+  assert.ok(what.length > 10 && hint.length > 10, 'a problem has words');
+  assert.ok(said.includes(what), `${what} is not in ${said}`);
+  assert.ok(said.includes(hint), `${hint} is not in ${said}`);
+
+  // The list leads to the words that are underlined, and completion offers what could stand there instead.
+  await problems.getByRole('button').first().click();
+  await page.keyboard.press('Control+Space');
+  await page.getByRole('option', { name: /^watches television/ }).waitFor();
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Enter');
+  await page.getByText('Every sentence is understood.').waitFor();
+  await page.getByText('margaret.routine is not saved.').waitFor();
+  await page.getByRole('button', { name: 'Save', exact: true }).click();
+  await page.getByText('All is saved.').waitFor();
+  assert.equal(onDisk(), `${before}\nShe watches television at about 20:00 for 1 hour.`);
+  assert.doesNotMatch(check(), /not|problem/i);
+});
+
+test('what is begun is completed while it is written', { timeout: 30_000 }, async () => {
+  const { page } = served;
+  await editor.click();
+  await page.keyboard.press('Control+End');
+  await page.keyboard.type('\nOften she reads in the liv');
+  await page.getByRole('option', { name: /^living room *room/ }).waitFor();
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Enter');
+  await page.keyboard.type(' in the aft');
+  await page.getByRole('option', { name: /^in the afternoon/ }).waitFor();
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Enter');
+  await page.keyboard.type('.');
+  await page.getByRole('region', { name: 'How it was understood' }).getByText('reads (living room)').waitFor();
+  assert.match(await editor.innerText(), /Often she reads in the living room in the afternoon\.$/);
+  await page.getByText('Every sentence is understood.').waitFor();
+});
+
+test('the days are drawn, and are others without the condition', { timeout: 120_000 }, async () => {
+  const { page } = served;
+  await page.getByRole('button', { name: 'Show its days' }).click();
+  await page.getByText('3 – 30 May 2009').waitFor();
+  await page.getByText('living them').waitFor({ state: 'hidden', timeout: 60_000 });
+  const [before, picture] = [await days(), await drawn()];
+  assert.equal(before.length, 28);
+  await page.getByLabel('depression', { exact: true }).check();
+  await page.getByLabel('side by side').uncheck();
+  await page.getByRole('heading', { name: 'Without depression' }).waitFor({ timeout: 60_000 });
+  const motion = (all) => all.reduce((sum, day) => sum + Number(/(\d+) motion firings/.exec(day)[1]), 0);
+  assert.ok(motion(await days()) > motion(before) * 1.1, 'who is not depressed moves more');
+  assert.notEqual(await drawn(), picture);
+  await list().focus();
+  await page.keyboard.press('Enter');
+  await page.getByRole('heading', { name: 'Sun, 3 May 2009' }).waitFor();
+});
+
+test('all of it is lived as it was drawn, and can be played back', { timeout: 300_000 }, async () => {
+  const { page } = served;
+  await page.getByRole('button', { name: 'Live all of it' }).click();
+  await page.getByRole('progressbar').waitFor();
+  const link = page.getByRole('link', { name: /^Play back/ });
+  await link.waitFor({ timeout: 240_000 });
+  await link.click();
+  await page.getByText('Day 1 of 120').waitFor({ timeout: 60_000 });
+  const [run] = served.runs().slice(-1);
+  assert.match(readFileSync(join(served.folder, 'runs', run, 'recording.json'), 'utf8'), /depression/);
+});

@@ -1,0 +1,243 @@
+// The editor of a routine's text. It lives in a shadow root, since its styles are made by script: only there does the browser
+// take them as sheets, which the page's policy allows, and not as elements, which it forbids.
+
+import { type CompletionContext, type CompletionResult, autocompletion, insertCompletionText, pickedCompletion } from '@codemirror/autocomplete';
+import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
+import { type Diagnostic, forEachDiagnostic, lintKeymap, setDiagnostics } from '@codemirror/lint';
+import { Annotation, EditorState, type Extension, type Range, type Text } from '@codemirror/state';
+import { Decoration, type DecorationSet, EditorView, ViewPlugin, type ViewUpdate, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers } from '@codemirror/view';
+import type { ProblemView, WordView } from '../../wire';
+import { instead, offers } from './complete';
+import { placeOf } from './marks';
+import { look } from './look';
+
+/** What the editor asks of whoever shows it, at the time at which it needs it. */
+export type Host = {
+  /** What may be written, and the names of the person. */
+  words: () => readonly WordView[];
+  names: () => string[];
+  onwrite: (text: string) => void;
+  /** The cursor, the text or what is seen of it has changed. */
+  onview: () => void;
+};
+
+/** Marks a change that came from outside: it was not written by somebody. */
+const given = Annotation.define<boolean>();
+
+export class RoutineEditor {
+  private view: EditorView;
+  /** Places in the text that move along as it changes. */
+  private anchors: number[] = [];
+
+  constructor(
+    parent: HTMLElement,
+    private readonly host: Host,
+    private text: string,
+    private label: string,
+  ) {
+    const root = parent.shadowRoot ?? parent.attachShadow({ mode: 'open' });
+    root.replaceChildren();
+    this.view = new EditorView({ state: this.state(text), parent: root as unknown as Element, root });
+    this.view.scrollDOM.addEventListener('scroll', () => host.onview());
+  }
+
+  destroy(): void {
+    this.view.destroy();
+  }
+
+  focus(): void {
+    this.view.focus();
+  }
+
+  /** Shows another text; where it is all but the same one, the cursor and what can be undone stay. */
+  show(text: string, label: string): void {
+    if (label !== this.label || lineEnd(text) !== lineEnd(this.text)) {
+      [this.text, this.label, this.anchors] = [text, label, []];
+      this.view.setState(this.state(text));
+      return;
+    }
+    if (text === this.text) return;
+    const old = this.text;
+    this.text = text;
+    const changes = difference(this.view.state.toText(old), this.view.state.toText(text));
+    this.view.dispatch({ changes, annotations: given.of(true) });
+  }
+
+  /** Underlines what is wrong, and what is hardly meant. */
+  mark(problems: readonly ProblemView[], warnings: readonly ProblemView[]): void {
+    const doc = this.view.state.doc;
+    const marks = (all: readonly ProblemView[], severity: Diagnostic['severity']) =>
+      all.flatMap((problem): Diagnostic[] => {
+        const place = placeOf(problem, doc);
+        if (place === null) return [];
+        return [{ ...place, severity, message: problem.what, renderMessage: () => told(problem) }];
+      });
+    this.view.dispatch(setDiagnostics(this.view.state, [...marks(problems, 'error'), ...marks(warnings, 'warning')]));
+  }
+
+  /** Puts the cursor to a place, both counted from 1 and in characters, and shows it. */
+  goTo(line: number, column: number): void {
+    const { doc } = this.view.state;
+    const at = Math.min(Math.max(line, 1), doc.lines);
+    const place = placeOf({ file: '', line: at, column: Math.max(column, 1), width: 1, what: '', hint: null }, doc)!;
+    const head = Math.min(place.from, doc.line(at).to);
+    this.view.dispatch({ selection: { anchor: head }, effects: EditorView.scrollIntoView(head, { y: 'nearest', yMargin: 40 }) });
+  }
+
+  /** From here on these lines are followed, wherever they move. */
+  follow(lines: readonly number[]): void {
+    const { doc } = this.view.state;
+    this.anchors = lines.map((line) => doc.line(Math.min(Math.max(line, 1), doc.lines)).from);
+  }
+
+  /** How far below the top of the text the lines that are followed begin, in pixels, and in which lines they are now. */
+  followed(): { top: number; line: number }[] {
+    const { doc } = this.view.state;
+    return this.anchors.map((at) => {
+      const place = Math.min(at, doc.length);
+      return { top: this.view.lineBlockAt(place).top + this.view.documentPadding.top, line: doc.lineAt(place).number };
+    });
+  }
+
+  get line(): number {
+    const { doc, selection } = this.view.state;
+    return doc.lineAt(selection.main.head).number;
+  }
+
+  get scroll(): { top: number; height: number } {
+    return { top: this.view.scrollDOM.scrollTop, height: this.view.scrollDOM.scrollHeight };
+  }
+
+  scrollTo(top: number): void {
+    if (Math.abs(this.view.scrollDOM.scrollTop - top) >= 1) this.view.scrollDOM.scrollTop = top;
+  }
+
+  private state(text: string): EditorState {
+    return EditorState.create({ doc: this.split(text), extensions: this.extensions(text) });
+  }
+
+  private split(text: string): Text {
+    return EditorState.create({ extensions: EditorState.lineSeparator.of(lineEnd(text)) }).toText(text);
+  }
+
+  private extensions(text: string): Extension {
+    return [
+      // A file keeps the ends of its lines as it has them.
+      EditorState.lineSeparator.of(lineEnd(text)),
+      lineNumbers(),
+      highlightActiveLine(),
+      highlightActiveLineGutter(),
+      highlightSpecialChars(),
+      history(),
+      EditorView.lineWrapping,
+      EditorView.contentAttributes.of({ 'aria-label': this.label, spellcheck: 'false', tabindex: '0' }),
+      // Nothing is chosen until somebody goes down to it, so that Enter at the end of a sentence begins a line; and who goes
+      // down at once means it.
+      autocompletion({ override: [(context) => this.complete(context)], selectOnOpen: false, icons: false, activateOnTypingDelay: 60, interactionDelay: 0 }),
+      keymap.of([...defaultKeymap, ...historyKeymap, ...lintKeymap]),
+      comments,
+      look,
+      EditorView.updateListener.of((update) => this.changed(update)),
+    ];
+  }
+
+  private changed(update: ViewUpdate): void {
+    if (update.docChanged) {
+      this.anchors = this.anchors.map((at) => update.changes.mapPos(at, 1));
+      if (!update.transactions.some((transaction) => transaction.annotation(given) === true)) {
+        this.text = update.state.sliceDoc();
+        this.host.onwrite(this.text);
+      }
+    }
+    if (update.docChanged || update.selectionSet || update.geometryChanged) this.host.onview();
+  }
+
+  private complete({ state, pos, explicit }: CompletionContext): CompletionResult | null {
+    const line = state.doc.lineAt(pos);
+    const before = line.text.slice(0, pos - line.from);
+    const found = offers(before, this.host.words(), this.host.names(), explicit);
+    const options = found.map(({ word, from }) => option(word, line.from + from, pos));
+    const wrong = explicit ? this.underlined(state, pos) : null;
+    if (wrong !== null && (pos < wrong.to || options.length === 0)) {
+      const words = instead(state.sliceDoc(wrong.from, wrong.to), line.text.slice(0, wrong.from - line.from), this.host.words(), this.host.names());
+      if (words.length > 0) return { from: pos, options: words.map((word) => option(word, wrong.from, wrong.to)), filter: false };
+    }
+    return options.length === 0 ? null : { from: pos, options, filter: false };
+  }
+
+  /** Words at a place that were not understood. */
+  private underlined(state: EditorState, pos: number): { from: number; to: number } | null {
+    let found: { from: number; to: number } | null = null;
+    forEachDiagnostic(state, ({ severity }, from, to) => {
+      if (severity === 'error' && from <= pos && pos <= to && to <= state.doc.lineAt(pos).to) found ??= { from, to };
+    });
+    return found;
+  }
+}
+
+function option(word: WordView, from: number, to: number) {
+  return {
+    label: word.text,
+    detail: word.about,
+    apply: (view: EditorView, completion: Parameters<typeof pickedCompletion.of>[0], _: number, end: number) =>
+      view.dispatch({ ...insertCompletionText(view.state, word.text, from, Math.max(end, to)), annotations: pickedCompletion.of(completion) }),
+  };
+}
+
+/** A problem and what to do about it. */
+function told(problem: ProblemView): Node {
+  const both = document.createElement('div');
+  for (const text of [problem.what, problem.hint]) {
+    if (text === null) continue;
+    const part = document.createElement('p');
+    part.dir = 'auto';
+    part.textContent = text.slice(0, 2000);
+    both.append(part);
+  }
+  return both;
+}
+
+/** How the lines of a text end, if all of them end alike. */
+function lineEnd(text: string): string {
+  const ends = text.split('\n').length - 1;
+  return ends > 0 && text.split('\r\n').length - 1 === ends ? '\r\n' : '\n';
+}
+
+/** The smallest change that makes one text of another. */
+function difference(old: Text, fresh: Text): { from: number; to: number; insert: Text } {
+  const [a, b] = [old.toString(), fresh.toString()];
+  let from = 0;
+  while (from < a.length && from < b.length && a[from] === b[from]) from += 1;
+  let [to, end] = [a.length, b.length];
+  while (to > from && end > from && a[to - 1] === b[end - 1]) [to, end] = [to - 1, end - 1];
+  return { from, to, insert: fresh.slice(from, end) };
+}
+
+const comment = Decoration.mark({ class: 'comment' });
+
+/** What comes after # is for people; it is drawn so. */
+const comments = ViewPlugin.fromClass(
+  class {
+    decorations: DecorationSet;
+    constructor(view: EditorView) {
+      this.decorations = found(view);
+    }
+    update(update: ViewUpdate) {
+      if (update.docChanged || update.viewportChanged) this.decorations = found(update.view);
+    }
+  },
+  { decorations: (plugin) => plugin.decorations },
+);
+
+function found(view: EditorView): DecorationSet {
+  const marks: Range<Decoration>[] = [];
+  for (const { from, to } of view.visibleRanges) {
+    for (let at = from; at <= to; ) {
+      const line = view.state.doc.lineAt(at);
+      const sign = line.text.indexOf('#');
+      if (sign !== -1) marks.push(comment.range(line.from + sign, line.to));
+      at = line.to + 1;
+    }
+  }
+  return Decoration.set(marks);
+}

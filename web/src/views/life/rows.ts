@@ -1,0 +1,14 @@
+// Where rows stand that belong beside lines of the editor.
+
+/** The height of a line; what stands beside it goes by the same one. */
+export const LINE_PX = 24;
+
+/** Beside their lines, or below the row before where that is still in the way. */
+export function stacked(tops: readonly number[], height: number): number[] {
+  let next = 0;
+  return tops.map((top) => {
+    const place = Math.max(top, next);
+    next = place + height;
+    return place;
+  });
+}

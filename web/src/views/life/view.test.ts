@@ -1,0 +1,171 @@
+import { flushSync, mount, unmount } from 'svelte';
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { Live } from '../../live.svelte';
+import { type Fetch, Server } from '../../server';
+import { ROUTINE, fakeLives } from '../../testing/life';
+import { frame } from '../../testing/frames';
+import { madeUpRun } from '../../testing/home';
+import { Drafts } from '../../drafts.svelte';
+import type { Month, Say } from '../../wire';
+import LifeView from './Life.svelte';
+
+const EVIL = '<img src=x onerror="globalThis.broken=1"><script>globalThis.broken=1</script>';
+
+let view: Record<string, unknown>;
+let live: Live;
+let said: Say[];
+let asked: { path: string; body: unknown }[];
+
+async function settle(ms = 100): Promise<void> {
+  await vi.advanceTimersByTimeAsync(ms);
+  flushSync();
+}
+
+async function begin(fetch: Fetch = fakeLives()): Promise<void> {
+  asked = [];
+  const server = new Server('token', () => {}, (path, init) => {
+    asked.push({ path, body: typeof init.body === 'string' ? JSON.parse(init.body) : null });
+    return fetch(path, init);
+  });
+  live = new Live('token', () => {}, () => ({ binaryType: '', onopen: null, onmessage: null, onclose: null, onerror: null, send: () => {}, close: () => {} }));
+  said = [];
+  Object.assign(live, { server, drafts: new Drafts(server, (text, bad) => live.note(text, bad)), say: (say: Say) => said.push(say) > 0, run: madeUpRun(), frame: frame({}) });
+  view = mount(LifeView, { target: document.body, props: { live } });
+  // The editor comes by an import, which no clock hastens.
+  await vi.dynamicImportSettled();
+  for (let turn = 0; turn < 12; turn++) await settle();
+}
+
+const button = (name: string) => [...document.querySelectorAll('button')].find((one) => (one.getAttribute('aria-label') ?? one.textContent!).trim().startsWith(name))!;
+const region = (name: string) => document.querySelector<HTMLElement>(`[aria-label="${name}"]`)!;
+const months = () => asked.filter(({ path }) => path === '/api/month').map(({ body }) => body as Month);
+const editor = () => document.querySelector('.editor .editor')!.shadowRoot!;
+const options = () => [...document.querySelectorAll('[role="option"]')].map((option) => option.textContent!);
+
+function press(key: string, target: Element): void {
+  target.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
+  flushSync();
+}
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  window.location.hash = '#/life';
+});
+
+afterEach(async () => {
+  await unmount(view);
+  vi.useRealTimers();
+});
+
+test('a routine is shown with how it was understood', async () => {
+  await begin();
+  expect(editor().textContent).toContain('she gets up at about 06:45');
+  expect(region('How it was understood').textContent).toContain('she gets up at about 06:45');
+  expect(region('Problems').textContent).toContain('Every sentence is understood.');
+  expect(region('Conditions').textContent).toContain('Begins on day 9 (10 Mar 2009), moderate from day 15 (16 Mar 2009), and stays.');
+});
+
+test('what is wrong is underlined and told, and so is that the days are those of before', async () => {
+  await begin();
+  live.drafts.write('0.routine', ROUTINE.replace('gets up', 'wtches'));
+  for (let turn = 0; turn < 12; turn++) await settle();
+  expect(editor().querySelector('.cm-lintRange-error')!.textContent).toBe('wtches');
+  expect(region('Problems').textContent).toContain('1 problem');
+  expect(region('Problems').textContent).toContain('did you mean "watches television"?');
+  expect(region('Days').textContent).toContain('Drawn as it was before the mistake.');
+  expect([button('Watch it').disabled, button('Live all of it').disabled]).toEqual([true, true]);
+});
+
+test('a day is chosen by keys and told as a table', async () => {
+  await begin();
+  const list = document.querySelector('[role="listbox"]')!;
+  expect(options()).toHaveLength(28);
+  expect(options()[6]).toContain('Clocks go forward by 1 h.');
+  for (const key of ['ArrowDown', 'ArrowDown', 'Enter']) press(key, list);
+  expect(region('The day').textContent).toContain('Wed, 4 March 2009');
+  region('The day').querySelector('input')!.click();
+  flushSync();
+  expect(region('The day as a table').textContent).toContain('preparing breakfast');
+  button('Next day').click();
+  flushSync();
+  expect(region('The day').textContent).toContain('Thu, 5 March 2009');
+  press('Escape', list);
+  expect(region('The day')).toBeNull();
+});
+
+test('a condition is left out, and both lives are compared', async () => {
+  await begin();
+  const before = options();
+  [...document.querySelectorAll('label')].find((label) => label.textContent!.includes('depression'))!.querySelector('input')!.click();
+  for (let turn = 0; turn < 8; turn++) await settle();
+  expect(months().at(-1)!.without).toEqual(['depression']);
+  expect(options()[20]).toMatch(/As it is written: sleep 8 h.*Without depression: sleep 6 h 30 min/);
+  expect(options()[20]).not.toBe(before[20]);
+  button('Watch it').click();
+  for (let turn = 0; turn < 3; turn++) await settle();
+  expect(said).toEqual([{ say: 'start', driven: null, without: ['depression'], seed: null }, { say: 'speed', times: 100 }, { say: 'play' }]);
+  expect(window.location.hash).toBe('#/live');
+});
+
+test('other days are asked for, and never beyond the last', async () => {
+  await begin();
+  const field = [...document.querySelectorAll('label')].find((label) => label.textContent!.startsWith('From day'))!.querySelector('input')!;
+  field.value = '999';
+  field.dispatchEvent(new Event('change', { bubbles: true }));
+  for (let turn = 0; turn < 8; turn++) await settle();
+  expect(months().at(-1)!.from).toBe(29);
+  expect(field.value).toBe('30');
+});
+
+test('a condition is added as a sentence', async () => {
+  const files = new Map([['0.routine', ROUTINE]]);
+  await begin(fakeLives(['Agnes'], files));
+  button('Add').click();
+  flushSync();
+  document.querySelector<HTMLFormElement>('form')!.dispatchEvent(new SubmitEvent('submit', { bubbles: true, cancelable: true }));
+  for (let turn = 0; turn < 5; turn++) await settle();
+  expect(live.drafts.text('0.routine')).toBe(`${ROUTINE}From week 6, over 4 weeks, she shows moderate grief.\n`);
+  expect(editor().textContent).toContain('moderate grief');
+  await live.drafts.save();
+  expect(files.get('0.routine')).toContain('moderate grief');
+});
+
+test('where all of it has been lived it can be played back', async () => {
+  await begin();
+  button('Live all of it').click();
+  for (let turn = 0; turn < 3; turn++) await settle();
+  expect(said[1]).toEqual({ say: 'speed', times: null });
+  live.frame = frame({ state: 'playing', speed: null, now_us: 86_400_000_000 });
+  flushSync();
+  expect(document.querySelector('.generate')!.textContent).toContain('day 2 of 30');
+  live.stored = live.run!.id;
+  live.frame = frame({ state: 'over', speed: null });
+  flushSync();
+  expect(document.querySelector<HTMLAnchorElement>('.generate a')!.hash).toBe('#/playback/cottage-1');
+});
+
+test('another resident is chosen', async () => {
+  await begin(fakeLives(['Agnes', 'Bertram']));
+  window.location.hash = '#/life/Bertram';
+  window.dispatchEvent(new Event('hashchange'));
+  for (let turn = 0; turn < 12; turn++) await settle();
+  expect(editor().textContent).toContain('Bertram is 82.');
+});
+
+test('nobody who lives by a routine, and a routine that is not there', async () => {
+  await begin(fakeLives([]));
+  expect(document.body.textContent).toContain('Nobody here lives by a routine');
+  await unmount(view);
+  await begin(fakeLives(['Agnes'], new Map()));
+  expect(document.body.textContent).toContain('The routine cannot be read');
+  expect(document.body.textContent).toContain('0.routine is missing');
+});
+
+test('hostile names are text', async () => {
+  const long = `${EVIL}${'x'.repeat(4000)}`;
+  await begin(fakeLives([EVIL, long], new Map([['0.routine', `${EVIL} is 82.\n\u202e# ${long}\n`], ['1.routine', '']])));
+  press('Enter', document.querySelector('[role="listbox"]')!);
+  expect(document.body.textContent).toContain(EVIL);
+  expect(document.querySelectorAll('img, script')).toHaveLength(0);
+  expect((globalThis as { broken?: number }).broken).toBeUndefined();
+});
