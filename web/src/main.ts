@@ -15,9 +15,13 @@ async function begin(): Promise<void> {
     const { fakeRuns, storedRun } = await import('./testing/stored');
     const names = ['cottage-2', 'cottage-1'].map(asked.has('hostile') ? hostile : (name) => name);
     const stored = fakeRuns(names, (name) => storedRun(name, 30));
-    const { fakeLives } = await import('./testing/life');
-    const lives = fakeLives(['Agnes', 'Bertram'].map(asked.has('hostile') ? hostile : (name) => name));
-    window.fetch = async (path, init) => (String(path).startsWith('/api/runs') ? stored : lives)(String(path), init ?? {});
+    const { fakeLives, routinesOf } = await import('./testing/life');
+    const { fakePlans } = await import('./testing/plan');
+    const { FLAT } = await import('./testing/flat');
+    const people = ['Agnes', 'Bertram'].map(asked.has('hostile') ? hostile : (name) => name);
+    const lives = fakeLives(people, routinesOf(people).set('home.json', FLAT));
+    const answers = (path: string) => (path.startsWith('/api/runs') ? stored : path === '/api/plan' ? fakePlans(FLAT) : lives);
+    window.fetch = async (path, init) => answers(String(path))(String(path), init ?? {});
   }
   mount(App, { target, props: fake ? { fake } : {} });
 }
