@@ -91,10 +91,22 @@ for (const scheme of ['light', 'dark']) {
 const phone = await open('?driven=0', { scheme: 'light', width: 420, height: 900 });
 await check(phone, 'phone');
 await phone.close();
-for (const view of ['plan', 'life', 'playback', 'log']) {
+for (const view of ['plan', 'life', 'playback']) {
   for (const [what, query] of Object.entries({ '': '', '-hostile': '?hostile=1' })) {
     const page = await open(query, { scheme: 'dark', width: 1280, height: 720, hash: `#/${view}`, wait: 1800 });
     await check(page, `${view}${what}`);
+    await page.close();
+  }
+}
+
+for (const scheme of ['light', 'dark']) {
+  for (const [what, query] of Object.entries({ log: '?hour=300', 'log-hostile': '?hostile=1&sensors=60' })) {
+    if (!`${what}-${scheme}`.startsWith(only)) continue;
+    const page = await open(query, { scheme, width: 1024, height: 768, hash: '#/log' });
+    await check(page, `${what}-${scheme}`);
+    for (const box of await page.getByLabel('as a table').all()) await box.check();
+    await page.getByText('The file’s text').click();
+    await check(page, `${what}-tables-${scheme}`);
     await page.close();
   }
 }

@@ -66,7 +66,7 @@ test('a lost connection is seen, and so is that it is back', () => {
 test('the address says which view is seen, and the line stays open', () => {
   open('#/log', true);
   expect(document.querySelector('[aria-current="page"]')!.textContent).toBe('Log');
-  expect(document.body.textContent).toContain('homebody density');
+  expect(document.body.textContent).toContain('The first rows');
   window.location.hash = '#/life';
   window.dispatchEvent(new Event('hashchange'));
   flushSync();

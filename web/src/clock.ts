@@ -1,16 +1,9 @@
 // Times on the home's clock, which comes as `2009-03-02 07:12:03`. The page knows no time zone and wants none: a clock is
 // read as if it were that of Greenwich, and only said again.
 
-const SECOND_US = 1_000_000;
-
 /** Milliseconds of a clock; NaN where it is none. */
 export function read(clock: string): number {
   return Date.parse(`${clock.slice(0, 19).replace(' ', 'T')}Z`);
-}
-
-/** The clock at an instant, given what it is at another. Off by an hour beyond a change to summer time and back. */
-export function clockAt(at_us: number, now_us: number, clock: string): number {
-  return read(clock) + (at_us - now_us) / 1000;
 }
 
 const spoken = new Intl.DateTimeFormat('en-GB', {
@@ -39,11 +32,4 @@ export function time(ms: number): string {
 /** As a field for date and time wants it: `2009-03-02T07:12:03`. */
 export function field(ms: number): string {
   return Number.isFinite(ms) ? new Date(ms).toISOString().slice(0, 19) : '';
-}
-
-/** `day 3 of 90`; a run's days are counted from its start, 24 hours each. */
-export function dayOf(now_us: number, length_us: number): string {
-  const day_us = 86_400 * SECOND_US;
-  const days = Math.max(Math.ceil(length_us / day_us), 1);
-  return `day ${Math.min(Math.floor(now_us / day_us) + 1, days)} of ${days}`;
 }

@@ -1,11 +1,10 @@
 // The firings that have been heard of: the last few hundred for the table, the last ten minutes for the time line, and
 // how many there were of each sensor. What was told of but not shown is counted, never passed over.
 
-import { clockAt } from './clock';
 import type { FiringView, Frame } from './wire';
 
-/** A firing, and when it was on the home's clock; or how many there were of which no more is known. */
-export type Row = { firing: FiringView; clock_ms: number } | { missing: number; until_us: number };
+/** A firing; or how many there were of which no more is known. */
+export type Row = { firing: FiringView } | { missing: number; until_us: number };
 
 const KEPT = 500;
 
@@ -48,7 +47,7 @@ export class Firings {
       this.push({ missing, until_us: frame.now_us });
     }
     for (const firing of frame.firings) {
-      this.push({ firing, clock_ms: clockAt(firing.at_us, frame.now_us, frame.clock) });
+      this.push({ firing });
       this.counts[firing.sensor] = (this.counts[firing.sensor] ?? 0) + 1;
       (this.lanes[firing.sensor] ??= []).push(firing.at_us);
     }

@@ -3,6 +3,7 @@
 import { Announcer } from './views/live/announce';
 import { Drafts } from './drafts.svelte';
 import { Firings } from './firings';
+import { type Calendar, calendarOf } from './localtime';
 import { Throttle } from './plan/glow';
 import { Server, keepToken } from './server';
 import { Socket, type Status, type Wire } from './socket';
@@ -18,6 +19,8 @@ const NOTE_MS = 9000;
 export class Live {
   status = $state<Status>('closed');
   run = $state.raw<RunView | null>(null);
+  /** The days of the run, by which its clock is told. */
+  readonly calendar: Calendar = $derived(this.run === null ? { days: [], length_us: 0 } : calendarOf(this.run));
   /** The frame as text shows it; drawings have every one. */
   frame = $state.raw<Frame | null>(null);
   notes = $state.raw<Note[]>([]);
@@ -84,6 +87,12 @@ export class Live {
     const sent = this.socket.say(say);
     if (!sent && say.say !== 'hold') this.note('There is no connection to the server, so nothing was done.', true);
     return sent;
+  }
+
+  /** Plays, or pauses. */
+  toggle(): void {
+    const state = this.frame?.state ?? 'over';
+    if (state !== 'over') this.say({ say: state === 'playing' ? 'pause' : 'play' });
   }
 
   /** @returns how to stop being told. */

@@ -13,15 +13,12 @@ async function begin(): Promise<void> {
     const asked = new URLSearchParams(window.location.search);
     fake = fakeServer(asked);
     const { fakeRuns, storedRun } = await import('./testing/stored');
-    const names = ['cottage-2', 'cottage-1'].map(asked.has('hostile') ? hostile : (name) => name);
-    const stored = fakeRuns(names, (name) => storedRun(name, 30));
-    const { fakeLives, routinesOf } = await import('./testing/life');
-    const { fakePlans } = await import('./testing/plan');
-    const { FLAT } = await import('./testing/flat');
-    const people = ['Agnes', 'Bertram'].map(asked.has('hostile') ? hostile : (name) => name);
-    const lives = fakeLives(people, routinesOf(people).set('home.json', FLAT));
-    const answers = (path: string) => (path.startsWith('/api/runs') ? stored : path === '/api/plan' ? fakePlans(FLAT) : lives);
-    window.fetch = async (path, init) => answers(String(path))(String(path), init ?? {});
+    const { madeUpHome } = await import('./testing/home');
+    const { madeUpScenario } = await import('./testing/scenario');
+    const named = asked.has('hostile') ? hostile : (name: string) => name;
+    const stored = fakeRuns(['cottage-2', 'cottage-1'].map(named), (name) => storedRun(name, 30));
+    const files = await madeUpScenario(madeUpHome(Number(asked.get('sensors') ?? 18), named), ['Agnes', 'Bertram'].map(named));
+    window.fetch = async (path, init) => (String(path).startsWith('/api/runs') ? stored : files)(String(path), init ?? {});
   }
   mount(App, { target, props: fake ? { fake } : {} });
 }

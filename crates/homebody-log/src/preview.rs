@@ -42,7 +42,7 @@ fn database(path: &Path, table: &str, most: usize) -> rusqlite::Result<Preview> 
     let connection = Connection::open_with_flags(path, OpenFlags::SQLITE_OPEN_READ_ONLY)?;
     // The table's name is one of those that may reach SQL.
     let mut select = connection.prepare(&format!("SELECT * FROM \"{table}\" LIMIT {most}"))?;
-    let columns: Vec<String> = select.column_names().into_iter().map(str::to_owned).collect();
+    let columns: Vec<String> = select.column_names().map(str::to_owned).collect();
     let mut rows = Vec::new();
     let mut found = select.query([])?;
     while let Some(row) = found.next()? {

@@ -164,23 +164,25 @@ async fn live(State(house): State<House>, headers: HeaderMap, upgrade: WebSocket
     })
 }
 
+/// Why there is no answer, and the code that says so.
+type Refused = (StatusCode, String);
+
 /// What a thread for work that takes its time has found.
-async fn found<T: Send + 'static>(find: impl FnOnce() -> T + Send + 'static) -> Result<T, Response> {
-    let failed = |error: tokio::task::JoinError| (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()).into_response();
-    tokio::task::spawn_blocking(find).await.map_err(failed)
+async fn found<T: Send + 'static>(find: impl FnOnce() -> T + Send + 'static) -> Result<T, Refused> {
+    tokio::task::spawn_blocking(find).await.map_err(|error| (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()))
 }
 
-fn json(found: Result<impl Serialize, Response>) -> Response {
-    found.map_or_else(|refused| refused, |found| Json(found).into_response())
+fn json(found: Result<impl Serialize, Refused>) -> Response {
+    found.map_or_else(Refused::into_response, |found| Json(found).into_response())
 }
 
 /// In MessagePack, for what is large.
-fn packed(found: Result<impl Serialize, Response>) -> Response {
+fn packed(found: Result<impl Serialize, Refused>) -> Response {
     let pack = |found| match rmp_serde::to_vec_named(&found) {
         Ok(bytes) => ([(header::CONTENT_TYPE, "application/msgpack")], bytes).into_response(),
         Err(error) => (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()).into_response(),
     };
-    found.map_or_else(|refused| refused, pack)
+    found.map_or_else(Refused::into_response, pack)
 }
 
 async fn files(State(house): State<House>) -> Response {
@@ -192,7 +194,7 @@ async fn versions(State(house): State<House>) -> Response {
 }
 
 async fn save(State(house): State<House>, Json(save): Json<Save>) -> Response {
-    let refused = |why: String| (StatusCode::UNPROCESSABLE_ENTITY, why).into_response();
+    let refused = |why: String| (StatusCode::UNPROCESSABLE_ENTITY, why);
     json(found(move || house.desk.save(save)).await.and_then(|saved| saved.map_err(refused)))
 }
 
@@ -206,7 +208,7 @@ async fn plan(State(house): State<House>, Json(draft): Json<Draft>) -> Response 
 
 /// A plan of another program, as its file's bytes.
 async fn import(State(house): State<House>, bytes: Bytes) -> Response {
-    let refused = |why: NotImported| (StatusCode::UNPROCESSABLE_ENTITY, why.to_string()).into_response();
+    let refused = |why: NotImported| (StatusCode::UNPROCESSABLE_ENTITY, why.to_string());
     json(found(move || house.desk.import(&bytes)).await.and_then(|made| made.map_err(refused)))
 }
 
@@ -236,11 +238,8 @@ async fn runs(State(house): State<House>) -> Response {
 
 /// A stored run as a whole.
 async fn stored_run(State(house): State<House>, Path(run): Path<String>) -> Response {
-    match found(move || house.playback.run(&run)).await {
-        Ok(Ok(view)) => Json(&*view).into_response(),
-        Ok(Err(refusal)) => refused(refusal),
-        Err(failed) => failed,
-    }
+    let run = found(move || house.playback.run(&run)).await.and_then(|run| run.map_err(refused));
+    run.map_or_else(Refused::into_response, |view| Json(&*view).into_response())
 }
 
 /// A day of a stored run.
@@ -251,10 +250,10 @@ async fn stored_day(State(house): State<House>, Path((run, day)): Path<(String, 
     packed(found(move || house.playback.day(&run, day)).await.and_then(|day| day.map_err(refused)))
 }
 
-fn refused(refusal: Refusal) -> Response {
+fn refused(refusal: Refusal) -> Refused {
     match refusal {
-        Refusal::Unknown(why) => (StatusCode::NOT_FOUND, why).into_response(),
-        Refusal::Damaged(why) => (StatusCode::UNPROCESSABLE_ENTITY, why).into_response(),
+        Refusal::Unknown(why) => (StatusCode::NOT_FOUND, why),
+        Refusal::Damaged(why) => (StatusCode::UNPROCESSABLE_ENTITY, why),
     }
 }
 

@@ -1,6 +1,6 @@
 // Points and outlines on the plan, in metres.
 
-import type { HomeView } from '../wire';
+import type { HomeView, SensorView } from '../wire';
 
 export type At = [number, number];
 
@@ -41,15 +41,9 @@ export function openLeaf(from: At, to: At): At {
   return [from[0] - dy, from[1] + dx];
 }
 
-/** Where a sensor's glyph points: the mean of its beams, in radians from east against the clock. */
-export function facing(at: At, beams: [At, At][]): number | null {
-  let [x, y] = [0, 0];
-  for (const [, [toX, toY]] of beams) {
-    const far = Math.hypot(toX - at[0], toY - at[1]) || 1;
-    x += (toX - at[0]) / far;
-    y += (toY - at[1]) / far;
-  }
-  return beams.length > 0 && Math.hypot(x, y) > 1e-6 ? Math.atan2(y, x) : null;
+/** Where a sensor's glyph points, in radians from east against the clock. */
+export function facing({ facing_deg }: Pick<SensorView, 'facing_deg'>): number {
+  return ((facing_deg ?? 0) * Math.PI) / 180;
 }
 
 /** Which doors stand open now. What can be used says so; the others are as the home has them. */

@@ -91,7 +91,7 @@ function walls(pen: Pen, home: HomeView, view: View, palette: Palette): void {
 function sensors(pen: Pen, sensors: SensorView[], view: View, palette: Palette, taken: Box[]): void {
   for (const sensor of sensors) {
     const [x, y] = place(sensor, view);
-    glyph(pen, kindOf(sensor.kind), [x, y], GLYPH, facing(sensor.at, sensor.beams) ?? 0, palette);
+    glyph(pen, kindOf(sensor.kind), [x, y], GLYPH, facing(sensor), palette);
     taken.push([x - GLYPH, y - GLYPH, x + GLYPH, y + GLYPH]);
   }
 }
@@ -171,7 +171,7 @@ function sensorNames(pen: Pen, sensors: SensorView[], view: View, palette: Palet
     const words = shortened(sensor.name, 28);
     const width = pen.measureText(words).width;
     const [right, left]: At[] = [[x + 11, y], [x - 11 - width, y]];
-    const looksLeft = Math.cos(facing(sensor.at, sensor.beams) ?? 0) < -0.1;
+    const looksLeft = Math.cos(facing(sensor)) < -0.1;
     const spots: At[] = [looksLeft ? left! : right!, looksLeft ? right! : left!, [x - width / 2, y + 15], [x - width / 2, y - 15], [x + 9, y + 13], [x + 9, y - 13], [x - 9 - width, y + 13], [x - 9 - width, y - 13]];
     const spot = spots.find(([left, at]) => left > 2 && left + width < size.width - 2 && isFree([left, at - 7, left + width, at + 7], taken));
     if (spot === undefined) continue;

@@ -21,8 +21,9 @@ export class FakeFiles {
     if (path === '/api/files' && init.method === 'POST') return Response.json(this.save(body as Save));
     if (path === '/api/files') return Response.json(this.view());
     if (path === '/api/files/versions') return Response.json(Object.fromEntries(this.view().files.map(({ name, version }) => [name, version])));
-    if (path === '/api/check') return Response.json(this.check);
-    const answer = this.answers[path]?.(body as never);
+    const answer = await this.answers[path]?.(body as never);
+    if (answer instanceof Response) return answer;
+    if (answer === undefined && path === '/api/check') return Response.json(this.check);
     if (answer === undefined) return new Response(`There is no ${path}.`, { status: 404 });
     return answer instanceof Error ? new Response(answer.message, { status: 422 }) : Response.json(answer);
   };

@@ -86,16 +86,11 @@ export function lived({ from, days, without }: Month, shows: boolean, names: str
   };
 }
 
-/** A routine for each. */
-export function routinesOf(names: string[]): Map<string, string> {
-  return new Map(names.map((name, index) => [`${index}.routine`, ROUTINE.replaceAll('Agnes', name)]));
-}
-
 /** Answers as the server does, of residents of these names; what is saved can be read in `files`. */
-export function fakeLives(names: string[] = ['Agnes'], files: Map<string, string> = routinesOf(names)): Fetch {
+export function fakeLives(names: string[] = ['Agnes'], files: Map<string, string> = new Map(names.map((name, index) => [`${index}.routine`, ROUTINE.replaceAll('Agnes', name)]))): Fetch {
   const version = (text: string) => `${text.length}-${[...text].reduce((sum, letter) => (sum * 31 + letter.codePointAt(0)!) % 1e9, 7)}`;
   const list = (): FilesView => ({
-    entry: 'scenario.json', home: files.has('home.json') ? 'home.json' : null, logger: null,
+    entry: 'scenario.json', home: null, logger: null,
     lives: names.map((name, index) => ({ name, routine: `${index}.routine` })),
     files: [...files].map(([name, text]) => ({ name, text, version: version(text) })),
   });

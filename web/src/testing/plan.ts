@@ -1,24 +1,36 @@
 // What a server would say of a home's text, roughly: a sensor on a wall sees its room, one on the ceiling its area.
 
 import { encode } from '@msgpack/msgpack';
-import { type At, inside } from '../plan/geometry';
+import { type At, box, inside } from '../plan/geometry';
 import { type Home, boundsOf, formOf, isHome, of, readHome, spotOf } from '../views/plan/model';
 import { pictured } from '../views/plan/picture';
 import { area } from '../views/plan/shape';
-import type { Fetch } from '../server';
-import type { CoverageView, DeadZoneView, Draft, FloorView, PlanView } from '../wire';
+import type { CoverageView, DeadZoneView, FloorView, HomeView, PlanView } from '../wire';
 
 const STEP_M = 0.25;
 
-function planned(text: string): PlanView {
-  const home = readHome(text);
-  if (!isHome(home)) return { problems: [{ file: 'home.json', line: 1, column: 1, width: 1, what: home.what, hint: null }], home: null, coverage: null };
-  return { problems: [], home: pictured(home, null), coverage: covered(home) };
+/** The text of a home's file that is like this home. */
+export function homeText({ name, rooms, solids, doors, sensors }: HomeView): string {
+  const walls = solids.filter(({ kind }) => kind === 'wall').map(({ outline }) => {
+    const [left, bottom, right, top] = box(outline);
+    const [x, y] = [(left + right) / 2, (bottom + top) / 2];
+    const flat = right - left > top - bottom;
+    return flat ? { from: [left, y], to: [right, y], thickness_m: top - bottom } : { from: [x, bottom], to: [x, top], thickness_m: right - left };
+  });
+  const furniture = solids.filter(({ kind }) => kind === 'furniture').map(({ name, outline, enterable }) => ({ name, outline, height_m: 0.8, enterable }));
+  const hung = sensors.map(({ name, kind, at, facing_deg, area }) => {
+    if (kind === 'motion') return { kind, name, at, facing_deg: facing_deg ?? 0 };
+    return kind === 'ceiling_motion' ? { kind, name, area } : { kind, name, on: furniture[0]?.name };
+  });
+  return JSON.stringify({ name, rooms: rooms.map(({ name, outline }) => ({ name, outline })), walls, doors, furniture, sensors: hung }, null, 2);
 }
 
-/** Answers about drafts of a home's file, which is on no disk. */
-export function fakePlans(text: string): Fetch {
-  return async (_, { body }) => new Response(encode(planned((JSON.parse(String(body)) as Draft).texts['home.json'] ?? text)) as BodyInit);
+/** What is said of the text of a home's file. */
+export function planned(text: string): Response {
+  const home = readHome(text);
+  const wrong = (what: string): PlanView => ({ problems: [{ file: 'home.json', line: 1, column: 1, width: 1, what, hint: null }], home: null, coverage: null });
+  const view: PlanView = isHome(home) ? { problems: [], home: pictured(home, null), coverage: covered(home) } : wrong(home.what);
+  return new Response(encode(view) as BodyInit);
 }
 
 function covered(home: Home): CoverageView {

@@ -4,8 +4,8 @@ import { type Palette, contrast } from '../../plan/palette';
 import { FONT, type Pen } from '../../plan/pen';
 import { fitting, isolated } from '../../plan/words';
 import type { DateView, MonthView } from '../../wire';
-import { hours as drawHours, left, xOf } from '../playback/lanes';
-import { clockOf } from '../playback/localtime';
+import { hours as drawHours, left, xOf } from '../../charts/lanes';
+import { clockOf } from '../../localtime';
 import { activityKind, spoken } from './activities';
 import { type Span, isWeekend, piecesOf, touching, weekday } from './days';
 

@@ -137,7 +137,7 @@ test('where all of it has been lived it can be played back', async () => {
   expect(said[1]).toEqual({ say: 'speed', times: null });
   live.frame = frame({ state: 'playing', speed: null, now_us: 86_400_000_000 });
   flushSync();
-  expect(document.querySelector('.generate')!.textContent).toContain('day 2 of 30');
+  expect(document.querySelector('.generate')!.textContent).toContain('day 2 of 31');
   live.stored = live.run!.id;
   live.frame = frame({ state: 'over', speed: null });
   flushSync();

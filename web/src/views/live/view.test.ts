@@ -146,13 +146,51 @@ test('a run begins with whom was chosen, and one that was stopped can be lived a
 
 test('time is gone to by keys once they rest, and is said in words', () => {
   const slider = document.querySelector<HTMLInputElement>('input[aria-label="Time in the run"]')!;
-  expect(slider.getAttribute('aria-valuetext')).toBe('2 March, 07:12:03');
+  expect(slider.getAttribute('aria-valuetext')).toBe('2 March, 06:55:00');
   for (const name of ['PageUp', 'ArrowRight', 'ArrowRight']) slider.dispatchEvent(new KeyboardEvent('keydown', { key: name, bubbles: true, cancelable: true }));
   flushSync();
-  expect(slider.getAttribute('aria-valuetext')).toBe('2 March, 08:14:03');
+  expect(slider.getAttribute('aria-valuetext')).toBe('2 March, 07:57:00');
   expect(sent).toEqual([]);
   vi.advanceTimersByTime(400);
   expect(sent).toEqual([{ say: 'jump', to_us: 3_720_000_000 }]);
+});
+
+test('a date and time is gone to across a change of clocks, and no farther than the run', () => {
+  void unmount(view);
+  const hour = 3_600_000_000;
+  begin({ ...madeUpRun(1, 3), start: '2009-03-07 12:00:00', length_us: 48 * hour, turns: [[14 * hour, hour]] });
+  const field = document.querySelector<HTMLInputElement>('input[aria-label="Date and time to go to"]')!;
+  expect([field.min, field.max]).toEqual(['2009-03-07T12:00:00', '2009-03-09T13:00:00']);
+  for (const asked of ['2009-03-08T01:59:00', '2009-03-08T04:00:00', '2009-03-10T00:00:00']) {
+    field.value = asked;
+    field.dispatchEvent(new Event('input', { bubbles: true }));
+    flushSync();
+    button('Go').click();
+    flushSync();
+  }
+  expect(sent).toEqual([{ say: 'jump', to_us: 14 * hour - 60e6 }, { say: 'jump', to_us: 15 * hour }]);
+  expect(live.notes.map(({ text }) => text)).toEqual(['The run does not reach that time.']);
+});
+
+test('conditions are left out of the next run, and its seed may be as large as a number is exact', () => {
+  void unmount(view);
+  begin({ ...madeUpRun(1, 3), conditions: ['depression', 'frailty'], without: ['frailty'] });
+  const boxes = [...document.querySelectorAll<HTMLInputElement>('fieldset input')];
+  expect(boxes.map((box) => box.checked)).toEqual([true, false]);
+  boxes.forEach((box) => box.click());
+  const seed = document.querySelector<HTMLInputElement>('.seed input')!;
+  const ask = (value: string) => {
+    seed.value = value;
+    seed.dispatchEvent(new Event('input', { bubbles: true }));
+    flushSync();
+  };
+  for (const wrong of ['9007199254740992', '-1', '1.5']) {
+    ask(wrong);
+    expect(button('New run').disabled, wrong).toBe(true);
+  }
+  ask('9007199254740991');
+  button('New run').click();
+  expect(sent).toEqual([{ say: 'start', driven: null, without: ['depression'], seed: 9007199254740991 }]);
 });
 
 test('things within reach are used, and the others are not listed', () => {

@@ -3,7 +3,7 @@
 import { Throttle } from '../../plan/glow';
 import { Refused, type Server } from '../../server';
 import type { StoredView } from '../../wire';
-import { dayAt, follow } from './localtime';
+import { dayAt, follow } from '../../localtime';
 import { Stored } from './stored';
 import { Ticker } from './ticker';
 

@@ -1,9 +1,10 @@
 // A stored run as the page knows it, and the days of it that have been fetched.
 
+import type { DayDrawing } from '../../charts/lanes';
+import { dayAt } from '../../localtime';
 import { type Server, storedPath } from '../../server';
 import type { DayView, PlaybackView } from '../../wire';
 import { type Day, prepare } from './day';
-import { dayAt } from './localtime';
 
 /** So many days are kept; those that were wanted longest ago go first. */
 const KEPT = 12;
@@ -54,4 +55,18 @@ export class Stored {
       this.coming.delete(number);
     }
   }
+}
+
+/** A day as it is drawn; nothing is in it before it has been fetched. */
+export function drawingOf(view: PlaybackView, number: number, day: Day | null, truth: boolean): DayDrawing {
+  return {
+    calendar: view,
+    number,
+    bands: truth ? view.residents.map(({ name }, index) => ({ name, spans: day?.view.lives[index]?.activities ?? [] })) : [],
+    activities: view.activities,
+    lanes: view.sensors.map((id, index) => {
+      const sensor = view.home.sensors[index];
+      return { name: sensor?.name ?? id, kind: sensor?.kind ?? '', fired: day?.fired[index] ?? [] };
+    }),
+  };
 }

@@ -1,7 +1,7 @@
 // Where a stored run is, and where it is next: it plays, jumps over stillness, and waits for a day that is not here yet.
 
 import { type Day, spanAt } from './day';
-import { clockOf, dayAt, instantOf } from './localtime';
+import { clockOf, dayAt, instantOf } from '../../localtime';
 import type { Stored } from './stored';
 
 export class Ticker {

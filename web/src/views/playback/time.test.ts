@@ -5,7 +5,7 @@ import type { LifeView, PlaybackView } from '../../wire';
 import { bodyAt } from './bodies';
 import { counts, gaps, lit, prepare } from './day';
 import { heatOf } from './heat';
-import { clockOf, dayAt, follow, instantOf } from './localtime';
+import { clockOf, dayAt, follow, instantOf } from '../../localtime';
 import { Stored } from './stored';
 import { Ticker } from './ticker';
 

@@ -1,0 +1,104 @@
+// Motion density: a column for each day, its hours from the top down, and how often sensors fired in each.
+
+import { date, read } from '../clock';
+import { livedOf } from '../localtime';
+import { type Palette, viridis } from '../plan/palette';
+import type { DateView } from '../wire';
+
+export const HOURS = 24;
+
+export type Density = {
+  days: DateView[];
+  /** By day and hour of the clock. */
+  hours: number[][];
+  /** What comes later is not known yet. */
+  until_us: number;
+  /** What is as bright as can be. */
+  most: number;
+};
+
+/** A round number that nothing is above: as a log grows, its colours seldom change. */
+export function scaleOf(hours: number[][]): number {
+  const most = hours.reduce((a, row) => row.reduce((b, count) => Math.max(b, count), a), 0);
+  const tens = 10 ** Math.floor(Math.log10(Math.max(most, 10)));
+  return [1, 2, 5, 10].map((step) => step * tens).find((step) => step >= most) ?? most;
+}
+
+/** How often sensors fired; nothing where that hour was not lived. */
+export function countAt({ days, hours, until_us }: Density, day: number, hour: number): number | null {
+  const of = days[day];
+  return of === undefined || livedOf(of, hour, until_us) <= 0 ? null : (hours[day]?.[hour] ?? 0);
+}
+
+/** From 0 to 1; few firings are seen beside many. */
+export function share(count: number, most: number): number {
+  return most === 0 ? 0 : Math.sqrt(count / most);
+}
+
+export function drawDensity(canvas: HTMLCanvasElement, width: number, high: number, dpr: number, density: Density, palette: Palette): void {
+  const pen = canvas.getContext('2d');
+  if (pen === null || width < 1) return;
+  const [pixelsWide, pixelsHigh] = [Math.round(width * dpr), Math.round(high * dpr)];
+  // Setting the size clears a canvas and gets it new memory.
+  if (canvas.width !== pixelsWide || canvas.height !== pixelsHigh) [canvas.width, canvas.height] = [pixelsWide, pixelsHigh];
+  pen.setTransform(dpr, 0, 0, dpr, 0, 0);
+  hatch(pen, width, high, palette);
+  const [wide, tall] = [width / Math.max(density.days.length, 1), high / HOURS];
+  for (let day = 0; day < density.days.length; day++) {
+    for (let hour = 0; hour < HOURS; hour++) {
+      const count = countAt(density, day, hour);
+      if (count === null) continue;
+      pen.fillStyle = count === 0 ? palette.halo : viridis(share(count, density.most));
+      // Neighbours meet at whole pixels, or a seam would be seen between them.
+      const [left, top] = [Math.round(day * wide * dpr) / dpr, Math.round(hour * tall * dpr) / dpr];
+      pen.fillRect(left, top, Math.max(Math.round((day + 1) * wide * dpr) / dpr - left, 1), Math.round((hour + 1) * tall * dpr) / dpr - top);
+    }
+  }
+}
+
+/** What nothing is drawn over is not known. */
+function hatch(pen: CanvasRenderingContext2D, width: number, high: number, palette: Palette): void {
+  pen.fillStyle = palette.outside;
+  pen.fillRect(0, 0, width, high);
+  pen.beginPath();
+  for (let at = 0; at < width + high; at += 9) {
+    pen.moveTo(at, 0);
+    pen.lineTo(at - high, high);
+  }
+  pen.globalAlpha = 0.28;
+  pen.lineWidth = 1;
+  pen.strokeStyle = palette.furnitureEdge;
+  pen.stroke();
+  pen.globalAlpha = 1;
+}
+
+/** The dates that are written below, as far apart as words are wide: where from the left, and what. */
+export function datesOf(days: DateView[], width: number): { x: number; label: string }[] {
+  const apart = Math.max(Math.ceil((74 * days.length) / Math.max(width, 1)), 1);
+  const step = [1, 2, 7, 14, 28, 56, 91, 182, 364].find((one) => one >= apart) ?? apart;
+  return days.flatMap(({ date }, index) =>
+    index % step === 0 && (index + 0.2) * (width / days.length) < width - 50 ? [{ x: (index / days.length) * width, label: dayMonth(date) }] : [],
+  );
+}
+
+const short = new Intl.DateTimeFormat('en-GB', { timeZone: 'UTC', day: 'numeric', month: 'short' });
+
+function dayMonth(text: string): string {
+  const ms = read(`${text} 00:00:00`);
+  return Number.isFinite(ms) ? short.format(ms) : '';
+}
+
+/** `Mon, 2 March 2009, 07 to 08 h: 112 firings`. */
+export function words(density: Density, day: number, hour: number): string {
+  const count = countAt(density, day, hour);
+  const said = count === null ? 'no data' : count === 0 ? 'no firing' : count === 1 ? '1 firing' : `${count.toLocaleString('en-GB')} firings`;
+  const two = (number: number) => String(number).padStart(2, '0');
+  return `${date(read(`${density.days[day]?.date} 00:00:00`))}, ${two(hour)} to ${two(hour + 1)} h: ${said}`;
+}
+
+/** The hour with the most firings of a day, in words. */
+export function busiest(hours: number[]): string {
+  const top = hours.reduce((a, b) => Math.max(a, b), 0);
+  const from = hours.indexOf(top);
+  return top === 0 ? 'none' : `${String(from).padStart(2, '0')} to ${String(from + 1).padStart(2, '0')} h`;
+}

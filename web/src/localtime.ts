@@ -1,0 +1,99 @@
+// The clock on the wall of a run. The server says when each day begins on it and when it is set; the page knows no time
+// zone.
+
+import { read } from './clock';
+import type { DateView, PlaybackView, RunView } from './wire';
+
+/** The days of a run, in order and without gaps. */
+export type Calendar = Pick<PlaybackView, 'days' | 'length_us'>;
+type Days = Pick<PlaybackView, 'days'>;
+
+const HOUR_US = 3_600_000_000;
+const DAY_US = 24 * HOUR_US;
+
+/** The day that an instant lies in; the run's end belongs to its last one. */
+export function dayAt(run: Days, at_us: number): number {
+  let [low, high] = [0, run.days.length - 1];
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if (run.days[middle]!.begin_us <= at_us) low = middle;
+    else high = middle - 1;
+  }
+  return Math.max(low, 0);
+}
+
+/** `day 3 of 90`. */
+export function dayOf(run: Days, at_us: number): string {
+  return run.days.length === 0 ? '' : `day ${dayAt(run, at_us) + 1} of ${run.days.length}`;
+}
+
+/** The time of a day's clock at an instant, in milliseconds as if it were that of Greenwich. */
+function clockIn(day: DateView, at_us: number): number {
+  const turned = day.turn !== null && at_us >= day.turn[0] ? day.turn[1] : 0;
+  return read(`${day.date} 00:00:00`) + (day.clock_us + at_us - day.begin_us + turned) / 1000;
+}
+
+/** The clock at an instant of the run. */
+export function clockOf(run: Days, at_us: number): number {
+  const day = run.days[dayAt(run, at_us)];
+  return day === undefined ? NaN : clockIn(day, at_us);
+}
+
+/** The instant at which the clock shows this; of a time that comes twice the first, and null beyond the run. */
+export function instantOf(run: Calendar, clock_ms: number): number | null {
+  const date = new Date(clock_ms).toISOString().slice(0, 10);
+  const number = run.days.findIndex((day) => day.date === date);
+  return number === -1 ? null : instantIn(run, number, clock_ms - read(`${date} 00:00:00`));
+}
+
+/** The instant of a time since midnight of a day of the run, or null beyond the run. */
+function instantIn(run: Calendar, number: number, since_midnight_ms: number): number | null {
+  const day = run.days[number];
+  if (day === undefined) return null;
+  const plain = day.begin_us + since_midnight_ms * 1000 - day.clock_us;
+  const at = day.turn === null || plain < day.turn[0] ? plain : Math.max(plain - day.turn[1], day.turn[0]);
+  return at < 0 || at > run.length_us ? null : at;
+}
+
+/**
+ * Where a second run is while the first is at an instant: at the same date and time, if it knows that date; otherwise at the
+ * same time of its day of the same number.
+ */
+export function follow(first: Calendar, at_us: number, second: Calendar): number | null {
+  const clock = clockOf(first, at_us);
+  if (!Number.isFinite(clock)) return null;
+  const shared = second.days.some((day) => first.days.some(({ date }) => date === day.date));
+  if (shared) return instantOf(second, clock);
+  const midnight = Math.floor(clock / 86_400_000) * 86_400_000;
+  return instantIn(second, dayAt(first, at_us), clock - midnight);
+}
+
+/** The days of a run that is being lived, by its start and the clocks that are set in it. */
+export function calendarOf({ start, length_us, turns }: Pick<RunView, 'start' | 'length_us' | 'turns'>): Calendar {
+  const days: DateView[] = [];
+  let midnight = read(`${start.slice(0, 10)} 00:00:00`);
+  let [begin_us, clock_us] = [0, (read(start) - midnight) * 1000];
+  // What cannot be read as a time has no days.
+  while (Number.isFinite(clock_us) && (begin_us < length_us || days.length === 0)) {
+    const plain = begin_us + DAY_US - clock_us;
+    // Set back at midnight, the clock still shows this day; set forward, it shows the next.
+    const turn = turns.find(([at, by]) => at > begin_us && (at < plain || (at === plain && by < 0))) ?? null;
+    const end_us = turn === null ? plain : Math.max(plain - turn[1], turn[0]);
+    days.push({ date: new Date(midnight).toISOString().slice(0, 10), begin_us, end_us: Math.min(end_us, length_us), clock_us, turn });
+    const set = turns.reduce((sum, [at, by]) => (at > begin_us && at <= end_us ? sum + by : sum), 0);
+    clock_us += end_us - begin_us + set - DAY_US;
+    midnight += DAY_US / 1000;
+    begin_us = end_us;
+  }
+  return { days, length_us };
+}
+
+/** For how long of an hour of its clock a day was lived, up to an instant of the run. */
+export function livedOf(day: DateView, hour: number, until_us: number): number {
+  const within = (from_us: number, to_us: number, begin_us: number) =>
+    Math.max(Math.min(begin_us + HOUR_US, to_us, until_us) - Math.max(begin_us, from_us), 0);
+  const begin_us = day.begin_us + hour * HOUR_US - day.clock_us;
+  if (day.turn === null) return within(day.begin_us, day.end_us, begin_us);
+  const [at, by] = day.turn;
+  return within(day.begin_us, at, begin_us) + within(at, day.end_us, begin_us - by);
+}
