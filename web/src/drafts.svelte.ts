@@ -15,7 +15,7 @@ export class Drafts {
   texts = $state.raw<Record<string, string>>({});
   /** What is wrong with all of it; of a moment ago, while somebody writes. */
   check = $state.raw<CheckView | null>(null);
-  /** Files that another program has changed while there are drafts of them, as they are on disk now. */
+  /** Files that another program has changed while there are drafts of them, as they are on disk now; without a version where they are gone. */
   changed = $state.raw<FileView[]>([]);
   saving = $state(false);
 
@@ -110,7 +110,7 @@ export class Drafts {
   private take(file: FileView): void {
     if (this.files === null) return;
     const others = this.files.files.filter(({ name }) => name !== file.name);
-    this.files = { ...this.files, files: [...others, file].sort((a, b) => (a.name < b.name ? -1 : 1)) };
+    this.files = { ...this.files, files: [...others, file].sort(byName) };
     this.changed = this.changed.filter(({ name }) => name !== file.name);
   }
 
@@ -144,13 +144,13 @@ export class Drafts {
       this.files = fresh;
     } else {
       // Of a file that has a draft, what the draft was made from stays until somebody has decided.
-      const held = (file: FileView) => {
-        const old = before.files.find(({ name }) => name === file.name);
-        return file.name in this.texts && old !== undefined && old.version !== file.version && this.texts[file.name] !== file.text;
-      };
-      const changed = fresh.files.filter(held);
-      const old = (file: FileView) => before.files.find(({ name }) => name === file.name) ?? file;
-      this.files = { ...fresh, files: fresh.files.map((file) => (changed.includes(file) ? old(file) : file)) };
+      const drafted = before.files.filter(({ name }) => name in this.texts);
+      const now = (name: string) => fresh.files.find((file) => file.name === name) ?? { name, text: '', version: '' };
+      const isAnother = (old: FileView) => now(old.name).version !== old.version && now(old.name).text !== this.texts[old.name];
+      const held = drafted.filter(isAnother);
+      const others = fresh.files.filter(({ name }) => !held.some((old) => old.name === name));
+      const changed = held.map(({ name }) => now(name));
+      this.files = { ...fresh, files: [...others, ...held].sort(byName) };
       this.changed = changed;
     }
     const texts = Object.entries(this.texts).filter(([name, text]) => this.onDisk(name)?.text !== text);
@@ -172,6 +172,10 @@ export class Drafts {
       if (number === this.checks) this.note(`The files cannot be checked: ${said(error)}`, true);
     }
   }
+}
+
+function byName(a: FileView, b: FileView): number {
+  return a.name < b.name ? -1 : 1;
 }
 
 export function said(error: unknown): string {

@@ -1,10 +1,16 @@
 import { expect, test } from 'vitest';
 import { routeOf } from './routes';
-import { length, scaleBar } from './units';
+import { area, inMetres, inUnits, length, scaleBar } from './units';
 
 test('lengths in metres and in feet', () => {
   expect(length(1.2, 'metric')).toBe('1.20 m');
   expect([0.1, 0.3048, 1.2, 1.524].map((metres) => length(metres, 'feet'))).toEqual(['4 in', '1 ft', '3 ft 11 in', '5 ft']);
+});
+
+test('areas, and lengths for fields', () => {
+  expect([area(12.345, 'metric'), area(0.043, 'metric'), area(1, 'feet')]).toEqual(['12.3 m²', '0.04 m²', '10.8 ft²']);
+  expect([inUnits(1.2, 'metric'), inUnits(0.3048, 'feet'), inMetres(2, 'metric')]).toEqual([1.2, 1, 2]);
+  expect(inMetres(inUnits(3.81, 'feet'), 'feet')).toBeCloseTo(3.81, 2);
 });
 
 test('a scale bar is round and no wider than it may be', () => {

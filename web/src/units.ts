@@ -23,3 +23,18 @@ export function scaleBar(pixelsPerMetre: number, widest: number, units: Units): 
   const round = [5, 2, 1].map((step) => step * tens).find((step) => step <= most) ?? tens;
   return { label: `${Number(round.toPrecision(1))} ${units === 'metric' ? 'm' : 'ft'}`, pixels: round * unit * pixelsPerMetre };
 }
+
+/** A length as a number of the chosen unit, for fields. */
+export function inUnits(metres: number, units: Units): number {
+  return units === 'metric' ? metres : Number((metres / FOOT_M).toFixed(2));
+}
+
+export function inMetres(value: number, units: Units): number {
+  return units === 'metric' ? value : value * FOOT_M;
+}
+
+/** Such as `12.5 m²` or `134.5 ft²`; what is small has one digit more. */
+export function area(square_m: number, units: Units): string {
+  const value = units === 'metric' ? square_m : square_m / FOOT_M ** 2;
+  return `${value.toFixed(value < 1 ? 2 : 1)} ${units === 'metric' ? 'm²' : 'ft²'}`;
+}

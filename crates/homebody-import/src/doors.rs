@@ -34,6 +34,9 @@ const MOVED_M: f64 = 0.05;
 const BESIDE_SINE: f64 = 0.05;
 const BESIDE_M: f64 = 0.02;
 
+/// The walls beside its own that a door goes through (ours): houses have two faces, and some a layer between.
+const MOST_BESIDE: usize = 2;
+
 /// How far behind the face of a wall it is looked for a room, in steps (ours): rooms drawn by hand end before walls do.
 const BEHIND_M: [f64; 5] = [0.05, 0.15, 0.25, 0.35, 0.45];
 
@@ -69,7 +72,8 @@ pub fn place(doors: &[Piece], walls: &[Wall], rooms: &[Room], remarks: &mut Vec<
         } else if moved_m > MOVED_M {
             remarks.push(format!("the door {name:?} moved by {moved_m:.2} m into its wall"));
         }
-        let beside: Vec<&Wall> = walls.iter().filter(|other| goes_through_both(door, wall, other)).collect();
+        let beside = walls.iter().filter(|other| goes_through_both(door, wall, other));
+        let beside: Vec<&Wall> = beside.take(MOST_BESIDE).collect();
         let last = beside.iter().copied().chain([wall]);
         let is_inside = |side: f64| last.clone().any(|wall| is_inside(middle, wall, rooms, side));
         let is_outside = is_inside(1.0) != is_inside(-1.0);

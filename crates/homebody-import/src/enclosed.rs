@@ -1,11 +1,12 @@
-//! Rooms of a plan that has none: the spaces that its walls enclose.
+//! Rooms that a plan does not draw: the spaces that its walls enclose.
 //!
-//! Walls are cut where they meet, dead ends are taken off, and each space is walked around with the wall at its right
-//! hand. What stands free within a space, such as a ring of walls in a hall, is a space that overlaps it.
+//! Walls are cut where they meet, dead ends are taken off, and each space is walked around with the space at its left
+//! hand. A space around what stands free, such as the garden around a house, overlaps it and is left out.
 
 use crate::outline::{is_sound, tidy};
+use crate::rooms::Room;
 use crate::walls::Wall;
-use homebody_core::geometry::{self, Point};
+use homebody_core::geometry::{self, Point, overlap};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Ends nearer than this are one (ours): walls that were meant to meet.
@@ -18,8 +19,39 @@ const LEAST_AREA_M2: f64 = 0.5;
 const MOST_WALLS: usize = 2_000;
 const MOST_PIECES: usize = 10_000;
 
+/// The share of a space that rooms may have of one that has no room (ours).
+const COVERED_SHARE: f64 = 0.2;
+
+/// A space larger than any room with spaces in it that somebody could live in is the ground around a house (ours).
+const GROUND_M2: f64 = 150.0;
+const HOUSE_M2: f64 = 15.0;
+
+/// A floor that walls part into more is none of a home (ours).
+const MOST_SPACES: usize = 400;
+
+/// The enclosed spaces in which there is no room.
+pub fn without_room(walls: &[Wall], rooms: &[Room]) -> Vec<Vec<Point>> {
+    let mut spaces = spaces(walls);
+    if spaces.len() > MOST_SPACES {
+        return Vec::new();
+    }
+    let area = |space: &[Point]| geometry::signed_area(space).abs();
+    let around = |space: &Vec<Point>| {
+        let smaller = spaces.iter().filter(|other| area(other) < area(space));
+        area(space) > GROUND_M2 && smaller.map(|other| overlap::area(space, other)).sum::<f64>() > HOUSE_M2
+    };
+    let around: Vec<bool> = spaces.iter().map(around).collect();
+    let mut is_around = around.iter();
+    spaces.retain(|_| is_around.next() == Some(&false));
+    spaces.retain(|space| {
+        let covered: f64 = rooms.iter().map(|room| overlap::area(space, &room.outline)).sum();
+        covered < COVERED_SHARE * area(space)
+    });
+    spaces
+}
+
 /// The spaces that walls enclose, along their middle lines; none where there are too many walls to tell.
-pub fn spaces(walls: &[Wall]) -> Vec<Vec<Point>> {
+fn spaces(walls: &[Wall]) -> Vec<Vec<Point>> {
     let graph = if walls.len() > MOST_WALLS { None } else { Graph::new(walls) };
     let Some(mut graph) = graph else { return Vec::new() };
     graph.take_off_dead_ends();

@@ -1,7 +1,9 @@
 //! A plan of Sweet Home 3D as a home.
 
+use crate::doors::Door;
 use crate::drawing::{self, Drawing};
 use crate::error::NotImported;
+use crate::furniture::Furniture;
 use crate::names::{self, Names};
 use crate::outline::rounded;
 use crate::rooms::Room;
@@ -56,14 +58,16 @@ fn build(name: &str, about: String, drawing: Drawing, remarks: &mut Vec<String>)
     let mut walls = walls::straight(&drawing.walls, &doors, remarks)?;
     // Rooms and furniture share names: paths go to either, and lamps are called after rooms.
     let mut names = Names::default();
-    let mut drawn = drawing.rooms;
-    if drawn.is_empty() {
-        let spaces = enclosed::spaces(&walls);
+    let mut rooms = rooms::place(&drawing.rooms, &walls, &mut names, remarks)?;
+    let spaces = enclosed::without_room(&walls, &rooms);
+    if !spaces.is_empty() {
+        let spaces_are =
+            counted(spaces.len(), "space that walls enclose is a room", "spaces that walls enclose are rooms");
+        remarks.push(format!("{spaces_are} now, which the plan does not draw"));
         let room = |corners| drawing::Room { level: None, name: String::new(), corners };
-        drawn = spaces.into_iter().map(room).collect();
-        remarks.push(format!("the plan has no rooms; its walls enclose {}", counted(drawn.len(), "room", "rooms")));
+        let spaces: Vec<drawing::Room> = spaces.into_iter().map(room).collect();
+        rooms.extend(rooms::place(&spaces, &walls, &mut names, remarks)?);
     }
-    let mut rooms = rooms::place(&drawn, &walls, &mut names, remarks)?;
     let Some(first) = rooms.first().map(|room| room.outline[0]) else { return Err(NotImported::NoRooms) };
     let all = walls.len() + rooms.len();
     let is_near = |p: &Point| (*p - first).abs().max_element() <= GREATEST_SIZE_M;
@@ -76,46 +80,17 @@ fn build(name: &str, about: String, drawing: Drawing, remarks: &mut Vec<String>)
     }
     let doors = doors::place(&doors, &walls, &rooms, remarks);
     let furniture = furniture::place(drawing.pieces, &rooms, &mut names, remarks)?;
-    let origin = origin(&walls, &rooms);
-    let at = |p: Point| -> At { rounded(p - origin).into() };
-    let wall = |wall: &Wall| WallFile {
-        from: at(wall.from),
-        to: at(wall.to),
-        thickness_m: rounded(Point::splat(wall.thickness_m)).x,
-    };
     let name = Some(names::clean(name)).filter(|name| !name.is_empty()).unwrap_or_else(|| "home".to_owned());
+    let origin = origin(&walls, &rooms);
     Ok(HomeFile {
         schema: Some("./schemas/home.schema.json".to_owned()),
         name,
         about,
         latitude_deg: drawing.latitude_deg.unwrap_or_else(latitude),
-        rooms: rooms
-            .iter()
-            .map(|room| RoomFile { name: room.name.clone(), outline: room.outline.iter().map(|&p| at(p)).collect() })
-            .collect(),
-        walls: walls.iter().map(wall).collect(),
-        doors: doors
-            .iter()
-            .map(|door| DoorFile {
-                name: door.name.clone(),
-                from: at(door.from),
-                to: at(door.to),
-                open: !door.is_outside,
-                outside: door.is_outside,
-            })
-            .collect(),
-        furniture: furniture
-            .iter()
-            .map(|piece| FurnitureFile {
-                name: piece.name.clone(),
-                at: Some(at(piece.at)),
-                size_m: Some(piece.size_m),
-                turn_deg: piece.turn_deg,
-                outline: None,
-                height_m: piece.height_m,
-                enterable: piece.is_enterable,
-            })
-            .collect(),
+        rooms: rooms.into_iter().map(|room| room_file(room, origin)).collect(),
+        walls: walls.into_iter().map(|wall| wall_file(wall, origin)).collect(),
+        doors: doors.into_iter().map(|door| door_file(door, origin)).collect(),
+        furniture: furniture.into_iter().map(|piece| furniture_file(piece, origin)).collect(),
         places: Vec::new(),
         sensors: Vec::new(),
     })
@@ -127,4 +102,34 @@ fn origin(walls: &[Wall], rooms: &[Room]) -> Point {
     let corners = rooms.iter().flat_map(|room| room.outline.iter().copied());
     let (least, _) = if walls.is_empty() { geometry::bounds(corners) } else { geometry::bounds(ends) };
     least
+}
+
+fn room_file(room: Room, origin: Point) -> RoomFile {
+    RoomFile { name: room.name, outline: room.outline.into_iter().map(|corner| at(corner, origin)).collect() }
+}
+
+fn wall_file(wall: Wall, origin: Point) -> WallFile {
+    let thickness_m = rounded(Point::splat(wall.thickness_m)).x;
+    WallFile { from: at(wall.from, origin), to: at(wall.to, origin), thickness_m }
+}
+
+fn door_file(door: Door, origin: Point) -> DoorFile {
+    let (from, to) = (at(door.from, origin), at(door.to, origin));
+    DoorFile { name: door.name, from, to, open: !door.is_outside, outside: door.is_outside }
+}
+
+fn furniture_file(piece: Furniture, origin: Point) -> FurnitureFile {
+    FurnitureFile {
+        name: piece.name,
+        at: Some(at(piece.at, origin)),
+        size_m: Some(piece.size_m),
+        turn_deg: piece.turn_deg,
+        outline: None,
+        height_m: piece.height_m,
+        enterable: piece.is_enterable,
+    }
+}
+
+fn at(p: Point, origin: Point) -> At {
+    rounded(p - origin).into()
 }

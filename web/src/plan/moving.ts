@@ -1,7 +1,7 @@
 // What changes from frame to frame: the floor's light, doors, what is on, what sensors see, and people.
 
 import type { BodyView, HomeView, ResidentView } from '../wire';
-import { type At, inside, openDoors, openLeaf } from './geometry';
+import { type At, box, distance, inside, openDoors, openLeaf } from './geometry';
 import type { Layers } from './layers';
 import { type Palette, contrast, floor, people } from './palette';
 import { FONT, type Pen, capsule, segments, text, trace } from './pen';
@@ -31,13 +31,16 @@ export function litRooms(home: HomeView, on: number[]): number[] {
 
 /** On which side of their jambs the doors of a home open: 1 is a quarter turn against the clock from the second jamb. */
 export function sides(home: HomeView): number[] {
+  const furniture = home.solids.filter(({ kind }) => kind === 'furniture').map(({ outline }) => ({ outline, box: box(outline) }));
   return home.doors.map((door) => {
+    const [x, y, reach] = [door.from[0], door.from[1], 2 * distance(door.from, door.to)];
+    const near = furniture.filter(({ box: [left, bottom, right, top] }) => left <= x + reach && right >= x - reach && bottom <= y + reach && top >= y - reach);
     const cost = (leaf: At) => {
       const spots: At[] = [[0.2, 0.8], [0.5, 0.5], [0.8, 0.2], [0.1, 0.4], [0.4, 0.1], [0.4, 0.8]].map(([along, across]) => [
         door.from[0] + (door.to[0] - door.from[0]) * along! + (leaf[0] - door.from[0]) * across!,
         door.from[1] + (door.to[1] - door.from[1]) * along! + (leaf[1] - door.from[1]) * across!,
       ]);
-      const stands = home.solids.filter((solid) => solid.kind === 'furniture' && spots.some((spot) => inside(solid.outline, spot)));
+      const stands = near.filter(({ outline }) => spots.some((spot) => inside(outline, spot)));
       return stands.length + (home.rooms.some((room) => inside(room.outline, spots[1]!)) ? 0 : 20);
     };
     return cost(openLeaf(door.from, door.to)) <= cost(mirrored(door.from, door.to)) ? 1 : -1;

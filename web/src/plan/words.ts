@@ -12,6 +12,8 @@ const letters = new Intl.Segmenter(undefined, { granularity: 'grapheme' });
 export function shortened(name: string, most: number): string {
   // A letter has few code units, so that the whole of a long name is never taken apart.
   const begin = name.slice(0, most * 16).replace(UNRULY, ' ');
+  // Plain letters are code units, and need not be taken apart.
+  if (/^[ -~]*$/.test(begin)) return begin.length > most ? `${begin.slice(0, most).trimEnd()}…` : begin;
   let [text, count] = ['', 0];
   for (const { segment } of letters.segment(begin)) {
     if (count === most) return `${text.trimEnd()}…`;

@@ -52,12 +52,22 @@ fn rooms_that_are_not_drawn_are_found_within_walls() {
         + &door("Door", [200.0, 500.0], PI, "");
     let home = Home::of(&walls);
     assert_eq!(home.rooms(), ["room 1", "room 2"]);
-    home.remarks("no rooms; its walls enclose 2 rooms");
+    home.remarks("2 spaces that walls enclose are rooms now");
     let mut areas: Vec<f64> = home.plan.rooms.iter().map(|room| geometry::signed_area(&room.outline).abs()).collect();
     areas.sort_by(f64::total_cmp);
     assert_eq!(areas, [12.0, 20.0]);
     assert!(home.file.doors[1].outside && !home.file.doors[0].outside);
     assert_eq!((&home.file.doors[0].name[..], &home.file.doors[1].name[..]), ("Door", "Door 2"));
+}
+
+#[test]
+fn the_ground_around_a_house_is_no_room() {
+    let corners = [[-900.0, -900.0], [1900.0, -900.0], [1900.0, 1500.0], [-900.0, 1500.0]];
+    let fence: String = (0..4).map(|side| wall(corners[side], corners[(side + 1) % 4])).collect();
+    let front = door("Front door", [200.0, 500.0], 0.0, "");
+    let home = Home::of(&(two_rooms_walls() + &fence + &front));
+    assert_eq!(home.rooms(), ["room 1", "room 2"]);
+    assert!(home.file.doors[0].outside);
 }
 
 #[test]
@@ -217,7 +227,43 @@ fn rooms_with_steps_in_doorways_end_in_the_middle_of_walls() {
     let drawn = two_rooms_walls() + &room("Living room", &living) + &door("Door", [600.0, 200.0], FRAC_PI_2, "");
     let home = Home::of(&drawn);
     assert_eq!(home.file.rooms[0].outline, [[0.0, 4.0], [5.0, 4.0], [5.0, 0.0], [0.0, 0.0]]);
-    assert!(home.file.doors[0].outside);
+    // The other is not drawn, but there.
+    home.remarks("1 space that walls enclose is a room now");
+    assert_eq!(home.rooms(), ["Living room", "room 1"]);
+    assert_eq!(home.joins("Door"), [Some("Living room"), Some("room 1")]);
+}
+
+#[test]
+fn what_people_can_be_in_is_known_by_its_words() {
+    let is_enterable = |name: &str, catalog: &str| {
+        let piece = piece(name, [300.0, 300.0], [20.0, 20.0, 30.0], &format!("catalogId='{catalog}'"));
+        Home::of(&(two_rooms() + &piece)).file.furniture[0].enterable
+    };
+    let seats = [
+        ("Lit", "eTeks#bed140x190"),
+        ("Oma", "Scopia#arm_chair"),
+        ("Toilet unit", ""),
+        ("WC", ""),
+        ("Wall mounted toilet", ""),
+        ("", "eTeks#shower"),
+        ("Persian rug", ""),
+        ("Old sofa", "custom"),
+    ];
+    for (name, catalog) in seats {
+        assert!(is_enterable(name, catalog), "{name} {catalog}");
+    }
+    let others = [
+        ("Bedside table", "eTeks#bedsideTable"),
+        ("Table", "eTeks#table"),
+        ("Shower curtain", ""),
+        ("Bathroom sink", ""),
+        ("Embedded oven", ""),
+        ("Toilet paper", ""),
+        ("", ""),
+    ];
+    for (name, catalog) in others {
+        assert!(!is_enterable(name, catalog), "{name} {catalog}");
+    }
 }
 
 #[test]

@@ -179,15 +179,22 @@ fn what_is_hard_to_reckon_is_done_soon() {
     };
     timed("walls that all cross", &star(4_900));
     timed("fewer walls that all cross", &star(1_990));
-    let grid = |count: u32| -> String {
+    let grid = |count: u32, apart: f64| -> String {
         let line = |index: u32| {
-            let at = f64::from(index) * 20.0;
+            let at = f64::from(index) * apart;
             wall([at, 0.0], [at, 9_000.0]) + &wall([0.0, at], [9_000.0, at])
         };
         (0..count).map(line).collect()
     };
-    timed("a grid of walls", &grid(2_400));
-    timed("a smaller grid of walls", &grid(70));
+    timed("a grid of walls", &grid(2_400, 20.0));
+    timed("a smaller grid of walls", &grid(70, 20.0));
+    let strip = |index: u32| {
+        let at = f64::from(index) * 40.0;
+        room("strip", &[[at, 0.0], [at + 30.0, 0.0], [at + 1_030.0, 2_000.0], [at + 1_000.0, 2_000.0]])
+    };
+    let strips: String = (0..199).map(strip).collect();
+    timed("a grid of spaces", &(grid(19, 100.0) + &strips));
+    timed("a large grid of spaces", &(grid(90, 100.0) + &strips));
     let comb = |name: &str, is_upright: bool, shift: f64| {
         let teeth = (0..24).flat_map(|tooth| {
             let at = f64::from(tooth) * 20.0;
@@ -205,6 +212,9 @@ fn what_is_hard_to_reckon_is_done_soon() {
     timed("a knot of a room", &room("knot", &knot));
     let doors: String = (0..990).map(|index| door("d", [f64::from(index % 900), 100.0], 0.0, "width='3'")).collect();
     timed("many doors", &(two_rooms() + &doors + &star(4_000)));
+    let sheets: String = (0..4_000).map(|at| wall([100.0, 100.0 + f64::from(at) / 10.0], [900.0, 100.0])).collect();
+    let deep: String = (0..990).map(|_| door("d", [500.0, 110.0], 0.0, "wallThickness='0.9'")).collect();
+    timed("doors through many walls", &(two_rooms() + &sheets + &deep));
     let arcs: String = (0..4_000)
         .map(|index| {
             format!("<wall xStart='{index}' yStart='0' xEnd='{index}' yEnd='1' thickness='9' arcExtent='6.28'/>")

@@ -11,6 +11,9 @@ const CASES: u64 = 300;
 /// Rounding two ends to millimetres moves each by half the diagonal of a square millimetre at most.
 const ROUNDED_M: f64 = 0.001 * std::f64::consts::SQRT_2 + 1e-9;
 
+/// An older adult's body.
+const BODY_M: f64 = 0.22;
+
 /// A flat on a grid: columns and rows of rooms, all in centimetres.
 struct Flat {
     xs: Vec<f64>,
@@ -195,6 +198,13 @@ fn random_flats_keep_their_lengths_and_joints() {
             expected.sort();
             found.sort();
             assert_eq!(found, expected, "case {case}: {name}");
+            let (from, to) = (point(door.from), point(door.to));
+            let out = (to - from).normalize().perp() * 0.6;
+            for step in -20..=20 {
+                let p = (from + to) / 2.0 + out * f64::from(step) / 20.0;
+                let is_free = home.plan.is_walkable(p, BODY_M);
+                assert!(is_free || door.outside, "case {case}: nobody walks through {name} at {p}");
+            }
             joints += 1;
         }
         for (row, ys) in flat.ys.windows(2).enumerate() {

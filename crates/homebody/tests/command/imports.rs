@@ -68,6 +68,23 @@ fn where_nobody_can_live_somebody_stands() {
 }
 
 #[test]
+fn walls_across_each_other_do_not_break_it_down() {
+    let folder = Folder::new();
+    let across = |index: u32| {
+        let (sin, cos) = f64::from(index).sin_cos();
+        let ([x, y], [to_x, to_y]) =
+            ([300.0 - 250.0 * cos, 200.0 - 150.0 * sin], [300.0 + 250.0 * cos, 200.0 + 150.0 * sin]);
+        format!("<wall xStart='{x}' yStart='{y}' xEnd='{to_x}' yEnd='{to_y}' thickness='1'/>")
+    };
+    for count in [100, 2_000] {
+        let drawn: String = (0..count).map(across).collect();
+        folder.write("star.sh3d", plan(&format!("{ROOM}{FURNITURE}{drawn}")));
+        let said = folder.run(&format!("import star.sh3d mine-{count}")).ok().err;
+        assert!(said.contains("nobody can live an ordinary life here yet: there are too many walls"), "{said}");
+    }
+}
+
+#[test]
 fn what_is_there_stays_and_what_fails_leaves_nothing() {
     let folder = Folder::new();
     folder.write("flat.sh3d", plan(ROOM));

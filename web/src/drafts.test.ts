@@ -1,0 +1,117 @@
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { Drafts } from './drafts.svelte';
+import { Server } from './server';
+import type { FileView, Save, SavedView } from './wire';
+
+/** A disk with two files, which others change as well. */
+class Disk {
+  files: Record<string, string> = { 'home.json': '{}', 'a.routine': 'She reads.' };
+  notes: string[] = [];
+  saves: Save[] = [];
+  readonly drafts = new Drafts(new Server('token', () => {}, (path, init) => Promise.resolve(this.answer(path, init))), (text) => this.notes.push(text));
+
+  view(name: string): FileView {
+    const text = this.files[name];
+    return text === undefined ? { name, text: '', version: '' } : { name, text, version: `v-${text}` };
+  }
+
+  private answer(path: string, init: RequestInit): Response {
+    const json = (value: unknown) => new Response(JSON.stringify(value));
+    if (path === '/api/files/versions') return json(Object.fromEntries(Object.keys(this.files).map((name) => [name, this.view(name).version])));
+    if (path === '/api/check') return json({ problems: [], warnings: [] });
+    if (init.method === 'POST') return json(this.save(JSON.parse(init.body as string) as Save));
+    return json({ entry: 'scenario.json', home: 'home.json', logger: null, lives: [], files: Object.keys(this.files).map((name) => this.view(name)) });
+  }
+
+  private save(save: Save): SavedView {
+    this.saves.push(save);
+    const changed = save.files.filter(({ name, version }) => (version ?? '') !== this.view(name).version).map(({ name }) => this.view(name));
+    if (changed.length > 0) return { saved: {}, changed };
+    for (const { name, text } of save.files) this.files[name] = text;
+    return { saved: Object.fromEntries(save.files.map(({ name }) => [name, this.view(name).version])), changed: [] };
+  }
+}
+
+let disk: Disk;
+let drafts: Drafts;
+let stop: () => void;
+const later = () => vi.advanceTimersByTimeAsync(2500);
+
+beforeEach(async () => {
+  vi.useFakeTimers();
+  disk = new Disk();
+  drafts = disk.drafts;
+  stop = drafts.open();
+  await later();
+});
+afterEach(() => {
+  stop();
+  vi.useRealTimers();
+});
+
+test('a draft is what differs from the disk, and saving it makes it the disk’s', async () => {
+  drafts.write('a.routine', 'She naps.');
+  expect([drafts.text('a.routine'), drafts.unsaved]).toEqual(['She naps.', ['a.routine']]);
+  drafts.write('a.routine', 'She reads.');
+  expect(drafts.unsaved).toEqual([]);
+  drafts.write('a.routine', 'She knits.');
+  drafts.write('new.json', '{}');
+  expect(await drafts.save()).toBe(true);
+  expect(disk.files).toEqual({ 'home.json': '{}', 'a.routine': 'She knits.', 'new.json': '{}' });
+  expect(drafts.unsaved).toEqual([]);
+  expect(await drafts.save()).toBe(true);
+  expect(disk.saves.length, 'nothing to save is not sent').toBe(1);
+});
+
+test('what another program changes is taken where nothing was written here', async () => {
+  drafts.write('home.json', '{ }');
+  disk.files['a.routine'] = 'She paces.';
+  await later();
+  expect(drafts.text('a.routine')).toBe('She paces.');
+  expect([drafts.text('home.json'), drafts.changed]).toEqual(['{ }', []]);
+});
+
+test('what is written here and changed there is asked about before it is replaced', async () => {
+  drafts.write('a.routine', 'Mine.');
+  disk.files['a.routine'] = 'Theirs.';
+  await later();
+  expect(drafts.changed.map(({ text }) => text)).toEqual(['Theirs.']);
+  expect(await drafts.save()).toBe(false);
+  expect(disk.files['a.routine']).toBe('Theirs.');
+  drafts.insist('a.routine');
+  // What has been seen once is not asked again, but what came after it is.
+  await later();
+  expect(drafts.changed).toEqual([]);
+  disk.files['a.routine'] = 'Theirs again.';
+  expect(await drafts.save()).toBe(false);
+  expect(drafts.changed.map(({ text }) => text)).toEqual(['Theirs again.']);
+  drafts.discard('a.routine');
+  expect([drafts.text('a.routine'), drafts.unsaved, drafts.changed]).toEqual(['Theirs again.', [], []]);
+});
+
+test('a file that has gone is let go or made again', async () => {
+  drafts.write('a.routine', 'Mine.');
+  delete disk.files['a.routine'];
+  await later();
+  expect(drafts.changed).toEqual([{ name: 'a.routine', text: '', version: '' }]);
+  expect(drafts.text('a.routine')).toBe('Mine.');
+  drafts.insist('a.routine');
+  await later();
+  expect([drafts.changed, drafts.text('a.routine')]).toEqual([[], 'Mine.']);
+  expect(await drafts.save()).toBe(true);
+  expect(disk.files['a.routine']).toBe('Mine.');
+
+  drafts.write('a.routine', 'Mine again.');
+  delete disk.files['a.routine'];
+  await later();
+  drafts.discard('a.routine');
+  await later();
+  expect([drafts.text('a.routine'), drafts.unsaved, drafts.changed]).toEqual([undefined, [], []]);
+});
+
+test('a change that comes to the same as the draft is no change', async () => {
+  drafts.write('a.routine', 'Both.');
+  disk.files['a.routine'] = 'Both.';
+  await later();
+  expect([drafts.changed, drafts.unsaved]).toEqual([[], []]);
+});

@@ -1,0 +1,118 @@
+// How many sensors see each spot of the floor, as colours; what none sees is hatched and has a number, so that colour is
+// never alone.
+
+import { type Palette, viridis } from '../../plan/palette';
+import { FONT, type Pen, text, trace } from '../../plan/pen';
+import { type View, toScreen } from '../../plan/transform';
+import type { CoverageView } from '../../wire';
+
+export const MODES = [
+  { id: 'count', title: 'Seen by how many' },
+  { id: 'dead', title: 'Dead zones only' },
+  { id: 'alone', title: 'The chosen sensor alone' },
+  { id: 'off', title: 'Off' },
+] as const;
+
+export type Mode = (typeof MODES)[number]['id'];
+
+const NOWHERE = 255;
+const OPACITY = 0.62;
+
+/** The colours of spots that are seen by one, two, three and more. */
+export const COLOURS = [0.25, 0.55, 0.78, 0.97].map(viridis);
+
+/** What only the chosen sensor sees, and what others see as well. */
+export const ALONE = { only: viridis(0.97), others: viridis(0.45) };
+
+/** The colour of each cell, nothing where it has none. */
+export function colours(coverage: CoverageView, mode: Mode, alone: CoverageView | null): (string | null)[] {
+  if (mode === 'count') {
+    return Array.from(coverage.cells, (count) => (count === NOWHERE || count === 0 ? null : COLOURS[Math.min(count, COLOURS.length) - 1]!));
+  }
+  // The cells of both lie alike, for they depend on the building only; where it has changed meanwhile nothing is shown.
+  if (mode !== 'alone' || alone === null || alone.cells.length !== coverage.cells.length) return [];
+  return Array.from(alone.cells, (count, cell) => (count !== 1 ? null : coverage.cells[cell]! > 1 ? ALONE.others : ALONE.only));
+}
+
+/** A pixel a cell, the north on top. */
+export function heatOf(coverage: CoverageView, mode: Mode, alone: CoverageView | null): HTMLCanvasElement | null {
+  const { columns } = coverage;
+  const rows = Math.ceil(coverage.cells.length / Math.max(columns, 1));
+  const of = colours(coverage, mode, alone);
+  const canvas = document.createElement('canvas');
+  const pen = canvas.getContext('2d');
+  if (pen === null || of.length === 0 || columns === 0) return null;
+  [canvas.width, canvas.height] = [columns, rows];
+  const image = pen.createImageData(columns, rows);
+  const pixels = new Uint32Array(image.data.buffer);
+  const values = new Map<string, number>();
+  of.forEach((colour, cell) => {
+    if (colour === null) return;
+    let value = values.get(colour);
+    if (value === undefined) values.set(colour, (value = pixelOf(colour)));
+    pixels[(rows - 1 - Math.floor(cell / columns)) * columns + (cell % columns)] = value;
+  });
+  pen.putImageData(image, 0, 0);
+  return canvas;
+}
+
+/** Opaque, in the order in which memory has it. */
+function pixelOf(colour: string): number {
+  const [r, g, b] = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16)) as [number, number, number];
+  return new Uint32Array(new Uint8Array([r, g, b, 255]).buffer)[0]!;
+}
+
+export function drawHeat(pen: Pen, view: View, coverage: CoverageView, picture: HTMLCanvasElement, faded: boolean): void {
+  const rows = Math.ceil(coverage.cells.length / coverage.columns);
+  const [x, y] = toScreen(view, [coverage.corner[0], coverage.corner[1] + rows * coverage.step_m]);
+  pen.globalAlpha = faded ? OPACITY * 0.4 : OPACITY;
+  pen.imageSmoothingEnabled = false;
+  pen.drawImage(picture, x, y, coverage.columns * coverage.step_m * view.scale, rows * coverage.step_m * view.scale);
+  pen.globalAlpha = 1;
+}
+
+const HATCH = 9;
+
+export function drawDeadZones(pen: Pen, view: View, coverage: CoverageView, palette: Palette, faded: boolean): void {
+  pen.globalAlpha = faded ? 0.35 : 1;
+  pen.lineWidth = 1.3;
+  pen.strokeStyle = palette.seen;
+  for (const { outline, holes } of coverage.dead_zones) {
+    pen.save();
+    pen.beginPath();
+    for (const ring of [outline, ...holes]) trace(pen, view, ring);
+    pen.stroke();
+    pen.clip('evenodd');
+    const xs = outline.map((at) => toScreen(view, at));
+    const [left, right] = [Math.min(...xs.map(([x]) => x)), Math.max(...xs.map(([x]) => x))];
+    const [top, bottom] = [Math.min(...xs.map(([, y]) => y)), Math.max(...xs.map(([, y]) => y))];
+    pen.beginPath();
+    for (let at = Math.floor((left + top) / HATCH) * HATCH; at <= right + bottom; at += HATCH) {
+      pen.moveTo(at - top, top);
+      pen.lineTo(at - bottom, bottom);
+    }
+    pen.lineWidth = 0.9;
+    pen.stroke();
+    pen.restore();
+  }
+  pen.globalAlpha = 1;
+}
+
+/** The numbers of dead zones that are large enough on the screen to have one. */
+export function drawNumbers(pen: Pen, view: View, coverage: CoverageView, palette: Palette): void {
+  pen.font = `700 11px ${FONT}`;
+  pen.textAlign = 'center';
+  pen.textBaseline = 'middle';
+  for (const { number, middle, area_m2 } of coverage.dead_zones) {
+    if (area_m2 * view.scale * view.scale < 120) continue;
+    const [x, y] = toScreen(view, middle);
+    pen.beginPath();
+    pen.arc(x, y, 9, 0, 2 * Math.PI);
+    pen.fillStyle = palette.halo;
+    pen.fill();
+    pen.lineWidth = 1.5;
+    pen.strokeStyle = palette.seen;
+    pen.stroke();
+    text(pen, String(number), x, y + 0.5, palette.text, null);
+  }
+}

@@ -1,0 +1,152 @@
+// What can be put into a home: furniture of usual sizes, and sensors of all kinds. The sizes are typical ones, ours.
+
+import { type At, inside } from '../../plan/geometry';
+import { type Element, type Home, type List, type Value, formOf, of, spanOf } from './model';
+import { exact, toSegment, turnedBox, wrapped } from './shape';
+import { type Targets, mount } from './snap';
+
+export type Piece = { name: string; size_m: At; height_m: number; enterable?: true };
+
+export const FURNITURE: { title: string; pieces: Piece[] }[] = [
+  {
+    title: 'Sleeping',
+    pieces: [
+      { name: 'bed', size_m: [2.0, 0.9], height_m: 0.6, enterable: true },
+      { name: 'double bed', size_m: [2.0, 1.6], height_m: 0.6, enterable: true },
+      { name: 'nightstand', size_m: [0.45, 0.4], height_m: 0.6 },
+      { name: 'wardrobe', size_m: [1.8, 0.6], height_m: 2.0 },
+      { name: 'dresser', size_m: [1.2, 0.5], height_m: 0.9 },
+    ],
+  },
+  {
+    title: 'Living',
+    pieces: [
+      { name: 'armchair', size_m: [0.85, 0.85], height_m: 1.0, enterable: true },
+      { name: 'sofa', size_m: [1.9, 0.9], height_m: 0.85, enterable: true },
+      { name: 'chair', size_m: [0.45, 0.45], height_m: 0.9, enterable: true },
+      { name: 'table', size_m: [1.2, 0.8], height_m: 0.75 },
+      { name: 'coffee table', size_m: [0.9, 0.5], height_m: 0.45 },
+      { name: 'desk', size_m: [1.4, 0.7], height_m: 0.75 },
+      { name: 'bookcase', size_m: [1.2, 0.3], height_m: 1.9 },
+      { name: 'TV bench', size_m: [1.5, 0.45], height_m: 1.1 },
+      { name: 'rug', size_m: [2.0, 1.4], height_m: 0.02, enterable: true },
+    ],
+  },
+  {
+    title: 'Bathroom',
+    pieces: [
+      { name: 'toilet', size_m: [0.45, 0.7], height_m: 0.45, enterable: true },
+      { name: 'shower', size_m: [0.9, 0.9], height_m: 0.05, enterable: true },
+      { name: 'bathtub', size_m: [1.7, 0.75], height_m: 0.55, enterable: true },
+      { name: 'washbasin', size_m: [0.6, 0.5], height_m: 0.85 },
+      { name: 'washing machine', size_m: [0.6, 0.6], height_m: 0.9 },
+    ],
+  },
+  {
+    title: 'Kitchen',
+    pieces: [
+      { name: 'fridge', size_m: [0.6, 0.65], height_m: 1.8 },
+      { name: 'stove', size_m: [0.6, 0.6], height_m: 0.9 },
+      { name: 'sink', size_m: [0.8, 0.6], height_m: 0.9 },
+      { name: 'counter', size_m: [1.2, 0.6], height_m: 0.9 },
+      { name: 'dishwasher', size_m: [0.6, 0.6], height_m: 0.85 },
+      { name: 'cupboard', size_m: [1.0, 0.4], height_m: 1.9 },
+    ],
+  },
+];
+
+export const PIECES = FURNITURE.flatMap(({ pieces }) => pieces);
+
+/** Where a kind of sensor belongs: on a wall, over an area, on a thing, in a room. */
+export type Mount = 'wall' | 'area' | 'thing' | 'room';
+
+export const SENSORS = {
+  motion: 'wall',
+  ceiling_motion: 'area',
+  contact: 'thing',
+  bed: 'thing',
+  pressure: 'thing',
+  stove_temperature: 'thing',
+  power: 'thing',
+  flow: 'thing',
+  light: 'room',
+  temperature: 'room',
+} as const satisfies Record<string, Mount>;
+
+export type SensorKind = keyof typeof SENSORS;
+
+export const DOOR_WIDTH_M = 0.9;
+
+/** The side of the area that a sensor on the ceiling sees at first. */
+export const AREA_M = 1.2;
+
+/** A door is thin, and is hit beside it, too. */
+const NEAR_DOOR_M = 0.25;
+
+/** A name that nothing in the home has, in upper or lower case. */
+export function freshName(home: Home, name: string, lists?: List[]): string {
+  const taken = new Set(home.elements.filter(({ list }) => !lists || lists.includes(list)).map(({ name }) => name.trim().toLowerCase()));
+  let [fresh, count] = [name, 1];
+  while (taken.has(fresh.trim().toLowerCase())) fresh = `${name} ${++count}`;
+  return fresh;
+}
+
+function roomAt(home: Home, at: At): Element | undefined {
+  return of(home, 'rooms').find((room) => inside(formOf(room) ?? [], at));
+}
+
+export function newPiece(home: Home, { name, size_m, height_m, enterable }: Piece, at: At): Value {
+  return { name: freshName(home, name), at: exact(at), size_m, height_m, enterable };
+}
+
+/** A sensor where somebody has clicked; a sentence that says what to do, where it cannot be there. */
+export function newSensor(home: Home, kind: SensorKind, at: At, targets: Targets, grid_m: number | null): Value | string {
+  const word = kind.replaceAll('_', ' ');
+  const named = (of: string) => freshName(home, `${of} ${word}`.trim().slice(0, 90), ['sensors']);
+  const room = roomAt(home, at);
+  switch (SENSORS[kind]) {
+    case 'wall': {
+      const mounted = mount(at, targets, grid_m, 3) ?? { at: exact(at), normal_deg: 0 };
+      return { kind, name: named(roomAt(home, mounted.at)?.name ?? ''), at: mounted.at, height_m: 2.1, facing_deg: wrapped(mounted.normal_deg) };
+    }
+    case 'area': {
+      const area = turnedBox(at, [AREA_M, AREA_M], 0).map(exact);
+      return { kind, name: named(room?.name ?? ''), area };
+    }
+    case 'room':
+      return room ? { kind, name: named(room.name), room: room.name } : `Click into the room that the ${word} sensor measures.`;
+    case 'thing': {
+      const thing = thingAt(home, kind, at);
+      return thing ? { kind, name: named(thing.name), on: thing.name } : `Click ${BEARERS[kind] ?? 'a piece of furniture'} for the ${word} sensor.`;
+    }
+  }
+}
+
+const BEARERS: Partial<Record<SensorKind, string>> = {
+  contact: 'a door or a piece of furniture',
+  bed: 'a piece of furniture in which people can be',
+  pressure: 'a piece of furniture in which people can be',
+  power: 'a piece of furniture, or the floor of a room for its lamp,',
+};
+
+/** What a sensor can hang on, in the order in which it is looked for. */
+export function bearersOf(home: Home, kind: unknown): Element[] {
+  const furniture = of(home, 'furniture');
+  if (kind === 'contact') return [...of(home, 'doors'), ...furniture];
+  if (kind === 'bed' || kind === 'pressure') return furniture.filter(({ value }) => value.enterable === true);
+  if (kind === 'power') return [...furniture, ...of(home, 'rooms')];
+  return furniture;
+}
+
+function thingAt(home: Home, kind: SensorKind, at: At): Element | undefined {
+  return bearersOf(home, kind).find((thing) => {
+    if (thing.name === '') return false;
+    const span = thing.list === 'doors' ? spanOf(thing) : null;
+    return span ? toSegment(at, span.from, span.to) <= NEAR_DOOR_M : inside(formOf(thing) ?? [], at);
+  });
+}
+
+/** A copy with a name of its own; a sensor's bearer stays what it was. */
+export function copyOf(home: Home, { list, value, name }: Element): Value {
+  return name === '' ? { ...value } : { ...value, name: freshName(home, name.replace(/ \d+$/, ''), list === 'sensors' ? ['sensors'] : undefined) };
+}

@@ -1,0 +1,140 @@
+// What the fields of an element are, which values they take and what they say: read from the schema of the home's file, so
+// that a key that is new in it has its field here, too.
+
+import schema from '../../../../schemas/home.schema.json';
+import type { Path } from './json';
+import type { Element, List, Value } from './model';
+
+type Schema = {
+  $ref?: string;
+  type?: string | string[];
+  properties?: Record<string, Schema>;
+  required?: string[];
+  items?: Schema;
+  oneOf?: Schema[];
+  allOf?: Schema[];
+  const?: string;
+  default?: unknown;
+  description?: string;
+  minimum?: number;
+  maximum?: number;
+  exclusiveMinimum?: number;
+  minItems?: number;
+  maxItems?: number;
+  maxLength?: number;
+};
+
+export type Unit = 'm' | '°' | 's' | '°C' | 'lx' | 'W' | '%' | '/min' | '';
+
+export type Bounds = { least: number; most: number; whole: boolean };
+
+export type Option = { value: string; about: string };
+
+export type Field = {
+  path: Path;
+  label: string;
+  about: string;
+  unit: Unit;
+  required: boolean;
+  /** What holds where the file says nothing. */
+  fallback: unknown;
+} & (
+  | { form: 'text'; longest: number; long: boolean }
+  | { form: 'number'; bounds: Bounds }
+  | { form: 'flag' }
+  | { form: 'choice'; options: Option[] }
+  /** A name of something else in the home. */
+  | { form: 'bearer' }
+  /** So many numbers, each with a word. */
+  | { form: 'numbers'; bounds: Bounds; words: string[] }
+  /** As many numbers as one likes, within limits. */
+  | { form: 'list'; bounds: Bounds; fewest: number; most: number }
+  | { form: 'corners'; bounds: Bounds; fewest: number; most: number }
+  /** One of several ways, each with fields of its own. */
+  | { form: 'way'; options: (Option & { fields: Field[]; plain: boolean })[] }
+);
+
+const root = schema as unknown as Schema & { definitions: Record<string, Schema> };
+
+const UNITS: [suffix: string, unit: Unit][] = [
+  ['_m', 'm'], ['_deg', '°'], ['_s', 's'], ['_c', '°C'], ['_lux', 'lx'], ['_percent', '%'], ['_bpm', '/min'], ['_pm', '/min'],
+];
+
+/** The words of numbers that come in twos and threes. */
+const WORDS: Record<string, string[]> = {
+  at: ['East', 'North'], from: ['East', 'North'], to: ['East', 'North'], size_m: ['Width', 'Depth'], field_deg: ['Across', 'Up and down'],
+  rows: ['Far', 'Middle', 'Near'],
+};
+
+const LABELS: Record<string, string> = { at: 'Place', from: 'From', to: 'To', on: 'Hangs on', facing_deg: 'Looks to', enterable: 'People can be in it', outside: 'Leads outside' };
+
+function resolved(of: Schema): Schema {
+  const ref = of.$ref ?? of.allOf?.[0]?.$ref;
+  return ref === undefined ? of : { ...root.definitions[ref.split('/').at(-1)!]!, ...of };
+}
+
+function unitOf(key: string): [Unit, string] {
+  const found = UNITS.find(([suffix]) => key.endsWith(suffix));
+  if (found) return [found[1], key.slice(0, -found[0].length)];
+  return [key.endsWith('watts') ? 'W' : '', key];
+}
+
+function labelOf(key: string): string {
+  const [, word] = unitOf(key);
+  const label = LABELS[key] ?? word.replaceAll('_', ' ');
+  return label.charAt(0).toUpperCase() + label.slice(1);
+}
+
+function bounds(of: Schema): Bounds {
+  return { least: of.minimum ?? of.exclusiveMinimum ?? -1e6, most: of.maximum ?? 1e6, whole: of.type === 'integer' };
+}
+
+function field(key: string, raw: Schema, path: Path, required: boolean): Field | null {
+  const of = resolved(raw);
+  const [unit] = unitOf(key);
+  const types = [of.type ?? []].flat();
+  const about = (of.description ?? '').replaceAll('\n', ' ').replaceAll('`', '');
+  const base = { path: [...path, key], label: labelOf(key), about, unit, required, fallback: of.default };
+  if (key === 'on' || key === 'room') return { ...base, form: 'bearer' };
+  if (of.oneOf) {
+    const options = of.oneOf.map((one) => {
+      const name = one.const ?? one.required?.[0] ?? '';
+      const nested = one.const === undefined ? resolved(one.properties?.[name] ?? {}) : undefined;
+      return { value: name, about: one.description ?? '', plain: nested === undefined, fields: nested ? fieldsOfObject(nested, [...path, key, name]) : [] };
+    });
+    return options.every(({ plain }) => plain) ? { ...base, form: 'choice', options } : { ...base, form: 'way', options };
+  }
+  if (types.includes('string')) return { ...base, form: 'text', longest: of.maxLength ?? 4000, long: of.maxLength === undefined };
+  if (types.includes('boolean')) return { ...base, form: 'flag' };
+  if (types.includes('number') || types.includes('integer')) return { ...base, form: 'number', bounds: bounds(of) };
+  if (!types.includes('array') || !of.items) return null;
+  const [fewest, most] = [of.minItems ?? 0, of.maxItems ?? 1000];
+  if (of.items.type === 'array') return { ...base, unit: 'm', form: 'corners', bounds: bounds(of.items.items ?? {}), fewest, most };
+  if (fewest === most) return { ...base, unit: key in WORDS && unit === '' && fewest === 2 ? 'm' : unit, form: 'numbers', bounds: bounds(of.items), words: WORDS[key] ?? ['Least', 'Most'] };
+  return { ...base, form: 'list', bounds: bounds(of.items), fewest, most };
+}
+
+function fieldsOfObject(of: Schema, path: Path): Field[] {
+  return Object.entries(of.properties ?? {}).flatMap(([key, one]) => (key === 'kind' || key === '$schema' ? [] : (field(key, one, path, of.required?.includes(key) ?? false) ?? [])));
+}
+
+function schemaOf(list: List, value: Value): Schema | undefined {
+  const of = resolved(root.properties![list]!.items!);
+  return of.oneOf ? of.oneOf.find(({ properties }) => properties?.kind?.const === value.kind) : of;
+}
+
+export function fieldsOf({ list, index, value }: Element): Field[] {
+  const of = schemaOf(list, value);
+  return of ? fieldsOfObject(of, [list, index]) : [];
+}
+
+/** What is said of the home itself. */
+export function homeFields(): Field[] {
+  const { name, about, latitude_deg } = root.properties!;
+  return Object.entries({ name, about, latitude_deg }).flatMap(([key, one]) => (one && field(key, one, [], key === 'name')) ?? []);
+}
+
+/** What a kind of sensor is and says. */
+export function aboutKind(kind: string): string {
+  return schemaOf('sensors', { kind })?.description?.replaceAll('\n', ' ').replaceAll('`', '') ?? '';
+}

@@ -1,0 +1,182 @@
+// What a click does while a tool is held, and what is shown where it would be done.
+
+import { type At, distance, inside, middle } from '../../plan/geometry';
+import type { Editor, Tool } from './editor.svelte';
+import { enclosed } from './enclosed';
+import { AREA_M, DOOR_WIDTH_M, type Mount, SENSORS, freshName, newPiece, newSensor } from './library';
+import { type Home, formOf, of, wallsOf } from './model';
+import { add, angleOf, area, direction, exact, minus, times, turnedBox } from './shape';
+import { type Guides, type Snapping, mount, snapPoint, snapShift, spanAt, targetsOf } from './snap';
+
+const PROMPTS: Record<Tool['tool'], string> = {
+  select: '',
+  wall: 'Click where the wall begins, then where it ends; the next one begins there. Escape ends.',
+  room: 'Click the corners of the room in order; Enter or a click on the first one closes it.',
+  fill: 'Click into a space that walls enclose: it becomes a room.',
+  door: 'Click a wall where the door is to be.',
+  place: 'Click where people are to stand.',
+  furniture: 'Click where it is to stand.',
+  sensor: '',
+  scale: 'Click two points of the image whose distance you know.',
+};
+
+const MOUNTS: Record<Mount, string> = {
+  wall: 'Click near a wall: the sensor is put up there and looks into the room.',
+  area: 'Click the middle of the area that the sensor sees from the ceiling.',
+  thing: 'Click what the sensor hangs on or lies in.',
+  room: 'Click into the room that the sensor measures.',
+};
+
+export function promptOf(tool: Tool): string {
+  return tool.tool === 'sensor' ? MOUNTS[SENSORS[tool.kind]] : PROMPTS[tool.tool];
+}
+
+/** What shows where a click would do what. */
+export type Preview = { forms: At[][]; line: At[]; at: At; guides: Guides };
+
+/** The point that a click at `at` means. */
+function meant(home: Home, drawn: At[], at: At, snapping: Snapping | null): { at: At; guides: Guides } {
+  if (!snapping) return { at: exact(at), guides: {} };
+  const { ends, xs, ys, ...others } = targetsOf(home, new Set());
+  // Straight on from the corner before, and closing where it began.
+  const last = drawn.slice(-1);
+  const more = { ends: [...ends, ...drawn.slice(0, 1)], xs: [...xs, ...last.map(([x]) => x)], ys: [...ys, ...last.map(([, y]) => y)] };
+  return snapPoint(at, { ...others, ...more }, snapping);
+}
+
+export function preview(editor: Editor, home: Home, at: At, snapping: Snapping | null): Preview {
+  const { tool, drawn } = editor;
+  const grid = snapping?.grid_m ?? null;
+  const point = meant(home, drawn, at, snapping);
+  const none: Preview = { forms: [], line: [], at, guides: {} };
+  switch (tool.tool) {
+    case 'wall':
+    case 'room':
+      return { ...none, ...point, line: [...drawn, point.at] };
+    case 'scale':
+      return { ...none, line: drawn.length === 1 ? [...drawn, at] : drawn };
+    case 'place':
+      return { ...none, ...point };
+    case 'fill': {
+      const outline = enclosed(wallsOf(home), at);
+      return { ...none, forms: outline ? [outline] : [] };
+    }
+    case 'door': {
+      const span = spanAt(at, wallsOf(home), DOOR_WIDTH_M, grid);
+      return span ? { ...none, line: [span.from, span.to], at: middle([span.from, span.to]) } : none;
+    }
+    case 'furniture': {
+      const { shift, guides } = stand(home, tool.piece.size_m, at, snapping);
+      return { forms: [turnedBox(add(at, shift), tool.piece.size_m, 0)], line: [], at: add(at, shift), guides };
+    }
+    case 'sensor': {
+      if (SENSORS[tool.kind] === 'area') {
+        const { shift, guides } = stand(home, [AREA_M, AREA_M], at, snapping);
+        return { forms: [turnedBox(add(at, shift), [AREA_M, AREA_M], 0)], line: [], at: add(at, shift), guides };
+      }
+      if (SENSORS[tool.kind] !== 'wall') return none;
+      const mounted = mount(at, targetsOf(home, new Set()), grid, 3);
+      return mounted ? { ...none, at: mounted.at, line: [mounted.at, add(mounted.at, times(direction(mounted.normal_deg), 0.6))] } : none;
+    }
+    case 'select':
+      return none;
+  }
+}
+
+/** Against the face of a wall that is near. */
+function stand(home: Home, size: At, at: At, snapping: Snapping | null): { shift: At; guides: Guides } {
+  if (!snapping) return { shift: [0, 0], guides: {} };
+  return snapShift([0, 0], [at, ...turnedBox(at, size, 0)], targetsOf(home, new Set()), snapping);
+}
+
+export function click(editor: Editor, home: Home, at: At, snapping: Snapping | null): void {
+  const { tool, drawn } = editor;
+  const grid = snapping?.grid_m ?? null;
+  editor.said = '';
+  switch (tool.tool) {
+    case 'wall': {
+      const to = meant(home, drawn, at, snapping).at;
+      const from = drawn.at(-1);
+      if (from && distance(from, to) < 0.01) return finish(editor, home);
+      if (from) editor.add('walls', { from, to });
+      editor.drawn = [to];
+      // A chain that comes back to a wall that is there is done.
+      if (from && wallsOf(home).some((wall) => [wall.from, wall.to].some((end) => distance(end, to) < 0.002))) finish(editor, home);
+      return;
+    }
+    case 'room': {
+      const to = meant(home, drawn, at, snapping).at;
+      if (drawn.length > 2 && distance(drawn[0]!, to) < Math.max(snapping?.tolerance_m ?? 0, 0.02)) return finish(editor, home);
+      if (!drawn.some((corner) => distance(corner, to) < 0.001)) editor.drawn = [...drawn, to];
+      return;
+    }
+    case 'scale':
+      editor.drawn = drawn.length >= 2 ? [at] : [...drawn, at];
+      return;
+    case 'fill': {
+      const outline = enclosed(wallsOf(home), at);
+      if (outline === null) {
+        editor.said = 'No walls enclose this spot. Close the gap between them, or draw the room by its corners.';
+        return;
+      }
+      editor.add('rooms', { name: freshName(home, 'room'), outline });
+      return release(editor);
+    }
+    case 'door': {
+      const span = spanAt(at, wallsOf(home), DOOR_WIDTH_M, grid);
+      if (span === null) {
+        editor.said = 'A door needs a wall. Draw the wall first.';
+        return;
+      }
+      editor.add('doors', { name: freshName(home, 'door'), ...span, ...(leadsOut(home, span) ? { open: false, outside: true } : {}) });
+      return release(editor);
+    }
+    case 'place':
+      editor.add('places', { name: freshName(home, 'place'), at: meant(home, drawn, at, snapping).at });
+      return release(editor);
+    case 'furniture': {
+      const { shift } = stand(home, tool.piece.size_m, at, snapping);
+      editor.add('furniture', newPiece(home, tool.piece, add(at, shift)));
+      return release(editor);
+    }
+    case 'sensor': {
+      const to = SENSORS[tool.kind] === 'area' ? add(at, stand(home, [AREA_M, AREA_M], at, snapping).shift) : at;
+      const value = newSensor(home, tool.kind, to, targetsOf(home, new Set()), grid);
+      if (typeof value === 'string') {
+        editor.said = value;
+        return;
+      }
+      editor.add('sensors', value);
+      return release(editor);
+    }
+    case 'select':
+      return;
+  }
+}
+
+/** What is being drawn is done: a room is closed, a chain of walls ends. */
+export function finish(editor: Editor, home: Home): void {
+  const { tool, drawn } = editor;
+  if (tool.tool === 'room') {
+    if (drawn.length < 3 || Math.abs(area(drawn)) < 0.01) {
+      editor.said = 'A room needs three corners or more.';
+      return;
+    }
+    editor.add('rooms', { name: freshName(home, 'room'), outline: drawn });
+    release(editor);
+  }
+  if (tool.tool === 'wall') editor.drawn = [];
+}
+
+/** Back to the arrow; what was added stays selected. */
+function release(editor: Editor): void {
+  editor.tool = { tool: 'select' };
+  editor.drawn = [];
+}
+
+/** Whether there is a room on one side of a door only. */
+function leadsOut(home: Home, { from, to }: { from: At; to: At }): boolean {
+  const normal = direction(angleOf(minus(to, from)) + 90);
+  const has = (side: number) => of(home, 'rooms').some((room) => inside(formOf(room) ?? [], add(middle([from, to]), times(normal, side * 0.3))));
+  return has(1) !== has(-1);
+}

@@ -1,0 +1,129 @@
+// A picture under the plan, such as a scanned drawing. It is kept in the browser, by the scenario's name, and sent nowhere.
+
+import { type At, distance } from '../../plan/geometry';
+import type { Pen } from '../../plan/pen';
+import { type View, toScreen } from '../../plan/transform';
+import { rounded } from './json';
+import { add, exact, minus, times } from './shape';
+
+/** How it lies: the place of its middle, its width, and its turn against the clock. */
+export type Lies = { at: At; width_m: number; turn_deg: number; opacity: number };
+
+type Kept = Lies & { file: Blob; name: string };
+
+const STORE = 'underlays';
+const TYPES = ['image/png', 'image/jpeg', 'image/svg+xml'];
+export const ACCEPTED = TYPES.join();
+/** Larger files would fill the browser's store. */
+const MOST_BYTES = 50_000_000;
+
+export class Underlay {
+  name = $state('');
+  lies = $state.raw<Lies>({ at: [0, 0], width_m: 10, turn_deg: 0, opacity: 0.5 });
+  image = $state.raw<HTMLImageElement | null>(null);
+  problem = $state('');
+  private file: Blob | null = null;
+  private scenario: string | null = null;
+
+  /** What was kept of this scenario. */
+  async open(scenario: string): Promise<void> {
+    this.scenario = scenario;
+    try {
+      const kept = (await inStore('readonly', (store) => store.get(scenario))) as Kept | undefined;
+      if (kept === undefined || this.scenario !== scenario) return;
+      const { at, width_m, turn_deg, opacity } = kept;
+      this.lies = { at, width_m, turn_deg, opacity };
+      await this.load(kept.file, kept.name);
+    } catch {
+      // A browser that keeps nothing has nothing to show.
+    }
+  }
+
+  /** A file that somebody has chosen comes to lie on the middle of what is seen. */
+  async choose(file: File, at: At, width_m: number): Promise<void> {
+    this.problem = '';
+    if (!TYPES.includes(file.type)) this.problem = 'This is no PNG, JPEG or SVG file. Choose one of these.';
+    else if (file.size > MOST_BYTES) this.problem = 'This file is larger than 50 MB. Choose a smaller picture.';
+    else if (await this.load(file, file.name)) {
+      this.lies = { ...this.lies, at: exact(at), width_m: rounded(width_m), turn_deg: 0 };
+      await this.keep();
+    } else this.problem = 'The browser cannot read this picture. Save it as PNG and choose that.';
+  }
+
+  async lie(part: Partial<Lies>): Promise<void> {
+    this.lies = { ...this.lies, ...part };
+    await this.keep();
+  }
+
+  /** Two points of the picture are so far apart in the home: the first stays where it is. */
+  scale(a: At, b: At, real_m: number): void {
+    const by = real_m / distance(a, b);
+    if (!Number.isFinite(by) || by <= 0) return;
+    void this.lie({ width_m: rounded(this.lies.width_m * by), at: exact(add(a, times(minus(this.lies.at, a), by))) });
+  }
+
+  async drop(): Promise<void> {
+    this.image = this.file = null;
+    this.name = '';
+    const { scenario } = this;
+    if (scenario !== null) await inStore('readwrite', (store) => store.delete(scenario)).catch(() => {});
+  }
+
+  draw(pen: Pen, view: View): void {
+    const { image } = this;
+    const { at, width_m, turn_deg, opacity } = this.lies;
+    if (image === null) return;
+    const [x, y] = toScreen(view, at);
+    const width = width_m * view.scale;
+    const height = (width * image.naturalHeight) / (image.naturalWidth || 1);
+    pen.save();
+    pen.translate(x, y);
+    pen.rotate((-turn_deg * Math.PI) / 180);
+    pen.globalAlpha = opacity;
+    pen.imageSmoothingEnabled = true;
+    pen.drawImage(image, -width / 2, -height / 2, width, height);
+    pen.restore();
+  }
+
+  private async load(file: Blob, name: string): Promise<boolean> {
+    const image = new Image();
+    const url = URL.createObjectURL(file);
+    image.src = url;
+    try {
+      await image.decode();
+    } catch {
+      URL.revokeObjectURL(url);
+      return false;
+    }
+    this.file = file;
+    this.name = name;
+    this.image = image;
+    return true;
+  }
+
+  private async keep(): Promise<void> {
+    const { file, scenario, name } = this;
+    if (file === null || scenario === null) return;
+    const kept: Kept = { ...this.lies, file, name };
+    try {
+      await inStore('readwrite', (store) => store.put(kept, scenario));
+    } catch {
+      this.problem = 'The browser does not keep the picture: choose it again next time.';
+    }
+  }
+}
+
+function inStore(mode: IDBTransactionMode, ask: (store: IDBObjectStore) => IDBRequest): Promise<unknown> {
+  return new Promise((done, failed) => {
+    const opening = indexedDB.open('homebody', 1);
+    opening.onupgradeneeded = () => opening.result.createObjectStore(STORE);
+    opening.onerror = () => failed(opening.error);
+    opening.onsuccess = () => {
+      const database = opening.result;
+      const request = ask(database.transaction(STORE, mode).objectStore(STORE));
+      request.onsuccess = () => done(request.result);
+      request.onerror = () => failed(request.error);
+      request.transaction!.oncomplete = () => database.close();
+    };
+  });
+}

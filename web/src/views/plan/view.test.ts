@@ -1,0 +1,286 @@
+import { encode } from '@msgpack/msgpack';
+import { flushSync, mount, unmount } from 'svelte';
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { choices } from '../../choices.svelte';
+import type { Fetch } from '../../server';
+import { Live } from '../../live.svelte';
+import { FakeFiles } from '../../testing/files';
+import { FLAT } from '../../testing/flat';
+import { madeUpHome } from '../../testing/home';
+import type { PlanView, ProblemView } from '../../wire';
+import View from './Plan.svelte';
+
+const EVIL = '<img src=x onerror="globalThis.broken=1"><script>globalThis.broken=1</script>';
+
+let files: FakeFiles;
+let live: Live;
+let view: Record<string, unknown>;
+let problems: ProblemView[];
+
+const PLAN = (): PlanView => ({
+  problems,
+  home: problems.length > 0 ? null : madeUpHome(3),
+  coverage: problems.length > 0 ? null : {
+    step_m: 1, corner: [0, 0], columns: 2, cells: new Uint8Array([0, 1, 2, 255]),
+    whole: { name: 'flat', floor_m2: 15, seen_by: [0.25, 0.25, 0.5, 0] },
+    rooms: [{ name: 'room', floor_m2: 10, seen_by: [0.3, 0.7, 0, 0] }],
+    sensors: [{ name: 'room motion', seen_m2: 7, alone_m2: 4 }],
+    overlaps: [['room motion', 'bath motion', 0.5]],
+    dead_zones: [{ number: 1, room: 'room', area_m2: 3, middle: [1, 1], outline: [[0, 0], [1, 0], [1, 1]], holes: [] }],
+  },
+});
+
+async function begin(home: string | null, answers: Record<string, (body: never) => unknown> = {}): Promise<void> {
+  problems = [];
+  files = new FakeFiles(home === null ? { 'scenario.json': '{}' } : { 'home.json': home, 'scenario.json': '{}' }, { home: home === null ? null : 'home.json', logger: null, lives: [] }, answers);
+  const fetch: Fetch = async (path, init) => {
+    const answer = await files.fetch(path, init);
+    return path === '/api/plan' ? new Response(encode(PLAN()) as BodyInit) : answer;
+  };
+  vi.stubGlobal('fetch', fetch);
+  live = new Live('token', () => {}, () => ({ binaryType: '', onopen: null, onmessage: null, onclose: null, onerror: null, send: () => {}, close: () => {} }));
+  view = mount(View, { target: document.body, props: { live } });
+  await settle();
+}
+
+/** All that is under way comes to its end. */
+async function settle(): Promise<void> {
+  for (let round = 0; round < 4; round++) {
+    await vi.advanceTimersByTimeAsync(300);
+    flushSync();
+  }
+}
+
+beforeEach(() => vi.useFakeTimers());
+
+afterEach(async () => {
+  await unmount(view);
+  choices.setUnits('metric');
+  vi.unstubAllGlobals();
+  vi.useRealTimers();
+});
+
+const plan = () => document.querySelector<HTMLElement>('[role="application"]')!;
+const button = (name: string) => [...document.querySelectorAll('button')].find((one) => (one.getAttribute('aria-label') ?? one.textContent!).trim().startsWith(name))!;
+const field = (label: string) => document.querySelector<HTMLInputElement>(`[aria-label="${label}"]`) ?? [...document.querySelectorAll('label')].map((one) => (one.textContent!.trim() === label ? (one.control as HTMLInputElement | null) ?? one.querySelector('input') : null)).find(Boolean)!;
+const text = () => live.drafts.text('home.json')!;
+const value = () => JSON.parse(text());
+const said = () => document.querySelector('.status')!.textContent!.replaceAll(/\s+/g, ' ').trim();
+
+function click(name: string): void {
+  button(name).click();
+  flushSync();
+}
+
+function key(key: string, more: KeyboardEventInit = {}): KeyboardEvent {
+  const event = new KeyboardEvent('keydown', { key, code: key === ' ' ? 'Space' : key, bubbles: true, cancelable: true, ...more });
+  (document.activeElement ?? document.body).dispatchEvent(event);
+  flushSync();
+  return event;
+}
+
+function type(label: string, typed: string): void {
+  const input = field(label);
+  input.value = typed;
+  input.dispatchEvent(new Event('change', { bubbles: true }));
+  flushSync();
+}
+
+test('all can be selected, moved, turned and deleted by keys', async () => {
+  await begin(FLAT);
+  plan().focus();
+  const seen = new Set<string>();
+  for (let press = 0; press < 16; press++) {
+    key('PageDown');
+    seen.add(document.getElementById(plan().getAttribute('aria-activedescendant')!)!.getAttribute('aria-label')!);
+  }
+  expect(seen.size).toBe(16);
+  expect(seen).toContain('room light, light sensor');
+  click('List');
+  click('stove');
+  plan().focus();
+  key('ArrowRight');
+  key('ArrowUp', { shiftKey: true });
+  key('[');
+  expect(value().furniture[1]).toMatchObject({ at: [3.05, 0.41], turn_deg: 15 });
+  key('Delete');
+  expect(value().furniture).toHaveLength(1);
+  key('z', { ctrlKey: true });
+  key('z', { ctrlKey: true });
+  key('z', { ctrlKey: true });
+  expect(text()).toBe(FLAT);
+});
+
+test('a tool is used without a mouse', async () => {
+  await begin(FLAT);
+  plan().focus();
+  key('w');
+  expect(said()).toContain('Click where the wall begins');
+  key('Enter');
+  for (let press = 0; press < 9; press++) key('ArrowRight');
+  key('Enter');
+  key('Escape');
+  key('Escape');
+  const [, , , , , wall] = value().walls;
+  expect(wall.to[0] - wall.from[0]).toBeCloseTo(0.9, 1);
+  expect(button('Select').getAttribute('aria-pressed')).toBe('true');
+});
+
+test('after another view was looked at all goes on, and can be undone', async () => {
+  await begin(FLAT);
+  click('List');
+  click('stove');
+  plan().focus();
+  key('ArrowRight');
+  const moved = text();
+  await unmount(view);
+  view = mount(View, { target: document.body, props: { live } });
+  await settle();
+  expect(document.querySelector('#tab-panel h2')!.textContent).toBe('stove');
+  plan().focus();
+  key('PageDown');
+  expect(document.querySelector('#tab-panel h2')!.textContent).not.toBe('stove');
+  expect(document.getElementById('form-furniture/1')!.getAttribute('points')).toContain('2.75,');
+  key('z', { ctrlKey: true });
+  expect(text()).toBe(FLAT);
+  expect(moved).not.toBe(FLAT);
+  expect(document.getElementById('form-furniture/1')!.getAttribute('points')).not.toContain('2.75,');
+});
+
+test('letters and arrows count only while the plan has the focus, and Space is nobody\'s', async () => {
+  await begin(FLAT);
+  document.body.focus();
+  for (const letter of ['w', 'd', 'Delete', 'ArrowLeft', '[']) expect(key(letter).defaultPrevented, letter).toBe(false);
+  expect(text()).toBe(FLAT);
+  plan().focus();
+  expect(key(' ').defaultPrevented).toBe(false);
+  expect(key('Tab').defaultPrevented).toBe(false);
+});
+
+test('what is pressed and moved is dragged, and let go it is one step', async () => {
+  await begin(FLAT);
+  const mouse = (type: string, x: number, y: number, target: Element = plan()) => {
+    target.dispatchEvent(new PointerEvent(type, { clientX: x, clientY: y, button: 0, pointerId: 1, bubbles: true, cancelable: true }));
+    flushSync();
+  };
+  plan().setPointerCapture = () => {};
+  const scale = 50;
+  mouse('pointerdown', 100, 100, document.getElementById('form-furniture/1')!);
+  for (let step = 1; step <= 5; step++) mouse('pointermove', 100 - step * 5, 100 - step * 5);
+  expect(value().furniture[1].at).not.toEqual([3, 0.4]);
+  mouse('pointerup', 75, 75);
+  const [x, y] = value().furniture[1].at;
+  expect(Math.abs(x - (3 - 25 / scale))).toBeLessThan(0.2);
+  expect(Math.abs(y - (0.4 + 25 / scale))).toBeLessThan(0.2);
+  expect(document.querySelector('#tab-panel h2')!.textContent).toBe('stove');
+  key('z', { ctrlKey: true });
+  expect(text()).toBe(FLAT);
+  // A press that hardly moves is a click, and one on nothing selects nothing.
+  mouse('pointerdown', 10, 10);
+  mouse('pointerup', 11, 10);
+  expect(document.querySelector('#tab-panel h2')!.textContent).toBe('The home');
+});
+
+test('numbers are typed in the chosen units, and what cannot be is said', async () => {
+  await begin(FLAT);
+  click('List');
+  click('room motion');
+  click('Element');
+  type('Place: north', '1.75');
+  type('Looks to', '-30');
+  expect(value().sensors[0]).toMatchObject({ at: [0.12, 1.75], facing_deg: -30 });
+  type('Looks to', '900');
+  expect(value().sensors[0].facing_deg).toBe(-30);
+  expect(document.querySelector('[role="alert"]')!.textContent).toContain('From -360 to 360.');
+  type('Field: across', '110');
+  expect(value().sensors[0].field_deg).toEqual([110, 50]);
+  type('Field: across', '');
+  expect(value().sensors[0]).not.toHaveProperty('field_deg');
+  choices.setUnits('feet');
+  flushSync();
+  expect(field('Reach').placeholder).toBe('32.81');
+  type('Reach', '20');
+  expect(value().sensors[0].reach_m).toBe(6.096);
+  const level = field('Level');
+  level.value = 'zones';
+  level.dispatchEvent(new Event('change', { bubbles: true }));
+  flushSync();
+  type('Rows: middle', '7');
+  expect(value().sensors[0].level).toEqual({ zones: { rows: [11, 7, 5] } });
+});
+
+test('another name is taken over by the sensors', async () => {
+  await begin(FLAT);
+  click('List');
+  click('bed');
+  click('Element');
+  type('Name', EVIL);
+  expect(value().furniture[0].name).toBe(EVIL);
+  expect(value().sensors[1].on).toBe(EVIL);
+  type('Name', '  ');
+  expect(value().furniture[0].name).toBe(EVIL);
+});
+
+test('what the sensors see is in figures, and is old while there is a problem, which leads to its place', async () => {
+  await begin(FLAT);
+  click('Coverage');
+  expect(document.querySelector('tbody')!.textContent!.replaceAll(/\s+/g, ' ')).toContain('All15.0 m²25 %25 %50 %0 %');
+  expect(document.body.textContent).toContain('Dead zones 1');
+  const line = FLAT.split('\n').findIndex((one) => one.includes('"stove"')) + 1;
+  problems = [{ file: 'home.json', line, column: 7, width: 4, what: `${EVIL} reaches out`, hint: 'move it' }];
+  plan().focus();
+  key('PageDown');
+  key('ArrowLeft');
+  await settle();
+  expect(document.body.textContent).toContain('this is what was seen before it');
+  click('Problems');
+  expect(document.body.textContent).toContain('move it');
+  click('Show stove');
+  click('Element');
+  expect(document.querySelector('#tab-panel h2')!.textContent).toBe('stove');
+  expect(document.getElementById('form-furniture/1')!.getAttribute('aria-label')).toContain('has a problem');
+});
+
+test('a sensor alone is asked for with a home that has no other', async () => {
+  await begin(FLAT);
+  click('List');
+  click('room motion');
+  click('Coverage');
+  const mode = document.querySelector('select')!;
+  mode.value = 'alone';
+  mode.dispatchEvent(new Event('change', { bubbles: true }));
+  await settle();
+  expect(JSON.parse(files.drafts('/api/plan')!['home.json']!).sensors).toEqual([JSON.parse(FLAT).sensors[0]]);
+  expect(text()).toBe(FLAT);
+});
+
+test('a file that is no JSON is told of and not touched, and drawn again once it is mended', async () => {
+  const broken = FLAT.replace('"walls": [', '"walls": [[[');
+  await begin(broken);
+  expect(document.body.textContent).toMatch(/home\.json cannot be drawn/);
+  expect(document.body.textContent).toMatch(/Line \d+, column \d+/);
+  key('z', { ctrlKey: true });
+  key('v', { ctrlKey: true });
+  expect(live.drafts.unsaved).toEqual([]);
+  files.texts['home.json'] = FLAT;
+  await vi.advanceTimersByTimeAsync(2500);
+  flushSync();
+  expect(plan()).not.toBeNull();
+});
+
+test('a scenario without a home says how to name one', async () => {
+  await begin(null);
+  expect(document.body.textContent).toContain('names no file of a home');
+});
+
+test('names from the file are text and nothing else', async () => {
+  const rough = FLAT.replace('"stove"', JSON.stringify(EVIL)).replace('"room motion"', JSON.stringify(`\u202e${'long '.repeat(900)}\n👩‍👩‍👧`)).replace('"flat"', JSON.stringify(EVIL));
+  await begin(rough);
+  for (const tab of ['List', 'Coverage', 'Problems', 'Element']) click(tab);
+  plan().focus();
+  for (let press = 0; press < 20; press++) key('PageDown');
+  key('d', { ctrlKey: true });
+  expect(() => value()).not.toThrow();
+  expect(document.querySelector('main script, img[onerror], .plan script, [onerror]')).toBeNull();
+  expect((globalThis as { broken?: number }).broken).toBeUndefined();
+});
