@@ -12,6 +12,8 @@ fn main() {
     for watched in ["src", "public", "index.html", "package.json", "package-lock.json", "vite.config.ts"] {
         println!("cargo:rerun-if-changed={}", web.join(watched).display());
     }
+    // The plan's editor takes its fields from it.
+    println!("cargo:rerun-if-changed={}", web.join("../schemas/home.schema.json").display());
     println!("cargo:rustc-env=HOMEBODY_PAGE={}", page.display());
     if let Err(why) = build(&web, &page) {
         println!("cargo:warning=the web page is not built: {why}; all but `homebody serve` works without it");

@@ -32,4 +32,4 @@ mod sweet_home;
 
 pub use archive::MOST_BYTES;
 pub use error::NotImported;
-pub use sweet_home::{Imported, sweet_home};
+pub use sweet_home::{Imported, SCHEMA, sweet_home};

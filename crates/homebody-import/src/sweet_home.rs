@@ -20,6 +20,9 @@ pub struct Imported {
     pub remarks: Vec<String>,
 }
 
+/// Where the schema of what is made is looked for: in a folder beside it.
+pub const SCHEMA: &str = "./schemas/home.schema.json";
+
 /// Nobody reads more (ours).
 const MOST_REMARKS: usize = 40;
 
@@ -83,7 +86,7 @@ fn build(name: &str, about: String, drawing: Drawing, remarks: &mut Vec<String>)
     let name = Some(names::clean(name)).filter(|name| !name.is_empty()).unwrap_or_else(|| "home".to_owned());
     let origin = origin(&walls, &rooms);
     Ok(HomeFile {
-        schema: Some("./schemas/home.schema.json".to_owned()),
+        schema: Some(SCHEMA.to_owned()),
         name,
         about,
         latitude_deg: drawing.latitude_deg.unwrap_or_else(latitude),

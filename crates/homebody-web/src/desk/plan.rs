@@ -10,7 +10,7 @@ use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::scenario::resident::ResidentFile;
 use homebody_core::sensors::Sensor;
-use homebody_import::{Imported, NotImported, sweet_home};
+use homebody_import::{Imported, NotImported, SCHEMA, sweet_home};
 use homebody_study::coverage::{self, Coverage, Floor, Seen};
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -38,7 +38,11 @@ impl Desk {
     pub fn import(&self, bytes: &[u8]) -> Result<ImportView, NotImported> {
         let home = self.files().home.map(|file| self.json(&file)).unwrap_or_default();
         let name = home["name"].as_str().unwrap_or("home");
-        let Imported { home_json, remarks } = sweet_home(bytes, name, None)?;
+        let Imported { mut home_json, remarks } = sweet_home(bytes, name, None)?;
+        // Where this folder's schemas are, its own home knows.
+        if let Some(schema) = home["$schema"].as_str() {
+            home_json = home_json.replacen(&format!("\"{SCHEMA}\""), &json!(schema).to_string(), 1);
+        }
         Ok(ImportView { text: home_json, remarks })
     }
 }
