@@ -48,7 +48,8 @@ impl Growth {
                 self.today.push((firing.at, firing.sensor));
             }
         }
-        self.come_to(until);
+        // Midnight itself is of a day that has not begun.
+        self.come_to((until - 1).max(0));
     }
 
     pub fn view(&self) -> GrowthView {
