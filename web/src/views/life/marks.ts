@@ -1,17 +1,7 @@
-// Where a problem is in a text. The server counts characters as Unicode does, the editor in the units of JavaScript, in which
-// a rare character is two.
+// Where a problem is in the editor's text.
 
+import { unitsAfter } from '../../places';
 import type { ProblemView } from '../../wire';
-
-/** The place in a line after so many of its characters. */
-export function unitsAfter(line: string, characters: number): number {
-  let [units, left] = [0, characters];
-  while (left > 0 && units < line.length) {
-    units += line.codePointAt(units)! > 0xffff ? 2 : 1;
-    left -= 1;
-  }
-  return units;
-}
 
 type Lines = { lines: number; line: (number: number) => { from: number; to: number; text: string } };
 

@@ -3,7 +3,7 @@
 
 import { untrack } from 'svelte';
 import type { Drafts } from '../../drafts.svelte';
-import { type Path, isObject, pathAt, valueOf, withValue, without } from '../../json';
+import { type Change, type Path, apply, isObject, pathAt, valueOf } from '../../json';
 import type { FilesView, ProblemView } from '../../wire';
 import { type Logger, type Sensor, loggerOf, sensorsOf } from './logger';
 
@@ -12,9 +12,6 @@ const TOGETHER_MS = 1000;
 const KEPT = 200;
 
 export type Placed = { problem: ProblemView; path: Path };
-
-/** A change of the file: a value at a path, or nothing there. */
-export type Change = [path: Path, value: unknown];
 
 export class Editor {
   /** What the text was, the latest last. */
@@ -80,13 +77,12 @@ export class Editor {
   }
 
   set(path: Path, value: unknown): void {
-    this.change([[path, value]], JSON.stringify(path));
+    this.change([{ path, value }], JSON.stringify(path));
   }
 
   /** Several changes are taken back as one. */
   change(changes: Change[], key = ''): void {
-    const text = changes.reduce((text, [path, value]) => (value === undefined ? without(text, path) : withValue(text, path, value)), this.text);
-    this.write(text, key);
+    this.write(apply(this.text, changes), key);
   }
 
   write(text: string, key = 'text'): void {
@@ -123,7 +119,7 @@ export class Editor {
       const entry = this.drafts.text(files.entry);
       if (entry === undefined) return;
       name = freeName(files, Object.keys(this.drafts.texts));
-      this.drafts.write(files.entry, withValue(entry, ['logger'], name));
+      this.drafts.write(files.entry, apply(entry, [{ path: ['logger'], value: name }]));
     }
     this.drafts.write(name, text);
   }
@@ -134,7 +130,7 @@ export class Editor {
     const entry = files === null ? undefined : valueOf(this.drafts.text(files.entry) ?? '');
     const schema = isObject(entry) && typeof entry.$schema === 'string' ? entry.$schema : '';
     if (!schema.endsWith('scenario.schema.json')) return '{}\n';
-    return `${withValue('{}', ['$schema'], schema.replace(/scenario\.schema\.json$/, 'logger.schema.json'))}\n`;
+    return `${apply('{}', [{ path: ['$schema'], value: schema.replace(/scenario\.schema\.json$/, 'logger.schema.json') }])}\n`;
   }
 }
 

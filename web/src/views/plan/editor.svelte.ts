@@ -2,11 +2,10 @@
 // of the home; all else is read from it.
 
 import type { Drafts } from '../../drafts.svelte';
+import { type Change, type Fault, apply, insert } from '../../json';
 import type { At } from '../../plan/geometry';
-import { type Change, apply, insert, remove } from './json';
-import type { Fault } from './json';
 import { copyOf, type Piece, type SensorKind } from './library';
-import { type Element, type Home, type List, LISTS, type Value, isHome, readHome } from './model';
+import { type Element, type Home, type List, type Value, isHome, readHome } from './model';
 import { turnBy, move } from './move';
 
 export type Tool =
@@ -144,9 +143,7 @@ export class Editor {
   delete(): void {
     const { home, chosen } = this;
     if (home === null || chosen.length === 0) return;
-    let { text } = home;
-    for (const list of LISTS) text = remove(text, list, chosen.filter((element) => element.list === list).map(({ index }) => index));
-    this.write(text, '', []);
+    this.write(apply(home.text, chosen.map(({ list, index }) => ({ path: [list, index], value: undefined }))), '', []);
   }
 
   copy(): void {

@@ -1,7 +1,7 @@
 // What is wrong with the scenario, and which element of the home is meant.
 
+import { offsetOf } from '../../places';
 import type { CheckView, ProblemView } from '../../wire';
-import { offsetOf } from './json';
 import type { Element, Home } from './model';
 
 export type Listed = ProblemView & { element: Element | null; warning: boolean };

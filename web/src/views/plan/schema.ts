@@ -2,7 +2,7 @@
 // that a key that is new in it has its field here, too.
 
 import schema from '../../../../schemas/home.schema.json';
-import type { Path } from './json';
+import type { Path } from '../../json';
 import type { Element, List, Value } from './model';
 
 type Schema = {
