@@ -1,6 +1,7 @@
 // Where a problem is in the editor's text.
 
 import { unitsAfter } from '../../places';
+import { distinct } from '../../problems';
 import type { ProblemView } from '../../wire';
 
 type Lines = { lines: number; line: (number: number) => { from: number; to: number; text: string } };
@@ -17,10 +18,6 @@ export function placeOf(problem: ProblemView, doc: Lines): { from: number; to: n
 
 /** All that is wrong and known, each thing once: what the routine says of itself comes first. */
 export function together(file: string, ...lists: ProblemView[][]): ProblemView[] {
-  const seen = new Set<string>();
-  const all = lists.flat().filter((problem) => {
-    const key = JSON.stringify([problem.file, problem.line, problem.column, problem.what]);
-    return !seen.has(key) && seen.add(key);
-  });
+  const all = distinct(lists.flat());
   return [...all.filter((problem) => problem.file === file), ...all.filter((problem) => problem.file !== file)];
 }
