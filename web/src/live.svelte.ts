@@ -1,6 +1,6 @@
 // The run that is being lived, as this page knows it. All views share it, and it goes on while another view is looked at.
 
-import { Announcer } from './views/live/announce';
+import { Announcer } from './announce';
 import { Drafts } from './drafts.svelte';
 import { Firings } from './firings';
 import { type Calendar, calendarOf } from './localtime';
