@@ -9,7 +9,7 @@ import { Server, keepToken } from './server';
 import { Socket, type Status, type Wire } from './socket';
 import type { FiringView, Frame, RunView, Say, Tell } from './wire';
 
-export type Note = { id: number; text: string; bad: boolean };
+type Note = { id: number; text: string; bad: boolean };
 
 /** What is read as text need not change more often than one can read. */
 const TEXT_MS = 120;

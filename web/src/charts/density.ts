@@ -32,7 +32,7 @@ export function countAt({ days, hours, until_us }: Density, day: number, hour: n
 }
 
 /** From 0 to 1; few firings are seen beside many. */
-export function share(count: number, most: number): number {
+function share(count: number, most: number): number {
   return most === 0 ? 0 : Math.sqrt(count / most);
 }
 

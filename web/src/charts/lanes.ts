@@ -16,7 +16,7 @@ export function left(width: number): number {
   return Math.min(150, width * 0.3);
 }
 
-export function right(width: number): number {
+function right(width: number): number {
   return width - 12;
 }
 
@@ -31,7 +31,7 @@ export function instantAt(begin_us: number, end_us: number, width: number, x: nu
 }
 
 /** What somebody did, as a band above the lanes. */
-export type Band = { name: string; spans: readonly [begin: number, end: number, activity: number][] };
+type Band = { name: string; spans: readonly [begin: number, end: number, activity: number][] };
 
 /** A sensor, or several of one kind, and when they fired. */
 export type Lane = { name: string; kind: string; fired: ArrayLike<number> };

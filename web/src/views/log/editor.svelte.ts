@@ -8,7 +8,7 @@ import { type Change, type Path, apply, isObject, pathAt, valueOf } from '../../
 import type { FilesView, ProblemView } from '../../wire';
 import { type Logger, type Sensor, loggerOf, sensorsOf } from './logger';
 
-export type Placed = { problem: ProblemView; path: Path };
+type Placed = { problem: ProblemView; path: Path };
 
 export class Editor {
   private readonly history = new History<{ text: string }>();

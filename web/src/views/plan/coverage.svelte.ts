@@ -5,7 +5,7 @@ import { Latest } from '../../latest';
 import type { Server } from '../../server';
 import type { Draft, HomeView, PlanView, ProblemView, CoverageView } from '../../wire';
 
-export type Seen = { home: HomeView; coverage: CoverageView };
+type Seen = { home: HomeView; coverage: CoverageView };
 
 type Question = { draft: Draft; alone: Draft | null };
 

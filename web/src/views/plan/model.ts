@@ -45,7 +45,7 @@ export type Home = {
   before: Map<Element, number>;
 };
 
-export const WALL_THICKNESS_M = 0.1;
+const WALL_THICKNESS_M = 0.1;
 
 /** How far off a wall's middle line a door is in it still. */
 export const IN_WALL_M = 0.01;

@@ -7,7 +7,7 @@ import { type Element, type Home, IN_WALL_M, atOf, bearerOf, cornersKey, formOf,
 import { add, along, angleOf, direction, dot, exact, minus, onLine, rounded, times, toSegment, turn, wrapped } from './shape';
 import { type Guides, type Snapping, mount, snapPoint, snapShift, spanAt, targetsOf } from './snap';
 
-export type How = {
+type How = {
   /** Nothing where snapping is off. */
   snapping: Snapping | null;
   /** Of a wall: what hangs on it stays behind. */

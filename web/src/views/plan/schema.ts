@@ -28,7 +28,7 @@ export type Unit = 'm' | '°' | 's' | '°C' | 'lx' | 'W' | '%' | '/min' | '';
 
 export type Bounds = { least: number; most: number; whole: boolean };
 
-export type Option = { value: string; about: string };
+type Option = { value: string; about: string };
 
 export type Field = {
   path: Path;

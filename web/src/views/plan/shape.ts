@@ -18,7 +18,7 @@ export function dot(a: At, b: At): number {
   return a[0] * b[0] + a[1] * b[1];
 }
 
-export function cross(a: At, b: At): number {
+function cross(a: At, b: At): number {
   return a[0] * b[1] - a[1] * b[0];
 }
 

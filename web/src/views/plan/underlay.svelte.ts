@@ -6,7 +6,7 @@ import { type View, toScreen } from '../../plan/transform';
 import { add, exact, minus, rounded, times } from './shape';
 
 /** How it lies: the place of its middle, its width, and its turn against the clock. */
-export type Lies = { at: At; width_m: number; turn_deg: number; opacity: number };
+type Lies = { at: At; width_m: number; turn_deg: number; opacity: number };
 
 type Kept = Lies & { file: Blob; name: string };
 
