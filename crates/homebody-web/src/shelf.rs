@@ -43,7 +43,7 @@ impl Shelf {
     pub fn place_of(&self, name: &str) -> Option<PathBuf> {
         let own = name.strip_prefix(CONDITIONS).and_then(|rest| rest.strip_prefix('/')).unwrap_or(name);
         let is_plain = own.len() <= LONGEST_NAME && !own.starts_with('.') && !own.contains(['/', '\\', ':', '\0']);
-        (is_plain && is_written(own)).then(|| self.scenario.join(name))
+        if is_plain && is_written(own) { within(self.scenario.clone(), Path::new(name)) } else { None }
     }
 
     /// The names of all runs that have a recording, the latest first. The members of a cohort are in its folder: `cohort-1/0001`.
@@ -136,16 +136,20 @@ fn is_written(name: &str) -> bool {
 }
 
 /// A plain file below a folder, by its path.
-fn plain_file(mut file: PathBuf, path: &Path) -> Option<PathBuf> {
+fn plain_file(folder: PathBuf, path: &Path) -> Option<PathBuf> {
+    within(folder, path).filter(|file| file.is_file())
+}
+
+/// Where a path leads below a folder, be something there or not: neither up, nor away, nor along a link.
+fn within(mut folder: PathBuf, path: &Path) -> Option<PathBuf> {
     for part in path.components() {
-        // Neither up, nor away, nor along a link.
         let Component::Normal(part) = part else { return None };
-        file.push(part);
-        if fs::symlink_metadata(&file).ok()?.is_symlink() {
+        folder.push(part);
+        if fs::symlink_metadata(&folder).is_ok_and(|found| found.is_symlink()) {
             return None;
         }
     }
-    file.is_file().then_some(file)
+    Some(folder)
 }
 
 /// The folders in a folder, with when each was changed; links are none.

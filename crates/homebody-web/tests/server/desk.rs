@@ -56,6 +56,9 @@ fn all_files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let mut files = BTreeMap::new();
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
+        if path.is_symlink() {
+            continue;
+        }
         if path.is_dir() {
             files.extend(all_files(&path));
         } else {
@@ -133,27 +136,45 @@ fn nothing_is_written_under_a_name_that_is_no_plain_file_of_the_scenario() {
     let outside = served.folder.path().join("outside.json");
     fs::write(&outside, "{}").unwrap();
     #[cfg(unix)]
-    std::os::unix::fs::symlink(&outside, served.file("studio", "link.json")).unwrap();
+    {
+        use std::os::unix::fs::symlink;
+        symlink(&outside, served.file("studio", "link.json")).unwrap();
+        let elsewhere = served.folder.path().join("elsewhere");
+        fs::create_dir(&elsewhere).unwrap();
+        symlink(&elsewhere, served.file("studio", "conditions")).unwrap();
+    }
     let before = all_files(served.folder.path());
     let absolute = outside.to_string_lossy().into_owned();
-    let long = "a".repeat(300) + ".json";
-    for name in [
-        "../outside.json",
-        "..",
-        "",
-        ".hidden.json",
-        "a/b.json",
-        "conditions/../../outside.json",
-        "a\\b.json",
-        "c:a.json",
-        "a\0.json",
-        "log.db",
-        "a.json.exe",
-        "/etc/a.json",
-        "conditions//etc/a.json",
-        &absolute,
-        &long,
-    ] {
+    let mut names: Vec<String> = ["..", "", "log.db", "a.json.exe", "link.json", "conditions/outside.json", &absolute]
+        .map(str::to_owned)
+        .to_vec();
+    names.push("a".repeat(300) + ".json");
+    let ways = [
+        "../",
+        "..\\",
+        "/",
+        "//",
+        "\\\\server\\",
+        "./",
+        ".",
+        "a/",
+        "a\\",
+        "c:",
+        "c:/",
+        "\0",
+        "a\0",
+        "conditions/../",
+        "/proc/self/",
+    ];
+    for way in ways {
+        for again in ["", "../", "..\\", "conditions/", "x/../../"] {
+            for target in ["outside.json", "home.json", "etc/passwd.json", "a.routine", "\0.json"] {
+                names.push(format!("{way}{again}{target}"));
+                names.push(format!("conditions/{way}{again}{target}"));
+            }
+        }
+    }
+    for name in &names {
         let file = json!({ "name": name, "text": "x", "version": null });
         let answer = served.post("/api/files", &json!({ "files": [file] }));
         assert_eq!(answer.code, 422, "{name:?}");
