@@ -1,7 +1,8 @@
 // The scenario's files as somebody writes them: what is on disk, what was written since, and what is wrong with it. The views
 // that edit share one of these, so that a wall moved in one and a sentence written in another are checked and saved together.
 
-import type { Server } from './server';
+import { Latest } from './latest';
+import { type Server, said } from './server';
 import type { CheckView, Draft, FileView, FilesView, Save, SavedView } from './wire';
 
 /** How long after the last key everything is checked. */
@@ -19,14 +20,20 @@ export class Drafts {
   changed = $state.raw<FileView[]>([]);
   saving = $state(false);
 
-  private timer: ReturnType<typeof setTimeout> | undefined;
-  private checks = 0;
+  private readonly checks: Latest<Draft, CheckView>;
 
   /** @param note tells people what happened. */
   constructor(
     readonly server: Server,
     private readonly note: (text: string, bad: boolean) => void,
-  ) {}
+  ) {
+    this.checks = new Latest(
+      PAUSE_MS,
+      (draft) => server.post<CheckView>('/api/check', draft),
+      (check) => (this.check = check),
+      (why) => note(`The files cannot be checked: ${why}`, true),
+    );
+  }
 
   get unsaved(): string[] {
     return Object.keys(this.texts).sort();
@@ -159,25 +166,10 @@ export class Drafts {
   }
 
   private checkSoon(): void {
-    clearTimeout(this.timer);
-    this.timer = setTimeout(() => void this.checkNow(), PAUSE_MS);
-  }
-
-  private async checkNow(): Promise<void> {
-    const number = ++this.checks;
-    try {
-      const check = await this.server.post<CheckView>('/api/check', this.draft);
-      if (number === this.checks) this.check = check;
-    } catch (error) {
-      if (number === this.checks) this.note(`The files cannot be checked: ${said(error)}`, true);
-    }
+    this.checks.want(this.draft);
   }
 }
 
 function byName(a: FileView, b: FileView): number {
   return a.name < b.name ? -1 : 1;
-}
-
-export function said(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
 }

@@ -4,7 +4,7 @@
 import type { FiringView, Frame } from './wire';
 
 /** A firing; or how many there were of which no more is known. */
-export type Row = { firing: FiringView } | { missing: number; until_us: number };
+type Row = { firing: FiringView } | { missing: number; until_us: number };
 
 const KEPT = 500;
 

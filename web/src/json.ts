@@ -1,12 +1,34 @@
-// Small changes of a JSON text: a value is set or taken away at a path, and every other byte stays as somebody wrote it. What
-// is new is laid out as its neighbours are.
+// Small edits of a JSON text: line ends, indentation, blank lines and all else that is not meant stay as somebody wrote them, so
+// that an edited file differs from the one before in few lines. What is new is laid out as its neighbours are.
 
-import { type Node, findNodeAtOffset, getNodePath, parseTree } from 'jsonc-parser';
+import { type Node, type ParseError, findNodeAtOffset, getNodePath, parseTree, printParseErrorCode } from 'jsonc-parser';
+import { offsetOf } from './places';
 
 export type Path = (string | number)[];
 
-/** A line that would be longer is broken. */
+/** A value takes the place of another, or is added with all that is missing on the way there; `undefined` takes away what is there. */
+export type Change = { path: Path; value: unknown };
+
+export type Fault = { what: string; offset: number };
+
+type Edit = { offset: number; length: number; content: string };
+
+/** A line that would grow longer is broken. */
 const WIDEST = 100;
+
+const WORDS: Record<string, string> = {
+  InvalidSymbol: 'this is no JSON',
+  InvalidNumberFormat: 'this is no number',
+  PropertyNameExpected: 'the name of a property, in double quotes, is missing',
+  ValueExpected: 'a value is missing',
+  ColonExpected: 'a colon is missing',
+  CommaExpected: 'a comma is missing',
+  CloseBraceExpected: 'a closing brace is missing',
+  CloseBracketExpected: 'a closing bracket is missing',
+  EndOfFileExpected: 'something stands behind the end',
+  InvalidCommentToken: 'JSON has no comments',
+  UnexpectedEndOfString: 'the closing quote of a text is missing',
+};
 
 /** What a text says; nothing where it is not JSON. */
 export function valueOf(text: string): unknown {
@@ -21,123 +43,189 @@ export function isObject(value: unknown): value is Record<string, unknown> {
   return typeof value === 'object' && value !== null && !Array.isArray(value);
 }
 
-/** The text with a value at a path; what is missing on the way there is made. A text that is not JSON stays as it is. */
-export function withValue(text: string, path: Path, value: unknown): string {
-  const root = tree(text);
-  if (root === null) return text;
-  let node = root;
-  for (const [index, part] of path.entries()) {
-    const next = childAt(node, part);
-    if (next === null) {
-      const rest = nested(path.slice(index + 1), value);
-      const fits = node.type === (typeof part === 'string' ? 'object' : 'array');
-      return fits ? inserted(text, node, part, rest) : replaced(text, node, nested([part], rest));
-    }
-    node = next;
+/** The tree of a text, or why there is none. */
+export function tree(text: string): Node | Fault {
+  const errors: ParseError[] = [];
+  let root: Node | undefined;
+  try {
+    root = parseTree(text, errors, { disallowComments: true });
+  } catch {
+    return { what: 'this is nested too deep', offset: 0 };
   }
-  return replaced(text, node, value);
+  const error = errors[0];
+  if (error !== undefined) return { what: WORDS[printParseErrorCode(error.error)] ?? 'this is no JSON', offset: error.offset };
+  return root ?? { what: 'the file is empty', offset: 0 };
 }
 
-/** The text without what is at a path, and without the comma that parted it from its neighbour. */
-export function without(text: string, path: Path): string {
+export function isFault(read: Node | Fault): read is Fault {
+  return 'what' in read;
+}
+
+/** The text with the changes, of which none is inside another; a text that is not JSON stays as it is. */
+export function apply(text: string, changes: Change[]): string {
   const root = tree(text);
-  let node = root;
-  for (const part of path) node = node && childAt(node, part);
-  if (node === null || node === root) return text;
-  const own = node.parent!.type === 'property' ? node.parent! : node;
-  const all = own.parent!.children!;
-  const at = all.indexOf(own);
-  const [before, after] = [all[at - 1], all[at + 1]];
-  if (after) return cut(text, own.offset, after.offset, '');
-  if (before) return cut(text, end(before), end(own), '');
-  return cut(text, own.parent!.offset + 1, end(own.parent!) - 1, '');
+  if (isFault(root)) return text;
+  const found = changes.map(({ path, value }) => ({ path, value, node: nodeAt(root, path) }));
+  let next = splice(text, found.flatMap(({ node, value }) => (node === null || value === undefined ? [] : replace(text, node, value))));
+  // What is added or taken away may stand beside what was so before it.
+  const edit = (edits: (root: Node) => Edit[]) => {
+    const now = tree(next);
+    if (!isFault(now)) next = splice(next, edits(now));
+  };
+  for (const { path, value, node } of found) if (node === null && value !== undefined) edit((now) => put(next, now, path, value));
+  // From the end, so that what stands before in a list keeps its number.
+  const gone = found.filter(({ node, value }) => node !== null && value === undefined).sort((a, b) => b.node!.offset - a.node!.offset);
+  for (const { path } of gone) edit((now) => takeOut(next, nodeAt(now, path)));
+  return next;
 }
 
-/** The path of what stands at a line and a column, both from 1, in characters; nothing where nothing stands there. */
+/** The text with one more element at the end of a list of its object; it comes on a line of its own, if the others have one. */
+export function insert(text: string, list: string, value: unknown): string {
+  const root = tree(text);
+  if (isFault(root) || root.type !== 'object') return text;
+  const array = childAt(root, list);
+  if (array === null) return insert(apply(text, [{ path: [list], value: [] }]), list, value);
+  return array.type === 'array' ? splice(text, [add(text, array, array.children!.length, value)]) : text;
+}
+
+/** The path of what stands at a line and a column; nothing where nothing stands there. */
 export function pathAt(text: string, line: number, column: number): Path | null {
   const root = tree(text);
-  if (root === null || line < 1) return null;
-  const lines = text.split('\n');
-  if (line > lines.length) return null;
-  const before = lines.slice(0, line - 1).reduce((sum, one) => sum + one.length + 1, 0);
-  const within = [...lines[line - 1]!].slice(0, Math.max(column - 1, 0)).join('').length;
-  const node = findNodeAtOffset(root, before + within, true);
+  if (isFault(root) || line < 1 || line > text.split('\n').length) return null;
+  const node = findNodeAtOffset(root, offsetOf(text, line, column), true);
   return node === undefined ? null : getNodePath(node);
 }
 
-/** A value as it is written into a file: on one line, if that is short enough. */
-export function written(value: unknown, indent = '', unit = '  ', eol = '\n'): string {
-  const short = onLine(value);
-  if (indent.length + short.length <= WIDEST || typeof value !== 'object' || value === null) return short;
-  const deeper = indent + unit;
-  const parts = Array.isArray(value)
-    ? value.map((one) => written(one, deeper, unit, eol))
-    : Object.entries(value).map(([key, one]) => `${JSON.stringify(key)}: ${written(one, deeper, unit, eol)}`);
-  const [open, close] = Array.isArray(value) ? ['[', ']'] : ['{', '}'];
-  return `${open}${eol}${parts.map((part) => deeper + part).join(`,${eol}`)}${eol}${indent}${close}`;
-}
-
-function onLine(value: unknown): string {
-  if (Array.isArray(value)) return `[${value.map(onLine).join(', ')}]`;
-  if (!isObject(value)) return JSON.stringify(value);
-  const parts = Object.entries(value).map(([key, one]) => `${JSON.stringify(key)}: ${onLine(one)}`);
-  return parts.length === 0 ? '{}' : `{ ${parts.join(', ')} }`;
-}
-
-function tree(text: string): Node | null {
-  if (valueOf(text) === undefined) return null;
-  try {
-    return parseTree(text) ?? null;
-  } catch {
-    // Brackets nested by the thousand.
-    return null;
+function splice(text: string, edits: Edit[]): string {
+  const ordered = edits.map((edit, order) => ({ ...edit, order })).sort((a, b) => a.offset - b.offset || a.order - b.order);
+  let [done, at] = ['', 0];
+  for (const { offset, length, content } of ordered) {
+    done += text.slice(at, offset) + content;
+    at = offset + length;
   }
+  return done + text.slice(at);
 }
 
-/** Of a key that stands twice the last one counts. */
+/** Of a key that stands twice the last one counts, as the program reads it. */
 function childAt(node: Node, part: string | number): Node | null {
   if (node.type === 'array') return typeof part === 'number' ? (node.children![part] ?? null) : null;
   if (node.type !== 'object') return null;
   return node.children!.findLast(({ children }) => children![0]!.value === part)?.children![1] ?? null;
 }
 
+function nodeAt(root: Node, path: Path): Node | null {
+  return path.reduce<Node | null>((node, part) => node && childAt(node, part), root);
+}
+
+/** What is of another kind than the path wants gives way. */
+function put(text: string, root: Node, path: Path, value: unknown): Edit[] {
+  let node = root;
+  for (const [index, part] of path.entries()) {
+    const next = childAt(node, part);
+    if (next === null) {
+      const rest = nested(path.slice(index + 1), value);
+      if (node.type !== (typeof part === 'string' ? 'object' : 'array')) return replace(text, node, nested([part], rest));
+      // An element far behind the end of a list is of a list that is not there any more.
+      return typeof part === 'number' && part !== node.children!.length ? [] : [add(text, node, part, rest)];
+    }
+    node = next;
+  }
+  return replace(text, node, value);
+}
+
 function nested(path: Path, value: unknown): unknown {
   return path.reduceRight((inner, part) => (typeof part === 'string' ? { [part]: inner } : [inner]), value);
 }
 
-function inserted(text: string, into: Node, key: string | number, value: unknown): string {
-  const [eol, unit] = [endOfLine(text), unitOf(text)];
+/** Only the numbers that differ, where the forms are the same. */
+function replace(text: string, node: Node, value: unknown): Edit[] {
+  const children = node.children ?? [];
+  if (node.type === 'array' && Array.isArray(value) && value.length === children.length) {
+    return children.flatMap((child, index) => replace(text, child, value[index]));
+  }
+  if (node.type !== 'array' && node.type !== 'object' && node.value === value) return [];
+  const content = isInList(node) ? onLine(value) : written(value, indentAt(text, node.offset), unitOf(text), newlineOf(text));
+  return [{ offset: node.offset, length: node.length, content }];
+}
+
+function add(text: string, into: Node, key: string | number, value: unknown): Edit {
+  const [newline, unit, outer] = [newlineOf(text), unitOf(text), indentAt(text, into.offset)];
   const all = into.children!;
-  const outer = indentAt(text, into.offset);
-  const broken = all.length > 0 ? text.slice(into.offset, all[0]!.offset).includes('\n') : into.parent === undefined;
-  const indent = !broken ? outer : all.length > 0 ? indentAt(text, all[0]!.offset) : outer + unit;
+  const last = all.at(-1);
   const name = typeof key === 'string' ? `${JSON.stringify(key)}: ` : '';
-  const part = name + written(value, indent, unit, eol);
-  if (broken) {
-    if (all.length === 0) return cut(text, into.offset + 1, end(into) - 1, `${eol}${indent}${part}${eol}${outer}`);
-    return cut(text, end(all.at(-1)!), end(all.at(-1)!), `,${eol}${indent}${part}`);
+  const within = (content: string): Edit => ({ offset: into.offset + 1, length: into.length - 2, content });
+  const behind = (content: string): Edit => ({ offset: end(last ?? into), length: 0, content });
+  const isOpen = indentOf(text, (into.parent ?? into).offset) !== null;
+  const first = into.parent === undefined || (isOpen && into.type === 'array' && isObject(value)) ? outer + unit : null;
+  const indent = last ? indentOf(text, last.offset) : first;
+  if (indent !== null) {
+    const spread = into.type === 'array' && isObject(value) && last !== undefined && text.slice(last.offset, end(last)).includes('\n');
+    const one = spread ? JSON.stringify(value, null, unit).replaceAll('\n', newline + indent)
+      : into.type === 'array' || isInList(into) ? onLine(value)
+      : written(value, indent, unit, newline);
+    return last ? behind(`,${newline}${indent}${name}${one}`) : within(`${newline}${indent}${name}${one}${newline}${outer}`);
   }
   const space = into.type === 'object' ? ' ' : '';
-  const last = all.at(-1);
-  const flat = last ? cut(text, end(last), end(last), `, ${part}`) : cut(text, into.offset + 1, end(into) - 1, space + part + space);
-  if (lineAt(flat, into.offset).length <= WIDEST) return flat;
-  const parts = [...all.map((one) => text.slice(one.offset, end(one))), name + written(value, outer + unit, unit, eol)];
-  return cut(text, into.offset + 1, end(into) - 1, `${parts.map((one) => `${eol}${outer}${unit}${one}`).join(',')}${eol}${outer}`);
+  const flat = last ? behind(`, ${name}${onLine(value)}`) : within(space + name + onLine(value) + space);
+  const breaks = isOpen && !isInList(into) && lineAt(text, into.offset).length <= WIDEST && lineAt(splice(text, [flat]), into.offset).length > WIDEST;
+  if (!breaks) return flat;
+  const parts = [...all.map((one) => text.slice(one.offset, end(one))), name + written(value, outer + unit, unit, newline)];
+  return within(`${parts.map((one) => `${newline}${outer}${unit}${one}`).join(',')}${newline}${outer}`);
 }
 
-function replaced(text: string, node: Node, value: unknown): string {
-  return cut(text, node.offset, end(node), written(value, indentAt(text, node.offset), unitOf(text), endOfLine(text)));
+/** An element or a property goes, with the comma that is left over, and with its line if it has one to itself. */
+function takeOut(text: string, value: Node | null): Edit[] {
+  const node = value?.parent?.type === 'property' ? value.parent : value;
+  if (node?.parent === undefined) return [];
+  const siblings = node.parent.children!;
+  const index = siblings.indexOf(node);
+  const [before, after] = [siblings[index - 1], siblings[index + 1]];
+  if (before === undefined && after === undefined) {
+    const { offset, length, type } = node.parent;
+    return [{ offset, length, content: type === 'array' ? '[]' : '{}' }];
+  }
+  const comma = after === undefined ? end(node) : text.indexOf(',', end(node)) + 1;
+  const rest = /^[ \t]*(\r?\n)/.exec(text.slice(comma));
+  const indent = indentOf(text, node.offset);
+  if (indent !== null && rest !== null) {
+    const begin = node.offset - indent.length;
+    const line = { offset: begin, length: comma + rest[0].length - begin, content: '' };
+    if (after !== undefined || before === undefined) return [line];
+    return [{ offset: end(before), length: text.indexOf(',', end(before)) + 1 - end(before), content: '' }, line];
+  }
+  const [from, to] = after !== undefined ? [node.offset, after.offset] : [end(before!), end(node)];
+  return [{ offset: from, length: to - from, content: '' }];
 }
 
-function cut(text: string, from: number, to: number, by: string): string {
-  return text.slice(0, from) + by + text.slice(to);
+/** A value on one line, if that is short enough. */
+function written(value: unknown, indent: string, unit: string, newline: string): string {
+  const short = onLine(value);
+  if (indent.length + short.length <= WIDEST || typeof value !== 'object' || value === null) return short;
+  const deeper = indent + unit;
+  const parts = Array.isArray(value)
+    ? value.map((one) => written(one, deeper, unit, newline))
+    : Object.entries(value).flatMap(([key, one]) => (one === undefined ? [] : [`${JSON.stringify(key)}: ${written(one, deeper, unit, newline)}`]));
+  const [open, close] = Array.isArray(value) ? ['[', ']'] : ['{', '}'];
+  return `${open}${newline}${parts.map((part) => deeper + part).join(`,${newline}`)}${newline}${indent}${close}`;
+}
+
+function onLine(value: unknown): string {
+  if (Array.isArray(value)) return `[${value.map(onLine).join(', ')}]`;
+  if (!isObject(value)) return JSON.stringify(value);
+  const parts = Object.entries(value).flatMap(([key, one]) => (one === undefined ? [] : [`${JSON.stringify(key)}: ${onLine(one)}`]));
+  return parts.length === 0 ? '{}' : `{ ${parts.join(', ')} }`;
+}
+
+/** An element of a list, such as a wall, keeps to one line, however long; and so does all in it. */
+function isInList({ parent }: Node): boolean {
+  return parent !== undefined && (parent.type === 'array' || isInList(parent));
 }
 
 function end(node: Node): number {
   return node.offset + node.length;
 }
 
-function endOfLine(text: string): string {
+function newlineOf(text: string): string {
   return text.includes('\r\n') ? '\r\n' : '\n';
 }
 
@@ -154,4 +242,11 @@ function lineAt(text: string, offset: number): string {
 
 function indentAt(text: string, offset: number): string {
   return /^[ \t]*/.exec(lineAt(text, offset))![0];
+}
+
+/** What stands before something on its line, if that is only blanks, and if the text has more lines before. */
+function indentOf(text: string, offset: number): string | null {
+  const begin = text.lastIndexOf('\n', offset - 1) + 1;
+  const before = text.slice(begin, offset);
+  return begin > 0 && /^[ \t]*$/.test(before) ? before : null;
 }

@@ -1,6 +1,6 @@
 // The run that is being lived, as this page knows it. All views share it, and it goes on while another view is looked at.
 
-import { Announcer } from './views/live/announce';
+import { Announcer } from './announce';
 import { Drafts } from './drafts.svelte';
 import { Firings } from './firings';
 import { type Calendar, calendarOf } from './localtime';
@@ -9,7 +9,7 @@ import { Server, keepToken } from './server';
 import { Socket, type Status, type Wire } from './socket';
 import type { FiringView, Frame, RunView, Say, Tell } from './wire';
 
-export type Note = { id: number; text: string; bad: boolean };
+type Note = { id: number; text: string; bad: boolean };
 
 /** What is read as text need not change more often than one can read. */
 const TEXT_MS = 120;

@@ -15,3 +15,18 @@ export function routeOf(hash: string): Route {
   const asked = hash.replace(/^#\/?/, '').split('/')[0];
   return ROUTES.find((route) => route.id === asked)?.id ?? 'live';
 }
+
+/** NAME of `#/life/NAME`; nothing where the address is of another view, or names nothing. */
+export function nameIn(hash: string, route: Route): string | null {
+  const begin = `#/${route}/`;
+  if (!hash.startsWith(begin) || hash === begin) return null;
+  try {
+    return decodeURIComponent(hash.slice(begin.length));
+  } catch {
+    return null;
+  }
+}
+
+export function hashOf(route: Route, name: string): string {
+  return `#/${route}/${encodeURIComponent(name)}`;
+}

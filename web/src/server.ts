@@ -102,6 +102,11 @@ export class Server {
   }
 }
 
+/** What an error says. */
+export function said(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
+
 /** The path of a run's file; a run is a folder's name, which may hold anything. */
 export function runPath(id: string, file: 'log' | 'recording'): string {
   return `/api/runs/${encodeURIComponent(id)}/${file}`;

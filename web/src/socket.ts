@@ -20,7 +20,7 @@ export type Wire = {
   close(): void;
 };
 
-export type Hears = {
+type Hears = {
   status(status: Status): void;
   frame(frame: Frame): void;
   tell(tell: Tell): void;

@@ -3,6 +3,7 @@
 import { date, read } from '../clock';
 import { livedOf } from '../localtime';
 import { type Palette, viridis } from '../plan/palette';
+import { penOf, pixelRatio } from '../plan/pen';
 import type { DateView } from '../wire';
 
 export const HOURS = 24;
@@ -31,17 +32,14 @@ export function countAt({ days, hours, until_us }: Density, day: number, hour: n
 }
 
 /** From 0 to 1; few firings are seen beside many. */
-export function share(count: number, most: number): number {
+function share(count: number, most: number): number {
   return most === 0 ? 0 : Math.sqrt(count / most);
 }
 
-export function drawDensity(canvas: HTMLCanvasElement, width: number, high: number, dpr: number, density: Density, palette: Palette): void {
-  const pen = canvas.getContext('2d');
-  if (pen === null || width < 1) return;
-  const [pixelsWide, pixelsHigh] = [Math.round(width * dpr), Math.round(high * dpr)];
-  // Setting the size clears a canvas and gets it new memory.
-  if (canvas.width !== pixelsWide || canvas.height !== pixelsHigh) [canvas.width, canvas.height] = [pixelsWide, pixelsHigh];
-  pen.setTransform(dpr, 0, 0, dpr, 0, 0);
+export function drawDensity(canvas: HTMLCanvasElement, width: number, high: number, density: Density, palette: Palette): void {
+  const pen = penOf(canvas, width, high);
+  if (pen === null) return;
+  const ratio = pixelRatio();
   hatch(pen, width, high, palette);
   const [wide, tall] = [width / Math.max(density.days.length, 1), high / HOURS];
   for (let day = 0; day < density.days.length; day++) {
@@ -50,8 +48,8 @@ export function drawDensity(canvas: HTMLCanvasElement, width: number, high: numb
       if (count === null) continue;
       pen.fillStyle = count === 0 ? palette.halo : viridis(share(count, density.most));
       // Neighbours meet at whole pixels, or a seam would be seen between them.
-      const [left, top] = [Math.round(day * wide * dpr) / dpr, Math.round(hour * tall * dpr) / dpr];
-      pen.fillRect(left, top, Math.max(Math.round((day + 1) * wide * dpr) / dpr - left, 1), Math.round((hour + 1) * tall * dpr) / dpr - top);
+      const [left, top] = [Math.round(day * wide * ratio) / ratio, Math.round(hour * tall * ratio) / ratio];
+      pen.fillRect(left, top, Math.max(Math.round((day + 1) * wide * ratio) / ratio - left, 1), Math.round((hour + 1) * tall * ratio) / ratio - top);
     }
   }
 }

@@ -4,7 +4,7 @@ import { type Calendar, clockOf } from '../localtime';
 import { kindOf } from '../plan/kinds';
 import { colourOf } from '../plan/moving';
 import { type Palette, contrast, mix } from '../plan/palette';
-import { FONT, glyph } from '../plan/pen';
+import { FONT, glyph, penOf } from '../plan/pen';
 import { fitting, isolated } from '../plan/words';
 
 export const LANE = 15;
@@ -16,7 +16,7 @@ export function left(width: number): number {
   return Math.min(150, width * 0.3);
 }
 
-export function right(width: number): number {
+function right(width: number): number {
   return width - 12;
 }
 
@@ -31,7 +31,7 @@ export function instantAt(begin_us: number, end_us: number, width: number, x: nu
 }
 
 /** What somebody did, as a band above the lanes. */
-export type Band = { name: string; spans: readonly [begin: number, end: number, activity: number][] };
+type Band = { name: string; spans: readonly [begin: number, end: number, activity: number][] };
 
 /** A sensor, or several of one kind, and when they fired. */
 export type Lane = { name: string; kind: string; fired: ArrayLike<number> };
@@ -43,16 +43,12 @@ export function height(bands: number, lanes: number): number {
   return AXIS + bands * BAND + lanes * LANE + 4;
 }
 
-export function drawLanes(canvas: HTMLCanvasElement, width: number, dpr: number, { calendar, number, bands, activities, lanes }: DayDrawing, palette: Palette): void {
-  const pen = canvas.getContext('2d');
+export function drawLanes(canvas: HTMLCanvasElement, width: number, { calendar, number, bands, activities, lanes }: DayDrawing, palette: Palette): void {
   const day = calendar.days[number];
-  if (pen === null || day === undefined || width < 1) return;
+  if (day === undefined) return;
   const high = height(bands.length, lanes.length);
-  const [pixelsWide, pixelsHigh] = [Math.round(width * dpr), Math.round(high * dpr)];
-  // Setting the size clears a canvas and gets it new memory.
-  if (canvas.width !== pixelsWide || canvas.height !== pixelsHigh) [canvas.width, canvas.height] = [pixelsWide, pixelsHigh];
-  pen.setTransform(dpr, 0, 0, dpr, 0, 0);
-  pen.clearRect(0, 0, width, high);
+  const pen = penOf(canvas, width, high);
+  if (pen === null) return;
   const { begin_us, end_us } = day;
   const x = (at: number) => xOf(begin_us, end_us, width, Math.min(Math.max(at, begin_us), end_us));
   pen.textBaseline = 'middle';

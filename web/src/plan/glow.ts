@@ -45,7 +45,7 @@ export class Eased {
   }
 }
 
-export type Pulse = { sensor: number; since_ms: number };
+type Pulse = { sensor: number; since_ms: number };
 
 const PULSE_MS = 1100;
 const MOST_A_SECOND = 3;

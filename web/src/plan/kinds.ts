@@ -5,7 +5,7 @@ import type { At } from './geometry';
 
 export type Kind = { word: string; shape: Shape; colour: string };
 
-export type Shape = 'arrow' | 'ring' | 'pill' | 'gap' | 'hexagon' | 'bolt' | 'flame' | 'drop' | 'star' | 'cross' | 'square';
+type Shape = 'arrow' | 'ring' | 'pill' | 'gap' | 'hexagon' | 'bolt' | 'flame' | 'drop' | 'star' | 'cross' | 'square';
 
 const KINDS: Record<string, Kind> = {
   motion: { word: 'motion, on a wall', shape: 'arrow', colour: okabeIto.blue },

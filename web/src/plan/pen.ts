@@ -9,6 +9,24 @@ export type Pen = CanvasRenderingContext2D;
 
 export const FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif';
 
+/** Pixels of the screen for each of the page's; more than two are not seen. */
+export function pixelRatio(): number {
+  return Math.min(window.devicePixelRatio, 2);
+}
+
+/** To draw on an empty canvas, in pixels of the page; nothing while it has no size. */
+export function penOf(canvas: HTMLCanvasElement, width: number, height: number): Pen | null {
+  const pen = canvas.getContext('2d');
+  if (pen === null || width < 1) return null;
+  const ratio = pixelRatio();
+  const [wide, high] = [Math.round(width * ratio), Math.round(height * ratio)];
+  // Setting the size clears a canvas and gets it new memory.
+  if (canvas.width !== wide || canvas.height !== high) [canvas.width, canvas.height] = [wide, high];
+  pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+  pen.clearRect(0, 0, width, height);
+  return pen;
+}
+
 export function trace(pen: Pen, view: View, outline: At[]): void {
   outline.forEach((point, index) => {
     const [x, y] = toScreen(view, point);

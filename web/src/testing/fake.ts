@@ -36,7 +36,7 @@ export function hostile(name: string): string {
   return tricks[name.length % tricks.length]!;
 }
 
-export class FakeServer implements Wire {
+class FakeServer implements Wire {
   binaryType = 'arraybuffer';
   onopen: (() => void) | null = null;
   onmessage: ((event: { data: unknown }) => void) | null = null;

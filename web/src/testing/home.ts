@@ -59,7 +59,7 @@ const THINGS: [string, ThingView['kind']][] = [
 
 const KINDS = ['bed', 'contact', 'stove_temperature', 'pressure', 'power', 'flow', 'light', 'temperature', 'ceiling_motion'];
 
-export function corners([left, bottom, right, top]: Rect): At[] {
+function corners([left, bottom, right, top]: Rect): At[] {
   return [[left, bottom], [right, bottom], [right, top], [left, top]];
 }
 

@@ -62,7 +62,7 @@ function explained(file: string, text: string): ExplainView {
 }
 
 /** Two weeks or more from 2 March on, of which the 8th has 23 hours; with a condition she gets up later. */
-export function lived({ from, days, without }: Month, shows: boolean, names: string[]): MonthView {
+function lived({ from, days, without }: Month, shows: boolean, names: string[]): MonthView {
   const later = shows && !without.includes('depression') ? 1.5 * HOUR_US : 0;
   const dates = Array.from({ length: Math.min(from + days, 30) }, (_, day) => {
     const begin_us = day * DAY_US - (day > 6 ? HOUR_US : 0);

@@ -3,7 +3,7 @@
 
 import { type Palette, okabeIto } from '../../plan/palette';
 
-export type ActivityKind = { id: string; name: string; colour: (palette: Palette) => string };
+type ActivityKind = { id: string; name: string; colour: (palette: Palette) => string };
 
 const kind = (id: string, name: string, colour: string): ActivityKind => ({ id, name, colour: () => colour });
 

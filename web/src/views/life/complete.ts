@@ -3,7 +3,7 @@
 
 import type { WordKind, WordView } from '../../wire';
 
-export type Offer = {
+type Offer = {
   word: WordView;
   /** Where in the line it begins to replace what stands there. */
   from: number;

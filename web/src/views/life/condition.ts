@@ -41,7 +41,7 @@ export function withLine(text: string, line: string): string {
   return `${before}${before === '' ? '' : end}${line}${end}`;
 }
 
-export type Course = {
+type Course = {
   /** Days counted from 0: the first on which it is there, the first of its strongest, and the last. */
   begins: number;
   full: number;

@@ -1,7 +1,7 @@
 // Draws days: each as a row of the clock's 24 hours, or one of them large.
 
 import { type Palette, contrast } from '../../plan/palette';
-import { FONT, type Pen } from '../../plan/pen';
+import { FONT, type Pen, penOf } from '../../plan/pen';
 import { fitting, isolated } from '../../plan/words';
 import type { DateView, MonthView } from '../../wire';
 import { hours as drawHours, left, xOf } from '../../charts/lanes';
@@ -23,12 +23,8 @@ function edges(width: number, named: boolean): [number, number] {
 }
 
 function begin(canvas: HTMLCanvasElement, width: number, high: number): Pen | null {
-  const pen = canvas.getContext('2d');
-  if (pen === null || width < 1) return null;
-  const dpr = Math.min(window.devicePixelRatio, 2);
-  [canvas.width, canvas.height] = [Math.round(width * dpr), Math.round(high * dpr)];
-  pen.setTransform(dpr, 0, 0, dpr, 0, 0);
-  pen.textBaseline = 'middle';
+  const pen = penOf(canvas, width, high);
+  if (pen !== null) pen.textBaseline = 'middle';
   return pen;
 }
 

@@ -12,7 +12,7 @@ import { placeOf } from './marks';
 import { look } from './look';
 
 /** What the editor asks of whoever shows it, at the time at which it needs it. */
-export type Host = {
+type Host = {
   /** What may be written, and the names of the person. */
   words: () => readonly WordView[];
   names: () => string[];

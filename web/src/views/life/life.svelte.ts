@@ -1,8 +1,8 @@
 // Whose life is written, how it was understood, and what some days of it are like.
 
+import { Latest } from '../../latest';
 import type { Live } from '../../live.svelte';
 import type { Draft, Explain, ExplainView, Month, MonthView, ProblemView } from '../../wire';
-import { Latest } from './latest';
 
 const EXPLAIN_MS = 250;
 const MONTH_MS = 400;

@@ -1,17 +1,8 @@
-// Where a problem is in a text. The server counts characters as Unicode does, the editor in the units of JavaScript, in which
-// a rare character is two.
+// Where a problem is in the editor's text.
 
+import { unitsAfter } from '../../places';
+import { distinct } from '../../problems';
 import type { ProblemView } from '../../wire';
-
-/** The place in a line after so many of its characters. */
-export function unitsAfter(line: string, characters: number): number {
-  let [units, left] = [0, characters];
-  while (left > 0 && units < line.length) {
-    units += line.codePointAt(units)! > 0xffff ? 2 : 1;
-    left -= 1;
-  }
-  return units;
-}
 
 type Lines = { lines: number; line: (number: number) => { from: number; to: number; text: string } };
 
@@ -27,10 +18,6 @@ export function placeOf(problem: ProblemView, doc: Lines): { from: number; to: n
 
 /** All that is wrong and known, each thing once: what the routine says of itself comes first. */
 export function together(file: string, ...lists: ProblemView[][]): ProblemView[] {
-  const seen = new Set<string>();
-  const all = lists.flat().filter((problem) => {
-    const key = JSON.stringify([problem.file, problem.line, problem.column, problem.what]);
-    return !seen.has(key) && seen.add(key);
-  });
+  const all = distinct(lists.flat());
   return [...all.filter((problem) => problem.file === file), ...all.filter((problem) => problem.file !== file)];
 }

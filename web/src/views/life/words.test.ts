@@ -3,7 +3,7 @@ import { WORDS } from '../../testing/life';
 import type { ProblemView } from '../../wire';
 import { ACTIVITY_KINDS, activityKind } from './activities';
 import { calls, courseOf, others, sentenceOf, strength, withLine } from './condition';
-import { placeOf, together, unitsAfter } from './marks';
+import { placeOf, together } from './marks';
 import { stacked } from './rows';
 import { bar, lasting, often } from './words';
 
@@ -15,8 +15,6 @@ const doc = (text: string) => {
 const problem = (line: number, column: number, width: number, with_: Partial<ProblemView> = {}): ProblemView => ({ file: 'a', line, column, width, what: 'wrong', hint: null, ...with_ });
 
 test('problems are counted in characters, the editor in units', () => {
-  expect(unitsAfter('a👩b', 2)).toBe(3);
-  expect(unitsAfter('ab', 9)).toBe(2);
   expect(placeOf(problem(2, 3, 2), doc('x\n👩 ab'))).toEqual({ from: 5, to: 7 });
   expect(placeOf(problem(1, 0, 0), doc('abc'))).toEqual({ from: 0, to: 3 });
   expect(placeOf(problem(1, 2, 0), doc('abc'))).toEqual({ from: 1, to: 2 });

@@ -1,6 +1,6 @@
 import { beforeEach, expect, test } from 'vitest';
 import type { Key } from '../../wire';
-import { HeldKeys, type Pressed, takesSpace } from './keys';
+import { HeldKeys, type Pressed } from './keys';
 
 let said: Key[][];
 let keys: HeldKeys;
@@ -78,13 +78,4 @@ test('after a cut what is held is said anew', () => {
   keys.forget();
   keys.down(pressed('KeyW'));
   expect(said).toEqual([['up'], ['up']]);
-});
-
-test('Space belongs to the run, except where it means something else', () => {
-  const [input, button, plan] = [document.createElement('input'), document.createElement('button'), document.createElement('div')];
-  expect(takesSpace(null, null)).toBe(false);
-  expect(takesSpace(plan, null)).toBe(false);
-  expect(takesSpace(input, input)).toBe(true);
-  expect(takesSpace(button, null)).toBe(true);
-  expect(takesSpace(button, button)).toBe(false);
 });

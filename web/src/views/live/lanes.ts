@@ -3,7 +3,7 @@
 import { type Firings, LANE_US } from '../../firings';
 import { kindOf } from '../../plan/kinds';
 import type { Palette } from '../../plan/palette';
-import { FONT, glyph } from '../../plan/pen';
+import { FONT, glyph, penOf } from '../../plan/pen';
 import { fitting, isolated } from '../../plan/words';
 import type { SensorView } from '../../wire';
 
@@ -18,15 +18,10 @@ export function tickAt(at_us: number, now_us: number, left: number, right: numbe
   return ago < 0 || ago > LANE_US ? null : right - (ago / LANE_US) * (right - left);
 }
 
-export function drawStrip(canvas: HTMLCanvasElement, width: number, dpr: number, sensors: SensorView[], firings: Firings, palette: Palette): void {
+export function drawStrip(canvas: HTMLCanvasElement, width: number, sensors: SensorView[], firings: Firings, palette: Palette): void {
   const height = sensors.length * LANE + AXIS;
-  const pen = canvas.getContext('2d');
+  const pen = penOf(canvas, width, height);
   if (pen === null) return;
-  const [wide, high] = [Math.round(width * dpr), Math.round(height * dpr)];
-  // Setting the size clears a canvas and gets it new memory.
-  if (canvas.width !== wide || canvas.height !== high) [canvas.width, canvas.height] = [wide, high];
-  pen.setTransform(dpr, 0, 0, dpr, 0, 0);
-  pen.clearRect(0, 0, width, height);
   const [left, right] = [Math.min(190, width * 0.32), width - 14];
   axis(pen, left, right, height, palette);
   sensors.forEach((sensor, index) => {

@@ -3,29 +3,17 @@
 
 import { untrack } from 'svelte';
 import type { Drafts } from '../../drafts.svelte';
-import { type Path, isObject, pathAt, valueOf, withValue, without } from '../../json';
+import { History } from '../../history.svelte';
+import { type Change, type Path, apply, isObject, pathAt, valueOf } from '../../json';
 import type { FilesView, ProblemView } from '../../wire';
 import { type Logger, type Sensor, loggerOf, sensorsOf } from './logger';
 
-/** Letters that are typed into one field within this time are taken back together. */
-const TOGETHER_MS = 1000;
-const KEPT = 200;
-
-export type Placed = { problem: ProblemView; path: Path };
-
-/** A change of the file: a value at a path, or nothing there. */
-export type Change = [path: Path, value: unknown];
+type Placed = { problem: ProblemView; path: Path };
 
 export class Editor {
-  /** What the text was, the latest last. */
-  private past = $state.raw<string[]>([]);
-  private future = $state.raw<string[]>([]);
-  private last = { key: '', at_ms: 0 };
+  private readonly history = new History<{ text: string }>();
 
-  constructor(
-    private readonly drafts: Drafts,
-    private readonly now_ms: () => number = () => performance.now(),
-  ) {}
+  constructor(private readonly drafts: Drafts) {}
 
   /** The file's name; nothing where the scenario links none. */
   readonly name: string | null = $derived.by(() => {
@@ -72,47 +60,36 @@ export class Editor {
   });
 
   get canUndo(): boolean {
-    return this.past.length > 0;
+    return this.history.canUndo;
   }
 
   get canRedo(): boolean {
-    return this.future.length > 0;
+    return this.history.canRedo;
   }
 
   set(path: Path, value: unknown): void {
-    this.change([[path, value]], JSON.stringify(path));
+    this.change([{ path, value }], JSON.stringify(path));
   }
 
-  /** Several changes are taken back as one. */
-  change(changes: Change[], key = ''): void {
-    const text = changes.reduce((text, [path, value]) => (value === undefined ? without(text, path) : withValue(text, path, value)), this.text);
-    this.write(text, key);
+  /** Several changes are taken back as one, and so is what is written into one field at once. */
+  change(changes: Change[], tag = ''): void {
+    this.write(apply(this.text, changes), tag);
   }
 
-  write(text: string, key = 'text'): void {
+  write(text: string, tag = 'text'): void {
     if (text === this.text) return;
-    const now = this.now_ms();
-    if (key === '' || key !== this.last.key || now - this.last.at_ms > TOGETHER_MS) this.past = [...this.past, this.text].slice(-KEPT);
-    this.last = { key, at_ms: now };
-    this.future = [];
+    this.history.keep({ text: this.text }, tag);
     this.put(text);
   }
 
   undo(): void {
-    const text = this.past.at(-1);
-    if (text === undefined) return;
-    this.future = [...this.future, this.text];
-    this.past = this.past.slice(0, -1);
-    this.last.key = '';
-    this.put(text);
+    const former = this.history.undo({ text: this.text });
+    if (former) this.put(former.text);
   }
 
   redo(): void {
-    const text = this.future.at(-1);
-    if (text === undefined) return;
-    this.past = [...this.past, this.text];
-    this.future = this.future.slice(0, -1);
-    this.put(text);
+    const next = this.history.redo({ text: this.text });
+    if (next) this.put(next.text);
   }
 
   private put(text: string): void {
@@ -123,7 +100,7 @@ export class Editor {
       const entry = this.drafts.text(files.entry);
       if (entry === undefined) return;
       name = freeName(files, Object.keys(this.drafts.texts));
-      this.drafts.write(files.entry, withValue(entry, ['logger'], name));
+      this.drafts.write(files.entry, apply(entry, [{ path: ['logger'], value: name }]));
     }
     this.drafts.write(name, text);
   }
@@ -134,7 +111,7 @@ export class Editor {
     const entry = files === null ? undefined : valueOf(this.drafts.text(files.entry) ?? '');
     const schema = isObject(entry) && typeof entry.$schema === 'string' ? entry.$schema : '';
     if (!schema.endsWith('scenario.schema.json')) return '{}\n';
-    return `${withValue('{}', ['$schema'], schema.replace(/scenario\.schema\.json$/, 'logger.schema.json'))}\n`;
+    return `${apply('{}', [{ path: ['$schema'], value: schema.replace(/scenario\.schema\.json$/, 'logger.schema.json') }])}\n`;
   }
 }
 

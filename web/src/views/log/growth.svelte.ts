@@ -2,10 +2,10 @@
 
 import { type Density, scaleOf } from '../../charts/density';
 import type { Lane } from '../../charts/lanes';
-import { said } from '../../drafts.svelte';
 import type { Live } from '../../live.svelte';
 import { type Calendar, dayAt } from '../../localtime';
 import { kindOf } from '../../plan/kinds';
+import { said } from '../../server';
 import type { GrowthView, RunView, SensorView } from '../../wire';
 
 const EVERY_MS = 1000;

@@ -15,7 +15,7 @@ export type Logger = {
   time: string;
 };
 
-export type Column = 'run' | 'seq' | 'time' | 'sensor' | 'value';
+type Column = 'run' | 'seq' | 'time' | 'sensor' | 'value';
 export type Messages = 'fire_only' | 'on_off' | 'occupancy' | '';
 
 export const TABLE = 'firing';

@@ -1,11 +1,11 @@
-// What the sensors see, asked of the server as the home is edited: one question is under way at a time, and the next one is
-// about the latest draft, so that no answer is waited for in vain.
+// What the sensors see, asked of the server as the home is edited: always of the latest draft, so that no answer is waited for
+// in vain.
 
-import { said } from '../../drafts.svelte';
+import { Latest } from '../../latest';
 import type { Server } from '../../server';
 import type { Draft, HomeView, PlanView, ProblemView, CoverageView } from '../../wire';
 
-export type Seen = { home: HomeView; coverage: CoverageView };
+type Seen = { home: HomeView; coverage: CoverageView };
 
 type Question = { draft: Draft; alone: Draft | null };
 
@@ -19,35 +19,30 @@ export class Coverage {
   /** Of the home's file; nothing before the first answer. */
   problems = $state.raw<ProblemView[] | null>(null);
   trouble = $state('');
-  private next: Question | null = null;
-  private busy = false;
+  private readonly questions: Latest<Question, void>;
 
-  constructor(private readonly server: Server) {}
-
-  /** Asks about a draft, and about the same with a single sensor, if that is wanted. */
-  ask(draft: Draft, alone: Draft | null): void {
-    this.next = { draft, alone };
-    if (!this.busy) void this.go();
-  }
-
-  private async go(): Promise<void> {
-    this.busy = true;
-    while (this.next !== null) {
-      const { draft, alone } = this.next;
-      this.next = null;
-      try {
-        const { problems, home, coverage } = await this.server.packed<PlanView>('/api/plan', draft);
+  constructor(server: Server) {
+    this.questions = new Latest(
+      0,
+      async ({ draft, alone }) => {
+        const { problems, home, coverage } = await server.packed<PlanView>('/api/plan', draft);
         this.problems = problems;
         if (home && coverage) this.seen = { home, coverage };
         this.stale = home === null;
-        const single = alone && home ? await this.server.packed<PlanView>('/api/plan', alone) : null;
+        const single = alone && home ? await server.packed<PlanView>('/api/plan', alone) : null;
         if (home) this.alone = single?.coverage ?? null;
-        this.trouble = '';
-      } catch (error) {
-        this.trouble = `What the sensors see cannot be counted: ${said(error)}`;
-        this.stale = true;
-      }
-    }
-    this.busy = false;
+      },
+      () => (this.trouble = ''),
+      (why) => ([this.trouble, this.stale] = [`What the sensors see cannot be counted: ${why}`, true]),
+    );
+  }
+
+  /** Asks about a draft, and about the same with a single sensor, if that is wanted. */
+  ask(draft: Draft, alone: Draft | null): void {
+    this.questions.want({ draft, alone });
+  }
+
+  close(): void {
+    this.questions.close();
   }
 }

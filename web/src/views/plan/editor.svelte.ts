@@ -2,11 +2,11 @@
 // of the home; all else is read from it.
 
 import type { Drafts } from '../../drafts.svelte';
+import { History } from '../../history.svelte';
+import { type Change, type Fault, apply, insert } from '../../json';
 import type { At } from '../../plan/geometry';
-import { type Change, apply, insert, remove } from './json';
-import type { Fault } from './json';
 import { copyOf, type Piece, type SensorKind } from './library';
-import { type Element, type Home, type List, LISTS, type Value, isHome, readHome } from './model';
+import { type Element, type Home, type List, type Value, isHome, readHome } from './model';
 import { turnBy, move } from './move';
 
 export type Tool =
@@ -22,12 +22,6 @@ export type Tool =
 
 type Former = { text: string; selected: string[] };
 
-/** Steps back that are kept, and letters in all of them. */
-const MOST_STEPS = 300;
-const MOST_LETTERS = 60_000_000;
-/** Changes of one kind that follow each other faster than this are one step. */
-const ONE_STEP_MS = 900;
-
 const SHIFT_M: At = [0.3, -0.3];
 
 export class Editor {
@@ -38,9 +32,7 @@ export class Editor {
   /** What is said about the last thing done. */
   said = $state('');
   copied = $state.raw<{ list: List; value: Value }[]>([]);
-  private past = $state.raw<Former[]>([]);
-  private future = $state.raw<Former[]>([]);
-  private last: { tag: string; at_ms: number } | null = null;
+  private readonly history = new History<Former>();
   private known: string | undefined;
   /** The text as it was when a drag began. */
   private held: Former | null = null;
@@ -52,14 +44,20 @@ export class Editor {
   readonly home: Home | null = $derived.by(() => (this.read && isHome(this.read) ? this.read : null));
   readonly fault: Fault | null = $derived.by(() => (this.read && !isHome(this.read) ? this.read : null));
   readonly chosen: Element[] = $derived.by(() => this.selected.flatMap((id) => this.home?.byId.get(id) ?? []));
-  readonly canUndo: boolean = $derived.by(() => this.past.length > 0);
-  readonly canRedo: boolean = $derived.by(() => this.future.length > 0);
 
   constructor(readonly drafts: Drafts) {}
 
   /** The one element that is selected. */
   get one(): Element | null {
     return this.chosen.length === 1 ? this.chosen[0]! : null;
+  }
+
+  get canUndo(): boolean {
+    return this.history.canUndo;
+  }
+
+  get canRedo(): boolean {
+    return this.history.canRedo;
   }
 
   get dragging(): boolean {
@@ -80,10 +78,7 @@ export class Editor {
   write(text: string, tag = '', selected = this.selected): void {
     const before = this.text;
     if (before === undefined || this.file === null || text === before) return;
-    const now = Date.now();
-    const goesOn = tag !== '' && this.last?.tag === tag && now - this.last.at_ms < ONE_STEP_MS;
-    if (!goesOn) this.keep({ text: before, selected: this.selected });
-    this.last = { tag, at_ms: now };
+    this.history.keep({ text: before, selected: this.selected }, tag);
     this.put(text);
     this.selected = selected;
   }
@@ -106,8 +101,7 @@ export class Editor {
   end(): void {
     const { held } = this;
     this.held = null;
-    if (held && this.text !== held.text) this.keep(held);
-    this.last = null;
+    if (held && this.text !== held.text) this.history.keep(held);
   }
 
   cancel(): void {
@@ -116,11 +110,11 @@ export class Editor {
   }
 
   undo(): void {
-    this.step('past', 'future');
+    this.step('undo');
   }
 
   redo(): void {
-    this.step('future', 'past');
+    this.step('redo');
   }
 
   /** What was written by somebody else can be undone, too. */
@@ -129,7 +123,7 @@ export class Editor {
     if (text === this.known) return;
     if (this.known !== undefined && text !== undefined) {
       this.held = null;
-      this.keep({ text: this.known, selected: [] });
+      this.history.keep({ text: this.known, selected: [] });
       this.selected = this.selected.filter((id) => this.home?.byId.has(id));
     }
     this.known = text;
@@ -144,9 +138,7 @@ export class Editor {
   delete(): void {
     const { home, chosen } = this;
     if (home === null || chosen.length === 0) return;
-    let { text } = home;
-    for (const list of LISTS) text = remove(text, list, chosen.filter((element) => element.list === list).map(({ index }) => index));
-    this.write(text, '', []);
+    this.write(apply(home.text, chosen.map(({ list, index }) => ({ path: [list, index], value: undefined }))), '', []);
   }
 
   copy(): void {
@@ -189,13 +181,11 @@ export class Editor {
     this.change(this.chosen.flatMap((element) => turnBy(element, deg)), `turn ${this.selected.join()}`);
   }
 
-  private step(from: 'past' | 'future', to: 'past' | 'future'): void {
-    const former = this[from].at(-1);
-    if (former === undefined || this.text === undefined) return;
-    this.cancel();
-    this[to] = [...this[to], { text: this.text, selected: this.selected }];
-    this[from] = this[from].slice(0, -1);
-    this.last = null;
+  private step(way: 'undo' | 'redo'): void {
+    if (this.text === undefined) return;
+    const former = this.history[way](this.held ?? { text: this.text, selected: this.selected });
+    if (former === undefined) return;
+    this.held = null;
     this.put(former.text);
     this.selected = former.selected.filter((id) => this.home?.byId.has(id));
     this.drawn = [];
@@ -205,14 +195,6 @@ export class Editor {
     if (this.file === null) return;
     this.known = text;
     this.drafts.write(this.file, text);
-  }
-
-  private keep(former: Former): void {
-    const past = [...this.past, former].slice(-MOST_STEPS);
-    let letters = past.reduce((sum, { text }) => sum + text.length, 0);
-    while (past.length > 1 && letters > MOST_LETTERS) letters -= past.shift()!.text.length;
-    this.past = past;
-    this.future = [];
   }
 }
 

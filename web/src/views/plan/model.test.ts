@@ -7,7 +7,7 @@ import { pictured } from './picture';
 import { listed } from './problems';
 import { fieldsOf, homeFields } from './schema';
 import { targetsOf } from './snap';
-import { area } from './shape';
+import { area, rounded } from './shape';
 
 function home(text = FLAT): Home {
   const read = readHome(text);
@@ -115,4 +115,9 @@ test('problems are led back to the elements they mean', () => {
     ['home.json', 'furniture/1', false], ['scenario.json', undefined, false], ['home.json', 'furniture/1', true],
   ]);
   expect(listed(flat, 'home.json', { problems: [{ ...problem, line: 0, column: 0 }], warnings: [] }, null)[0]!.element).toBeNull();
+});
+
+test('numbers are whole millimetres and never minus zero', () => {
+  expect(rounded(1.23456)).toBe(1.235);
+  expect(Object.is(rounded(-0.0001), 0)).toBe(true);
 });

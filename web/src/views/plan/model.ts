@@ -1,8 +1,8 @@
 // The home as its file's text has it. It is drawn while it is wrong, too: what has no place or no form is in the list only.
 
 import { type Node, getNodeValue } from 'jsonc-parser';
+import { type Fault, isFault, tree } from '../../json';
 import { type At, middle } from '../../plan/geometry';
-import { type Fault, isFault, tree } from './json';
 import { thick, turnedBox } from './shape';
 
 export const LISTS = ['rooms', 'walls', 'doors', 'furniture', 'places', 'sensors'] as const;
@@ -45,7 +45,7 @@ export type Home = {
   before: Map<Element, number>;
 };
 
-export const WALL_THICKNESS_M = 0.1;
+const WALL_THICKNESS_M = 0.1;
 
 /** How far off a wall's middle line a door is in it still. */
 export const IN_WALL_M = 0.01;

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
+import { type Change, apply } from '../../json';
 import type { At } from '../../plan/geometry';
 import { FLAT } from '../../testing/flat';
-import { type Change, apply } from './json';
 import { type Home, isHome, readHome } from './model';
 import { handlesOf, move, moveWalls, pull, rename, turnBy } from './move';
 import { mount, spanAt, targetsOf } from './snap';

@@ -1,13 +1,13 @@
 // What changes in the file when something is moved, turned or pulled at a handle. All is counted from the home as it was
 // when the movement began, so that nothing is rounded twice.
 
+import type { Change } from '../../json';
 import { type At, distance, middle } from '../../plan/geometry';
-import { type Change, rounded } from './json';
 import { type Element, type Home, IN_WALL_M, atOf, bearerOf, cornersKey, formOf, number, of, point, points, spanOf, wallsOf } from './model';
-import { add, along, angleOf, direction, dot, exact, minus, onLine, times, toSegment, turn, wrapped } from './shape';
+import { add, along, angleOf, direction, dot, exact, minus, onLine, rounded, times, toSegment, turn, wrapped } from './shape';
 import { type Guides, type Snapping, mount, snapPoint, snapShift, spanAt, targetsOf } from './snap';
 
-export type How = {
+type How = {
   /** Nothing where snapping is off. */
   snapping: Snapping | null;
   /** Of a wall: what hangs on it stays behind. */

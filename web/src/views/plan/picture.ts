@@ -57,7 +57,7 @@ function partsOf(wall: Wall, doors: { from: At; to: At }[]): At[][] {
   return parts;
 }
 
-export type Layered = {
+type Layered = {
   picture: HomeView;
   counted: HomeView | null;
   /** Over the floor, below all that stands on it. */

@@ -1,7 +1,8 @@
 // What is wrong with the scenario, and which element of the home is meant.
 
+import { offsetOf } from '../../places';
+import { distinct } from '../../problems';
 import type { CheckView, ProblemView } from '../../wire';
-import { offsetOf } from './json';
 import type { Element, Home } from './model';
 
 export type Listed = ProblemView & { element: Element | null; warning: boolean };
@@ -10,13 +11,7 @@ export type Listed = ProblemView & { element: Element | null; warning: boolean }
 export function listed(home: Home | null, file: string | null, check: CheckView | null, ofHome: ProblemView[] | null): Listed[] {
   const problems = [...(ofHome ?? []), ...(check?.problems ?? [])].map((problem) => ({ ...problem, warning: false }));
   const warnings = (check?.warnings ?? []).map((problem) => ({ ...problem, warning: true }));
-  const seen = new Set<string>();
-  return [...problems, ...warnings].flatMap((problem) => {
-    const key = `${problem.file}\n${problem.line}\n${problem.column}\n${problem.what}`;
-    if (seen.has(key)) return [];
-    seen.add(key);
-    return [{ ...problem, element: home && problem.file === file ? elementAt(home, problem) : null }];
-  });
+  return distinct([...problems, ...warnings]).map((problem) => ({ ...problem, element: home && problem.file === file ? elementAt(home, problem) : null }));
 }
 
 function elementAt(home: Home, { line, column }: ProblemView): Element | null {

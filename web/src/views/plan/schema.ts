@@ -2,7 +2,7 @@
 // that a key that is new in it has its field here, too.
 
 import schema from '../../../../schemas/home.schema.json';
-import type { Path } from './json';
+import type { Path } from '../../json';
 import type { Element, List, Value } from './model';
 
 type Schema = {
@@ -28,7 +28,7 @@ export type Unit = 'm' | '°' | 's' | '°C' | 'lx' | 'W' | '%' | '/min' | '';
 
 export type Bounds = { least: number; most: number; whole: boolean };
 
-export type Option = { value: string; about: string };
+type Option = { value: string; about: string };
 
 export type Field = {
   path: Path;

@@ -1,7 +1,6 @@
 // Forms on the plan, and how points lie to them, in metres and degrees against the clock from east.
 
 import { type At, distance } from '../../plan/geometry';
-import { rounded } from './json';
 
 export function add(a: At, b: At): At {
   return [a[0] + b[0], a[1] + b[1]];
@@ -19,7 +18,7 @@ export function dot(a: At, b: At): number {
   return a[0] * b[0] + a[1] * b[1];
 }
 
-export function cross(a: At, b: At): number {
+function cross(a: At, b: At): number {
   return a[0] * b[1] - a[1] * b[0];
 }
 
@@ -29,6 +28,11 @@ export function direction(deg: number): At {
 
 export function angleOf([x, y]: At): number {
   return (Math.atan2(y, x) * 180) / Math.PI;
+}
+
+/** To millimetres, or hundredths of degrees: a multiple of 1 / `parts`. */
+export function rounded(value: number, parts = 1000): number {
+  return Math.round(value * parts) / parts + 0;
 }
 
 /** From 0 to less than 360, in hundredths. */

@@ -62,7 +62,7 @@ function face({ from, to, thickness_m }: Wall, side: number, share: number, off_
   return add(add(times(from, 1 - share), times(to, share)), times(normal, thickness_m / 2 + off_m));
 }
 
-export function toGrid(value: number, grid_m: number): number {
+function toGrid(value: number, grid_m: number): number {
   return Math.round(value / grid_m) * grid_m;
 }
 

@@ -3,11 +3,10 @@
 import { type At, distance } from '../../plan/geometry';
 import type { Pen } from '../../plan/pen';
 import { type View, toScreen } from '../../plan/transform';
-import { rounded } from './json';
-import { add, exact, minus, times } from './shape';
+import { add, exact, minus, rounded, times } from './shape';
 
 /** How it lies: the place of its middle, its width, and its turn against the clock. */
-export type Lies = { at: At; width_m: number; turn_deg: number; opacity: number };
+type Lies = { at: At; width_m: number; turn_deg: number; opacity: number };
 
 type Kept = Lies & { file: Blob; name: string };
 

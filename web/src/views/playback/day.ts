@@ -29,7 +29,7 @@ export function above<T>(all: ArrayLike<T>, limit: number, of: (one: T) => numbe
 }
 
 /** Messages after which nothing happens in front of the sensor. */
-export function isOff(value: string): boolean {
+function isOff(value: string): boolean {
   return /^(off|false)$/i.test(value);
 }
 

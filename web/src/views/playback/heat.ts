@@ -66,7 +66,7 @@ function spotsOf(sensor: SensorView): At[] {
 }
 
 /** From 0 to 1; a minute in one spot is seen beside hours in another. */
-export function share(seconds: number, most: number): number {
+function share(seconds: number, most: number): number {
   return most <= 1 ? 0 : Math.log1p(seconds) / Math.log1p(most);
 }
 

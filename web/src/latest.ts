@@ -1,6 +1,6 @@
-// What is asked of the server while somebody writes: a while after the last change, one question at a time, the latest next.
+// What is asked of the server while somebody edits: a while after the last change, one question at a time, the latest next.
 
-import { said } from '../../drafts.svelte';
+import { said } from './server';
 
 export class Latest<Asked, Answer> {
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -8,7 +8,10 @@ export class Latest<Asked, Answer> {
   private busy = false;
   private closed = false;
 
-  /** @param fail is told in words why there is no answer. */
+  /**
+   * @param pause_ms without one the first question is asked at once.
+   * @param fail is told in words why there is no answer.
+   */
   constructor(
     private readonly pause_ms: number,
     private readonly ask: (asked: Asked) => Promise<Answer>,
@@ -18,6 +21,7 @@ export class Latest<Asked, Answer> {
 
   want(asked: Asked): void {
     this.wanted = asked;
+    if (this.pause_ms === 0) return void this.go();
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {
       this.timer = undefined;

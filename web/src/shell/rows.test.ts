@@ -1,5 +1,4 @@
 import { expect, test } from 'vitest';
-import { tickAt } from './lanes';
 import { inSight } from './rows';
 
 test('only rows in sight are made, and the height is that of all', () => {
@@ -19,12 +18,4 @@ test('what is in sight is among them', () => {
 test('few rows, and none', () => {
   expect(inSight(3, 27, 0, 300)).toEqual({ from: 0, to: 3, above: 0, below: 0 });
   expect(inSight(0, 27, 0, 300)).toEqual({ from: 0, to: 0, above: 0, below: 0 });
-});
-
-test('ticks are where their instants are, and what is too old or to come has none', () => {
-  expect(tickAt(600_000_000, 600_000_000, 100, 700)).toBe(700);
-  expect(tickAt(300_000_000, 600_000_000, 100, 700)).toBe(400);
-  expect(tickAt(0, 600_000_000, 100, 700)).toBe(100);
-  expect(tickAt(0, 600_000_001, 100, 700)).toBeNull();
-  expect(tickAt(9, 8, 100, 700)).toBeNull();
 });

@@ -1,6 +1,6 @@
 // Of a long table only the rows that are in sight are in the page.
 
-export type Window = { from: number; to: number; above: number; below: number };
+type Window = { from: number; to: number; above: number; below: number };
 
 /** Which rows are in sight, and the height of what is left out above and below them. */
 export function inSight(rows: number, rowHeight: number, scrolled: number, height: number, spare = 6): Window {

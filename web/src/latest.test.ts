@@ -47,6 +47,15 @@ test('one question at a time, and the latest next', async () => {
   expect([asked, taken, latest.wants]).toEqual([[1, 3], ['one'], false]);
 });
 
+test('without a pause the first is asked at once', async () => {
+  const asked: number[] = [];
+  const eager = new Latest<number, void>(0, async (number) => void asked.push(number), () => {}, () => {});
+  for (const number of [1, 2, 3]) eager.want(number);
+  expect(asked).toEqual([1]);
+  await vi.advanceTimersByTimeAsync(0);
+  expect(asked).toEqual([1, 3]);
+});
+
 test('what fails is told, and the next is asked', async () => {
   latest.want(-1);
   await vi.advanceTimersByTimeAsync(100);
