@@ -83,7 +83,7 @@ test('what is not saved is not lost with a view, and a connection that is lost i
   assert.match(await shown(), /Often she phones\.$/);
   await context.setOffline(true);
   await page.keyboard.press('Control+s');
-  await page.getByRole('alert').filter({ hasText: 'Nothing was saved' }).waitFor();
+  await page.getByRole('alert').filter({ hasText: 'Not saved' }).waitFor();
   await context.setOffline(false);
   served.wrong.length = 0;
   await page.getByRole('button', { name: 'Save', exact: true }).click();

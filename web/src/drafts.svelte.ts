@@ -21,18 +21,25 @@ export class Drafts {
   saving = $state(false);
 
   private readonly checks: Latest<Draft, CheckView>;
+  /** Grows with each load and each save: what was asked before is older than what is known. */
+  private loads = 0;
 
   /** @param note tells people what happened. */
   constructor(
-    readonly server: Server,
-    private readonly note: (text: string, bad: boolean) => void,
+    private server: Server,
+    private note: (text: string, bad: boolean) => void,
   ) {
     this.checks = new Latest(
       PAUSE_MS,
-      (draft) => server.post<CheckView>('/api/check', draft),
+      (draft) => this.server.post<CheckView>('/api/check', draft),
       (check) => (this.check = check),
-      (why) => note(`The files cannot be checked: ${why}`, true),
+      (why) => this.note(`The files cannot be checked: ${why}`, true),
     );
+  }
+
+  /** The server has begun anew: what was written here stays. */
+  meet(server: Server, note: (text: string, bad: boolean) => void): void {
+    [this.server, this.note] = [server, note];
   }
 
   get unsaved(): string[] {
@@ -85,10 +92,11 @@ export class Drafts {
     });
     if (files.length === 0 || this.saving) return files.length === 0;
     this.saving = true;
+    this.loads += 1;
     try {
       const { saved, changed } = await this.server.post<SavedView>('/api/files', { files } satisfies Save);
       if (changed.length > 0) {
-        this.meet(changed);
+        this.differ(changed);
         return false;
       }
       for (const { name, text } of files) {
@@ -102,7 +110,7 @@ export class Drafts {
       await this.reload();
       return true;
     } catch (error) {
-      this.note(`Nothing was saved: ${said(error)}`, true);
+      this.note(`Not saved: ${said(error)}`, true);
       return false;
     } finally {
       this.saving = false;
@@ -122,7 +130,7 @@ export class Drafts {
   }
 
   /** Files that are another on disk than was thought. */
-  private meet(theirs: FileView[]): void {
+  private differ(theirs: FileView[]): void {
     const drafted = theirs.filter(({ name, text }) => name in this.texts && this.texts[name] !== text);
     for (const file of theirs) if (!drafted.includes(file)) this.take(file);
     if (drafted.length > 0) this.changed = drafted;
@@ -138,21 +146,24 @@ export class Drafts {
       const versions = await this.server.json<Record<string, string>>('/api/files/versions');
       const known = new Map([...this.files.files, ...this.changed].map(({ name, version }) => [name, version]));
       const names = new Set([...known.keys(), ...Object.keys(versions)]);
-      if ([...names].some((name) => known.get(name) !== versions[name])) await this.reload();
+      if (!this.saving && [...names].some((name) => known.get(name) !== versions[name])) await this.reload();
     } catch {
       // The header says that there is no connection; it is tried again.
     }
   }
 
   private async reload(): Promise<void> {
+    const load = ++this.loads;
     const fresh = await this.server.json<FilesView>('/api/files');
+    if (load !== this.loads) return;
     const before = this.files;
     if (before === null) {
       this.files = fresh;
     } else {
       // Of a file that has a draft, what the draft was made from stays until somebody has decided.
-      const drafted = before.files.filter(({ name }) => name in this.texts);
-      const now = (name: string) => fresh.files.find((file) => file.name === name) ?? { name, text: '', version: '' };
+      const there = (files: FileView[], name: string) => files.find((file) => file.name === name) ?? { name, text: '', version: '' };
+      const drafted = Object.keys(this.texts).map((name) => there(before.files, name));
+      const now = (name: string) => there(fresh.files, name);
       const isAnother = (old: FileView) => now(old.name).version !== old.version && now(old.name).text !== this.texts[old.name];
       const held = drafted.filter(isAnother);
       const others = fresh.files.filter(({ name }) => !held.some((old) => old.name === name));

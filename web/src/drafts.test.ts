@@ -8,7 +8,14 @@ class Disk {
   files: Record<string, string> = { 'home.json': '{}', 'a.routine': 'She reads.' };
   notes: string[] = [];
   saves: Save[] = [];
-  readonly drafts = new Drafts(new Server('token', () => {}, (path, init) => Promise.resolve(this.answer(path, init))), (text) => this.notes.push(text));
+  /** Whether answers wait in `held` until they are let go. */
+  slow = false;
+  held: (() => void)[] = [];
+  readonly server = new Server('token', () => {}, (path, init) => {
+    const answer = this.answer(path, init);
+    return this.slow && path === '/api/files' ? new Promise((done) => this.held.push(() => done(answer))) : Promise.resolve(answer);
+  });
+  readonly drafts = new Drafts(this.server, (text) => this.notes.push(text));
 
   view(name: string): FileView {
     const text = this.files[name];
@@ -114,4 +121,41 @@ test('a change that comes to the same as the draft is no change', async () => {
   disk.files['a.routine'] = 'Both.';
   await later();
   expect([drafts.changed, drafts.unsaved]).toEqual([[], []]);
+});
+
+test('a file that another program makes meanwhile is asked about before it is replaced', async () => {
+  drafts.write('new.json', 'Mine.');
+  await later();
+  expect(drafts.changed).toEqual([]);
+  disk.files['new.json'] = 'Theirs.';
+  await later();
+  expect(drafts.changed.map(({ text }) => text)).toEqual(['Theirs.']);
+  expect(await drafts.save()).toBe(false);
+  expect(disk.files['new.json']).toBe('Theirs.');
+  drafts.insist('new.json');
+  expect(await drafts.save()).toBe(true);
+  expect(disk.files['new.json']).toBe('Mine.');
+});
+
+test('what was loaded before a save does not come after it', async () => {
+  disk.slow = true;
+  disk.files['home.json'] = '{ }';
+  await vi.advanceTimersByTimeAsync(2000);
+  disk.slow = false;
+  drafts.write('a.routine', 'Mine.');
+  expect(await drafts.save()).toBe(true);
+  // The answer from before the save comes now.
+  for (const answer of disk.held.splice(0)) answer();
+  await vi.advanceTimersByTimeAsync(0);
+  expect([drafts.text('a.routine'), drafts.unsaved]).toEqual(['Mine.', []]);
+});
+
+test('what was written outlives a server that begins anew', async () => {
+  drafts.write('a.routine', 'Mine.');
+  const next = new Disk();
+  const notes: string[] = [];
+  drafts.meet(next.server, (text) => notes.push(text));
+  await later();
+  expect(await drafts.save()).toBe(true);
+  expect([next.files['a.routine'], disk.files['a.routine'], notes]).toEqual(['Mine.', 'She reads.', []]);
 });

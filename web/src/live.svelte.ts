@@ -42,15 +42,19 @@ export class Live {
   private readonly texts = new Throttle(TEXT_MS);
   private readonly announcer = new Announcer();
   private noted = 0;
+  /** Is told whether the run that was asked for has begun. */
+  private begun: ((has: boolean) => void) | null = null;
   private timer: ReturnType<typeof setInterval> | undefined;
 
-  constructor(token: string, onWrongToken: () => void, make?: () => Wire) {
+  constructor(token: string, onWrongToken: () => void, make?: () => Wire, drafts?: Drafts) {
     const refuse = () => {
       keepToken(() => window.sessionStorage, null);
       onWrongToken();
     };
     this.server = new Server(token, refuse);
-    this.drafts = new Drafts(this.server, (text, bad) => this.note(text, bad));
+    const note = (text: string, bad: boolean) => this.note(text, bad);
+    drafts?.meet(this.server, note);
+    this.drafts = drafts ?? new Drafts(this.server, note);
     this.socket = new Socket(
       token,
       {
@@ -89,6 +93,13 @@ export class Live {
     return sent;
   }
 
+  /** Begins a run in which everybody lives as the scenario says. @returns whether there is one. */
+  begin(without: string[]): Promise<boolean> {
+    if (!this.say({ say: 'start', driven: null, without, seed: null })) return Promise.resolve(false);
+    this.begun?.(false);
+    return new Promise((begun) => (this.begun = begun));
+  }
+
   /** Plays, or pauses. */
   toggle(): void {
     const state = this.frame?.state ?? 'over';
@@ -121,6 +132,10 @@ export class Live {
   }
 
   private hear(tell: Tell): void {
+    if (tell.tell === 'run' || tell.bad) {
+      this.begun?.(tell.tell === 'run');
+      this.begun = null;
+    }
     if (tell.tell === 'note') {
       this.note(tell.text, tell.bad);
       return;

@@ -12,6 +12,8 @@ type Placed = { problem: ProblemView; path: Path };
 
 export class Editor {
   private readonly history = new History<{ text: string }>();
+  /** The text that was looked at last. */
+  private known: string | undefined;
 
   constructor(private readonly drafts: Drafts) {}
 
@@ -82,6 +84,13 @@ export class Editor {
     this.put(text);
   }
 
+  /** What was written by somebody else is a step like any other. */
+  notice(): void {
+    const { text } = this;
+    if (this.known !== undefined && text !== this.known) this.history.keep({ text: this.known });
+    this.known = text;
+  }
+
   undo(): void {
     const former = this.history.undo({ text: this.text });
     if (former) this.put(former.text);
@@ -103,6 +112,7 @@ export class Editor {
       this.drafts.write(files.entry, apply(entry, [{ path: ['logger'], value: name }]));
     }
     this.drafts.write(name, text);
+    this.known = text;
   }
 
   /** The text of a file that is not there yet. Editors find its schema beside the scenario's. */
