@@ -1,11 +1,11 @@
 //! The beginning of a log as its readers find it, and whether there can be one at a place.
 
 use crate::error::LogError;
-use crate::fresh::FreshFile;
+use crate::fresh::{FreshFile, Place};
 use crate::mapping::Columns;
+use crate::source::text;
 use crate::url::Url;
 use homebody_core::scenario::logger::LoggerFile;
-use rusqlite::types::ValueRef;
 use rusqlite::{Connection, OpenFlags};
 use std::fs::File;
 use std::io::{BufRead, BufReader};
@@ -35,7 +35,11 @@ pub fn preview(url: &Url, file: &LoggerFile, most: usize) -> Result<Preview, Log
 
 /// Makes sure that a new log can be begun at a place; nothing is left there.
 pub fn try_place(url: &Url) -> Result<(), LogError> {
-    FreshFile::create(url.path(), false).map(drop)
+    match Place::at(url.path(), false)? {
+        // To open a pipe is to wait for who reads it.
+        Place::Device => Ok(()),
+        _ => FreshFile::create(url.path(), false).map(drop),
+    }
 }
 
 fn database(path: &Path, table: &str, most: usize) -> rusqlite::Result<Preview> {
@@ -46,18 +50,13 @@ fn database(path: &Path, table: &str, most: usize) -> rusqlite::Result<Preview> 
     let mut rows = Vec::new();
     let mut found = select.query([])?;
     while let Some(row) = found.next()? {
-        rows.push((0..columns.len()).map(|column| row.get_ref(column).map(text)).collect::<Result<_, _>>()?);
+        rows.push(
+            (0..columns.len())
+                .map(|column| row.get_ref(column).map(|value| text(value).into_owned()))
+                .collect::<Result<_, _>>()?,
+        );
     }
     Ok(Preview { table: Some(table.to_owned()), columns, rows })
-}
-
-fn text(value: ValueRef) -> String {
-    match value {
-        ValueRef::Null => String::new(),
-        ValueRef::Integer(number) => number.to_string(),
-        ValueRef::Real(number) => number.to_string(),
-        ValueRef::Text(bytes) | ValueRef::Blob(bytes) => String::from_utf8_lossy(bytes).into_owned(),
-    }
 }
 
 fn values(path: &Path, most: usize) -> Result<Preview, LogError> {

@@ -10,11 +10,15 @@ use crate::wire::{CheckView, Draft, FileView, FilesView, LivesView, ProblemView,
 use homebody_core::problem::Problem;
 use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::scenario::remarks;
+use homebody_log::LogError;
 use homebody_log::fresh::FreshFile;
 use homebody_routine::household::{Household, Spoken};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// The files of one scenario. A clone is the same desk.
@@ -57,16 +61,18 @@ impl Desk {
         names.filter_map(|name| Some((name.clone(), version(&self.shelf.read(&name).ok()?)))).collect()
     }
 
-    /// Writes all texts, or none where one of the files is another than its text was made from.
+    /// Writes all texts; none where one of the files is another than its text was made from. If a disk fails between two of
+    /// them, the error says which were written.
     pub fn save(&self, save: Save) -> Result<SavedView, String> {
         let _writing = self.writing.lock().unwrap_or_else(PoisonError::into_inner);
-        let mut fresh = Vec::new();
+        let names: BTreeSet<&str> = save.files.iter().map(|file| file.name.as_str()).collect();
+        if names.len() < save.files.len() {
+            return Err("a file is named twice".into());
+        }
+        let mut places = Vec::new();
         for file in &save.files {
             let unknown = || format!("{:?} is no name for a file of this scenario", file.name);
-            let path = self.shelf.place_of(&file.name).ok_or_else(unknown)?;
-            let mut written = FreshFile::create(&path, true).map_err(|error| error.to_string())?;
-            written.write(file.text.as_bytes()).map_err(|error| error.to_string())?;
-            fresh.push(written);
+            places.push(self.shelf.place_of(&file.name).ok_or_else(unknown)?);
         }
         let there = |name: &str| self.file(name).unwrap_or_else(|| gone(name));
         let is_as_seen = |file: &SaveFile| there(&file.name).version == file.version.clone().unwrap_or_default();
@@ -75,10 +81,21 @@ impl Desk {
         if !changed.is_empty() {
             return Ok(SavedView { saved: BTreeMap::new(), changed });
         }
-        for file in fresh {
-            file.finish().map_err(|error| error.to_string())?;
+        let failed = |name: &str, error: String| format!("{name:?} cannot be written: {error}");
+        let mut fresh = Vec::new();
+        for (file, place) in save.files.iter().zip(&places) {
+            fresh.push(written(place, &file.text).map_err(|error| failed(&file.name, error))?);
         }
-        let saved = save.files.into_iter().map(|file| (file.name, version(&file.text))).collect();
+        let mut saved = BTreeMap::new();
+        for (file, fresh) in save.files.iter().zip(fresh) {
+            if let Err(error) = fresh.finish() {
+                let before: Vec<&str> = saved.keys().map(String::as_str).collect();
+                let told =
+                    if before.is_empty() { String::new() } else { format!("; {} was written", before.join(", ")) };
+                return Err(failed(&file.name, error.to_string()) + &told);
+            }
+            saved.insert(file.name.clone(), version(&file.text));
+        }
         Ok(SavedView { saved, changed })
     }
 
@@ -114,6 +131,23 @@ impl Desk {
     fn json(&self, name: &str) -> Value {
         self.shelf.read(name).ok().and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default()
     }
+}
+
+/// A text on its way to a file, which begins as the file that is there does.
+fn written(place: &Path, text: &str) -> Result<FreshFile, String> {
+    const MARK: &[u8] = "\u{feff}".as_bytes();
+    let told = |error: LogError| error.to_string();
+    if let Some(folder) = place.parent().filter(|folder| !folder.exists()) {
+        std::fs::create_dir(folder).map_err(|error| error.to_string())?;
+    }
+    let mut fresh = FreshFile::create(place, true).map_err(told)?;
+    let mut begins = [0; MARK.len()];
+    let is_marked = File::open(place).is_ok_and(|mut file| file.read_exact(&mut begins).is_ok()) && begins == MARK;
+    if is_marked {
+        fresh.write(MARK).map_err(told)?;
+    }
+    fresh.write(text.as_bytes()).map_err(told)?;
+    Ok(fresh)
 }
 
 /// A file that is not there.

@@ -14,6 +14,8 @@ const HOUR: Micros = 3600 * SECOND;
 pub struct Growth {
     calendar: Calendar,
     length: Micros,
+    /// When clocks are set.
+    turns: Vec<Micros>,
     is_motion: Vec<bool>,
     hours: Vec<Vec<u32>>,
     today: Vec<(Micros, u32)>,
@@ -27,6 +29,7 @@ impl Growth {
         let mut growth = Growth {
             calendar: calendar.clone(),
             length,
+            turns: dates::turns(calendar, length).into_iter().map(|(at, _)| at).collect(),
             is_motion,
             hours: vec![vec![0; 24]],
             today: Vec::new(),
@@ -74,8 +77,43 @@ impl Growth {
             self.hours.resize(day + 1, vec![0; 24]);
             self.today.clear();
         }
-        // Clocks are set at whole hours or at halves of them: an hour that is cut short is looked at again.
-        let end = at - since + if since < HOUR / 2 { HOUR / 2 } else { HOUR };
-        self.now = (at - since..end, day, dates::hour(&self.calendar, at));
+        // An hour in which clocks are set is cut short there.
+        let turned = self.turns.partition_point(|&turn| turn <= at);
+        let begin = (at - since).max(turned.checked_sub(1).map_or(Micros::MIN, |last| self.turns[last]));
+        let end = (at - since + HOUR).min(self.turns.get(turned).copied().unwrap_or(Micros::MAX));
+        self.now = (begin..end, day, dates::hour(&self.calendar, at));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homebody_core::event::Value;
+
+    /// Each firing counts for the day and the hour that a clock on the wall shows, whenever clocks are set.
+    #[test]
+    fn firings_count_for_the_hour_on_the_wall() {
+        // In St. John's they were set at one minute past midnight, on Lord Howe Island by half an hour.
+        for (start, zone) in [
+            ("2009-03-07T12:00:00", "America/St_Johns"),
+            ("2009-10-31T12:00:00", "America/St_Johns"),
+            ("2009-04-04T12:00:00", "Australia/Lord_Howe"),
+            ("2009-10-03T12:00:00", "Australia/Lord_Howe"),
+            ("2009-10-17T12:00:00", "America/Sao_Paulo"),
+            ("2009-03-07T12:00:00", "America/Chicago"),
+        ] {
+            let calendar = Calendar::new(start, zone).unwrap();
+            let length = 3 * 24 * HOUR;
+            let mut growth = Growth::new(&calendar, length, vec![true]);
+            let mut wanted = vec![vec![0_u32; 24]; dates::last(&calendar, length) as usize + 1];
+            for seq in 0..length / (7 * 60 * SECOND) {
+                let at = seq * 7 * 60 * SECOND;
+                let firing = Firing { seq: seq as u64, at, sensor: 0, value: Value::Fire };
+                growth.add(&[firing], at + SECOND);
+                wanted[calendar.day(at) as usize][dates::hour(&calendar, at)] += 1;
+            }
+            growth.add(&[], length);
+            assert_eq!(growth.view().hours, wanted, "{start} {zone}");
+        }
     }
 }

@@ -47,6 +47,8 @@ pub struct Options {
 
 /// Where free ports are looked for first.
 pub const FIRST_PORT: u16 = 8642;
+/// How long is waited at the end for answers that are on their way (ours).
+const FAREWELL: Duration = Duration::from_millis(500);
 /// How many ports are tried.
 const PORTS: u16 = 20;
 
@@ -76,7 +78,8 @@ impl Options {
 /// server sees it.
 pub fn serve(options: Options, stop: &AtomicBool, ready: impl FnOnce(&str)) -> Result<(), ServeError> {
     let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build();
-    runtime.map_err(ServeError::Broken)?.block_on(async {
+    let runtime = runtime.map_err(ServeError::Broken)?;
+    let served = runtime.block_on(async {
         let listener = listen(&options).await?;
         let address = listener.local_addr().map_err(ServeError::Broken)?;
         let guard = Guard::new(address).map_err(ServeError::Token)?;
@@ -92,7 +95,10 @@ pub fn serve(options: Options, stop: &AtomicBool, ready: impl FnOnce(&str)) -> R
         };
         stage.close();
         served.map_err(ServeError::Broken)
-    })
+    });
+    // Who has asked for a month of days does not keep the program from ending.
+    runtime.shutdown_timeout(FAREWELL);
+    served
 }
 
 async fn set(stop: &AtomicBool) {

@@ -124,7 +124,9 @@ impl Stage {
     /// What the log of the run has got so far.
     pub fn growth(&self) -> GrowthView {
         let growth = locked(&self.board).growth.clone();
-        locked(&growth).view()
+        // The run is not kept waiting while this is put into words.
+        let growth = locked(&growth).clone();
+        growth.view()
     }
 
     /// Changes whenever there is something new to be seen.

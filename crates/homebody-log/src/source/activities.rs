@@ -88,8 +88,8 @@ fn told(truth: &Path, sql: &str) -> Result<Vec<Told>, LogError> {
             Ok::<_, LogError>(instant.map(|(Instant::Local(at) | Instant::Utc(at))| at))
         };
         let at = [instant(0)?, instant(1)?];
-        let who = text(row.get_ref(2).map_err(database)?);
-        let what = Some(text(row.get_ref(3).map_err(database)?)).filter(|what| !what.is_empty());
+        let who = text(row.get_ref(2).map_err(database)?).into_owned();
+        let what = Some(text(row.get_ref(3).map_err(database)?).into_owned()).filter(|what| !what.is_empty());
         told.push(Told { at, who, what });
     }
     Ok(told)

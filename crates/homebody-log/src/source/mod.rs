@@ -22,6 +22,7 @@ use jiff::Timestamp;
 pub use movements::{Movement, MovementKind, Movements};
 pub use run_clock::RunClock;
 use serde::Serialize;
+pub(crate) use sqlite::text;
 use std::collections::HashMap;
 use std::fs::File;
 use std::io::Read;

@@ -6,6 +6,7 @@ use crate::error::LogError;
 use homebody_core::scenario::logger::LoggerFile;
 use rusqlite::types::ValueRef;
 use rusqlite::{Connection, OpenFlags};
+use std::borrow::Cow;
 use std::path::Path;
 use std::time::Duration;
 
@@ -116,17 +117,22 @@ fn read_table(
         column(table.places.sensor),
         column(table.places.value),
     );
+    let run = has(&file.columns.run);
     // Rows of several runs make no log; what comes first is read.
-    if let Some(run) = has(&file.columns.run) {
-        let runs: i64 =
-            connection.query_row(&format!("SELECT count(DISTINCT {run}) FROM {name}"), [], |row| row.get(0))?;
-        if runs > 1 {
+    if let Some(run) = &run {
+        // Where the run is the beginning of a key, its ends are known without a look at all rows.
+        let ends = format!("SELECT (SELECT min({run}) FROM {name}) IS NOT (SELECT max({run}) FROM {name})");
+        if connection.query_row(&ends, [], |row| row.get(0))? {
+            let count = format!("SELECT count(DISTINCT {run}) FROM {name}");
+            let runs: i64 = connection.query_row(&count, [], |row| row.get(0))?;
             reading.log.remarks.push(format!("of {runs} runs in it only the first is read"));
             sql += &format!(" WHERE {run} = (SELECT min({run}) FROM {name})");
         }
     }
     if let Some(seq) = has(&file.columns.seq) {
-        sql += &format!(" ORDER BY {seq}");
+        // As the key has them: nothing is to be sorted.
+        let order: Vec<String> = run.into_iter().chain([seq]).collect();
+        sql += &format!(" ORDER BY {}", order.join(", "));
     }
     let mut statement = connection.prepare(&sql)?;
     let mut rows = statement.query([])?;
@@ -150,12 +156,12 @@ fn read_table(
     Ok(())
 }
 
-pub(crate) fn text(value: ValueRef) -> String {
+pub(crate) fn text(value: ValueRef<'_>) -> Cow<'_, str> {
     match value {
-        ValueRef::Null => String::new(),
-        ValueRef::Integer(number) => number.to_string(),
-        ValueRef::Real(number) => number.to_string(),
-        ValueRef::Text(bytes) | ValueRef::Blob(bytes) => String::from_utf8_lossy(bytes).into_owned(),
+        ValueRef::Null => "".into(),
+        ValueRef::Integer(number) => number.to_string().into(),
+        ValueRef::Real(number) => number.to_string().into(),
+        ValueRef::Text(bytes) | ValueRef::Blob(bytes) => String::from_utf8_lossy(bytes),
     }
 }
 

@@ -85,6 +85,11 @@ impl Grid {
         region.cells.len() as f64 * self.step_m * self.step_m
     }
 
+    /// How far the area of a region may be from the true one, by the sides of its border.
+    pub fn region_error_m2(&self, region: &Region) -> f64 {
+        self.error_m2(region.rings.iter().map(Vec::len).sum())
+    }
+
     /// How far the area of the chosen cells may be from the true one, if its sides are straight:
     /// half a cell for each side of a cell in the border, and a cell for the corners.
     pub fn area_error_m2(&self, chosen: impl Fn(usize) -> bool) -> f64 {
@@ -92,6 +97,10 @@ impl Grid {
         let sides: usize = chosen_cells
             .map(|cell| self.neighbours(cell).iter().filter(|side| !side.is_some_and(&chosen)).count())
             .sum();
+        self.error_m2(sides)
+    }
+
+    fn error_m2(&self, sides: usize) -> f64 {
         if sides == 0 { 0.0 } else { (sides as f64 / 2.0 + 1.0) * self.step_m * self.step_m }
     }
 
@@ -125,14 +134,23 @@ impl Grid {
 
     /// The cell of a region with the most cells between it and the border: where a label belongs.
     pub fn deepest(&self, region: &Region) -> usize {
-        let mut layer = region.cells.clone();
-        let mut deepest = layer[0];
+        let place = |cell: usize| region.cells.binary_search(&cell).ok();
+        let mut reached = vec![false; region.cells.len()];
+        let is_at_border = |&cell: &usize| self.neighbours(cell).iter().any(|side| side.and_then(place).is_none());
+        let mut layer: Vec<usize> = region.cells.iter().copied().filter(is_at_border).collect();
+        let mut deepest = region.cells[0];
         while !layer.is_empty() {
+            layer.sort_unstable();
             deepest = layer[layer.len() / 2];
-            let is_inner = |cell: &usize| {
-                self.neighbours(*cell).iter().all(|side| side.is_some_and(|next| layer.binary_search(&next).is_ok()))
-            };
-            layer = layer.iter().copied().filter(is_inner).collect();
+            layer.iter().filter_map(|&cell| place(cell)).for_each(|place| reached[place] = true);
+            let mut inner = Vec::new();
+            for next in layer.iter().flat_map(|&cell| self.neighbours(cell)).flatten() {
+                if let Some(place) = place(next).filter(|&place| !reached[place]) {
+                    reached[place] = true;
+                    inner.push(next);
+                }
+            }
+            layer = inner;
         }
         deepest
     }

@@ -17,7 +17,7 @@ mod table;
 
 use homebody_core::geometry::Point;
 use homebody_core::home::Build;
-use homebody_core::home::field::{Field, MAX_SENSORS};
+use homebody_core::home::field::{Field, MAX_SENSORS, bits};
 use homebody_core::home::plan::Plan;
 use homebody_core::scenario::home::{HomeFile, SensorFile};
 use homebody_core::scenario::path::Posture;
@@ -122,15 +122,15 @@ pub struct Seen {
     pub field: Field,
 }
 
-/// What the sensors of a home that has passed its checks see of a body of this build that stands.
-pub fn of_home(home: &HomeFile, build: Build) -> Seen {
+/// What the sensors of a home that has passed its checks see of a body of this build that stands, in cells of `step_m`.
+pub fn of_home(home: &HomeFile, build: Build, step_m: f64) -> Seen {
     let mut home = home.clone();
     home.sensors.retain(SensorFile::looks);
     let plan = Plan::new(&home);
     let sensors: Vec<Sensor> = home.sensors.iter().map(|sensor| Sensor::new(sensor, &plan)).collect();
     let names: Vec<String> = sensors.iter().map(|sensor| sensor.name.clone()).collect();
     let field = Field::bake(&plan, &sensors, build.size(Posture::Standing));
-    let coverage = coverage(&plan, build.radius_m, &names, STEP_M, &|p| field.seen_at(p));
+    let coverage = coverage(&plan, build.radius_m, &names, step_m, &|p| field.seen_at(p));
     Seen { home, coverage, sensors, field }
 }
 
@@ -167,13 +167,19 @@ pub fn coverage(
         seen_m2: area(&|seen| seen & (1 << sensor) != 0),
         alone_m2: area(&|seen| seen == 1 << sensor),
     });
-    let pairs = (0..sensors.len()).flat_map(|a| (a + 1..sensors.len()).map(move |b| (a, b)));
+    let mut shared = vec![0_usize; count * count];
+    for &seen in grid.cells.iter().flatten() {
+        for a in bits(seen) {
+            bits(seen).filter(|&b| b > a).for_each(|b| shared[a * count + b] += 1);
+        }
+    }
+    let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b)));
     let mut overlaps: Vec<Overlap> = pairs
+        .filter(|&(a, b)| shared[a * count + b] > 0)
         .map(|(a, b)| Overlap {
             sensors: [sensors[a].clone(), sensors[b].clone()],
-            shared_m2: area(&|seen| seen & (1 << a) != 0 && seen & (1 << b) != 0),
+            shared_m2: shared[a * count + b] as f64 * step_m * step_m,
         })
-        .filter(|overlap| overlap.shared_m2 > 0.0)
         .collect();
     overlaps.sort_by(|a, b| b.shared_m2.total_cmp(&a.shared_m2));
     Coverage {
@@ -227,7 +233,7 @@ fn dead_zones(grid: &Grid, plan: &Plan, room_of: &[Option<usize>]) -> Vec<DeadZo
             number: index + 1,
             room: room.map(|room| plan.rooms[room].name.clone()),
             area_m2: grid.area_m2(region),
-            area_error_m2: grid.area_error_m2(|cell| region.cells.binary_search(&cell).is_ok()),
+            area_error_m2: grid.region_error_m2(region),
             middle: grid.middle(grid.deepest(region)).into(),
             outline: rings.next().unwrap_or_default(),
             holes: rings.collect(),

@@ -9,7 +9,7 @@ use homebody_core::event::{Events, Fact};
 use homebody_core::problem::Problem;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::{Driver, Scenario};
-use homebody_core::time::Micros;
+use homebody_core::time::{DAY, Micros};
 use homebody_routine::completion;
 use homebody_routine::explain::{self, Kind, Spread, explain};
 use homebody_routine::household::{Household, Understood};
@@ -85,25 +85,18 @@ fn lived(scenario: &Scenario, household: &Household, from: u32, days: u32) -> Mo
         days,
         ..MonthView::default()
     };
-    let mut doing = vec![(0, None); view.residents.len()];
-    let mut being = doing.clone();
+    let mut known = Known::of(view.residents.len());
     let mut events = Events::default();
+    // What was before the first day is only lived to come to it.
+    while run.now() < begin {
+        run.advance(begin.min(run.now() + DAY), &mut events);
+        known.learn(&events, &mut view);
+        view.spans.iter_mut().chain(&mut view.stays).for_each(Vec::clear);
+        events.clear();
+    }
     for day in 0..view.days.len() {
         run.advance(view.days[day].end_us, &mut events);
-        for fact in &events.facts {
-            match fact {
-                Fact::Activity { resident, at, name } if (*resident as usize) < doing.len() => {
-                    let name = name.as_ref().map(|name| numbered(&mut view.activities, name));
-                    let resident = *resident as usize;
-                    change(&mut doing[resident], *at, name, &mut view.spans[resident]);
-                }
-                Fact::Room { resident, at, room } if (*resident as usize) < being.len() => {
-                    let resident = *resident as usize;
-                    change(&mut being[resident], *at, *room, &mut view.stays[resident]);
-                }
-                _ => {}
-            }
-        }
+        known.learn(&events, &mut view);
         for firing in &events.firings {
             if is_motion[firing.sensor as usize]
                 && let Some(day) = view.days.iter().rposition(|day| day.begin_us <= firing.at)
@@ -113,15 +106,51 @@ fn lived(scenario: &Scenario, household: &Household, from: u32, days: u32) -> Mo
         }
         events.clear();
     }
-    for resident in 0..doing.len() {
-        change(&mut doing[resident], end, None, &mut view.spans[resident]);
-        change(&mut being[resident], end, None, &mut view.stays[resident]);
-    }
-    // What was before the first day was only lived to come to it.
-    for spans in view.spans.iter_mut().chain(&mut view.stays) {
-        spans.retain(|span| span.1 > begin);
-    }
+    known.end(end, &mut view);
     view
+}
+
+/// What each resident does, and where they are, since when.
+struct Known {
+    doing: Vec<(Micros, Option<u32>)>,
+    being: Vec<(Micros, Option<u32>)>,
+}
+
+impl Known {
+    /// Of so many residents; of others nothing is told.
+    fn of(residents: usize) -> Known {
+        Known { doing: vec![(0, None); residents], being: vec![(0, None); residents] }
+    }
+
+    /// Adds what has ended to the view.
+    fn learn(&mut self, events: &Events, view: &mut MonthView) {
+        for fact in &events.facts {
+            match fact {
+                Fact::Activity { resident, at, name } => {
+                    let resident = *resident as usize;
+                    let Some(doing) = self.doing.get_mut(resident) else { continue };
+                    let name = name.as_ref().map(|name| numbered(&mut view.activities, name));
+                    change(doing, *at, name, &mut view.spans[resident]);
+                }
+                Fact::Room { resident, at, room } => {
+                    let resident = *resident as usize;
+                    let Some(being) = self.being.get_mut(resident) else { continue };
+                    change(being, *at, *room, &mut view.stays[resident]);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// What goes on at the end ends there.
+    fn end(&mut self, end: Micros, view: &mut MonthView) {
+        for (doing, spans) in self.doing.iter_mut().zip(&mut view.spans) {
+            change(doing, end, None, spans);
+        }
+        for (being, stays) in self.being.iter_mut().zip(&mut view.stays) {
+            change(being, end, None, stays);
+        }
+    }
 }
 
 /// Ends what was, and begins what is.

@@ -11,9 +11,12 @@ use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::scenario::resident::ResidentFile;
 use homebody_core::sensors::Sensor;
 use homebody_import::{Imported, NotImported, SCHEMA, sweet_home};
-use homebody_study::coverage::{self, Coverage, Floor, Seen};
+use homebody_study::coverage::{self, Coverage, Floor, STEP_M, Seen};
 use serde_json::json;
 use std::collections::BTreeMap;
+
+/// So many cells are looked at in a tenth of a second or two (ours): those of a home of 20 by 20 m.
+const MOST_CELLS: f64 = 160_000.0;
 
 /// What a cell is where no body can stand.
 const NO_FLOOR: u8 = 255;
@@ -23,11 +26,11 @@ impl Desk {
     pub fn plan(&self, draft: Draft) -> PlanView {
         let files = self.with(draft);
         match home(&files, &self.shelf.entry) {
-            Ok(home) => PlanView {
-                problems: Vec::new(),
-                home: Some(view(&home)),
-                coverage: Some(covered(&coverage::of_home(&home, build(&files, &self.shelf.entry)))),
-            },
+            Ok(home) => {
+                let plan = Plan::new(&home);
+                let seen = coverage::of_home(&home, build(&files, &self.shelf.entry), step_m(&plan));
+                PlanView { problems: Vec::new(), home: Some(view(&home, &plan)), coverage: Some(covered(&seen)) }
+            }
             Err(wrong) => PlanView { problems: problems(&wrong), home: None, coverage: None },
         }
     }
@@ -71,10 +74,17 @@ fn build(files: &dyn Files, entry: &str) -> Build {
     first().map_or_else(Build::adult, |file| Build::of(&file))
 }
 
-fn view(home: &HomeFile) -> HomeView {
-    let plan = Plan::new(home);
-    let sensors: Vec<Sensor> = home.sensors.iter().map(|sensor| Sensor::new(sensor, &plan)).collect();
-    draw::home(home, &plan, &sensors)
+fn view(home: &HomeFile, plan: &Plan) -> HomeView {
+    let sensors: Vec<Sensor> = home.sensors.iter().map(|sensor| Sensor::new(sensor, plan)).collect();
+    draw::home(home, plan, &sensors)
+}
+
+/// The side of a cell: as the command has it, but in a very large home, which is told while it is being drawn.
+fn step_m(plan: &Plan) -> f64 {
+    let (least, most) = plan.bounds();
+    let area = (most.x - least.x) * (most.y - least.y);
+    let times = (area / (STEP_M * STEP_M * MOST_CELLS)).sqrt().ceil().max(1.0);
+    STEP_M * times
 }
 
 fn covered(Seen { coverage, .. }: &Seen) -> CoverageView {

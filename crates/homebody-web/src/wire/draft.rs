@@ -39,7 +39,7 @@ pub struct Draft {
     pub texts: BTreeMap<String, String>,
 }
 
-/// Texts to be written: all of them, or none.
+/// Texts to be written; none is where one of the files has changed.
 #[derive(Clone, Debug, PartialEq, Deserialize, TS)]
 #[serde(deny_unknown_fields)]
 pub struct Save {

@@ -118,6 +118,10 @@ fn only_what_was_seen_is_replaced_and_all_or_nothing() {
     assert_eq!((&told["changed"][0]["name"], &told["changed"][0]["text"]), (&json!("home.json"), &json!(new)));
     assert_eq!(all_files(served.folder.path()), before);
 
+    let twice = [save("new.json", "1", Value::Null), save("new.json", "2", Value::Null)];
+    assert_eq!(served.post("/api/files", &json!({ "files": twice })).code, 422);
+    assert_eq!(all_files(served.folder.path()), before);
+
     // A new file takes no other's place; one that has gone is made again by who has seen that it has.
     let told = served.told("/api/files", &json!({ "files": [save("walter.routine", "", Value::Null)] }));
     assert_eq!(told["changed"][0]["name"], "walter.routine");
@@ -128,6 +132,14 @@ fn only_what_was_seen_is_replaced_and_all_or_nothing() {
     served.told("/api/files", &json!({ "files": [save("walter.routine", "a", json!(""))] }));
     assert_eq!(fs::read_to_string(&routine).unwrap(), "a");
     assert!(all_files(served.folder.path()).keys().all(|path| !path.to_string_lossy().contains(".part")));
+
+    // How a file begins is nobody's text, and stays; the folder of conditions is made when there is one.
+    fs::write(&routine, "\u{feff}a").unwrap();
+    let seen = json!(served.version("walter.routine"));
+    let both = [save("walter.routine", "b", seen), save("conditions/flu.routine", "she sleeps longer", Value::Null)];
+    served.told("/api/files", &json!({ "files": both }));
+    assert_eq!(fs::read_to_string(&routine).unwrap(), "\u{feff}b");
+    assert!(served.file("studio", "conditions/flu.routine").exists());
 }
 
 #[test]
@@ -413,6 +425,11 @@ fn a_place_for_a_log_is_tried_without_a_trace() {
         assert!(told["works"] == false && told["said"].as_str().unwrap().contains(said), "{url}: {told}");
     }
     assert_eq!(all_files(served.folder.path()), before);
+    // Nobody reads this pipe, and nobody is kept waiting for it.
+    let pipe = served.folder.path().join("pipe");
+    if std::process::Command::new("mkfifo").arg(&pipe).status().is_ok_and(|made| made.success()) {
+        assert_eq!(tried(&format!("csv:{}", pipe.display()))["works"], true);
+    }
 }
 
 #[test]

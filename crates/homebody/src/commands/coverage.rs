@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::folder;
 use homebody_core::geometry::Point;
 use homebody_core::home::Build;
-use homebody_study::coverage::{self, Seen};
+use homebody_study::coverage::{self, STEP_M, Seen};
 use homebody_study::picture;
 use std::path::PathBuf;
 
@@ -27,7 +27,7 @@ impl Arguments {
         let (scenario, _) = folder::load(&self.scenario)?;
         let answer = self.answer.check([""], &folder::files(&self.scenario, &scenario))?;
         let build = scenario.residents.first().map_or_else(Build::adult, |resident| Build::of(&resident.file));
-        let seen = coverage::of_home(&scenario.home, build);
+        let seen = coverage::of_home(&scenario.home, build, STEP_M);
         let map = || picture::coverage_map(&seen.home, &seen.coverage, &beams(&seen));
         answer.give(&seen.coverage, [&map])
     }
