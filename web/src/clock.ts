@@ -29,6 +29,11 @@ export function time(ms: number): string {
   return Number.isFinite(ms) ? new Date(ms).toISOString().slice(11, 19) : '';
 }
 
+/** `07`, of an hour or a minute. */
+export function twoDigits(number: number): string {
+  return String(number).padStart(2, '0');
+}
+
 /** As a field for date and time wants it: `2009-03-02T07:12:03`. */
 export function field(ms: number): string {
   return Number.isFinite(ms) ? new Date(ms).toISOString().slice(0, 19) : '';

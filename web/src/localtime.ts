@@ -27,16 +27,16 @@ export function dayOf(run: Days, at_us: number): string {
   return run.days.length === 0 ? '' : `day ${dayAt(run, at_us) + 1} of ${run.days.length}`;
 }
 
-/** The time of a day's clock at an instant, in milliseconds as if it were that of Greenwich. */
-function clockIn(day: DateView, at_us: number): number {
+/** What a day's clock shows at an instant, in microseconds since midnight. */
+export function sinceMidnight(day: DateView, at_us: number): number {
   const turned = day.turn !== null && at_us >= day.turn[0] ? day.turn[1] : 0;
-  return read(`${day.date} 00:00:00`) + (day.clock_us + at_us - day.begin_us + turned) / 1000;
+  return day.clock_us + at_us - day.begin_us + turned;
 }
 
-/** The clock at an instant of the run. */
+/** The clock at an instant of the run, in milliseconds as if it were that of Greenwich. */
 export function clockOf(run: Days, at_us: number): number {
   const day = run.days[dayAt(run, at_us)];
-  return day === undefined ? NaN : clockIn(day, at_us);
+  return day === undefined ? NaN : read(`${day.date} 00:00:00`) + sinceMidnight(day, at_us) / 1000;
 }
 
 /** The instant at which the clock shows this; of a time that comes twice the first, and null beyond the run. */

@@ -1,6 +1,6 @@
 // Motion density: a column for each day, its hours from the top down, and how often sensors fired in each.
 
-import { date, read } from '../clock';
+import { date, read, twoDigits } from '../clock';
 import { livedOf } from '../localtime';
 import { type Palette, viridis } from '../plan/palette';
 import { penOf, pixelRatio } from '../plan/pen';
@@ -90,13 +90,12 @@ function dayMonth(text: string): string {
 export function words(density: Density, day: number, hour: number): string {
   const count = countAt(density, day, hour);
   const said = count === null ? 'no data' : count === 0 ? 'no firing' : count === 1 ? '1 firing' : `${count.toLocaleString('en-GB')} firings`;
-  const two = (number: number) => String(number).padStart(2, '0');
-  return `${date(read(`${density.days[day]?.date} 00:00:00`))}, ${two(hour)} to ${two(hour + 1)} h: ${said}`;
+  return `${date(read(`${density.days[day]?.date} 00:00:00`))}, ${twoDigits(hour)} to ${twoDigits(hour + 1)} h: ${said}`;
 }
 
 /** The hour with the most firings of a day, in words. */
 export function busiest(hours: number[]): string {
   const top = hours.reduce((a, b) => Math.max(a, b), 0);
   const from = hours.indexOf(top);
-  return top === 0 ? 'none' : `${String(from).padStart(2, '0')} to ${String(from + 1).padStart(2, '0')} h`;
+  return top === 0 ? 'none' : `${twoDigits(from)} to ${twoDigits(from + 1)} h`;
 }

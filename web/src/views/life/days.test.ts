@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest';
+import { sinceMidnight } from '../../localtime';
 import { date } from '../../testing/stored';
-import { type Span, clock, dateAfter, datesFrom, isWeekend, meanHours, piecesOf, sinceMidnight, totals, turnOf, weekday } from './days';
+import { type Span, clock, dateAfter, datesFrom, isWeekend, meanHours, piecesOf, totals, turnOf, weekday } from './days';
 import { clockHours } from './draw';
 
 const HOUR = 3_600_000_000;

@@ -1,6 +1,7 @@
 // Days by the clock on the wall: where in its 24 hours each span lies, also on a day on which clocks are set.
 
-import { read } from '../../clock';
+import { read, twoDigits } from '../../clock';
+import { sinceMidnight } from '../../localtime';
 import type { DateView, MonthView } from '../../wire';
 
 const DAY_US = 86_400_000_000;
@@ -9,12 +10,6 @@ export type Span = readonly [begin_us: number, end_us: number, what: number];
 
 /** A part of a span: from when to when on the clock, since midnight; and whether that hour comes once, or which time it is. */
 export type Piece = { from_us: number; to_us: number; what: number; pass: 'only' | 'first' | 'second' };
-
-/** The time on the clock, in microseconds since midnight. */
-export function sinceMidnight(day: DateView, at_us: number): number {
-  const turned = day.turn !== null && at_us >= day.turn[0] ? day.turn[1] : 0;
-  return day.clock_us + at_us - day.begin_us + turned;
-}
 
 /** The parts of spans that lie in a day. */
 export function piecesOf(day: DateView, spans: readonly Span[]): Piece[] {
@@ -94,5 +89,5 @@ export function datesFrom(first: string, last: string): string {
 /** `07:05`, of microseconds since midnight. */
 export function clock(since_midnight_us: number): string {
   const minutes = Math.floor(since_midnight_us / 60e6);
-  return `${String(Math.floor(minutes / 60) % 24).padStart(2, '0')}:${String(minutes % 60).padStart(2, '0')}`;
+  return `${twoDigits(Math.floor(minutes / 60) % 24)}:${twoDigits(minutes % 60)}`;
 }

@@ -1,11 +1,12 @@
 // Draws days: each as a row of the clock's 24 hours, or one of them large.
 
+import { hours as drawHours, left, xOf } from '../../charts/lanes';
+import { twoDigits } from '../../clock';
+import { clockOf } from '../../localtime';
 import { type Palette, contrast } from '../../plan/palette';
 import { FONT, type Pen, penOf } from '../../plan/pen';
 import { fitting, isolated } from '../../plan/words';
 import type { DateView, MonthView } from '../../wire';
-import { hours as drawHours, left, xOf } from '../../charts/lanes';
-import { clockOf } from '../../localtime';
 import { activityKind, spoken } from './activities';
 import { type Span, isWeekend, piecesOf, touching, weekday } from './days';
 
@@ -64,7 +65,7 @@ export function drawMonth(canvas: HTMLCanvasElement, width: number, view: MonthV
     pen.fillRect(place - 0.5, AXIS - 3, 1, high);
     pen.globalAlpha = 1;
     pen.fillStyle = palette.quiet;
-    pen.fillText(String(hour).padStart(2, '0'), Math.min(Math.max(place, 7), width - 8), AXIS / 2);
+    pen.fillText(twoDigits(hour), Math.min(Math.max(place, 7), width - 8), AXIS / 2);
   }
 }
 
