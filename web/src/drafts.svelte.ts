@@ -26,7 +26,7 @@ export class Drafts {
 
   /** @param note tells people what happened. */
   constructor(
-    private server: Server,
+    public server: Server,
     private note: (text: string, bad: boolean) => void,
   ) {
     this.checks = new Latest(

@@ -103,6 +103,16 @@ test('a condition is left out, and both lives are compared', async () => {
   expect(options()[20]).not.toBe(before[20]);
   button('Watch it').click();
   for (let turn = 0; turn < 3; turn++) await settle();
+  // A run that is refused plays no other.
+  expect(said).toEqual([{ say: 'start', driven: null, without: ['depression'], seed: null }]);
+  live['hear']({ tell: 'note', text: 'it is wrong', bad: true });
+  await settle();
+  expect([said.length, window.location.hash]).toEqual([1, '#/life']);
+  said.length = 0;
+  button('Watch it').click();
+  for (let turn = 0; turn < 3; turn++) await settle();
+  live['hear']({ tell: 'run', run: madeUpRun() });
+  await settle();
   expect(said).toEqual([{ say: 'start', driven: null, without: ['depression'], seed: null }, { say: 'speed', times: 100 }, { say: 'play' }]);
   expect(window.location.hash).toBe('#/live');
 });
@@ -134,6 +144,8 @@ test('where all of it has been lived it can be played back', async () => {
   await begin();
   button('Live all of it').click();
   for (let turn = 0; turn < 3; turn++) await settle();
+  live['hear']({ tell: 'run', run: madeUpRun() });
+  await settle();
   expect(said[1]).toEqual({ say: 'speed', times: null });
   live.frame = frame({ state: 'playing', speed: null, now_us: 86_400_000_000 });
   flushSync();
