@@ -223,6 +223,7 @@ test('another name is taken over by the sensors', async () => {
 
 test('what the sensors see is in figures, and is old while there is a problem, which leads to its place', async () => {
   await begin(FLAT);
+  expect(document.querySelector('[aria-label="Colours of the floor"]')!.textContent).toMatch(/^Seen by.*none.*no room to stand/);
   click('Coverage');
   expect(document.querySelector('tbody')!.textContent!.replaceAll(/\s+/g, ' ')).toContain('All15.0 m²25 %25 %50 %0 %');
   expect(document.body.textContent).toContain('Dead zones 1');
