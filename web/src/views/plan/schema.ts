@@ -68,7 +68,7 @@ const WORDS: Record<string, string[]> = {
 
 const LABELS: Record<string, string> = {
   at: 'Place', from: 'From', to: 'To', on: 'Hangs on', facing_deg: 'Looks to', enterable: 'People can be in it', outside: 'Leads outside',
-  level: 'Movement is', preset: 'Timing as of', first_fire_s: 'First firing', refire_s: 'Next firings',
+  level: 'Sees', preset: 'Timing as of', first_fire_s: 'First firing', refire_s: 'Next firings',
 };
 
 /** What choices are called, where the file's word alone tells little. */

@@ -201,7 +201,7 @@ test('numbers are typed in the chosen units, and what cannot be is said', async 
   expect(field('Reach').placeholder).toBe('32.81');
   type('Reach', '20');
   expect(value().sensors[0].reach_m).toBe(6.096);
-  const level = field('Movement is');
+  const level = field('Sees');
   level.value = 'zones';
   level.dispatchEvent(new Event('change', { bubbles: true }));
   flushSync();
