@@ -1,20 +1,60 @@
-// Draws the picture of the README: a resident who is driven. `node e2e/picture.mjs FILE.png`
+// Draws the pictures of the README, each a moment of use: `node e2e/picture.mjs FOLDER` draws live.png, where a resident is
+// driven, plan.png, where a sensor is dragged, and life.png, where a condition is left out.
 
+import { mkdirSync } from 'node:fs';
+import { join } from 'node:path';
 import { setTimeout as wait } from 'node:timers/promises';
 import { serve } from './served.mjs';
 
-const served = await serve('tigerplace');
-const { page } = served;
-await page.setViewportSize({ width: 1280, height: 800 });
-await page.emulateMedia({ colorScheme: 'light' });
-await page.getByLabel('Who walks').selectOption({ index: 1 });
-await page.getByRole('button', { name: 'New run' }).click();
-await page.getByRole('button', { name: 'Play', exact: true }).click();
-await page.getByRole('application').focus();
-for (const [code, seconds] of [['KeyD', 2.6], ['KeyS', 3.0], ['KeyD', 2.3], ['KeyW', 2.0], ['KeyD', 3.2], ['KeyS', 2.0]]) {
-  await page.keyboard.down(code);
-  await wait(seconds * 1000);
-  if (code !== 'KeyS' || seconds !== 2.0) await page.keyboard.up(code);
+const folder = process.argv[2];
+if (!folder) throw new Error('Say into which folder the pictures go.');
+mkdirSync(folder, { recursive: true });
+
+/** Opens a view of a scenario as the pictures have it, and takes one once all is as `act` makes it. */
+async function picture(name, scenario, act) {
+  const served = await serve(scenario);
+  const { page, address } = served;
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await page.emulateMedia({ colorScheme: 'light' });
+  await page.goto(`${address.split('#')[0]}#/${name}`);
+  await act(page);
+  await page.screenshot({ path: join(folder, `${name}.png`) });
+  await served.close();
 }
-await page.screenshot({ path: process.argv[2] });
-await served.close();
+
+await picture('live', 'tigerplace', async (page) => {
+  await page.getByLabel('Who walks').selectOption({ index: 1 });
+  await page.getByRole('button', { name: 'New run' }).click();
+  await page.getByRole('button', { name: 'Play', exact: true }).click();
+  await page.getByRole('application').focus();
+  for (const [code, seconds] of [['KeyD', 2.3], ['KeyS', 3.0], ['KeyD', 2.3], ['KeyW', 2.0], ['KeyD', 3.2], ['KeyS', 2.0]]) {
+    await page.keyboard.down(code);
+    await wait(seconds * 1000);
+    if (code !== 'KeyS' || seconds !== 2.0) await page.keyboard.up(code);
+  }
+});
+
+// A sensor of the hall is dragged, and what no sensor sees changes with it.
+await picture('plan', 'older-adult', async (page) => {
+  await page.getByRole('tab', { name: 'Coverage' }).click();
+  await page.getByRole('row', { name: /^All / }).waitFor();
+  const sensor = await page.getByRole('img', { name: /^hallway middle/ }).last().boundingBox();
+  const [x, y] = [sensor.x + sensor.width / 2, sensor.y + sensor.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x - 44, y + 6, { steps: 12 });
+  await wait(1500);
+});
+
+// Two weeks in which the depression is at its strongest, beside the same weeks without it, and the sentence that says so.
+await picture('life', 'tigerplace-depression', async (page) => {
+  await page.getByRole('button', { name: 'Show its days' }).click();
+  await page.getByLabel('How many days').selectOption('14 days');
+  await page.getByLabel('depression', { exact: true }).check();
+  await page.getByRole('heading', { name: 'Without depression' }).waitFor({ timeout: 60_000 });
+  await page.getByText('living them').waitFor({ state: 'hidden', timeout: 60_000 });
+  await page.getByRole('textbox', { name: /^The routine of margaret/ }).click();
+  await page.keyboard.press('Control+End');
+  await page.keyboard.press('ArrowUp');
+  await wait(1000);
+});

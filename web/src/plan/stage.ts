@@ -16,7 +16,7 @@ import { type Insets, type Size, type View, fitBest, pan, toPlan, toScreen, zoom
 /** The clock and the scale are at the left, or above and below; the buttons are at the right. */
 const WAYS: Insets[] = [
   { left: 168, top: 12, right: 58, bottom: 12 },
-  { left: 14, top: 86, right: 58, bottom: 42 },
+  { left: 14, top: 112, right: 58, bottom: 42 },
 ];
 
 /** How near the pointer must come to a sensor to be told its name, in pixels. */

@@ -21,6 +21,9 @@ type Host = {
   onview: () => void;
 };
 
+/** What is kept free below the line at the cursor. */
+const MARGIN_PX = 6;
+
 /** Marks a change that came from outside: it was not written by somebody. */
 const given = Annotation.define<boolean>();
 
@@ -28,6 +31,8 @@ export class RoutineEditor {
   private view: EditorView;
   /** Places in the text that move along as it changes. */
   private anchors: number[] = [];
+  private height = 0;
+  private readonly size: ResizeObserver;
 
   constructor(
     parent: HTMLElement,
@@ -39,9 +44,12 @@ export class RoutineEditor {
     root.replaceChildren();
     this.view = new EditorView({ state: this.state(text), parent: root as unknown as Element, root });
     this.view.scrollDOM.addEventListener('scroll', () => host.onview());
+    this.size = new ResizeObserver(() => this.resized());
+    this.size.observe(parent);
   }
 
   destroy(): void {
+    this.size.disconnect();
     this.view.destroy();
   }
 
@@ -110,6 +118,16 @@ export class RoutineEditor {
 
   scrollTo(top: number): void {
     if (Math.abs(this.view.scrollDOM.scrollTop - top) >= 1) this.view.scrollDOM.scrollTop = top;
+  }
+
+  /** Problems come up below while somebody writes: the line that was seen at the cursor is seen still. */
+  private resized(): void {
+    const { scrollDOM, state, documentPadding } = this.view;
+    const before = this.height;
+    this.height = scrollDOM.clientHeight;
+    const bottom = this.view.lineBlockAt(state.selection.main.head).bottom + documentPadding.top;
+    if (!this.view.hasFocus || bottom > scrollDOM.scrollTop + before) return;
+    this.scrollTo(Math.max(scrollDOM.scrollTop, bottom - this.height + MARGIN_PX));
   }
 
   private state(text: string): EditorState {

@@ -12,3 +12,8 @@ export function stacked(tops: readonly number[], height: number): number[] {
     return place;
   });
 }
+
+/** Which of them have room for a second line before the next row. */
+export function roomy(tops: readonly number[], height: number): boolean[] {
+  return tops.map((top, index) => (tops[index + 1] ?? Infinity) - top >= 2 * height);
+}

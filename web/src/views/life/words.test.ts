@@ -4,7 +4,7 @@ import type { ProblemView } from '../../wire';
 import { ACTIVITY_KINDS, activityKind } from './activities';
 import { calls, courseOf, others, sentenceOf, strength, withLine } from './condition';
 import { placeOf, together } from './marks';
-import { stacked } from './rows';
+import { roomy, stacked } from './rows';
 import { bar, lasting, often } from './words';
 
 const doc = (text: string) => {
@@ -63,6 +63,10 @@ test('activities are of the kinds that the charts of days have, too', () => {
 
 test('rows stand beside their lines, or below the one before', () => {
   expect(stacked([0, 24, 24, 24, 200], 24)).toEqual([0, 24, 48, 72, 200]);
+});
+
+test('a row has a second line where the next one leaves room', () => {
+  expect(roomy([0, 24, 72, 120], 24)).toEqual([false, true, true, true]);
 });
 
 test('few words', () => {

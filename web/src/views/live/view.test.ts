@@ -144,6 +144,20 @@ test('a run begins with whom was chosen, and one that was stopped can be lived a
   expect(sent).toEqual([{ say: 'start', driven: 1, without: [], seed: null }, { say: 'replay', run: 'cottage-1' }]);
 });
 
+test('what is chosen for the next run, and what is not saved yet, is said to wait', () => {
+  const said = () => document.querySelector('[aria-label="Run"]')!.textContent!.replace(/\s+/g, ' ');
+  expect(said()).not.toContain('next new run');
+  const who = document.querySelector<HTMLSelectElement>('#walks')!;
+  who.value = '1';
+  who.dispatchEvent(new Event('change', { bubbles: true }));
+  flushSync();
+  expect(said()).toContain('holds from the next new run on');
+  expect(said()).not.toContain('not saved');
+  live.drafts.write('home.json', '{}');
+  flushSync();
+  expect(said()).toContain('home.json is not saved: a new run goes by what is on disk.');
+});
+
 test('time is gone to by keys once they rest, and is said in words', () => {
   const slider = document.querySelector<HTMLInputElement>('input[aria-label="Time in the run"]')!;
   expect(slider.getAttribute('aria-valuetext')).toBe('2 March, 06:55:00');
@@ -201,10 +215,13 @@ test('things within reach are used, and the others are not listed', () => {
   expect(sent).toEqual([{ say: 'use', thing: 0, on: true }]);
 });
 
-test('the table shows rows as they are stored, the newest first, and says what is not stored', () => {
+test('the table names the sensors, by what is stored of them as well, the newest first, and says what is not stored', () => {
   show({ now_us: 9_000_000, told: 60, firings: [firing(57, 7_000_000), firing(58, 8_000_000, 1, false), firing(59, 9_000_000, 2)] });
   const rows = [...document.querySelectorAll('table[aria-rowcount] tbody tr')].map((row) => row.textContent!.replace(/\s+/g, ' ').trim());
-  expect(rows.map((row) => row.replaceAll(' ', ''))).toEqual(['time59S2message59', expect.stringContaining('(notstored)'), 'time57S0message57', '57more,notshown']);
+  expect(rows.map((row) => row.replaceAll(' ', ''))).toEqual([
+    '06:55:09bathroommotionS2message59', expect.stringContaining('(notstored)'), '06:55:07sittingroommotionS0message57', '57more,notshown',
+  ]);
+  expect(document.querySelector('table[aria-rowcount] tbody td')!.getAttribute('title')).toBe('Stored as time 59');
 });
 
 test('of five hundred rows few are in the page', () => {

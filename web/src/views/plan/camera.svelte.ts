@@ -4,7 +4,7 @@ import type { At } from '../../plan/geometry';
 import { type Bounds, type Size, type View, fit, pan, toPlan, toScreen, zoom } from '../../plan/transform';
 
 /** Tools and the scale lie at the edges. */
-const INSETS = { left: 30, top: 30, right: 60, bottom: 46 };
+const INSETS = { left: 30, top: 48, right: 60, bottom: 46 };
 /** Nearer to the edge than this, what is asked for is brought to the middle. */
 const EDGE = 50;
 

@@ -28,7 +28,7 @@ export type Unit = 'm' | '°' | 's' | '°C' | 'lx' | 'W' | '%' | '/min' | '';
 
 export type Bounds = { least: number; most: number; whole: boolean };
 
-type Option = { value: string; about: string };
+type Option = { value: string; title: string; about: string };
 
 export type Field = {
   path: Path;
@@ -66,7 +66,17 @@ const WORDS: Record<string, string[]> = {
   rows: ['Far', 'Middle', 'Near'],
 };
 
-const LABELS: Record<string, string> = { at: 'Place', from: 'From', to: 'To', on: 'Hangs on', facing_deg: 'Looks to', enterable: 'People can be in it', outside: 'Leads outside' };
+const LABELS: Record<string, string> = {
+  at: 'Place', from: 'From', to: 'To', on: 'Hangs on', facing_deg: 'Looks to', enterable: 'People can be in it', outside: 'Leads outside',
+  level: 'Sees', preset: 'Timing as of', first_fire_s: 'First firing', refire_s: 'Next firings',
+};
+
+/** What choices are called, where the file's word alone tells little. */
+const CHOICES: Record<string, string> = {
+  'level paper': 'any change in a beam', 'level sensitivity': 'large changes only', 'level zones': 'changes between zones',
+  'preset paper': 'Godsey and Skubic 2009', 'preset x10_ms16a': 'X10 ActiveEye MS16A', 'preset casas_pulse': 'CASAS, a pulse of 4 s',
+  'preset casas_follow': 'CASAS, while it lasts', 'preset aqara': 'Aqara RTCGQ11LM', 'preset hue': 'Philips Hue',
+};
 
 function resolved(of: Schema): Schema {
   const ref = of.$ref ?? of.allOf?.[0]?.$ref;
@@ -100,7 +110,7 @@ function field(key: string, raw: Schema, path: Path, required: boolean): Field |
     const options = of.oneOf.map((one) => {
       const name = one.const ?? one.required?.[0] ?? '';
       const nested = one.const === undefined ? resolved(one.properties?.[name] ?? {}) : undefined;
-      return { value: name, about: one.description ?? '', plain: nested === undefined, fields: nested ? fieldsOfObject(nested, [...path, key, name]) : [] };
+      return { value: name, title: CHOICES[`${key} ${name}`] ?? name.replaceAll('_', ' '), about: one.description ?? '', plain: nested === undefined, fields: nested ? fieldsOfObject(nested, [...path, key, name]) : [] };
     });
     return options.every(({ plain }) => plain) ? { ...base, form: 'choice', options } : { ...base, form: 'way', options };
   }

@@ -201,7 +201,7 @@ test('numbers are typed in the chosen units, and what cannot be is said', async 
   expect(field('Reach').placeholder).toBe('32.81');
   type('Reach', '20');
   expect(value().sensors[0].reach_m).toBe(6.096);
-  const level = field('Level');
+  const level = field('Sees');
   level.value = 'zones';
   level.dispatchEvent(new Event('change', { bubbles: true }));
   flushSync();
@@ -223,6 +223,7 @@ test('another name is taken over by the sensors', async () => {
 
 test('what the sensors see is in figures, and is old while there is a problem, which leads to its place', async () => {
   await begin(FLAT);
+  expect(document.querySelector('[aria-label="Colours of the floor"]')!.textContent).toMatch(/^Sensors.*none.*no room to stand/);
   click('Coverage');
   expect(document.querySelector('tbody')!.textContent!.replaceAll(/\s+/g, ' ')).toContain('All15.0 m²25 %25 %50 %0 %');
   expect(document.body.textContent).toContain('Dead zones 1');

@@ -116,6 +116,13 @@ test('a run that is not there is told', async () => {
   expect(document.querySelector('[role="alert"]')!.textContent).toBe('There is no run ../etc.');
 });
 
+test('where no run is stored it is said how to have one, and nothing is to be chosen', async () => {
+  await begin([]);
+  expect(document.querySelector('.waiting')!.textContent).toContain('No run is stored yet.');
+  expect([...document.querySelectorAll('.waiting a')].map((link) => link.getAttribute('href'))).toEqual(['#/live', '#/life']);
+  expect(document.querySelector('select')).toBeNull();
+});
+
 test('hostile names are text', async () => {
   await begin([EVIL, `${EVIL} two`], (name) =>
     storedRun(name, 2, { scenario: EVIL, residents: [{ name: EVIL, radius_m: 0.2 }, { name: `${EVIL}${'x'.repeat(4000)}`, radius_m: 0.2 }], activities: [EVIL, EVIL], values: [EVIL, EVIL], remarks: [EVIL] }),
