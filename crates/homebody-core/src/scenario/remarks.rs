@@ -37,7 +37,7 @@ fn too_late(source: &Source, link: &LinkFile, scenario: &Scenario, length: Micro
 
 /// What sensors tell the instant of, if they tell it as it happens.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
-enum Instant<'a> {
+enum Moment<'a> {
     /// Somebody has come into a piece of furniture, or left it, so long ago.
     Pressed(&'a str, Micros),
     /// A thing is used.
@@ -49,14 +49,14 @@ fn at_once(source: &Source, link: &LinkFile, sensors: &[SensorFile]) -> Vec<Prob
     if link.channel().is_none() {
         return Vec::new();
     }
-    let mut speakers: BTreeMap<Instant, Vec<&str>> = BTreeMap::new();
+    let mut speakers: BTreeMap<Moment, Vec<&str>> = BTreeMap::new();
     for sensor in sensors {
         let instant = match sensor {
-            SensorFile::Bed(bed) => Some(Instant::Pressed(&bed.on, 0)),
-            SensorFile::Pressure(pad) => pad.on.as_deref().map(|on| Instant::Pressed(on, micros(pad.delay_s))),
-            SensorFile::Contact(contact) => Some(Instant::Used(&contact.on)),
-            SensorFile::Power(power) => Some(Instant::Used(&power.on)),
-            SensorFile::Flow(flow) => Some(Instant::Used(&flow.on)),
+            SensorFile::Bed(bed) => Some(Moment::Pressed(&bed.on, 0)),
+            SensorFile::Pressure(pad) => pad.on.as_deref().map(|on| Moment::Pressed(on, micros(pad.delay_s))),
+            SensorFile::Contact(contact) => Some(Moment::Used(&contact.on)),
+            SensorFile::Power(power) => Some(Moment::Used(&power.on)),
+            SensorFile::Flow(flow) => Some(Moment::Used(&flow.on)),
             _ => None,
         };
         if let Some(instant) = instant {
@@ -64,8 +64,8 @@ fn at_once(source: &Source, link: &LinkFile, sensors: &[SensorFile]) -> Vec<Prob
         }
     }
     let together = speakers.into_iter().filter(|(_, names)| names.len() > 1);
-    let remark = |(instant, names): (Instant, Vec<&str>)| {
-        let (Instant::Pressed(thing, _) | Instant::Used(thing)) = instant;
+    let remark = |(instant, names): (Moment, Vec<&str>)| {
+        let (Moment::Pressed(thing, _) | Moment::Used(thing)) = instant;
         let names = names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(" and ");
         let what = format!("{names} speak of {thing:?} at the same instants, and spoil each other's messages");
         let hint = "on this radio nobody waits for another: leave one out, or take another network for all".to_owned();
