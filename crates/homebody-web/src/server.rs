@@ -11,7 +11,7 @@ use crate::stage::Stage;
 use crate::wire::{Connect, Draft, Explain, Month, Save};
 use axum::Json;
 use axum::Router;
-use axum::body::{Body, Bytes};
+use axum::body::Body;
 use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::{DefaultBodyLimit, Path, State};
 use axum::http::{HeaderMap, StatusCode, header};
@@ -140,7 +140,7 @@ fn routes(house: House) -> Router {
         .route("/api/files/versions", get(versions))
         .route("/api/check", post(check))
         .route("/api/plan", post(plan))
-        .route("/api/import", post(import).layer(DefaultBodyLimit::max(MOST_BYTES as usize)))
+        .route("/api/import", post(import))
         .route("/api/explain", post(explain))
         .route("/api/month", post(month))
         .route("/api/rows", post(rows))
@@ -213,7 +213,15 @@ async fn plan(State(house): State<House>, Json(draft): Json<Draft>) -> Response 
 }
 
 /// A plan of another program, as its file's bytes.
-async fn import(State(house): State<House>, bytes: Bytes) -> Response {
+async fn import(State(house): State<House>, headers: HeaderMap, body: Body) -> Response {
+    let told = headers.get(header::CONTENT_LENGTH).and_then(|length| length.to_str().ok()?.parse::<u64>().ok());
+    let too_large = || (StatusCode::PAYLOAD_TOO_LARGE, format!("A plan has at most {} MB.", MOST_BYTES >> 20));
+    if told.is_some_and(|length| length > MOST_BYTES) {
+        return too_large().into_response();
+    }
+    let Ok(bytes) = axum::body::to_bytes(body, MOST_BYTES as usize).await else {
+        return too_large().into_response();
+    };
     let refused = |why: NotImported| (StatusCode::UNPROCESSABLE_ENTITY, why.to_string());
     json(found(move || house.desk.import(&bytes)).await.and_then(|made| made.map_err(refused)))
 }
