@@ -19,9 +19,10 @@ async function hold(page, code, seconds) {
   await wait(150);
 }
 
+/** The table's rows: time, the sensor as the log calls it, message. */
 const shown = (page) =>
   page.locator('table[aria-rowcount] tbody tr[aria-rowindex]').evaluateAll((rows) =>
-    rows.map((row) => [...row.querySelectorAll('td')].map((cell) => cell.innerText.trim())));
+    rows.map((row) => [...row.querySelectorAll('td')].map((cell) => cell.innerText.trim().split('\n').at(-1))));
 
 /** The rows of a run's log, in the order in which they were stored: sensor and message. */
 function stored(run) {
