@@ -7,7 +7,7 @@ import { join, resolve } from 'node:path';
 import { chromium } from 'playwright-core';
 
 const repository = resolve(import.meta.dirname, '../..');
-const program = process.env.HOMEBODY ?? join(repository, 'target/debug/homebody');
+const program = resolve(process.env.HOMEBODY ?? join(repository, 'target/debug/homebody'));
 const browser = process.env.CHROMIUM ?? '/usr/bin/chromium';
 const flags = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
 
