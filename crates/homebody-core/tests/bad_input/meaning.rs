@@ -385,3 +385,27 @@ fn an_area_does_not_reach_through_a_wall() {
     assert_eq!(over(r#""area": [[4, 0], [5, 0], [5, 0.8], [4, 0.8]]"#), "");
     assert_eq!(over(r#""area": [[3.5, 1.0], [4.5, 1.0], [4.5, 2.0], [3.5, 2.0]]"#), "");
 }
+
+#[test]
+fn walls_are_not_drawn_over_and_over() {
+    let with = |home: &str, list: &str, more: &[String]| {
+        let begin = format!(r#""{list}": ["#);
+        home.replacen(&begin, &format!("{begin}{},", more.join(",")), 1)
+    };
+    let said = |home: String| {
+        let mut files = good();
+        files.insert("home.json".into(), home);
+        said(&files)
+    };
+    let home = &good()["home.json"];
+    let walls = |count: usize| with(home, "walls", &vec![r#"{ "from": [0, 0], "to": [8, 0] }"#.to_owned(); count]);
+    assert_eq!(said(walls(150)), "");
+    let many = said(walls(300));
+    assert!(many.contains("the walls meet or cross each other more than 20000 times"), "{many}");
+    let door = |index: usize| {
+        let from = 0.5 + 0.2 * index as f64;
+        format!(r#"{{ "name": "door {index}", "from": [{from}, 0], "to": [{}, 0] }}"#, from + 0.1)
+    };
+    let many = said(with(&walls(100), "doors", &(0..21).map(door).collect::<Vec<_>>()));
+    assert!(many.contains("the doors are in more than 2000 walls together"), "{many}");
+}

@@ -1,5 +1,6 @@
 //! Homes to walk in, for the tests of this folder.
 
+use homebody_core::geometry::point;
 use homebody_core::home::plan::Plan;
 use homebody_core::random::Stream;
 use homebody_core::scenario::home::HomeFile;
@@ -63,4 +64,43 @@ pub fn random_home(case: u64) -> Plan {
         .collect();
     let home = json!({ "name": "home", "rooms": rooms, "walls": walls, "doors": doors, "furniture": furniture });
     plan(&home.to_string())
+}
+
+/// A home of one room that walls and furniture cross at all angles, many of them nearly in one line, or nearly touching.
+pub fn tangled_home(case: u64, walls: usize, pieces: usize) -> String {
+    let stream = &mut Stream::named(case, "tangle");
+    let size = [4.0, 8.0, 15.0, 40.0, 95.0][stream.between(0.0, 5.0) as usize];
+    let round = |value: f64| (value * 1e3).round() / 1e3;
+    let mut drawn: Vec<[[f64; 2]; 2]> = Vec::new();
+    while drawn.len() < walls {
+        let mut anywhere = || [round(stream.between(0.0, size)), round(stream.between(0.0, size))];
+        let (from, to) = (anywhere(), anywhere());
+        let known = drawn.get(stream.between(0.0, drawn.len().max(1) as f64) as usize).copied().unwrap_or([from, to]);
+        let mut near = |at: [f64; 2]| at.map(|part| round((part + stream.between(-0.004, 0.004)).clamp(0.0, size)));
+        let wall = match drawn.len() % 8 {
+            0 => [near(known[0]), near(known[1])],
+            1 => [near(known[1]), to],
+            2 => [from, [from[0], to[1]]],
+            3 => [from, [to[0], from[1]]],
+            4 => [known[0], known[1]],
+            _ => [from, to],
+        };
+        if point(wall[0]).distance(point(wall[1])) > 0.002 {
+            drawn.push(wall);
+        }
+    }
+    let walls: Vec<Value> = drawn
+        .iter()
+        .map(|[from, to]| json!({ "from": from, "to": to, "thickness_m": round(stream.between(0.001, 0.2)) }))
+        .collect();
+    let furniture: Vec<Value> = (0..pieces)
+        .map(|index| {
+            json!({ "name": format!("piece {index}"), "height_m": 0.5, "enterable": stream.chance(0.4),
+                "at": [round(stream.between(0.2, 0.8) * size), round(stream.between(0.2, 0.8) * size)],
+                "size_m": [round(stream.between(0.1, 0.2) * size), round(stream.between(0.1, 0.2) * size)],
+                "turn_deg": stream.between(-90.0, 90.0).round() })
+        })
+        .collect();
+    let room = json!({ "name": "room", "outline": [[0, 0], [size, 0], [size, size], [0, size]] });
+    json!({ "name": "home", "rooms": [room], "walls": walls, "furniture": furniture }).to_string()
 }

@@ -14,6 +14,7 @@
 //!
 //! Left out: other people, doors that are opened on the way, and that a body is not round.
 
+mod floor;
 mod ground;
 #[cfg(test)]
 mod tests;

@@ -4,10 +4,9 @@ use super::check::counted;
 use crate::beginning::begin;
 use crate::failure::Failure;
 use crate::print::{tell, write_file};
-use homebody_core::geometry::{self, Point, point};
+use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::Plan;
-use homebody_core::problem::{Problem, Problems};
-use homebody_core::scenario::home::WallFile;
+use homebody_core::problem::Problems;
 use homebody_core::scenario::load::Scenario;
 use homebody_import::{MOST_BYTES, sweet_home};
 use homebody_routine::household::{Household, Spoken};
@@ -85,16 +84,18 @@ fn furnish(name: &str, home: String) -> Result<(Texts, Scenario, Vec<String>), F
         texts.extend(files);
         texts
     };
+    let alive = inhabited("\"anna.json\"", resident("routine", "anna.routine", ROUTINE.to_owned()));
+    let problems = match load(&alive) {
+        Ok(scenario) => return Ok((alive, scenario, Vec::new())),
+        Err(problems) => problems,
+    };
+    let lack = problems.0.into_iter().map(|problem| match problem.hint {
+        Some(hint) => format!("{}\n  hint: {hint}", problem.what),
+        None => problem.what,
+    });
+    let lack = lack.collect();
     let empty = inhabited("", Vec::new());
     let scenario = load(&empty)?;
-    let alive = inhabited("\"anna.json\"", resident("routine", "anna.routine", ROUTINE.to_owned()));
-    let lack = match is_tangled(&scenario.home.walls) {
-        false => match load(&alive) {
-            Ok(scenario) => return Ok((alive, scenario, Vec::new())),
-            Err(problems) => problems.0.into_iter().map(in_words).collect(),
-        },
-        true => vec!["there are too many walls, or too many across each other, to find a way between".to_owned()],
-    };
     let path = path(roomiest(&Plan::new(&scenario.home)));
     let standing = inhabited("\"anna.json\"", resident("path", "anna.path.json", path));
     // Where furniture leaves no place to stand, nobody does.
@@ -102,36 +103,6 @@ fn furnish(name: &str, home: String) -> Result<(Texts, Scenario, Vec<String>), F
         Ok(scenario) => (standing, scenario, lack),
         Err(_) => (empty, scenario, lack),
     })
-}
-
-/// Whether walls are such that the search for ways cannot be trusted with them: it is made for homes, in which walls end
-/// at each other.
-fn is_tangled(walls: &[WallFile]) -> bool {
-    /// Large houses have a hundred walls, and few that cross (ours).
-    const MOST_WALLS: usize = 200;
-    const MOST_CROSSINGS: usize = 20;
-    let ends = |wall: &WallFile| (point(wall.from), point(wall.to));
-    let cross = |wall: &WallFile, other: &WallFile| {
-        let ((a, b), (c, d)) = (ends(wall), ends(other));
-        geometry::segments_meet(a, b, c, d) && !joined(a, b, c, d)
-    };
-    let crossings = |(index, wall)| walls[..index].iter().filter(|other| cross(wall, other)).count();
-    walls.len() > MOST_WALLS || walls.iter().enumerate().map(crossings).sum::<usize>() > MOST_CROSSINGS
-}
-
-/// Whether one of two walls ends at the other.
-fn joined(a: Point, b: Point, c: Point, d: Point) -> bool {
-    /// Half of a thick wall, and a little (ours).
-    const AT_M: f64 = 0.25;
-    let near = |end, from, to| geometry::distance_to_segment(end, from, to) <= AT_M;
-    near(a, c, d) || near(b, c, d) || near(c, a, b) || near(d, a, b)
-}
-
-fn in_words(problem: Problem) -> String {
-    match problem.hint {
-        Some(hint) => format!("{}\n  hint: {hint}", problem.what),
-        None => problem.what,
-    }
 }
 
 /// A week from a Monday on; residents as a list of JSON has them.

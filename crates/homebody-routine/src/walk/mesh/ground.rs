@@ -1,15 +1,14 @@
 //! The ground that the middle of a body of one radius may be on, as convex pieces, and the shortest ways over it.
 
+use super::floor;
 use homebody_core::geometry::{self, Point};
-use polyanya::Triangulation;
 use std::collections::BTreeMap;
 
 /// How much further than its radius a body keeps off, so that what is rounded on the way takes nothing of the radius (ours).
 const MARGIN_M: f64 = 5e-4;
 
-/// Corners lie on a grid of this: the search reckons in single precision, which has these numbers exactly, and walls in
-/// one line stay in one line.
-const GRID_M: f64 = 1.0 / 4096.0;
+/// The search reckons in single precision: a home that is further off than this is brought near, by whole steps of it (ours).
+const NEAR_ZERO_M: f64 = 256.0;
 
 /// A corner is rounded by straight sides that turn by 45 degrees at most, whose cosine is a little less than this (ours):
 /// they keep up to 8 % of the radius more than they need, and a way around a corner has few corners itself.
@@ -24,6 +23,8 @@ pub(super) struct Ground {
     pieces: Vec<Piece>,
     /// The size of each connected area, in square metres.
     areas: Vec<f64>,
+    /// Where the search has its zero.
+    origin: Point,
     ways: polyanya::Mesh,
 }
 
@@ -57,23 +58,19 @@ impl Ground {
         is_inside: impl Fn(Point) -> bool,
     ) -> Ground {
         let (least, most) = (least - Point::splat(1.0), most + Point::splat(1.0));
-        let frame = [least, Point::new(most.x, least.y), most, Point::new(least.x, most.y)];
-        let mut triangulation = Triangulation::from_outer_edges(&frame.map(on_grid).map(|corner| corner.as_vec2()));
         let grown: Vec<Vec<Point>> = obstacles.iter().map(|outline| grown(outline, clearance_m + MARGIN_M)).collect();
         let is_covered = |&&(a, b): &&(Point, Point)| {
             grown.iter().any(|outline| geometry::contains(outline, a) && geometry::contains(outline, b))
         };
         let fences: Vec<Vec<Point>> =
             borders.iter().filter(|border| !is_covered(border)).map(|&(a, b)| fence(a, b)).collect();
-        for outline in grown.iter().chain(&fences) {
-            triangulation.add_obstacle(outline.iter().map(|&corner| on_grid(corner).as_vec2()));
-        }
-        let mut ways = triangulation.as_navmesh();
-        while ways.merge_polygons() {}
-        ways.bake();
+        let origin = (least / NEAR_ZERO_M).trunc() * NEAR_ZERO_M;
+        let outlines =
+            grown.into_iter().chain(fences).map(|outline| outline.iter().map(|corner| corner - origin).collect());
+        let mut ways = floor::free((least - origin, most - origin), outlines);
         ways.search_delta = ON_PIECE_M as f32;
-        let (pieces, areas) = pieces(&ways, is_inside);
-        Ground { clearance_m, pieces, areas, ways }
+        let (pieces, areas) = pieces(&ways, origin, is_inside);
+        Ground { clearance_m, pieces, areas, origin, ways }
     }
 
     /// The connected area that a point of the ground belongs to.
@@ -122,8 +119,8 @@ impl Ground {
 
     /// The corners of the shortest way between two points of one area, and its end.
     pub(super) fn way(&self, from: Point, to: Point) -> Option<Vec<Point>> {
-        let path = self.ways.path(from.as_vec2(), to.as_vec2())?;
-        let mut way: Vec<Point> = path.path.iter().map(|corner| corner.as_dvec2()).collect();
+        let path = self.ways.path((from - self.origin).as_vec2(), (to - self.origin).as_vec2())?;
+        let mut way: Vec<Point> = path.path.iter().map(|corner| corner.as_dvec2() + self.origin).collect();
         way.pop();
         way.push(to);
         Some(way)
@@ -132,10 +129,6 @@ impl Ground {
 
 /// How close together the points along a piece's sides are (ours).
 const ALONG_SIDE_M: f64 = 0.1;
-
-fn on_grid(p: Point) -> Point {
-    (p / GRID_M).round() * GRID_M
-}
 
 /// The convex outline moved out by a distance, its corners rounded.
 fn grown(outline: &[Point], by_m: f64) -> Vec<Point> {
@@ -174,7 +167,7 @@ fn fence(a: Point, b: Point) -> Vec<Point> {
 const FENCE_M: f64 = 0.002;
 
 /// The pieces inside the home, and the sizes of the areas that they make.
-fn pieces(ways: &polyanya::Mesh, is_inside: impl Fn(Point) -> bool) -> (Vec<Piece>, Vec<f64>) {
+fn pieces(ways: &polyanya::Mesh, origin: Point, is_inside: impl Fn(Point) -> bool) -> (Vec<Piece>, Vec<f64>) {
     let (mut pieces, mut areas) = (Vec::new(), Vec::new());
     let mut sides: BTreeMap<(u32, u32), usize> = BTreeMap::new();
     for layer in &ways.layers {
@@ -183,7 +176,7 @@ fn pieces(ways: &polyanya::Mesh, is_inside: impl Fn(Point) -> bool) -> (Vec<Piec
                 .vertices
                 .iter()
                 .filter_map(|&vertex| layer.vertices.get(vertex as usize))
-                .map(|vertex| vertex.coords.as_dvec2())
+                .map(|vertex| vertex.coords.as_dvec2() + origin)
                 .collect();
             let middle = corners.iter().sum::<Point>() / corners.len() as f64;
             if corners.len() < 3 || !is_inside(middle) {

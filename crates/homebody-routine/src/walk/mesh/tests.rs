@@ -1,4 +1,4 @@
-use super::super::homes::{TIGERPLACE, plan, random_home, sphere_house, tigerplace};
+use super::super::homes::{TIGERPLACE, plan, random_home, sphere_house, tangled_home, tigerplace};
 use super::*;
 use serde_json::json;
 
@@ -214,5 +214,34 @@ fn how_long_it_takes() {
         let corners: usize = pairs().filter_map(|(from, to)| meshes[0].path(from, to)).map(|path| path.len()).sum();
         let count = pairs().count();
         println!("{:?} a path of {:.1} corners", begin.elapsed() / count as u32, corners as f64 / count as f64);
+    }
+}
+
+/// Where walls cross at all angles, some nearly in one line, there is a mesh all the same, and its ways are ways.
+#[test]
+fn tangled_walls_break_nothing() {
+    // Few are triangulated as they are drawn, many are put together first.
+    for (walls, cases) in [(3, 30), (20, 30), (60, 20), (200, 6), (400, 2)] {
+        let mut ways = 0;
+        for case in 0..cases {
+            let plan = plan(&tangled_home(case, walls, 6));
+            let mesh = Mesh::new(&plan, RADIUS_M);
+            let (least, most) = plan.bounds();
+            let stream = &mut Stream::named(case, "ends");
+            let mut anywhere = || Point::new(stream.between(least.x, most.x), stream.between(least.y, most.y));
+            for _ in 0..60 {
+                let (from, to) = (anywhere(), anywhere());
+                let on_ground = mesh.grounds[0].area_at(from).is_some();
+                assert!(!on_ground || mesh.room_around(from) >= RADIUS_M - 1e-3, "{walls} walls, case {case}: {from}");
+                let Some(path) = mesh.path(from, to) else { continue };
+                ways += 1;
+                let (clearance_m, is_inside) = clearance(&mesh, from, &path);
+                // The narrowest ground is for half a body.
+                let is_wide = path.len() == 1 || clearance_m >= 0.5 * RADIUS_M - 2e-3;
+                let is_way = is_wide && is_inside && hits_nothing(&mesh, from, &path);
+                assert!(is_way, "{walls} walls, case {case}: {from} to {to} at {clearance_m}: {path:?}");
+            }
+        }
+        assert!(ways > 0, "{walls} walls leave no way");
     }
 }

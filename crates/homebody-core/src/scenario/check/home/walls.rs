@@ -9,8 +9,17 @@ use crate::scenario::home::{DoorFile, HomeFile, WallFile};
 const LEAST_LENGTH_M: f64 = 0.001;
 const LEAST_DOOR_M: f64 = 0.05;
 
+/// More of either are no home (ours): looking for ways takes longer and longer.
+const MOST_MEETINGS: usize = 20_000;
+const MOST_IN_WALLS: usize = 2_000;
+
 pub fn check(report: &mut Report, home: &HomeFile) {
     let before = report.count();
+    check_meetings(report, home);
+    check_doors_in_walls(report, home);
+    if report.count() > before {
+        return;
+    }
     for (index, wall) in home.walls.iter().enumerate() {
         if point(wall.from).distance(point(wall.to)) < LEAST_LENGTH_M {
             report.add(&format!("/walls/{index}/to"), "this wall has no length: it ends where it begins");
@@ -36,6 +45,30 @@ pub fn check(report: &mut Report, home: &HomeFile) {
         if let Some((other, _)) = sound[..i].iter().find(|(_, other)| overlap(spans, other)) {
             let what = format!("the doors {:?} and {:?} overlap", home.doors[*other].name, home.doors[*index].name);
             report.add(&format!("/doors/{index}/from"), what);
+        }
+    }
+}
+
+fn check_meetings(report: &mut Report, home: &HomeFile) {
+    let ends = |wall: &WallFile| (point(wall.from), point(wall.to));
+    let walls: Vec<_> = home.walls.iter().map(ends).collect();
+    let mut meetings = 0;
+    for (index, &(a, b)) in walls.iter().enumerate() {
+        meetings += walls[..index].iter().filter(|&&(c, d)| geometry::segments_meet(a, b, c, d)).count();
+        if meetings > MOST_MEETINGS {
+            let what = format!("the walls meet or cross each other more than {MOST_MEETINGS} times");
+            return report.hinted("/walls", what, "draw each wall once, from corner to corner");
+        }
+    }
+}
+
+fn check_doors_in_walls(report: &mut Report, home: &HomeFile) {
+    let mut in_walls = 0;
+    for door in &home.doors {
+        in_walls += spans(home, door).len();
+        if in_walls > MOST_IN_WALLS {
+            let what = format!("the doors are in more than {MOST_IN_WALLS} walls together");
+            return report.hinted("/doors", what, "draw each wall once, from corner to corner");
         }
     }
 }
