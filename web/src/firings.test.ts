@@ -11,9 +11,9 @@ beforeEach(() => {
 
 const seqs = () => firings.rows.map((row) => ('firing' in row ? row.firing.seq : `${row.missing} missing`));
 
-test('firings are kept in order, and counted by sensor', () => {
+test('firings are kept in order, and counted by the server', () => {
   firings.take(frame({ now_us: 5_000_000, told: 2, firings: [firing(0, 1_000_000, 2), firing(1, 4_000_000, 2)] }));
-  firings.take(frame({ now_us: 6_000_000, told: 3, firings: [firing(2, 6_000_000, 0)] }));
+  firings.take(frame({ now_us: 6_000_000, told: 3, counts: [1, 0, 2], firings: [firing(2, 6_000_000, 0)] }));
   expect(seqs()).toEqual([0, 1, 2]);
   expect(firings.counts).toEqual([1, 0, 2]);
 });

@@ -18,7 +18,7 @@ export class Firings {
   rows: Row[] = [];
   /** By sensor: the instants at which it fired, within the last ten minutes. */
   lanes: number[][] = [];
-  /** By sensor: how often it was heard to fire since the run began, or was last taken back. */
+  /** By sensor: how often it has fired since the run began. */
   counts: number[] = [];
   /** Grows with every row, also where old ones fall off the other end. */
   added = 0;
@@ -29,7 +29,7 @@ export class Firings {
   clear(sensors: number): void {
     this.rows = [];
     this.lanes = Array.from({ length: sensors }, () => []);
-    this.counts = Array.from({ length: sensors }, () => 0);
+    this.counts = [];
     this.added = 0;
     this.missing = 0;
     this.now_us = 0;
@@ -42,13 +42,13 @@ export class Firings {
     this.now_us = frame.now_us;
     const missing = frame.told - (this.told ?? 0) - frame.firings.length;
     this.told = frame.told;
+    this.counts = frame.counts;
     if (missing > 0) {
       this.missing += missing;
       this.push({ missing, until_us: frame.now_us });
     }
     for (const firing of frame.firings) {
       this.push({ firing });
-      this.counts[firing.sensor] = (this.counts[firing.sensor] ?? 0) + 1;
       (this.lanes[firing.sensor] ??= []).push(firing.at_us);
     }
     this.forget();
@@ -78,7 +78,6 @@ export class Firings {
       'firing' in row ? row.firing.seq < again && row.firing.at_us <= frame.now_us : row.until_us <= frame.now_us,
     );
     this.lanes = this.lanes.map((lane) => lane.filter((at) => at <= frame.now_us && at < from_us));
-    this.counts = this.counts.map(() => 0);
     this.told = frame.told - frame.firings.length;
     this.added += 1;
   }

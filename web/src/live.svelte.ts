@@ -3,7 +3,6 @@
 import { Announcer } from './announce';
 import { Drafts } from './drafts.svelte';
 import { Firings } from './firings';
-import { type Calendar, calendarOf } from './localtime';
 import { Throttle } from './plan/glow';
 import { Server, keepToken } from './server';
 import { Socket, type Status, type Wire } from './socket';
@@ -19,8 +18,6 @@ const NOTE_MS = 9000;
 export class Live {
   status = $state<Status>('closed');
   run = $state.raw<RunView | null>(null);
-  /** The days of the run, by which its clock is told. */
-  readonly calendar: Calendar = $derived(this.run === null ? { days: [], length_us: 0 } : calendarOf(this.run));
   /** The frame as text shows it; drawings have every one. */
   frame = $state.raw<Frame | null>(null);
   notes = $state.raw<Note[]>([]);

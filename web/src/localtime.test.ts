@@ -1,30 +1,17 @@
 import { expect, test } from 'vitest';
-import { calendarOf, clockOf, dayOf, instantOf, livedOf } from './localtime';
-import { date } from './testing/stored';
+import { clockOf, dayOf, instantOf, livedOf } from './localtime';
+import { date, daysFrom } from './testing/dates';
 
 const HOUR = 3_600_000_000;
 const DAY = 24 * HOUR;
 
-test('the days of a run follow from its start and the clocks that are set in it', () => {
-  expect(calendarOf({ start: '2009-03-06 12:00:00', length_us: 3 * DAY, turns: [[38 * HOUR, HOUR]] }).days).toEqual([
-    date('2009-03-06', 0, 12, { clock_us: 12 * HOUR }),
-    date('2009-03-07', 12 * HOUR),
-    // Set forward at two, two hours into it.
-    { ...date('2009-03-08', 36 * HOUR, 23), turn: [38 * HOUR, HOUR] },
-    date('2009-03-09', 59 * HOUR, 13),
-  ]);
-  expect(calendarOf({ start: '2009-03-06 12:00:00', length_us: 5 * HOUR, turns: [] }).days).toEqual([date('2009-03-06', 0, 5, { clock_us: 12 * HOUR })]);
-  expect(calendarOf({ start: 'no time', length_us: DAY, turns: [] }).days).toEqual([]);
-});
-
 test('clocks that are set at midnight', () => {
-  const forward = calendarOf({ start: '2009-03-06 00:00:00', length_us: 2 * DAY, turns: [[DAY, HOUR]] });
-  expect(forward.days.slice(0, 2)).toEqual([date('2009-03-06', 0), date('2009-03-07', DAY, 23, { clock_us: HOUR })]);
-  const back = calendarOf({ start: '2009-03-06 00:00:00', length_us: 2 * DAY, turns: [[DAY, -HOUR]] });
-  expect(back.days.slice(0, 2)).toEqual([date('2009-03-06', 0, 25, { turn: [DAY, -HOUR] }), date('2009-03-07', 25 * HOUR, 23)]);
+  const forward = { days: [date('2009-03-06', 0), date('2009-03-07', DAY, 23, { turn: [DAY, HOUR] })], length_us: 47 * HOUR };
+  const back = { days: [date('2009-03-06', 0), date('2009-03-07', DAY, 25, { turn: [25 * HOUR, -HOUR] })], length_us: 49 * HOUR };
   for (const calendar of [forward, back]) {
     for (const at of [0, 23.9 * HOUR, 26 * HOUR, 40 * HOUR]) expect(instantOf(calendar, clockOf(calendar, at))).toBe(at);
   }
+  expect(clockOf(forward, DAY)).toBe(Date.parse('2009-03-07T01:00:00Z'));
 });
 
 test('an hour that the clock leaves out is not lived, and one that comes twice is lived twice', () => {
@@ -38,7 +25,7 @@ test('an hour that the clock leaves out is not lived, and one that comes twice i
 });
 
 test('days are counted from one, by the calendar, and the end is in the last', () => {
-  const run = calendarOf({ start: '2009-03-06 12:00:00', length_us: 2 * DAY, turns: [] });
+  const run = { days: daysFrom('2009-03-06', 2 * DAY, 12 * HOUR) };
   expect([0, 12 * HOUR - 1, 12 * HOUR, 2 * DAY].map((at) => dayOf(run, at))).toEqual(['day 1 of 3', 'day 1 of 3', 'day 2 of 3', 'day 3 of 3']);
   expect(dayOf({ days: [] }, 0)).toBe('');
 });

@@ -2,14 +2,13 @@
 // zone.
 
 import { read } from './clock';
-import type { DateView, PlaybackView, RunView } from './wire';
+import type { DateView, PlaybackView } from './wire';
 
 /** The days of a run, in order and without gaps. */
 export type Calendar = Pick<PlaybackView, 'days' | 'length_us'>;
 type Days = Pick<PlaybackView, 'days'>;
 
 const HOUR_US = 3_600_000_000;
-const DAY_US = 24 * HOUR_US;
 
 /** The day that an instant lies in; the run's end belongs to its last one. */
 export function dayAt(run: Days, at_us: number): number {
@@ -66,26 +65,6 @@ export function follow(first: Calendar, at_us: number, second: Calendar): number
   if (shared) return instantOf(second, clock);
   const midnight = Math.floor(clock / 86_400_000) * 86_400_000;
   return instantIn(second, dayAt(first, at_us), clock - midnight);
-}
-
-/** The days of a run that is being lived, by its start and the clocks that are set in it. */
-export function calendarOf({ start, length_us, turns }: Pick<RunView, 'start' | 'length_us' | 'turns'>): Calendar {
-  const days: DateView[] = [];
-  let midnight = read(`${start.slice(0, 10)} 00:00:00`);
-  let [begin_us, clock_us] = [0, (read(start) - midnight) * 1000];
-  // What cannot be read as a time has no days.
-  while (Number.isFinite(clock_us) && (begin_us < length_us || days.length === 0)) {
-    const plain = begin_us + DAY_US - clock_us;
-    // Set back at midnight, the clock still shows this day; set forward, it shows the next.
-    const turn = turns.find(([at, by]) => at > begin_us && (at < plain || (at === plain && by < 0))) ?? null;
-    const end_us = turn === null ? plain : Math.max(plain - turn[1], turn[0]);
-    days.push({ date: new Date(midnight).toISOString().slice(0, 10), begin_us, end_us: Math.min(end_us, length_us), clock_us, turn });
-    const set = turns.reduce((sum, [at, by]) => (at > begin_us && at <= end_us ? sum + by : sum), 0);
-    clock_us += end_us - begin_us + set - DAY_US;
-    midnight += DAY_US / 1000;
-    begin_us = end_us;
-  }
-  return { days, length_us };
 }
 
 /** For how long of an hour of its clock a day was lived, up to an instant of the run. */

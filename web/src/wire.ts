@@ -94,13 +94,9 @@ conditions: Array<string>,
  */
 without: Array<string>, 
 /**
- * The local date and time of its start.
+ * By the clock on the wall.
  */
-start: string, 
-/**
- * When clocks are set in the course of it, and by how much.
- */
-turns: Array<[number, number]>, 
+days: Array<DateView>, 
 /**
  * Where the log goes, as URLs.
  */
@@ -141,6 +137,10 @@ sun: number,
  * How many firings there have been.
  */
 told: number, 
+/**
+ * The same by sensor.
+ */
+counts: Array<number>, 
 /**
  * The last of those since the frame before, in order.
  */
@@ -510,7 +510,7 @@ export type ConnectView = { works: boolean,
  */
 said: string, };
 
-export type GrowthView = { days: Array<DateView>, 
+export type GrowthView = { 
 /**
  * How often motion sensors fired in each hour of the clock, by day.
  */

@@ -58,6 +58,8 @@ pub struct Act {
     /// What the log has got that nobody has taken to show yet.
     fresh: Vec<FiringView>,
     told: u64,
+    /// The same by sensor.
+    counts: Vec<u64>,
     activities: Vec<Option<String>>,
     headings: Vec<f64>,
     /// Its files are complete.
@@ -141,6 +143,7 @@ impl Act {
             rows,
             fresh: Vec::new(),
             told: 0,
+            counts: vec![0; sensors.len()],
             activities: vec![None; bodies],
             headings: vec![0.0; bodies],
             is_over: false,
@@ -177,8 +180,7 @@ impl Act {
             driven: self.start.driven,
             conditions: self.conditions.clone(),
             without: self.start.without.clone(),
-            start: dates::wall_clock(&self.scenario.calendar, 0),
-            turns: dates::turns(&self.scenario.calendar, self.run.length()),
+            days: dates::all(&self.scenario.calendar, self.run.length()),
             length_us: self.run.length(),
             seed: self.recording.seed,
             log: self.files.iter().flat_map(|files| &files.places.log).map(ToString::to_string).collect(),
@@ -211,6 +213,7 @@ impl Act {
         }
         for row in self.rows.of(&self.events.firings, self.run.settled()) {
             self.told = row.seq + 1;
+            self.counts[row.sensor as usize] += 1;
             self.fresh.push(firing_view(row));
         }
         self.events.clear();
@@ -318,6 +321,7 @@ impl Act {
             on: scene.on,
             sun: self.run.home().sun.height(scene.now),
             told: self.told,
+            counts: self.counts.clone(),
             firings: Vec::new(),
         }
     }

@@ -13,7 +13,6 @@ const HOUR: Micros = 3600 * SECOND;
 #[derive(Clone, Debug)]
 pub struct Growth {
     calendar: Calendar,
-    length: Micros,
     /// When clocks are set.
     turns: Vec<Micros>,
     is_motion: Vec<bool>,
@@ -28,7 +27,6 @@ impl Growth {
     pub fn new(calendar: &Calendar, length: Micros, is_motion: Vec<bool>) -> Growth {
         let mut growth = Growth {
             calendar: calendar.clone(),
-            length,
             turns: dates::turns(calendar, length).into_iter().map(|(at, _)| at).collect(),
             is_motion,
             hours: vec![vec![0; 24]],
@@ -56,11 +54,7 @@ impl Growth {
     }
 
     pub fn view(&self) -> GrowthView {
-        GrowthView {
-            days: dates::some(&self.calendar, self.length, 0..self.hours.len() as u32),
-            hours: self.hours.clone(),
-            today: self.today.clone(),
-        }
+        GrowthView { hours: self.hours.clone(), today: self.today.clone() }
     }
 
     /// Finds the hour of an instant, where it is another than that of the one before.

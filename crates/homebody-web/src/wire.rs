@@ -120,11 +120,8 @@ pub struct RunView {
     pub conditions: Vec<String>,
     /// Those that are left out.
     pub without: Vec<String>,
-    /// The local date and time of its start.
-    pub start: String,
-    /// When clocks are set in the course of it, and by how much.
-    #[ts(type = "Array<[number, number]>")]
-    pub turns: Vec<(i64, i64)>,
+    /// By the clock on the wall.
+    pub days: Vec<DateView>,
     /// Where the log goes, as URLs.
     pub log: Vec<String>,
     /// Whether a recording is being lived again.
@@ -158,6 +155,9 @@ pub struct Frame {
     /// How many firings there have been.
     #[ts(type = "number")]
     pub told: u64,
+    /// The same by sensor.
+    #[ts(type = "Array<number>")]
+    pub counts: Vec<u64>,
     /// The last of those since the frame before, in order.
     pub firings: Vec<FiringView>,
 }

@@ -46,6 +46,7 @@ class FakeServer implements Wire {
   private speed: number | null = 1;
   private now_us = 0;
   private told = 0;
+  private counts: number[] = [];
   private keys: Key[] = [];
   private walkers: Walker[] = [];
   private on = new Set<number>();
@@ -106,7 +107,7 @@ class FakeServer implements Wire {
       case 'start':
         this.run = { ...this.run, driven: say.driven, seed: say.seed ?? this.run.seed, replay: false, id: 'cottage-2' };
         this.now_us = 0;
-        this.told = 0;
+        [this.told, this.counts] = [0, this.run.home.sensors.map(() => 0)];
         this.state = 'playing';
         this.begin();
         break;
@@ -117,7 +118,7 @@ class FakeServer implements Wire {
       case 'replay':
         this.run = { ...this.run, replay: true };
         this.now_us = 0;
-        this.told = 0;
+        [this.told, this.counts] = [0, this.run.home.sensors.map(() => 0)];
         this.state = 'playing';
         this.begin();
         break;
@@ -205,6 +206,7 @@ class FakeServer implements Wire {
       this.quiet_until[index] = this.now_us + (6 + 2 * this.chance()) * 1e6;
     });
     firings.sort((a, b) => a.at_us - b.at_us);
+    for (const { sensor } of firings) this.counts[sensor] = (this.counts[sensor] ?? 0) + 1;
     return firings.map((firing) => ({ ...firing, seq: this.told++ })).slice(-MOST_FIRINGS);
   }
 
@@ -227,7 +229,7 @@ class FakeServer implements Wire {
     const frame: Frame = {
       now_us: this.now_us, clock: clock(this.now_us), state: this.state, speed: this.speed, bodies,
       seeing: this.state === 'playing' ? this.seeing : [],
-      on: [...this.on], sun: -Math.cos(((hour - 0.5) / 24) * 2 * Math.PI), told: this.told, firings,
+      on: [...this.on], sun: -Math.cos(((hour - 0.5) / 24) * 2 * Math.PI), told: this.told, counts: this.counts, firings,
     };
     this.onmessage?.({ data: encode(frame) });
   }

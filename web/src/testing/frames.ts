@@ -13,6 +13,7 @@ export function frame(with_: Partial<Frame> = {}): Frame {
     on: [],
     sun: 1,
     told: 0,
+    counts: [],
     firings: [],
     ...with_,
   };

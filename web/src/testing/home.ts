@@ -1,6 +1,7 @@
 // A made-up home of any number of sensors, for tests, for measuring, and for looking at the page without a server.
 
 import type { At } from '../plan/geometry';
+import { daysFrom } from './dates';
 import type { DoorView, HomeView, RoomView, RunView, SensorView, SolidView, ThingView } from '../wire';
 
 type Rect = [number, number, number, number];
@@ -57,6 +58,9 @@ const THINGS: [string, ThingView['kind']][] = [
   ...ROOMS.map(([name]) => [name, 'lamp'] as [string, 'lamp']),
 ];
 
+const HOUR_US = 3_600_000_000;
+const LENGTH_US = 30 * 24 * HOUR_US;
+
 const KINDS = ['bed', 'contact', 'stove_temperature', 'pressure', 'power', 'flow', 'light', 'temperature', 'ceiling_motion'];
 
 function corners([left, bottom, right, top]: Rect): At[] {
@@ -91,12 +95,11 @@ export function madeUpRun(residents = 2, sensors = 18, driven: number | null = n
     home: madeUpHome(sensors, names),
     residents: Array.from({ length: residents }, (_, index) => ({ name: names(people[index % people.length]!), radius_m: 0.22 })),
     driven,
-    length_us: 30 * 86_400_000_000,
+    length_us: LENGTH_US,
     seed: 7,
     conditions: [],
     without: [],
-    start: '2009-03-02 06:55:00',
-    turns: [],
+    days: daysFrom('2009-03-02', LENGTH_US, 6 * HOUR_US + 55 * 60_000_000),
     log: ['sqlite:log.db'],
     replay: false,
   };

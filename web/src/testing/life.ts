@@ -4,7 +4,7 @@
 import { encode } from '@msgpack/msgpack';
 import { Refused, type Fetch } from '../server';
 import type { CheckView, Draft, Explain, ExplainView, FilesView, Month, MonthView, ProblemView, Save, SavedView, WordView } from '../wire';
-import { date } from './stored';
+import { date } from './dates';
 
 const HOUR_US = 3_600_000_000;
 const DAY_US = 24 * HOUR_US;

@@ -2,15 +2,12 @@
 
 import { encode } from '@msgpack/msgpack';
 import type { Fetch } from '../server';
-import type { DateView, DayView, LifeView, PlaybackView, StoredView } from '../wire';
+import type { DayView, LifeView, PlaybackView, StoredView } from '../wire';
+import { daysFrom } from './dates';
 import { madeUpHome, spotIn } from './home';
 
 const HOUR_US = 3_600_000_000;
 const DAY_US = 24 * HOUR_US;
-
-export function date(text: string, begin_us: number, hours = 24, with_: Partial<DateView> = {}): DateView {
-  return { date: text, begin_us, end_us: begin_us + hours * HOUR_US, clock_us: 0, turn: null, ...with_ };
-}
 
 /** A run of some days from 2 March on, with as many sensors. */
 export function storedRun(name: string, days = 3, with_: Partial<PlaybackView> = {}): PlaybackView {
@@ -25,7 +22,7 @@ export function storedRun(name: string, days = 3, with_: Partial<PlaybackView> =
     length_us: days * DAY_US,
     sensors: home.sensors.map((_, index) => `S${index}`),
     values: ['ON', 'OFF'],
-    days: Array.from({ length: days }, (_, day) => date(`2009-03-${String(day + 2).padStart(2, '0')}`, day * DAY_US)),
+    days: daysFrom('2009-03-02', days * DAY_US),
     hours: Array.from({ length: days }, (_, day) => Array.from({ length: 24 }, (_, hour) => (hour < 6 ? 2 : 30 + ((hour * 7 + day * 13) % 40)))),
     has_truth: true,
     activities: ['sleeping', 'cooking'],

@@ -299,7 +299,6 @@ pub struct ConnectView {
 /// What the log of the run that is being lived has got so far.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct GrowthView {
-    pub days: Vec<DateView>,
     /// How often motion sensors fired in each hour of the clock, by day.
     pub hours: Vec<Vec<u32>>,
     /// The firings of the day that is being lived: instant and sensor.

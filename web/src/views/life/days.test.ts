@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { sinceMidnight } from '../../localtime';
-import { date } from '../../testing/stored';
+import { date } from '../../testing/dates';
 import { type Span, clock, dateAfter, datesFrom, isWeekend, meanHours, piecesOf, totals, turnOf, weekday } from './days';
 import { clockHours } from './draw';
 

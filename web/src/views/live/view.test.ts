@@ -4,6 +4,7 @@ import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { Live } from '../../live.svelte';
 import type { Wire } from '../../socket';
 import { firing, frame } from '../../testing/frames';
+import { date } from '../../testing/dates';
 import { madeUpRun } from '../../testing/home';
 import type { Frame, RunView } from '../../wire';
 import LiveView from './Live.svelte';
@@ -172,7 +173,9 @@ test('time is gone to by keys once they rest, and is said in words', () => {
 test('a date and time is gone to across a change of clocks, and no farther than the run', () => {
   void unmount(view);
   const hour = 3_600_000_000;
-  begin({ ...madeUpRun(1, 3), start: '2009-03-07 12:00:00', length_us: 48 * hour, turns: [[14 * hour, hour]] });
+  begin({ ...madeUpRun(1, 3), length_us: 48 * hour, days: [
+    date('2009-03-07', 0, 12, { clock_us: 12 * hour }), date('2009-03-08', 12 * hour, 23, { turn: [14 * hour, hour] }), date('2009-03-09', 35 * hour, 13),
+  ] });
   const field = document.querySelector<HTMLInputElement>('input[aria-label="Date and time to go to"]')!;
   expect([field.min, field.max]).toEqual(['2009-03-07T12:00:00', '2009-03-09T13:00:00']);
   for (const asked of ['2009-03-08T01:59:00', '2009-03-08T04:00:00', '2009-03-10T00:00:00']) {

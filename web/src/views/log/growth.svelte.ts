@@ -3,7 +3,7 @@
 import { type Density, scaleOf } from '../../charts/density';
 import type { Lane } from '../../charts/lanes';
 import type { Live } from '../../live.svelte';
-import { type Calendar, dayAt } from '../../localtime';
+import { dayAt } from '../../localtime';
 import { kindOf } from '../../plan/kinds';
 import { said } from '../../server';
 import type { GrowthView, RunView, SensorView } from '../../wire';
@@ -12,7 +12,6 @@ const EVERY_MS = 1000;
 
 export type Grown = {
   run: RunView;
-  calendar: Calendar;
   density: Density;
   /** The day that is being lived. */
   number: number;
@@ -28,7 +27,7 @@ export class Growth {
   /** What it was when it was last asked: while nothing moves on, nothing is asked. */
   private last: { run: RunView; now_us: number } | null = null;
 
-  constructor(private readonly live: Pick<Live, 'run' | 'calendar' | 'latest' | 'server'>) {}
+  constructor(private readonly live: Pick<Live, 'run' | 'latest' | 'server'>) {}
 
   /** @returns how to stop. */
   begin(): () => void {
@@ -47,7 +46,7 @@ export class Growth {
       const view = await this.live.server.json<GrowthView>('/api/growth');
       // Of a run that has ended meanwhile nothing is shown under the name of the next.
       if (this.live.run !== run) return;
-      this.now = grown(run, this.live.calendar, view, this.live.latest?.now_us ?? asked.now_us);
+      this.now = grown(run, view, this.live.latest?.now_us ?? asked.now_us);
       this.problem = '';
       this.last = asked;
     } catch (error) {
@@ -58,22 +57,17 @@ export class Growth {
   }
 }
 
-export function grown(run: RunView, calendar: Calendar, view: GrowthView, now_us: number): Grown {
-  const numbers = new Map(calendar.days.map(({ date }, index) => [date, index]));
-  const hours: number[][] = calendar.days.map(() => []);
-  view.days.forEach(({ date }, index) => {
-    const number = numbers.get(date);
-    if (number !== undefined) hours[number] = view.hours[index] ?? [];
-  });
+export function grown(run: RunView, view: GrowthView, now_us: number): Grown {
+  const hours = run.days.map((_, day) => view.hours[day] ?? []);
   const fired: number[][] = run.home.sensors.map(() => []);
   for (const [at, sensor] of view.today) fired[sensor]?.push(at);
   // What is told may be of a moment before or after the last frame, and another day.
   const last = view.today.at(-1)?.[0];
   const until_us = Math.max(now_us, last ?? 0);
   return {
-    run, calendar, fired, until_us,
-    density: { days: calendar.days, hours, until_us, most: scaleOf(hours) },
-    number: dayAt(calendar, last ?? now_us),
+    run, fired, until_us,
+    density: { days: run.days, hours, until_us, most: scaleOf(hours) },
+    number: dayAt(run, last ?? now_us),
   };
 }
 

@@ -1,17 +1,16 @@
 import { expect, test } from 'vitest';
 import { countAt, datesOf, scaleOf, words } from '../../charts/density';
-import { calendarOf } from '../../localtime';
 import { madeUpRun } from '../../testing/home';
-import { date } from '../../testing/stored';
+import { daysFrom } from '../../testing/dates';
 import type { RunView } from '../../wire';
 import { Growth, grown, lanesOf } from './growth.svelte';
 
 const HOUR = 3_600_000_000;
 const DAY = 24 * HOUR;
-const run: RunView = { ...madeUpRun(1, 3), start: '2009-03-02 00:00:00', length_us: 3 * DAY };
+const run: RunView = { ...madeUpRun(1, 3), days: daysFrom('2009-03-02', 3 * DAY), length_us: 3 * DAY };
 
 test('what is not lived yet is no data, and an hour without a firing is none', () => {
-  const now = grown(run, calendarOf(run), { days: [date('2009-03-02', 0), date('2009-03-03', DAY)], hours: [[5, 0, 7], [9]], today: [[DAY + 5, 1], [DAY + 9, 2], [DAY + 9, 1]] }, DAY + HOUR / 2);
+  const now = grown(run, { hours: [[5, 0, 7], [9]], today: [[DAY + 5, 1], [DAY + 9, 2], [DAY + 9, 1]] }, DAY + HOUR / 2);
   const { density } = now;
   expect([countAt(density, 0, 0), countAt(density, 0, 1), countAt(density, 1, 0), countAt(density, 1, 1), countAt(density, 2, 0)]).toEqual([5, 0, 9, null, null]);
   expect(words(density, 0, 0)).toBe('Mon, 2 March 2009, 00 to 01 h: 5 firings');
@@ -26,7 +25,7 @@ test('colours change only where a round number is passed', () => {
 });
 
 test('dates are written as far apart as they are wide', () => {
-  const days = calendarOf({ ...run, length_us: 90 * DAY }).days;
+  const days = daysFrom('2009-03-02', 90 * DAY);
   expect(datesOf(days, 700).map(({ label }) => label)).toEqual(['2 Mar', '16 Mar', '30 Mar', '13 Apr', '27 Apr', '11 May']);
   expect(datesOf(days.slice(0, 3), 700).map(({ label }) => label)).toEqual(['2 Mar', '3 Mar', '4 Mar']);
 });
@@ -43,8 +42,8 @@ test('lanes are of sensors, or of kinds with all their firings in order', () => 
 test('it is asked while the run goes on, and once when it does not', async () => {
   let asked = 0;
   const live = {
-    run, calendar: calendarOf(run), latest: { now_us: 0 },
-    server: { json: async () => ((asked += 1), { days: [], hours: [], today: [] }) },
+    run, latest: { now_us: 0 },
+    server: { json: async () => ((asked += 1), { hours: [], today: [] }) },
   };
   const growth = new Growth(live as never);
   await growth.look();
@@ -60,7 +59,7 @@ test('it is asked while the run goes on, and once when it does not', async () =>
 
 test('what the server refuses is said, and asked again', async () => {
   let works = false;
-  const live = { run, calendar: calendarOf(run), latest: { now_us: 0 }, server: { json: async () => (works ? { days: [], hours: [], today: [] } : Promise.reject(new Error('no run'))) } };
+  const live = { run, latest: { now_us: 0 }, server: { json: async () => (works ? { hours: [], today: [] } : Promise.reject(new Error('no run'))) } };
   const growth = new Growth(live as never);
   await growth.look();
   expect([growth.problem, growth.now]).toEqual(['no run', null]);

@@ -5,8 +5,8 @@ import { Live } from '../../live.svelte';
 import type { Wire } from '../../socket';
 import { FakeFiles } from '../../testing/files';
 import { frame } from '../../testing/frames';
+import { daysFrom } from '../../testing/dates';
 import { madeUpRun } from '../../testing/home';
-import { date } from '../../testing/stored';
 import type { Connect, GrowthView, RowsView } from '../../wire';
 import LogView from './Log.svelte';
 
@@ -22,7 +22,7 @@ const ROWS: RowsView = {
   ],
   kinds: [['sqlite:', 'a database file'], ['csv:', 'values'], ['casas:', 'text']],
 };
-const GROWTH: GrowthView = { days: [date('2009-03-02', 0)], hours: [[1, 2, 3]], today: [[5, 0]] };
+const GROWTH: GrowthView = { hours: [[1, 2, 3]], today: [[5, 0]] };
 
 let live: Live;
 let wire: Wire;
@@ -47,7 +47,7 @@ async function begin(texts: Record<string, string> = {}, links: { logger?: strin
   live = new Live('token', () => {}, () => wire);
   live.open();
   wire.onopen!();
-  wire.onmessage!({ data: JSON.stringify({ tell: 'run', run: { ...madeUpRun(1, 3), start: '2009-03-02 00:00:00' } }) });
+  wire.onmessage!({ data: JSON.stringify({ tell: 'run', run: { ...madeUpRun(1, 3), days: daysFrom('2009-03-02', 30 * 86_400_000_000) } }) });
   wire.onmessage!({ data: encode(frame({ now_us: 7_200_000_000, told: 1234 })) });
   view = mount(LogView, { target: document.body, props: { live } });
   await settle();

@@ -28,6 +28,7 @@ export function frameAt(run: Stored, day: Day | null, at_us: number, before_us: 
     on: how.on,
     sun: 1,
     told: 0,
+    counts: [],
     firings: fresh.map((sensor) => ({ seq: 0, at_us, sensor, value: '', row: null })),
   };
 }

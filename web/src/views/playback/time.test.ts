@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest';
 import { Server } from '../../server';
-import { date, fakeRuns, storedDay, storedRun } from '../../testing/stored';
+import { date } from '../../testing/dates';
+import { fakeRuns, storedDay, storedRun } from '../../testing/stored';
 import type { LifeView, PlaybackView } from '../../wire';
 import { bodyAt } from './bodies';
 import { counts, gaps, lit, prepare } from './day';
