@@ -24,16 +24,25 @@ export async function serve(scenario, { prepare = () => {}, script } = {}) {
     executablePath: browser, headless: true, args: flags, viewport: { width: 1280, height: 1600 }, acceptDownloads: true,
   });
   if (script) await context.addInitScript(script);
-  const begun = performance.now();
-  const server = spawn(program, ['serve', scenario, '--no-open', '--port', '0'], { cwd: folder, stdio: ['ignore', 'pipe', 'inherit'] });
-  const address = await new Promise((ready, failed) => {
-    let said = '';
-    server.stdout.on('data', (text) => {
-      said += text;
-      if (said.includes('\n')) ready(said.trim());
+  let server;
+  const start = (port) => {
+    server = spawn(program, ['serve', scenario, '--no-open', '--port', port], { cwd: folder, stdio: ['ignore', 'pipe', 'inherit'] });
+    return new Promise((ready, failed) => {
+      let said = '';
+      server.stdout.on('data', (text) => {
+        said += text;
+        if (said.includes('\n')) ready(said.trim());
+      });
+      server.on('error', failed);
+      server.on('exit', (code) => failed(new Error(`the server has ended with ${code}`)));
     });
-    server.on('exit', (code) => failed(new Error(`the server has ended with ${code}`)));
+  };
+  const stop = () => new Promise((gone) => {
+    server.on('exit', gone);
+    server.kill('SIGINT');
   });
+  const begun = performance.now();
+  const address = await start('0');
   const wrong = [];
   const watch = (page) => {
     page.on('pageerror', (error) => wrong.push(String(error)));
@@ -50,12 +59,14 @@ export async function serve(scenario, { prepare = () => {}, script } = {}) {
     runs: () => readdirSync(join(folder, 'runs')).sort(),
     /** What the program prints. */
     homebody: (...words) => execFileSync(program, words, { cwd: folder, encoding: 'utf8' }),
+    /** The server is gone until the function that comes back is called, which returns the address of the next. */
+    async gone() {
+      await stop();
+      return () => start(new URL(address).port);
+    },
     async close() {
       await context.close();
-      await new Promise((gone) => {
-        server.on('exit', gone);
-        server.kill('SIGINT');
-      });
+      await stop();
       for (const path of [folder, profile]) rmSync(path, { recursive: true, force: true });
       if (wrong.length > 0) throw new Error(wrong.join('\n'));
     },

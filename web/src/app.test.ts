@@ -50,6 +50,29 @@ test('the server does not know the token: it is asked for again, and why is said
   expect(window.sessionStorage.getItem('homebody-token')).toBeNull();
 });
 
+test('what was asked with the token before, and is refused late, does not send the next away', async () => {
+  let refuse: (() => void)[] = [];
+  vi.stubGlobal('fetch', () => new Promise((answer) => refuse.push(() => answer(new Response('', { status: 401 })))));
+  open('#/log', true);
+  const late = refuse;
+  expect(late.length).toBeGreaterThan(0);
+  wires[0]!.onclose!({ code: WRONG_TOKEN });
+  flushSync();
+  refuse = [];
+  const field = document.querySelector<HTMLInputElement>('#token')!;
+  field.value = 'ab'.repeat(16);
+  field.dispatchEvent(new Event('input', { bubbles: true }));
+  flushSync();
+  form()!.dispatchEvent(new Event('submit', { bubbles: true, cancelable: true }));
+  flushSync();
+  wires[1]!.onopen!();
+  for (const one of late) one();
+  await new Promise((done) => setTimeout(done, 20));
+  flushSync();
+  expect(document.querySelector('.status')!.textContent).toContain('connected');
+  expect(window.sessionStorage.getItem('homebody-token')).toBe('ab'.repeat(16));
+});
+
 test('a lost connection is seen, and so is that it is back', () => {
   open('#/live', true);
   wires[0]!.onopen!();

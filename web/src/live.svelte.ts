@@ -4,7 +4,7 @@ import { Announcer } from './announce';
 import { Drafts } from './drafts.svelte';
 import { Firings } from './firings';
 import { Throttle } from './plan/glow';
-import { Server, keepToken } from './server';
+import { Server } from './server';
 import { Socket, type Status, type Wire } from './socket';
 import type { FiringView, Frame, RunView, Say, Tell } from './wire';
 
@@ -44,11 +44,7 @@ export class Live {
   private timer: ReturnType<typeof setInterval> | undefined;
 
   constructor(token: string, onWrongToken: () => void, make?: () => Wire, drafts?: Drafts) {
-    const refuse = () => {
-      keepToken(() => window.sessionStorage, null);
-      onWrongToken();
-    };
-    this.server = new Server(token, refuse);
+    this.server = new Server(token, onWrongToken);
     const note = (text: string, bad: boolean) => this.note(text, bad);
     drafts?.meet(this.server, note);
     this.drafts = drafts ?? new Drafts(this.server, note);
@@ -57,7 +53,7 @@ export class Live {
       {
         status: (status) => {
           this.status = status;
-          if (status === 'refused') refuse();
+          if (status === 'refused') onWrongToken();
           else if (status !== 'open') for (const cut of this.cuts) cut();
         },
         frame: (frame) => this.take(frame),
