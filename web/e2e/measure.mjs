@@ -17,7 +17,7 @@ function say(what, times, unit = 'ms') {
 
 /** In each page: how long its scripts take for a frame, how far frames are apart, and when which picture was drawn. */
 function watch() {
-  const watched = { scripts: [], gaps: [], pictures: [], first: null, keys: [] };
+  const watched = { scripts: [], gaps: [], pictures: [], first: null, keys: [], heats: [] };
   window.watched = watched;
   let drawn = 0;
   // What is drawn is told by the numbers that it is drawn with.
@@ -29,6 +29,11 @@ function watch() {
     };
   }
   const request = window.requestAnimationFrame.bind(window);
+  const put = CanvasRenderingContext2D.prototype.putImageData;
+  CanvasRenderingContext2D.prototype.putImageData = function (...image) {
+    request(() => watched.heats.push(performance.now()));
+    return put.apply(this, image);
+  };
   let last = 0;
   let [spent, frame] = [0, 0];
   window.requestAnimationFrame = (callback) =>
@@ -142,6 +147,26 @@ for (let press = 0; press < 60; press += 1) {
 }
 say('key to picture', latencies);
 await quiet.close();
+
+// From a move of a sensor to the heat map of what is seen then.
+const plan = await serve('tigerplace', { script });
+await plan.page.setViewportSize({ width: 1280, height: 720 });
+await plan.page.goto(`${plan.address.split('#')[0]}#/plan`);
+await plan.page.getByRole('tab', { name: 'List' }).click();
+await plan.page.getByRole('textbox', { name: 'Find by name or kind' }).fill('kitchen motion');
+await plan.page.getByRole('tabpanel').getByRole('button', { name: 'kitchen motion' }).first().click();
+await plan.page.getByRole('application').focus();
+const heats = [];
+for (let press = 0; press < 60; press += 1) {
+  await wait(400);
+  await plan.page.evaluate(() => Object.assign(window.watched, { keys: [], heats: [] }));
+  await plan.page.keyboard.press(press % 2 === 0 ? 'ArrowRight' : 'ArrowLeft');
+  await wait(400);
+  const { keys, heats: [drawn] } = await plan.page.evaluate(() => window.watched);
+  if (drawn !== undefined) heats.push(drawn - keys[0]);
+}
+say('from a key that moves a sensor to the heat map drawn anew', heats);
+await plan.close();
 
 // A year that was lived: opened, and looked into at days that were not looked at before.
 const year = await serve('tigerplace', { script });
