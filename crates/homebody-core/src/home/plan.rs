@@ -150,11 +150,15 @@ impl Plan {
 
     /// Whether a body of this radius can stand at the point.
     pub fn is_walkable(&self, p: Point, radius: f64) -> bool {
-        self.is_inside(p)
-            && !self
-                .solids
-                .iter()
-                .any(|solid| solid.stops_bodies && geometry::distance_to_area(&solid.outline, p) < radius)
+        // Most solids are far off, which costs little to see; rounding decides nothing at twice the radius.
+        let is_far = |outline: &[Point]| {
+            let (least, most) = geometry::bounds(outline.iter().copied());
+            p.cmplt(least - 2.0 * radius).any() || p.cmpgt(most + 2.0 * radius).any()
+        };
+        let stops = |Solid { outline, stops_bodies, .. }: &Solid| {
+            *stops_bodies && !is_far(outline) && geometry::distance_to_area(outline, p) < radius
+        };
+        self.is_inside(p) && !self.solids.iter().any(stops)
     }
 
     /// The rooms that a stride comes through: from which instant on, and which, if any.
