@@ -6,6 +6,7 @@
 use crate::kinds;
 use homebody_core::geometry::{self, Point};
 use roxmltree::{Document, Node};
+use std::collections::BTreeMap;
 
 /// Numbers beyond this, in centimetres or radians, are none of a home (ours): ten kilometres.
 const GREATEST: f64 = 1e6;
@@ -24,9 +25,24 @@ pub struct Drawing {
     pub unread: usize,
 }
 
+/// The number that the text of a level's id has in a plan: a group hands its level on to all that is in it, and the text
+/// may be long.
+pub type LevelId = usize;
+
+/// The texts of the levels' ids, each with its number.
+#[derive(Default)]
+struct LevelIds<'a>(BTreeMap<&'a str, LevelId>);
+
+impl<'a> LevelIds<'a> {
+    fn of(&mut self, text: &'a str) -> LevelId {
+        let next = self.0.len();
+        *self.0.entry(text).or_insert(next)
+    }
+}
+
 #[derive(Debug)]
 pub struct Level {
-    pub id: String,
+    pub id: LevelId,
     pub name: String,
     pub elevation_m: f64,
     /// The order of levels of one elevation.
@@ -35,7 +51,7 @@ pub struct Level {
 
 #[derive(Clone, Debug)]
 pub struct Wall {
-    pub level: Option<String>,
+    pub level: Option<LevelId>,
     pub from: Point,
     pub to: Point,
     pub thickness_m: f64,
@@ -45,7 +61,7 @@ pub struct Wall {
 
 #[derive(Clone, Debug)]
 pub struct Room {
-    pub level: Option<String>,
+    pub level: Option<LevelId>,
     pub name: String,
     pub corners: Vec<Point>,
 }
@@ -53,7 +69,7 @@ pub struct Room {
 /// A piece of furniture, or a door or window.
 #[derive(Clone, Debug)]
 pub struct Piece {
-    pub level: Option<String>,
+    pub level: Option<LevelId>,
     pub name: String,
     /// The words of its name and of what the catalogue calls it.
     pub words: Vec<String>,
@@ -70,16 +86,17 @@ pub struct Piece {
 /// Reads a plan.
 pub fn read(document: &Document) -> Drawing {
     let mut drawing = Drawing::default();
+    let mut ids = LevelIds::default();
     // What is in groups comes after what is not.
-    let mut waiting: Vec<(Node, Option<String>, bool)> = vec![(document.root_element(), None, true)];
+    let mut waiting: Vec<(Node, Option<LevelId>, bool)> = vec![(document.root_element(), None, true)];
     while let Some((parent, level, is_visible)) = waiting.pop() {
         let mut groups = Vec::new();
         for node in parent.children().filter(Node::is_element) {
-            let level = node.attribute("level").map(str::to_owned).or_else(|| level.clone());
+            let level = node.attribute("level").map(|id| ids.of(id)).or(level);
             let is_visible = is_visible && node.attribute("visible") != Some("false");
             match node.tag_name().name() {
                 "furnitureGroup" => groups.push((node, level, is_visible)),
-                _ => drawing.add(node, level, is_visible),
+                _ => drawing.add(node, level, is_visible, &mut ids),
             }
         }
         waiting.extend(groups.into_iter().rev());
@@ -88,9 +105,9 @@ pub fn read(document: &Document) -> Drawing {
 }
 
 impl Drawing {
-    fn add(&mut self, node: Node, level: Option<String>, is_visible: bool) {
+    fn add<'a>(&mut self, node: Node<'a, '_>, level: Option<LevelId>, is_visible: bool, ids: &mut LevelIds<'a>) {
         let is_read = match node.tag_name().name() {
-            "level" => self::level(node).map(|level| self.levels.push(level)),
+            "level" => self::level(node, ids).map(|level| self.levels.push(level)),
             "wall" => wall(node, level).map(|wall| self.walls.push(wall)),
             "room" => room(node, level).map(|room| self.rooms.push(room)),
             "doorOrWindow" => opening(node, level, is_visible).map(|opening| self.openings.push(opening)),
@@ -110,15 +127,15 @@ impl Drawing {
     }
 }
 
-fn level(node: Node) -> Option<Level> {
-    let id = node.attribute("id")?.to_owned();
-    let name = node.attribute("name").unwrap_or(&id).to_owned();
+fn level<'a>(node: Node<'a, '_>, ids: &mut LevelIds<'a>) -> Option<Level> {
+    let id = node.attribute("id")?;
+    let name = node.attribute("name").unwrap_or(id).to_owned();
     let (elevation_m, index) =
         (length(node, "elevation").unwrap_or(0.0), number(node, "elevationIndex").unwrap_or(0.0));
-    Some(Level { id, name, elevation_m, index })
+    Some(Level { id: ids.of(id), name, elevation_m, index })
 }
 
-fn wall(node: Node, level: Option<String>) -> Option<Wall> {
+fn wall(node: Node, level: Option<LevelId>) -> Option<Wall> {
     /// What Sweet Home 3D gives a new wall.
     const USUAL_THICKNESS_M: f64 = 0.075;
     let from = point(node, "xStart", "yStart")?;
@@ -128,7 +145,7 @@ fn wall(node: Node, level: Option<String>) -> Option<Wall> {
     Some(Wall { level, from, to, thickness_m, arc_rad })
 }
 
-fn room(node: Node, level: Option<String>) -> Option<Room> {
+fn room(node: Node, level: Option<LevelId>) -> Option<Room> {
     let points = node.children().filter(|child| child.has_tag_name("point"));
     let corners: Vec<Point> = points.map(|corner| point(corner, "x", "y")).collect::<Option<_>>()?;
     let name = node.attribute("name").unwrap_or_default().to_owned();
@@ -136,7 +153,7 @@ fn room(node: Node, level: Option<String>) -> Option<Room> {
 }
 
 /// A piece, if it has all sizes; `unsaid_m` stands for a depth or height that it does not have.
-fn piece(node: Node, level: Option<String>, is_visible: bool, unsaid_m: Option<f64>) -> Option<Piece> {
+fn piece(node: Node, level: Option<LevelId>, is_visible: bool, unsaid_m: Option<f64>) -> Option<Piece> {
     let positive = |key| length(node, key).filter(|&size| size > 0.0);
     // A piece that leans has another size as seen from above.
     let size = |in_plan, upright| positive(in_plan).or_else(|| positive(upright));
@@ -157,7 +174,7 @@ fn piece(node: Node, level: Option<String>, is_visible: bool, unsaid_m: Option<f
 }
 
 /// A door or window, as wide as the hole that it makes in a wall, and where that hole is.
-fn opening(node: Node, level: Option<String>, is_visible: bool) -> Option<Piece> {
+fn opening(node: Node, level: Option<LevelId>, is_visible: bool) -> Option<Piece> {
     let mut piece = piece(node, level, is_visible, Some(0.0))?;
     let across = geometry::direction(piece.turn_rad.to_degrees());
     if let Some((middle, share)) = hole(node, "wallLeft", "wallWidth") {

@@ -1,6 +1,6 @@
 //! Which level of a plan is imported: a home is one plane.
 
-use crate::drawing::{Drawing, Level};
+use crate::drawing::{Drawing, Level, LevelId};
 use crate::error::NotImported;
 use crate::names;
 
@@ -17,7 +17,7 @@ pub fn keep_one(
 ) -> Result<Option<String>, NotImported> {
     let mut levels = std::mem::take(&mut drawing.levels);
     levels.sort_by(|a, b| a.elevation_m.total_cmp(&b.elevation_m).then(a.index.total_cmp(&b.index)));
-    let walls = |level: &Level| drawing.walls.iter().filter(|wall| wall.level.as_ref() == Some(&level.id)).count();
+    let walls = |level: &Level| drawing.walls.iter().filter(|wall| wall.level == Some(level.id)).count();
     let chosen = match wanted {
         Some(wanted) => Some(find(&levels, wanted)?),
         // Of equals the lowest.
@@ -30,12 +30,12 @@ pub fn keep_one(
         let (level, others) = (named(&levels, chosen), listed(others));
         remarks.push(format!("of {} levels, this is {level}, {why}; left out are {others}", levels.len()));
     }
-    let id = &levels[chosen].id;
-    let is_here = |level: &Option<String>| level.as_ref().is_none_or(|level| level == id);
-    drawing.walls.retain(|wall| is_here(&wall.level));
-    drawing.rooms.retain(|room| is_here(&room.level));
-    drawing.openings.retain(|opening| is_here(&opening.level));
-    drawing.pieces.retain(|piece| is_here(&piece.level));
+    let id = levels[chosen].id;
+    let is_here = |level: Option<LevelId>| level.is_none_or(|level| level == id);
+    drawing.walls.retain(|wall| is_here(wall.level));
+    drawing.rooms.retain(|room| is_here(room.level));
+    drawing.openings.retain(|opening| is_here(opening.level));
+    drawing.pieces.retain(|piece| is_here(piece.level));
     Ok((levels.len() > 1).then(|| names::clean(&levels[chosen].name)))
 }
 

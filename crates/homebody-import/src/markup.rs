@@ -35,11 +35,11 @@ fn look_over(text: &str) -> Result<(), NotImported> {
     while let Some(at) = rest.find('<') {
         rest = &rest[at..];
         let end = if rest.starts_with("<!--") {
-            after(rest, "-->")
+            after(rest, "<!--", "-->")
         } else if rest.starts_with("<![CDATA[") {
-            after(rest, "]]>")
+            after(rest, "<![CDATA[", "]]>")
         } else if rest.starts_with("<?") {
-            after(rest, "?>")
+            after(rest, "<?", "?>")
         } else if rest.starts_with("<!") {
             return Err(NotImported::disorder("it declares a document type, which plans never do"));
         } else {
@@ -66,9 +66,10 @@ fn look_over(text: &str) -> Result<(), NotImported> {
     Ok(())
 }
 
-/// Where the text goes on after a mark.
-fn after(text: &str, mark: &str) -> Option<usize> {
-    text.find(mark).map(|at| at + mark.len())
+/// Where a text that begins with one mark goes on after another, which shares no sign with the first: `<!-->` is the
+/// beginning of a comment, and not the end of it.
+fn after(text: &str, begin: &str, end: &str) -> Option<usize> {
+    text[begin.len()..].find(end).map(|at| begin.len() + at + end.len())
 }
 
 struct Tag {

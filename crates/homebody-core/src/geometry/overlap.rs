@@ -1,7 +1,8 @@
 //! How much two outlines have in common.
 //!
-//! Between neighbouring heights at which either outline has a corner or the two cross, everything is
-//! trapezoids, so their middle line times their height is their area: exact for outlines of any shape.
+//! An outline is the sum of the areas under its sides, those of sides that go back taken off. So what two outlines share is
+//! the sum, over each pair of their sides, of what is under both: exact for outlines of any shape, in as many steps as there
+//! are pairs.
 
 use crate::geometry::{self, Point};
 
@@ -13,39 +14,36 @@ pub fn area(a: &[Point], b: &[Point]) -> f64 {
     if least.x >= most.x || least.y >= most.y {
         return 0.0;
     }
-    let mut heights: Vec<f64> = a.iter().chain(b).map(|corner| corner.y).collect();
-    for (p, q) in geometry::sides(a) {
-        heights.extend(geometry::sides(b).filter_map(|(r, s)| crossing(p, q, r, s)));
+    let base = a_least.min(b_least);
+    let (a, b) = (sides_above(a, base), sides_above(b, base));
+    let pairs = a.iter().flat_map(|side| b.iter().map(move |other| under_both(side, other)));
+    pairs.sum::<f64>().abs()
+}
+
+fn sides_above(outline: &[Point], base: Point) -> Vec<(Point, Point)> {
+    geometry::sides(outline).map(|(from, to)| (from - base, to - base)).collect()
+}
+
+/// The area between the horizontal axis and the lower of two sides; negative if they go opposite ways.
+fn under_both(&(p, q): &(Point, Point), &(r, s): &(Point, Point)) -> f64 {
+    let (start, end) = (p.x.min(q.x).max(r.x.min(s.x)), p.x.max(q.x).min(r.x.max(s.x)));
+    if start >= end {
+        return 0.0;
     }
-    heights.retain(|&y| y >= least.y && y <= most.y);
-    heights.sort_by(f64::total_cmp);
-    heights.windows(2).map(|pair| shared_width(a, b, (pair[0] + pair[1]) / 2.0) * (pair[1] - pair[0])).sum()
-}
-
-/// The height at which two segments cross.
-fn crossing(p: Point, q: Point, r: Point, s: Point) -> Option<f64> {
-    let (along, other) = (q - p, s - r);
-    let turn = along.perp_dot(other);
-    let t = (r - p).perp_dot(other) / turn;
-    let u = (r - p).perp_dot(along) / turn;
-    ((0.0..=1.0).contains(&t) && (0.0..=1.0).contains(&u)).then_some(p.y + along.y * t)
-}
-
-/// The length of the horizontal line at this height that is inside both.
-fn shared_width(a: &[Point], b: &[Point], y: f64) -> f64 {
-    let (a, b) = (spans(a, y), spans(b, y));
-    let shared = |(from, to): &(f64, f64), (start, end): &(f64, f64)| (to.min(*end) - from.max(*start)).max(0.0);
-    a.iter().map(|span| b.iter().map(|other| shared(span, other)).sum::<f64>()).sum()
-}
-
-/// Where the horizontal line at this height is inside the outline.
-fn spans(outline: &[Point], y: f64) -> Vec<(f64, f64)> {
-    let mut ends: Vec<f64> = geometry::sides(outline)
-        .filter(|(a, b)| (a.y > y) != (b.y > y))
-        .map(|(a, b)| a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x))
-        .collect();
-    ends.sort_by(f64::total_cmp);
-    ends.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect()
+    let first = |x: f64| p.y + (q.y - p.y) * ((x - p.x) / (q.x - p.x));
+    let second = |x: f64| r.y + (s.y - r.y) * ((x - r.x) / (s.x - r.x));
+    let (at_start, at_end) = (first(start) - second(start), first(end) - second(end));
+    let (low_start, low_end) = (first(start).min(second(start)), first(end).min(second(end)));
+    let height = if at_start * at_end < 0.0 {
+        // They cross on the way.
+        let share = at_start / (at_start - at_end);
+        let crossing = first(start + (end - start) * share);
+        (low_start + crossing) / 2.0 * share + (crossing + low_end) / 2.0 * (1.0 - share)
+    } else {
+        (low_start + low_end) / 2.0
+    };
+    let way = ((q.x - p.x) * (s.x - r.x)).signum();
+    way * height * (end - start)
 }
 
 #[cfg(test)]
@@ -74,5 +72,27 @@ mod tests {
         let corner = outline(&[[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.0, 1.0], [1.0, 3.0], [0.0, 3.0]]);
         let nested = outline(&[[1.0, 1.0], [3.0, 1.0], [3.0, 3.0], [1.0, 3.0]]);
         assert_eq!(area(&corner, &nested), 0.0);
+    }
+
+    /// Combs whose teeth cross all others: as many crossings as there are pairs of sides.
+    #[test]
+    fn combs_across_each_other_share_less_than_half() {
+        const TEETH: u32 = 250;
+        let comb = |turn_deg: f64| -> Vec<Point> {
+            let teeth = (0..TEETH).flat_map(|tooth| {
+                let x = f64::from(tooth) * 0.2 - 25.0;
+                [[x, -25.0], [x, 25.0], [x + 0.1, 25.0], [x + 0.1, -25.0]]
+            });
+            let back = [[25.0, -25.0], [25.0, -25.1], [-25.0, -25.1]];
+            teeth.chain(back).map(|at| geometry::direction(turn_deg).rotate(geometry::point(at))).collect()
+        };
+        let (upright, slanted) = (comb(0.0), comb(35.0));
+        let around = outline(&[[-40.0, -40.0], [40.0, -40.0], [40.0, 40.0], [-40.0, 40.0]]);
+        let own = 250.0 * 50.0 * 0.1 + 50.0 * 0.1;
+        assert!((area(&upright, &around) - own).abs() < 1e-6);
+        assert!((area(&slanted, &upright) - area(&upright, &slanted)).abs() < 1e-6);
+        // Each is half gaps, and reaches out of the other at the corners.
+        let shared = area(&upright, &slanted) / own;
+        assert!((0.4..0.5).contains(&shared), "{shared}");
     }
 }

@@ -1,8 +1,10 @@
 //! Files that are broken, or made to break: a sentence comes back, soon, and never a panic.
 
 use crate::plan::{archive, door, file, import, packed, piece, room, two_rooms, wall};
+use homebody_core::geometry::Point;
 use homebody_core::random::Stream;
 use homebody_import::NotImported;
+use std::f64::consts::FRAC_PI_2;
 use std::time::{Duration, Instant};
 use zip::CompressionMethod;
 
@@ -95,6 +97,9 @@ fn markup_that_no_plan_has_is_refused() {
     assert!(refused(&home(&groups)).contains("nested"));
     let attributes: String = (0..100_000).map(|index| format!(" a{index}='1'")).collect();
     assert!(refused(&home(&format!("<wall{attributes}/>"))).contains("more attributes"));
+    // The comment goes on after its first `>`, and what begins in it does not hide the wall behind it.
+    let hidden = format!("<!--><![CDATA[--><wall{}/><!--]]>-->", &attributes[..4_000]);
+    assert!(refused(&home(&hidden)).contains("more attributes"));
     let namespaces: String = (0..100).map(|index| format!(" xmlns:a{index}='{index}'")).collect();
     assert!(refused(&home(&format!("<wall{namespaces}/>"))).contains("a namespace"));
     assert!(refused(&home(&"<a/>".repeat(1_100_000))).contains("more parts"));
@@ -104,7 +109,9 @@ fn markup_that_no_plan_has_is_refused() {
 
 #[test]
 fn what_only_looks_like_bad_markup_is_read() {
-    let drawn = "<!-- <!DOCTYPE <a <a --><property name='xmlns:a' value='a=b > c'/><![CDATA[<!DOCTYPE]]>".to_owned();
+    let drawn =
+        "<!-- <!DOCTYPE <a <a --><!--><!DOCTYPE <a --><property name='xmlns:a' value='a=b > c'/><![CDATA[<!DOCTYPE]]>"
+            .to_owned();
     assert!(import(&file(&(drawn + &two_rooms()))).is_ok());
 }
 
@@ -163,6 +170,16 @@ fn great_numbers_of_things_are_refused_soon() {
 }
 
 #[test]
+fn a_long_name_of_a_level_is_not_copied_to_all_that_is_on_it() {
+    let level = "l".repeat(4 << 20);
+    let group = format!("<furnitureGroup level='{level}'>{}</furnitureGroup>", "<label/>".repeat(50_000));
+    let xml = home(&(format!("<level id='{level}' name='a'/>") + &two_rooms() + &group));
+    let begun = Instant::now();
+    assert!(import(&packed(&[("Home.xml", xml.as_bytes())], CompressionMethod::Stored)).is_ok());
+    assert!(begun.elapsed() < SOON, "{:?}", begun.elapsed());
+}
+
+#[test]
 fn what_is_hard_to_reckon_is_done_soon() {
     let timed = |what: &str, drawn: &str| {
         let begun = Instant::now();
@@ -205,6 +222,17 @@ fn what_is_hard_to_reckon_is_done_soon() {
     };
     let combs: String = (0..20).map(|index| comb("comb", index % 2 == 0, f64::from(index) * 0.1)).collect();
     timed("combs across combs", &combs);
+    let long_comb = |turn: f64| {
+        let teeth = (0..248).flat_map(|tooth| {
+            let x = f64::from(tooth) * 20.0;
+            [[x, 0.0], [x, 4_960.0], [x + 10.0, 4_960.0], [x + 10.0, 0.0]]
+        });
+        let corners = teeth.chain([[4_960.0, -20.0], [0.0, -20.0]]);
+        let turned = |[x, y]: [f64; 2]| Point::from_angle(turn).rotate(Point::new(x - 2_480.0, y - 2_480.0)).into();
+        room("comb", &corners.map(turned).collect::<Vec<_>>())
+    };
+    timed("a long comb across another", &(long_comb(0.3) + &long_comb(0.9)));
+    timed("a long comb upright on another", &(long_comb(0.0) + &long_comb(FRAC_PI_2)));
     let knot: Vec<[f64; 2]> = (0..1_990)
         .map(|index| (f64::from(index) * 2.4).sin_cos().into())
         .map(|[x, y]: [f64; 2]| [x * 500.0, y * 500.0])
