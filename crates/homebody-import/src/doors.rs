@@ -5,8 +5,9 @@ use crate::error::NotImported;
 use crate::kinds;
 use crate::names::Names;
 use crate::rooms::Room;
-use crate::walls::{DOOR_OFF_M, Wall, counted};
+use crate::walls::{DOOR_OFF_M, Wall};
 use homebody_core::geometry::{self, Point};
+use homebody_core::problem::counted;
 
 /// A door in a wall.
 #[derive(Clone, Debug)]

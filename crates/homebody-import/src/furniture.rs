@@ -5,8 +5,8 @@ use crate::error::NotImported;
 use crate::kinds;
 use crate::names::Names;
 use crate::rooms::Room;
-use crate::walls::counted;
 use homebody_core::geometry::{self, Point};
+use homebody_core::problem::counted;
 
 /// A piece of furniture of the home.
 #[derive(Clone, Debug)]

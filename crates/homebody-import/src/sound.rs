@@ -2,8 +2,7 @@
 
 use crate::error::NotImported;
 use crate::text::{self, List};
-use crate::walls::counted;
-use homebody_core::problem::Problem;
+use homebody_core::problem::{Problem, counted};
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::load::Scenario;
 use std::collections::{BTreeMap, BTreeSet};

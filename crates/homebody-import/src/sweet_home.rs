@@ -7,9 +7,10 @@ use crate::furniture::Furniture;
 use crate::names::{self, Names};
 use crate::outline::rounded;
 use crate::rooms::Room;
-use crate::walls::{Wall, counted};
+use crate::walls::Wall;
 use crate::{archive, doors, enclosed, furniture, levels, markup, rooms, sound, walls};
 use homebody_core::geometry::{self, Point};
+use homebody_core::problem::counted;
 use homebody_core::scenario::home::{At, DoorFile, FurnitureFile, HomeFile, RoomFile, WallFile, latitude};
 
 /// A home, and what was left out of the plan or guessed.

@@ -3,6 +3,7 @@
 use crate::drawing::{self, Piece};
 use crate::error::NotImported;
 use homebody_core::geometry::{self, Point};
+use homebody_core::problem::counted;
 use std::f64::consts::TAU;
 
 /// A straight wall.
@@ -63,10 +64,6 @@ pub fn straight(walls: &[drawing::Wall], doors: &[Piece], remarks: &mut Vec<Stri
         remarks.push(format!("left out: {short}"));
     }
     Ok(straight)
-}
-
-pub fn counted(count: usize, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
 }
 
 impl Wall {

@@ -1,7 +1,7 @@
 //! How a command fails: what people read, and the exit code that scripts read.
 
 use crate::print::tell;
-use homebody_core::problem::Problems;
+use homebody_core::problem::{Problems, counted};
 use homebody_log::LogError;
 use std::fmt::Display;
 use std::path::Path;
@@ -31,9 +31,7 @@ impl Failure {
     pub fn report(&self) -> ExitCode {
         match self {
             Failure::Problems(problems) => {
-                let count = problems.0.len();
-                let problem = if count == 1 { "problem" } else { "problems" };
-                tell(format_args!("{}\n{count} {problem}", problems.render()));
+                tell(format_args!("{}\n{}", problems.render(), counted(problems.0.len(), "problem", "problems")));
                 ExitCode::from(2)
             }
             Failure::Usage(what) => {

@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::{Absence, Chosen, Day, Density, LEVELS, Map, Measured, Sum, Texture};
 use crate::dates::{clock, date_of};
+use homebody_core::problem::counted;
 use homebody_core::time::DAY;
 
 /// So many days are told one by one; of more, weeks are told.
@@ -54,8 +55,8 @@ impl fmt::Display for Density {
 
 fn tell(f: &mut fmt::Formatter, map: &Map) -> fmt::Result {
     let last = map.days.last().map_or(map.from, |day| day.date);
-    let counted = |count: usize, what: &str| format!("{count} {what}{}", if count == 1 { "" } else { "s" });
-    let (days, sensors) = (counted(map.days.len(), "day"), counted(map.motion_sensors, "motion sensor"));
+    let days = counted(map.days.len(), "day", "days");
+    let sensors = counted(map.motion_sensors, "motion sensor", "motion sensors");
     writeln!(f, "{}: {days}, {} to {last}; {} firings of {sensors}", map.name, map.from, map.events)?;
     match map.density_per_h {
         Some(density) => writeln!(f, "At home:  {density:.1} firings an hour")?,

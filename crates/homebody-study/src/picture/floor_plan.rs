@@ -1,6 +1,7 @@
 //! The floor plan: a home as it is built, furnished and wired.
 
 use homebody_core::home::plan::Plan;
+use homebody_core::problem::counted;
 use homebody_core::scenario::home::HomeFile;
 
 use super::layers;
@@ -11,8 +12,8 @@ use super::sheet::Sheet;
 /// Draws a home that has passed its checks, as SVG.
 pub fn floor_plan(home: &HomeFile) -> String {
     let plan = Plan::new(home);
-    let count = |count: usize, thing: &str| format!("{count} {thing}{}", if count == 1 { "" } else { "s" });
-    let (rooms, sensors) = (count(home.rooms.len(), "room"), count(home.sensors.len(), "sensor"));
+    let rooms = counted(home.rooms.len(), "room", "rooms");
+    let sensors = counted(home.sensors.len(), "sensor", "sensors");
     let room_names: Vec<&str> = home.rooms.iter().map(|room| room.name.as_str()).collect();
     let sensor_names: Vec<&str> = home.sensors.iter().map(|sensor| sensor.name()).collect();
     let description = format!("Rooms: {}. Sensors: {}.", room_names.join(", "), sensor_names.join(", "));

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::folder;
 use crate::length::Length;
 use crate::print::{print_json, tell};
-use homebody_core::problem::{Problem, Problems};
+use homebody_core::problem::{Problem, Problems, counted};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::remarks;
 use homebody_routine::household::Household;
@@ -67,8 +67,4 @@ pub fn load_and_say(
 /// Tells people what is hardly meant.
 pub fn tell_remark(remark: &Problem) {
     tell(format_args!("warning: {remark}"));
-}
-
-pub fn counted(count: usize, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
 }

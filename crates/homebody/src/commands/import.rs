@@ -1,12 +1,11 @@
 //! `homebody import`: a scenario of one's own, from a plan of Sweet Home 3D.
 
-use super::check::counted;
 use crate::beginning::begin;
 use crate::failure::Failure;
 use crate::print::{tell, write_file};
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::Plan;
-use homebody_core::problem::Problems;
+use homebody_core::problem::{Problems, counted};
 use homebody_core::scenario::load::Scenario;
 use homebody_import::{MOST_BYTES, sweet_home};
 use homebody_routine::household::{Household, Spoken};

@@ -1,8 +1,9 @@
 //! `homebody routine check`: everything that is wrong with routines.
 
-use crate::commands::check::{counted, load_and_say};
+use crate::commands::check::load_and_say;
 use crate::failure::Failure;
 use crate::print::tell;
+use homebody_core::problem::counted;
 use std::path::PathBuf;
 
 /// Reports everything that is wrong with the routines of a scenario and the conditions that they show: each at its word,
