@@ -76,15 +76,11 @@ pub struct FreshFile {
 impl FreshFile {
     pub fn create(path: &Path, force: bool) -> Result<FreshFile, LogError> {
         let place = Place::at(path, force)?;
-        let part = (place != Place::Device).then(|| {
-            let name = path.file_name().unwrap_or_default().to_string_lossy();
-            path.with_file_name(format!("{name}.{}.part", std::process::id()))
-        });
-        let file = match &part {
-            Some(part) => File::create(part),
-            None => OpenOptions::new().write(true).open(path),
+        let begun = match place {
+            Place::Device => OpenOptions::new().write(true).open(path).map(|file| (None, file)),
+            _ => begin_part(path).map(|(part, file)| (Some(part), file)),
         };
-        let file = file.map_err(|error| LogError::file(path, error))?;
+        let (part, file) = begun.map_err(|error| LogError::file(path, error))?;
         Ok(FreshFile { path: path.into(), place, part, out: BufWriter::with_capacity(1 << 16, file) })
     }
 
@@ -107,7 +103,7 @@ impl FreshFile {
             return Ok(());
         };
         let named = self.out.get_ref().sync_all().and_then(|()| match self.place {
-            Place::Replaced => fs::rename(&part, &self.path),
+            Place::Replaced => replace(&part, &self.path),
             _ => name_if_free(&part, &self.path),
         });
         match named {
@@ -129,6 +125,29 @@ impl Drop for FreshFile {
             let _ = fs::remove_file(part);
         }
     }
+}
+
+/// A new file beside a path: others may be on their way to the same one.
+fn begin_part(path: &Path) -> io::Result<(PathBuf, File)> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let mut number = 0;
+    loop {
+        let part = path.with_file_name(format!("{name}.{}-{number}.part", std::process::id()));
+        match OpenOptions::new().write(true).create_new(true).open(&part) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => number += 1,
+            begun => return begun.map(|file| (part, file)),
+        }
+    }
+}
+
+/// Renames over a file, and who may read and write it stays as it was.
+fn replace(part: &Path, path: &Path) -> io::Result<()> {
+    if let Ok(old) = fs::symlink_metadata(path)
+        && old.is_file()
+    {
+        fs::set_permissions(part, old.permissions())?;
+    }
+    fs::rename(part, path)
 }
 
 /// Renames, but not over a file that has come in the meantime.

@@ -13,7 +13,7 @@ use homebody_core::home::plan::Plan;
 use homebody_core::recording::{Recording, Seal};
 use homebody_core::run::Run;
 use homebody_core::scenario::input::{self, InputFile, KeysFile, UseFile};
-use homebody_core::scenario::load::{Files as _, Scenario};
+use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::scenario::path;
 use homebody_core::scene::Scene;
 use homebody_core::sensors::Sensor;
@@ -48,7 +48,7 @@ pub struct Act {
     keys: Option<String>,
     /// The keys that are held.
     held: KeysFile,
-    files: Option<Files>,
+    files: Option<Written>,
     /// Whether it is a recording lived again, which leaves no files.
     is_replay: bool,
     /// Of a replay: the files of any other run have their own.
@@ -67,28 +67,28 @@ pub struct Act {
     events: Events,
 }
 
-struct Files {
+struct Written {
     places: Places,
     /// Until they are complete.
     log: Option<RunLog>,
 }
 
 impl Act {
-    /// A run of the scenario on the shelf, from its start. It leaves files from when it is first advanced.
-    pub fn new(shelf: &Shelf, start: Start) -> Result<Act, String> {
-        let mut files = Drafted { texts: BTreeMap::new(), shelf };
-        let first = load(&files, &shelf.entry)?;
+    /// A run of the scenario of these files, from its start. It leaves files from when it is first advanced.
+    pub fn new(files: &dyn Files, entry: &str, start: Start) -> Result<Act, String> {
+        let mut files = Drafted { texts: BTreeMap::new(), others: files };
+        let first = load(&files, entry)?;
         let mut keys = None;
         if let Some(driven) = start.driven {
-            let name = drive(&mut files, &first, &shelf.entry, driven as usize, &start.input)?;
+            let name = drive(&mut files, &first, entry, driven as usize, &start.input)?;
             keys = Some(name);
         }
-        let mut scenario = if keys.is_some() { load(&files, &shelf.entry)? } else { first };
+        let mut scenario = if keys.is_some() { load(&files, entry)? } else { first };
         let household = Household::read(&mut scenario, &files, &start.without).map_err(|problems| problems.render())?;
         let seed = start.seed.unwrap_or(scenario.file.seed);
         let recording = Recording {
             version: env!("CARGO_PKG_VERSION").into(),
-            entry: shelf.entry.clone(),
+            entry: entry.to_owned(),
             files: scenario.sources.clone(),
             seed,
             length_us: scenario.calendar.span_of_days(scenario.file.days),
@@ -220,10 +220,10 @@ impl Act {
         Ok(begins)
     }
 
-    fn open(&self, shelf: &Shelf) -> Result<Files, LogError> {
+    fn open(&self, shelf: &Shelf) -> Result<Written, LogError> {
         let places = Places::run(&shelf.runs, &self.scenario)?;
         let log = RunLog::open(&places, &self.scenario, &self.run, &self.recording, false)?;
-        Ok(Files { places, log: Some(log) })
+        Ok(Written { places, log: Some(log) })
     }
 
     /// From now on these keys are held.
@@ -258,14 +258,18 @@ impl Act {
         self.start.input.push(line);
     }
 
-    /// What was done at the keys before an instant.
-    pub fn input_before(&self, at: Micros) -> Vec<KeysFile> {
-        self.start.input.iter().filter(|line| micros(line.at_s) < at).cloned().collect()
-    }
-
-    /// What this is the replay of, if it is one.
-    pub fn recording_again(&self) -> Option<Recording> {
-        self.is_replay.then(|| self.recording.clone())
+    /// The same run from its start, whatever its files have become since, with what was done at the keys before an instant;
+    /// from then on no key is held.
+    pub fn anew(&self, until: Micros) -> Result<Act, String> {
+        if self.is_replay {
+            return Act::again(self.recording.clone());
+        }
+        let mut input: Vec<KeysFile> =
+            self.start.input.iter().filter(|line| micros(line.at_s) < until).cloned().collect();
+        if let Some(last) = input.last().filter(|line| !line.held.is_empty()) {
+            input.push(KeysFile { at_s: seconds(until), held: Vec::new(), uses: Vec::new(), ..last.clone() });
+        }
+        Act::new(&self.recording.files, &self.recording.entry, Start { input, ..self.start.clone() })
     }
 
     /// Completes all files; what is said about it.

@@ -101,7 +101,7 @@ impl Desk {
 
     /// The scenario's files with a draft laid over them.
     pub fn with(&self, draft: Draft) -> Drafted<'_> {
-        Drafted { texts: draft.texts, shelf: &self.shelf }
+        Drafted { texts: draft.texts, others: &self.shelf }
     }
 
     /// The scenario of a draft and who lives there, or all that is wrong with it.

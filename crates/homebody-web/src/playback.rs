@@ -204,6 +204,12 @@ impl Playback {
         Ok(run)
     }
 
+    /// The file of a run's log, if it is in the run's folder.
+    pub fn log_of(&self, name: &str) -> Option<PathBuf> {
+        let scenario = self.shelf.recording(name).ok()?.scenario().ok()?;
+        Some(self.log(name, &scenario)?.path().to_owned())
+    }
+
     /// Where a run's log is, the first of them that is in its folder.
     fn log(&self, name: &str, scenario: &Scenario) -> Option<Url> {
         let usual = Url::Sqlite("log.db".into());

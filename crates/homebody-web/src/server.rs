@@ -5,7 +5,7 @@ use crate::desk::Desk;
 use crate::guard::{self, Guard};
 use crate::page;
 use crate::playback::{Playback, Refusal};
-use crate::shelf::Shelf;
+use crate::shelf::{RECORDING, Shelf};
 use crate::socket;
 use crate::stage::Stage;
 use crate::wire::{Connect, Draft, Explain, Month, Save};
@@ -17,12 +17,15 @@ use axum::extract::{DefaultBodyLimit, Path, State};
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
+use futures_util::stream::{Stream, try_unfold};
 use homebody_import::{MOST_BYTES, NotImported};
 use serde::Serialize;
+use std::io;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
+use tokio::io::{AsyncRead, AsyncReadExt};
 use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
 
@@ -273,20 +276,40 @@ fn refused(refusal: Refusal) -> Refused {
 
 /// A file of a stored run, as a download.
 async fn file_of_run(State(house): State<House>, Path((run, what)): Path<(String, String)>) -> Response {
-    let name = match what.as_str() {
-        "log" => "log.db",
-        "recording" => crate::shelf::RECORDING,
-        _ => return (StatusCode::NOT_FOUND, "A run has a log and a recording.").into_response(),
+    let find = move || match what.as_str() {
+        "log" => house.playback.log_of(&run),
+        "recording" => house.shelf.file_of_run(&run, RECORDING),
+        _ => None,
     };
-    let Some(path) = house.shelf.file_of_run(&run, name) else {
-        return (StatusCode::NOT_FOUND, "There is no such file of such a run.").into_response();
+    let path = match found(find).await {
+        Ok(Some(path)) => path,
+        Ok(None) => return (StatusCode::NOT_FOUND, "There is no such file of such a run.").into_response(),
+        Err(refused) => return refused.into_response(),
     };
-    match tokio::fs::read(&path).await {
-        Ok(bytes) => {
-            let named = format!("attachment; filename=\"{name}\"");
-            let kind = "application/octet-stream".to_owned();
-            ([(header::CONTENT_TYPE, kind), (header::CONTENT_DISPOSITION, named)], Body::from(bytes)).into_response()
-        }
-        Err(error) => (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()).into_response(),
-    }
+    let failed = |error: io::Error| (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()).into_response();
+    let file = match tokio::fs::File::open(&path).await {
+        Ok(file) => file,
+        Err(error) => return failed(error),
+    };
+    let length = match file.metadata().await {
+        Ok(known) => known.len(),
+        Err(error) => return failed(error),
+    };
+    let name = path.file_name().unwrap_or_default().to_string_lossy().replace(['"', '\\'], "_");
+    let head = [
+        (header::CONTENT_TYPE, "application/octet-stream".to_owned()),
+        (header::CONTENT_DISPOSITION, format!("attachment; filename=\"{name}\"")),
+        (header::CONTENT_LENGTH, length.to_string()),
+    ];
+    (head, Body::from_stream(chunks(file.take(length)))).into_response()
+}
+
+/// What there is to read, piece by piece: a log may be larger than memory.
+fn chunks(file: impl AsyncRead + Unpin) -> impl Stream<Item = io::Result<Vec<u8>>> {
+    try_unfold(file, |mut file| async move {
+        let mut chunk = vec![0; 1 << 16];
+        let length = file.read(&mut chunk).await?;
+        chunk.truncate(length);
+        Ok((length > 0).then_some((chunk, file)))
+    })
 }

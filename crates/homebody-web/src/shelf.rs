@@ -112,12 +112,12 @@ impl Files for Shelf {
 /// A scenario's files with other texts in the places of some.
 pub struct Drafted<'a> {
     pub texts: BTreeMap<String, String>,
-    pub shelf: &'a Shelf,
+    pub others: &'a dyn Files,
 }
 
 impl Files for Drafted<'_> {
     fn read(&self, name: &str) -> Result<String, String> {
-        self.texts.get(name).map_or_else(|| self.shelf.read(name), |text| Ok(text.clone()))
+        self.texts.get(name).map_or_else(|| self.others.read(name), |text| Ok(text.clone()))
     }
 }
 

@@ -78,7 +78,7 @@ pub struct News {
 impl Stage {
     /// Opens the scenario on the shelf, and keeps its run at its start until somebody says so.
     pub fn open(shelf: Shelf) -> Result<Stage, String> {
-        let mut act = Act::new(&shelf, Start::default())?;
+        let mut act = Act::new(&shelf, &shelf.entry, Start::default())?;
         let board = Board {
             run: 0,
             number: 0,
@@ -248,7 +248,7 @@ impl Director {
             }
             Say::Start { driven, without, seed } => {
                 let start = Start { driven, without, seed, input: Vec::new() };
-                let act = Act::new(&self.shelf, start);
+                let act = Act::new(&self.shelf, &self.shelf.entry, start);
                 self.change_act(act);
             }
             Say::Stop => self.finish(),
@@ -265,11 +265,7 @@ impl Director {
     fn jump(&mut self, to: Micros) {
         let before = self.state;
         if to < self.act.now() {
-            let start = Start { input: self.act.input_before(to), ..self.act.start.clone() };
-            let act = match self.act.recording_again() {
-                Some(recording) => Act::again(recording),
-                None => Act::new(&self.shelf, start),
-            };
+            let act = self.act.anew(to);
             if !self.change_act(act) {
                 return;
             }

@@ -27,7 +27,7 @@ impl Stored {
         copy(&scenarios().join(scenario), &own, &change);
         copy(&scenarios().join("../conditions"), &folder.path().join("conditions"), &change);
         let shelf = Shelf { scenario: own, entry: "scenario.json".into(), runs: folder.path().join("runs") };
-        let mut act = Act::new(&shelf, Start::default()).unwrap();
+        let mut act = Act::new(&shelf, &shelf.entry, Start::default()).unwrap();
         act.advance(length, &shelf).unwrap();
         act.finish().unwrap();
         let playback = Playback::new(shelf);

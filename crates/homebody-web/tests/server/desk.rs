@@ -37,7 +37,7 @@ impl Served {
         rmp_serde::from_slice(&self.post("/api/plan", draft).body).unwrap()
     }
 
-    fn file(&self, scenario: &str, name: &str) -> PathBuf {
+    pub fn file(&self, scenario: &str, name: &str) -> PathBuf {
         self.folder.path().join(scenario).join(name)
     }
 
@@ -411,6 +411,57 @@ fn the_first_rows_are_those_of_a_run_and_its_growth_is_its_logs() {
     let fired: Vec<usize> =
         sensors.iter().map(|sensor| rows.iter().filter(|row| id(sensor) == &row[2]).count()).collect();
     assert_eq!(seen.frame["counts"], json!(fired));
+}
+
+#[test]
+fn to_try_the_place_of_a_log_that_is_being_written_harms_it_not() {
+    let served = Served::scenario("studio");
+    let log = served.folder.path().join("out.txt");
+    let url = format!("casas:{}", log.display());
+    let file = served.file("studio", "logger.json");
+    let mut logger: Value = serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
+    logger["to"] = json!([url]);
+    fs::write(&file, logger.to_string()).unwrap();
+    let mut page = served.page();
+    page.say(r#"{"say":"start","driven":null,"without":[],"seed":null}"#);
+    page.say(r#"{"say":"speed","times":null}"#);
+    page.say(r#"{"say":"jump","to_us":43200000000}"#);
+    page.until(|frame| frame["now_us"].as_i64() >= Some(43_200_000_000));
+    assert_eq!(served.told("/api/connect", &json!({ "url": url }))["works"], true);
+    page.say(r#"{"say":"stop"}"#);
+    page.until_told("rows are in");
+    assert!(fs::read_to_string(&log).unwrap().lines().count() > 10);
+    assert_eq!(served.told("/api/connect", &json!({ "url": url }))["works"], false);
+}
+
+#[test]
+fn a_log_is_downloaded_under_its_own_name() {
+    let served = Served::scenario("studio");
+    let mut page = served.page();
+    page.say(r#"{"say":"speed","times":null}"#);
+    page.say(r#"{"say":"jump","to_us":43200000000}"#);
+    page.until(|frame| frame["now_us"].as_i64() >= Some(43_200_000_000));
+    page.say(r#"{"say":"stop"}"#);
+    page.until_told("rows are in");
+    let run = served.only_run();
+    let answer = served.api(&format!("/api/runs/{}/log", run.file_name().unwrap().to_str().unwrap()));
+    assert!(answer.head.contains("filename=\"log.txt\""), "{}", answer.head);
+    assert_eq!(answer.body, fs::read(run.join("log.txt")).unwrap());
+}
+
+#[cfg(unix)]
+#[test]
+fn who_may_read_a_file_is_as_it_was_after_saving() {
+    use std::os::unix::fs::PermissionsExt;
+    let served = Served::scenario("studio");
+    let file = served.file("studio", "walter.routine");
+    fs::set_permissions(&file, fs::Permissions::from_mode(0o600)).unwrap();
+    let files: Value = serde_json::from_slice(&served.api("/api/files").body).unwrap();
+    let known = files["files"].as_array().unwrap().iter().find(|file| file["name"] == "walter.routine").unwrap();
+    let save = json!({ "name": "walter.routine", "text": "Walter is 80.\n", "version": known["version"] });
+    served.told("/api/files", &json!({ "files": [save] }));
+    assert_eq!(fs::read_to_string(&file).unwrap(), "Walter is 80.\n");
+    assert_eq!(fs::metadata(&file).unwrap().permissions().mode() & 0o777, 0o600);
 }
 
 #[test]

@@ -39,6 +39,11 @@ impl Arguments {
         let scenario = folder::folder_of(&self.scenario).to_owned();
         let shelf = Shelf { scenario, entry, runs: Path::new(RUNS).into() };
         let ip = self.bind.unwrap_or(Ipv4Addr::LOCALHOST.into());
+        if ip.is_unspecified() {
+            return Err(Failure::Usage(format!(
+                "{ip} is every address of this machine, and the page must come under a single one\n  hint: name the one that others reach this machine by"
+            )));
+        }
         if !ip.is_loopback() {
             tell(format_args!(
                 "warning: who can reach {ip} can reach this server, and what is said to it can be overheard on the way"
