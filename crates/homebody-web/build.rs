@@ -38,7 +38,7 @@ fn build(web: &Path, page: &Path) -> Result<(), String> {
 
 fn npm(web: &Path, words: &[&str]) -> Result<(), String> {
     let done = Command::new("npm").args(words).current_dir(web).output();
-    let done = done.map_err(|error| format!("npm cannot be run ({error}); install Node.js 20 or later"))?;
+    let done = done.map_err(|error| format!("npm cannot be run ({error}); install Node.js 20.19 or later"))?;
     if done.status.success() {
         return Ok(());
     }
@@ -53,7 +53,7 @@ fn say_why(page: &Path, why: &str) {
     let why = why.replace('&', "&amp;").replace('<', "&lt;");
     let text = format!(
         "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Homebody</title><h1>This page was not built</h1>\
-         <p>{why}</p><p>Install Node.js 20 or later, and build the program again.</p></html>\n"
+         <p>{why}</p><p>Install Node.js 20.19 or later, and build the program again.</p></html>\n"
     );
     let _ = fs::remove_dir_all(page);
     let written = fs::create_dir_all(page).and_then(|()| fs::write(page.join("index.html"), text));

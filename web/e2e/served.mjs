@@ -38,6 +38,7 @@ export async function serve(scenario, { prepare = () => {}, script } = {}) {
     });
   };
   const stop = () => new Promise((gone) => {
+    if (server.exitCode !== null || server.signalCode !== null) return gone();
     server.on('exit', gone);
     server.kill('SIGINT');
   });

@@ -25,6 +25,8 @@ pub struct Run {
     names: Vec<String>,
     /// By thing of the plan: who has turned it on, or opened it.
     users: Vec<Vec<u32>>,
+    /// By thing of the plan: whether it is on, or open.
+    on: Vec<bool>,
     /// Nothing where all that sensors say reaches the logger at once.
     link: Option<Box<Link>>,
     length: Micros,
@@ -101,6 +103,7 @@ impl Run {
     /// A run of any drivers in a baked home.
     pub fn of(home: Arc<Home>, builds: Vec<Build>, drivers: Vec<Driver>, seed: u64, length: Micros) -> Run {
         let users = vec![Vec::new(); home.plan.things.len()];
+        let on = home.plan.things.iter().map(|thing| thing.on).collect();
         let world = World::new(home, drivers.len(), seed);
         let resident = |(build, driver)| Resident { build, driver, until: 0, room: None, located: false, last: None };
         let names = (1..=drivers.len()).map(|number| format!("resident {number}")).collect();
@@ -109,6 +112,7 @@ impl Run {
             residents: builds.into_iter().zip(drivers).map(resident).collect(),
             names,
             users,
+            on,
             link: None,
             length,
         }
@@ -156,12 +160,11 @@ impl Run {
             })
         };
         let all = 0..self.residents.len();
-        let is_on = |thing: &usize| !self.users[*thing].is_empty();
         Scene {
             now: self.now(),
             bodies: all.clone().map(body).collect(),
             seeing: all.fold(0, |seeing, resident| seeing | self.world.seeing(resident)),
-            on: (0..self.users.len()).filter(is_on).map(|thing| thing as u32).collect(),
+            on: (0..).zip(&self.on).filter(|(_, on)| **on).map(|(thing, _)| thing).collect(),
         }
     }
 
@@ -280,6 +283,7 @@ impl Run {
         }
         let changes = if act.on { !was_on } else { users.is_empty() };
         if changes {
+            self.on[act.thing as usize] = act.on;
             events.facts.push(Fact::Act { resident: resident as u32, at: now, act });
             self.world.act(resident, act);
         }

@@ -13,7 +13,7 @@ pub struct Scene {
     pub bodies: Vec<Option<Presence>>,
     /// The sensors that see somebody move, as bits.
     pub seeing: Mask,
-    /// The things that somebody has turned on or opened.
+    /// The things that are on, or open.
     pub on: Vec<u32>,
 }
 

@@ -32,7 +32,7 @@ fn every_sentence_is_said_again_in_words() {
         ),
         (
             "From week 6 to week 12, over 10 days, fading over 2 weeks, she shows severe depression.",
-            "Depression, 1.5 times a moderate case; from day 36, fully there after 10 days, until the beginning of \
+            "Depression, a severe case, 1.5 times a moderate one; from day 36, fully there after 10 days, until the beginning of \
              day 85, gone after 14 days more.",
         ),
         ("She gets up 45 to 90 minutes earlier.", "Gets up 45 min to 1 h 30 min earlier."),
@@ -81,9 +81,9 @@ fn how_long_a_rule_waits_is_not_how_long_it_lasts() {
 #[test]
 fn how_severe_a_case_is_is_said_as_people_do() {
     for (severity, words) in [
-        ("mild", "Depression, 0.5 of a moderate case."),
+        ("mild", "Depression, a mild case, 0.5 of a moderate one."),
         ("moderate", "Depression, a moderate case."),
-        ("severe", "Depression, 1.5 times a moderate case."),
+        ("severe", "Depression, a severe case, 1.5 times a moderate one."),
     ] {
         assert_eq!(row(&format!("She shows {severity} depression.")).in_words, words);
     }

@@ -60,6 +60,13 @@ struct Board {
     next_note: u64,
 }
 
+impl Board {
+    fn tell_again(&mut self, view: Arc<RunView>, growth: Arc<Mutex<Growth>>) {
+        (self.view, self.growth) = (view, growth);
+        self.number += 1;
+    }
+}
+
 /// What a page has seen already.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Seen {
@@ -350,21 +357,21 @@ impl Director {
         self.change.send_modify(|change| *change += 1);
     }
 
+    /// Nobody sees a frame of the run before under the name of this one.
     fn begin_anew(&mut self) {
+        let (view, frame) = (Arc::new(self.act.view()), self.act.frame(self.state, self.speed));
         let mut board = locked(&self.board);
         board.run += 1;
         board.rows.clear();
+        board.frame = frame;
+        board.tell_again(view, self.act.growth());
         drop(board);
-        self.tell_run_again();
         self.show();
     }
 
     fn tell_run_again(&mut self) {
         let view = Arc::new(self.act.view());
-        let mut board = locked(&self.board);
-        board.number += 1;
-        board.view = view;
-        board.growth = self.act.growth();
+        locked(&self.board).tell_again(view, self.act.growth());
     }
 
     fn note(&mut self, text: String, bad: bool) {

@@ -40,12 +40,13 @@ test('a door leads out of the home inwards', () => {
 test('what can be reached, the nearest first', () => {
   const home = madeUpHome();
   home.things = [
-    { name: 'far', kind: 'lamp', at: [3, 0] },
-    { name: 'near', kind: 'furniture', at: [1.1, 0] },
-    { name: 'nearest', kind: 'door', at: [0, 0.4] },
+    { name: 'far', kind: 'lamp', at: [1, 2] },
+    { name: 'near', kind: 'furniture', at: [3.9, 2] },
+    { name: 'nearest', kind: 'door', at: [5, 2.4] },
+    { name: 'beyond the wall', kind: 'furniture', at: [5.8, 2] },
   ];
-  expect(within(home, [0, 0], 1.2)).toEqual([2, 1]);
-  expect(within(home, [0, 0], 0.3)).toEqual([]);
+  expect(within(home, [5, 2], 1.2)).toEqual([2, 1]);
+  expect(within(home, [5, 2], 0.3)).toEqual([]);
 });
 
 test('a lamp lights the room of its name, and a stove lights none', () => {

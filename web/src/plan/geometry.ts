@@ -8,6 +8,15 @@ export function distance(a: At, b: At): number {
   return Math.hypot(a[0] - b[0], a[1] - b[1]);
 }
 
+/** Whether the way from one point to another leads through an outline. */
+function passes(outline: At[], from: At, to: At): boolean {
+  const side = (a: At, b: At, p: At) => Math.sign((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]));
+  return outline.some((corner, index) => {
+    const next = outline[(index + 1) % outline.length]!;
+    return side(from, to, corner) * side(from, to, next) < 0 && side(corner, next, from) * side(corner, next, to) < 0;
+  });
+}
+
 /** Left, bottom, right and top of an outline. */
 export function box(outline: At[]): [number, number, number, number] {
   let [left, bottom, right, top] = [Infinity, Infinity, -Infinity, -Infinity];
@@ -56,9 +65,10 @@ export function openDoors(home: HomeView, on: number[]): boolean[] {
   });
 }
 
-/** The things that somebody at `at` can reach, the nearest first. */
+/** The things that somebody at `at` can reach, the nearest first; not through walls. */
 export function within(home: HomeView, at: At, reach_m: number): number[] {
+  const walls = home.solids.filter(({ kind }) => kind === 'wall');
   const far = home.things.map((thing) => distance(thing.at, at));
-  const near = home.things.map((_, index) => index).filter((index) => far[index]! <= reach_m);
+  const near = home.things.map((_, index) => index).filter((index) => far[index]! <= reach_m && !walls.some(({ outline }) => passes(outline, at, home.things[index]!.at)));
   return near.sort((a, b) => far[a]! - far[b]!);
 }

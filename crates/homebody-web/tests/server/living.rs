@@ -149,6 +149,21 @@ fn who_goes_lets_go_of_the_keys() {
     assert!(first[0].as_f64() > Some(0.7), "nobody walked: {first}");
 }
 
+/// Doors that the home has open are so before anybody touches them.
+#[test]
+fn what_is_open_is_seen_open() {
+    let served = Served::scenario("tigerplace");
+    let seen = served.page().until(|_| true);
+    let home = &seen.run["home"];
+    let things = home["things"].as_array().unwrap();
+    let is_open = |door: &&Value| door["open"] == true && door["outside"] == false;
+    let open = home["doors"].as_array().unwrap().iter().filter(is_open);
+    let wanted: Vec<usize> =
+        open.map(|door| things.iter().position(|thing| thing["name"] == door["name"]).unwrap()).collect();
+    assert!(!wanted.is_empty());
+    assert_eq!(seen.frame["on"], json!(wanted));
+}
+
 /// Who is back in the middle of a step that was taken at the keys takes no other.
 #[test]
 fn a_jump_back_lets_go_of_the_keys() {
