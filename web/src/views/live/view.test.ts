@@ -159,6 +159,28 @@ test('what is chosen for the next run, and what is not saved yet, is said to wai
   expect(said()).toContain('home.json is not saved: a new run goes by what is on disk.');
 });
 
+test('what is chosen for the next run stays when the run is told of again', () => {
+  void unmount(view);
+  const run = { ...madeUpRun(2, 18, null), conditions: ['depression', 'frailty'], id: null };
+  begin(run);
+  const tell = (part: Partial<RunView>) => {
+    wire.onmessage!({ data: JSON.stringify({ tell: 'run', run: { ...run, ...part } }) });
+    show({});
+  };
+  const who = document.querySelector<HTMLSelectElement>('#walks')!;
+  who.value = '1';
+  who.dispatchEvent(new Event('change', { bubbles: true }));
+  document.querySelector<HTMLInputElement>('fieldset input')!.click();
+  flushSync();
+  tell({ id: 'cottage-1' });
+  expect(who.value).toBe('1');
+  button('New run').click();
+  expect(sent).toEqual([{ say: 'start', driven: 1, without: ['depression'], seed: null }]);
+  tell({ driven: 0, without: ['frailty'] });
+  expect(who.value).toBe('0');
+  expect([...document.querySelectorAll<HTMLInputElement>('fieldset input')].map((box) => box.checked)).toEqual([true, false]);
+});
+
 test('time is gone to by keys once they rest, and is said in words', () => {
   const slider = document.querySelector<HTMLInputElement>('input[aria-label="Time in the run"]')!;
   expect(slider.getAttribute('aria-valuetext')).toBe('2 March, 06:55:00');
