@@ -249,6 +249,14 @@ test('the table names the sensors, by what is stored of them as well, the newest
   expect(document.querySelector('table[aria-rowcount] tbody td')!.getAttribute('title')).toBe('Stored as time 59');
 });
 
+test('as a table the time line counts what the server has counted since the run began', () => {
+  [...document.querySelectorAll('label')].find((label) => label.textContent!.includes('as a table'))!.querySelector('input')!.click();
+  show({ now_us: 9_000_000, told: 60, counts: [57, 3], firings: [firing(59, 9_000_000, 0)] });
+  const table = document.querySelector('[aria-labelledby="strip-title"] table')!;
+  expect(table.querySelector('th[title]')!.getAttribute('title')).toBe('Since the run began');
+  expect([...table.querySelectorAll('tbody tr')].slice(0, 2).map((row) => [...row.querySelectorAll('td')].map((cell) => cell.textContent))).toEqual([['1', '57'], ['0', '3']]);
+});
+
 test('of five hundred rows few are in the page', () => {
   show({ now_us: 600, told: 600, firings: Array.from({ length: 600 }, (_, seq) => firing(seq, seq)) });
   expect(document.querySelector('table[aria-rowcount]')!.getAttribute('aria-rowcount')).toBe('501');
