@@ -23,6 +23,8 @@ export class Drafts {
   private readonly checks: Latest<Draft, CheckView>;
   /** Grows with each load and each save: what was asked before is older than what is known. */
   private loads = 0;
+  /** Whether what was saved has not been loaded yet: with a file of the scenario the others may be other ones. */
+  private behind = false;
 
   /** @param note tells people what happened. */
   constructor(
@@ -107,7 +109,9 @@ export class Drafts {
           this.texts = texts;
         }
       }
-      await this.reload();
+      this.behind = true;
+      // It is saved all the same; the next look loads it.
+      await this.reload().catch(() => {});
       return true;
     } catch (error) {
       this.note(`Not saved: ${said(error)}`, true);
@@ -139,7 +143,7 @@ export class Drafts {
   private async look(): Promise<void> {
     if (this.saving) return;
     try {
-      if (this.files === null) {
+      if (this.files === null || this.behind) {
         await this.reload();
         return;
       }
@@ -156,6 +160,7 @@ export class Drafts {
     const load = ++this.loads;
     const fresh = await this.server.json<FilesView>('/api/files');
     if (load !== this.loads) return;
+    this.behind = false;
     const before = this.files;
     if (before === null) {
       this.files = fresh;

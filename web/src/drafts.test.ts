@@ -11,6 +11,8 @@ class Disk {
   /** Whether answers wait in `held` until they are let go. */
   slow = false;
   held: (() => void)[] = [];
+  /** Whether the files cannot be read. */
+  broken = false;
   readonly server = new Server('token', () => {}, (path, init) => {
     const answer = this.answer(path, init);
     return this.slow && path === '/api/files' ? new Promise((done) => this.held.push(() => done(answer))) : Promise.resolve(answer);
@@ -25,9 +27,10 @@ class Disk {
   private answer(path: string, init: RequestInit): Response {
     const json = (value: unknown) => new Response(JSON.stringify(value));
     if (path === '/api/files/versions') return json(Object.fromEntries(Object.keys(this.files).map((name) => [name, this.view(name).version])));
+    if (this.broken && path === '/api/files' && init.method === 'GET') return new Response('The disk is busy.', { status: 500 });
     if (path === '/api/check') return json({ problems: [], warnings: [] });
     if (init.method === 'POST') return json(this.save(JSON.parse(init.body as string) as Save));
-    return json({ entry: 'scenario.json', home: 'home.json', logger: null, lives: [], files: Object.keys(this.files).map((name) => this.view(name)) });
+    return json({ entry: 'scenario.json', home: 'home.json', logger: 'logger.json' in this.files ? 'logger.json' : null, lives: [], files: Object.keys(this.files).map((name) => this.view(name)) });
   }
 
   private save(save: Save): SavedView {
@@ -148,6 +151,17 @@ test('what was loaded before a save does not come after it', async () => {
   for (const answer of disk.held.splice(0)) answer();
   await vi.advanceTimersByTimeAsync(0);
   expect([drafts.text('a.routine'), drafts.unsaved]).toEqual(['Mine.', []]);
+});
+
+test('what is saved is saved though it cannot be loaded at once, and is loaded later', async () => {
+  drafts.write('logger.json', '{}');
+  disk.broken = true;
+  expect(await drafts.save()).toBe(true);
+  expect([drafts.unsaved, disk.notes, drafts.saving]).toEqual([[], [], false]);
+  await later();
+  disk.broken = false;
+  await later();
+  expect(drafts.files!.logger).toBe('logger.json');
 });
 
 test('what was written outlives a server that begins anew', async () => {

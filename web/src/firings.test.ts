@@ -22,7 +22,6 @@ test('what was told of but not sent is counted', () => {
   firings.take(frame({ told: 1, firings: [firing(0, 0)] }));
   firings.take(frame({ now_us: 9, told: 101, firings: [firing(99, 8), firing(100, 9)] }));
   expect(seqs()).toEqual([0, '98 missing', 99, 100]);
-  expect(firings.missing).toBe(98);
 });
 
 test('who comes late is told how many there were before', () => {
@@ -53,5 +52,4 @@ test('a run that is taken back forgets what is not yet so, and keeps nothing twi
   expect(seqs()).toEqual([0, 1, 2]);
   firings.take(frame({ now_us: 55, told: 2, firings: [firing(0, 10), firing(1, 50)] }));
   expect(seqs()).toEqual([0, 1]);
-  expect(firings.missing).toBe(0);
 });

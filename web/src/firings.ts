@@ -22,7 +22,6 @@ export class Firings {
   counts: number[] = [];
   /** Grows with every row, also where old ones fall off the other end. */
   added = 0;
-  missing = 0;
   now_us = 0;
   private told: number | null = null;
 
@@ -31,7 +30,6 @@ export class Firings {
     this.lanes = Array.from({ length: sensors }, () => []);
     this.counts = [];
     this.added = 0;
-    this.missing = 0;
     this.now_us = 0;
     this.told = null;
   }
@@ -43,10 +41,7 @@ export class Firings {
     const missing = frame.told - (this.told ?? 0) - frame.firings.length;
     this.told = frame.told;
     this.counts = frame.counts;
-    if (missing > 0) {
-      this.missing += missing;
-      this.push({ missing, until_us: frame.now_us });
-    }
+    if (missing > 0) this.push({ missing, until_us: frame.now_us });
     for (const firing of frame.firings) {
       this.push({ firing });
       (this.lanes[firing.sensor] ??= []).push(firing.at_us);

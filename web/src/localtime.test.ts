@@ -7,11 +7,12 @@ const DAY = 24 * HOUR;
 
 test('clocks that are set at midnight', () => {
   const forward = { days: [date('2009-03-06', 0), date('2009-03-07', DAY, 23, { turn: [DAY, HOUR] })], length_us: 47 * HOUR };
-  const back = { days: [date('2009-03-06', 0), date('2009-03-07', DAY, 25, { turn: [25 * HOUR, -HOUR] })], length_us: 49 * HOUR };
+  const back = { days: [date('2009-03-06', 0, 25, { turn: [DAY, -HOUR] }), date('2009-03-07', 25 * HOUR, 23)], length_us: 48 * HOUR };
   for (const calendar of [forward, back]) {
     for (const at of [0, 23.9 * HOUR, 26 * HOUR, 40 * HOUR]) expect(instantOf(calendar, clockOf(calendar, at))).toBe(at);
   }
   expect(clockOf(forward, DAY)).toBe(Date.parse('2009-03-07T01:00:00Z'));
+  expect([DAY, 25 * HOUR].map((at) => clockOf(back, at))).toEqual(['2009-03-06T23:00:00Z', '2009-03-07T00:00:00Z'].map(Date.parse));
 });
 
 test('an hour that the clock leaves out is not lived, and one that comes twice is lived twice', () => {

@@ -104,3 +104,25 @@ test('a sensor is found under the pointer, and none where there is none', () => 
   expect(stage.sensorAt(at)).toBe(0);
   expect(stage.sensorAt([-500, -500])).toBeNull();
 });
+
+test('where somebody has moved the plan it stays with the next run of the same home, and another home is fitted', () => {
+  const all = stage.view;
+  stage.zoom(2);
+  stage.pan(30, 10);
+  const moved = stage.view;
+  stage.set({ ...scene, home: { ...run.home } });
+  expect(stage.view).toEqual(moved);
+  const [[left, bottom], [right, top]] = run.home.bounds;
+  stage.set({ ...scene, home: { ...run.home, bounds: [[left, bottom], [right + 5, top]] } });
+  expect(stage.view).not.toEqual(moved);
+  stage.set(scene);
+  expect(stage.view).toEqual(all);
+});
+
+test('with the next run of the same home nobody is drawn before a frame has come', () => {
+  take({}, 0);
+  const named = () => drawn(0).seen.some((call) => call.name === 'fillText' && String(call.args[0]).includes('Agnes'));
+  expect(named()).toBe(true);
+  stage.set({ ...scene, home: { ...run.home } });
+  expect(named()).toBe(false);
+});

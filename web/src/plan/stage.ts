@@ -57,12 +57,14 @@ export class Stage {
   constructor(private readonly canvas: HTMLCanvasElement) {}
 
   set(scene: Scene): void {
-    if (this.scene?.home !== scene.home) {
+    const before = this.scene?.home;
+    if (before !== scene.home) {
       this.sides = sides(scene.home);
       this.trails.clear();
       this.pulses.clear();
       this.frame = null;
-      this.fitted = true;
+      // The same home is told of again with each run: it stays where somebody has moved it.
+      if (String(before?.bounds) !== String(scene.home.bounds)) this.fitted = true;
     }
     this.scene = scene;
     if (this.fitted) this.fit();

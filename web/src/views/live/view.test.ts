@@ -159,6 +159,28 @@ test('what is chosen for the next run, and what is not saved yet, is said to wai
   expect(said()).toContain('home.json is not saved: a new run goes by what is on disk.');
 });
 
+test('what is chosen for the next run stays when the run is told of again', () => {
+  void unmount(view);
+  const run = { ...madeUpRun(2, 18, null), conditions: ['depression', 'frailty'], id: null };
+  begin(run);
+  const tell = (part: Partial<RunView>) => {
+    wire.onmessage!({ data: JSON.stringify({ tell: 'run', run: { ...run, ...part } }) });
+    show({});
+  };
+  const who = document.querySelector<HTMLSelectElement>('#walks')!;
+  who.value = '1';
+  who.dispatchEvent(new Event('change', { bubbles: true }));
+  document.querySelector<HTMLInputElement>('fieldset input')!.click();
+  flushSync();
+  tell({ id: 'cottage-1' });
+  expect(who.value).toBe('1');
+  button('New run').click();
+  expect(sent).toEqual([{ say: 'start', driven: 1, without: ['depression'], seed: null }]);
+  tell({ driven: 0, without: ['frailty'] });
+  expect(who.value).toBe('0');
+  expect([...document.querySelectorAll<HTMLInputElement>('fieldset input')].map((box) => box.checked)).toEqual([true, false]);
+});
+
 test('time is gone to by keys once they rest, and is said in words', () => {
   const slider = document.querySelector<HTMLInputElement>('input[aria-label="Time in the run"]')!;
   expect(slider.getAttribute('aria-valuetext')).toBe('2 March, 06:55:00');
@@ -225,6 +247,14 @@ test('the table names the sensors, by what is stored of them as well, the newest
     '06:55:09bathroommotionS2message59', expect.stringContaining('(notstored)'), '06:55:07sittingroommotionS0message57', '57more,notshown',
   ]);
   expect(document.querySelector('table[aria-rowcount] tbody td')!.getAttribute('title')).toBe('Stored as time 59');
+});
+
+test('as a table the time line counts what the server has counted since the run began', () => {
+  [...document.querySelectorAll('label')].find((label) => label.textContent!.includes('as a table'))!.querySelector('input')!.click();
+  show({ now_us: 9_000_000, told: 60, counts: [57, 3], firings: [firing(59, 9_000_000, 0)] });
+  const table = document.querySelector('[aria-labelledby="strip-title"] table')!;
+  expect(table.querySelector('th[title]')!.getAttribute('title')).toBe('Since the run began');
+  expect([...table.querySelectorAll('tbody tr')].slice(0, 2).map((row) => [...row.querySelectorAll('td')].map((cell) => cell.textContent))).toEqual([['1', '57'], ['0', '3']]);
 });
 
 test('of five hundred rows few are in the page', () => {

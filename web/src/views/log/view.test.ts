@@ -123,6 +123,11 @@ test('the first rows are shown: a table of a database, the lines of a text', asy
   expect(regions[1]!.querySelector('pre')!.textContent).toBe('07:12\tBed\tON');
 });
 
+test('where no row comes it is said of how many days', async () => {
+  await begin({}, {}, { ...ROWS, places: [{ ...ROWS.places[0]!, rows: [] }] });
+  expect(document.body.textContent).toContain('No sensor says anything in the first three days.');
+});
+
 test('while something is wrong, the rows from before stay, and what is wrong is said', async () => {
   const problem = { file: 'logger.json', line: 3, column: 12, width: 1, what: 'no name for a table', hint: 'use a to z' };
   await begin();

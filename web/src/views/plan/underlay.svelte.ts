@@ -119,10 +119,17 @@ function inStore(mode: IDBTransactionMode, ask: (store: IDBObjectStore) => IDBRe
     opening.onerror = () => failed(opening.error);
     opening.onsuccess = () => {
       const database = opening.result;
-      const request = ask(database.transaction(STORE, mode).objectStore(STORE));
-      request.onsuccess = () => done(request.result);
-      request.onerror = () => failed(request.error);
-      request.transaction!.oncomplete = () => database.close();
+      const transaction = database.transaction(STORE, mode);
+      const request = ask(transaction.objectStore(STORE));
+      // A request may succeed and what it wrote still not be kept, as where the disk is full.
+      transaction.oncomplete = () => {
+        database.close();
+        done(request.result);
+      };
+      transaction.onabort = () => {
+        database.close();
+        failed(transaction.error);
+      };
     };
   });
 }

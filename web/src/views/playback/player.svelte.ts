@@ -48,8 +48,11 @@ export class Player {
   }
 
   async open(name: string): Promise<void> {
-    if (this.first?.view.name === name) return;
     const asked = ++this.asked;
+    if (this.first?.view.name === name) {
+      this.opening = null;
+      return;
+    }
     this.pause();
     this.opening = name;
     this.problem = '';
@@ -73,7 +76,10 @@ export class Player {
   async beside(name: string | null): Promise<void> {
     const asked = ++this.askedBeside;
     this.second = null;
-    if (name === null) return;
+    if (name === null) {
+      this.opening = null;
+      return;
+    }
     this.opening = name;
     try {
       const run = await Stored.open(this.server, name);
@@ -154,19 +160,29 @@ export class Player {
   private load(): void {
     for (const [run, at] of [[this.first, this.ticker?.now_us ?? null], [this.second, this.second_us]] as const) {
       if (run === null || at === null) continue;
-      const number = dayAt(run.view, at);
+      const today = dayAt(run.view, at);
       void (async () => {
-        for (const wanted of [number, number + 1, number - 1, number + 2]) {
-          if (wanted < 0 || wanted >= run.view.days.length) continue;
-          const isNew = !run.has(wanted);
-          await run.day(wanted);
-          if (isNew) this.came += 1;
-        }
-      })().catch((error: unknown) => {
+        if (!(await this.fetch(run, today, true))) return;
+        for (const ahead of [today + 1, today - 1, today + 2]) await this.fetch(run, ahead, false);
+      })();
+    }
+  }
+
+  /** @returns whether the day is here. One that is not wanted yet may fail to come: it is asked for again on its day. */
+  private async fetch(run: Stored, number: number, now: boolean): Promise<boolean> {
+    if (number < 0 || number >= run.view.days.length) return false;
+    const isNew = !run.has(number);
+    try {
+      await run.day(number);
+    } catch (error) {
+      if (now && (run === this.first || run === this.second)) {
         this.problem = said(error);
         this.pause();
-      });
+      }
+      return false;
     }
+    if (isNew) this.came += 1;
+    return true;
   }
 }
 

@@ -1,0 +1,94 @@
+import { beforeEach, expect, test } from 'vitest';
+import { Refused, storedPath } from '../../server';
+import { storedDay, storedRun } from '../../testing/stored';
+import { Player } from './player.svelte';
+
+const DAYS = 5;
+
+/** What the server answers, by path; what is `held` waits until it is let go, and what is `broken` fails. */
+let held: Map<string, () => void>;
+let holds: Set<string>;
+let broken: Set<string>;
+let player: Player;
+
+async function answer<T>(path: string, value: unknown): Promise<T> {
+  if (holds.has(path)) await new Promise<void>((go) => held.set(path, go));
+  if (broken.has(path)) throw new Refused(500, `${path} is broken.`);
+  return value as T;
+}
+
+const nameOf = (path: string) => path.split('/')[3]!;
+
+const server = {
+  json: <T>(path: string) => answer<T>(path, storedRun(nameOf(path), DAYS)),
+  packed: <T>(path: string) => answer<T>(path, storedDay(storedRun(nameOf(path), DAYS), Number(path.split('/').at(-1)))),
+};
+
+const settle = () => new Promise((done) => setTimeout(done));
+
+async function letGo(path: string): Promise<void> {
+  holds.delete(path);
+  held.get(path)!();
+  await settle();
+}
+
+beforeEach(async () => {
+  [held, holds, broken] = [new Map(), new Set(), new Set()];
+  player = new Player(server);
+  await player.open('a');
+  await settle();
+});
+
+test('who goes back to the run that is shown does not get another one that comes late', async () => {
+  holds.add(storedPath('b'));
+  void player.open('b');
+  await settle();
+  expect(player.opening).toBe('b');
+  await player.open('a');
+  expect(player.opening).toBeNull();
+  await letGo(storedPath('b'));
+  expect([player.first!.view.name, player.opening, player.problem]).toEqual(['a', null, '']);
+});
+
+test('a second run that is not wanted any more is not being opened', async () => {
+  holds.add(storedPath('b'));
+  void player.beside('b');
+  await settle();
+  expect(player.opening).toBe('b');
+  await player.beside(null);
+  expect(player.opening).toBeNull();
+  await letGo(storedPath('b'));
+  expect([player.second, player.opening]).toEqual([null, null]);
+});
+
+test('a day of a run that is not shown any more may fail', async () => {
+  const path = storedPath('b', 0);
+  holds.add(path);
+  broken.add(path);
+  await player.open('b');
+  await player.open('c');
+  await settle();
+  player.toggle();
+  await letGo(path);
+  expect([player.first!.view.name, player.playing, player.problem]).toEqual(['c', true, '']);
+});
+
+test('a day that is read ahead may fail, and is asked for again on its day', async () => {
+  broken.add(storedPath('b', 2));
+  await player.open('b');
+  player.toggle();
+  await settle();
+  expect([player.playing, player.problem]).toEqual([true, '']);
+  expect([0, 1, 2].map((day) => player.first!.has(day))).toEqual([true, true, false]);
+  player.turn(1);
+  await settle();
+  expect([player.playing, player.problem]).toEqual([true, '']);
+  expect(player.first!.has(3), 'the days after it come all the same').toBe(true);
+  player.turn(1);
+  await settle();
+  expect([player.playing, player.problem]).toEqual([false, `${storedPath('b', 2)} is broken.`]);
+  broken.clear();
+  player.go(player.ticker!.now_us);
+  await settle();
+  expect(player.first!.has(2)).toBe(true);
+});
