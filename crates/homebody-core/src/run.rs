@@ -244,7 +244,7 @@ impl Run {
         let minds_others = self.residents[resident].driver.minds_others();
         let others = if minds_others { self.others(resident) } else { Vec::new() };
         let next = loop {
-            match self.residents[resident].driver.next(now, &others) {
+            match self.residents[resident].driver.next(now, &others, &self.on) {
                 Next::Activity(name) => {
                     events.facts.push(Fact::Activity { resident: resident as u32, at: now, name });
                 }

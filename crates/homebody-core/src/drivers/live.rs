@@ -7,10 +7,11 @@
 //! and things are used from wherever the body is.
 //!
 //! How: see [`obstacles`] for how far a body gets in a step. A step ends at a whole microsecond
-//! counted from the scenario's start, so steps never drift.
+//! counted from the scenario's start, so steps never drift. A door within the home lets the body through while it is open,
+//! and is not shut on who stands in it.
 //!
 //! What is left out: turning, getting up to speed, and leaving the home: a door that leads out stops the body even when it
-//! is open. A door that is used is felt by its sensor; bodies and beams find it as the plan has it.
+//! is open. Beams, and those who are not moved by keys, find doors as the plan has them.
 
 mod obstacles;
 
@@ -57,8 +58,9 @@ impl LiveDriver {
         self.keys.input(at, input);
     }
 
-    /// What the resident does from `now` on; `others` are the bodies to run into.
-    pub fn next(&mut self, now: Micros, others: &[Body]) -> Next {
+    /// What the resident does from `now` on; `others` are the bodies to run into, and `on` says which things of the plan are
+    /// on, or open.
+    pub fn next(&mut self, now: Micros, others: &[Body], on: &[bool]) -> Next {
         let Input { held, posture, .. } = *self.keys.at(now);
         if let Some(act) = self.keys.uses.pop_front() {
             return Next::Act(act);
@@ -79,6 +81,7 @@ impl LiveDriver {
         }
         let mut doing = Doing::Rest { at: self.at };
         if velocity != Point::ZERO {
+            self.obstacles.set_doors(self.at, on);
             let (from, to) = (self.at, self.obstacles.slide(self.at, velocity * seconds(end - now), others));
             if from.distance(to) >= STILL_M {
                 self.at = to;
@@ -253,7 +256,7 @@ mod tests {
         driver.input(from, holding(keys));
         let (mut now, mut spans) = (from, Vec::new());
         while now < to {
-            let Next::Move(span) = driver.next(now, others) else { panic!("live movement has ended") };
+            let Next::Move(span) = driver.next(now, others, &[]) else { panic!("live movement has ended") };
             assert!(span.begin == now && span.end > now);
             now = span.end;
             spans.push(span);
@@ -272,7 +275,7 @@ mod tests {
                 let held = keys.into_iter().filter(|&key| bits >> key as u32 & 1 == 1).collect();
                 driver.input(now, Input { held, ..Input::default() });
             }
-            let Next::Move(span) = driver.next(now, &[]) else { panic!("live movement has ended") };
+            let Next::Move(span) = driver.next(now, &[], &[]) else { panic!("live movement has ended") };
             now = span.end;
             each(&span);
         }
@@ -314,7 +317,7 @@ mod tests {
         let keys = KeyTrack::written(&serde_json::from_value(input).unwrap(), &plan());
         let mut driver = LiveDriver::new(&plan(), point([1.0, 1.0]), RADIUS_M, PACE_MPS, keys);
         let (mut now, mut rests, mut strides) = (0, Vec::new(), 0);
-        while let Next::Move(span) = driver.next(now, &[]) {
+        while let Next::Move(span) = driver.next(now, &[], &[]) {
             now = span.end;
             match span.doing {
                 Doing::Rest { .. } => rests.push((span.begin, span.end)),
@@ -381,6 +384,36 @@ mod tests {
     }
 
     #[test]
+    fn doors_are_as_they_have_been_left() {
+        let door = |name: &str| plan().thing(name).unwrap();
+        let set = |name: &str, open: bool| {
+            let mut on: Vec<bool> = plan().things.iter().map(|thing| thing.on).collect();
+            on[door(name)] = open;
+            on
+        };
+        let end = |mut driver: LiveDriver, key: Key, on: &[bool]| {
+            driver.input(0, holding(&[key]));
+            let mut now = 0;
+            while now < 3 * SECOND {
+                let Next::Move(span) = driver.next(now, &[], on) else { panic!("live movement has ended") };
+                now = span.end;
+            }
+            driver.pose().0
+        };
+        let opened = end(standing_at(4.5, 1.95), Key::Right, &set("closed door", true));
+        assert!(opened.x > 6.0, "{opened}");
+        let shut = end(standing_at(2.45, 3.5), Key::Up, &set("living room door", false));
+        assert!((shut.y - (3.95 - RADIUS_M)).abs() < 0.01, "{shut}");
+        // Who stands in it is let out.
+        let let_out = end(standing_at(2.45, 4.0), Key::Up, &set("living room door", false));
+        assert!(let_out.y > 5.0, "{let_out}");
+        for open in [true, false] {
+            let inside = end(standing_at(1.0, 5.05), Key::Left, &set("front door", open));
+            assert!((inside.x - (0.05 + RADIUS_M)).abs() < 0.01, "{inside}");
+        }
+    }
+
+    #[test]
     fn others_are_run_into_and_slid_round() {
         let other = Body { at: point([2.0, 5.0]), radius_m: 0.25 };
         let mut head_on = standing_at(1.0, 5.0);
@@ -441,11 +474,11 @@ mod tests {
         let mut driver = standing_at(1.0, 1.0);
         let lamp = Act { thing: plan().thing("hall").unwrap() as u32, on: true };
         driver.input(0, Input { posture: Posture::Sitting, uses: vec![lamp, lamp], ..holding(&[Key::Right]) });
-        assert_eq!([driver.next(0, &[]), driver.next(0, &[])], [Next::Act(lamp), Next::Act(lamp)]);
-        let Next::Move(sat) = driver.next(0, &[]) else { panic!("no move") };
+        assert_eq!([driver.next(0, &[], &[]), driver.next(0, &[], &[])], [Next::Act(lamp), Next::Act(lamp)]);
+        let Next::Move(sat) = driver.next(0, &[], &[]) else { panic!("no move") };
         assert_eq!((sat.doing, sat.posture), (Doing::Rest { at: Point::new(1.0, 1.0) }, Posture::Sitting));
         driver.input(sat.end, holding(&[Key::Right]));
-        let Next::Move(walked) = driver.next(sat.end, &[]) else { panic!("no move") };
+        let Next::Move(walked) = driver.next(sat.end, &[], &[]) else { panic!("no move") };
         assert!(matches!(walked.doing, Doing::Stride { .. }) && walked.posture == Posture::Standing);
     }
 }

@@ -94,11 +94,12 @@ impl Clone for Box<dyn Decide> {
 
 impl Driver {
     /// What the resident does from `now` on. `now` is the end of the last span, or 0;
-    /// `others` are the bodies of the other residents who are at home, for those who mind them.
-    pub fn next(&mut self, now: Micros, others: &[Body]) -> Next {
+    /// `others` are the bodies of the other residents who are at home, for those who mind them, and `on` says which things of
+    /// the plan are on, or open.
+    pub fn next(&mut self, now: Micros, others: &[Body], on: &[bool]) -> Next {
         match self {
             Driver::Path(driver) => driver.next(now),
-            Driver::Live(driver) => driver.next(now, others),
+            Driver::Live(driver) => driver.next(now, others, on),
             Driver::Other(driver) => driver.next(now),
             Driver::Absent => {
                 Next::Move(Move { begin: now, end: NEVER, doing: Doing::Away, posture: Posture::Standing })

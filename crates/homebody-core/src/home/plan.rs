@@ -34,6 +34,14 @@ pub struct Solid {
     pub stops_bodies: bool,
 }
 
+/// Where a door stands open: a rectangle through its wall.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Opening {
+    /// Index into the home's doors, which are also the first of its things.
+    pub door: usize,
+    pub outline: Vec<Point>,
+}
+
 /// Something that can be used: opened and closed, or turned on and off.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Thing {
@@ -50,8 +58,7 @@ pub struct Plan {
     /// What can be used: doors, then furniture, then the lamps of rooms, under the rooms' names.
     pub things: Vec<Thing>,
     pub solids: Vec<Solid>,
-    /// The openings of doors that stand open, as rectangles through the wall.
-    pub openings: Vec<Vec<Point>>,
+    pub openings: Vec<Opening>,
     /// Points with a name: places, then enterable furniture, then rooms.
     pub places: Vec<(String, Point)>,
 }
@@ -74,7 +81,7 @@ impl Plan {
                 gaps.push((start, end));
                 let outline = geometry::thick_segment(from + along * start, from + along * end, wall.thickness_m);
                 if door.open {
-                    openings.push(outline);
+                    openings.push(Opening { door: door_index, outline });
                 } else {
                     let origin = Origin::Door(door_index);
                     solids.push(Solid { origin, outline, height_m: f64::INFINITY, stops_bodies: true });
@@ -135,17 +142,15 @@ impl Plan {
 
     /// Whether the point is inside the home: in a room or in the opening of a door.
     pub fn is_inside(&self, p: Point) -> bool {
-        self.room_at(p).is_some() || self.openings.iter().any(|opening| geometry::contains(opening, p))
+        self.room_at(p).is_some() || self.openings.iter().any(|opening| geometry::contains(&opening.outline, p))
     }
 
-    /// The openings that lead out: on one side of them, a body's radius from the wall, there is no home any more.
-    pub fn ways_out(&self, radius_m: f64) -> impl Iterator<Item = &Vec<Point>> {
-        self.openings.iter().filter(move |opening| {
-            let &[a, b, c, d] = &opening[..] else { return false };
-            let (near, far) = ((a + b) / 2.0, (c + d) / 2.0);
-            let beyond = (far - near).normalize_or_zero() * radius_m;
-            !self.is_inside(near - beyond) || !self.is_inside(far + beyond)
-        })
+    /// Whether a door's rectangle leads out: on one side of it, a body's radius from the wall, there is no home any more.
+    pub fn leads_out(&self, outline: &[Point], radius_m: f64) -> bool {
+        let &[a, b, c, d] = outline else { return false };
+        let (near, far) = ((a + b) / 2.0, (c + d) / 2.0);
+        let beyond = (far - near).normalize_or_zero() * radius_m;
+        !self.is_inside(near - beyond) || !self.is_inside(far + beyond)
     }
 
     /// Whether a body of this radius can stand at the point.

@@ -146,7 +146,7 @@ impl Mesh {
     /// `door` is the middle of its opening.
     pub fn inside_of(&self, door: Point) -> Option<Point> {
         let ground = self.grounds.first()?;
-        let stands_in_opening = |p| self.plan.openings.iter().any(|opening| geometry::contains(opening, p));
+        let stands_in_opening = |p| self.plan.openings.iter().any(|opening| geometry::contains(&opening.outline, p));
         let step = |at: Point| {
             let area = ground.area_at(at)?;
             let is_room = self.plan.room_at(at).is_some() && !stands_in_opening(at);
@@ -314,7 +314,8 @@ const BESIDE_M: f64 = 1e-3;
 
 /// The pieces of the rooms' and openings' sides that have the home on one side only.
 fn borders(plan: &Plan) -> Vec<(Point, Point)> {
-    let parts = || plan.rooms.iter().map(|room| &room.outline).chain(&plan.openings);
+    let openings = || plan.openings.iter().map(|opening| &opening.outline);
+    let parts = || plan.rooms.iter().map(|room| &room.outline).chain(openings());
     let mut borders = Vec::new();
     for (a, b) in parts().flat_map(|outline| geometry::sides(outline)) {
         let way = b - a;

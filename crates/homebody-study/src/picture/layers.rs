@@ -25,7 +25,7 @@ pub fn floors(sheet: &mut Sheet, plan: &Plan) {
         sheet.svg.polygon(outline, &Paint::fill(FLOOR));
     }
     for opening in &plan.openings {
-        let opening = sheet.outline(opening);
+        let opening = sheet.outline(&opening.outline);
         sheet.svg.polygon(&opening, &Paint::fill(FLOOR));
     }
     // Only seen where rooms meet without a wall.

@@ -5,7 +5,7 @@
 //! waypoints taken out that a straight line can do without.
 
 use homebody_core::geometry::{self, Point};
-use homebody_core::home::plan::{Origin, Plan, Solid};
+use homebody_core::home::plan::{Opening, Origin, Plan, Solid};
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, VecDeque};
 
@@ -94,7 +94,7 @@ impl<'a> Roads<'a> {
     }
 
     fn add_doors(&mut self) {
-        for opening in &self.plan.openings {
+        for Opening { outline: opening, .. } in &self.plan.openings {
             let middle = (opening[0] + opening[2]) / 2.0;
             // The corners run along the wall, then across it; a step further is in the room.
             let across = (opening[2] - opening[1]) / 2.0;

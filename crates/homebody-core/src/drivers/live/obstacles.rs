@@ -10,7 +10,7 @@
 
 use crate::drivers::Body;
 use crate::geometry::{self, Point};
-use crate::home::plan::Plan;
+use crate::home::plan::{Origin, Plan, Solid};
 use rapier2d::dynamics::RigidBodySet;
 use rapier2d::geometry::{Aabb, Ball, Bvh, ColliderBuilder, ColliderHandle, ColliderSet, SharedShape};
 use rapier2d::math::{Pose, Vector};
@@ -42,28 +42,82 @@ pub struct Obstacles {
     radius_m: f64,
     /// The fixed ones, as in the plan; their places in the list are their numbers in the tree.
     fixed: Vec<Vec<Point>>,
+    doors: Vec<Door>,
     colliders: ColliderSet,
-    /// What takes part: everything fixed, and the others who are near.
+    /// What takes part: everything fixed but open doors, and the others who are near.
     tree: Bvh,
     /// A ball for each other who has ever been near; the first `near_count` of them take part.
     others: Vec<ColliderHandle>,
     near_count: usize,
 }
 
+/// A door within the home, where it is in a wall.
+#[derive(Clone, Copy, Debug)]
+struct Door {
+    /// Index into the home's things.
+    thing: usize,
+    collider: ColliderHandle,
+    is_shut: bool,
+}
+
 impl Obstacles {
     pub fn new(plan: &Plan, radius_m: f64) -> Obstacles {
-        let solids = plan.solids.iter().filter(|solid| solid.stops_bodies).map(|solid| &solid.outline);
-        let ways_out = plan.ways_out(radius_m);
-        let (mut fixed, mut colliders, mut tree) = (Vec::new(), ColliderSet::new(), Bvh::new());
-        for outline in solids.chain(ways_out) {
+        let leads_out = |outline: &[Point]| plan.leads_out(outline, radius_m);
+        let solids = plan.solids.iter().filter(|solid| solid.stops_bodies);
+        let solids = solids.map(|Solid { origin, outline, .. }| match origin {
+            Origin::Door(door) => (outline, Some((*door, true))),
+            _ => (outline, None),
+        });
+        // One that leads out into a room is open to bodies, however it is used.
+        let openings =
+            plan.openings.iter().filter(|opening| plan.things[opening.door].on || leads_out(&opening.outline));
+        let openings = openings.map(|opening| (&opening.outline, Some((opening.door, false))));
+        let mut all = Obstacles {
+            radius_m,
+            fixed: Vec::new(),
+            doors: Vec::new(),
+            colliders: ColliderSet::new(),
+            tree: Bvh::new(),
+            others: Vec::new(),
+            near_count: 0,
+        };
+        for (outline, door) in solids.chain(openings) {
             let corners: Vec<_> = outline.iter().map(|corner| corner.as_vec2()).collect();
             // What has no area stops nobody.
             let Some(collider) = ColliderBuilder::convex_hull(&corners) else { continue };
-            let handle = colliders.insert(collider);
-            tree.insert(colliders[handle].compute_aabb(), leaf(handle));
-            fixed.push(outline.clone());
+            let collider = all.colliders.insert(collider);
+            all.fixed.push(outline.clone());
+            // Nobody leaves the home, be its door open or not.
+            let within = door.filter(|_| !leads_out(outline));
+            if within.is_none_or(|(_, is_shut)| is_shut) {
+                all.take_part(collider);
+            }
+            all.doors.extend(within.map(|(thing, is_shut)| Door { thing, collider, is_shut }));
         }
-        Obstacles { radius_m, fixed, colliders, tree, others: Vec::new(), near_count: 0 }
+        all
+    }
+
+    fn take_part(&mut self, collider: ColliderHandle) {
+        self.tree.insert(self.colliders[collider].compute_aabb(), leaf(collider));
+    }
+
+    /// Doors are as they have been left, by thing of the plan; none is shut on a body that stands in it.
+    pub fn set_doors(&mut self, at: Point, is_open: &[bool]) {
+        for index in 0..self.doors.len() {
+            let Door { thing, collider, is_shut } = self.doors[index];
+            let Some(shall_be_shut) = is_open.get(thing).map(|open| !open).filter(|shut| *shut != is_shut) else {
+                continue;
+            };
+            let outline = &self.fixed[leaf(collider) as usize];
+            if !shall_be_shut {
+                self.tree.remove(leaf(collider));
+            } else if geometry::distance_to_area(outline, at) >= self.radius_m + f64::from(CLEARANCE_M) {
+                self.take_part(collider);
+            } else {
+                continue;
+            }
+            self.doors[index].is_shut = shall_be_shut;
+        }
     }
 
     /// Where a body at `from` gets that wants to move by `way`: it goes until it touches something,

@@ -114,5 +114,8 @@ fn blocking(plan: &Plan, p: Point) -> Option<&Solid> {
 /// How far the point is from the nearest room or door opening; zero inside.
 fn distance_outside(plan: &Plan, p: Point) -> f64 {
     let rooms = plan.rooms.iter().map(|room| &room.outline);
-    rooms.chain(&plan.openings).map(|area| geometry::distance_to_area(area, p)).fold(f64::INFINITY, f64::min)
+    rooms
+        .chain(plan.openings.iter().map(|opening| &opening.outline))
+        .map(|area| geometry::distance_to_area(area, p))
+        .fold(f64::INFINITY, f64::min)
 }

@@ -45,7 +45,11 @@ pub fn check_start(
     if let Some(solid) = touched {
         let what = format!("{} has no room to stand so near to {}", file.name, solid_name(home, solid));
         report.hinted(pointer, what, format!("the body's radius is {} m: move the start away", file.radius_m));
-    } else if plan.ways_out(file.radius_m).any(|opening| distance(opening) < file.radius_m) {
+    } else if plan
+        .openings
+        .iter()
+        .any(|opening| plan.leads_out(&opening.outline, file.radius_m) && distance(&opening.outline) < file.radius_m)
+    {
         let what = format!("{} starts in a door that leads out, where held keys do not go", file.name);
         report.hinted(pointer, what, format!("the body's radius is {} m: move the start inside", file.radius_m));
     }
