@@ -7,6 +7,7 @@ use crate::names::Names;
 use crate::rooms::Room;
 use homebody_core::geometry::{self, Point};
 use homebody_core::problem::counted;
+use homebody_core::scenario::home::REACH_OUT_M;
 
 /// A piece of furniture of the home.
 #[derive(Clone, Debug)]
@@ -25,9 +26,6 @@ const MOST_PIECES: usize = 1_000;
 /// What a home takes for widths, depths and heights.
 const SIZE_M: [f64; 2] = [0.001, 1_000.0];
 const MOST_HEIGHT_M: f64 = 10.0;
-
-/// How far a piece may reach into walls: what the check lets pass.
-const REACH_OUT_M: f64 = 0.3;
 
 /// The pieces that stand in rooms.
 pub fn place(

@@ -11,7 +11,7 @@ use crate::walls::Wall;
 use crate::{archive, doors, enclosed, furniture, levels, markup, rooms, sound, walls};
 use homebody_core::geometry::{self, Point};
 use homebody_core::problem::counted;
-use homebody_core::scenario::home::{At, DoorFile, FurnitureFile, HomeFile, RoomFile, WallFile, latitude};
+use homebody_core::scenario::home::{At, DoorFile, FurnitureFile, GREATEST_SIZE_M, HomeFile, RoomFile, WallFile, latitude};
 
 /// A home, and what was left out of the plan or guessed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -26,9 +26,6 @@ pub const SCHEMA: &str = "./schemas/home.schema.json";
 
 /// Nobody reads more (ours).
 const MOST_REMARKS: usize = 40;
-
-/// What the check takes for the size of a home, from its first room.
-const GREATEST_SIZE_M: f64 = 100.0;
 
 /// Makes a home of this name of the bytes of a `.sh3d` file.
 ///

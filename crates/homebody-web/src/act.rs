@@ -57,8 +57,7 @@ pub struct Act {
     growth: Arc<Mutex<Growth>>,
     /// What the log has got that nobody has taken to show yet.
     fresh: Vec<FiringView>,
-    told: u64,
-    /// The same by sensor.
+    /// How many rows it has got of each sensor.
     counts: Vec<u64>,
     activities: Vec<Option<String>>,
     headings: Vec<f64>,
@@ -142,7 +141,6 @@ impl Act {
             seal: Seal::default(),
             rows,
             fresh: Vec::new(),
-            told: 0,
             counts: vec![0; sensors.len()],
             activities: vec![None; bodies],
             headings: vec![0.0; bodies],
@@ -212,7 +210,6 @@ impl Act {
             }
         }
         for row in self.rows.of(&self.events.firings, self.run.settled()) {
-            self.told = row.seq + 1;
             self.counts[row.sensor as usize] += 1;
             self.fresh.push(firing_view(row));
         }
@@ -324,7 +321,7 @@ impl Act {
             seeing: bits(scene.seeing).filter(|&sensor| sensor < sensors).map(|sensor| sensor as u32).collect(),
             on: scene.on,
             sun: self.run.home().sun.height(scene.now),
-            told: self.told,
+            told: self.counts.iter().sum(),
             counts: self.counts.clone(),
             firings: Vec::new(),
         }

@@ -366,7 +366,7 @@ impl Director {
         board.frame = frame;
         board.tell_again(view, self.act.growth());
         drop(board);
-        self.show();
+        self.change.send_modify(|change| *change += 1);
     }
 
     fn tell_run_again(&mut self) {

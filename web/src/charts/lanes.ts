@@ -5,7 +5,7 @@ import { kindOf } from '../plan/kinds';
 import { colourOf } from '../plan/moving';
 import { type Palette, contrast, mix } from '../plan/palette';
 import { FONT, glyph, penOf } from '../plan/pen';
-import { fitting, isolated } from '../plan/words';
+import { fitting, isolated, spoken } from '../plan/words';
 
 export const LANE = 15;
 const BAND = 19;
@@ -69,7 +69,7 @@ export function drawLanes(canvas: HTMLCanvasElement, width: number, { calendar, 
       pen.globalAlpha = 1;
       if (wide < 30) continue;
       pen.font = `10.5px ${FONT}`;
-      const words = fitting((activities[activity] ?? '').replaceAll('_', ' '), wide - 6, measure);
+      const words = fitting(spoken(activities[activity] ?? ''), wide - 6, measure);
       if (words === null) continue;
       const plain = activity % 2 === 0 ? colour : mix(palette.halo, colour, 0.6);
       pen.fillStyle = contrast(plain, '#ffffff') >= 4.5 ? '#ffffff' : '#000000';

@@ -8,9 +8,17 @@ export function distance(a: At, b: At): number {
   return Math.hypot(a[0] - b[0], a[1] - b[1]);
 }
 
+export function minus(a: At, b: At): At {
+  return [a[0] - b[0], a[1] - b[1]];
+}
+
+export function cross(a: At, b: At): number {
+  return a[0] * b[1] - a[1] * b[0];
+}
+
 /** Whether the way from one point to another leads through an outline. */
 function passes(outline: At[], from: At, to: At): boolean {
-  const side = (a: At, b: At, p: At) => Math.sign((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]));
+  const side = (a: At, b: At, p: At) => Math.sign(cross(minus(b, a), minus(p, a)));
   return outline.some((corner, index) => {
     const next = outline[(index + 1) % outline.length]!;
     return side(from, to, corner) * side(from, to, next) < 0 && side(corner, next, from) * side(corner, next, to) < 0;
@@ -69,6 +77,7 @@ export function openDoors(home: HomeView, on: number[]): boolean[] {
 export function within(home: HomeView, at: At, reach_m: number): number[] {
   const walls = home.solids.filter(({ kind }) => kind === 'wall');
   const far = home.things.map((thing) => distance(thing.at, at));
-  const near = home.things.map((_, index) => index).filter((index) => far[index]! <= reach_m && !walls.some(({ outline }) => passes(outline, at, home.things[index]!.at)));
+  const isBehind = (thing: At) => walls.some(({ outline }) => passes(outline, at, thing));
+  const near = home.things.flatMap((thing, index) => (far[index]! <= reach_m && !isBehind(thing.at) ? [index] : []));
   return near.sort((a, b) => far[a]! - far[b]!);
 }

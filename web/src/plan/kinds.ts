@@ -2,6 +2,7 @@
 
 import { okabeIto } from './palette';
 import type { At } from './geometry';
+import { spoken } from './words';
 
 export type Kind = { word: string; shape: Shape; colour: string };
 
@@ -22,7 +23,7 @@ const KINDS: Record<string, Kind> = {
 
 /** A kind that this page has not met yet is drawn as a grey square under its own word. */
 export function kindOf(kind: string): Kind {
-  return Object.hasOwn(KINDS, kind) ? KINDS[kind]! : { word: kind.replaceAll('_', ' '), shape: 'square', colour: '#8a949f' };
+  return Object.hasOwn(KINDS, kind) ? KINDS[kind]! : { word: spoken(kind), shape: 'square', colour: '#8a949f' };
 }
 
 /** Outlines in a square from -1 to 1, x to where it faces, y to its left: canvas and SVG draw the same. */

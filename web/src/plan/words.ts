@@ -38,3 +38,8 @@ export function fitting(name: string, width: number, measure: (text: string) => 
 export function isolated(text: string): string {
   return `${ISOLATE}${text}${END}`;
 }
+
+/** As one would say what a file or a log writes as one word: `preparing breakfast`. */
+export function spoken(word: string): string {
+  return word.replaceAll('_', ' ');
+}

@@ -9,6 +9,13 @@ use serde::{Deserialize, Serialize};
 /// A point on the floor plan: x to the east, y to the north, in metres.
 pub type At = [f64; 2];
 
+/// No home reaches further from its first room: larger ones are a mistake of units (ours), since the smallest flat in
+/// centimetres is larger.
+pub const GREATEST_SIZE_M: f64 = 100.0;
+
+/// How far furniture and areas may reach beyond the rooms: into the thickness of a wall.
+pub const REACH_OUT_M: f64 = 0.3;
+
 /// `home.json`: the building and what hangs on its walls.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

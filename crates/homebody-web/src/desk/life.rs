@@ -2,6 +2,7 @@
 
 use super::{Desk, problems};
 use crate::dates;
+use crate::growth::Growth;
 use crate::wire::{
     ConditionView, Explain, ExplainView, Month, MonthView, ProblemView, SentenceView, WordKind, WordView,
 };
@@ -79,34 +80,30 @@ fn lived(scenario: &Scenario, household: &Household, from: u32, days: u32) -> Mo
     let mut view = MonthView {
         residents: scenario.residents.iter().map(|resident| resident.file.name.clone()).collect(),
         rooms: run.home().plan.rooms.iter().map(|room| room.name.clone()).collect(),
-        hours: vec![vec![0; 24]; days.len()],
         spans: vec![Vec::new(); scenario.residents.len()],
         stays: vec![Vec::new(); scenario.residents.len()],
         days,
         ..MonthView::default()
     };
     let mut known = Known::of(view.residents.len());
+    let mut growth = Growth::new(calendar, end, is_motion);
     let mut events = Events::default();
     // What was before the first day is only lived to come to it.
     while run.now() < begin {
         run.advance(begin.min(run.now() + DAY), &mut events);
         known.learn(&events, &mut view);
+        growth.add(&events.firings, run.now());
         view.spans.iter_mut().chain(&mut view.stays).for_each(Vec::clear);
         events.clear();
     }
     for day in 0..view.days.len() {
         run.advance(view.days[day].end_us, &mut events);
         known.learn(&events, &mut view);
-        for firing in &events.firings {
-            if is_motion[firing.sensor as usize]
-                && let Some(day) = view.days.iter().rposition(|day| day.begin_us <= firing.at)
-            {
-                view.hours[day][dates::hour(calendar, firing.at)] += 1;
-            }
-        }
+        growth.add(&events.firings, run.now());
         events.clear();
     }
     known.end(end, &mut view);
+    view.hours = growth.view().hours.split_off(from as usize);
     view
 }
 

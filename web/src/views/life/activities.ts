@@ -37,7 +37,3 @@ export function activityKind(activity: string): ActivityKind {
   return WORDS.find(([, begins]) => begins.some((begin) => name.includes(` ${begin}`)))?.[0] ?? other;
 }
 
-/** As one would say it: `preparing breakfast`. */
-export function spoken(activity: string): string {
-  return activity.replaceAll('_', ' ');
-}

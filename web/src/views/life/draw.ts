@@ -5,9 +5,9 @@ import { twoDigits } from '../../clock';
 import { clockOf } from '../../localtime';
 import { type Palette, contrast } from '../../plan/palette';
 import { FONT, type Pen, penOf } from '../../plan/pen';
-import { fitting, isolated } from '../../plan/words';
+import { fitting, isolated, spoken } from '../../plan/words';
 import type { DateView, MonthView } from '../../wire';
-import { activityKind, spoken } from './activities';
+import { activityKind } from './activities';
 import { type Span, isWeekend, piecesOf, touching, weekday } from './days';
 
 export const ROW = 14;

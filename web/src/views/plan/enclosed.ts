@@ -1,8 +1,8 @@
 // The space around a point that walls enclose: the walls' middle lines are cut where they meet, and the smallest way around
 // the point is followed.
 
-import { type At, distance, inside } from '../../plan/geometry';
-import { along, angleOf, area, exact, minus, onLine } from './shape';
+import { type At, distance, inside, minus } from '../../plan/geometry';
+import { along, angleOf, area, exact, onLine } from './shape';
 
 type Line = { from: At; to: At };
 

@@ -1,6 +1,7 @@
 // What can be put into a home: furniture of usual sizes, and sensors of all kinds. The sizes are typical ones, ours.
 
 import { type At, inside } from '../../plan/geometry';
+import { spoken } from '../../plan/words';
 import { type Element, type Home, type List, type Value, formOf, of, spanOf } from './model';
 import { exact, toSegment, turnedBox, wrapped } from './shape';
 import { type Targets, mount } from './snap';
@@ -101,7 +102,7 @@ export function newPiece(home: Home, { name, size_m, height_m, enterable }: Piec
 
 /** A sensor where somebody has clicked; a sentence that says what to do, where it cannot be there. */
 export function newSensor(home: Home, kind: SensorKind, at: At, targets: Targets, grid_m: number | null): Value | string {
-  const word = kind.replaceAll('_', ' ');
+  const word = spoken(kind);
   const named = (of: string) => freshName(home, `${of} ${word}`.trim().slice(0, 90), ['sensors']);
   const room = roomAt(home, at);
   switch (SENSORS[kind]) {

@@ -3,6 +3,7 @@
 import { type Node, getNodeValue } from 'jsonc-parser';
 import { type Fault, isFault, tree } from '../../json';
 import { type At, middle } from '../../plan/geometry';
+import { spoken } from '../../plan/words';
 import { thick, turnedBox } from './shape';
 
 export const LISTS = ['rooms', 'walls', 'doors', 'furniture', 'places', 'sensors'] as const;
@@ -100,7 +101,7 @@ export function titleOf(element: Element): string {
 
 /** `wall`, `piece of furniture`, `motion sensor`. */
 export function nounOf(element: Element): string {
-  const kind = element.list === 'sensors' && typeof element.value.kind === 'string' ? `${element.value.kind.slice(0, 40).replaceAll('_', ' ')} ` : '';
+  const kind = element.list === 'sensors' && typeof element.value.kind === 'string' ? `${spoken(element.value.kind.slice(0, 40))} ` : '';
   return kind + NOUNS[element.list].one;
 }
 

@@ -2,9 +2,9 @@
 // when the movement began, so that nothing is rounded twice.
 
 import type { Change } from '../../json';
-import { type At, distance, middle } from '../../plan/geometry';
+import { type At, distance, middle, minus } from '../../plan/geometry';
 import { type Element, type Home, IN_WALL_M, atOf, bearerOf, cornersKey, formOf, number, of, point, points, spanOf, wallsOf } from './model';
-import { add, along, angleOf, direction, dot, exact, minus, onLine, rounded, times, toSegment, turn, wrapped } from './shape';
+import { add, along, angleOf, direction, dot, exact, onLine, rounded, times, toSegment, turn, wrapped } from './shape';
 import { type Guides, type Snapping, mount, snapPoint, snapShift, spanAt, targetsOf } from './snap';
 
 type How = {

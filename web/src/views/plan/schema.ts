@@ -3,6 +3,7 @@
 
 import schema from '../../../../schemas/home.schema.json';
 import type { Path } from '../../json';
+import { spoken } from '../../plan/words';
 import type { Element, List, Value } from './model';
 
 type Schema = {
@@ -91,7 +92,7 @@ function unitOf(key: string): [Unit, string] {
 
 function labelOf(key: string): string {
   const [, word] = unitOf(key);
-  const label = LABELS[key] ?? word.replaceAll('_', ' ');
+  const label = LABELS[key] ?? spoken(word);
   return label.charAt(0).toUpperCase() + label.slice(1);
 }
 
@@ -110,7 +111,7 @@ function field(key: string, raw: Schema, path: Path, required: boolean): Field |
     const options = of.oneOf.map((one) => {
       const name = one.const ?? one.required?.[0] ?? '';
       const nested = one.const === undefined ? resolved(one.properties?.[name] ?? {}) : undefined;
-      return { value: name, title: CHOICES[`${key} ${name}`] ?? name.replaceAll('_', ' '), about: one.description ?? '', plain: nested === undefined, fields: nested ? fieldsOfObject(nested, [...path, key, name]) : [] };
+      return { value: name, title: CHOICES[`${key} ${name}`] ?? spoken(name), about: one.description ?? '', plain: nested === undefined, fields: nested ? fieldsOfObject(nested, [...path, key, name]) : [] };
     });
     return options.every(({ plain }) => plain) ? { ...base, form: 'choice', options } : { ...base, form: 'way', options };
   }

@@ -1,13 +1,9 @@
 // Forms on the plan, and how points lie to them, in metres and degrees against the clock from east.
 
-import { type At, distance } from '../../plan/geometry';
+import { type At, cross, distance, minus } from '../../plan/geometry';
 
 export function add(a: At, b: At): At {
   return [a[0] + b[0], a[1] + b[1]];
-}
-
-export function minus(a: At, b: At): At {
-  return [a[0] - b[0], a[1] - b[1]];
 }
 
 export function times(a: At, by: number): At {
@@ -16,10 +12,6 @@ export function times(a: At, by: number): At {
 
 export function dot(a: At, b: At): number {
   return a[0] * b[0] + a[1] * b[1];
-}
-
-function cross(a: At, b: At): number {
-  return a[0] * b[1] - a[1] * b[0];
 }
 
 export function direction(deg: number): At {

@@ -1,8 +1,8 @@
 // What a point or a form that is moved comes to rest on: ends and lines of walls, the faces of walls, and the grid.
 
-import { type At, distance, inside } from '../../plan/geometry';
+import { type At, distance, inside, minus } from '../../plan/geometry';
 import { type Home, type Wall, formOf, of, wallsOf } from './model';
-import { add, along, angleOf, clamp, direction, exact, minus, onLine, times, toSegment } from './shape';
+import { add, along, angleOf, clamp, direction, exact, onLine, times, toSegment } from './shape';
 import type { Units } from '../../units';
 
 /** The way a lens stands off the wall: a small case. */

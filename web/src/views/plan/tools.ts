@@ -1,11 +1,11 @@
 // What a click does while a tool is held, and what is shown where it would be done.
 
-import { type At, distance, inside, middle } from '../../plan/geometry';
+import { type At, distance, inside, middle, minus } from '../../plan/geometry';
 import type { Editor, Tool } from './editor.svelte';
 import { enclosed } from './enclosed';
 import { AREA_M, DOOR_WIDTH_M, type Mount, SENSORS, freshName, newPiece, newSensor } from './library';
 import { type Home, formOf, of, wallsOf } from './model';
-import { add, angleOf, area, direction, exact, minus, times, turnedBox } from './shape';
+import { add, angleOf, area, direction, exact, times, turnedBox } from './shape';
 import { type Guides, type Snapping, mount, snapPoint, snapShift, spanAt, targetsOf } from './snap';
 
 const PROMPTS: Record<Tool['tool'], string> = {

@@ -1,9 +1,9 @@
 // A picture under the plan, such as a scanned drawing. It is kept in the browser, by the scenario's name, and sent nowhere.
 
-import { type At, distance } from '../../plan/geometry';
+import { type At, distance, minus } from '../../plan/geometry';
 import type { Pen } from '../../plan/pen';
 import { type View, toScreen } from '../../plan/transform';
-import { add, exact, minus, rounded, times } from './shape';
+import { add, exact, rounded, times } from './shape';
 
 /** How it lies: the place of its middle, its width, and its turn against the clock. */
 type Lies = { at: At; width_m: number; turn_deg: number; opacity: number };

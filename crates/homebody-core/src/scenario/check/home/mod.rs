@@ -13,14 +13,8 @@ use super::{Report, TOLERANCE_M, at, blocking, distance_outside, is_within, soli
 use crate::geometry::{self, Point, point};
 use crate::home::plan::Plan;
 use crate::problem::Problem;
-use crate::scenario::home::{At, HomeFile};
+use crate::scenario::home::{At, GREATEST_SIZE_M, HomeFile, REACH_OUT_M};
 use crate::scenario::source::Source;
-
-/// Larger homes are a mistake of units (ours): the smallest flat in centimetres is larger.
-const GREATEST_SIZE_M: f64 = 100.0;
-
-/// How far furniture and areas may reach beyond the rooms: into the thickness of a wall.
-const REACH_OUT_M: f64 = 0.3;
 
 /// Smaller areas are none.
 const LEAST_AREA_M2: f64 = 1e-6;
