@@ -242,7 +242,7 @@ export type LifeView = {
 /**
  * Begin, end, what it was, in which posture, from where, to where.
  */
-movements: Array<[number, number, Doing, Posture, [number, number] | null, [number, number] | null]>, 
+movements: Array<[number, number, MotionState, Posture, [number, number] | null, [number, number] | null]>, 
 /**
  * Begin, end and the number of the home's room; between rooms there is none.
  */
@@ -252,7 +252,7 @@ rooms: Array<[number, number, number]>,
  */
 activities: Array<[number, number, number]>, };
 
-export type Doing = "stride" | "stir" | "rest" | "away";
+export type MotionState = "stride" | "in_place" | "rest" | "away";
 
 export type Say = { "say": "hello", token: string, } | { "say": "play" } | { "say": "pause" } | { "say": "step", seconds: number, } | { "say": "speed", times: number | null, } | { "say": "jump", to_us: number, } | { "say": "hold", keys: Array<Key>, } | { "say": "be", posture: Posture, } | { "say": "use", thing: number, on: boolean, } | { "say": "start", driven: number | null, without: Array<string>, 
 /**

@@ -16,8 +16,8 @@ mod measure;
 mod scene;
 
 use homebody_core::drivers::live::{KeyTrack, LiveDriver};
-use homebody_core::drivers::{Driver, Move};
-use homebody_core::event::{Doing, Events};
+use homebody_core::drivers::{Driver, MotionSegment};
+use homebody_core::event::{Events, MotionState};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
 use homebody_core::naive::brute::BruteEye;
@@ -58,7 +58,7 @@ fn main() {
 }
 
 /// The kernel against P and against R on one schedule.
-fn against_loops(name: &str, home: &Arc<Home>, build: Build, schedule: &[Move]) -> Vec<String> {
+fn against_loops(name: &str, home: &Arc<Home>, build: Build, schedule: &[MotionSegment]) -> Vec<String> {
     let excerpts = excerpts(schedule);
     let (mut kernel_s, mut paper_s, mut brute_s) = (Vec::new(), Vec::new(), Vec::new());
     for _ in 0..ROUNDS {
@@ -80,8 +80,8 @@ fn against_loops(name: &str, home: &Arc<Home>, build: Build, schedule: &[Move]) 
     ]
 }
 
-/// Lives the schedule; seconds for a simulated second.
-fn kernel(home: &Arc<Home>, schedule: &[Move]) -> f64 {
+/// DriverProvider the schedule; seconds for a simulated second.
+fn kernel(home: &Arc<Home>, schedule: &[MotionSegment]) -> f64 {
     let mut world = World::new(home.clone(), 1, 1);
     let mut events = Events::default();
     let start = Instant::now();
@@ -93,8 +93,8 @@ fn kernel(home: &Arc<Home>, schedule: &[Move]) -> f64 {
     start.elapsed().as_secs_f64() / seconds(world.now())
 }
 
-/// Lives the excerpts in a loop of 60 updates a second; seconds for a simulated second.
-fn naive(eye: impl Eye, home: &Home, build: Build, excerpts: &[Move]) -> f64 {
+/// DriverProvider the excerpts in a loop of 60 updates a second; seconds for a simulated second.
+fn naive(eye: impl Eye, home: &Home, build: Build, excerpts: &[MotionSegment]) -> f64 {
     let mut naive = Loop::new(eye, home, 1, 1, Remainder::Kept);
     let mut firings = Vec::new();
     let until = excerpts[excerpts.len() - 1].end;
@@ -104,7 +104,7 @@ fn naive(eye: impl Eye, home: &Home, build: Build, excerpts: &[Move]) -> f64 {
 }
 
 /// Short stretches from the whole schedule, one after the other from 0 on.
-fn excerpts(schedule: &[Move]) -> Vec<Move> {
+fn excerpts(schedule: &[MotionSegment]) -> Vec<MotionSegment> {
     let length = schedule[schedule.len() - 1].end;
     let mut excerpts = Vec::new();
     for index in 0..EXCERPTS as Micros {
@@ -119,20 +119,20 @@ fn excerpts(schedule: &[Move]) -> Vec<Move> {
 }
 
 /// The part of a move between two instants, shifted in time.
-fn cut(piece: &Move, from: Micros, until: Micros, shift: Micros) -> Move {
+fn cut(piece: &MotionSegment, from: Micros, until: Micros, shift: Micros) -> MotionSegment {
     let (begin, end) = (piece.begin.max(from), piece.end.min(until));
     let doing = match piece.doing {
-        Doing::Stride { from, to } => {
+        MotionState::Stride { from, to } => {
             let at = |now: Micros| from.lerp(to, (now - piece.begin) as f64 / (piece.end - piece.begin) as f64);
-            Doing::Stride { from: at(begin), to: at(end) }
+            MotionState::Stride { from: at(begin), to: at(end) }
         }
         other => other,
     };
-    Move { begin: begin + shift, end: end + shift, doing, posture: piece.posture }
+    MotionSegment { begin: begin + shift, end: end + shift, doing, posture: piece.posture }
 }
 
 /// A run into a database against a bare loop that inserts the same rows.
-fn against_inserts(home: &Arc<Home>, schedule: &[Move]) -> String {
+fn against_inserts(home: &Arc<Home>, schedule: &[MotionSegment]) -> String {
     let folder = tempfile::tempdir().expect("a folder for databases");
     let (run, bare) = (folder.path().join("run.db"), folder.path().join("bare.db"));
     run_into(&run, home, schedule);
@@ -148,8 +148,8 @@ fn against_inserts(home: &Arc<Home>, schedule: &[Move]) -> String {
     Spread::of(&ratios).line("sqlite_vs_bare", 3)
 }
 
-/// Lives the schedule into a database, by the hour; seconds.
-fn run_into(path: &Path, home: &Arc<Home>, schedule: &[Move]) -> f64 {
+/// DriverProvider the schedule into a database, by the hour; seconds.
+fn run_into(path: &Path, home: &Arc<Home>, schedule: &[MotionSegment]) -> f64 {
     let sensors: Vec<String> = home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
     let url: Url = format!("sqlite:{}", path.display()).parse().expect("a URL");
     let calendar = Calendar::new("2026-01-01T00:00:00", "America/Chicago").expect("a calendar");

@@ -1,8 +1,8 @@
 //! The bench scene: 10 x 9 m, 30 walls, 20 pieces of furniture, 12 wall sensors of 32 beams, 4 ceiling
 //! areas; and the two schedules of one resident, `walk` and `day`.
 
-use homebody_core::drivers::Move;
-use homebody_core::event::Doing;
+use homebody_core::drivers::MotionSegment;
+use homebody_core::event::MotionState;
 use homebody_core::geometry::Point;
 use homebody_core::random::{Range, Stream};
 use homebody_core::scenario::home::{FurnitureFile, HomeFile, PlaceFile, RoomFile, SensorFile, WallFile};
@@ -103,7 +103,7 @@ fn piece(index: usize, at: [f64; 2], size_m: [f64; 2], height_m: f64) -> Furnitu
 }
 
 /// What the resident does.
-pub type Schedule = Vec<Move>;
+pub type Schedule = Vec<MotionSegment>;
 
 /// Always walking, through the doors from room to room, for `length`.
 pub fn walk(length: Micros) -> Schedule {
@@ -175,7 +175,7 @@ impl Walker {
     fn stride(&mut self, to: Point) {
         let pace = 0.5 + self.below(500) as f64 / 1000.0;
         let end = self.now + (self.at.distance(to) / pace * SECOND as f64) as Micros + 1;
-        self.push(end, Doing::Stride { from: self.at, to }, Posture::Standing);
+        self.push(end, MotionState::Stride { from: self.at, to }, Posture::Standing);
         self.at = to;
     }
 
@@ -183,17 +183,17 @@ impl Walker {
         let (end, at) = (self.now + span, self.at);
         if let Some(amplitude_m) = amplitude_m {
             while self.now + 20 * SECOND <= end {
-                self.push(self.now + 18 * SECOND, Doing::Rest { at }, Posture::Sitting);
-                self.push(self.now + 2 * SECOND, Doing::Stir { at, amplitude_m }, Posture::Sitting);
+                self.push(self.now + 18 * SECOND, MotionState::Rest { at }, Posture::Sitting);
+                self.push(self.now + 2 * SECOND, MotionState::InPlace { at, amplitude_m }, Posture::Sitting);
             }
         }
         if self.now < end {
-            self.push(end, Doing::Rest { at }, Posture::Sitting);
+            self.push(end, MotionState::Rest { at }, Posture::Sitting);
         }
     }
 
-    fn push(&mut self, end: Micros, doing: Doing, posture: Posture) {
-        self.schedule.push(Move { begin: self.now, end, doing, posture });
+    fn push(&mut self, end: Micros, doing: MotionState, posture: Posture) {
+        self.schedule.push(MotionSegment { begin: self.now, end, doing, posture });
         self.now = end;
     }
 }

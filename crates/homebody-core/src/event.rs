@@ -78,21 +78,21 @@ impl fmt::Display for Value {
 
 /// Why a sensor fired.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Cause {
+pub struct Provenance {
     /// Whose doing it was, if it was anybody's.
     pub resident: Option<u32>,
     /// When what it was began to be noticed.
     pub seen_at: Micros,
-    pub why: Why,
+    pub trigger: Trigger,
 }
 
 /// What kind of cause it was.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Why {
+pub enum Trigger {
     /// A body moved, came or left.
     Movement,
     /// A thing was used: index into the home's things.
-    Act(u32),
+    Use(u32),
     /// It was time for a reading, or what is measured has changed by itself.
     Reading,
     /// The message came twice.
@@ -126,18 +126,18 @@ pub enum Loss {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Fact {
     /// Why a firing came: whose movement the sensor saw, and when it saw it.
-    Cause { seq: u64, cause: Cause },
+    Provenance { seq: u64, provenance: Provenance },
     /// What a sensor said at `at`, or should have said, that never reached the logger.
-    Lost { at: Micros, sensor: u32, value: Value, cause: Cause, loss: Loss },
+    Lost { at: Micros, sensor: u32, value: Value, provenance: Provenance, loss: Loss },
     /// What a resident's body does over a span; the spans of a resident follow each other without gaps.
-    Movement { resident: u32, begin: Micros, end: Micros, doing: Doing, posture: Posture },
+    Movement { resident: u32, begin: Micros, end: Micros, doing: MotionState, posture: Posture },
     /// From `at` on, the resident is in this room (index into the plan's rooms), or in none: between
     /// rooms or away.
     Room { resident: u32, at: Micros, room: Option<u32> },
     /// From `at` on, the resident does this; nothing ends what was done before.
     Activity { resident: u32, at: Micros, name: Option<String> },
     /// A resident used a thing.
-    Act { resident: u32, at: Micros, act: Act },
+    Use { resident: u32, at: Micros, act: ThingUse },
     /// How strong a need of a resident is, from 0 (met) to 1 (pressing).
     Need { resident: u32, at: Micros, need: Need, level: f64 },
     /// From `at` on, until it is told again, a resident's condition is this severe; 1 is a moderate case.
@@ -146,7 +146,7 @@ pub enum Fact {
 
 /// Using a thing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Act {
+pub struct ThingUse {
     /// Index into the home's things.
     pub thing: u32,
     /// How it is afterwards: on or open, or off or closed.
@@ -173,11 +173,11 @@ pub struct Vitals {
 
 /// What a body does over a span.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Doing {
+pub enum MotionState {
     /// A straight movement at constant speed.
     Stride { from: Point, to: Point },
     /// Movement on the spot: `amplitude_m` is how far what moves moves.
-    Stir { at: Point, amplitude_m: f64 },
+    InPlace { at: Point, amplitude_m: f64 },
     /// Keeping still.
     Rest { at: Point },
     /// Out of the home.

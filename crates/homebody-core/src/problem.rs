@@ -44,7 +44,7 @@ pub struct Problems(pub Vec<Problem>);
 
 impl Problems {
     /// Of each file, whose problems stand together, no more than anybody reads, and how many more there are.
-    pub fn as_many_as_are_read(problems: &[Problem]) -> Problems {
+    pub fn truncated(problems: &[Problem]) -> Problems {
         /// A file that is wrong throughout would bury the others.
         const MOST_PER_FILE: usize = 100;
         let mut kept = Vec::new();

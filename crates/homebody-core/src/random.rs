@@ -34,8 +34,8 @@ impl Stream {
     }
 
     /// Several numbers at once. Draws one value.
-    pub fn lot(&mut self) -> Lot {
-        Lot(self.0.next_u64())
+    pub fn draw_many(&mut self) -> DrawnValue {
+        DrawnValue(self.0.next_u64())
     }
 
     /// True with this probability; never for 0 or less, always for 1 or more. Draws one value in any case.
@@ -131,9 +131,9 @@ impl Stream {
 
 /// Numbers from one drawn value, of which only those that are asked for cost anything.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Lot(u64);
+pub struct DrawnValue(u64);
 
-impl Lot {
+impl DrawnValue {
     /// One of its numbers, from 0 up to, but not including, 1; by SplitMix64 (Steele, Lea & Flood 2014), begun at the value.
     pub fn unit(self, index: u32) -> f64 {
         let state = self.0.wrapping_add((u64::from(index) + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15));

@@ -3,7 +3,7 @@
 
 use crate::event::{Firing, Value};
 use crate::problem::Problems;
-use crate::run::{Lives, Run};
+use crate::run::{DriverProvider, Run};
 use crate::scenario::load::Scenario;
 use crate::time::{DAY, Micros};
 use serde::{Deserialize, Serialize};
@@ -48,19 +48,19 @@ impl Recording {
     }
 
     /// The recorded run from its start.
-    pub fn run(&self, scenario: &Scenario, lives: &dyn Lives) -> Run {
-        Run::new(scenario, lives, self.seed, self.length_us)
+    pub fn run(&self, scenario: &Scenario, drivers_of: &dyn DriverProvider) -> Run {
+        Run::new(scenario, drivers_of, self.seed, self.length_us)
     }
 }
 
 /// A sign of all firings of a run: the SHA-256 of their instants, sensors and values.
 #[derive(Clone, Debug, Default)]
-pub struct Seal {
+pub struct RunDigest {
     hash: Sha256,
     firings: u64,
 }
 
-impl Seal {
+impl RunDigest {
     pub fn add(&mut self, firings: &[Firing]) {
         for firing in firings {
             self.hash.update(firing.at.to_le_bytes());

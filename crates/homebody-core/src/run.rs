@@ -2,8 +2,8 @@
 
 use crate::drivers::live::{Input, KeyTrack, LiveDriver};
 use crate::drivers::path::PathDriver;
-use crate::drivers::{Body, Decide, Driver, Move, Next};
-use crate::event::{Act, Doing, Events, Fact};
+use crate::drivers::{Body, Decide, Driver, MotionSegment, Next};
+use crate::event::{Events, Fact, MotionState, ThingUse};
 use crate::geometry::{self, Point};
 use crate::home::plan::Plan;
 use crate::home::{Build, Home, Sun};
@@ -46,7 +46,7 @@ struct Resident {
 }
 
 /// Who decides for those whose driver is not of this crate.
-pub trait Lives {
+pub trait DriverProvider {
     /// Who comes into the home besides the scenario's residents.
     fn guests(&self) -> Vec<Guest>;
 
@@ -55,7 +55,7 @@ pub trait Lives {
 }
 
 /// A scenario of paths and keys needs nobody.
-impl Lives for () {
+impl DriverProvider for () {
     fn guests(&self) -> Vec<Guest> {
         Vec::new()
     }
@@ -74,8 +74,8 @@ pub struct Guest {
 
 impl Run {
     /// A run of a scenario from its start, `length` long.
-    pub fn new(scenario: &Scenario, lives: &dyn Lives, seed: u64, length: Micros) -> Run {
-        let guests = lives.guests();
+    pub fn new(scenario: &Scenario, drivers_of: &dyn DriverProvider, seed: u64, length: Micros) -> Run {
+        let guests = drivers_of.guests();
         let residents = scenario.residents.iter().map(|resident| Build::of(&resident.file));
         let builds: Vec<Build> = residents.chain(guests.iter().map(|guest| guest.build)).collect();
         let start_of_day = scenario.calendar.start_of_day();
@@ -88,7 +88,7 @@ impl Run {
         home.sun = Sun::of(&scenario.calendar, scenario.home.latitude_deg);
         let home = Arc::new(home);
         let drivers = (0..builds.len()).map(|body| {
-            let given = || lives.driver(body, &home, seed).map(Driver::Other);
+            let given = || drivers_of.driver(body, &home, seed).map(Driver::Other);
             let resident = scenario.residents.get(body);
             let own = resident.and_then(|resident| driver(resident, &home.plan, start_of_day));
             own.or_else(given).unwrap_or(Driver::Absent)
@@ -185,7 +185,7 @@ impl Run {
         }
     }
 
-    /// Lives until `until` or the end of the run, whichever is first, and adds to `events` what happens
+    /// DriverProvider until `until` or the end of the run, whichever is first, and adds to `events` what happens
     /// before then. In how many steps a run is advanced changes nothing.
     pub fn advance(&mut self, until: Micros, events: &mut Events) {
         let until = until.min(self.length);
@@ -220,9 +220,9 @@ impl Run {
         self.world.advance(until.min(next.unwrap_or(until)), events);
     }
 
-    /// Lives the run from its beginning and returns what each resident does, for those who want to live it in another
+    /// DriverProvider the run from its beginning and returns what each resident does, for those who want to live it in another
     /// way. Only for a run that has not been advanced: what is under way is not told again.
-    pub fn moves(&self) -> Vec<Vec<Move>> {
+    pub fn moves(&self) -> Vec<Vec<MotionSegment>> {
         let mut run = Run { link: None, ..self.clone() };
         let mut moves = vec![Vec::new(); run.residents.len()];
         let mut events = Events::default();
@@ -230,7 +230,7 @@ impl Run {
             run.advance(run.now() + 3600 * SECOND, &mut events);
             for fact in events.facts.drain(..) {
                 if let Fact::Movement { resident, begin, end, doing, posture } = fact {
-                    moves[resident as usize].push(Move { begin, end, doing, posture });
+                    moves[resident as usize].push(MotionSegment { begin, end, doing, posture });
                 }
             }
             events.clear();
@@ -248,7 +248,7 @@ impl Run {
                 Next::Activity(name) => {
                     events.facts.push(Fact::Activity { resident: resident as u32, at: now, name });
                 }
-                Next::Act(act) => self.act(resident, act, now, events),
+                Next::Use(act) => self.act(resident, act, now, events),
                 Next::Vitals(vitals) => self.world.feel(resident, vitals),
                 Next::Need(need, level) => {
                     events.facts.push(Fact::Need { resident: resident as u32, at: now, need, level });
@@ -256,20 +256,20 @@ impl Run {
                 Next::Condition(name, severity) => {
                     events.facts.push(Fact::Condition { resident: resident as u32, at: now, name, severity });
                 }
-                Next::Move(next) => break next,
+                Next::Segment(next) => break next,
                 Next::Done => break self.rest(resident),
             }
         };
         self.residents[resident].until = next.end;
         self.tell_rooms(resident, &next, events);
         self.world.begin(resident, &next);
-        let Move { end, doing, posture, .. } = next.until(self.length);
+        let MotionSegment { end, doing, posture, .. } = next.until(self.length);
         events.facts.push(Fact::Movement { resident: resident as u32, begin: now, end, doing, posture });
     }
 
     /// A resident uses a thing. What several have turned on goes off with the last of them; what somebody else has left on,
     /// anybody turns off.
-    fn act(&mut self, resident: usize, act: Act, now: Micros, events: &mut Events) {
+    fn act(&mut self, resident: usize, act: ThingUse, now: Micros, events: &mut Events) {
         let users = &mut self.users[act.thing as usize];
         let was_on = !users.is_empty();
         if act.on {
@@ -284,7 +284,7 @@ impl Run {
         let changes = if act.on { !was_on } else { users.is_empty() };
         if changes {
             self.on[act.thing as usize] = act.on;
-            events.facts.push(Fact::Act { resident: resident as u32, at: now, act });
+            events.facts.push(Fact::Use { resident: resident as u32, at: now, act });
             self.world.act(resident, act);
         }
     }
@@ -300,27 +300,27 @@ impl Run {
     }
 
     /// Staying as one is, for ever.
-    fn rest(&self, resident: usize) -> Move {
+    fn rest(&self, resident: usize) -> MotionSegment {
         let (at, posture) = self.residents[resident].driver.pose();
-        Move { begin: self.world.now(), end: NEVER, doing: Doing::Rest { at }, posture }
+        MotionSegment { begin: self.world.now(), end: NEVER, doing: MotionState::Rest { at }, posture }
     }
 
     /// Tells the truth which rooms the resident comes through.
-    fn tell_rooms(&mut self, resident: usize, next: &Move, events: &mut Events) {
+    fn tell_rooms(&mut self, resident: usize, next: &MotionSegment, events: &mut Events) {
         let plan = &self.world.home().plan;
         let Resident { room, last, .. } = &mut self.residents[resident];
         let before = std::mem::replace(
             last,
             match next.doing {
-                Doing::Stride { to, .. } => Some(to),
-                Doing::Stir { at, .. } | Doing::Rest { at } => Some(at),
-                Doing::Away => None,
+                MotionState::Stride { to, .. } => Some(to),
+                MotionState::InPlace { at, .. } | MotionState::Rest { at } => Some(at),
+                MotionState::Away => None,
             },
         );
         // Mostly the room stays the same, which needs no search.
         match next.doing {
-            Doing::Stir { at, .. } | Doing::Rest { at } if before == Some(at) => return,
-            Doing::Stride { from, to } if before == Some(from) => {
+            MotionState::InPlace { at, .. } | MotionState::Rest { at } if before == Some(at) => return,
+            MotionState::Stride { from, to } if before == Some(from) => {
                 let here = room.map(|room| &plan.rooms[room as usize]);
                 if here.is_some_and(|room| room.is_convex && geometry::contains(&room.outline, to)) {
                     return;
@@ -329,9 +329,9 @@ impl Run {
             _ => {}
         }
         let rooms = match next.doing {
-            Doing::Stride { from, to } => plan.rooms_along(&Stride::new(from, to, next.begin, next.end)),
-            Doing::Stir { at, .. } | Doing::Rest { at } => vec![(next.begin, plan.room_at(at))],
-            Doing::Away => vec![(next.begin, None)],
+            MotionState::Stride { from, to } => plan.rooms_along(&Stride::new(from, to, next.begin, next.end)),
+            MotionState::InPlace { at, .. } | MotionState::Rest { at } => vec![(next.begin, plan.room_at(at))],
+            MotionState::Away => vec![(next.begin, None)],
         };
         let Resident { room, located, .. } = &mut self.residents[resident];
         let length = self.length;

@@ -8,16 +8,16 @@
 //! Times are compared as whole microseconds, never as floats. A slice is half-open: what happens at
 //! its end belongs to the next. At one instant, touching and being told come before timers.
 
-use crate::drivers::Move;
-use crate::event::{Act as Using, Cause, Doing, Events, Fact, Firing, Value, Vitals, Why};
+use crate::drivers::MotionSegment;
+use crate::event::{Events, Fact, Firing, MotionState, Provenance, ThingUse, Trigger, Value, Vitals};
 use crate::geometry::Point;
 use crate::home::Home;
 use crate::home::field::{Cell, Field, Mask, bits};
 use crate::random::Stream;
 use crate::scenario::path::Posture;
-use crate::sensors::device::{Change, Device, Said};
+use crate::sensors::device::{Change, Device, Outbox};
 use crate::sensors::motion::{Level, Motion};
-use crate::sensors::timing::{Due, Machine, Seen};
+use crate::sensors::timing::{Machine, Seen, TimerOutcome};
 use crate::sensors::zones::Pulses;
 use crate::sensors::{Kind, Sensor};
 use crate::stride::Stride;
@@ -34,7 +34,7 @@ pub struct World {
     machines: Vec<Machine>,
     /// The sensors that are told what happens, by sensor, with what they have said now and not yet sent; the others look
     /// for movement.
-    devices: Vec<Option<(Device, Said)>>,
+    devices: Vec<Option<(Device, Outbox)>>,
     told: Mask,
     /// Those of them that want to be told what bodies do.
     feeling: Mask,
@@ -58,13 +58,13 @@ const LIGHT_M: f64 = 0.15;
 #[derive(Clone, Debug)]
 struct Body {
     posture: Posture,
-    act: Act,
+    motion: BodyMotion,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Act {
+enum BodyMotion {
     Stride(Stride),
-    Stir { at: Point, amplitude_m: f64 },
+    InPlace { at: Point, amplitude_m: f64 },
     Rest { at: Point },
     Away,
 }
@@ -83,16 +83,16 @@ impl World {
             Machine::new(sensor.timing, Stream::named(seed, &format!("sensor/{}/timing", sensor.name)))
         };
         let machines: Vec<Machine> = home.sensors.iter().map(machine).collect();
-        let looking = |&sensor: &usize| home.sensors[sensor].looks();
+        let looking = |&sensor: &usize| home.sensors[sensor].senses_motion();
         let all: Mask = (0..machines.len()).filter(looking).fold(0, |mask, sensor| mask | 1 << sensor);
         let device = |sensor: &Sensor| match &sensor.kind {
             Kind::Device(device) => {
                 let stream = Stream::named(seed, &format!("sensor/{}/device", sensor.name));
-                Some((device.begin(stream, home.sun), Said::default()))
+                Some((device.begin(stream, home.sun), Outbox::default()))
             }
             Kind::Motion(_) | Kind::CeilingMotion(_) => None,
         };
-        let devices: Vec<Option<(Device, Said)>> = home.sensors.iter().map(device).collect();
+        let devices: Vec<Option<(Device, Outbox)>> = home.sensors.iter().map(device).collect();
         let mut timers = Timers::new(machines.len());
         let (mut told, mut feeling) = (0, 0);
         for (sensor, device) in devices.iter().enumerate() {
@@ -108,7 +108,7 @@ impl World {
         let zoned = of_level(|level| matches!(level, Level::Zones { .. }));
         World {
             now: 0,
-            bodies: vec![Body { posture: Posture::Standing, act: Act::Away }; residents],
+            bodies: vec![Body { posture: Posture::Standing, motion: BodyMotion::Away }; residents],
             want: all,
             timers,
             devices,
@@ -135,17 +135,17 @@ impl World {
 
     /// From now until the move's end, the resident does this; the move may have begun before now. The
     /// caller advances no further than its end before it says what comes next.
-    pub fn begin(&mut self, resident: usize, next: &Move) {
+    pub fn begin(&mut self, resident: usize, next: &MotionSegment) {
         let posture = next.posture;
-        let act = match next.doing {
-            Doing::Stride { from, to } => Act::Stride(Stride::new(from, to, next.begin, next.end)),
-            Doing::Stir { at, amplitude_m } => Act::Stir { at, amplitude_m },
-            Doing::Rest { at } => Act::Rest { at },
-            Doing::Away => Act::Away,
+        let motion = match next.doing {
+            MotionState::Stride { from, to } => BodyMotion::Stride(Stride::new(from, to, next.begin, next.end)),
+            MotionState::InPlace { at, amplitude_m } => BodyMotion::InPlace { at, amplitude_m },
+            MotionState::Rest { at } => BodyMotion::Rest { at },
+            MotionState::Away => BodyMotion::Away,
         };
-        let Body { posture: before, act: last } = &self.bodies[resident];
-        let settles = *before != posture || matches!(last, Act::Away);
-        self.bodies[resident] = Body { posture, act };
+        let Body { posture: before, motion: last } = &self.bodies[resident];
+        let settles = *before != posture || matches!(last, BodyMotion::Away);
+        self.bodies[resident] = Body { posture, motion };
         if settles && self.zoned != 0 {
             self.settle(resident);
         }
@@ -153,14 +153,14 @@ impl World {
         if self.home.field(resident, posture).size.radius_m < LIGHT_M {
             return;
         }
-        let Move { begin, end, doing, posture } = *next;
+        let MotionSegment { begin, end, doing, posture } = *next;
         self.tell(self.feeling, &Change::Body { resident: resident as u32, begin, end, doing, posture });
     }
 
     /// A resident uses a thing, now.
-    pub fn act(&mut self, resident: usize, act: Using) {
-        let Using { thing, on } = act;
-        self.tell(Mask::MAX, &Change::Act { resident: resident as u32, thing, on });
+    pub fn act(&mut self, resident: usize, act: ThingUse) {
+        let ThingUse { thing, on } = act;
+        self.tell(Mask::MAX, &Change::Use { resident: resident as u32, thing, on });
     }
 
     /// From now on a resident's heart and lungs are like this.
@@ -172,16 +172,16 @@ impl World {
     /// among all sensors that have something to say.
     fn tell(&mut self, sensors: Mask, change: &Change) {
         for sensor in bits(sensors & self.told) {
-            let Some((device, said)) = &mut self.devices[sensor] else { continue };
-            device.told(self.now, change, said);
-            self.timers.set(sensor, if said.0.is_empty() { device.timer() } else { self.now });
+            let Some((device, outbox)) = &mut self.devices[sensor] else { continue };
+            device.on_event(self.now, change, outbox);
+            self.timers.set(sensor, if outbox.0.is_empty() { device.timer() } else { self.now });
         }
     }
 
     /// A message leaves its sensor.
-    fn send(&mut self, at: Micros, sensor: usize, value: Value, cause: Cause, events: &mut Events) {
+    fn send(&mut self, at: Micros, sensor: usize, value: Value, provenance: Provenance, events: &mut Events) {
         events.firings.push(Firing { seq: self.seq, at, sensor: sensor as u32, value });
-        events.facts.push(Fact::Cause { seq: self.seq, cause });
+        events.facts.push(Fact::Provenance { seq: self.seq, provenance });
         self.seq += 1;
     }
 
@@ -200,29 +200,29 @@ impl World {
 
     /// Where a resident is; nothing while away.
     pub fn position(&self, resident: usize) -> Option<Point> {
-        match self.bodies[resident].act {
-            Act::Stride(stride) => Some(stride.position(self.now)),
-            Act::Stir { at, .. } | Act::Rest { at } => Some(at),
-            Act::Away => None,
+        match self.bodies[resident].motion {
+            BodyMotion::Stride(stride) => Some(stride.position(self.now)),
+            BodyMotion::InPlace { at, .. } | BodyMotion::Rest { at } => Some(at),
+            BodyMotion::Away => None,
         }
     }
 
     /// Where a resident walks, of length one; nothing for who stays.
     pub fn heading(&self, resident: usize) -> Option<Point> {
-        match self.bodies[resident].act {
-            Act::Stride(stride) => Some((stride.to - stride.from).normalize_or_zero()),
-            Act::Stir { .. } | Act::Rest { .. } | Act::Away => None,
+        match self.bodies[resident].motion {
+            BodyMotion::Stride(stride) => Some((stride.to - stride.from).normalize_or_zero()),
+            BodyMotion::InPlace { .. } | BodyMotion::Rest { .. } | BodyMotion::Away => None,
         }
     }
 
     /// The sensors in whose field a resident moves, as bits.
     pub fn seeing(&self, resident: usize) -> Mask {
-        let Body { posture, act } = &self.bodies[resident];
+        let Body { posture, motion } = &self.bodies[resident];
         let field = self.home.field(resident, *posture);
-        match act {
-            Act::Stride(stride) => field.seen_at(stride.position(self.now)),
-            Act::Stir { at, .. } => field.seen_at(*at),
-            Act::Rest { .. } | Act::Away => 0,
+        match motion {
+            BodyMotion::Stride(stride) => field.seen_at(stride.position(self.now)),
+            BodyMotion::InPlace { at, .. } => field.seen_at(*at),
+            BodyMotion::Rest { .. } | BodyMotion::Away => 0,
         }
     }
 
@@ -255,7 +255,7 @@ impl World {
                 // It decides unseen: at once, as that says nothing to anybody.
                 let machine = &mut self.machines[sensor];
                 if machine.wants_until() < unseen {
-                    machine.due();
+                    machine.on_timer();
                 }
             }
             self.note(sensor);
@@ -271,12 +271,12 @@ impl World {
             return now;
         }
         let mut until = until;
-        for (body, Body { posture, act }) in self.bodies.iter().enumerate() {
+        for (body, Body { posture, motion }) in self.bodies.iter().enumerate() {
             let field = self.home.field(body, *posture);
-            match act {
-                Act::Stride(stride) => until = field.unseen_until(stride, want, now, until),
-                Act::Stir { at, .. } if field.cell(*at).may & want != 0 => until = now,
-                Act::Stir { .. } | Act::Rest { .. } | Act::Away => {}
+            match motion {
+                BodyMotion::Stride(stride) => until = field.unseen_until(stride, want, now, until),
+                BodyMotion::InPlace { at, .. } if field.cell(*at).may & want != 0 => until = now,
+                BodyMotion::InPlace { .. } | BodyMotion::Rest { .. } | BodyMotion::Away => {}
             }
         }
         until
@@ -286,11 +286,11 @@ impl World {
     fn next_slice(&mut self, until: Micros) -> Micros {
         self.movers.clear();
         let mut end = until;
-        for (body, Body { posture, act }) in self.bodies.iter().enumerate() {
-            let (at, leaves) = match act {
-                Act::Stride(stride) => (stride.position(self.now), Some(stride)),
-                Act::Stir { at, .. } => (*at, None),
-                Act::Rest { .. } | Act::Away => continue,
+        for (body, Body { posture, motion }) in self.bodies.iter().enumerate() {
+            let (at, leaves) = match motion {
+                BodyMotion::Stride(stride) => (stride.position(self.now), Some(stride)),
+                BodyMotion::InPlace { at, .. } => (*at, None),
+                BodyMotion::Rest { .. } | BodyMotion::Away => continue,
             };
             let field = self.home.field(body, *posture);
             let cell = field.cell(at);
@@ -325,16 +325,16 @@ impl World {
 
     /// A sensor's timer runs out; what its machine wants then is for [`World::note`].
     fn ring(&mut self, at: Micros, sensor: usize, events: &mut Events) {
-        if let Some((device, said)) = &mut self.devices[sensor] {
+        if let Some((device, outbox)) = &mut self.devices[sensor] {
             if device.timer() <= at {
-                device.due(at, said);
+                device.on_timer(at, outbox);
             }
-            for (value, cause) in std::mem::take(&mut said.0) {
-                self.send(at, sensor, value, cause, events);
+            for (value, provenance) in std::mem::take(&mut outbox.0) {
+                self.send(at, sensor, value, provenance, events);
             }
-        } else if let Due::Fired(seen) = self.machines[sensor].due() {
-            let cause = Cause { resident: Some(seen.resident), seen_at: seen.at, why: Why::Movement };
-            self.send(at, sensor, Value::Fire, cause, events);
+        } else if let TimerOutcome::Fired(seen) = self.machines[sensor].on_timer() {
+            let provenance = Provenance { resident: Some(seen.resident), seen_at: seen.at, trigger: Trigger::Movement };
+            self.send(at, sensor, Value::Fire, provenance, events);
         }
     }
 
@@ -372,24 +372,24 @@ impl World {
     /// The first instant from `from` on at which the sensor sees the mover move; the slice's end
     /// does not limit the answer.
     fn first_movement(&self, mover: &Mover, sensor: usize, from: Micros) -> Option<Micros> {
-        let Body { posture, act } = &self.bodies[mover.body as usize];
+        let Body { posture, motion } = &self.bodies[mover.body as usize];
         let field = self.home.field(mover.body as usize, *posture);
         if self.plain >> sensor & 1 != 0 {
-            return first_touch(field, &mover.cell, sensor, act, from);
+            return first_touch(field, &mover.cell, sensor, motion, from);
         }
-        let Kind::Motion(motion) = &self.home.sensors[sensor].kind else { return None };
-        match motion.level {
+        let Kind::Motion(pir) = &self.home.sensors[sensor].kind else { return None };
+        match pir.level {
             Level::Paper => None,
             Level::Sensitivity { reach_per_m } => {
-                let (near, far) = span_of_notice(motion, act, reach_per_m)?;
-                let at = first_touch(field, &mover.cell, sensor, act, from.max(near))?;
+                let (near, far) = span_of_notice(pir, motion, reach_per_m)?;
+                let at = first_touch(field, &mover.cell, sensor, motion, from.max(near))?;
                 (at <= far).then_some(at)
             }
-            Level::Zones { pitch_rad, .. } => match *act {
-                Act::Stir { at, amplitude_m } if amplitude_m >= pitch_rad * at.distance(motion.lens) => {
-                    first_touch(field, &mover.cell, sensor, act, from)
+            Level::Zones { pitch_rad, .. } => match *motion {
+                BodyMotion::InPlace { at, amplitude_m } if amplitude_m >= pitch_rad * at.distance(pir.lens) => {
+                    first_touch(field, &mover.cell, sensor, motion, from)
                 }
-                Act::Stir { .. } => None,
+                BodyMotion::InPlace { .. } => None,
                 _ => self.pulses_of(sensor).first_detection(mover.body, from),
             },
         }
@@ -404,48 +404,48 @@ impl World {
     fn count_pulses(&mut self, end: Micros) {
         for pulses in &mut self.pulses {
             let sensor = pulses.sensor;
-            let Kind::Motion(motion) = &self.home.sensors[sensor].kind else { continue };
+            let Kind::Motion(pir) = &self.home.sensors[sensor].kind else { continue };
             pulses.begin_slice();
-            for (index, Body { posture, act }) in self.bodies.iter().enumerate() {
+            for (index, Body { posture, motion }) in self.bodies.iter().enumerate() {
                 let mover = self.movers.iter().find(|mover| mover.body as usize == index);
                 let field = self.home.field(index, *posture);
-                match act {
-                    Act::Stride(stride) if mover.is_some_and(|mover| mover.cell.may >> sensor & 1 != 0) => {
+                match motion {
+                    BodyMotion::Stride(stride) if mover.is_some_and(|mover| mover.cell.may >> sensor & 1 != 0) => {
                         let beams = &field.beams[field.range(sensor)];
-                        pulses.walk(index as u32, stride, beams, motion, field.size.radius_m, self.now, end);
+                        pulses.walk(index as u32, stride, beams, pir, field.size.radius_m, self.now, end);
                     }
-                    Act::Stride(_) | Act::Away => pulses.leave(index as u32),
-                    Act::Stir { .. } | Act::Rest { .. } => {}
+                    BodyMotion::Stride(_) | BodyMotion::Away => pulses.leave(index as u32),
+                    BodyMotion::InPlace { .. } | BodyMotion::Rest { .. } => {}
                 }
             }
-            pulses.count(motion);
+            pulses.count(pir);
         }
     }
 }
 
 /// The first instant from `from` on at which the body, which is in the cell, touches what the sensor sees.
-fn first_touch(field: &Field, cell: &Cell, sensor: usize, act: &Act, from: Micros) -> Option<Micros> {
+fn first_touch(field: &Field, cell: &Cell, sensor: usize, motion: &BodyMotion, from: Micros) -> Option<Micros> {
     if cell.sure >> sensor & 1 != 0 {
         return Some(from);
     }
-    match act {
-        Act::Stride(stride) if field.over_area(sensor, stride.position(from)) => Some(from),
-        Act::Stride(stride) => {
+    match motion {
+        BodyMotion::Stride(stride) if field.over_area(sensor, stride.position(from)) => Some(from),
+        BodyMotion::Stride(stride) => {
             let beams = field.to_test(cell, sensor).iter();
             beams.filter_map(|beam| stride.first_touch(beam, field.size.radius_m, from)).min()
         }
-        Act::Stir { at, .. } => field.sees_in(cell, sensor, *at).then_some(from),
-        Act::Rest { .. } | Act::Away => None,
+        BodyMotion::InPlace { at, .. } => field.sees_in(cell, sensor, *at).then_some(from),
+        BodyMotion::Rest { .. } | BodyMotion::Away => None,
     }
 }
 
 /// Between which instants, both included, the movement is large enough as seen from the lens.
-fn span_of_notice(motion: &Motion, act: &Act, reach_per_m: f64) -> Option<(Micros, Micros)> {
-    match act {
-        Act::Stride(stride) => stride.span_within(motion.lens, stride.speed_mps() * reach_per_m),
-        Act::Stir { at, amplitude_m } => {
-            (at.distance(motion.lens) <= amplitude_m * reach_per_m).then_some((Micros::MIN, Micros::MAX))
+fn span_of_notice(pir: &Motion, motion: &BodyMotion, reach_per_m: f64) -> Option<(Micros, Micros)> {
+    match motion {
+        BodyMotion::Stride(stride) => stride.span_within(pir.lens, stride.speed_mps() * reach_per_m),
+        BodyMotion::InPlace { at, amplitude_m } => {
+            (at.distance(pir.lens) <= amplitude_m * reach_per_m).then_some((Micros::MIN, Micros::MAX))
         }
-        Act::Rest { .. } | Act::Away => None,
+        BodyMotion::Rest { .. } | BodyMotion::Away => None,
     }
 }

@@ -1,7 +1,7 @@
 //! The sensors that are told what happens, in a world: what each says, and when.
 
-use homebody_core::drivers::Move;
-use homebody_core::event::{Act, Doing, Events, Fact, Value, Vitals, Why};
+use homebody_core::drivers::MotionSegment;
+use homebody_core::event::{Events, Fact, MotionState, ThingUse, Trigger, Value, Vitals};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
 use homebody_core::scenario::path::Posture;
@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 /// Something that happens at an instant, in seconds.
 enum Happens {
-    Body(Doing, Posture),
+    Body(MotionState, Posture),
     Vitals(f64, f64),
     Act(&'static str, bool),
 }
@@ -21,18 +21,18 @@ use Posture::{Lying, Sitting, Standing};
 
 const IN_BED: Point = Point::new(1.0, 1.0);
 const BESIDE: Point = Point::new(3.0, 1.0);
-const AWAY: Happens = Body(Doing::Away, Standing);
+const AWAY: Happens = Body(MotionState::Away, Standing);
 
 fn rest(at: Point, posture: Posture) -> Happens {
-    Body(Doing::Rest { at }, posture)
+    Body(MotionState::Rest { at }, posture)
 }
 
 fn stir(at: Point) -> Happens {
-    Body(Doing::Stir { at, amplitude_m: 0.2 }, Lying)
+    Body(MotionState::InPlace { at, amplitude_m: 0.2 }, Lying)
 }
 
 fn stride(from: Point, to: Point) -> Happens {
-    Body(Doing::Stride { from, to }, Standing)
+    Body(MotionState::Stride { from, to }, Standing)
 }
 
 /// A room of 8 by 6 m with a bed from (0, 0) to (2, 2), an armchair around (5, 1), a rug around (5, 3), and a stove.
@@ -62,11 +62,11 @@ fn said(
     happens: &[(f64, usize, Happens)],
     until: f64,
     cuts: &[f64],
-) -> Vec<(Micros, Value, Option<u32>, Micros, Why)> {
+) -> Vec<(Micros, Value, Option<u32>, Micros, Trigger)> {
     let micros = |seconds: f64| (seconds * SECOND as f64).round() as Micros;
     let mut world = World::new(Arc::new(home), 2, 1);
     let mut events = Events::default();
-    let mut doing: [Option<Move>; 2] = [None, None];
+    let mut doing: [Option<MotionSegment>; 2] = [None, None];
     let mut instants: Vec<Micros> = happens.iter().map(|(at, ..)| micros(*at)).collect();
     instants.extend(cuts.iter().map(|&cut| micros(cut)));
     instants.push(micros(until));
@@ -78,7 +78,7 @@ fn said(
             match what {
                 Happens::Act(name, on) => {
                     let thing = world.home().plan.thing(name).unwrap() as u32;
-                    world.act(*who, Act { thing, on: *on });
+                    world.act(*who, ThingUse { thing, on: *on });
                 }
                 Feels(pulse, respiration) => {
                     world.feel(*who, Vitals { pulse: *pulse, respiration: *respiration });
@@ -88,7 +88,7 @@ fn said(
                         .iter()
                         .filter(|(later, other, what)| other == who && micros(*later) > at && matches!(what, Body(..)));
                     let end = later.map(|(later, ..)| micros(*later)).min().unwrap_or(micros(until));
-                    doing[*who] = Some(Move { begin: at, end, doing: *does, posture: *posture });
+                    doing[*who] = Some(MotionSegment { begin: at, end, doing: *does, posture: *posture });
                 }
             }
         }
@@ -100,10 +100,16 @@ fn said(
             }
         }
     }
-    let causes =
-        events.facts.iter().filter_map(|fact| if let Fact::Cause { cause, .. } = fact { Some(cause) } else { None });
+    let causes = events
+        .facts
+        .iter()
+        .filter_map(|fact| if let Fact::Provenance { provenance, .. } = fact { Some(provenance) } else { None });
     let firings = events.firings.iter().zip(causes);
-    firings.map(|(firing, cause)| (firing.at, firing.value, cause.resident, cause.seen_at, cause.why)).collect()
+    firings
+        .map(|(firing, provenance)| {
+            (firing.at, firing.value, provenance.resident, provenance.seen_at, provenance.trigger)
+        })
+        .collect()
 }
 
 /// The same, without causes, and in seconds; cut or not, which changes nothing.
@@ -173,7 +179,7 @@ fn restlessness_goes_by_how_long_a_movement_persists() {
         (30.0, 0, stir(IN_BED)),
         (36.0, 0, rest(IN_BED, Lying)),
         // Who sits, or lies elsewhere, is not restless.
-        (40.0, 0, Body(Doing::Stir { at: IN_BED, amplitude_m: 0.2 }, Sitting)),
+        (40.0, 0, Body(MotionState::InPlace { at: IN_BED, amplitude_m: 0.2 }, Sitting)),
         (50.0, 0, stir(BESIDE)),
     ];
     let level = |level| Value::Restless(level);
@@ -289,8 +295,8 @@ fn a_stove_is_hot_and_cool_when_the_closed_form_says() {
     let off = 605.0 + 1200.0 * libm::log((158.0 - 158.0 * libm::exp(-2.5)) / 16.0);
     let micros = |seconds: f64| (seconds * SECOND as f64).round() as Micros;
     let expected = [
-        (micros(on), Value::On, Some(0), 5 * SECOND, Why::Act(thing)),
-        (micros(off), Value::Off, Some(1), 605 * SECOND, Why::Act(thing)),
+        (micros(on), Value::On, Some(0), 5 * SECOND, Trigger::Use(thing)),
+        (micros(off), Value::Off, Some(1), 605 * SECOND, Trigger::Use(thing)),
     ];
     assert_eq!(found, expected);
     let with_readings =
@@ -305,7 +311,7 @@ fn a_chair_feels_who_sits_in_it_alone() {
         (0.0, 0, stride(BESIDE, Point::new(7.0, 1.0))),
         (4.0, 0, stride(Point::new(7.0, 1.0), chair)),
         (6.0, 0, rest(chair, Sitting)),
-        (8.0, 0, Body(Doing::Stir { at: chair, amplitude_m: 0.1 }, Sitting)),
+        (8.0, 0, Body(MotionState::InPlace { at: chair, amplitude_m: 0.1 }, Sitting)),
         (9.0, 0, rest(chair, Standing)),
     ];
     let sensor = json!({ "kind": "pressure", "on": "armchair" });

@@ -4,8 +4,8 @@
 mod random_home;
 
 use homebody_core::drivers::path::PathDriver;
-use homebody_core::drivers::{Driver, Move};
-use homebody_core::event::{Cause, Doing, Events, Fact, Firing, Value};
+use homebody_core::drivers::{Driver, MotionSegment};
+use homebody_core::event::{Events, Fact, Firing, MotionState, Provenance, Value};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
 use homebody_core::run::Run;
@@ -21,7 +21,7 @@ use std::sync::Arc;
 #[derive(Clone)]
 struct Case {
     world: World,
-    lives: Vec<Vec<Move>>,
+    lives: Vec<Vec<MotionSegment>>,
     doings: Vec<Vec<(Micros, Done)>>,
     length: Micros,
 }
@@ -39,7 +39,7 @@ impl Case {
         Case { world: World::new(home, builds.len(), case), lives, doings, length }
     }
 
-    /// Lives until `until`, cutting time at `cuts` as well as wherever a move ends.
+    /// DriverProvider until `until`, cutting time at `cuts` as well as wherever a move ends.
     fn live(&mut self, until: Micros, cuts: &[Micros], events: &mut Events) {
         while self.world.now() < until {
             let now = self.world.now();
@@ -53,7 +53,7 @@ impl Case {
                 let (now, later) = (at(doings, now), at(doings, now + 1));
                 for &(_, done) in &doings[now..later] {
                     match done {
-                        Done::Act(act) => self.world.act(resident, act),
+                        Done::Use(act) => self.world.act(resident, act),
                         Done::Vitals(vitals) => self.world.feel(resident, vitals),
                     }
                 }
@@ -115,7 +115,7 @@ fn cutting_a_stride_changes_nothing() {
         let dice = &mut Dice::new(case, "cuts");
         let mut cuts: Vec<Micros> = (0..400).map(|_| dice.below(300 * SECOND)).collect();
         for (fact, firing) in whole.facts.iter().zip(&whole.firings) {
-            let Fact::Cause { cause: Cause { seen_at, .. }, .. } = fact else { continue };
+            let Fact::Provenance { provenance: Provenance { seen_at, .. }, .. } = fact else { continue };
             cuts.extend([seen_at - 1, *seen_at, seen_at + 1, firing.at - 1, firing.at, firing.at + 1]);
         }
         cuts.sort_unstable();
@@ -139,14 +139,19 @@ fn looking_at_samples_does_change_something() {
 }
 
 /// A stride as somebody who looks four times a second has it: still, then elsewhere.
-fn sample(whole: &Move) -> Vec<Move> {
-    let Doing::Stride { from, to } = whole.doing else { return vec![whole.clone()] };
+fn sample(whole: &MotionSegment) -> Vec<MotionSegment> {
+    let MotionState::Stride { from, to } = whole.doing else { return vec![whole.clone()] };
     let step = SECOND / 4;
     (whole.begin..whole.end)
         .step_by(step as usize)
         .map(|begin| {
             let at = from + (to - from) * ((begin - whole.begin) as f64 / (whole.end - whole.begin) as f64);
-            Move { begin, end: whole.end.min(begin + step), doing: Doing::Stir { at, amplitude_m: 0.2 }, ..*whole }
+            MotionSegment {
+                begin,
+                end: whole.end.min(begin + step),
+                doing: MotionState::InPlace { at, amplitude_m: 0.2 },
+                ..*whole
+            }
         })
         .collect()
 }
@@ -157,17 +162,17 @@ fn who_hardly_moves_is_seen_at_once_or_never() {
         let mut still = Case::new(case);
         for life in &mut still.lives {
             let mut strides = life.iter().filter_map(|next| match next.doing {
-                Doing::Stride { from, .. } => Some(from),
+                MotionState::Stride { from, .. } => Some(from),
                 _ => None,
             });
             let from = strides.next_back().unwrap_or(Point::new(1.0, 1.0));
             let to = if case % 2 == 0 { from } else { Point::new(from.x.next_up(), from.y) };
-            let doing = Doing::Stride { from, to };
-            *life = vec![Move { begin: 0, end: still.length + 1, doing, posture: Posture::Standing }];
+            let doing = MotionState::Stride { from, to };
+            *life = vec![MotionSegment { begin: 0, end: still.length + 1, doing, posture: Posture::Standing }];
         }
         let whole = still.clone().events(&[]);
         for fact in &whole.facts {
-            let Fact::Cause { cause: Cause { seen_at, .. }, .. } = fact else { continue };
+            let Fact::Provenance { provenance: Provenance { seen_at, .. }, .. } = fact else { continue };
             assert!((0..still.length).contains(seen_at), "case {case}: seen at {seen_at}");
         }
         assert_eq!(whole, still.events(&[7, SECOND, 100 * SECOND]), "case {case}");
@@ -184,7 +189,7 @@ fn the_truth_ends_with_the_run() {
     let mut events = Events::default();
     run.advance(length, &mut events);
     let movement = events.facts.iter().find(|fact| matches!(fact, Fact::Movement { .. }));
-    let Some(Fact::Movement { end, doing: Doing::Stride { to, .. }, .. }) = movement else { panic!("no stride") };
+    let Some(Fact::Movement { end, doing: MotionState::Stride { to, .. }, .. }) = movement else { panic!("no stride") };
     assert_eq!((*end, *to), (length, Point::new(3.0, 1.0)));
     for fact in &events.facts {
         assert!(!matches!(fact, Fact::Room { at, .. } if *at >= length), "{fact:?}");
@@ -241,7 +246,7 @@ fn adding_a_resident_whom_no_sensor_sees_changes_nothing() {
         let length = two.length;
         let posture = two.lives[1][0].posture;
         two.doings[1].clear();
-        two.lives[1] = vec![Move { begin: 0, end: length, doing: Doing::Away, posture }];
+        two.lives[1] = vec![MotionSegment { begin: 0, end: length, doing: MotionState::Away, posture }];
         assert_eq!(firings(&alone), firings(&two.events(&[])), "case {case}");
     }
 }

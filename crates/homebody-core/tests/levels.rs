@@ -1,8 +1,8 @@
 //! What a wall sensor takes for movement at each level, in a room 12 by 8 metres with one lens at the origin of x, in the
 //! middle of its western side. Expected instants are computed by hand.
 
-use homebody_core::drivers::Move;
-use homebody_core::event::{Doing, Events, Fact};
+use homebody_core::drivers::MotionSegment;
+use homebody_core::event::{Events, Fact, MotionState};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
 use homebody_core::scenario::home::HomeFile;
@@ -16,30 +16,30 @@ use std::sync::Arc;
 const NONE: [Micros; 0] = [];
 
 /// Somebody's moves, one after another.
-struct Life(Vec<Move>);
+struct Life(Vec<MotionSegment>);
 
 impl Life {
     fn new() -> Life {
         Life(Vec::new())
     }
 
-    fn then(mut self, seconds: f64, posture: Posture, doing: Doing) -> Life {
+    fn then(mut self, seconds: f64, posture: Posture, doing: MotionState) -> Life {
         let begin = self.0.last().map_or(0, |last| last.end);
-        self.0.push(Move { begin, end: begin + homebody_core::time::micros(seconds), doing, posture });
+        self.0.push(MotionSegment { begin, end: begin + homebody_core::time::micros(seconds), doing, posture });
         self
     }
 
     fn rest(self, seconds: f64, posture: Posture, at: (f64, f64)) -> Life {
-        self.then(seconds, posture, Doing::Rest { at: at.into() })
+        self.then(seconds, posture, MotionState::Rest { at: at.into() })
     }
 
     fn stir(self, seconds: f64, posture: Posture, at: (f64, f64), amplitude_m: f64) -> Life {
-        self.then(seconds, posture, Doing::Stir { at: at.into(), amplitude_m })
+        self.then(seconds, posture, MotionState::InPlace { at: at.into(), amplitude_m })
     }
 
     fn walk(self, pace_mps: f64, from: (f64, f64), to: (f64, f64)) -> Life {
         let (from, to) = (Point::from(from), Point::from(to));
-        self.then(from.distance(to) / pace_mps, Posture::Standing, Doing::Stride { from, to })
+        self.then(from.distance(to) / pace_mps, Posture::Standing, MotionState::Stride { from, to })
     }
 }
 
@@ -74,11 +74,11 @@ fn noticed(sensor: &Value, furniture: &Value, lives: &[Life]) -> Vec<(Micros, u3
         }
         world.advance(until, &mut events);
     }
-    let cause = |fact| match fact {
-        Fact::Cause { cause, .. } => Some((cause.seen_at, cause.resident?)),
+    let provenance = |fact| match fact {
+        Fact::Provenance { provenance, .. } => Some((provenance.seen_at, provenance.resident?)),
         _ => None,
     };
-    events.facts.into_iter().filter_map(cause).collect()
+    events.facts.into_iter().filter_map(provenance).collect()
 }
 
 fn alone(sensor: &Value, life: Life) -> Vec<Micros> {
@@ -224,7 +224,7 @@ fn who_has_stirred_there_from_the_start_walks_off_unnoticed() {
 #[test]
 fn who_came_back_to_stand_there_walks_off_unnoticed() {
     let life = Life::new()
-        .then(10.0, Posture::Standing, Doing::Away)
+        .then(10.0, Posture::Standing, MotionState::Away)
         .rest(30.0, Posture::Standing, BEFORE_THE_LENS)
         .walk(1.0, BEFORE_THE_LENS, (4.0, 4.0));
     assert_eq!(alone(&zones(2, 2.0), life), NONE);

@@ -6,8 +6,8 @@
 
 mod random_home;
 
-use homebody_core::drivers::Move;
-use homebody_core::event::{Doing, Events, Fact, Firing};
+use homebody_core::drivers::MotionSegment;
+use homebody_core::event::{Events, Fact, Firing, MotionState};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
 use homebody_core::naive::paper::PaperEye;
@@ -37,7 +37,7 @@ struct Case {
     number: u64,
     home: Arc<Home>,
     build: Build,
-    life: Vec<Move>,
+    life: Vec<MotionSegment>,
 }
 
 impl Case {
@@ -50,10 +50,10 @@ impl Case {
         for next in &mut life {
             next.posture = Posture::Standing;
             match next.doing {
-                Doing::Stride { to, .. } => at = to,
-                Doing::Stir { at: here, .. } | Doing::Rest { at: here } => at = here,
+                MotionState::Stride { to, .. } => at = to,
+                MotionState::InPlace { at: here, .. } | MotionState::Rest { at: here } => at = here,
                 // The paper's loop would take somebody who vanishes for movement.
-                Doing::Away => next.doing = Doing::Rest { at },
+                MotionState::Away => next.doing = MotionState::Rest { at },
             }
         }
         Case { number, home, build, life }
@@ -166,11 +166,11 @@ impl Case {
     fn moving_at(&self, at: Micros) -> Option<Point> {
         let next = self.life.iter().find(|next| next.begin <= at && at < next.end)?;
         match next.doing {
-            Doing::Stride { from, to } => {
+            MotionState::Stride { from, to } => {
                 Some(from + (to - from) * ((at - next.begin) as f64 / (next.end - next.begin) as f64))
             }
-            Doing::Stir { at, .. } => Some(at),
-            Doing::Rest { .. } | Doing::Away => None,
+            MotionState::InPlace { at, .. } => Some(at),
+            MotionState::Rest { .. } | MotionState::Away => None,
         }
     }
 
@@ -194,7 +194,7 @@ impl Case {
 fn seen_at(events: &Events, sensor: usize, index: usize) -> Option<Micros> {
     let seq = events.firings.iter().filter(|firing| firing.sensor as usize == sensor).nth(index)?.seq;
     events.facts.iter().find_map(|fact| match fact {
-        Fact::Cause { seq: of, cause } if *of == seq => Some(cause.seen_at),
+        Fact::Provenance { seq: of, provenance } if *of == seq => Some(provenance.seen_at),
         _ => None,
     })
 }

@@ -11,7 +11,9 @@ use crate::walls::Wall;
 use crate::{archive, doors, enclosed, furniture, levels, markup, rooms, sound, walls};
 use homebody_core::geometry::{self, Point};
 use homebody_core::problem::counted;
-use homebody_core::scenario::home::{At, DoorFile, FurnitureFile, GREATEST_SIZE_M, HomeFile, RoomFile, WallFile, latitude};
+use homebody_core::scenario::home::{
+    At, DoorFile, FurnitureFile, GREATEST_SIZE_M, HomeFile, RoomFile, WallFile, latitude,
+};
 
 /// A home, and what was left out of the plan or guessed.
 #[derive(Clone, Debug, PartialEq, Eq)]

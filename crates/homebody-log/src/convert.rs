@@ -4,7 +4,7 @@
 use crate::error::LogError;
 use crate::logger::RunInfo;
 use crate::mapping::{Columns, Shown};
-use crate::messages::{Row, Said};
+use crate::messages::{Row, RowValue};
 use crate::sink::Opening;
 use crate::source::{Clock, Log};
 use crate::url::Url;
@@ -31,7 +31,12 @@ pub fn convert(log: &Log, to: &Url, run: &RunInfo, zone: &str, force: bool) -> R
     for events in log.events.chunks(BATCH) {
         let rows = events.iter().zip(seq..);
         let rows: Vec<Row> = rows
-            .map(|(event, seq)| Row { seq, at: event.at - start, sensor: event.sensor, value: Said::Text(event.value) })
+            .map(|(event, seq)| Row {
+                seq,
+                at: event.at - start,
+                sensor: event.sensor,
+                value: RowValue::Text(event.value),
+            })
             .collect();
         sink.write(&rows)?;
         seq += rows.len() as u64;

@@ -1,7 +1,7 @@
 //! `logger.json` checked: the names and texts under which rows are stored.
 
 use crate::error::LogError;
-use crate::messages::Said;
+use crate::messages::RowValue;
 use homebody_core::event::Value;
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, TimeFormat};
 use std::collections::BTreeMap;
@@ -72,12 +72,12 @@ impl Shown {
     }
 
     /// The text of what a row says; `buffer` is where it is put together if it has to be.
-    pub fn value<'a>(&'a self, said: Said, buffer: &'a mut String) -> &'a str {
+    pub fn value<'a>(&'a self, said: RowValue, buffer: &'a mut String) -> &'a str {
         match said {
-            Said::Text(index) => &self.texts[index as usize],
-            Said::Value(Value::Fire | Value::On) => &self.values[0],
-            Said::Value(Value::Off) => &self.values[1],
-            Said::Value(value) => {
+            RowValue::Text(index) => &self.texts[index as usize],
+            RowValue::Value(Value::Fire | Value::On) => &self.values[0],
+            RowValue::Value(Value::Off) => &self.values[1],
+            RowValue::Value(value) => {
                 buffer.clear();
                 // A string takes whatever is written to it.
                 let _ = write!(buffer, "{value}");

@@ -16,12 +16,12 @@ pub(crate) struct Row {
     pub seq: u64,
     pub at: Micros,
     pub sensor: u32,
-    pub value: Said,
+    pub value: RowValue,
 }
 
 /// What a row says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Said {
+pub(crate) enum RowValue {
     Value(Value),
     /// Index into the texts of a log that was read.
     Text(u32),
@@ -104,7 +104,7 @@ impl Hold {
 }
 
 fn push(rows: &mut Vec<Row>, next_seq: &mut u64, at: Micros, sensor: u32, value: Value) {
-    rows.push(Row { seq: *next_seq, at, sensor, value: Said::Value(value) });
+    rows.push(Row { seq: *next_seq, at, sensor, value: RowValue::Value(value) });
     *next_seq += 1;
 }
 
@@ -118,7 +118,7 @@ mod tests {
     const OFF: Value = Value::Off;
 
     fn value(row: &Row) -> Value {
-        let Said::Value(value) = row.value else { panic!("{row:?} is of a log that was read") };
+        let RowValue::Value(value) = row.value else { panic!("{row:?} is of a log that was read") };
         value
     }
 
@@ -166,7 +166,7 @@ mod tests {
         let mut rows = Vec::new();
         messages.firing(&Firing { seq: 7, at: 5, sensor: 1, value: Value::Fire }, &mut rows);
         messages.quiet(1_000_000_000, &mut rows);
-        assert_eq!(rows, [Row { seq: 0, at: 5, sensor: 1, value: Said::Value(ON) }]);
+        assert_eq!(rows, [Row { seq: 0, at: 5, sensor: 1, value: RowValue::Value(ON) }]);
     }
 
     #[test]

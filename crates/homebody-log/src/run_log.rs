@@ -6,7 +6,7 @@ use crate::logger::{Logger, RunInfo, Stored};
 use crate::places::Places;
 use crate::truth::{Names, TruthLog};
 use homebody_core::event::Events;
-use homebody_core::recording::{Recording, Seal};
+use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 
@@ -15,7 +15,7 @@ pub struct RunLog {
     logger: Logger,
     truth: Option<TruthLog>,
     record: Option<FreshFile>,
-    seal: Seal,
+    digest: RunDigest,
 }
 
 impl RunLog {
@@ -40,12 +40,12 @@ impl RunLog {
         let names = Names { residents: &residents, rooms: &rooms, things: &things, sensors: &sensors };
         let truth = places.truth.as_ref();
         let truth = truth.map(|path| TruthLog::open(path, &places.log, mapping, names, calendar, &info, force));
-        Ok(RunLog { logger, truth: truth.transpose()?, record, seal: Seal::default() })
+        Ok(RunLog { logger, truth: truth.transpose()?, record, digest: RunDigest::default() })
     }
 
     /// Hands on what has happened in the run since the last time.
     pub fn store(&mut self, run: &Run, events: &Events) -> Result<(), LogError> {
-        self.seal.add(&events.firings);
+        self.digest.add(&events.firings);
         self.logger.store(&events.firings, run.settled())?;
         match &mut self.truth {
             Some(truth) => truth.store(events),
@@ -60,7 +60,7 @@ impl RunLog {
         if let Some(truth) = self.truth {
             truth.finish(run.now())?;
         }
-        let (firings, sha256) = (self.seal.firings(), self.seal.hex());
+        let (firings, sha256) = (self.digest.firings(), self.digest.hex());
         let recording = Recording { length_us: run.now(), firings, sha256, ..recording };
         if let Some(mut file) = self.record {
             file.write(serde_json::to_string_pretty(&recording)?.as_bytes())?;

@@ -20,13 +20,13 @@ use crate::error::LogError;
 use crate::fresh::same_file;
 use crate::logger::RunInfo;
 use crate::mapping::Shown;
-use crate::messages::Said;
+use crate::messages::RowValue;
 use crate::sink::database::{Database, Insert};
 use crate::sink::run;
 use crate::url::Url;
 use crate::writer::{BATCH, BATCH_WAITS, Sink, Writer};
-use homebody_core::drivers::Move;
-use homebody_core::event::{Act, Cause, Doing, Events, Fact, Firing, Loss, Need, Value, Why};
+use homebody_core::drivers::MotionSegment;
+use homebody_core::event::{Events, Fact, Firing, Loss, MotionState, Need, Provenance, ThingUse, Trigger, Value};
 use homebody_core::geometry::Point;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::LoggerFile;
@@ -56,9 +56,9 @@ pub struct TruthLog {
 
 /// What is stored of a fact.
 enum Known {
-    Cause { seq: u64, cause: Cause, firing: Option<Firing> },
-    Lost { at: Micros, sensor: u32, value: Value, cause: Cause, loss: Loss },
-    Act { resident: u32, at: Micros, act: Act },
+    Provenance { seq: u64, provenance: Provenance, firing: Option<Firing> },
+    Lost { at: Micros, sensor: u32, value: Value, provenance: Provenance, loss: Loss },
+    Act { resident: u32, at: Micros, act: ThingUse },
     Need { resident: u32, at: Micros, need: Need, level: f64 },
     Condition { resident: u32, at: Micros, name: String, severity: f64 },
     Movement(Movement),
@@ -70,7 +70,7 @@ enum Known {
 #[derive(Clone)]
 struct Movement {
     resident: u32,
-    span: Move,
+    span: MotionSegment,
 }
 
 impl TruthLog {
@@ -120,19 +120,19 @@ impl TruthLog {
 /// A fact, with the firing it is about.
 fn known(fact: &Fact, firings: &[Firing]) -> Known {
     match *fact {
-        Fact::Cause { seq, cause } => {
+        Fact::Provenance { seq, provenance } => {
             // Firings are numbered without gaps.
             let place = firings.first().and_then(|first| seq.checked_sub(first.seq));
             let firing = place.and_then(|place| firings.get(place as usize)).filter(|firing| firing.seq == seq);
-            Known::Cause { seq, cause, firing: firing.copied() }
+            Known::Provenance { seq, provenance, firing: firing.copied() }
         }
         Fact::Movement { resident, begin, end, doing, posture } => {
-            Known::Movement(Movement { resident, span: Move { begin, end, doing, posture } })
+            Known::Movement(Movement { resident, span: MotionSegment { begin, end, doing, posture } })
         }
         Fact::Room { resident, at, room } => Known::Room { resident, at, room },
         Fact::Activity { resident, at, ref name } => Known::Activity { resident, at, name: name.clone() },
-        Fact::Lost { at, sensor, value, cause, loss } => Known::Lost { at, sensor, value, cause, loss },
-        Fact::Act { resident, at, act } => Known::Act { resident, at, act },
+        Fact::Lost { at, sensor, value, provenance, loss } => Known::Lost { at, sensor, value, provenance, loss },
+        Fact::Use { resident, at, act } => Known::Act { resident, at, act },
         Fact::Need { resident, at, need, level } => Known::Need { resident, at, need, level },
         Fact::Condition { resident, at, ref name, severity } => {
             Known::Condition { resident, at, name: name.clone(), severity }
@@ -270,23 +270,23 @@ impl TruthSink {
         let causes: Vec<_> = known
             .iter()
             .filter_map(|fact| match fact {
-                Known::Cause { seq, cause, firing } => Some((*seq, cause, firing)),
+                Known::Provenance { seq, provenance, firing } => Some((*seq, provenance, firing)),
                 _ => None,
             })
             .collect();
         let lost: Vec<_> = known
             .iter()
             .filter_map(|fact| match fact {
-                Known::Lost { at, sensor, value, cause, loss } => Some((*at, *sensor, *value, cause, *loss)),
+                Known::Lost { at, sensor, value, provenance, loss } => Some((*at, *sensor, *value, provenance, *loss)),
                 _ => None,
             })
             .collect();
         let mut text = String::new();
         database.change(causes.len() + lost.len(), |connection| {
-            inserts.cause.rows(connection, &causes, |(seq, cause, firing), row| {
+            inserts.cause.rows(connection, &causes, |(seq, provenance, firing), row| {
                 row.put(*seq as i64)?;
-                row.put(cause.resident.map(|resident| &residents[resident as usize]))?;
-                row.put(clock.stamp(cause.seen_at))?;
+                row.put(provenance.resident.map(|resident| &residents[resident as usize]))?;
+                row.put(clock.stamp(provenance.seen_at))?;
                 match firing {
                     Some(firing) => {
                         row.put(clock.stamp(firing.at))?;
@@ -297,18 +297,18 @@ impl TruthSink {
                         row.put(Null)?;
                     }
                 }
-                let (why, thing) = reason(cause.why);
+                let (why, thing) = reason(provenance.trigger);
                 row.put(why)?;
                 row.put(thing.map(|thing| &things[thing]))
             })?;
-            inserts.lost.rows(connection, &lost, |(at, sensor, value, cause, loss), row| {
+            inserts.lost.rows(connection, &lost, |(at, sensor, value, provenance, loss), row| {
                 row.put(&shown.sensors[*sensor as usize])?;
-                row.put(shown.value(Said::Value(*value), &mut text))?;
+                row.put(shown.value(RowValue::Value(*value), &mut text))?;
                 row.put(clock.stamp(*at))?;
-                row.put(clock.stamp(cause.seen_at))?;
+                row.put(clock.stamp(provenance.seen_at))?;
                 row.put(loss_name(*loss))?;
-                row.put(cause.resident.map(|resident| &residents[resident as usize]))?;
-                let (why, thing) = reason(cause.why);
+                row.put(provenance.resident.map(|resident| &residents[resident as usize]))?;
+                let (why, thing) = reason(provenance.trigger);
                 row.put(why)?;
                 row.put(thing.map(|thing| &things[thing]))
             })
@@ -435,23 +435,23 @@ fn posture_name(posture: Posture) -> &'static str {
 }
 
 /// What a body does, where from, where to, and how far what moves moves.
-fn told(doing: &Doing) -> (&'static str, Option<Point>, Option<Point>, Option<f64>) {
+fn told(doing: &MotionState) -> (&'static str, Option<Point>, Option<Point>, Option<f64>) {
     match *doing {
-        Doing::Stride { from, to } => ("stride", Some(from), Some(to), None),
-        Doing::Stir { at, amplitude_m } => ("stir", Some(at), Some(at), Some(amplitude_m)),
-        Doing::Rest { at } => ("rest", Some(at), Some(at), None),
-        Doing::Away => ("away", None, None, None),
+        MotionState::Stride { from, to } => ("stride", Some(from), Some(to), None),
+        MotionState::InPlace { at, amplitude_m } => ("in_place", Some(at), Some(at), Some(amplitude_m)),
+        MotionState::Rest { at } => ("rest", Some(at), Some(at), None),
+        MotionState::Away => ("away", None, None, None),
     }
 }
 
 /// The kind of a cause, and the thing that was used where one was.
-fn reason(why: Why) -> (&'static str, Option<usize>) {
-    match why {
-        Why::Movement => ("movement", None),
-        Why::Act(thing) => ("act", Some(thing as usize)),
-        Why::Reading => ("reading", None),
-        Why::Duplicate => ("duplicate", None),
-        Why::False => ("false", None),
+fn reason(trigger: Trigger) -> (&'static str, Option<usize>) {
+    match trigger {
+        Trigger::Movement => ("movement", None),
+        Trigger::Use(thing) => ("act", Some(thing as usize)),
+        Trigger::Reading => ("reading", None),
+        Trigger::Duplicate => ("duplicate", None),
+        Trigger::False => ("false", None),
     }
 }
 

@@ -2,7 +2,7 @@
 
 mod stage;
 
-use homebody_core::event::{Cause, Events, Fact, Firing, Why};
+use homebody_core::event::{Events, Fact, Firing, Provenance, Trigger};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::{TruthLog, truth};
 use rusqlite::{Connection, params};
@@ -59,11 +59,11 @@ fn causes_are_written() {
     let mut log = TruthLog::open(&path, &[], &file, names, &calendar, &stage::run(), false).unwrap();
     let began = Instant::now();
     for step in firings.chunks(500) {
-        let cause = |firing: &Firing| Fact::Cause {
+        let provenance = |firing: &Firing| Fact::Provenance {
             seq: firing.seq,
-            cause: Cause { resident: Some(0), seen_at: firing.at - 1, why: Why::Movement },
+            provenance: Provenance { resident: Some(0), seen_at: firing.at - 1, trigger: Trigger::Movement },
         };
-        log.store(&Events { firings: step.to_vec(), facts: step.iter().map(cause).collect() }).unwrap();
+        log.store(&Events { firings: step.to_vec(), facts: step.iter().map(provenance).collect() }).unwrap();
     }
     log.finish(firings[firings.len() - 1].at).unwrap();
     println!("causes {:.0} rows/s", ROWS as f64 / began.elapsed().as_secs_f64());

@@ -2,7 +2,7 @@
 
 mod stage;
 
-use homebody_core::event::{Cause, Doing, Events, Fact, Firing, Value, Why};
+use homebody_core::event::{Events, Fact, Firing, MotionState, Provenance, Trigger, Value};
 use homebody_core::geometry::Point;
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, OccupancyFile, OnOffFile, TimeFormat};
 use homebody_core::scenario::path::Posture;
@@ -169,12 +169,18 @@ fn a_short_life() -> Events {
         facts: vec![
             Fact::Room { resident: 0, at: 0, room: Some(0) },
             activity(0, Some("sleep")),
-            moving(0, SECOND, Doing::Stir { at: bed, amplitude_m: 0.2 }),
-            Fact::Cause { seq: 6, cause: Cause { resident: Some(0), seen_at: 2 * SECOND, why: Why::Movement } },
-            Fact::Cause { seq: 9, cause: Cause { resident: Some(0), seen_at: 2 * SECOND, why: Why::Movement } },
+            moving(0, SECOND, MotionState::InPlace { at: bed, amplitude_m: 0.2 }),
+            Fact::Provenance {
+                seq: 6,
+                provenance: Provenance { resident: Some(0), seen_at: 2 * SECOND, trigger: Trigger::Movement },
+            },
+            Fact::Provenance {
+                seq: 9,
+                provenance: Provenance { resident: Some(0), seen_at: 2 * SECOND, trigger: Trigger::Movement },
+            },
             activity(10 * SECOND, None),
-            moving(SECOND, 5 * SECOND, Doing::Stride { from: bed, to: door }),
-            moving(5 * SECOND, 60 * SECOND, Doing::Away),
+            moving(SECOND, 5 * SECOND, MotionState::Stride { from: bed, to: door }),
+            moving(5 * SECOND, 60 * SECOND, MotionState::Away),
             Fact::Room { resident: 0, at: 5 * SECOND, room: None },
             activity(20 * SECOND, Some("out")),
         ],
@@ -190,7 +196,7 @@ fn the_truth_is_told() {
         [r#"Text("sleep") Text("22:00:00") Text("22:00:10")"#, r#"Text("out") Text("22:00:20") Text("22:01:00")"#]
     );
     assert_eq!(
-        rows(&folder, "truth.db", "SELECT firing, resident, fired_at, sensor FROM cause"),
+        rows(&folder, "truth.db", "SELECT firing, resident, fired_at, sensor FROM provenance"),
         [
             r#"Integer(6) Text("margaret") Text("2009-03-07 22:00:03.000000") Text("kitchen motion")"#,
             r#"Integer(9) Text("margaret") Null Null"#,
@@ -219,7 +225,7 @@ fn truth_and_firings_are_never_in_one_file() {
     truth(&folder, std::slice::from_ref(&log), &a_short_life()).unwrap();
     stage::store(logger, &stage::firings(10), 10).unwrap();
     assert_eq!(schema(&folder, "log.db"), [r#"Text("firing")"#, r#"Text("run")"#]);
-    let truth = ["act", "activity", "cause", "condition", "lost", "movement", "need", "room", "run"]
+    let truth = ["act", "activity", "provenance", "condition", "lost", "movement", "need", "room", "run"]
         .map(|name| format!("Text({name:?})"));
     assert_eq!(schema(&folder, "truth.db"), truth);
 }

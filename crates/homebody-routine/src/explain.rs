@@ -262,15 +262,13 @@ fn effect_words(effect: &Effect) -> String {
 }
 
 fn severity_words(severity: f64) -> String {
-    let times = match severity {
-        1.0 => return "a moderate case".into(),
-        2.0 => "twice".into(),
-        less if less < 1.0 => format!("{} of", number(less)),
-        more => format!("{} times", number(more)),
-    };
-    match SEVERITIES.iter().find(|(_, known)| *known == severity).and_then(|(words, _)| words.split('|').next()) {
-        Some(word) => format!("a {word} case, {times} a moderate one"),
-        None => format!("{times} a moderate case"),
+    match severity {
+        1.0 => "a moderate case".into(),
+        0.5 => "a mild case, 0.5 of a moderate one".into(),
+        1.5 => "a severe case, 1.5 times a moderate one".into(),
+        2.0 => "twice a moderate case".into(),
+        less if less < 1.0 => format!("{} of a moderate case", number(less)),
+        more => format!("{} times a moderate case", number(more)),
     }
 }
 

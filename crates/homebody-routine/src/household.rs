@@ -14,9 +14,9 @@ use homebody_core::home::plan::Plan;
 use homebody_core::home::{Build, Home};
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::recording::Recording;
-use homebody_core::run::{Guest, Lives};
+use homebody_core::run::{DriverProvider, Guest};
 use homebody_core::scenario::home::HomeFile;
-use homebody_core::scenario::load::{Driver, Files, Language, Said, Scenario};
+use homebody_core::scenario::load::{Driver, Files, Language, RoutineText, Scenario};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -246,7 +246,7 @@ impl Household {
     }
 }
 
-impl Lives for Household {
+impl DriverProvider for Household {
     fn guests(&self) -> Vec<Guest> {
         let name =
             |visitor: &Visitor| format!("{}'s {}", self.scenario.residents[visitor.host].file.name, visitor.name);
@@ -276,10 +276,10 @@ impl Lives for Household {
 }
 
 /// What is wrong with routines, for those who load scenarios.
-pub struct Spoken;
+pub struct RoutineLanguage;
 
-impl Language for Spoken {
-    fn problems(&self, said: &Said, home: &HomeFile, plan: &Plan, files: &dyn Files) -> Vec<Problem> {
+impl Language for RoutineLanguage {
+    fn problems(&self, said: &RoutineText, home: &HomeFile, plan: &Plan, files: &dyn Files) -> Vec<Problem> {
         let mut reader = Reader::new(files, home, plan, said.calendar.map(|calendar| calendar.date(0)));
         reader.routine(said.file, said.text, said.resident);
         reader.problems

@@ -23,15 +23,15 @@ pub struct Routine {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Person {
     /// The first sentence about them.
-    pub said: Said,
+    pub said: Quote,
     pub name: String,
     pub kind: Kind,
     pub age_years: Option<f64>,
     /// Usual walking speed in metres a second.
     pub pace_mps: Option<Fuzzy>,
     /// The sentences that say age and pace.
-    pub age_said: Option<Said>,
-    pub pace_said: Option<Said>,
+    pub age_said: Option<Quote>,
+    pub pace_said: Option<Quote>,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
@@ -45,7 +45,7 @@ pub enum Kind {
 
 /// The words that something was understood from.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Said {
+pub struct Quote {
     /// Counted from 1.
     pub line: u32,
     /// Counted from 1, in characters.
@@ -57,7 +57,7 @@ pub struct Said {
 /// Something that is done.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Habit {
-    pub said: Said,
+    pub said: Quote,
     /// Who does it: nothing for the person themself, else the name of who visits, such as `daughter`.
     pub visitor: Option<String>,
     pub activity: Activity,
@@ -206,7 +206,7 @@ pub enum Moment {
 /// Something that interrupts whatever is done.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Rule {
-    pub said: Said,
+    pub said: Quote,
     pub whenever: Trigger,
     /// How long it has to last, in seconds.
     pub lasts: Fuzzy,
@@ -240,7 +240,7 @@ pub enum Response {
 /// A change of how things are done.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Change {
-    pub said: Said,
+    pub said: Quote,
     pub phase: Phase,
     pub effect: Effect,
 }

@@ -2,7 +2,7 @@
 
 mod stage;
 
-use homebody_core::event::{Doing, Events, Fact};
+use homebody_core::event::{Events, Fact, MotionState};
 use homebody_core::geometry::Point;
 use homebody_core::run::Run;
 use homebody_core::time::{DAY, Micros, SECOND};
@@ -134,9 +134,9 @@ fn nobody_is_in_two_places() {
         }
         for next in &moves {
             let (from, to) = match next.doing {
-                Doing::Stride { from, to } => (from, Some(to)),
-                Doing::Stir { at, .. } | Doing::Rest { at } => (at, Some(at)),
-                Doing::Away => (at.unwrap_or(Point::ZERO), None),
+                MotionState::Stride { from, to } => (from, Some(to)),
+                MotionState::InPlace { at, .. } | MotionState::Rest { at } => (at, Some(at)),
+                MotionState::Away => (at.unwrap_or(Point::ZERO), None),
             };
             if let Some(at) = at {
                 assert!(at.distance(from) < 1e-9, "from {at} to {from} at {}", next.begin);
@@ -201,7 +201,7 @@ fn a_leap_day_is_a_day() {
 fn stove_spans(events: &Events, stove: u32) -> Vec<Micros> {
     let (mut on, mut spans) = (None, Vec::new());
     for fact in &events.facts {
-        if let Fact::Act { at, act, .. } = fact
+        if let Fact::Use { at, act, .. } = fact
             && act.thing == stove
         {
             match (act.on, on) {
@@ -240,7 +240,8 @@ fn visitors_come_stay_and_leave() {
     let run = run("Margaret is 82.\nOn Tuesday her daughter visits at about 15:00 for 1 hour.\n", 9);
     assert_eq!(run.names(), ["margaret", "margaret's daughter"]);
     let moves = run.moves();
-    let here: Micros = moves[1].iter().filter(|next| next.doing != Doing::Away).map(|next| next.end - next.begin).sum();
+    let here: Micros =
+        moves[1].iter().filter(|next| next.doing != MotionState::Away).map(|next| next.end - next.begin).sum();
     let hours = here as f64 / HOUR as f64;
     assert!((1.8..2.6).contains(&hours), "two visits take {hours} hours");
 }
@@ -320,7 +321,8 @@ fn a_rule_about_the_host_does_not_bring_visitors() {
         On Wednesday she goes out at 9:00 for 6 hours.\n\
         Whenever she has been out for 4 hours, she rests on the sofa for 20 minutes.\n";
     let moves = run(routine, 7).moves();
-    let here: Micros = moves[1].iter().filter(|next| next.doing != Doing::Away).map(|next| next.end - next.begin).sum();
+    let here: Micros =
+        moves[1].iter().filter(|next| next.doing != MotionState::Away).map(|next| next.end - next.begin).sum();
     assert!((40 * 60 * SECOND..2 * HOUR).contains(&here), "{} minutes", here / SECOND / 60);
 }
 

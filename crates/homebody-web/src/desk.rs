@@ -12,7 +12,7 @@ use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::scenario::remarks;
 use homebody_log::LogError;
 use homebody_log::fresh::FreshFile;
-use homebody_routine::household::{Household, Spoken};
+use homebody_routine::household::{Household, RoutineLanguage};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
@@ -106,7 +106,8 @@ impl Desk {
 
     /// The scenario of a draft and who lives there, or all that is wrong with it.
     pub fn lives(&self, files: &Drafted, without: &[String]) -> Result<(Scenario, Household), Vec<Problem>> {
-        let mut scenario = Scenario::load_in(&Spoken, files, &self.shelf.entry).map_err(|problems| problems.0)?;
+        let mut scenario =
+            Scenario::load_in(&RoutineLanguage, files, &self.shelf.entry).map_err(|problems| problems.0)?;
         let household = Household::read(&mut scenario, files, without).map_err(|problems| problems.0)?;
         Ok((scenario, household))
     }

@@ -12,7 +12,7 @@ pub mod wire;
 pub mod shelf;
 
 /// A run that is lived, paused, driven, lived again.
-pub mod act;
+pub mod staged_run;
 mod dates;
 mod draw;
 mod growth;

@@ -6,7 +6,7 @@
 use crate::dates;
 use crate::draw;
 use crate::shelf::{RECORDING, Shelf};
-use crate::wire::{DateView, DayView, Doing, LifeView, MovementView, PlaybackView, ResidentView, StoredView};
+use crate::wire::{DateView, DayView, LifeView, MotionState, MovementView, PlaybackView, ResidentView, StoredView};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::TimeFormat;
@@ -380,10 +380,10 @@ fn overlapping(spans: &[(i64, i64, u32)], begin: Micros, end: Micros) -> Vec<(i6
 
 fn told(movement: &Movement) -> MovementView {
     let doing = match movement.kind {
-        MovementKind::Stride => Doing::Stride,
-        MovementKind::Stir => Doing::Stir,
-        MovementKind::Rest => Doing::Rest,
-        MovementKind::Away => Doing::Away,
+        MovementKind::Stride => MotionState::Stride,
+        MovementKind::InPlace => MotionState::InPlace,
+        MovementKind::Rest => MotionState::Rest,
+        MovementKind::Away => MotionState::Away,
     };
     let (from, to) = (movement.from.map(draw::at), movement.to.map(draw::at));
     (movement.begin, movement.end, doing, draw::posture(movement.posture), from, to)

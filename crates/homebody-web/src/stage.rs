@@ -3,9 +3,9 @@
 //! It never waits for a page. What pages look at is put on a board; a page that is slow finds the next picture there when it
 //! comes for it.
 
-use crate::act::{Act, Start};
 use crate::growth::Growth;
 use crate::shelf::Shelf;
+use crate::staged_run::{StagedRun, Start};
 use crate::wire::{FiringView, Frame, GrowthView, RunView, Say, State, Tell};
 use homebody_core::time::{Micros, SECOND, micros};
 use std::collections::VecDeque;
@@ -85,7 +85,7 @@ pub struct News {
 impl Stage {
     /// Opens the scenario on the shelf, and keeps its run at its start until somebody says so.
     pub fn open(shelf: Shelf) -> Result<Stage, String> {
-        let mut act = Act::new(&shelf, &shelf.entry, Start::default())?;
+        let mut act = StagedRun::new(&shelf, &shelf.entry, Start::default())?;
         let board = Board {
             run: 0,
             number: 0,
@@ -173,7 +173,7 @@ fn locked<T>(held: &Mutex<T>) -> MutexGuard<'_, T> {
 /// Who decides when the run is advanced, and how far.
 struct Director {
     shelf: Shelf,
-    act: Act,
+    act: StagedRun,
     state: State,
     speed: Option<f64>,
     /// Where the run was, and when, at the last change of pace.
@@ -255,12 +255,12 @@ impl Director {
             }
             Say::Start { driven, without, seed } => {
                 let start = Start { driven, without, seed, input: Vec::new() };
-                let act = Act::new(&self.shelf, &self.shelf.entry, start);
+                let act = StagedRun::new(&self.shelf, &self.shelf.entry, start);
                 self.change_act(act);
             }
             Say::Stop => self.finish(),
             Say::Replay { run } => {
-                let act = self.shelf.recording(&run).and_then(Act::again);
+                let act = self.shelf.recording(&run).and_then(StagedRun::again);
                 if self.change_act(act) {
                     self.state = State::Playing;
                 }
@@ -282,7 +282,7 @@ impl Director {
     }
 
     /// Another run takes the stage, if there is one; the files of this one are completed before.
-    fn change_act(&mut self, act: Result<Act, String>) -> bool {
+    fn change_act(&mut self, act: Result<StagedRun, String>) -> bool {
         match act {
             Ok(act) => {
                 self.finish();
@@ -308,7 +308,7 @@ impl Director {
         self.state = State::Paused;
     }
 
-    /// Lives what is due by now.
+    /// DriverProvider what is due by now.
     fn go_on(&mut self) {
         if self.state != State::Playing || self.act.is_over() {
             return;

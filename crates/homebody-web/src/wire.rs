@@ -275,13 +275,13 @@ pub struct DayView {
 }
 
 /// Begin, end, what it was, in which posture, from where, to where.
-pub type MovementView = (i64, i64, Doing, Posture, Option<At>, Option<At>);
+pub type MovementView = (i64, i64, MotionState, Posture, Option<At>, Option<At>);
 
 /// What somebody did, in the order of time.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
 pub struct LifeView {
     /// Begin, end, what it was, in which posture, from where, to where.
-    #[ts(type = "Array<[number, number, Doing, Posture, [number, number] | null, [number, number] | null]>")]
+    #[ts(type = "Array<[number, number, MotionState, Posture, [number, number] | null, [number, number] | null]>")]
     pub movements: Vec<MovementView>,
     /// Begin, end and the number of the home's room; between rooms there is none.
     #[ts(type = "Array<[number, number, number]>")]
@@ -293,9 +293,9 @@ pub struct LifeView {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
 #[serde(rename_all = "snake_case")]
-pub enum Doing {
+pub enum MotionState {
     Stride,
-    Stir,
+    InPlace,
     Rest,
     Away,
 }

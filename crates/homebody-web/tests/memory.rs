@@ -8,7 +8,7 @@
 mod served;
 
 use homebody_core::event::Events;
-use homebody_core::recording::{Recording, Seal};
+use homebody_core::recording::{Recording, RunDigest};
 use homebody_routine::household::Household;
 use served::Served;
 use std::fs;
@@ -145,10 +145,10 @@ fn stuck_browsers() {
     let recording: Recording = serde_json::from_str(&fs::read_to_string(run.join("recording.json")).unwrap()).unwrap();
     let (scenario, household) = Household::recorded(&recording).unwrap();
     let mut alone = recording.run(&scenario, &household);
-    let (mut events, mut seal) = (Events::default(), Seal::default());
+    let (mut events, mut digest) = (Events::default(), RunDigest::default());
     alone.advance(recording.length_us, &mut events);
-    seal.add(&events.firings);
-    assert_eq!((seal.firings(), seal.hex()), (recording.firings, recording.sha256));
+    digest.add(&events.firings);
+    assert_eq!((digest.firings(), digest.hex()), (recording.firings, recording.sha256));
     let log = rusqlite::Connection::open(run.join("log.db")).unwrap();
     let rows: i64 = log.query_row("SELECT count(*) FROM event", [], |row| row.get(0)).unwrap();
     assert_eq!((rows, rows as u64), (frame["told"].as_i64().unwrap(), recording.firings));

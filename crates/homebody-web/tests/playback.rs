@@ -1,10 +1,10 @@
 //! Stored runs are played back as they were stored.
 
 use homebody_core::time::{DAY, Micros, SECOND};
-use homebody_web::act::{Act, Start};
 use homebody_web::playback::{Playback, Refusal};
 use homebody_web::shelf::Shelf;
-use homebody_web::wire::{DayView, Doing, PlaybackView};
+use homebody_web::staged_run::{StagedRun, Start};
+use homebody_web::wire::{DayView, MotionState, PlaybackView};
 use rusqlite::Connection;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -27,7 +27,7 @@ impl Stored {
         copy(&scenarios().join(scenario), &own, &change);
         copy(&scenarios().join("../conditions"), &folder.path().join("conditions"), &change);
         let shelf = Shelf { scenario: own, entry: "scenario.json".into(), runs: folder.path().join("runs") };
-        let mut act = Act::new(&shelf, &shelf.entry, Start::default()).unwrap();
+        let mut act = StagedRun::new(&shelf, &shelf.entry, Start::default()).unwrap();
         act.advance(length, &shelf).unwrap();
         act.finish().unwrap();
         let playback = Playback::new(shelf);
@@ -127,7 +127,7 @@ fn the_days_movements_are_the_truths() {
             assert_eq!(seen, told, "{scenario}: {}", resident.name);
         }
         assert!(days.iter().all(|day| day.lives.len() == view.residents.len()));
-        assert!(days[0].lives[0].movements.iter().any(|movement| movement.2 == Doing::Stride));
+        assert!(days[0].lives[0].movements.iter().any(|movement| movement.2 == MotionState::Stride));
     }
 }
 

@@ -33,7 +33,7 @@ fn declarations() -> Vec<String> {
         DateView,
         DayView,
         LifeView,
-        Doing,
+        MotionState,
         Say,
         Key,
         Tell,

@@ -1,4 +1,4 @@
-//! Lives: what the whole model costs beside the bare kernel, what a year of a life into SQLite costs beside a bare loop of
+//! DriverProvider: what the whole model costs beside the bare kernel, what a year of a life into SQLite costs beside a bare loop of
 //! inserts, and what a cohort costs beside as many programs of one life each.
 //!
 //! Both sides of a ratio take turns in one run, so that a noisy machine disturbs both.
@@ -9,7 +9,7 @@
 #[path = "../../homebody-core/benches/measure/mod.rs"]
 mod measure;
 
-use homebody_core::drivers::Move;
+use homebody_core::drivers::MotionSegment;
 use homebody_core::event::Events;
 use homebody_core::home::{Build, Home};
 use homebody_core::run::Run;
@@ -92,7 +92,7 @@ fn against_kernel(name: &str, link: Option<LinkFile>, length: Micros) -> String 
     Spread::of(&ratios).line(name, 3)
 }
 
-/// Lives the scenario and forgets what happens; seconds, with the making of the run.
+/// DriverProvider the scenario and forgets what happens; seconds, with the making of the run.
 fn live(scenario: &Scenario, household: &Household, length: Micros) -> f64 {
     let start = Instant::now();
     let mut run = Run::new(scenario, household, scenario.file.seed, length);
@@ -105,7 +105,7 @@ fn live(scenario: &Scenario, household: &Household, length: Micros) -> f64 {
 }
 
 /// Gives the kernel the moves of all bodies in their order; seconds.
-fn kernel(home: &Arc<Home>, moves: &[Vec<Move>], length: Micros) -> f64 {
+fn kernel(home: &Arc<Home>, moves: &[Vec<MotionSegment>], length: Micros) -> f64 {
     let mut world = World::new(home.clone(), moves.len(), 1);
     let mut events = Events::default();
     let mut next = vec![0; moves.len()];
@@ -156,7 +156,7 @@ fn decline(name: &str) -> String {
     format!("{name} seconds {median:.2}, {:.2} of a bare loop's rate", bare_s / median)
 }
 
-/// Lives the scenario into a database; seconds.
+/// DriverProvider the scenario into a database; seconds.
 fn live_into(path: &Path, scenario: &Scenario, household: &Household, length: Micros) -> f64 {
     let url: Url = format!("sqlite:{}", path.display()).parse().expect("a URL");
     let info = RunInfo { id: 1, scenario: "bench".into(), seed: 1, version: "bench".into() };

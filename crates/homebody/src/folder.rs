@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use homebody_core::scenario::load::{Files, Scenario};
-use homebody_routine::household::{Household, Spoken};
+use homebody_routine::household::{Household, RoutineLanguage};
 use include_dir::{Dir, include_dir};
 use std::collections::BTreeMap;
 use std::fs;
@@ -45,7 +45,7 @@ pub fn load(path: &Path) -> Result<(Scenario, String), Failure> {
     if !file.is_file() {
         return Err(Failure::io(&file, "there is no such file\n  hint: a scenario folder holds a scenario.json"));
     }
-    Ok((Scenario::load_in(&Spoken, &Folder(folder.to_owned()), &entry)?, entry))
+    Ok((Scenario::load_in(&RoutineLanguage, &Folder(folder.to_owned()), &entry)?, entry))
 }
 
 /// Loads a scenario with the routines of those who live there; conditions named in `without` are left out.

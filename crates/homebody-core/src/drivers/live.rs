@@ -15,8 +15,8 @@
 
 mod obstacles;
 
-use super::{Body, Move, Next};
-use crate::event::{Act, Doing};
+use super::{Body, MotionSegment, Next};
+use crate::event::{MotionState, ThingUse};
 use crate::geometry::Point;
 use crate::home::plan::Plan;
 use crate::scenario::input::{InputFile, Key, KeysFile, UseFile};
@@ -63,7 +63,7 @@ impl LiveDriver {
     pub fn next(&mut self, now: Micros, others: &[Body], on: &[bool]) -> Next {
         let Input { held, posture, .. } = *self.keys.at(now);
         if let Some(act) = self.keys.uses.pop_front() {
-            return Next::Act(act);
+            return Next::Use(act);
         }
         let velocity =
             if posture == Posture::Standing { held.direction() * (self.pace_mps * held.haste()) } else { Point::ZERO };
@@ -79,16 +79,16 @@ impl LiveDriver {
         if end <= now {
             return Next::Done;
         }
-        let mut doing = Doing::Rest { at: self.at };
+        let mut doing = MotionState::Rest { at: self.at };
         if velocity != Point::ZERO {
             self.obstacles.set_doors(self.at, on);
             let (from, to) = (self.at, self.obstacles.slide(self.at, velocity * seconds(end - now), others));
             if from.distance(to) >= STILL_M {
                 self.at = to;
-                doing = Doing::Stride { from, to };
+                doing = MotionState::Stride { from, to };
             }
         }
-        Next::Move(Move { begin: now, end, doing, posture })
+        Next::Segment(MotionSegment { begin: now, end, doing, posture })
     }
 
     /// Where the body is, and how, at the end of the spans handed out so far.
@@ -110,13 +110,13 @@ pub struct Input {
     pub held: Held,
     pub posture: Posture,
     /// What is used at that instant.
-    pub uses: Vec<Act>,
+    pub uses: Vec<ThingUse>,
 }
 
 impl Input {
     /// The input that a line of a file describes, which has passed its checks.
     pub fn written(line: &KeysFile, plan: &Plan) -> Input {
-        let act = |used: &UseFile| Some(Act { thing: plan.thing(&used.thing)? as u32, on: used.on });
+        let act = |used: &UseFile| Some(ThingUse { thing: plan.thing(&used.thing)? as u32, on: used.on });
         Input {
             held: line.held.iter().copied().collect(),
             posture: line.posture,
@@ -130,7 +130,7 @@ impl Input {
 pub struct KeyTrack {
     now: Input,
     /// What has been used, but is not told yet.
-    uses: VecDeque<Act>,
+    uses: VecDeque<ThingUse>,
     /// The changes to come, in order of time.
     coming: VecDeque<(Micros, Input)>,
     /// Whether changes that are not known yet may come: then no rest is longer than a step.
@@ -252,11 +252,11 @@ mod tests {
     }
 
     /// Holds the keys for a time, and returns what the body did.
-    fn walk(driver: &mut LiveDriver, keys: &[Key], from: Micros, to: Micros, others: &[Body]) -> Vec<Move> {
+    fn walk(driver: &mut LiveDriver, keys: &[Key], from: Micros, to: Micros, others: &[Body]) -> Vec<MotionSegment> {
         driver.input(from, holding(keys));
         let (mut now, mut spans) = (from, Vec::new());
         while now < to {
-            let Next::Move(span) = driver.next(now, others, &[]) else { panic!("live movement has ended") };
+            let Next::Segment(span) = driver.next(now, others, &[]) else { panic!("live movement has ended") };
             assert!(span.begin == now && span.end > now);
             now = span.end;
             spans.push(span);
@@ -265,7 +265,7 @@ mod tests {
     }
 
     /// Steps with keys changed at random every now and then.
-    fn wander(driver: &mut LiveDriver, seed: u64, steps: usize, mut each: impl FnMut(&Move)) {
+    fn wander(driver: &mut LiveDriver, seed: u64, steps: usize, mut each: impl FnMut(&MotionSegment)) {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let mut now = 0;
         for _ in 0..steps {
@@ -275,7 +275,7 @@ mod tests {
                 let held = keys.into_iter().filter(|&key| bits >> key as u32 & 1 == 1).collect();
                 driver.input(now, Input { held, ..Input::default() });
             }
-            let Next::Move(span) = driver.next(now, &[], &[]) else { panic!("live movement has ended") };
+            let Next::Segment(span) = driver.next(now, &[], &[]) else { panic!("live movement has ended") };
             now = span.end;
             each(&span);
         }
@@ -317,10 +317,10 @@ mod tests {
         let keys = KeyTrack::written(&serde_json::from_value(input).unwrap(), &plan());
         let mut driver = LiveDriver::new(&plan(), point([1.0, 1.0]), RADIUS_M, PACE_MPS, keys);
         let (mut now, mut rests, mut strides) = (0, Vec::new(), 0);
-        while let Next::Move(span) = driver.next(now, &[], &[]) {
+        while let Next::Segment(span) = driver.next(now, &[], &[]) {
             now = span.end;
             match span.doing {
-                Doing::Rest { .. } => rests.push((span.begin, span.end)),
+                MotionState::Rest { .. } => rests.push((span.begin, span.end)),
                 _ => strides += 1,
             }
         }
@@ -335,7 +335,7 @@ mod tests {
         let mut driver = standing_at(1.0, 1.0);
         let (mut rooms, mut at) = (BTreeSet::new(), driver.pose().0);
         wander(&mut driver, 1, 100_000, |span| {
-            if let Doing::Stride { from, to } = span.doing {
+            if let MotionState::Stride { from, to } = span.doing {
                 assert_eq!(from, at);
                 at = to;
             }
@@ -364,7 +364,7 @@ mod tests {
             let mut driver = standing_at(0.4, 0.4);
             walk(&mut driver, keys, 0, 2 * SECOND, &[]);
             let pushes = walk(&mut driver, keys, 2 * SECOND, 10 * SECOND, &[]);
-            assert!(pushes.iter().all(|span| matches!(span.doing, Doing::Rest { .. })), "{keys:?}");
+            assert!(pushes.iter().all(|span| matches!(span.doing, MotionState::Rest { .. })), "{keys:?}");
         }
     }
 
@@ -395,7 +395,7 @@ mod tests {
             driver.input(0, holding(&[key]));
             let mut now = 0;
             while now < 3 * SECOND {
-                let Next::Move(span) = driver.next(now, &[], on) else { panic!("live movement has ended") };
+                let Next::Segment(span) = driver.next(now, &[], on) else { panic!("live movement has ended") };
                 now = span.end;
             }
             driver.pose().0
@@ -424,7 +424,7 @@ mod tests {
         let mut aside = standing_at(1.0, 5.1);
         let spans = walk(&mut aside, &[Key::Right], 0, 5 * SECOND, &[other]);
         let nearest = spans.iter().filter_map(|span| match span.doing {
-            Doing::Stride { to, .. } => Some(to.distance(other.at)),
+            MotionState::Stride { to, .. } => Some(to.distance(other.at)),
             _ => None,
         });
         assert!(nearest.fold(f64::INFINITY, f64::min) > RADIUS_M + other.radius_m - 0.001);
@@ -472,13 +472,13 @@ mod tests {
     #[test]
     fn who_sits_does_not_walk_and_uses_things() {
         let mut driver = standing_at(1.0, 1.0);
-        let lamp = Act { thing: plan().thing("hall").unwrap() as u32, on: true };
+        let lamp = ThingUse { thing: plan().thing("hall").unwrap() as u32, on: true };
         driver.input(0, Input { posture: Posture::Sitting, uses: vec![lamp, lamp], ..holding(&[Key::Right]) });
-        assert_eq!([driver.next(0, &[], &[]), driver.next(0, &[], &[])], [Next::Act(lamp), Next::Act(lamp)]);
-        let Next::Move(sat) = driver.next(0, &[], &[]) else { panic!("no move") };
-        assert_eq!((sat.doing, sat.posture), (Doing::Rest { at: Point::new(1.0, 1.0) }, Posture::Sitting));
+        assert_eq!([driver.next(0, &[], &[]), driver.next(0, &[], &[])], [Next::Use(lamp), Next::Use(lamp)]);
+        let Next::Segment(sat) = driver.next(0, &[], &[]) else { panic!("no move") };
+        assert_eq!((sat.doing, sat.posture), (MotionState::Rest { at: Point::new(1.0, 1.0) }, Posture::Sitting));
         driver.input(sat.end, holding(&[Key::Right]));
-        let Next::Move(walked) = driver.next(sat.end, &[], &[]) else { panic!("no move") };
-        assert!(matches!(walked.doing, Doing::Stride { .. }) && walked.posture == Posture::Standing);
+        let Next::Segment(walked) = driver.next(sat.end, &[], &[]) else { panic!("no move") };
+        assert!(matches!(walked.doing, MotionState::Stride { .. }) && walked.posture == Posture::Standing);
     }
 }

@@ -7,7 +7,7 @@
 pub mod live;
 pub mod path;
 
-use crate::event::{Act, Doing, Need, Vitals};
+use crate::event::{MotionState, Need, ThingUse, Vitals};
 use crate::geometry::Point;
 use crate::scenario::path::Posture;
 use crate::stride::Stride;
@@ -18,38 +18,38 @@ use std::fmt;
 
 /// What a body does over a span; the spans of one resident follow each other without gaps.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Move {
+pub struct MotionSegment {
     pub begin: Micros,
     /// Later than `begin`.
     pub end: Micros,
-    pub doing: Doing,
+    pub doing: MotionState,
     pub posture: Posture,
 }
 
-impl Move {
+impl MotionSegment {
     /// The part of it before an instant, which is not before its beginning.
-    pub fn until(&self, end: Micros) -> Move {
+    pub fn until(&self, end: Micros) -> MotionSegment {
         if self.end <= end {
             return self.clone();
         }
         let doing = match self.doing {
-            Doing::Stride { from, to } => {
-                Doing::Stride { from, to: Stride::new(from, to, self.begin, self.end).position(end) }
+            MotionState::Stride { from, to } => {
+                MotionState::Stride { from, to: Stride::new(from, to, self.begin, self.end).position(end) }
             }
             doing => doing,
         };
-        Move { end, doing, ..*self }
+        MotionSegment { end, doing, ..*self }
     }
 }
 
 /// A driver's answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Next {
-    Move(Move),
+    Segment(MotionSegment),
     /// From this instant on the resident does this, or nothing that has a name. It takes no time: ask again.
     Activity(Option<String>),
     /// The resident uses a thing. It takes no time: ask again.
-    Act(Act),
+    Use(ThingUse),
     /// From this instant on heart and lungs are like this. It takes no time: ask again.
     Vitals(Vitals),
     /// For the truth: how strong a need is, from 0 to 1. It takes no time: ask again.
@@ -101,9 +101,12 @@ impl Driver {
             Driver::Path(driver) => driver.next(now),
             Driver::Live(driver) => driver.next(now, others, on),
             Driver::Other(driver) => driver.next(now),
-            Driver::Absent => {
-                Next::Move(Move { begin: now, end: NEVER, doing: Doing::Away, posture: Posture::Standing })
-            }
+            Driver::Absent => Next::Segment(MotionSegment {
+                begin: now,
+                end: NEVER,
+                doing: MotionState::Away,
+                posture: Posture::Standing,
+            }),
         }
     }
 

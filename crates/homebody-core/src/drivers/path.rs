@@ -12,8 +12,8 @@
 //!
 //! What is left out: walls and other people. A path goes where it says.
 
-use super::{Move, Next};
-use crate::event::Doing;
+use super::{MotionSegment, Next};
+use crate::event::MotionState;
 use crate::geometry::Point;
 use crate::home::plan::Plan;
 use crate::scenario::calendar::time_of_day;
@@ -163,7 +163,7 @@ impl PathDriver {
                 }
             };
             if let Some(span) = span {
-                return Next::Move(span);
+                return Next::Segment(span);
             }
             self.under_way = None;
             self.step += 1;
@@ -203,7 +203,7 @@ impl PathDriver {
     }
 
     /// The next stride of a walk; nothing once it is over.
-    fn stride(&mut self, mut walk: Walk, waypoints: &[Point], now: Micros) -> Option<Move> {
+    fn stride(&mut self, mut walk: Walk, waypoints: &[Point], now: Micros) -> Option<MotionSegment> {
         let (from, mut to, mut end) = (self.at, self.at, now);
         while let Some(&waypoint) = waypoints.get(walk.waypoint) {
             let covered_m = walk.covered_m + to.distance(waypoint);
@@ -223,30 +223,30 @@ impl PathDriver {
         }
         self.under_way = Some(UnderWay::Walk(walk));
         (self.at, self.posture) = (to, Posture::Standing);
-        Some(Move { begin: now, end, doing: Doing::Stride { from, to }, posture: self.posture })
+        Some(MotionSegment { begin: now, end, doing: MotionState::Stride { from, to }, posture: self.posture })
     }
 
     /// The next span of staying, all of which lasts from `begin` to `end`; nothing once it is over.
-    fn stay(&mut self, begin: Micros, end: Micros, pastime: Pastime, now: Micros) -> Option<Move> {
+    fn stay(&mut self, begin: Micros, end: Micros, pastime: Pastime, now: Micros) -> Option<MotionSegment> {
         if end <= now {
             return None;
         }
         let at = self.at;
         let (until, doing, posture) = match pastime {
-            Pastime::Still(posture) => (end, Doing::Rest { at }, posture),
-            Pastime::Away => (end, Doing::Away, Posture::Standing),
+            Pastime::Still(posture) => (end, MotionState::Rest { at }, posture),
+            Pastime::Away => (end, MotionState::Away, Posture::Standing),
             Pastime::Stirring { every, lasting, amplitude_m, posture } => {
                 let began = now - (now - begin) % every;
                 let ended = began.saturating_add(lasting);
                 if now < ended {
-                    (ended, Doing::Stir { at, amplitude_m }, posture)
+                    (ended, MotionState::InPlace { at, amplitude_m }, posture)
                 } else {
-                    (began.saturating_add(every), Doing::Rest { at }, posture)
+                    (began.saturating_add(every), MotionState::Rest { at }, posture)
                 }
             }
         };
         self.posture = posture;
-        Some(Move { begin: now, end: until.min(end), doing, posture })
+        Some(MotionSegment { begin: now, end: until.min(end), doing, posture })
     }
 
     /// Counts a pass of the innermost repeat, and returns the step to go on with.
@@ -356,17 +356,17 @@ mod tests {
     }
 
     /// What the driver does up to the first span that ends at `until` or later, checked to have no gaps.
-    fn spans(driver: &mut PathDriver, until: Micros) -> Vec<Move> {
+    fn spans(driver: &mut PathDriver, until: Micros) -> Vec<MotionSegment> {
         let (mut now, mut at, mut spans) = (0, driver.pose().0, Vec::new());
         while now < until {
             match driver.next(now) {
-                Next::Move(span) => {
+                Next::Segment(span) => {
                     assert_eq!(span.begin, now);
                     assert!(span.end > span.begin);
                     match span.doing {
-                        Doing::Stride { from, .. } => assert_eq!(from, at),
-                        Doing::Rest { at: here } | Doing::Stir { at: here, .. } => assert_eq!(here, at),
-                        Doing::Away => {}
+                        MotionState::Stride { from, .. } => assert_eq!(from, at),
+                        MotionState::Rest { at: here } | MotionState::InPlace { at: here, .. } => assert_eq!(here, at),
+                        MotionState::Away => {}
                     }
                     now = span.end;
                     at = driver.pose().0;
@@ -379,7 +379,7 @@ mod tests {
         spans
     }
 
-    fn ends(spans: &[Move]) -> Vec<Micros> {
+    fn ends(spans: &[MotionSegment]) -> Vec<Micros> {
         spans.iter().map(|span| span.end).collect()
     }
 
@@ -389,8 +389,8 @@ mod tests {
         assert_eq!(ends(&spans(&mut driver(thirds), HOUR)), [333_333, 666_667, SECOND]);
 
         let to_the_sink = json!([{ "go": { "to": ["sink"] } }]);
-        let stride = Doing::Stride { from: Point::ZERO, to: point([3.0, 4.0]) };
-        let only = Move { begin: 0, end: 10 * SECOND, doing: stride, posture: Posture::Standing };
+        let stride = MotionState::Stride { from: Point::ZERO, to: point([3.0, 4.0]) };
+        let only = MotionSegment { begin: 0, end: 10 * SECOND, doing: stride, posture: Posture::Standing };
         assert_eq!(spans(&mut driver(to_the_sink), HOUR), [only]);
 
         let in_ten_seconds = json!([{ "go": { "to": [[1, 0], [4, 0]], "in_s": 10 } }]);
@@ -423,8 +423,8 @@ mod tests {
         assert_eq!(ends(&spans(&mut speck_driver, HOUR)), [2 * SECOND, 4 * SECOND]);
         assert_eq!(speck_driver.pose().0, point([2.0, 1e-9]));
         let stand = json!([{ "go": { "to": [[0, 0]], "in_s": 5 } }]);
-        let rest = Doing::Rest { at: Point::ZERO };
-        let only = Move { begin: 0, end: 5 * SECOND, doing: rest, posture: Posture::Standing };
+        let rest = MotionState::Rest { at: Point::ZERO };
+        let only = MotionSegment { begin: 0, end: 5 * SECOND, doing: rest, posture: Posture::Standing };
         assert_eq!(spans(&mut driver(stand), HOUR), [only]);
     }
 
@@ -441,7 +441,7 @@ mod tests {
         assert_eq!(spans.len(), 3 * (2 * 2 + 1) + 1);
         assert_eq!(spans[4].posture, Posture::Sitting);
         assert_eq!(spans[14].end, 3 * 14 * SECOND);
-        assert_eq!((spans[15].end, spans[15].doing), (102 * SECOND, Doing::Away));
+        assert_eq!((spans[15].end, spans[15].doing), (102 * SECOND, MotionState::Away));
     }
 
     #[test]
@@ -455,7 +455,7 @@ mod tests {
         let (mut now, mut most_open) = (0, 0);
         let ten_years = 3_652 * DAY;
         while now < ten_years {
-            let Next::Move(span) = driver.next(now) else { panic!("the path has ended at {now}") };
+            let Next::Segment(span) = driver.next(now) else { panic!("the path has ended at {now}") };
             assert!(span.begin == now && span.end > now);
             now = span.end;
             most_open = most_open.max(driver.passes.capacity());
@@ -472,8 +472,8 @@ mod tests {
         let spans = spans(&mut driver(steps), HOUR);
         assert_eq!(ends(&spans), [4, 30, 34, 60, 62].map(|s| s * SECOND));
         for (index, span) in spans.iter().enumerate() {
-            let stir = Doing::Stir { at: Point::ZERO, amplitude_m: 0.1 };
-            assert_eq!(span.doing, if index % 2 == 0 { stir } else { Doing::Rest { at: Point::ZERO } });
+            let stir = MotionState::InPlace { at: Point::ZERO, amplitude_m: 0.1 };
+            assert_eq!(span.doing, if index % 2 == 0 { stir } else { MotionState::Rest { at: Point::ZERO } });
             assert_eq!(span.posture, Posture::Lying);
         }
     }
@@ -497,7 +497,7 @@ mod tests {
         let mut driver = driver(json!([{ "activity": "tea" }, { "activity": "" }, { "wait": { "for_s": 1 } }]));
         assert_eq!(driver.next(0), Next::Activity(Some("tea".into())));
         assert_eq!(driver.next(0), Next::Activity(None));
-        assert!(matches!(driver.next(0), Next::Move(_)));
+        assert!(matches!(driver.next(0), Next::Segment(_)));
         assert_eq!(driver.next(SECOND), Next::Done);
         assert_eq!(driver.next(SECOND), Next::Done);
     }
@@ -520,7 +520,7 @@ mod tests {
     fn times_without_end_saturate() {
         let steps = json!([{ "repeat": { "steps": [{ "wait": { "for_s": 1e300 } }] } }]);
         let mut driver = driver(steps);
-        assert!(matches!(driver.next(0), Next::Move(Move { end: Micros::MAX, .. })));
+        assert!(matches!(driver.next(0), Next::Segment(MotionSegment { end: Micros::MAX, .. })));
         assert_eq!(driver.next(Micros::MAX), Next::Done);
     }
 
@@ -534,7 +534,7 @@ mod tests {
             let mut copy = original.clone();
             let next = original.next(now);
             assert_eq!(copy.next(now), next);
-            let Next::Move(span) = next else { panic!("the path has ended") };
+            let Next::Segment(span) = next else { panic!("the path has ended") };
             now = span.end;
         }
     }

@@ -49,16 +49,17 @@ impl Sun {
     /// The sine of the sun's height above the horizon at an instant of the run; below 0 it is dark.
     ///
     /// The declination is Cooper's (1969): 23.45 degrees times the sine of the year's turn.
-    pub fn height(&self, at: Micros) -> f64 {
+    pub fn elevation_sine(&self, at: Micros) -> f64 {
         let days = (at + self.time_of_day) as f64 / DAY as f64;
         let turn = |days: f64| days * core::f64::consts::TAU;
         let declination = 23.45_f64.to_radians() * libm::sin(turn((284.0 + 1.0 + self.day_of_year + days) / 365.25));
         let latitude = self.latitude_deg.to_radians();
-        libm::sin(latitude) * libm::sin(declination) + libm::cos(latitude) * libm::cos(declination) * self.noon(at)
+        libm::sin(latitude) * libm::sin(declination)
+            + libm::cos(latitude) * libm::cos(declination) * self.hour_angle_cosine(at)
     }
 
     /// How near it is to noon: 1 at noon, -1 at midnight, in between the cosine of the sun's hour angle.
-    pub fn noon(&self, at: Micros) -> f64 {
+    pub fn hour_angle_cosine(&self, at: Micros) -> f64 {
         let days = (at + self.time_of_day) as f64 / DAY as f64;
         libm::cos((days - 0.5) * core::f64::consts::TAU)
     }

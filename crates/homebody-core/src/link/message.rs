@@ -1,7 +1,7 @@
 //! A message under way, and the chances that were drawn for it as it set out.
 
-use crate::event::{Band, Cause, Value};
-use crate::random::{Lot, Stream};
+use crate::event::{Band, Provenance, Value};
+use crate::random::{DrawnValue, Stream};
 use crate::time::Micros;
 
 /// A message that has left its device.
@@ -13,15 +13,15 @@ pub struct Message {
     /// Whose id it bears.
     pub id: u32,
     pub value: Value,
-    pub cause: Cause,
-    pub luck: Luck,
+    pub provenance: Provenance,
+    pub draws: Draws,
 }
 
 /// What chance has in store for a message: a number from 0 up to 1 for each of what may befall it.
 ///
 /// All of them are there for every message, whatever it meets, so that another loss or delay changes nothing else.
 #[derive(Clone, Copy, Debug)]
-pub struct Luck(Lot);
+pub struct Draws(DrawnValue);
 
 #[derive(Clone, Copy, Debug)]
 pub enum Chance {
@@ -37,9 +37,9 @@ pub enum Chance {
     Again,
 }
 
-impl Luck {
-    pub fn draw(stream: &mut Stream) -> Luck {
-        Luck(stream.lot())
+impl Draws {
+    pub fn draw(stream: &mut Stream) -> Draws {
+        Draws(stream.draw_many())
     }
 
     pub fn of(self, chance: Chance) -> f64 {

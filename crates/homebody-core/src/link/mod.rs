@@ -16,24 +16,24 @@ pub mod clock;
 mod message;
 pub mod radio;
 mod sources;
-mod way;
+mod channel;
 
-use crate::event::{Cause, Events, Fact, Firing, Loss, Value, Why};
+use crate::event::{Events, Fact, Firing, Loss, Provenance, Trigger, Value};
 use crate::scenario::home::{MotionFile, SensorFile};
 use crate::scenario::link::{FaultFile, LinkFile, MovedFile, Span, of_days};
 use crate::time::{Micros, NEVER};
+use channel::Channel;
 use clock::Clocks;
 use message::{Chance, Message, garbled_id, garbled_value};
 use radio::Radio;
 use sources::{Sources, Told};
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
-use way::Way;
 
 /// The way of all sensors' messages to the logger. A clone continues exactly as the original.
 #[derive(Clone, Debug)]
 pub struct Link {
-    ways: Vec<Way>,
+    channels: Vec<Channel>,
     /// Whose other places the sensors after those of the home are.
     places: Vec<u32>,
     sources: Sources,
@@ -92,19 +92,19 @@ impl Link {
     /// The link of a home's sensors, as a file that has passed its checks describes it. In the world, the sensors of the
     /// home come first, then their other places.
     pub fn new(file: &LinkFile, sensors: &[SensorFile], start_of_day: Micros, seed: u64) -> Link {
-        let way = |sensor: &SensorFile| Way::new(file, sensor.name(), sensor.looks(), seed);
-        let mut ways: Vec<Way> = sensors.iter().map(way).collect();
+        let channel = |sensor: &SensorFile| Channel::new(file, sensor.name(), sensor.senses_motion(), seed);
+        let mut channels: Vec<Channel> = sensors.iter().map(channel).collect();
         let mut places = Vec::new();
         for moved in moves(file).filter(|moved| moved_sensor(moved, sensors).is_some()) {
             let Some(owner) = sensors.iter().position(|sensor| sensor.name() == moved.sensor) else { continue };
-            ways[owner].moves(of_days(moved.from_day), (sensors.len() + places.len()) as u32);
+            channels[owner].moves(of_days(moved.from_day), (sensors.len() + places.len()) as u32);
             places.push(owner as u32);
         }
-        let rate = |sensor: &SensorFile| file.rates(sensor.name(), sensor.looks()).false_fires_per_h;
+        let rate = |sensor: &SensorFile| file.rates(sensor.name(), sensor.senses_motion()).false_fires_per_h;
         let rates: Vec<(&str, f64)> = sensors.iter().map(|sensor| (sensor.name(), rate(sensor))).collect();
         let radio = file.channel().map(|file| Radio::new(&file));
         let on_air = radio.as_ref().map_or(0, Radio::longest);
-        let slowest = ways.iter().map(|way| way.delay.most).max().unwrap_or(0);
+        let slowest = channels.iter().map(|channel| channel.delay.most).max().unwrap_or(0);
         let outage = |fault: &FaultFile| match fault {
             FaultFile::Outage(_) => Some(fault.span_from(start_of_day)),
             _ => None,
@@ -113,7 +113,7 @@ impl Link {
             sources: Sources::new(file, &rates, start_of_day, seed),
             radio,
             clocks: Clocks {
-                clocks: ways.iter().filter_map(|way| way.clock).collect(),
+                clocks: channels.iter().filter_map(|channel| channel.clock).collect(),
                 // The second of two comes once more so late.
                 longest: on_air + 2 * slowest,
             },
@@ -121,14 +121,14 @@ impl Link {
             under_way: BinaryHeap::new(),
             order: 0,
             seq: 0,
-            ways,
+            channels,
             places,
         }
     }
 
     /// How many sensors the logger knows: other places are none.
     pub fn sensors(&self) -> usize {
-        self.ways.len()
+        self.channels.len()
     }
 
     /// The time up to which all firings have been told, once the run has come to `now`.
@@ -149,11 +149,12 @@ impl Link {
             let of_sources = self.sources.next();
             let due = self.under_way.peek().map_or(NEVER, |Reverse(due)| due.at);
             if of_world <= of_sources.min(due) {
-                let (Some(&firing), Some(&Fact::Cause { cause, .. })) = (said.firings.get(told), said.facts.get(told))
+                let (Some(&firing), Some(&Fact::Provenance { provenance, .. })) =
+                    (said.firings.get(told), said.facts.get(told))
                 else {
                     break;
                 };
-                self.says(firing, cause, events);
+                self.says(firing, provenance, events);
                 told += 1;
             } else if of_sources.min(due) >= now {
                 break;
@@ -169,33 +170,33 @@ impl Link {
     }
 
     /// A device has something to say.
-    fn says(&mut self, firing: Firing, cause: Cause, events: &mut Events) {
+    fn says(&mut self, firing: Firing, provenance: Provenance, events: &mut Events) {
         let Firing { at, sensor: place, value, .. } = firing;
-        let own = self.ways.len() as u32;
+        let own = self.channels.len() as u32;
         let sensor = if place < own { place } else { self.places[(place - own) as usize] };
-        let way = &mut self.ways[sensor as usize];
-        if way.place(at).unwrap_or(sensor) != place {
+        let channel = &mut self.channels[sensor as usize];
+        if channel.place(at).unwrap_or(sensor) != place {
             return;
         }
-        let luck = way.draw();
-        let message = Message { sent_at: at, sensor, id: sensor, value, cause, luck };
-        match way.lost_by_device(at, luck) {
+        let draws = channel.draw();
+        let message = Message { sent_at: at, sensor, id: sensor, value, provenance, draws };
+        match channel.lost_by_device(at, draws) {
             Some(loss) => lose(&message, loss, events),
             None => {
-                way.said = Some(value);
+                channel.said = Some(value);
                 self.send(message, events);
             }
         }
     }
 
     fn says_for_no_reason(&mut self, told: &Told, events: &mut Events) {
-        let Told { at, sensor, repeats, luck } = *told;
-        let way = &self.ways[sensor as usize];
-        let cause = Cause { resident: None, seen_at: at, why: Why::False };
-        let value = if repeats { way.said } else { Some(Value::Fire) };
-        let Some(value) = value.filter(|_| repeats || !way.is_numb(at)) else { return };
-        let message = Message { sent_at: at, sensor, id: sensor, value, cause, luck };
-        match way.lost_by_battery(at, luck) {
+        let Told { at, sensor, repeats, draws } = *told;
+        let channel = &self.channels[sensor as usize];
+        let provenance = Provenance { resident: None, seen_at: at, trigger: Trigger::False };
+        let value = if repeats { channel.said } else { Some(Value::Fire) };
+        let Some(value) = value.filter(|_| repeats || !channel.is_numb(at)) else { return };
+        let message = Message { sent_at: at, sensor, id: sensor, value, provenance, draws };
+        match channel.lost_by_battery(at, draws) {
             true => lose(&message, Loss::Battery, events),
             false => self.send(message, events),
         }
@@ -240,29 +241,30 @@ impl Link {
 
     /// A message has come through the air, if chance does not take it.
     fn receive(&mut self, at: Micros, mut message: Message, events: &mut Events) {
-        let way = &self.ways[message.sensor as usize];
-        let luck = message.luck;
-        if way.lost_on_the_way(message.sent_at, luck) {
+        let channel = &self.channels[message.sensor as usize];
+        let draws = message.draws;
+        if channel.lost_on_the_way(message.sent_at, draws) {
             return lose(&message, Loss::Radio, events);
         }
-        if luck.of(Chance::Corruption) < way.corruption && !self.garble(&mut message) {
+        if draws.of(Chance::Corruption) < channel.corruption && !self.garble(&mut message) {
             return lose(&message, Loss::Garbled, events);
         }
-        let arrives = at + way.delay(luck.of(Chance::Delay));
-        let again = (luck.of(Chance::Duplicate) < way.duplicates).then(|| arrives + way.delay(luck.of(Chance::Again)));
+        let arrives = at + channel.delay(draws.of(Chance::Delay));
+        let again = (draws.of(Chance::Duplicate) < channel.duplicates)
+            .then(|| arrives + channel.delay(draws.of(Chance::Again)));
         self.wait(arrives, Stage::Arrives, message);
         if let Some(again) = again {
-            message.cause.why = Why::Duplicate;
+            message.provenance.trigger = Trigger::Duplicate;
             self.wait(again, Stage::Arrives, message);
         }
     }
 
     /// Damages a message's id or its value, one as often as the other (ours); whether it can still be understood.
     fn garble(&self, message: &mut Message) -> bool {
-        let damage = 2.0 * message.luck.of(Chance::Damage);
+        let damage = 2.0 * message.draws.of(Chance::Damage);
         if damage < 1.0 {
-            let id = garbled_id(self.ways[message.sensor as usize].id, damage);
-            let owner = self.ways.iter().position(|way| way.id == id);
+            let id = garbled_id(self.channels[message.sensor as usize].id, damage);
+            let owner = self.channels.iter().position(|channel| channel.id == id);
             message.id = owner.map_or(message.id, |owner| owner as u32);
             return owner.is_some();
         }
@@ -275,7 +277,7 @@ impl Link {
         if self.outages.iter().any(|outage| outage.contains(at)) {
             return lose(&message, Loss::Outage, events);
         }
-        let clock = self.ways[message.sensor as usize].clock;
+        let clock = self.channels[message.sensor as usize].clock;
         let stamp = clock.map_or(at, |clock| clock.shows(message.sent_at));
         if self.clocks.clocks.is_empty() {
             self.tell(stamp, &message, events);
@@ -285,16 +287,16 @@ impl Link {
     }
 
     fn tell(&mut self, stamp: Micros, message: &Message, events: &mut Events) {
-        let Message { id, value, cause, .. } = *message;
+        let Message { id, value, provenance, .. } = *message;
         events.firings.push(Firing { seq: self.seq, at: stamp, sensor: id, value });
-        events.facts.push(Fact::Cause { seq: self.seq, cause });
+        events.facts.push(Fact::Provenance { seq: self.seq, provenance });
         self.seq += 1;
     }
 }
 
 fn lose(message: &Message, loss: Loss, events: &mut Events) {
-    let Message { sent_at, sensor, value, cause, .. } = *message;
-    events.facts.push(Fact::Lost { at: sent_at, sensor, value, cause, loss });
+    let Message { sent_at, sensor, value, provenance, .. } = *message;
+    events.facts.push(Fact::Lost { at: sent_at, sensor, value, provenance, loss });
 }
 
 impl Due {

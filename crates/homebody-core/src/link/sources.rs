@@ -1,6 +1,6 @@
 //! What sensors say for no reason: false firings by chance, and what a stuck one repeats.
 
-use super::message::Luck;
+use super::message::Draws;
 use crate::random::Stream;
 use crate::scenario::calendar::time_of_day;
 use crate::scenario::link::{FaultFile, LinkFile, Span};
@@ -50,7 +50,7 @@ pub struct Told {
     pub sensor: u32,
     /// Whether it is stuck and repeats itself.
     pub repeats: bool,
-    pub luck: Luck,
+    pub draws: Draws,
 }
 
 impl Sources {
@@ -99,7 +99,7 @@ impl Sources {
     pub fn speak(&mut self) -> Option<Told> {
         let source = self.sources.get_mut(self.next.1)?;
         let repeats = matches!(source.kind, Kind::Repeat { .. });
-        let told = Told { at: source.next, sensor: source.sensor, repeats, luck: Luck::draw(&mut source.stream) };
+        let told = Told { at: source.next, sensor: source.sensor, repeats, draws: Draws::draw(&mut source.stream) };
         source.go_on();
         self.find_next();
         Some(told)

@@ -7,8 +7,8 @@
 pub mod brute;
 pub mod paper;
 
-use crate::drivers::Move;
-use crate::event::{Doing, Firing, Value};
+use crate::drivers::MotionSegment;
+use crate::event::{Firing, MotionState, Value};
 use crate::geometry::Point;
 use crate::home::Home;
 use crate::random::Stream;
@@ -144,7 +144,7 @@ impl Counter {
 /// Plays one resident's moves, and says where the body is.
 #[derive(Clone)]
 pub struct Player<'a> {
-    moves: &'a [Move],
+    moves: &'a [MotionSegment],
     next: usize,
     /// How often the present move has been looked at.
     looks: u32,
@@ -152,7 +152,7 @@ pub struct Player<'a> {
 }
 
 impl<'a> Player<'a> {
-    pub fn new(moves: &'a [Move], radius_m: f64) -> Player<'a> {
+    pub fn new(moves: &'a [MotionSegment], radius_m: f64) -> Player<'a> {
         Player { moves, next: 0, looks: 0, radius_m }
     }
 
@@ -163,18 +163,18 @@ impl<'a> Player<'a> {
             self.looks = 0;
         }
         self.looks += 1;
-        let Move { begin, end, doing, .. } = &self.moves[self.next];
+        let MotionSegment { begin, end, doing, .. } = &self.moves[self.next];
         match *doing {
-            Doing::Stride { from, to } => {
+            MotionState::Stride { from, to } => {
                 let at = from + (to - from) * ((now.min(*end) - begin) as f64 / (end - begin) as f64);
                 Pose { at, radius_m: self.radius_m }
             }
-            Doing::Stir { at, amplitude_m } => {
+            MotionState::InPlace { at, amplitude_m } => {
                 let breath = if self.looks.is_multiple_of(2) { 0.0 } else { amplitude_m.min(self.radius_m / 2.0) };
                 Pose { at, radius_m: self.radius_m - breath }
             }
-            Doing::Rest { at } => Pose { at, radius_m: self.radius_m },
-            Doing::Away => Pose { at: Point::splat(1e6), radius_m: self.radius_m },
+            MotionState::Rest { at } => Pose { at, radius_m: self.radius_m },
+            MotionState::Away => Pose { at: Point::splat(1e6), radius_m: self.radius_m },
         }
     }
 }

@@ -216,7 +216,7 @@ impl SensorFile {
     }
 
     /// Whether it looks for movement, rather than being told what happens.
-    pub fn looks(&self) -> bool {
+    pub fn senses_motion(&self) -> bool {
         matches!(self, SensorFile::Motion(_) | SensorFile::CeilingMotion(_))
     }
 

@@ -74,11 +74,11 @@ pub enum Driver {
 /// Who knows the language of routines: this crate reads them as text.
 pub trait Language {
     /// What is wrong with a resident's routine in a home that is sound.
-    fn problems(&self, said: &Said, home: &HomeFile, plan: &Plan, files: &dyn Files) -> Vec<Problem>;
+    fn problems(&self, said: &RoutineText, home: &HomeFile, plan: &Plan, files: &dyn Files) -> Vec<Problem>;
 }
 
 /// A routine as it stands in its file.
-pub struct Said<'a> {
+pub struct RoutineText<'a> {
     pub file: &'a str,
     pub text: &'a str,
     /// The resident's name, where their own file can be understood.
@@ -89,7 +89,7 @@ pub struct Said<'a> {
 
 /// Nobody who knows it.
 impl Language for () {
-    fn problems(&self, _said: &Said, _home: &HomeFile, _plan: &Plan, _files: &dyn Files) -> Vec<Problem> {
+    fn problems(&self, _said: &RoutineText, _home: &HomeFile, _plan: &Plan, _files: &dyn Files) -> Vec<Problem> {
         Vec::new()
     }
 }
@@ -218,7 +218,7 @@ impl Loader<'_> {
             let text = self.text(&source, "/driver/routine", name)?;
             if let Some((home, plan)) = surroundings.home.zip(surroundings.plan) {
                 let resident = file.as_ref().map(|file| file.name.as_str());
-                let said = Said { file: name, text: &text, resident, calendar };
+                let said = RoutineText { file: name, text: &text, resident, calendar };
                 self.problems.extend(self.language.problems(&said, home, plan, self.files));
             }
             Driver::Routine { file: name.into(), text }
@@ -379,7 +379,7 @@ impl Loader<'_> {
                 seen.push(problem);
             }
         }
-        Problems::as_many_as_are_read(&seen)
+        Problems::truncated(&seen)
     }
 }
 

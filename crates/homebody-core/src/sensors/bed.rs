@@ -18,8 +18,8 @@
 //! Left out: who lies beside the strip, pets, how strong a movement is, what breathing does to the pulse's signal, drift of
 //! the pressure.
 
-use super::device::{Change, Said, no_stream};
-use crate::event::{Band, Doing, Value, Vitals, Why};
+use super::device::{Change, Outbox, no_stream};
+use crate::event::{Band, MotionState, Trigger, Value, Vitals};
 use crate::geometry::{self, Point};
 use crate::random::Stream;
 use crate::scenario::device::BedFile;
@@ -98,7 +98,7 @@ impl Bed {
         Bed { stream, ..self.clone() }
     }
 
-    pub fn told(&mut self, at: Micros, change: &Change) {
+    pub fn on_event(&mut self, at: Micros, change: &Change) {
         let (Change::Body { resident, .. } | Change::Vitals { resident, .. }) = *change else { return };
         let resident = resident as usize;
         if resident >= self.sleepers.len() {
@@ -110,13 +110,13 @@ impl Bed {
         match *change {
             Change::Body { doing, posture, .. } => {
                 let place = match doing {
-                    Doing::Stir { at, .. } | Doing::Rest { at } => Some(at),
-                    Doing::Stride { .. } | Doing::Away => None,
+                    MotionState::InPlace { at, .. } | MotionState::Rest { at } => Some(at),
+                    MotionState::Stride { .. } | MotionState::Away => None,
                 };
                 let is_in = posture != Posture::Standing && place.is_some_and(|p| geometry::covers(&self.outline, p));
                 after.since = if is_in { before.since.or(Some(at)) } else { None };
                 after.lies = posture == Posture::Lying;
-                after.stirs = matches!(doing, Doing::Stir { .. });
+                after.stirs = matches!(doing, MotionState::InPlace { .. });
             }
             Change::Vitals { vitals, .. } => {
                 after.vitals = vitals;
@@ -124,7 +124,7 @@ impl Bed {
                     after.news = Some(at);
                 }
             }
-            Change::Act { .. } => {}
+            Change::Use { .. } => {}
         }
         if after != before {
             self.sleepers[resident] = after;
@@ -136,19 +136,19 @@ impl Bed {
         self.timer
     }
 
-    pub fn due(&mut self, at: Micros, said: &mut Said) {
-        self.settle_presence(at, said);
-        let next_level = self.settle_movement(at, said);
-        let next_reading = self.settle_vitals(at, said);
+    pub fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
+        self.settle_presence(at, outbox);
+        let next_level = self.settle_movement(at, outbox);
+        let next_reading = self.settle_vitals(at, outbox);
         self.timer = next_level.min(next_reading);
     }
 
-    fn settle_presence(&mut self, at: Micros, said: &mut Said) {
+    fn settle_presence(&mut self, at: Micros, outbox: &mut Outbox) {
         let inside = self.sleepers.iter().enumerate().filter_map(|(who, sleeper)| Some((sleeper.since?, who)));
         let first = inside.min().map(|(_, who)| who);
         match (self.first, first) {
-            (None, Some(who)) => said.say(Value::In, Some(who as u32), at, Why::Movement),
-            (Some(who), None) => said.say(Value::Out, Some(who as u32), at, Why::Movement),
+            (None, Some(who)) => outbox.say(Value::In, Some(who as u32), at, Trigger::Movement),
+            (Some(who), None) => outbox.say(Value::Out, Some(who as u32), at, Trigger::Movement),
             _ => {}
         }
         if self.first != first {
@@ -157,7 +157,7 @@ impl Bed {
     }
 
     /// Says how long the movement has lasted; returns when it reaches its next level.
-    fn settle_movement(&mut self, at: Micros, said: &mut Said) -> Micros {
+    fn settle_movement(&mut self, at: Micros, outbox: &mut Outbox) -> Micros {
         let moves = |sleeper: &Sleeper| sleeper.since.is_some() && sleeper.lies && sleeper.stirs;
         let Some(who) = self.sleepers.iter().position(moves) else {
             self.movement = None;
@@ -168,14 +168,14 @@ impl Bed {
         let mut next = levels.next();
         while next.is_some_and(|next| next <= at) {
             movement.said += 1;
-            said.say(Value::Restless(movement.said as u8), Some(who as u32), movement.onset, Why::Movement);
+            outbox.say(Value::Restless(movement.said as u8), Some(who as u32), movement.onset, Trigger::Movement);
             next = levels.next();
         }
         next.unwrap_or(NEVER)
     }
 
     /// Reads pulse and respiration if it is time to; returns when it will be.
-    fn settle_vitals(&mut self, at: Micros, said: &mut Said) -> Micros {
+    fn settle_vitals(&mut self, at: Micros, outbox: &mut Outbox) -> Micros {
         let measured = self.first.filter(|&who| self.sleepers[who].lies && self.movement.is_none());
         let Some(who) = measured else {
             self.still_since = None;
@@ -196,8 +196,8 @@ impl Bed {
             respiration: self.stream.normal(respiration, NOISE.respiration),
         };
         let (pulse, respiration) = self.limits.bands(felt);
-        said.say(Value::Pulse(pulse), Some(who as u32), at, Why::Reading);
-        said.say(Value::Respiration(respiration), Some(who as u32), at, Why::Reading);
+        outbox.say(Value::Pulse(pulse), Some(who as u32), at, Trigger::Reading);
+        outbox.say(Value::Respiration(respiration), Some(who as u32), at, Trigger::Reading);
         (self.read_at, self.sleepers[who].news) = (Some(at), None);
         at + self.every
     }

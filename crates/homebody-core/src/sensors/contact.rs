@@ -8,8 +8,8 @@
 //!
 //! Left out: bouncing, doors that stand ajar, magnets out of line.
 
-use super::device::{Change, Said};
-use crate::event::{Value, Why};
+use super::device::{Change, Outbox};
+use crate::event::{Trigger, Value};
 use crate::time::{Micros, NEVER};
 
 /// A contact sensor.
@@ -25,13 +25,13 @@ impl Contact {
         Contact { thing, open }
     }
 
-    pub fn told(&mut self, at: Micros, change: &Change, said: &mut Said) {
-        if let Change::Act { resident, thing, on } = *change
+    pub fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
+        if let Change::Use { resident, thing, on } = *change
             && thing == self.thing
             && on != self.open
         {
             self.open = on;
-            said.say(if on { Value::Open } else { Value::Close }, Some(resident), at, Why::Act(thing));
+            outbox.say(if on { Value::Open } else { Value::Close }, Some(resident), at, Trigger::Use(thing));
         }
     }
 
@@ -39,7 +39,7 @@ impl Contact {
         NEVER
     }
 
-    pub fn due(&mut self, _at: Micros, _said: &mut Said) {}
+    pub fn on_timer(&mut self, _at: Micros, _outbox: &mut Outbox) {}
 }
 
 #[cfg(test)]
@@ -49,11 +49,11 @@ mod tests {
     #[test]
     fn only_a_change_is_a_message() {
         let mut contact = Contact::new(3, false);
-        let mut said = Said::default();
+        let mut outbox = Outbox::default();
         for (at, thing, on) in [(1, 3, false), (2, 3, true), (3, 4, true), (4, 3, true), (5, 3, false)] {
-            contact.told(at, &Change::Act { resident: 0, thing, on }, &mut said);
+            contact.on_event(at, &Change::Use { resident: 0, thing, on }, &mut outbox);
         }
-        let values: Vec<Value> = said.0.iter().map(|(value, _)| *value).collect();
+        let values: Vec<Value> = outbox.0.iter().map(|(value, _)| *value).collect();
         assert_eq!(values, [Value::Open, Value::Close]);
     }
 }

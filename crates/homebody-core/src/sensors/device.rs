@@ -18,7 +18,7 @@ use super::power::Power;
 use super::pressure::Pressure;
 use super::stove_temperature::StoveTemperature;
 use super::temperature::Temperature;
-use crate::event::{Cause, Doing, Value, Vitals, Why};
+use crate::event::{MotionState, Provenance, Trigger, Value, Vitals};
 use crate::home::Sun;
 use crate::random::{Range, Stream};
 use crate::scenario::path::Posture;
@@ -41,20 +41,20 @@ pub enum Device {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Change {
     /// A resident used a thing: index into the home's things.
-    Act { resident: u32, thing: u32, on: bool },
+    Use { resident: u32, thing: u32, on: bool },
     /// From now until `end` a resident's body does this. What began earlier may be told again, with its own `begin`.
-    Body { resident: u32, begin: Micros, end: Micros, doing: Doing, posture: Posture },
+    Body { resident: u32, begin: Micros, end: Micros, doing: MotionState, posture: Posture },
     /// From now on a resident's heart and lungs are like this.
     Vitals { resident: u32, vitals: Vitals },
 }
 
 /// What devices say, for the world to send.
 #[derive(Clone, Debug, Default)]
-pub struct Said(pub Vec<(Value, Cause)>);
+pub struct Outbox(pub Vec<(Value, Provenance)>);
 
-impl Said {
-    pub fn say(&mut self, value: Value, resident: Option<u32>, seen_at: Micros, why: Why) {
-        self.0.push((value, Cause { resident, seen_at, why }));
+impl Outbox {
+    pub fn say(&mut self, value: Value, resident: Option<u32>, seen_at: Micros, trigger: Trigger) {
+        self.0.push((value, Provenance { resident, seen_at, trigger }));
     }
 }
 
@@ -84,15 +84,15 @@ impl Device {
 
     /// Something happens at `at`; timers that are due earlier have run out before, those that are due then have not. What
     /// depends on all that happens at this instant waits for a timer that is due now.
-    pub fn told(&mut self, at: Micros, change: &Change, said: &mut Said) {
+    pub fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
         match self {
-            Device::Contact(device) => device.told(at, change, said),
-            Device::Bed(device) => device.told(at, change),
-            Device::StoveTemperature(device) => device.told(at, change, said),
-            Device::Pressure(device) => device.told(at, change),
-            Device::Power(device) => device.told(at, change, said),
-            Device::Flow(device) => device.told(at, change, said),
-            Device::Light(device) => device.told(at, change),
+            Device::Contact(device) => device.on_event(at, change, outbox),
+            Device::Bed(device) => device.on_event(at, change),
+            Device::StoveTemperature(device) => device.on_event(at, change, outbox),
+            Device::Pressure(device) => device.on_event(at, change),
+            Device::Power(device) => device.on_event(at, change, outbox),
+            Device::Flow(device) => device.on_event(at, change, outbox),
+            Device::Light(device) => device.on_event(at, change),
             Device::Temperature(_) => {}
         }
     }
@@ -112,16 +112,16 @@ impl Device {
     }
 
     /// Its timer runs out.
-    pub fn due(&mut self, at: Micros, said: &mut Said) {
+    pub fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
         match self {
-            Device::Contact(device) => device.due(at, said),
-            Device::Bed(device) => device.due(at, said),
-            Device::StoveTemperature(device) => device.due(at, said),
-            Device::Pressure(device) => device.due(at, said),
-            Device::Power(device) => device.due(at, said),
-            Device::Flow(device) => device.due(at, said),
-            Device::Light(device) => device.due(at, said),
-            Device::Temperature(device) => device.due(at, said),
+            Device::Contact(device) => device.on_timer(at, outbox),
+            Device::Bed(device) => device.on_timer(at, outbox),
+            Device::StoveTemperature(device) => device.on_timer(at, outbox),
+            Device::Pressure(device) => device.on_timer(at, outbox),
+            Device::Power(device) => device.on_timer(at, outbox),
+            Device::Flow(device) => device.on_timer(at, outbox),
+            Device::Light(device) => device.on_timer(at, outbox),
+            Device::Temperature(device) => device.on_timer(at, outbox),
         }
     }
 }

@@ -10,8 +10,8 @@
 //!
 //! Left out: how much flows, whether it is warm, other taps on the same pipe.
 
-use super::device::{Change, Said};
-use crate::event::{Value, Why};
+use super::device::{Change, Outbox};
+use crate::event::{Trigger, Value};
 use crate::scenario::device::FlowFile;
 use crate::time::{Micros, NEVER, micros};
 
@@ -34,16 +34,16 @@ impl Flow {
         Flow { thing, runs: file.runs_s.map(micros), flows: false, ceases: NEVER, by: 0, since: 0 }
     }
 
-    pub fn told(&mut self, at: Micros, change: &Change, said: &mut Said) {
-        let Change::Act { resident, thing, on } = *change else { return };
+    pub fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
+        let Change::Use { resident, thing, on } = *change else { return };
         if thing != self.thing || (self.runs.is_some() && !on) {
             return;
         }
         // A flush as the last one ends is another.
-        self.due(at, said);
+        self.on_timer(at, outbox);
         if on != self.flows {
             self.flows = on;
-            said.say(if on { Value::On } else { Value::Off }, Some(resident), at, Why::Act(thing));
+            outbox.say(if on { Value::On } else { Value::Off }, Some(resident), at, Trigger::Use(thing));
         }
         if let Some(runs) = self.runs {
             (self.ceases, self.by, self.since) = (at + runs, resident, at);
@@ -54,10 +54,10 @@ impl Flow {
         self.ceases
     }
 
-    pub fn due(&mut self, at: Micros, said: &mut Said) {
+    pub fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
         if self.ceases <= at {
             (self.flows, self.ceases) = (false, NEVER);
-            said.say(Value::Off, Some(self.by), self.since, Why::Act(self.thing));
+            outbox.say(Value::Off, Some(self.by), self.since, Trigger::Use(self.thing));
         }
     }
 }
@@ -67,24 +67,24 @@ mod tests {
     use super::*;
     use crate::time::SECOND;
 
-    fn said(json: serde_json::Value, acts: &[(Micros, bool)]) -> Vec<(Micros, Value)> {
+    fn outbox(json: serde_json::Value, acts: &[(Micros, bool)]) -> Vec<(Micros, Value)> {
         let mut flow = Flow::new(&serde_json::from_value(json).unwrap(), 7);
-        let (mut said, mut messages) = (Said::default(), Vec::new());
+        let (mut outbox, mut messages) = (Outbox::default(), Vec::new());
         for &(at, on) in acts.iter().chain(&[(3600 * SECOND, false)]) {
             if flow.timer() < at {
                 let due = flow.timer();
-                flow.due(due, &mut said);
-                messages.extend(said.0.drain(..).map(|(value, _)| (due, value)));
+                flow.on_timer(due, &mut outbox);
+                messages.extend(outbox.0.drain(..).map(|(value, _)| (due, value)));
             }
-            flow.told(at, &Change::Act { resident: 0, thing: 7, on }, &mut said);
-            messages.extend(said.0.drain(..).map(|(value, _)| (at, value)));
+            flow.on_event(at, &Change::Use { resident: 0, thing: 7, on }, &mut outbox);
+            messages.extend(outbox.0.drain(..).map(|(value, _)| (at, value)));
         }
         messages
     }
 
     #[test]
     fn a_tap_flows_while_it_is_open() {
-        let messages = said(serde_json::json!({ "name": "f", "on": "sink" }), &[(5, true), (6, true), (9, false)]);
+        let messages = outbox(serde_json::json!({ "name": "f", "on": "sink" }), &[(5, true), (6, true), (9, false)]);
         assert_eq!(messages, [(5, Value::On), (9, Value::Off)]);
     }
 
@@ -92,11 +92,11 @@ mod tests {
     fn a_cistern_fills_by_itself() {
         let toilet = serde_json::json!({ "name": "f", "on": "toilet", "runs_s": 60 });
         let on = Value::On;
-        assert_eq!(said(toilet.clone(), &[(0, true), (1, false)]), [(0, on), (60 * SECOND, Value::Off)]);
+        assert_eq!(outbox(toilet.clone(), &[(0, true), (1, false)]), [(0, on), (60 * SECOND, Value::Off)]);
         // A flush while it fills makes it longer; one as it ends is another.
         let twice = [(0, true), (30 * SECOND, true)];
-        assert_eq!(said(toilet.clone(), &twice), [(0, on), (90 * SECOND, Value::Off)]);
+        assert_eq!(outbox(toilet.clone(), &twice), [(0, on), (90 * SECOND, Value::Off)]);
         let after = [(0, on), (60 * SECOND, Value::Off), (60 * SECOND, on), (120 * SECOND, Value::Off)];
-        assert_eq!(said(toilet, &[(0, true), (60 * SECOND, true)]), after);
+        assert_eq!(outbox(toilet, &[(0, true), (60 * SECOND, true)]), after);
     }
 }

@@ -11,8 +11,8 @@
 //!
 //! Left out: clouds, curtains, which way the windows look, light from the next room, twilight, noise.
 
-use super::device::{Change, Rounds, Said, reading};
-use crate::event::Why;
+use super::device::{Change, Outbox, Rounds, reading};
+use crate::event::Trigger;
 use crate::home::Sun;
 use crate::random::Stream;
 use crate::scenario::device::LightFile;
@@ -61,8 +61,8 @@ impl Light {
         Light { sun, rounds, measures: rounds.first(), ..self.clone() }
     }
 
-    pub fn told(&mut self, at: Micros, change: &Change) {
-        if let Change::Act { resident, thing, on } = *change
+    pub fn on_event(&mut self, at: Micros, change: &Change) {
+        if let Change::Use { resident, thing, on } = *change
             && thing == self.lamp
             && on != self.lamp_on
         {
@@ -74,19 +74,19 @@ impl Light {
         self.measures
     }
 
-    pub fn due(&mut self, at: Micros, said: &mut Said) {
+    pub fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
         let now = self.lux(at);
         let by = self.by.take();
         if self.said_lux.is_none_or(|before| (now - before).abs() > (self.change * before).max(STEP_LUX)) {
             self.said_lux = Some(libm::round(now));
-            let why = if by.is_some() { Why::Act(self.lamp) } else { Why::Reading };
-            said.say(reading(libm::round(now)), by, at, why);
+            let why = if by.is_some() { Trigger::Use(self.lamp) } else { Trigger::Reading };
+            outbox.say(reading(libm::round(now)), by, at, why);
         }
         self.measures = self.rounds.after(at);
     }
 
     fn lux(&self, at: Micros) -> f64 {
-        let daylight = self.daylight_lux * libm::pow(self.sun.height(at).max(0.0), POWER);
+        let daylight = self.daylight_lux * libm::pow(self.sun.elevation_sine(at).max(0.0), POWER);
         daylight + if self.lamp_on { self.lamp_lux } else { 0.0 }
     }
 }
@@ -120,22 +120,24 @@ mod tests {
     #[test]
     fn it_says_what_has_changed_by_a_fifth_and_the_lamp_at_once() {
         let mut light = light();
-        let (mut said, mut messages) = (Said::default(), Vec::new());
+        let (mut outbox, mut messages) = (Outbox::default(), Vec::new());
         for (at, on) in [(HOUR + 7, true), (HOUR + 7, true), (2 * HOUR, false), (DAY, false)] {
             while light.timer() < at {
                 let due = light.timer();
-                light.due(due, &mut said);
+                light.on_timer(due, &mut outbox);
                 assert!(light.timer() > due);
-                messages.extend(said.0.drain(..).map(|(value, cause)| (due, value, cause.resident)));
+                messages.extend(outbox.0.drain(..).map(|(value, provenance)| (due, value, provenance.resident)));
             }
-            light.told(at, &Change::Act { resident: 4, thing: 3, on });
+            light.on_event(at, &Change::Use { resident: 4, thing: 3, on });
         }
         let at_night = [(0, 0, None), (HOUR + 7, 150_000, Some(4)), (2 * HOUR, 0, Some(4))];
         assert_eq!(messages[..3], at_night.map(|(at, lux, by)| (at, Value::Reading(lux), by)));
         let lux: Vec<f64> = messages[2..]
             .iter()
             .filter_map(
-                |(_, value, _)| if let Value::Reading(said) = value { Some(f64::from(*said) / 1000.0) } else { None },
+                |(_, value, _)| {
+                    if let Value::Reading(outbox) = value { Some(f64::from(*outbox) / 1000.0) } else { None }
+                },
             )
             .collect();
         assert!(lux.windows(2).all(|pair| (pair[1] - pair[0]).abs() > (0.2 * pair[0]).max(1.0) - 0.5), "{lux:?}");

@@ -96,7 +96,7 @@ impl Sensor {
     }
 
     /// Whether it looks for movement, rather than being told what happens.
-    pub fn looks(&self) -> bool {
+    pub fn senses_motion(&self) -> bool {
         !matches!(self.kind, Kind::Device(_))
     }
 }

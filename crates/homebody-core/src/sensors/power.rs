@@ -10,8 +10,8 @@
 //!
 //! Left out: the rush of current at first, things that draw more and less by themselves, such as refrigerators.
 
-use super::device::{Change, Said, no_stream, reading};
-use crate::event::{Value, Why};
+use super::device::{Change, Outbox, no_stream, reading};
+use crate::event::{Trigger, Value};
 use crate::random::Stream;
 use crate::scenario::device::PowerFile;
 use crate::time::{Micros, NEVER, micros};
@@ -51,32 +51,32 @@ impl Power {
         Power { stream, ..self.clone() }
     }
 
-    pub fn told(&mut self, at: Micros, change: &Change, said: &mut Said) {
-        let Change::Act { resident, thing, on } = *change else { return };
+    pub fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
+        let Change::Use { resident, thing, on } = *change else { return };
         if thing != self.thing || on == self.on {
             return;
         }
         // A reading that is due as it is turned off was still one of it on.
-        self.due(at, said);
+        self.on_timer(at, outbox);
         (self.on, self.by) = (on, Some(resident));
-        said.say(if on { Value::On } else { Value::Off }, self.by, at, Why::Act(thing));
-        self.measure(at, said);
+        outbox.say(if on { Value::On } else { Value::Off }, self.by, at, Trigger::Use(thing));
+        self.measure(at, outbox);
     }
 
     pub fn timer(&self) -> Micros {
         self.measures
     }
 
-    pub fn due(&mut self, at: Micros, said: &mut Said) {
+    pub fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
         if self.measures <= at {
-            self.measure(at, said);
+            self.measure(at, outbox);
         }
     }
 
-    fn measure(&mut self, at: Micros, said: &mut Said) {
+    fn measure(&mut self, at: Micros, outbox: &mut Outbox) {
         let Some(watts) = self.watts else { return };
         let drawn = if self.on { self.stream.normal(watts, NOISE * watts) } else { self.standby_watts };
-        said.say(reading(drawn), self.by, at, Why::Reading);
+        outbox.say(reading(drawn), self.by, at, Trigger::Reading);
         self.measures = self.every.filter(|_| self.on).map_or(NEVER, |every| at + every);
     }
 }
@@ -91,34 +91,34 @@ mod tests {
     }
 
     fn act(on: bool) -> Change {
-        Change::Act { resident: 0, thing: 1, on }
+        Change::Use { resident: 0, thing: 1, on }
     }
 
     #[test]
     fn without_watts_it_says_on_and_off() {
         let mut power = power(serde_json::json!({ "name": "p", "on": "TV bench" }));
-        let mut said = Said::default();
+        let mut outbox = Outbox::default();
         for (at, on) in [(0, false), (1, true), (2, true), (3, false)] {
-            power.told(at, &act(on), &mut said);
+            power.on_event(at, &act(on), &mut outbox);
             assert_eq!(power.timer(), NEVER);
         }
-        assert_eq!(said.0.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [Value::On, Value::Off]);
+        assert_eq!(outbox.0.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [Value::On, Value::Off]);
     }
 
     #[test]
     fn readings_come_while_it_is_on_and_lie_about_the_watts() {
         let file = serde_json::json!({ "name": "p", "on": "TV bench", "watts": 100, "standby_watts": 0.5, "readings_every_s": 10 });
         let mut power = power(file);
-        let mut said = Said::default();
-        power.told(0, &act(true), &mut said);
+        let mut outbox = Outbox::default();
+        power.on_event(0, &act(true), &mut outbox);
         for _ in 0..1000 {
             let due = power.timer();
-            power.due(due, &mut said);
+            power.on_timer(due, &mut outbox);
             assert_eq!(power.timer(), due + 10 * SECOND);
         }
-        power.told(power.timer(), &act(false), &mut said);
+        power.on_event(power.timer(), &act(false), &mut outbox);
         assert_eq!(power.timer(), NEVER);
-        let (last, all) = said.0.split_last().unwrap();
+        let (last, all) = outbox.0.split_last().unwrap();
         assert_eq!((all[0].0, all[all.len() - 1].0, last.0), (Value::On, Value::Off, Value::Reading(500)));
         let watts: Vec<f64> = all
             .iter()

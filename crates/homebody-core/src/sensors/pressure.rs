@@ -13,8 +13,8 @@
 //!
 //! Left out: weight, feet and their pace, pets, things that are put down.
 
-use super::device::{Change, Said};
-use crate::event::{Doing, Value, Why};
+use super::device::{Change, Outbox};
+use crate::event::{MotionState, Trigger, Value};
 use crate::geometry::{self, Point};
 use crate::scenario::device::PressureFile;
 use crate::scenario::path::Posture;
@@ -55,15 +55,15 @@ impl Pressure {
         }
     }
 
-    pub fn told(&mut self, at: Micros, change: &Change) {
+    pub fn on_event(&mut self, at: Micros, change: &Change) {
         let Change::Body { resident, begin, end, doing, posture } = *change else { return };
         let resident = resident as usize;
         if resident >= self.spans.len() {
             self.spans.resize(resident + 1, NOT);
         }
         let span = match doing {
-            Doing::Stride { from, to } if self.is_mat => self.crossing(from, to, begin, end),
-            Doing::Stir { at: place, .. } | Doing::Rest { at: place }
+            MotionState::Stride { from, to } if self.is_mat => self.crossing(from, to, begin, end),
+            MotionState::InPlace { at: place, .. } | MotionState::Rest { at: place }
                 if (self.is_mat || posture != Posture::Standing) && geometry::covers(&self.outline, place) =>
             {
                 (Micros::MIN, NEVER)
@@ -80,7 +80,7 @@ impl Pressure {
         self.timer
     }
 
-    pub fn due(&mut self, at: Micros, said: &mut Said) {
+    pub fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
         let presses = |&(from, to): &(Micros, Micros)| from <= at && at < to;
         let by = self.spans.iter().position(presses);
         if let Some(by) = by {
@@ -92,7 +92,7 @@ impl Pressure {
         let says_at = if self.pressed == self.says_on { NEVER } else { self.since.saturating_add(self.delay) };
         if says_at <= at {
             self.says_on = self.pressed;
-            said.say(if self.pressed { Value::On } else { Value::Off }, Some(self.by), self.since, Why::Movement);
+            outbox.say(if self.pressed { Value::On } else { Value::Off }, Some(self.by), self.since, Trigger::Movement);
         }
         let changes = self.spans.iter().flat_map(|&(from, to)| [from, to]).filter(|&change| change > at);
         let says_at = if says_at > at { says_at } else { NEVER };

@@ -14,8 +14,8 @@
 //!
 //! Left out: several burners, pots, the oven, noise, the room's own temperature.
 
-use super::device::{Change, Rounds, Said, reading};
-use crate::event::{Value, Why};
+use super::device::{Change, Outbox, Rounds, reading};
+use crate::event::{Trigger, Value};
 use crate::random::Stream;
 use crate::scenario::device::StoveTemperatureFile;
 use crate::time::{Micros, NEVER, micros, seconds};
@@ -72,12 +72,12 @@ impl StoveTemperature {
         StoveTemperature { rounds: self.rounds.map(|rounds| rounds.begin(&mut stream)), ..self.clone() }
     }
 
-    pub fn told(&mut self, at: Micros, change: &Change, said: &mut Said) {
-        let Change::Act { resident, thing, on } = *change else { return };
+    pub fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
+        let Change::Use { resident, thing, on } = *change else { return };
         if thing != self.thing || on == self.on {
             return;
         }
-        self.due(at, said);
+        self.on_timer(at, outbox);
         let start_c = self.temperature_c(at);
         (self.on, self.since, self.by, self.start_c) = (on, at, Some(resident), start_c);
         self.crossing = self.next_crossing();
@@ -88,17 +88,17 @@ impl StoveTemperature {
         self.crossing.min(self.measures)
     }
 
-    pub fn due(&mut self, at: Micros, said: &mut Said) {
+    pub fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
         if self.crossing <= at {
             self.says_on = self.on;
             self.crossing = NEVER;
-            said.say(if self.on { Value::On } else { Value::Off }, self.by, self.since, Why::Act(self.thing));
+            outbox.say(if self.on { Value::On } else { Value::Off }, self.by, self.since, Trigger::Use(self.thing));
         }
         if self.measures <= at {
             let now_c = self.temperature_c(at);
             if (now_c - self.told_c).abs() >= CHANGE_C {
                 self.told_c = now_c;
-                said.say(reading(now_c), self.by, at, Why::Reading);
+                outbox.say(reading(now_c), self.by, at, Trigger::Reading);
             }
             self.measures = self.next_measurement(at);
         }
@@ -147,18 +147,18 @@ mod tests {
     }
 
     /// What it says, and when, if the stove is turned on and off at these instants.
-    fn said(mut stove: StoveTemperature, acts: &[(Micros, bool)], until: Micros) -> Vec<(Micros, Value)> {
+    fn outbox(mut stove: StoveTemperature, acts: &[(Micros, bool)], until: Micros) -> Vec<(Micros, Value)> {
         let mut messages = Vec::new();
-        let mut said = Said::default();
+        let mut outbox = Outbox::default();
         for &(at, on) in acts.iter().chain(&[(until, false)]) {
             while stove.timer() < at {
                 let due = stove.timer();
-                stove.due(due, &mut said);
+                stove.on_timer(due, &mut outbox);
                 assert!(stove.timer() > due);
-                messages.extend(said.0.drain(..).map(|(value, _)| (due, value)));
+                messages.extend(outbox.0.drain(..).map(|(value, _)| (due, value)));
             }
-            stove.told(at, &Change::Act { resident: 0, thing: 2, on }, &mut said);
-            messages.extend(said.0.drain(..).map(|(value, _)| (at, value)));
+            stove.on_event(at, &Change::Use { resident: 0, thing: 2, on }, &mut outbox);
+            messages.extend(outbox.0.drain(..).map(|(value, _)| (at, value)));
         }
         messages
     }
@@ -167,7 +167,7 @@ mod tests {
     fn it_crosses_its_limits_when_the_closed_form_says() {
         // 240 ln(158 / 135) = 37.757 s. After 600 s it is 180 - 158 exp(-2.5) = 167.031 degrees warm, and after
         // 1,200 ln(145.031 / 16) = 2645.227 s more it is down to 38.
-        let messages = said(stove(serde_json::json!({})), &[(0, true), (600 * SECOND, false)], 7200 * SECOND);
+        let messages = outbox(stove(serde_json::json!({})), &[(0, true), (600 * SECOND, false)], 7200 * SECOND);
         assert_eq!(messages.iter().map(|&(_, value)| value).collect::<Vec<_>>(), [Value::On, Value::Off]);
         assert!((messages[0].0 - 37_756_861).abs() <= 1, "{messages:?}");
         assert!((messages[1].0 - 3_245_226_992).abs() <= 1, "{messages:?}");
@@ -175,24 +175,24 @@ mod tests {
 
     #[test]
     fn a_stove_that_is_turned_off_too_early_says_nothing_and_one_turned_on_again_nothing_new() {
-        assert_eq!(said(stove(serde_json::json!({})), &[(0, true), (37 * SECOND, false)], 7200 * SECOND), []);
+        assert_eq!(outbox(stove(serde_json::json!({})), &[(0, true), (37 * SECOND, false)], 7200 * SECOND), []);
         let again = [(0, true), (600 * SECOND, false), (900 * SECOND, true), (1000 * SECOND, true)];
-        assert_eq!(said(stove(serde_json::json!({})), &again, 1200 * SECOND).len(), 1);
+        assert_eq!(outbox(stove(serde_json::json!({})), &again, 1200 * SECOND).len(), 1);
     }
 
     #[test]
     fn a_crossing_at_the_instant_of_an_act_is_said_once_whichever_comes_first() {
-        let crossing = said(stove(serde_json::json!({})), &[(0, true)], 100 * SECOND)[0].0;
+        let crossing = outbox(stove(serde_json::json!({})), &[(0, true)], 100 * SECOND)[0].0;
         let mut told_first = stove(serde_json::json!({}));
         let mut due_first = told_first.clone();
-        let (mut a, mut b) = (Said::default(), Said::default());
-        let act = |on| Change::Act { resident: 0, thing: 2, on };
-        told_first.told(0, &act(true), &mut a);
-        due_first.told(0, &act(true), &mut b);
-        due_first.due(crossing, &mut b);
-        told_first.told(crossing, &act(false), &mut a);
-        due_first.told(crossing, &act(false), &mut b);
-        told_first.due(crossing, &mut a);
+        let (mut a, mut b) = (Outbox::default(), Outbox::default());
+        let act = |on| Change::Use { resident: 0, thing: 2, on };
+        told_first.on_event(0, &act(true), &mut a);
+        due_first.on_event(0, &act(true), &mut b);
+        due_first.on_timer(crossing, &mut b);
+        told_first.on_event(crossing, &act(false), &mut a);
+        due_first.on_event(crossing, &act(false), &mut b);
+        told_first.on_timer(crossing, &mut a);
         assert_eq!((a.0.clone(), told_first), (b.0, due_first));
         assert_eq!(a.0.len(), 1);
     }
@@ -201,7 +201,7 @@ mod tests {
     fn readings_come_while_it_changes_and_are_a_degree_apart() {
         let mut stove = stove(serde_json::json!({ "readings_every_s": 30 }));
         stove.rounds = Some(Rounds::new(30 * SECOND));
-        let messages = said(stove, &[(0, true)], 3600 * SECOND);
+        let messages = outbox(stove, &[(0, true)], 3600 * SECOND);
         let readings: Vec<i32> = messages
             .iter()
             .filter_map(|&(_, value)| if let Value::Reading(thousandths) = value { Some(thousandths) } else { None })

@@ -12,8 +12,8 @@
 //!
 //! Left out: seasons, heating and its thermostat, cooking, open windows, other rooms.
 
-use super::device::{Rounds, Said, no_stream, reading};
-use crate::event::Why;
+use super::device::{Outbox, Rounds, no_stream, reading};
+use crate::event::Trigger;
 use crate::home::Sun;
 use crate::random::Stream;
 use crate::scenario::device::TemperatureFile;
@@ -65,12 +65,12 @@ impl Temperature {
         self.measures
     }
 
-    pub fn due(&mut self, at: Micros, said: &mut Said) {
-        let now = self.mean_c + self.swing_c * self.sun.noon(at - LAG) + self.wander_c;
+    pub fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
+        let now = self.mean_c + self.swing_c * self.sun.hour_angle_cosine(at - LAG) + self.wander_c;
         if self.said_c.is_none_or(|before| (now - before).abs() >= self.step_c) {
             let told = libm::round(now / self.step_c) * self.step_c;
             self.said_c = Some(told);
-            said.say(reading(told), None, at, Why::Reading);
+            outbox.say(reading(told), None, at, Trigger::Reading);
         }
         let left = libm::exp(-seconds(self.rounds.every()) / MEMORY_S);
         self.wander_c = left * self.wander_c + self.stream.normal(0.0, WANDER_C * libm::sqrt(1.0 - left * left));
@@ -92,12 +92,12 @@ mod tests {
     }
 
     fn readings(mut device: Temperature, days: Micros) -> Vec<(Micros, f64)> {
-        let (mut said, mut readings) = (Said::default(), Vec::new());
+        let (mut outbox, mut readings) = (Outbox::default(), Vec::new());
         while device.timer() < days * DAY {
             let due = device.timer();
-            device.due(due, &mut said);
+            device.on_timer(due, &mut outbox);
             assert!(device.timer() > due);
-            readings.extend(said.0.drain(..).filter_map(|(value, _)| match value {
+            readings.extend(outbox.0.drain(..).filter_map(|(value, _)| match value {
                 Value::Reading(thousandths) => Some((due, f64::from(thousandths) / 1000.0)),
                 _ => None,
             }));
@@ -134,7 +134,7 @@ mod tests {
         let mut wander = Vec::new();
         for _ in 0..200_000 {
             let due = device.timer();
-            device.due(due, &mut Said::default());
+            device.on_timer(due, &mut Outbox::default());
             wander.push(device.wander_c);
         }
         let product = |lag: usize| {

@@ -75,7 +75,7 @@ enum State {
 
 /// What the timer did.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Due {
+pub enum TimerOutcome {
     /// The sensor fired, for this reason.
     Fired(Seen),
     /// It did not fire, and now wants to be told of movement.
@@ -122,19 +122,19 @@ impl Machine {
 
     /// The timer is due; or, while watching, nothing will be seen any more before it is, so that the decision to
     /// become idle may be taken at once.
-    pub fn due(&mut self) -> Due {
+    pub fn on_timer(&mut self) -> TimerOutcome {
         match self.state {
             State::Delay { fire: at } | State::Sure { decide: at } => {
                 self.state = State::Asleep { decide: at + self.stream.span(self.timing.refire) };
-                Due::Fired(self.seen)
+                TimerOutcome::Fired(self.seen)
             }
             State::Asleep { decide } => {
                 self.state = State::Watching { decide };
-                Due::Wakes
+                TimerOutcome::Wakes
             }
             State::Watching { .. } | State::Idle => {
                 self.state = State::Idle;
-                Due::Wakes
+                TimerOutcome::Wakes
             }
         }
     }

@@ -41,8 +41,10 @@ fn a_stuck_sensor_repeats_itself_and_hears_nothing() {
     let events = ten_days(json!({ "kind": "stuck", "sensor": "hall", "from_day": 3, "days": 2, "every_s": 7 }));
     let (first, last, count) = loss_days(&events, Loss::Stuck);
     assert!(first >= 3.0 && last < 5.0 && count == 288, "{count} from {first} to {last}");
-    let false_fires =
-        causes(&events).iter().filter(|cause| cause.why == Why::False && cause.resident.is_none()).count();
+    let false_fires = causes(&events)
+        .iter()
+        .filter(|provenance| provenance.trigger == Trigger::False && provenance.resident.is_none())
+        .count();
     assert_eq!(false_fires, (2 * DAY / (7 * SECOND)) as usize + 1);
     let silent = ten_days(json!({ "kind": "stuck", "sensor": "hall", "from_day": 3 }));
     assert_eq!(loss_days(&silent, Loss::Stuck).2, 1439 - 431);
@@ -70,7 +72,7 @@ fn what_falls_off_sees_nothing_but_still_fires_for_no_reason() {
     assert_eq!(loss_days(&events, Loss::Place).2, 1439 - 143);
     let after: Vec<_> = events.firings.iter().zip(causes(&events)).filter(|(firing, _)| firing.at >= DAY).collect();
     assert!((160..270).contains(&after.len()), "{}", after.len());
-    assert!(after.iter().all(|(_, cause)| cause.why == Why::False));
+    assert!(after.iter().all(|(_, provenance)| provenance.trigger == Trigger::False));
 }
 
 #[test]

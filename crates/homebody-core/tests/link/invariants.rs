@@ -2,11 +2,11 @@
 
 use crate::random_home::{self, Dice, Model};
 use crate::*;
-use homebody_core::drivers::{Decide, Move, Next};
-use homebody_core::event::Act;
+use homebody_core::drivers::{Decide, MotionSegment, Next};
+use homebody_core::event::ThingUse;
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
-use homebody_core::run::{Guest, Lives, Run};
+use homebody_core::run::{DriverProvider, Guest, Run};
 use homebody_core::scenario::ScenarioFile;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::home::HomeFile;
@@ -22,7 +22,7 @@ const LENGTH: Micros = 300 * SECOND;
 /// Somebody who moves at random, and opens and closes the door as each move begins.
 #[derive(Clone, Debug)]
 struct Walker {
-    life: Vec<Move>,
+    life: Vec<MotionSegment>,
     door: u32,
     next: usize,
     has_acted: bool,
@@ -32,12 +32,12 @@ impl Decide for Walker {
     fn next(&mut self, now: Micros) -> Next {
         self.has_acted = !self.has_acted;
         if self.has_acted {
-            return Next::Act(Act { thing: self.door, on: self.next.is_multiple_of(2) });
+            return Next::Use(ThingUse { thing: self.door, on: self.next.is_multiple_of(2) });
         }
         self.next += 1;
         let next = self.life.get(self.next - 1).cloned();
         assert!(next.as_ref().is_none_or(|next| next.begin == now));
-        next.map_or(Next::Done, Next::Move)
+        next.map_or(Next::Done, Next::Segment)
     }
 
     fn pose(&self) -> (Point, Posture) {
@@ -52,7 +52,7 @@ impl Decide for Walker {
 /// The bodies of a random home, who are all guests.
 struct Walkers(u64);
 
-impl Lives for Walkers {
+impl DriverProvider for Walkers {
     fn guests(&self) -> Vec<Guest> {
         let guest = |build: Build| Guest { name: "somebody".into(), build };
         random_home::builds(self.0, 3).into_iter().map(guest).collect()
@@ -140,10 +140,10 @@ fn everything_happens() {
         for (.., loss) in lost(&events) {
             *losses.entry(loss).or_insert(0) += 1;
         }
-        for cause in causes(&events) {
-            whys[match cause.why {
-                Why::Duplicate => 0,
-                Why::False => 1,
+        for provenance in causes(&events) {
+            whys[match provenance.trigger {
+                Trigger::Duplicate => 0,
+                Trigger::False => 1,
                 _ => 2,
             }] += 1;
         }
@@ -197,7 +197,7 @@ fn forgetting_what_is_under_way_does_change_something() {
                         .iter()
                         .find(|fact| {
                             matches!(fact,
-                Fact::Cause { seq, .. } if *seq == firing.seq)
+                Fact::Provenance { seq, .. } if *seq == firing.seq)
                         })
                         .unwrap()
                         .clone(),
@@ -250,7 +250,7 @@ fn firings_are_in_order_numbered_and_no_later_than_settled() {
         assert!(all.firings.is_sorted_by_key(|firing| firing.at), "case {case}");
         assert!(all.firings.iter().enumerate().all(|(index, firing)| firing.seq == index as u64), "case {case}");
         let causes = all.facts.iter().filter_map(|fact| match fact {
-            Fact::Cause { seq, .. } => Some(*seq),
+            Fact::Provenance { seq, .. } => Some(*seq),
             _ => None,
         });
         assert!(causes.eq(0..all.firings.len() as u64), "case {case}");
@@ -271,11 +271,13 @@ fn a_perfect_link_changes_no_firing() {
 
 /// What became of each sensor's own messages: how many the logger got or never had, without copies and false ones.
 fn accounted(events: &Events, sensor: u32, before: Micros) -> usize {
-    let own = |cause: &Cause| !matches!(cause.why, Why::Duplicate | Why::False) && cause.seen_at < before;
+    let own = |provenance: &Provenance| {
+        !matches!(provenance.trigger, Trigger::Duplicate | Trigger::False) && provenance.seen_at < before
+    };
     let received = events.firings.iter().zip(causes(events));
-    let received = received.filter(|(firing, cause)| firing.sensor == sensor && own(cause)).count();
+    let received = received.filter(|(firing, provenance)| firing.sensor == sensor && own(provenance)).count();
     let lost = events.facts.iter().filter(|fact| match fact {
-        Fact::Lost { sensor: of, cause, .. } => *of == sensor && own(cause),
+        Fact::Lost { sensor: of, provenance, .. } => *of == sensor && own(provenance),
         _ => false,
     });
     received + lost.count()

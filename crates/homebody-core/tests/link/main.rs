@@ -6,7 +6,7 @@ mod invariants;
 mod random_home;
 mod statistics;
 
-use homebody_core::event::{Cause, Events, Fact, Firing, Loss, Value, Why};
+use homebody_core::event::{Events, Fact, Firing, Loss, Provenance, Trigger, Value};
 use homebody_core::link::Link;
 use homebody_core::scenario::home::SensorFile;
 use homebody_core::scenario::link::LinkFile;
@@ -27,13 +27,13 @@ fn motion_sensors(names: &[&str]) -> Vec<SensorFile> {
 /// What devices say: when, which of them, and what.
 fn said(messages: &[(Micros, u32, Value)]) -> Events {
     let firing = |(seq, &(at, sensor, value)): (usize, &_)| Firing { seq: seq as u64, at, sensor, value };
-    let cause = |(seq, &(at, ..)): (usize, &(Micros, u32, Value))| {
-        let cause = Cause { resident: Some(0), seen_at: at - 1, why: Why::Movement };
-        Fact::Cause { seq: seq as u64, cause }
+    let provenance = |(seq, &(at, ..)): (usize, &(Micros, u32, Value))| {
+        let provenance = Provenance { resident: Some(0), seen_at: at - 1, trigger: Trigger::Movement };
+        Fact::Provenance { seq: seq as u64, provenance }
     };
     Events {
         firings: messages.iter().enumerate().map(firing).collect(),
-        facts: messages.iter().enumerate().map(cause).collect(),
+        facts: messages.iter().enumerate().map(provenance).collect(),
     }
 }
 
@@ -75,10 +75,10 @@ fn times(events: &Events) -> Vec<f64> {
 }
 
 /// The causes of the firings, in their order.
-fn causes(events: &Events) -> Vec<Cause> {
-    let cause = |fact: &Fact| match *fact {
-        Fact::Cause { cause, .. } => Some(cause),
+fn causes(events: &Events) -> Vec<Provenance> {
+    let provenance = |fact: &Fact| match *fact {
+        Fact::Provenance { provenance, .. } => Some(provenance),
         _ => None,
     };
-    events.facts.iter().filter_map(cause).collect()
+    events.facts.iter().filter_map(provenance).collect()
 }

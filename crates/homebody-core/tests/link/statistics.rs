@@ -69,7 +69,7 @@ fn shares_are_what_the_file_says() {
     let of_fault = json!({ "loss": 0.1, "faults": [{ "kind": "bad_link", "sensor": "hall", "loss": 0.5 }] });
     near(share(&with(of_fault), Loss::Radio, messages.len()), 0.55);
     let twice = with(json!({ "duplicates": 0.03 }));
-    let duplicates = causes(&twice).iter().filter(|cause| cause.why == Why::Duplicate).count();
+    let duplicates = causes(&twice).iter().filter(|provenance| provenance.trigger == Trigger::Duplicate).count();
     near(duplicates as f64 / 100_000.0, 0.03);
     assert_eq!(twice.firings.len(), messages.len() + duplicates);
 }
@@ -86,7 +86,8 @@ fn presets_lose_what_their_sources_say() {
         assert!((found - expected).abs() < 0.0012, "{losses:?}");
     }
     // In 278 hours, one false firing in 50.
-    let false_fires = |events: &Events| causes(events).iter().filter(|cause| cause.why == Why::False).count();
+    let false_fires =
+        |events: &Events| causes(events).iter().filter(|provenance| provenance.trigger == Trigger::False).count();
     let found = events.each_ref().map(false_fires);
     assert!(found[0] == 0 && found[1..].iter().all(|count| (1..16).contains(count)), "{found:?}");
 }
@@ -100,7 +101,7 @@ fn delays_are_even_over_their_range_and_messages_may_overtake() {
         .firings
         .iter()
         .zip(causes(&events))
-        .map(|(firing, cause)| (firing.at - cause.seen_at - 1) as f64 / SECOND as f64)
+        .map(|(firing, provenance)| (firing.at - provenance.seen_at - 1) as f64 / SECOND as f64)
         .collect();
     assert!(delays.iter().all(|delay| (0.5..=2.5).contains(delay)));
     for decile in 0..10 {
@@ -109,7 +110,7 @@ fn delays_are_even_over_their_range_and_messages_may_overtake() {
         assert!((4_700..5_300).contains(&count), "{count} between {from} and {}", from + 0.2);
     }
     assert!(events.firings.is_sorted_by_key(|firing| firing.at));
-    assert!(!causes(&events).is_sorted_by_key(|cause| cause.seen_at), "none has overtaken another");
+    assert!(!causes(&events).is_sorted_by_key(|provenance| provenance.seen_at), "none has overtaken another");
 }
 
 #[test]

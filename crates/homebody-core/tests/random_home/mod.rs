@@ -1,7 +1,7 @@
 //! Random homes and random lives in them, each from its number: the same number, the same home.
 
-use homebody_core::drivers::Move;
-use homebody_core::event::{Act, Doing, Vitals};
+use homebody_core::drivers::MotionSegment;
+use homebody_core::event::{MotionState, ThingUse, Vitals};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
 use homebody_core::random::{Range, Stream};
@@ -155,7 +155,7 @@ pub fn doings(case: u64, resident: usize, home: &Home, length: Micros) -> Vec<(M
         } else {
             // Of all things those that sensors are on, as a rule.
             let name = ["door", "bed", "rug", "west", "piece 0"][dice.below(5) as usize];
-            Done::Act(Act { thing: home.plan.thing(name).unwrap_or(0) as u32, on: dice.one_in(2) })
+            Done::Use(ThingUse { thing: home.plan.thing(name).unwrap_or(0) as u32, on: dice.one_in(2) })
         };
         doings.push((at, done));
     }
@@ -167,7 +167,7 @@ pub fn doings(case: u64, resident: usize, home: &Home, length: Micros) -> Vec<(M
 #[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 #[derive(Clone, Copy)]
 pub enum Done {
-    Act(Act),
+    Use(ThingUse),
     Vitals(Vitals),
 }
 
@@ -179,7 +179,7 @@ pub fn builds(case: u64, most: i64) -> Vec<Build> {
 }
 
 /// What one resident does for about `length`: walks, stirs, rests, absences; many on round times.
-pub fn life(case: u64, resident: usize, home: &Home, length: Micros, slowest_mps: f64) -> Vec<Move> {
+pub fn life(case: u64, resident: usize, home: &Home, length: Micros, slowest_mps: f64) -> Vec<MotionSegment> {
     let dice = &mut Dice::new(case, &format!("life of {resident}"));
     let (least, most) = home.plan.bounds();
     let mut at = (least + most) / 2.0;
@@ -193,17 +193,21 @@ pub fn life(case: u64, resident: usize, home: &Home, length: Micros, slowest_mps
         };
         let posture = [Posture::Standing, Posture::Sitting, Posture::Lying][dice.below(3) as usize];
         let (took, doing, posture) = match dice.below(8) {
-            0 => (span(dice.between(0.0, 20.0)), Doing::Rest { at }, posture),
-            1 | 2 => (span(dice.between(0.0, 9.0)), Doing::Stir { at, amplitude_m: dice.between(0.01, 0.6) }, posture),
-            3 if dice.one_in(8) => (span(30.0), Doing::Away, Posture::Standing),
+            0 => (span(dice.between(0.0, 20.0)), MotionState::Rest { at }, posture),
+            1 | 2 => (
+                span(dice.between(0.0, 9.0)),
+                MotionState::InPlace { at, amplitude_m: dice.between(0.01, 0.6) },
+                posture,
+            ),
+            3 if dice.one_in(8) => (span(30.0), MotionState::Away, Posture::Standing),
             _ => {
                 let to = Point::new(dice.between(least.x, most.x), dice.between(least.y, most.y));
                 let pace = dice.between(slowest_mps, 2.5);
-                (span(at.distance(to) / pace), Doing::Stride { from: at, to }, Posture::Standing)
+                (span(at.distance(to) / pace), MotionState::Stride { from: at, to }, Posture::Standing)
             }
         };
-        moves.push(Move { begin: now, end: now + took, doing, posture });
-        if let Doing::Stride { to, .. } = doing {
+        moves.push(MotionSegment { begin: now, end: now + took, doing, posture });
+        if let MotionState::Stride { to, .. } = doing {
             at = to;
         }
         now += took;

@@ -33,7 +33,7 @@ pub struct Movement {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MovementKind {
     Stride,
-    Stir,
+    InPlace,
     Rest,
     Away,
 }
@@ -145,7 +145,7 @@ fn movement(row: &Row, instants: &mut Instants, clock: &RunClock, last: Micros) 
     let begin = clock.instant(begin, last);
     let kind = match row.get_ref(3)? {
         ValueRef::Text(b"stride") => MovementKind::Stride,
-        ValueRef::Text(b"stir") => MovementKind::Stir,
+        ValueRef::Text(b"in_place" | b"stir") => MovementKind::InPlace,
         ValueRef::Text(b"rest") => MovementKind::Rest,
         ValueRef::Text(b"away") => MovementKind::Away,
         _ => return Ok(None),

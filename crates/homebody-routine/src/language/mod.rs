@@ -24,7 +24,7 @@ mod check;
 #[cfg(test)]
 mod tests;
 
-use crate::routine::{Activity, Moment, Phase, Routine, Said};
+use crate::routine::{Activity, Moment, Phase, Quote, Routine};
 use adverbs::Adverbs;
 use faults::Faults;
 use homebody_core::problem::Problem;
@@ -67,7 +67,7 @@ pub fn condition(file: &str, text: &str, known: &Known) -> (Routine, Vec<Problem
 }
 
 /// Where in a text, which begins with no byte order mark, stands what was understood from it.
-pub fn place(said: &Said, text: &str) -> Range<usize> {
+pub fn place(said: &Quote, text: &str) -> Range<usize> {
     let line = words::lines(text)[said.line as usize - 1];
     let before: usize = line.text.chars().take(said.column as usize - 1).map(char::len_utf8).sum();
     line.start + before..line.start + before + said.text.len()
@@ -187,12 +187,12 @@ fn close(faults: &mut Faults, heading: Option<Heading>) {
 
 impl Draft<'_> {
     /// The words at a place, with line and column.
-    fn said(&self, span: Span) -> Said {
+    fn said(&self, span: Span) -> Quote {
         let index = self.lines.partition_point(|line| line.start <= span.start).saturating_sub(1);
         let start = self.lines.get(index).map_or(0, |line| line.start);
         let column = self.text.get(start..span.start).map_or(0, |before| before.chars().count()) as u32 + 1;
         let text = self.text.get(span.start..span.end).unwrap_or_default().to_owned();
-        Said { line: index as u32 + 1, column, text }
+        Quote { line: index as u32 + 1, column, text }
     }
 
     /// A phase has to begin before it ends, and before how often changes.

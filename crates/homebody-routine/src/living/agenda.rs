@@ -3,7 +3,7 @@
 //! Each habit that is meant for the day is drawn: whether, how often, when, for how long. What is said relative to
 //! something else is put beside it. The order is that of the starts; how the day really goes is for the living.
 
-use super::life::{Life, Mood};
+use super::life::{DayParameters, Life};
 use crate::fuzzy::Fuzzy;
 use crate::routine::{Activity, Habit, Meal, PartOfDay, When};
 use homebody_core::time::{Micros, SECOND, micros, seconds};
@@ -77,12 +77,21 @@ const BED: Fuzzy = Fuzzy { low: 22.9 * HOUR, from: 23.38 * HOUR, to: 23.38 * HOU
 
 impl Agenda {
     /// The plan of a day of a life, as it is with the day's mood.
-    pub fn of(life: &Life, day: i32, mood: &Mood) -> Agenda {
-        let (up, bed) = (up(life, day, mood), bed(life, day, mood));
+    pub fn of(life: &Life, day: i32, parameters: &DayParameters) -> Agenda {
+        let (up, bed) = (up(life, day, parameters), bed(life, day, parameters));
         // As it would be if tomorrow were as today: a change that begins tomorrow does not touch tonight.
-        let next_up = self::up(life, day + 1, mood);
-        let mut planner =
-            Planner { life, mood, day, up, bed, next_up, drafts: Vec::new(), breaks: Vec::new(), mornings: Vec::new() };
+        let next_up = self::up(life, day + 1, parameters);
+        let mut planner = Planner {
+            life,
+            parameters,
+            day,
+            up,
+            bed,
+            next_up,
+            drafts: Vec::new(),
+            breaks: Vec::new(),
+            mornings: Vec::new(),
+        };
         planner.draw();
         let mut items = planner.resolve();
         items.sort_by_key(|item| item.start);
@@ -100,17 +109,18 @@ impl Agenda {
 }
 
 /// When the resident gets up on a day.
-pub fn up(life: &Life, day: i32, mood: &Mood) -> Micros {
-    let time = clock_of(life, day, mood, &Activity::GetUp).unwrap_or_else(|| {
-        varied(&UP, life.stream_of_day(day, "up").unit(), mood.irregular) + mood.later_s(&Activity::GetUp)
+pub fn up(life: &Life, day: i32, parameters: &DayParameters) -> Micros {
+    let time = clock_of(life, day, parameters, &Activity::GetUp).unwrap_or_else(|| {
+        varied(&UP, life.stream_of_day(day, "up").unit(), parameters.irregular) + parameters.later_s(&Activity::GetUp)
     }) + life.person.up_s;
     life.instant(day, time.clamp(2.0 * HOUR, 14.0 * HOUR))
 }
 
 /// When the resident goes to bed at the end of a day.
-fn bed(life: &Life, day: i32, mood: &Mood) -> Micros {
-    let time = clock_of(life, day, mood, &Activity::GoToBed).unwrap_or_else(|| {
-        varied(&BED, life.stream_of_day(day, "bed").unit(), mood.irregular) + mood.later_s(&Activity::GoToBed)
+fn bed(life: &Life, day: i32, parameters: &DayParameters) -> Micros {
+    let time = clock_of(life, day, parameters, &Activity::GoToBed).unwrap_or_else(|| {
+        varied(&BED, life.stream_of_day(day, "bed").unit(), parameters.irregular)
+            + parameters.later_s(&Activity::GoToBed)
     }) + life.person.bed_s;
     // Half past midnight is the end of the day before.
     let time = if time < 12.0 * HOUR { time + 24.0 * HOUR } else { time };
@@ -118,7 +128,7 @@ fn bed(life: &Life, day: i32, mood: &Mood) -> Micros {
 }
 
 /// The time of day that the habits say for getting up or going to bed, if one of them holds on this day.
-fn clock_of(life: &Life, day: i32, mood: &Mood, activity: &Activity) -> Option<f64> {
+fn clock_of(life: &Life, day: i32, parameters: &DayParameters, activity: &Activity) -> Option<f64> {
     life.habits(day).find_map(|(habit, strength, file)| {
         if habit.activity != *activity || habit.visitor.is_some() || !life.is_on(&habit.days, day) {
             return None;
@@ -127,7 +137,7 @@ fn clock_of(life: &Life, day: i32, mood: &Mood, activity: &Activity) -> Option<f
         let key = key(habit, file, 0);
         let holds = life.stream_of_day(day, &format!("{key}/whether")).unit() < life.chance(habit, strength, day);
         let share = life.stream_of_day(day, &format!("{key}/start")).unit();
-        holds.then(|| varied(time, share, mood.irregular) + mood.later_s(activity))
+        holds.then(|| varied(time, share, parameters.irregular) + parameters.later_s(activity))
     })
 }
 
@@ -143,7 +153,7 @@ fn varied(fuzzy: &Fuzzy, share: f64, irregular: f64) -> f64 {
 
 struct Planner<'a> {
     life: &'a Life,
-    mood: &'a Mood,
+    parameters: &'a DayParameters,
     day: i32,
     up: Micros,
     bed: Micros,
@@ -192,7 +202,7 @@ impl Planner<'_> {
             _ => None,
         };
         let chance = self.life.chance(habit, strength, self.day);
-        let oftener = self.mood.oftener(&habit.activity, within);
+        let oftener = self.parameters.oftener(&habit.activity, within);
         // Who skips a meal does not prepare it either.
         let skipped = match habit.activity {
             Activity::Prepare(meal) => Activity::Eat(meal),
@@ -206,7 +216,7 @@ impl Planner<'_> {
         }
         let chance =
             if habit.chance.days_a_week.is_some() { (chance / habit.chance.probability).min(1.0) } else { chance };
-        if share("whether") >= (chance * oftener.min(1.0)).min(1.0) || skip < self.mood.skips(&skipped) {
+        if share("whether") >= (chance * oftener.min(1.0)).min(1.0) || skip < self.parameters.skips(&skipped) {
             return 0;
         }
         let (least, most) = habit.times;
@@ -230,23 +240,24 @@ impl Planner<'_> {
     fn add(&mut self, habit: &Habit, file: &str, number: u32, before: Option<&Start>) -> Option<Start> {
         let key = key(habit, file, number);
         let share = |purpose: &str| self.life.stream_of_day(self.day, &format!("{key}/{purpose}")).unit();
-        let (activity, mood) = (habit.activity.clone(), self.mood);
+        let (activity, parameters) = (habit.activity.clone(), self.parameters);
         let lasts_s = match &habit.lasts {
-            Some(lasts) => varied(lasts, share("lasts"), mood.irregular),
+            Some(lasts) => varied(lasts, share("lasts"), parameters.irregular),
             None => {
                 let (median_min, sigma) = activity.usual_minutes();
                 let mut stream = self.life.stream_of_day(self.day, &format!("{key}/lasts"));
-                stream.lognormal(median_min * MINUTE, sigma * mood.irregular.min(2.0))
+                stream.lognormal(median_min * MINUTE, sigma * parameters.irregular.min(2.0))
             }
         };
-        let lasts = micros((mood.lasting_s(&activity, lasts_s) * self.life.person.length).clamp(1.0, 20.0 * HOUR));
-        let later = micros(mood.later_s(&activity) + self.life.person.clock_s);
+        let lasts =
+            micros((parameters.lasting_s(&activity, lasts_s) * self.life.person.length).clamp(1.0, 20.0 * HOUR));
+        let later = micros(parameters.later_s(&activity) + self.life.person.clock_s);
         let at = |time: f64| self.life.instant(self.day, time);
         let mut patience = 2.5 * HOUR;
         let (start, known) = match &habit.when {
             When::At(time) => {
                 patience = 4.0 * HOUR;
-                (at(varied(time, share("start"), mood.irregular)), Start::Known)
+                (at(varied(time, share("start"), parameters.irregular)), Start::Known)
             }
             When::Within(PartOfDay::Night) => {
                 let (from, to) = (self.bed + 1800 * SECOND, self.next_up - 1200 * SECOND);
@@ -259,7 +270,7 @@ impl Planner<'_> {
                 (at(from + (to - from) * share("start")), Start::Known)
             }
             When::AnyTime => match activity.usual_clock() {
-                Some(time) => (at(varied(&time, share("start"), mood.irregular)), Start::Known),
+                Some(time) => (at(varied(&time, share("start"), parameters.irregular)), Start::Known),
                 None => {
                     patience = 6.0 * HOUR;
                     let (from, to) = (self.up + 3600 * SECOND, self.bed - 3600 * SECOND);
@@ -279,7 +290,8 @@ impl Planner<'_> {
             Start::At(start) => (start, Start::Known),
             known => (start, known),
         };
-        let until = habit.until.map(|until| at(varied(&until, share("until"), mood.irregular)).saturating_add(later));
+        let until =
+            habit.until.map(|until| at(varied(&until, share("until"), parameters.irregular)).saturating_add(later));
         // Nobody goes out for a moment.
         if activity == Activity::Leave && until.is_none() && lasts < LEAST_OUT {
             return None;

@@ -2,8 +2,8 @@
 
 use super::places::Spot;
 use crate::walk::{Gait, Mesh, Routes, Wandering, rise, sit, walk, wander};
-use homebody_core::drivers::Move;
-use homebody_core::event::Doing;
+use homebody_core::drivers::MotionSegment;
+use homebody_core::event::MotionState;
 use homebody_core::geometry::Point;
 use homebody_core::home::Home;
 use homebody_core::random::Stream;
@@ -40,11 +40,11 @@ impl Body {
     }
 
     /// The body has begun a move: where it will be.
-    pub fn follow(&mut self, next: &Move) {
+    pub fn follow(&mut self, next: &MotionSegment) {
         match next.doing {
-            Doing::Stride { to, .. } => self.at = to,
-            Doing::Stir { at, .. } | Doing::Rest { at } => self.at = at,
-            Doing::Away => return,
+            MotionState::Stride { to, .. } => self.at = to,
+            MotionState::InPlace { at, .. } | MotionState::Rest { at } => self.at = at,
+            MotionState::Away => return,
         }
         self.posture = next.posture;
     }
@@ -67,7 +67,14 @@ impl Body {
     }
 
     /// The moves that take it to a place: rising, walking, sitting or lying down; nothing if there is no way.
-    pub fn go(&mut self, spot: &Spot, now: Micros, hour: f64, pace: f64, stream: &mut Stream) -> Option<Vec<Move>> {
+    pub fn go(
+        &mut self,
+        spot: &Spot,
+        now: Micros,
+        hour: f64,
+        pace: f64,
+        stream: &mut Stream,
+    ) -> Option<Vec<MotionSegment>> {
         self.spot = Some(spot.clone());
         if self.at.distance(spot.at) < THERE_M {
             return Some(Vec::new());
@@ -93,7 +100,7 @@ impl Body {
         hour: f64,
         pace: f64,
         stream: &mut Stream,
-    ) -> Vec<Move> {
+    ) -> Vec<MotionSegment> {
         let mut moves = self.stand_up(now, pace, stream);
         let gait = Gait::of_walk(self.pace_mps * pace, hour, 0.0, stream);
         let mut from = self.at;
@@ -111,12 +118,12 @@ impl Body {
     }
 
     /// Sitting up and rising, if it does not stand.
-    fn stand_up(&self, now: Micros, pace: f64, stream: &mut Stream) -> Vec<Move> {
+    fn stand_up(&self, now: Micros, pace: f64, stream: &mut Stream) -> Vec<MotionSegment> {
         let mut moves = Vec::new();
         if self.posture == Posture::Lying {
             let end = now + micros(stream.lognormal(8.0, 0.3));
-            let doing = Doing::Stir { at: self.at, amplitude_m: 0.4 };
-            moves.push(Move { begin: now, end, doing, posture: Posture::Sitting });
+            let doing = MotionState::InPlace { at: self.at, amplitude_m: 0.4 };
+            moves.push(MotionSegment { begin: now, end, doing, posture: Posture::Sitting });
         }
         if self.posture != Posture::Standing {
             let begin = moves.last().map_or(now, |last| last.end);

@@ -1,4 +1,4 @@
-//! Lives a routine: carries out the day's plan, interrupts it for needs and rules, walks the body from place to place.
+//! DriverProvider a routine: carries out the day's plan, interrupts it for needs and rules, walks the body from place to place.
 //!
 //! Three layers decide, the higher over the lower (Brooks 1986): needs that press, rules and what happens to one
 //! interrupt; the plan of the day says what is next; and where it says nothing, the time is filled. What is interrupted
@@ -6,15 +6,15 @@
 
 use super::agenda::{Agenda, Item};
 use super::body::Body;
-use super::life::{Life, Mood};
+use super::life::{DayParameters, Life};
 use super::manner::Manner;
 use super::needs::Needs;
 use super::places::{Places, Role, Spot};
-use super::script::{May, Setting, Stay, Step, script};
+use super::script::{Interruptible, Setting, Stay, Step, script};
 use super::watch::Watches;
 use crate::routine::{Activity, Response};
-use homebody_core::drivers::{Decide, Move, Next};
-use homebody_core::event::{Act, Doing, Need};
+use homebody_core::drivers::{Decide, MotionSegment, Next};
+use homebody_core::event::{MotionState, Need, ThingUse};
 use homebody_core::geometry::Point;
 use homebody_core::home::Home;
 use homebody_core::random::Stream;
@@ -32,7 +32,7 @@ pub struct RoutineDriver {
     pub(super) home: Arc<Home>,
     pub(super) places: Arc<Places>,
     pub(super) body: Body,
-    pub(super) mood: Mood,
+    pub(super) parameters: DayParameters,
     pub(super) agenda: Agenda,
     pub(super) next_item: usize,
     pub(super) next_break: usize,
@@ -73,10 +73,10 @@ pub(super) struct Playing {
 impl RoutineDriver {
     /// A resident at the beginning of a run: in bed before getting up, else up and about.
     pub fn new(life: Arc<Life>, home: Arc<Home>, places: Arc<Places>, mut body: Body) -> RoutineDriver {
-        let mood = life.mood(0);
-        let today = Agenda::of(&life, 0, &mood);
+        let parameters = life.parameters(0);
+        let today = Agenda::of(&life, 0, &parameters);
         let in_bed = today.up > 0 || today.bed < 0;
-        let agenda = if today.up > 0 { Agenda::of(&life, -1, &life.mood(-1)) } else { today };
+        let agenda = if today.up > 0 { Agenda::of(&life, -1, &life.parameters(-1)) } else { today };
         let role = if in_bed { Role::Bed } else { Role::Armchair };
         if let Some(spot) = places.of(role) {
             body.place(spot.clone(), if in_bed { Posture::Lying } else { spot.posture });
@@ -96,14 +96,14 @@ impl RoutineDriver {
             visitor: None,
             needs,
             agenda,
-            mood,
+            parameters,
             body,
             places,
             home,
             life,
         };
         driver.tell_conditions();
-        driver.needs.waking(0, &driver.mood, driver.life.plans_toilet(driver.agenda.day, false));
+        driver.needs.waking(0, &driver.parameters, driver.life.plans_toilet(driver.agenda.day, false));
         if in_bed {
             driver.sleep(0, true);
         }
@@ -115,18 +115,18 @@ impl RoutineDriver {
         let mut driver = RoutineDriver::new(life, home, places, body);
         (driver.scripts, driver.ready, driver.visitor) = (Vec::new(), VecDeque::new(), Some(name.into()));
         // Neither the host's rules nor the host's illness are theirs.
-        (driver.watches, driver.mood) = (Watches::none(), Mood::ordinary());
+        (driver.watches, driver.parameters) = (Watches::none(), DayParameters::ordinary());
         driver
     }
 
     fn step(&mut self, now: Micros) -> Next {
         loop {
             if let Some(next) = self.ready.front() {
-                if matches!(next, Next::Move(_) | Next::Act(_)) && self.told != self.name {
+                if matches!(next, Next::Segment(_) | Next::Use(_)) && self.told != self.name {
                     self.told.clone_from(&self.name);
                     return Next::Activity((!self.name.is_empty()).then(|| self.name.clone()));
                 }
-                if let Next::Move(next) = next {
+                if let Next::Segment(next) = next {
                     self.body.follow(next);
                 }
             }
@@ -182,8 +182,8 @@ impl RoutineDriver {
             Step::Wander { kind, lasts } => {
                 let hour = self.hour(now);
                 if let Some(playing) = self.scripts.last_mut() {
-                    let moves = self.body.wander(kind, lasts, now, hour, self.mood.pace, &mut playing.stream);
-                    self.ready.extend(moves.into_iter().map(Next::Move));
+                    let moves = self.body.wander(kind, lasts, now, hour, self.parameters.pace, &mut playing.stream);
+                    self.ready.extend(moves.into_iter().map(Next::Segment));
                 }
             }
             Step::LieDown => self.lie_down(now),
@@ -198,7 +198,7 @@ impl RoutineDriver {
         let Some(playing) = self.scripts.last_mut() else { return };
         playing.spot = Some(spot.clone());
         let from = self.body.room();
-        let Some(moves) = self.body.go(&spot, now, hour, self.mood.pace, &mut playing.stream) else {
+        let Some(moves) = self.body.go(&spot, now, hour, self.parameters.pace, &mut playing.stream) else {
             // Nothing is done where nobody can go.
             return playing.steps.clear();
         };
@@ -217,16 +217,16 @@ impl RoutineDriver {
     }
 
     /// Puts a walk on its way: in the dark, the lamp of the room that is left goes off, that of the other on.
-    fn lamps(&mut self, from: Option<usize>, to: Option<usize>, now: Micros, moves: Vec<Move>) {
+    fn lamps(&mut self, from: Option<usize>, to: Option<usize>, now: Micros, moves: Vec<MotionSegment>) {
         let (off, on) = (self.lamp(from), self.lamp(to));
         if let Some(off) = off.filter(|&lamp| from != to && self.watches.is_on(lamp)) {
             self.act(off, false, now);
         }
         let arrival = moves.last().map_or(now, |last| last.end);
-        self.ready.extend(moves.into_iter().map(Next::Move));
+        self.ready.extend(moves.into_iter().map(Next::Segment));
         // Nobody lights the bedroom to go back to sleep.
         let to_sleep = self.needs.asleep() && to == self.places.of(Role::Bed).and_then(|bed| bed.room);
-        let dark = self.home.sun.height(now) < DARK && !to_sleep;
+        let dark = self.home.sun.elevation_sine(now) < DARK && !to_sleep;
         if let Some(on) = on.filter(|&lamp| dark && !self.watches.is_on(lamp)) {
             self.act(on, true, arrival);
         }
@@ -245,7 +245,7 @@ impl RoutineDriver {
 
     pub(super) fn act(&mut self, thing: u32, on: bool, at: Micros) {
         self.watches.turn(thing, on, at, &self.life, &self.places);
-        self.ready.push_back(Next::Act(Act { thing, on }));
+        self.ready.push_back(Next::Use(ThingUse { thing, on }));
     }
 
     fn away(&mut self, lasts: Micros, until: Option<Micros>, now: Micros) {
@@ -253,9 +253,14 @@ impl RoutineDriver {
         let end = self.watches.leave(now, end, &self.life).max(now + SECOND);
         self.needs.pause(now);
         self.put_out_the_lamp(now);
-        self.ready.push_back(Next::Move(Move { begin: now, end, doing: Doing::Away, posture: Posture::Standing }));
+        self.ready.push_back(Next::Segment(MotionSegment {
+            begin: now,
+            end,
+            doing: MotionState::Away,
+            posture: Posture::Standing,
+        }));
         if self.visitor.is_none() {
-            self.needs.waking(end, &self.mood, self.life.plans_toilet(self.agenda.day, false));
+            self.needs.waking(end, &self.parameters, self.life.plans_toilet(self.agenda.day, false));
         }
     }
 
@@ -268,7 +273,7 @@ impl RoutineDriver {
         let Some(playing) = self.scripts.last_mut() else { return };
         let Some(Step::Stay(stay)) = playing.steps.front_mut() else { return };
         let mut end = now.saturating_add(stay.left).min(stay.until.unwrap_or(Micros::MAX));
-        if stay.may == May::Yield {
+        if stay.may == Interruptible::Yield {
             end = end.min(next_start);
         }
         if end <= now {
@@ -276,9 +281,9 @@ impl RoutineDriver {
             return;
         }
         let interrupted_at = match stay.may {
-            May::Nothing => Micros::MAX,
-            May::Rules => rules_at,
-            May::Interrupt | May::Yield => interrupted_at,
+            Interruptible::Nothing => Micros::MAX,
+            Interruptible::Rules => rules_at,
+            Interruptible::Interrupt | Interruptible::Yield => interrupted_at,
         };
         if interrupted_at < Micros::MAX {
             if interrupted_at <= now {
@@ -293,17 +298,17 @@ impl RoutineDriver {
         let until = end.min(now.saturating_add(span));
         let at = self.body.at();
         let doing = match playing.stirs {
-            true => Doing::Stir { at, amplitude_m: stay.manner.amplitude_m },
-            false => Doing::Rest { at },
+            true => MotionState::InPlace { at, amplitude_m: stay.manner.amplitude_m },
+            false => MotionState::Rest { at },
         };
         playing.stirs = !playing.stirs;
         stay.left -= until - now;
-        self.ready.push_back(Next::Move(Move { begin: now, end: until, doing, posture: stay.posture }));
+        self.ready.push_back(Next::Segment(MotionSegment { begin: now, end: until, doing, posture: stay.posture }));
     }
 
     /// How many times the usual movement there is now, for each manner of staying.
     fn activity(&self, now: Micros) -> impl Fn(&Manner) -> f64 + use<> {
-        let (restless, awake) = (self.mood.restless, self.mood.activity(self.hour(now)));
+        let (restless, awake) = (self.parameters.restless, self.parameters.activity(self.hour(now)));
         move |manner| if *manner == Manner::ASLEEP || *manner == Manner::AWAKE_IN_BED { restless } else { awake }
     }
 
@@ -353,7 +358,7 @@ impl RoutineDriver {
                 Activity::UseBathroom if self.needs.asleep() => (4.0, 0.4),
                 ref activity => activity.usual_minutes(),
             };
-            let lasts = self.mood.lasting_s(&activity, stream.lognormal(median_min * 60.0, sigma));
+            let lasts = self.parameters.lasting_s(&activity, stream.lognormal(median_min * 60.0, sigma));
             self.begin(&Item::now(key, activity, micros(lasts)));
         }
     }
@@ -402,14 +407,19 @@ impl RoutineDriver {
         let place = place.as_deref().and_then(|place| self.places.named(place));
         let mut stream = self.life.stream_of_day(self.agenda.day, &format!("{key}/doing"));
         let mut forgotten = Vec::new();
-        for (name, chance) in self.mood.forgotten() {
+        for (name, chance) in self.parameters.forgotten() {
             let mut stream = self.life.stream_of_day(self.agenda.day, &format!("{key}/forgets/{name}"));
             let thing = self.places.thing_named(name);
             forgotten.extend(thing.filter(|_| stream.chance(chance)));
         }
         let left = forgotten.clone();
-        let mut setting =
-            Setting { places: &self.places, at: self.body.at(), mood: &self.mood, stream: &mut stream, forgotten };
+        let mut setting = Setting {
+            places: &self.places,
+            at: self.body.at(),
+            parameters: &self.parameters,
+            stream: &mut stream,
+            forgotten,
+        };
         let mut steps = script(activity, place, *lasts, *until, &mut setting);
         let stations = self.places.stations();
         let first = match activity {
@@ -486,14 +496,14 @@ impl RoutineDriver {
         let mut stream = self.life.stream_of_day(self.agenda.day, &key);
         let said: Vec<&Activity> = self.life.habits(self.agenda.day).map(|(habit, _, _)| &habit.activity).collect();
         let (mut fillers, mut weights) = (Vec::new(), Vec::new());
-        let rising = RISES * self.mood.activity(self.hour(now));
+        let rising = RISES * self.parameters.activity(self.hour(now));
         for (activity, weight, minutes) in FILLERS {
             // A home without a desk has no computer.
             let can = activity != Activity::UseComputer || self.places.has(Role::Desk);
             let planned = activity != Activity::Relax && activity != Activity::Housework && said.contains(&&activity);
             let rises = activity == Activity::Housework && self.body.posture() != Posture::Standing;
             if can && !planned {
-                let weight = weight * self.mood.oftener(&activity, None);
+                let weight = weight * self.parameters.oftener(&activity, None);
                 weights.push(if rises { weight * rising } else { weight });
                 fillers.push((activity, minutes));
             }
@@ -506,18 +516,19 @@ impl RoutineDriver {
                 manner: Manner::STILL,
                 left: gap.max(SECOND),
                 until: Some(until.max(now + SECOND)),
-                may: May::Interrupt,
+                may: Interruptible::Interrupt,
             };
             let steps = [Step::Name(Activity::Relax.name()), Step::Stay(stay)];
             return self.play(steps.into(), stream, Activity::Relax.name());
         }
-        let lasts = micros(self.mood.lasting_s(activity, stream.lognormal(minutes * 60.0, 0.5)).max(20.0)).min(gap);
+        let lasts =
+            micros(self.parameters.lasting_s(activity, stream.lognormal(minutes * 60.0, 0.5)).max(20.0)).min(gap);
         self.begin(&Item::now(key, activity.clone(), lasts));
         for step in self.scripts.last_mut().into_iter().flat_map(|playing| playing.steps.iter_mut()) {
             if let Step::Stay(stay) = step
-                && stay.may == May::Interrupt
+                && stay.may == Interruptible::Interrupt
             {
-                stay.may = May::Yield;
+                stay.may = Interruptible::Yield;
             }
         }
     }
@@ -529,7 +540,7 @@ impl RoutineDriver {
 
     /// Tells how severe each condition is, and of those that are over that they are.
     pub(super) fn tell_conditions(&mut self) {
-        let now = &self.mood.severities;
+        let now = &self.parameters.severities;
         let over = self.shown.iter().filter(|name| now.iter().all(|(of, _)| of != *name));
         let over: Vec<(String, f64)> = over.map(|name| (name.clone(), 0.0)).collect();
         for (name, severity) in over.iter().chain(now) {

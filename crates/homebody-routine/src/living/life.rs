@@ -113,7 +113,7 @@ impl Person {
 
 /// How things are on one day.
 #[derive(Clone, Debug)]
-pub struct Mood {
+pub struct DayParameters {
     /// So many times the walking speed.
     pub pace: f64,
     pub irregular: f64,
@@ -328,23 +328,23 @@ impl Life {
     }
 
     /// How things are on a day.
-    pub fn mood(&self, day: i32) -> Mood {
-        let mut mood = Mood::ordinary();
-        mood.irregular = self.person.irregular;
+    pub fn parameters(&self, day: i32) -> DayParameters {
+        let mut parameters = DayParameters::ordinary();
+        parameters.irregular = self.person.irregular;
         for (meal, skips) in Meal::ALL.into_iter().zip(self.person.skips) {
             if skips > 0.0 {
-                mood.skips.insert(Activity::Eat(meal), skips);
+                parameters.skips.insert(Activity::Eat(meal), skips);
             }
         }
-        mood.active.push((None, self.level(day)));
+        parameters.active.push((None, self.level(day)));
         if self.person.activity != 1.0 {
-            mood.active.push((None, self.person.activity));
+            parameters.active.push((None, self.person.activity));
         }
         for (source, strength) in self.in_force(day) {
             if let Some(condition) = &source.condition {
-                match mood.severities.iter_mut().find(|(name, _)| name == condition) {
+                match parameters.severities.iter_mut().find(|(name, _)| name == condition) {
                     Some((_, severity)) => *severity += strength,
-                    None => mood.severities.push((condition.clone(), strength)),
+                    None => parameters.severities.push((condition.clone(), strength)),
                 }
             }
             for change in &source.routine.changes {
@@ -358,11 +358,11 @@ impl Life {
                     let shown = phases.filter_map(|phase| phase.from).map(|from| self.day_of(from)).max();
                     let from = change.phase.from.map(|from| self.day_of(from)).or(shown).unwrap_or(0);
                     let span = Span { weeks: f64::from(day - from) / 7.0, pace_mps: self.pace_mps };
-                    mood.change(&change.effect, full, share, span);
+                    parameters.change(&change.effect, full, share, span);
                 }
             }
         }
-        mood
+        parameters
     }
 }
 
@@ -397,9 +397,9 @@ struct Span {
 const MOST_WEEKS: f64 = 26.0;
 const LEAST_PACE: f64 = 0.33;
 
-impl Mood {
-    pub(super) fn ordinary() -> Mood {
-        Mood {
+impl DayParameters {
+    pub(super) fn ordinary() -> DayParameters {
+        DayParameters {
             pace: 1.0,
             irregular: 1.0,
             restless: 1.0,

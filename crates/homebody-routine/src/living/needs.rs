@@ -1,6 +1,6 @@
 //! The needs of one resident together: how fast each rises, and what is done when it presses.
 
-use super::life::{Constitution, Life, Mood};
+use super::life::{Constitution, DayParameters, Life};
 use super::need::Need;
 use crate::routine::{Activity, PartOfDay};
 use homebody_core::event::Need as Kind;
@@ -57,22 +57,22 @@ impl Needs {
 
     /// From now on at the rates of waking.
     /// The toilet's does not rise where visits are planned.
-    pub fn waking(&mut self, now: Micros, mood: &Mood, is_planned: bool) {
+    pub fn waking(&mut self, now: Micros, parameters: &DayParameters, is_planned: bool) {
         self.asleep = false;
         // In a renewal process that begins anew a third of a visit is missing at this shape.
         let visits = (self.constitution.toilet_by_day - ANYWAY + 0.33).max(0.5);
-        let toilet = visits * 24.0 / WAKING_H * mood.oftener(&Activity::UseBathroom, Some(PartOfDay::Day));
+        let toilet = visits * 24.0 / WAKING_H * parameters.oftener(&Activity::UseBathroom, Some(PartOfDay::Day));
         self.toilet.rise(now, if is_planned { 0.0 } else { toilet });
-        self.thirst.rise(now, THIRST * mood.oftener(&Activity::Drink, None));
-        self.hunger.rise(now, HUNGER * mood.oftener(&Activity::Snack, None));
+        self.thirst.rise(now, THIRST * parameters.oftener(&Activity::Drink, None));
+        self.hunger.rise(now, HUNGER * parameters.oftener(&Activity::Snack, None));
         self.tiredness.rise(now, TIREDNESS);
     }
 
     /// From now on at the rates of the night.
-    pub fn sleeping(&mut self, now: Micros, mood: &Mood, is_planned: bool) {
+    pub fn sleeping(&mut self, now: Micros, parameters: &DayParameters, is_planned: bool) {
         self.asleep = true;
         let visits = self.constitution.toilet_at_night + 0.33;
-        let toilet = visits * 24.0 / SLEEPING_H * mood.oftener(&Activity::UseBathroom, Some(PartOfDay::Night));
+        let toilet = visits * 24.0 / SLEEPING_H * parameters.oftener(&Activity::UseBathroom, Some(PartOfDay::Night));
         self.toilet.rise(now, if is_planned { 0.0 } else { toilet });
         for need in [&mut self.thirst, &mut self.hunger, &mut self.tiredness] {
             need.rise(now, 0.0);

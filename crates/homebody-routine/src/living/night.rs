@@ -4,7 +4,7 @@ use super::agenda::{self, Agenda, Item};
 use super::driver::{MINUTE, RoutineDriver};
 use super::manner::Manner;
 use super::places::{Role, Spot};
-use super::script::{May, Stay, Step};
+use super::script::{Interruptible, Stay, Step};
 use crate::routine::Activity;
 use homebody_core::drivers::Next;
 use homebody_core::event::Vitals;
@@ -27,11 +27,11 @@ impl RoutineDriver {
     pub(super) fn sleep(&mut self, now: Micros, already: bool) {
         let mut stream = self.life.stream_of_day(self.agenda.day, "night");
         let tomorrow = self.agenda.day + 1;
-        let up = agenda::up(&self.life, tomorrow, &self.life.mood(tomorrow)).max(now + MINUTE);
+        let up = agenda::up(&self.life, tomorrow, &self.life.parameters(tomorrow)).max(now + MINUTE);
         // A change that begins tomorrow does not touch tonight's wakings.
-        let usual_up = agenda::up(&self.life, tomorrow, &self.mood);
+        let usual_up = agenda::up(&self.life, tomorrow, &self.parameters);
         let stay = |manner, left, until| {
-            Step::Stay(Stay { posture: Posture::Lying, manner, left, until, may: May::Interrupt })
+            Step::Stay(Stay { posture: Posture::Lying, manner, left, until, may: Interruptible::Interrupt })
         };
         let mut steps = VecDeque::new();
         let mut asleep = now;
@@ -46,7 +46,7 @@ impl RoutineDriver {
                 manner: Manner::TURNING,
                 left: sitting,
                 until: Some(up),
-                may: May::Nothing,
+                may: Interruptible::Nothing,
             };
             steps.push_back(Step::Stay(turning));
             steps.push_back(Step::LieDown);
@@ -75,28 +75,28 @@ impl RoutineDriver {
     }
 
     pub(super) fn lie_down(&mut self, now: Micros) {
-        self.needs.sleeping(now, &self.mood, self.life.plans_toilet(self.agenda.day, true));
+        self.needs.sleeping(now, &self.parameters, self.life.plans_toilet(self.agenda.day, true));
         self.put_out_the_lamp(now);
         self.watches.lie_down(now, &self.life);
         let mut stream = self.life.stream_of_day(self.agenda.day, "vitals");
         let body = &self.life.constitution;
         self.ready.push_back(Next::Vitals(Vitals {
-            pulse: body.pulse + self.mood.pulse + stream.normal(0.0, 2.0),
-            respiration: body.respiration + self.mood.respiration + stream.normal(0.0, 0.5),
+            pulse: body.pulse + self.parameters.pulse + stream.normal(0.0, 2.0),
+            respiration: body.respiration + self.parameters.respiration + stream.normal(0.0, 0.5),
         }));
     }
 
     /// The next day begins.
     pub(super) fn wake(&mut self, now: Micros) {
         let day = self.agenda.day + 1;
-        self.mood = self.life.mood(day);
-        self.agenda = Agenda::of(&self.life, day, &self.mood);
+        self.parameters = self.life.parameters(day);
+        self.agenda = Agenda::of(&self.life, day, &self.parameters);
         self.midnight = self.life.midnight(day);
         self.next_item = 0;
         self.unplanned.clear();
         self.next_break = self.agenda.breaks.partition_point(|item| item.start < now);
         self.tell_conditions();
-        self.needs.waking(now, &self.mood, self.life.plans_toilet(day, false));
+        self.needs.waking(now, &self.parameters, self.life.plans_toilet(day, false));
         self.needs.wake(now);
         self.watches.wake(day, &self.life);
         // On top of the night's script, which ends with this.

@@ -16,8 +16,8 @@ use super::life::Life;
 use super::manner::Manner;
 use super::places::{Places, Role, Spot};
 use crate::walk::Wandering;
-use homebody_core::drivers::{Decide, Move, Next};
-use homebody_core::event::Doing;
+use homebody_core::drivers::{Decide, MotionSegment, Next};
+use homebody_core::event::MotionState;
 use homebody_core::geometry::Point;
 use homebody_core::random::Stream;
 use homebody_core::scenario::path::Posture;
@@ -52,7 +52,7 @@ impl PetDriver {
     fn step(&mut self, now: Micros) -> Next {
         loop {
             if let Some(next) = self.ready.pop_front() {
-                if let Next::Move(next) = &next {
+                if let Next::Segment(next) = &next {
                     self.body.follow(next);
                 }
                 return next;
@@ -69,12 +69,13 @@ impl PetDriver {
         self.stirs = !stirs;
         let span = if stirs { manner.bout(&mut self.stream) } else { manner.gap(1.0, &mut self.stream) };
         let at = self.body.at();
-        let doing = if stirs { Doing::Stir { at, amplitude_m: manner.amplitude_m } } else { Doing::Rest { at } };
+        let doing =
+            if stirs { MotionState::InPlace { at, amplitude_m: manner.amplitude_m } } else { MotionState::Rest { at } };
         let end = end.min(now.saturating_add(span));
         // Curled up it is as low as it can be; on furniture it is not, for pads and strips feel whoever sits or lies there,
         // and a pet is too light for them.
         let posture = if self.asleep { Posture::Lying } else { Posture::Standing };
-        self.ready.push_back(Next::Move(Move { begin: now, end, doing, posture }));
+        self.ready.push_back(Next::Segment(MotionSegment { begin: now, end, doing, posture }));
     }
 
     fn decide(&mut self, now: Micros) {
@@ -107,7 +108,7 @@ impl PetDriver {
                 let spot = Spot { posture: Posture::Standing, ..spot };
                 let moves = self.body.go(&spot, now, hour, 1.0, &mut self.stream).unwrap_or_default();
                 let arrival = moves.last().map_or(now, |last| last.end);
-                self.ready.extend(moves.into_iter().map(Next::Move));
+                self.ready.extend(moves.into_iter().map(Next::Segment));
                 let (manner, median_min) = match (sleeps, rests) {
                     (true, _) => (Manner::CURLED_UP, 65.0),
                     (false, true) => (Manner::STILL, 25.0),
@@ -119,7 +120,7 @@ impl PetDriver {
             None => {
                 let lasts = micros(self.stream.lognormal(60.0, 0.6));
                 let moves = self.body.wander(Wandering::Random, lasts, now, hour, 1.0, &mut self.stream);
-                self.ready.extend(moves.into_iter().map(Next::Move));
+                self.ready.extend(moves.into_iter().map(Next::Segment));
                 self.stay = None;
             }
         }

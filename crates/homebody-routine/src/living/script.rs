@@ -1,6 +1,6 @@
 //! How things are done: each activity as steps from place to place, with the things that are used on the way.
 
-use super::life::Mood;
+use super::life::DayParameters;
 use super::manner::Manner;
 use super::places::{Places, Role, Spot};
 use crate::routine::{Activity, Meal};
@@ -48,12 +48,12 @@ pub struct Stay {
     pub left: Micros,
     /// It ends then in any case.
     pub until: Option<Micros>,
-    pub may: May,
+    pub may: Interruptible,
 }
 
 /// What may end or break a stay.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum May {
+pub enum Interruptible {
     /// Nothing.
     Nothing,
     /// Only rules.
@@ -69,7 +69,7 @@ pub struct Setting<'a> {
     pub places: &'a Places,
     /// Where the body is as it begins.
     pub at: Point,
-    pub mood: &'a Mood,
+    pub parameters: &'a DayParameters,
     pub stream: &'a mut Stream,
     /// Which things stay on this time: the stove that is forgotten.
     pub forgotten: Vec<u32>,
@@ -98,17 +98,20 @@ pub fn script(
 impl Steps<'_, '_> {
     fn act_out(&mut self, activity: &Activity, place: Option<&Spot>, lasts: Micros, until: Option<Micros>) {
         match activity {
-            Activity::GetUp => {
-                self.stay(Posture::Sitting, Manner::TURNING, micros(seconds(lasts).clamp(30.0, 600.0)), May::Rules)
-            }
+            Activity::GetUp => self.stay(
+                Posture::Sitting,
+                Manner::TURNING,
+                micros(seconds(lasts).clamp(30.0, 600.0)),
+                Interruptible::Rules,
+            ),
             Activity::UseBathroom => self.use_bathroom(lasts),
             Activity::Shower => self.shower(place, lasts),
             Activity::Wash => self.with_water(Role::Washbasin, place, lasts, Manner::WASHING),
-            Activity::Dress => self.at(Role::Wardrobe, place, lasts, Manner::WASHING, May::Rules),
+            Activity::Dress => self.at(Role::Wardrobe, place, lasts, Manner::WASHING, Interruptible::Rules),
             Activity::TakeMedicine => self.take_medicine(place, lasts),
             Activity::Prepare(meal) => self.prepare(*meal, lasts),
             Activity::Eat(_) => {
-                self.at(Role::DiningSeat, place, lasts, Manner::EATING, May::Rules);
+                self.at(Role::DiningSeat, place, lasts, Manner::EATING, Interruptible::Rules);
                 self.push(Step::Meet(Need::Hunger));
                 self.push(Step::Meet(Need::Thirst));
             }
@@ -124,16 +127,16 @@ impl Steps<'_, '_> {
             Activity::Visit => self.visit(lasts),
             Activity::Drink => self.drink(lasts),
             Activity::Snack => self.snack(lasts),
-            Activity::Exercise => self.at(Role::Armchair, place, lasts, Manner::BUSY, May::Interrupt),
+            Activity::Exercise => self.at(Role::Armchair, place, lasts, Manner::BUSY, Interruptible::Interrupt),
             Activity::UseComputer => self.until(Role::Desk, place, lasts, until, Manner::READING),
             Activity::Relax => self.until(Role::Armchair, place, lasts, until, Manner::STILL),
             Activity::Wander => self.push(Step::Wander { kind: Wandering::Random, lasts }),
             Activity::Pace => self.push(Step::Wander { kind: Wandering::Pacing, lasts }),
             Activity::Lap => self.push(Step::Wander { kind: Wandering::Lapping, lasts }),
-            Activity::LieAwake => self.stay(Posture::Lying, Manner::AWAKE_IN_BED, lasts, May::Interrupt),
+            Activity::LieAwake => self.stay(Posture::Lying, Manner::AWAKE_IN_BED, lasts, Interruptible::Interrupt),
             Activity::Fall => {
-                self.stay(Posture::Lying, Manner::FALLEN, lasts, May::Nothing);
-                self.stay(Posture::Sitting, Manner::TURNING, 60 * SECOND, May::Nothing);
+                self.stay(Posture::Lying, Manner::FALLEN, lasts, Interruptible::Nothing);
+                self.stay(Posture::Sitting, Manner::TURNING, 60 * SECOND, Interruptible::Nothing);
             }
             Activity::Other(_) => {
                 let posture = place.map_or(Posture::Standing, |spot| spot.posture);
@@ -169,12 +172,12 @@ impl Steps<'_, '_> {
         }
     }
 
-    fn stay(&mut self, posture: Posture, manner: Manner, lasts: Micros, may: May) {
+    fn stay(&mut self, posture: Posture, manner: Manner, lasts: Micros, may: Interruptible) {
         self.push(Step::Stay(Stay { posture, manner, left: lasts, until: None, may }));
     }
 
     /// Goes to a place and stays there.
-    fn at(&mut self, role: Role, place: Option<&Spot>, lasts: Micros, manner: Manner, may: May) {
+    fn at(&mut self, role: Role, place: Option<&Spot>, lasts: Micros, manner: Manner, may: Interruptible) {
         let posture = self.go(role, place);
         self.stay(posture, manner, lasts, may);
     }
@@ -183,7 +186,7 @@ impl Steps<'_, '_> {
     fn until(&mut self, role: Role, place: Option<&Spot>, lasts: Micros, until: Option<Micros>, manner: Manner) {
         let posture = self.go(role, place);
         let left = if until.is_some() { Micros::MAX / 4 } else { lasts };
-        self.push(Step::Stay(Stay { posture, manner, left, until, may: May::Interrupt }));
+        self.push(Step::Stay(Stay { posture, manner, left, until, may: Interruptible::Interrupt }));
     }
 
     /// A span around so many seconds.
@@ -192,7 +195,7 @@ impl Steps<'_, '_> {
     }
 
     fn use_bathroom(&mut self, lasts: Micros) {
-        self.at(Role::Toilet, None, lasts, Manner::ON_TOILET, May::Rules);
+        self.at(Role::Toilet, None, lasts, Manner::ON_TOILET, Interruptible::Rules);
         self.act(Role::Toilet, true);
         self.act(Role::Toilet, false);
         self.push(Step::Meet(Need::Toilet));
@@ -208,9 +211,9 @@ impl Steps<'_, '_> {
             let span = self.around(120.0).min(left);
             let running = self.around(20.0).min(span);
             self.act(role, true);
-            self.stay(posture, manner, running, May::Rules);
+            self.stay(posture, manner, running, Interruptible::Rules);
             self.act(role, false);
-            self.stay(posture, manner, span - running, May::Rules);
+            self.stay(posture, manner, span - running, Interruptible::Rules);
             left -= span;
         }
     }
@@ -218,15 +221,15 @@ impl Steps<'_, '_> {
     fn shower(&mut self, place: Option<&Spot>, lasts: Micros) {
         self.go(Role::Shower, place);
         self.act(Role::Shower, true);
-        self.stay(Posture::Standing, Manner::WASHING, lasts * 7 / 10, May::Rules);
+        self.stay(Posture::Standing, Manner::WASHING, lasts * 7 / 10, Interruptible::Rules);
         self.act(Role::Shower, false);
-        self.at(Role::Washbasin, None, lasts * 3 / 10, Manner::WASHING, May::Rules);
+        self.at(Role::Washbasin, None, lasts * 3 / 10, Manner::WASHING, Interruptible::Rules);
     }
 
     fn take_medicine(&mut self, place: Option<&Spot>, lasts: Micros) {
         self.go(Role::Medicine, place);
         self.act(Role::Medicine, true);
-        self.stay(Posture::Standing, Manner::BUSY, lasts * 2 / 3, May::Rules);
+        self.stay(Posture::Standing, Manner::BUSY, lasts * 2 / 3, Interruptible::Rules);
         self.act(Role::Medicine, false);
         self.with_water(Role::Sink, None, lasts / 3, Manner::BUSY);
     }
@@ -270,10 +273,10 @@ impl Steps<'_, '_> {
             Role::Fridge | Role::Drawers => {
                 self.go(role, None);
                 self.act(role, true);
-                self.stay(Posture::Standing, Manner::BUSY, span, May::Rules);
+                self.stay(Posture::Standing, Manner::BUSY, span, Interruptible::Rules);
                 self.act(role, false);
             }
-            _ => self.at(role, None, span, Manner::BUSY, May::Rules),
+            _ => self.at(role, None, span, Manner::BUSY, Interruptible::Rules),
         }
         span.max(SECOND)
     }
@@ -295,9 +298,9 @@ impl Steps<'_, '_> {
     }
 
     fn laundry(&mut self, lasts: Micros) {
-        self.at(Role::WashingMachine, None, lasts * 6 / 10, Manner::BUSY, May::Rules);
+        self.at(Role::WashingMachine, None, lasts * 6 / 10, Manner::BUSY, Interruptible::Rules);
         self.act(Role::WashingMachine, true);
-        self.at(Role::Dryer, None, lasts * 4 / 10, Manner::BUSY, May::Rules);
+        self.at(Role::Dryer, None, lasts * 4 / 10, Manner::BUSY, Interruptible::Rules);
         self.act(Role::WashingMachine, false);
     }
 
@@ -314,7 +317,7 @@ impl Steps<'_, '_> {
             let spot = if far(other) < far(one) { other } else { one };
             let span = self.around(45.0).clamp(SECOND, left.max(SECOND));
             self.push(Step::Go(spot.clone()));
-            self.stay(Posture::Standing, Manner::BUSY, span, May::Interrupt);
+            self.stay(Posture::Standing, Manner::BUSY, span, Interruptible::Interrupt);
             left -= span;
         }
     }
@@ -322,24 +325,24 @@ impl Steps<'_, '_> {
     fn leave(&mut self, lasts: Micros, until: Option<Micros>) {
         self.push(Step::Name("leaving_home".into()));
         let dressing = self.around(80.0);
-        self.at(Role::Coats, None, dressing, Manner::BUSY, May::Rules);
+        self.at(Role::Coats, None, dressing, Manner::BUSY, Interruptible::Rules);
         self.through_the_door();
         self.push(Step::Name(Activity::Leave.name()));
         self.push(Step::Away { lasts, until });
         self.push(Step::Name(Activity::ComeHome.name()));
         self.act(Role::FrontDoor, true);
         let inside = self.around(6.0);
-        self.stay(Posture::Standing, Manner::BUSY, inside, May::Rules);
+        self.stay(Posture::Standing, Manner::BUSY, inside, Interruptible::Rules);
         self.act(Role::FrontDoor, false);
         let undressing = self.around(60.0);
-        self.at(Role::Coats, None, undressing, Manner::BUSY, May::Rules);
+        self.at(Role::Coats, None, undressing, Manner::BUSY, Interruptible::Rules);
     }
 
     fn through_the_door(&mut self) {
         self.go(Role::FrontDoor, None);
         self.act(Role::FrontDoor, true);
         let outside = self.around(5.0);
-        self.stay(Posture::Standing, Manner::BUSY, outside, May::Rules);
+        self.stay(Posture::Standing, Manner::BUSY, outside, Interruptible::Rules);
         self.act(Role::FrontDoor, false);
     }
 
@@ -347,10 +350,10 @@ impl Steps<'_, '_> {
     fn visit(&mut self, lasts: Micros) {
         self.through_the_door();
         let welcome = self.around(40.0);
-        self.at(Role::FrontDoor, None, welcome, Manner::TALKING, May::Rules);
-        self.at(Role::Armchair, None, lasts, Manner::TALKING, May::Interrupt);
+        self.at(Role::FrontDoor, None, welcome, Manner::TALKING, Interruptible::Rules);
+        self.at(Role::Armchair, None, lasts, Manner::TALKING, Interruptible::Interrupt);
         let farewell = self.around(60.0);
-        self.at(Role::FrontDoor, None, farewell, Manner::TALKING, May::Rules);
+        self.at(Role::FrontDoor, None, farewell, Manner::TALKING, Interruptible::Rules);
     }
 
     fn drink(&mut self, lasts: Micros) {
@@ -359,17 +362,17 @@ impl Steps<'_, '_> {
             self.go(Role::Stove, None);
             self.act(Role::Stove, true);
             let boiling = self.around(150.0);
-            self.stay(Posture::Standing, Manner::BUSY, boiling, May::Rules);
+            self.stay(Posture::Standing, Manner::BUSY, boiling, Interruptible::Rules);
             self.act(Role::Stove, false);
         }
         self.with_water(Role::Sink, None, (lasts / 4).max(10 * SECOND), Manner::BUSY);
-        self.at(Role::DiningSeat, None, lasts * 3 / 4, Manner::EATING, May::Rules);
+        self.at(Role::DiningSeat, None, lasts * 3 / 4, Manner::EATING, Interruptible::Rules);
         self.push(Step::Meet(Need::Thirst));
     }
 
     fn snack(&mut self, lasts: Micros) {
         self.station(Role::Fridge, lasts);
-        self.at(Role::DiningSeat, None, lasts, Manner::EATING, May::Rules);
+        self.at(Role::DiningSeat, None, lasts, Manner::EATING, Interruptible::Rules);
         self.push(Step::Meet(Need::Hunger));
     }
 }

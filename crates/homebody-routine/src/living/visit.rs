@@ -5,9 +5,9 @@ use super::agenda::Agenda;
 use super::driver::{MINUTE, RoutineDriver};
 use super::manner::Manner;
 use super::places::Role;
-use super::script::{May, Stay, Step};
-use homebody_core::drivers::{Move, Next};
-use homebody_core::event::Doing;
+use super::script::{Interruptible, Stay, Step};
+use homebody_core::drivers::{MotionSegment, Next};
+use homebody_core::event::MotionState;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND};
 use std::collections::VecDeque;
@@ -24,12 +24,17 @@ impl RoutineDriver {
                 return self.come_to_visit(self.next_item - 1);
             }
             let day = self.agenda.day + 1;
-            self.agenda = Agenda::of(&self.life, day, &self.life.mood(day));
+            self.agenda = Agenda::of(&self.life, day, &self.life.parameters(day));
             self.midnight = self.life.midnight(day);
             self.next_item = 0;
         }
         let end = now.saturating_add(30 * 1440 * MINUTE);
-        self.ready.push_back(Next::Move(Move { begin: now, end, doing: Doing::Away, posture: Posture::Standing }));
+        self.ready.push_back(Next::Segment(MotionSegment {
+            begin: now,
+            end,
+            doing: MotionState::Away,
+            posture: Posture::Standing,
+        }));
     }
 
     pub(super) fn come_to_visit(&mut self, item: usize) {
@@ -39,8 +44,9 @@ impl RoutineDriver {
         if let Some(door) = &door {
             self.body.place(door.clone(), Posture::Standing);
         }
-        let talk =
-            |posture, left| Step::Stay(Stay { posture, manner: Manner::TALKING, left, until: None, may: May::Nothing });
+        let talk = |posture, left| {
+            Step::Stay(Stay { posture, manner: Manner::TALKING, left, until: None, may: Interruptible::Nothing })
+        };
         let mut steps = VecDeque::from([Step::Away { lasts: 0, until: Some(item.start + 20 * SECOND) }]);
         steps.push_back(Step::Name("visiting".into()));
         steps.push_back(talk(Posture::Standing, 40 * SECOND));

@@ -14,8 +14,8 @@
 //! Left out: the sway of the trunk, 2 to 5 cm to each side at every other step, which is smaller than what a motion sensor
 //! tells apart; single steps; slower walking in gentle bends; the turn before the first step.
 
-use homebody_core::drivers::Move;
-use homebody_core::event::Doing;
+use homebody_core::drivers::MotionSegment;
+use homebody_core::event::MotionState;
 use homebody_core::geometry::Point;
 use homebody_core::random::Stream;
 use homebody_core::scenario::path::Posture;
@@ -97,7 +97,7 @@ impl Gait {
 }
 
 /// The strides of a walk along a path, and its turns. A path that leads nowhere takes no time.
-pub fn walk(path: &[Point], from: Point, begin: Micros, gait: &Gait) -> Vec<Move> {
+pub fn walk(path: &[Point], from: Point, begin: Micros, gait: &Gait) -> Vec<MotionSegment> {
     let mut legs = Vec::new();
     let mut at = from;
     for &to in path.iter().filter(|to| to.is_finite()) {
@@ -115,7 +115,7 @@ pub fn walk(path: &[Point], from: Point, begin: Micros, gait: &Gait) -> Vec<Move
             first = last + 1;
         }
         if turn > SHARP_TURN {
-            let doing = Doing::Stir { at: legs[last].1, amplitude_m: TURN_AMPLITUDE_M };
+            let doing = MotionState::InPlace { at: legs[last].1, amplitude_m: TURN_AMPLITUDE_M };
             walk.add(doing, gait.half_turn_s * turn / PI);
         }
     }
@@ -123,26 +123,26 @@ pub fn walk(path: &[Point], from: Point, begin: Micros, gait: &Gait) -> Vec<Move
 }
 
 /// Getting up, at the place where one sat or lay. Draws one value.
-pub fn rise(at: Point, begin: Micros, frailty: f64, stream: &mut Stream) -> Move {
+pub fn rise(at: Point, begin: Micros, frailty: f64, stream: &mut Stream) -> MotionSegment {
     transfer(at, begin, frailty, Posture::Standing, stream)
 }
 
 /// Sitting or lying down, at the place where one will sit or lie. Draws one value.
-pub fn sit(at: Point, begin: Micros, frailty: f64, posture: Posture, stream: &mut Stream) -> Move {
+pub fn sit(at: Point, begin: Micros, frailty: f64, posture: Posture, stream: &mut Stream) -> MotionSegment {
     transfer(at, begin, frailty, posture, stream)
 }
 
-fn transfer(at: Point, begin: Micros, frailty: f64, posture: Posture, stream: &mut Stream) -> Move {
+fn transfer(at: Point, begin: Micros, frailty: f64, posture: Posture, stream: &mut Stream) -> MotionSegment {
     let [hale, frail] = TRANSFER_S;
     let frailty = frailty.clamp(0.0, 1.0);
     let span_s = stream.between(between([hale[0], frail[0]], frailty), between([hale[1], frail[1]], frailty));
-    let doing = Doing::Stir { at, amplitude_m: TRANSFER_AMPLITUDE_M };
-    Move { begin, end: begin.saturating_add(micros(span_s)), doing, posture }
+    let doing = MotionState::InPlace { at, amplitude_m: TRANSFER_AMPLITUDE_M };
+    MotionSegment { begin, end: begin.saturating_add(micros(span_s)), doing, posture }
 }
 
 /// A walk in the making.
 struct Walk {
-    moves: Vec<Move>,
+    moves: Vec<MotionSegment>,
     begin: Micros,
     now: Micros,
     /// Since the beginning, not rounded.
@@ -158,7 +158,7 @@ impl Walk {
         if length <= 2.0 * starting_m + SHORT_M {
             let speed = gait.speed_mps.min((gait.acceleration_mps2 * length).sqrt()) / 2.0;
             for &(from, to) in legs {
-                self.add(Doing::Stride { from, to }, from.distance(to) / speed);
+                self.add(MotionState::Stride { from, to }, from.distance(to) / speed);
             }
             return;
         }
@@ -179,7 +179,7 @@ impl Walk {
                     continue;
                 }
                 let point = |along: f64| if along < leg { from + (to - from) * (along / leg) } else { to };
-                self.add(Doing::Stride { from: point(at), to: point(to_cut) }, (to_cut - at) / speed);
+                self.add(MotionState::Stride { from: point(at), to: point(to_cut) }, (to_cut - at) / speed);
                 at = to_cut;
                 if at >= leg {
                     break;
@@ -189,10 +189,10 @@ impl Walk {
         }
     }
 
-    fn add(&mut self, doing: Doing, span_s: f64) {
+    fn add(&mut self, doing: MotionState, span_s: f64) {
         self.passed_s += span_s;
         let end = self.begin.saturating_add(micros(self.passed_s)).max(self.now + 1);
-        self.moves.push(Move { begin: self.now, end, doing, posture: Posture::Standing });
+        self.moves.push(MotionSegment { begin: self.now, end, doing, posture: Posture::Standing });
         self.now = end;
     }
 }
@@ -223,18 +223,18 @@ mod tests {
     }
 
     /// The moves, checked to follow each other in time and place.
-    fn walked(path: &[Point], begin: Micros, gait: &Gait) -> Vec<Move> {
+    fn walked(path: &[Point], begin: Micros, gait: &Gait) -> Vec<MotionSegment> {
         let moves = walk(path, Point::ZERO, begin, gait);
         let (mut now, mut at) = (begin, Point::ZERO);
         for step in &moves {
             assert!(step.begin == now && step.end > now && step.posture == Posture::Standing);
             now = step.end;
             match step.doing {
-                Doing::Stride { from, to } => {
+                MotionState::Stride { from, to } => {
                     assert_eq!(from, at);
                     at = to;
                 }
-                Doing::Stir { at: here, .. } => assert_eq!(here, at),
+                MotionState::InPlace { at: here, .. } => assert_eq!(here, at),
                 _ => panic!("neither stride nor stir: {step:?}"),
             }
         }
@@ -242,7 +242,7 @@ mod tests {
         moves
     }
 
-    fn spans(moves: &[Move]) -> Vec<f64> {
+    fn spans(moves: &[MotionSegment]) -> Vec<f64> {
         moves.iter().map(|step| seconds(step.end - step.begin)).collect()
     }
 
@@ -251,7 +251,7 @@ mod tests {
         // 1 / 2 = 0.5 m of setting off and of stopping, each in 1 s, and 3 m at 1 m/s.
         let moves = walked(&[p(4.0, 0.0)], 5 * SECOND, &GAIT);
         assert_eq!(spans(&moves), [1.0, 3.0, 1.0]);
-        assert_eq!(moves[0].doing, Doing::Stride { from: Point::ZERO, to: p(0.5, 0.0) });
+        assert_eq!(moves[0].doing, MotionState::Stride { from: Point::ZERO, to: p(0.5, 0.0) });
     }
 
     #[test]
@@ -270,7 +270,7 @@ mod tests {
         let sharp = walked(&[p(2.0, 0.0), p(2.0, 2.0)], 0, &GAIT);
         // 1 m at 1 m/s between setting off and stopping, and a quarter turn.
         assert_eq!(spans(&sharp), [1.0; 7]);
-        assert!(matches!(sharp[3].doing, Doing::Stir { .. }));
+        assert!(matches!(sharp[3].doing, MotionState::InPlace { .. }));
     }
 
     #[test]
@@ -281,16 +281,16 @@ mod tests {
                 (0..1 + stream.poisson(4.0)).map(|_| p(stream.between(-5.0, 5.0), stream.between(-5.0, 5.0))).collect();
             let gait = Gait::of_walk(0.65, stream.between(0.0, 24.0), stream.unit(), &mut stream);
             let moves = walked(&path, 77, &gait);
-            let stops = moves.iter().filter(|step| matches!(step.doing, Doing::Stir { .. })).count();
+            let stops = moves.iter().filter(|step| matches!(step.doing, MotionState::InPlace { .. })).count();
             assert!(moves.len() <= path.len() + 2 + 3 * stops, "{} moves for {}", moves.len(), path.len());
             let length: f64 = [Point::ZERO].iter().chain(&path).zip(&path).map(|(a, b)| a.distance(*b)).sum();
             let strides = moves.iter().map(|step| match step.doing {
-                Doing::Stride { from, to } => from.distance(to),
+                MotionState::Stride { from, to } => from.distance(to),
                 _ => 0.0,
             });
             assert!((strides.sum::<f64>() - length).abs() < 1e-9);
             let fastest = moves.iter().map(|step| match step.doing {
-                Doing::Stride { from, to } => from.distance(to) / seconds(step.end - step.begin),
+                MotionState::Stride { from, to } => from.distance(to) / seconds(step.end - step.begin),
                 _ => 0.0,
             });
             assert!(fastest.fold(0.0, f64::max) <= gait.speed_mps * 1.001);

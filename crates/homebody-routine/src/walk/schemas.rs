@@ -18,8 +18,8 @@
 use super::gait::Gait;
 use super::mesh::Mesh;
 use super::pattern::LONGEST_LAP;
-use homebody_core::drivers::Move;
-use homebody_core::event::Doing;
+use homebody_core::drivers::MotionSegment;
+use homebody_core::event::MotionState;
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::Plan;
 use homebody_core::random::Stream;
@@ -78,7 +78,7 @@ pub fn wander(
     lasting: Micros,
     gait: &Gait,
     stream: &mut Stream,
-) -> Vec<Move> {
+) -> Vec<MotionSegment> {
     let goals = goals(kind, mesh, plan, from, stream);
     between(kind, mesh, &goals, from, begin, lasting, gait, stream).0
 }
@@ -94,11 +94,11 @@ fn between(
     lasting: Micros,
     gait: &Gait,
     stream: &mut Stream,
-) -> (Vec<Move>, Vec<usize>) {
+) -> (Vec<MotionSegment>, Vec<usize>) {
     if goals.len() < 2 {
-        let doing = Doing::Stir { at: from, amplitude_m: LOST_AMPLITUDE_M };
+        let doing = MotionState::InPlace { at: from, amplitude_m: LOST_AMPLITUDE_M };
         let end = begin.saturating_add(lasting.max(1));
-        return (vec![Move { begin, end, doing, posture: Posture::Standing }], Vec::new());
+        return (vec![MotionSegment { begin, end, doing, posture: Posture::Standing }], Vec::new());
     }
     let mut wanderer = Wanderer {
         mesh,
@@ -186,7 +186,7 @@ struct Wanderer<'a> {
     at: Point,
     now: Micros,
     until: Micros,
-    moves: Vec<Move>,
+    moves: Vec<MotionSegment>,
 }
 
 impl Wanderer<'_> {
@@ -266,8 +266,8 @@ impl Wanderer<'_> {
     /// A stride of this length, in its share of a step's time.
     fn step_within(&mut self, to: Point, length_m: f64) {
         let end = self.now + micros(length_m / self.step_m * seconds(STEP)).max(1);
-        let doing = Doing::Stride { from: self.at, to };
-        self.moves.push(Move { begin: self.now, end, doing, posture: Posture::Standing });
+        let doing = MotionState::Stride { from: self.at, to };
+        self.moves.push(MotionSegment { begin: self.now, end, doing, posture: Posture::Standing });
         (self.at, self.now) = (to, end);
     }
 }
@@ -301,12 +301,12 @@ mod tests {
     }
 
     /// Where the body is at the end of each move, the moves checked to follow each other.
-    fn ends(moves: &[Move], from: Point, begin: Micros) -> Vec<Point> {
+    fn ends(moves: &[MotionSegment], from: Point, begin: Micros) -> Vec<Point> {
         let (mut at, mut now) = (from, begin);
         let mut ends = Vec::new();
         for step in moves {
             assert!(step.begin == now && step.end > now);
-            if let Doing::Stride { from, to } = step.doing {
+            if let MotionState::Stride { from, to } = step.doing {
                 assert_eq!(from, at);
                 at = to;
             }
@@ -431,6 +431,9 @@ mod tests {
         let mesh = Mesh::new(&plan, RADIUS_M);
         let outside = Point::new(20.0, 20.0);
         let moves = wander(Wandering::Pacing, &mesh, &plan, outside, 5, SECOND, &GAIT, &mut Stream::named(1, "lost"));
-        assert!(matches!(moves[..], [Move { begin: 5, end: 1_000_005, doing: Doing::Stir { .. }, .. }]));
+        assert!(matches!(
+            moves[..],
+            [MotionSegment { begin: 5, end: 1_000_005, doing: MotionState::InPlace { .. }, .. }]
+        ));
     }
 }

@@ -125,7 +125,7 @@ pub struct Seen {
 /// What the sensors of a home that has passed its checks see of a body of this build that stands, in cells of `step_m`.
 pub fn of_home(home: &HomeFile, build: Build, step_m: f64) -> Seen {
     let mut home = home.clone();
-    home.sensors.retain(SensorFile::looks);
+    home.sensors.retain(SensorFile::senses_motion);
     let plan = Plan::new(&home);
     let sensors: Vec<Sensor> = home.sensors.iter().map(|sensor| Sensor::new(sensor, &plan)).collect();
     let names: Vec<String> = sensors.iter().map(|sensor| sensor.name.clone()).collect();

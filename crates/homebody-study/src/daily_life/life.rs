@@ -1,6 +1,6 @@
 //! One person's life as the truth and the sensors tell it, cut into what the measures ask for.
 
-use homebody_core::event::{Doing, Events, Fact, Value};
+use homebody_core::event::{Events, Fact, MotionState, Value};
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, seconds};
@@ -46,7 +46,7 @@ impl Span<'_> {
 pub struct Moved {
     pub begin: Micros,
     pub end: Micros,
-    pub doing: Doing,
+    pub doing: MotionState,
     pub posture: Posture,
 }
 
@@ -140,7 +140,7 @@ impl<'a> Lived<'a> {
 /// The speed of a stride that is long enough to tell: a metre, as on a line of sensors (ours).
 pub fn speed_mps(moved: &Moved) -> Option<f64> {
     const LEAST_M: f64 = 1.0;
-    let Doing::Stride { from, to } = moved.doing else { return None };
+    let MotionState::Stride { from, to } = moved.doing else { return None };
     let length = from.distance(to);
     (length >= LEAST_M && moved.end > moved.begin).then(|| length / seconds(moved.end - moved.begin))
 }

@@ -1,7 +1,7 @@
 //! What motion sensors say of a life, as logs with ON and OFF have it.
 
 use super::life::Lived;
-use super::statistics::{from_one_to_the_next, mean, quantile, sd};
+use super::statistics::{lag_1_autocorrelation, mean, quantile, sd};
 use homebody_core::time::seconds;
 use serde::Serialize;
 
@@ -48,7 +48,7 @@ impl Sensing {
         Sensing {
             ons: mean(&days).unwrap_or(0.0),
             ons_sd: sd(&days),
-            ons_next_day: from_one_to_the_next(&days),
+            ons_next_day: lag_1_autocorrelation(&days),
             gaps_s: [0.5, 0.9, 0.95, 0.99].map(|share| quantile(&gaps, share)),
             gaps_over_an_hour: (!gaps.is_empty()).then(|| over_an_hour as f64 / gaps.len() as f64),
             on_s: [0.05, 0.5, 0.95].map(|share| quantile(&lasting, share)),

@@ -28,7 +28,7 @@ pub fn quantile(numbers: &[f64], share: f64) -> Option<f64> {
 }
 
 /// How much each number goes with the one before it: the correlation at a lag of one.
-pub fn from_one_to_the_next(numbers: &[f64]) -> Option<f64> {
+pub fn lag_1_autocorrelation(numbers: &[f64]) -> Option<f64> {
     let mean = mean(numbers).filter(|_| numbers.len() > 2)?;
     let off: Vec<f64> = numbers.iter().map(|number| number - mean).collect();
     let whole: f64 = off.iter().map(|off| off * off).sum();
@@ -47,7 +47,7 @@ mod tests {
         assert_eq!(share(&[1, 2, 3, 4], |&one| one > 1), Some(0.75));
         assert_eq!(quantile(&[4.0, 1.0, 2.0, 3.0, 5.0], 0.5), Some(3.0));
         assert_eq!(quantile(&[0.0, 10.0], 0.9), Some(9.0));
-        assert_eq!(from_one_to_the_next(&[1.0, -1.0, 1.0, -1.0]), Some(-0.75));
-        assert_eq!(from_one_to_the_next(&[2.0, 2.0, 2.0]), None);
+        assert_eq!(lag_1_autocorrelation(&[1.0, -1.0, 1.0, -1.0]), Some(-0.75));
+        assert_eq!(lag_1_autocorrelation(&[2.0, 2.0, 2.0]), None);
     }
 }

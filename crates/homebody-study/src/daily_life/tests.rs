@@ -1,7 +1,7 @@
 //! Each measure on a tiny life made by hand, whose answers are known.
 
 use super::*;
-use homebody_core::event::{Doing, Events, Fact, Firing, Value};
+use homebody_core::event::{Events, Fact, Firing, MotionState, Value};
 use homebody_core::geometry::Point;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::path::Posture;
@@ -59,16 +59,16 @@ fn life() -> Events {
 
 /// Lying down at 23:00 each night; two risings and three walks on the second day, through rooms 0 (the hall) and 1.
 fn bodies(events: &mut Events) {
-    let mut move_to = |begin: Micros, end: Micros, doing: Doing, posture: Posture| {
+    let mut move_to = |begin: Micros, end: Micros, doing: MotionState, posture: Posture| {
         events.facts.push(Fact::Movement { resident: 0, begin, end, doing, posture });
     };
-    let rest = Doing::Rest { at: HERE };
+    let rest = MotionState::Rest { at: HERE };
     for day in 0..3 {
         let up = if day == 0 { 0 } else { at(day, 7, 0) };
         move_to(up, at(day, 22, 0), rest, Posture::Sitting);
         for (minute, metres, seconds) in [(0, 2.0, 4), (1, 3.0, 3), (2, 0.5, 1)] {
             let begin = at(day, 22, minute);
-            let stride = Doing::Stride { from: HERE, to: Point::new(metres, 0.0) };
+            let stride = MotionState::Stride { from: HERE, to: Point::new(metres, 0.0) };
             move_to(begin, begin + seconds * SECOND, stride, Posture::Standing);
             move_to(begin + seconds * SECOND, begin + MINUTE, rest, Posture::Sitting);
         }

@@ -267,7 +267,7 @@ pub fn explain(sheet: &mut Sheet, legend: &mut super::legend::Legend, home: &Hom
             svg.circle(middle, 4.5, &Paint::fill(WHITE).outlined(SENSOR, 2.0));
         });
     }
-    if home.sensors.iter().any(|sensor| !sensor.looks()) {
+    if home.sensors.iter().any(|sensor| !sensor.senses_motion()) {
         legend.entry(svg, "other sensor, on a thing, in a room or on the floor", |svg, least, most| {
             let middle = (least + most) / 2.0;
             svg.rectangle(middle - Point::splat(4.0), Point::splat(8.0), &Paint::fill(SENSOR).outlined(WHITE, 1.5));

@@ -74,7 +74,7 @@ pub fn path_of(run: &AnnotatedRun, plan: &Plan) -> Result<PathFile, Unplaced> {
         unhurry(&mut stay.pieces, &ways);
         let mut ways = ways.into_iter();
         for piece in &stay.pieces {
-            let way = if piece.doing == Doing::Walk { ways.next() } else { None };
+            let way = if piece.doing == Annotated::Walk { ways.next() } else { None };
             steps.extend(step(piece, way));
         }
     }
@@ -92,7 +92,7 @@ impl Stay {
     /// Adds what comes next; a walk that follows a walk is the same walk.
     fn push(&mut self, piece: Piece) {
         match self.pieces.last_mut() {
-            Some(last) if last.doing == Doing::Walk && piece.doing == Doing::Walk => last.end = piece.end,
+            Some(last) if last.doing == Annotated::Walk && piece.doing == Annotated::Walk => last.end = piece.end,
             _ => self.pieces.push(piece),
         }
     }
@@ -107,7 +107,7 @@ impl Stay {
 struct Piece {
     begin: Micros,
     end: Micros,
-    doing: Doing,
+    doing: Annotated,
 }
 
 impl Piece {
@@ -118,10 +118,10 @@ impl Piece {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Doing {
+enum Annotated {
     Walk,
     /// One movement on the spot.
-    Stir {
+    InPlace {
         posture: Posture,
         amplitude_m: f64,
     },
@@ -132,22 +132,22 @@ enum Doing {
     },
 }
 
-impl Doing {
+impl Annotated {
     /// What an annotation means; `before` is the posture before it.
     ///
     /// How far what moves moves is ours: the head and trunk of an adult who sits down or bends come
     /// half a metre lower, a turn moves the shoulders.
-    fn of(name: &str, before: Posture) -> Option<Doing> {
-        let stir = |posture, amplitude_m| Doing::Stir { posture, amplitude_m };
-        let still = |posture, seated| Doing::Still { posture, seated };
+    fn of(name: &str, before: Posture) -> Option<Annotated> {
+        let in_place = |posture, amplitude_m| Annotated::InPlace { posture, amplitude_m };
+        let still = |posture, seated| Annotated::Still { posture, seated };
         Some(match name {
-            "a_walk" | "a_loadwalk" | "a_ascend" | "a_descend" => Doing::Walk,
-            "a_jump" => stir(Posture::Standing, 0.3),
-            "t_turn" => stir(before, 0.3),
+            "a_walk" | "a_loadwalk" | "a_ascend" | "a_descend" => Annotated::Walk,
+            "a_jump" => in_place(Posture::Standing, 0.3),
+            "t_turn" => in_place(before, 0.3),
             "t_bend" | "t_straighten" | "t_stand_sit" | "t_sit_stand" | "t_stand_kneel" | "t_kneel_stand" => {
-                stir(Posture::Standing, 0.5)
+                in_place(Posture::Standing, 0.5)
             }
-            "t_sit_lie" | "t_lie_sit" => stir(Posture::Sitting, 0.5),
+            "t_sit_lie" | "t_lie_sit" => in_place(Posture::Sitting, 0.5),
             "p_stand" | "p_bent" => still(Posture::Standing, false),
             "p_kneel" | "p_squat" => still(Posture::Sitting, false),
             "p_sit" => still(Posture::Sitting, true),
@@ -158,8 +158,8 @@ impl Doing {
 
     fn posture(self) -> Posture {
         match self {
-            Doing::Walk => Posture::Standing,
-            Doing::Stir { posture, .. } | Doing::Still { posture, .. } => posture,
+            Annotated::Walk => Posture::Standing,
+            Annotated::InPlace { posture, .. } | Annotated::Still { posture, .. } => posture,
         }
     }
 }
@@ -172,20 +172,20 @@ fn stays(run: &AnnotatedRun, plan: &Plan) -> Result<Vec<Stay>, Unplaced> {
     let mut pieces: Vec<Piece> = Vec::new();
     let mut posture = Posture::Standing;
     for Interval { start_s, end_s, name } in &run.movements {
-        let doing = Doing::of(name, posture).ok_or_else(|| Unplaced::Movement(name.clone()))?;
+        let doing = Annotated::of(name, posture).ok_or_else(|| Unplaced::Movement(name.clone()))?;
         let before = pieces.last().copied().unwrap_or(Piece {
             begin: 0,
             end: 0,
-            doing: Doing::Still { posture, seated: false },
+            doing: Annotated::Still { posture, seated: false },
         });
-        let walks_on = doing == Doing::Walk && before.doing == Doing::Walk;
-        let gap = if walks_on { Doing::Walk } else { Doing::Still { posture, seated: false } };
+        let walks_on = doing == Annotated::Walk && before.doing == Annotated::Walk;
+        let gap = if walks_on { Annotated::Walk } else { Annotated::Still { posture, seated: false } };
         pieces.push(Piece { begin: before.end, end: instant(*start_s), doing: gap });
         pieces.push(Piece { begin: instant(*start_s), end: instant(*end_s), doing });
         posture = doing.posture();
     }
     let end = pieces.last().map_or(0, |piece| piece.end);
-    pieces.push(Piece { begin: end, end: instant(run.end_s()), doing: Doing::Still { posture, seated: false } });
+    pieces.push(Piece { begin: end, end: instant(run.end_s()), doing: Annotated::Still { posture, seated: false } });
 
     let mut stays: Vec<Stay> = Vec::new();
     for (index, Interval { start_s, name, .. }) in run.rooms.iter().enumerate() {
@@ -219,7 +219,7 @@ fn doors(stays: &[Stay], roads: &Roads, plan: &Plan) -> Result<Vec<usize>, Unpla
 
 /// A point of the first room as far from its exit as the walking in it lasts.
 fn start(stay: &Stay, exit: Option<usize>, roads: &Roads) -> Option<usize> {
-    let walks = stay.pieces.iter().filter(|piece| piece.doing == Doing::Walk);
+    let walks = stay.pieces.iter().filter(|piece| piece.doing == Annotated::Walk);
     let length_m: f64 = walks.map(Piece::walked_m).sum();
     let to_exit = exit.map(|exit| roads.reach(exit).distance_m);
     best_floor(stay.room, roads, |node| to_exit.as_ref().map_or(0.0, |to_exit| (to_exit[node] - length_m).abs()))
@@ -227,14 +227,14 @@ fn start(stay: &Stay, exit: Option<usize>, roads: &Roads) -> Option<usize> {
 
 /// A walk's waypoints and length.
 #[derive(Debug, Default)]
-struct Way {
+struct Walked {
     to: Vec<Point>,
     length_m: f64,
 }
 
 /// Gives every walk of a stay its way, and moves `here` to where the last one ends; none where the exit is out of reach.
-fn walk(stay: &mut Stay, here: &mut usize, exit: Option<usize>, roads: &Roads) -> Option<Vec<Way>> {
-    let last_walk = stay.pieces.iter().rposition(|piece| piece.doing == Doing::Walk);
+fn walk(stay: &mut Stay, here: &mut usize, exit: Option<usize>, roads: &Roads) -> Option<Vec<Walked>> {
+    let last_walk = stay.pieces.iter().rposition(|piece| piece.doing == Annotated::Walk);
     let pause = stay.pieces.iter().skip(last_walk.map_or(0, |index| index + 1));
     let pause: Micros = pause.map(|piece| piece.end - piece.begin).sum();
     if let Some(end) = stay.pieces.last().map(|piece| piece.end)
@@ -242,10 +242,11 @@ fn walk(stay: &mut Stay, here: &mut usize, exit: Option<usize>, roads: &Roads) -
         && (last_walk.is_none() || pause > LONGEST_IN_DOORWAY)
     {
         // They left, but no walk to the door is annotated: one without length, to be lengthened.
-        stay.pieces.push(Piece { begin: end, end, doing: Doing::Walk });
+        stay.pieces.push(Piece { begin: end, end, doing: Annotated::Walk });
     }
     let to_exit = exit.map(|exit| roads.reach(exit).distance_m);
-    let walks: Vec<usize> = (0..stay.pieces.len()).filter(|&index| stay.pieces[index].doing == Doing::Walk).collect();
+    let walks: Vec<usize> =
+        (0..stay.pieces.len()).filter(|&index| stay.pieces[index].doing == Annotated::Walk).collect();
     let mut ways = Vec::new();
     for (nth, &index) in walks.iter().enumerate() {
         let next = walks.get(nth + 1).copied();
@@ -265,7 +266,7 @@ fn walk(stay: &mut Stay, here: &mut usize, exit: Option<usize>, roads: &Roads) -
 /// Where the pause after a walk is spent, if not on the floor: the largest bed or the nearest seat.
 fn seat(pause: &[Piece], room: usize, here: usize, roads: &Roads) -> Option<usize> {
     let postures = pause.iter().filter_map(|piece| match piece.doing {
-        Doing::Still { posture, seated: true } => Some(posture),
+        Annotated::Still { posture, seated: true } => Some(posture),
         _ => None,
     });
     let lowest = postures.max()?;
@@ -290,9 +291,9 @@ fn tour(
     length_m: f64,
     too_far_m: impl Fn(usize) -> f64,
     roads: &Roads,
-) -> Option<Way> {
+) -> Option<Walked> {
     let to_goal = goal.map(|goal| roads.reach(goal).distance_m);
-    let (mut way, mut left_m) = (Way::default(), length_m);
+    let (mut way, mut left_m) = (Walked::default(), length_m);
     loop {
         let reach = roads.reach(*here);
         let farthest = best_floor(room, roads, |node| match reach.distance_m[node] {
@@ -317,7 +318,7 @@ fn tour(
     }
 }
 
-fn extend(way: &mut Way, here: &mut usize, to: usize, reach: &Reach, roads: &Roads) -> Option<()> {
+fn extend(way: &mut Walked, here: &mut usize, to: usize, reach: &Reach, roads: &Roads) -> Option<()> {
     let length_m = Some(reach.distance_m[to]).filter(|length_m| length_m.is_finite())?;
     way.to.extend(roads.way(reach, to));
     way.length_m += length_m;
@@ -333,19 +334,19 @@ fn best_floor(room: usize, roads: &Roads, off_m: impl Fn(usize) -> f64) -> Optio
 }
 
 /// Lengthens each walk that would be hurried, first into what comes before it, then into what follows.
-fn unhurry(pieces: &mut [Piece], ways: &[Way]) {
-    let walks: Vec<usize> = (0..pieces.len()).filter(|&index| pieces[index].doing == Doing::Walk).collect();
+fn unhurry(pieces: &mut [Piece], ways: &[Walked]) {
+    let walks: Vec<usize> = (0..pieces.len()).filter(|&index| pieces[index].doing == Annotated::Walk).collect();
     for (&walk, way) in walks.iter().zip(ways) {
         let needed = micros(way.length_m / HURRIED_MPS);
         let mut index = walk;
-        while index > 0 && pieces[index - 1].doing != Doing::Walk {
+        while index > 0 && pieces[index - 1].doing != Annotated::Walk {
             index -= 1;
             let begin = pieces[index].begin.max(pieces[walk].end - needed).min(pieces[walk].begin);
             pieces[walk].begin = begin;
             pieces[index].end = pieces[index].end.min(begin);
         }
         let mut index = walk;
-        while index + 1 < pieces.len() && pieces[index + 1].doing != Doing::Walk {
+        while index + 1 < pieces.len() && pieces[index + 1].doing != Annotated::Walk {
             index += 1;
             let end = pieces[index].end.min(pieces[walk].begin + needed).max(pieces[walk].end);
             pieces[walk].end = end;
@@ -354,21 +355,21 @@ fn unhurry(pieces: &mut [Piece], ways: &[Way]) {
     }
 }
 
-fn step(piece: &Piece, way: Option<Way>) -> Option<Step> {
+fn step(piece: &Piece, way: Option<Walked>) -> Option<Step> {
     let span_s = seconds(piece.end - piece.begin);
     let wait = |posture, stir| Step::Wait(Wait { for_s: Some(span_s), until: None, posture, stir });
     // A stir is one movement that fills the span; the format wants a tenth of a second between two.
-    let stir = |amplitude_m| Some(StirFile { every_s: span_s.max(0.1), for_s: span_s, amplitude_m });
+    let in_place = |amplitude_m| Some(StirFile { every_s: span_s.max(0.1), for_s: span_s, amplitude_m });
     let step = match (piece.doing, way) {
-        (Doing::Walk, Some(way)) if !way.to.is_empty() => Step::Go(Go {
+        (Annotated::Walk, Some(way)) if !way.to.is_empty() => Step::Go(Go {
             to: way.to.into_iter().map(spot).collect(),
             pace_mps: None,
             in_s: Some(span_s),
             arrive_at: None,
         }),
-        (Doing::Walk, _) => wait(Posture::Standing, stir(0.3)),
-        (Doing::Stir { posture, amplitude_m }, _) => wait(posture, stir(amplitude_m)),
-        (Doing::Still { posture, .. }, _) => wait(posture, None),
+        (Annotated::Walk, _) => wait(Posture::Standing, in_place(0.3)),
+        (Annotated::InPlace { posture, amplitude_m }, _) => wait(posture, in_place(amplitude_m)),
+        (Annotated::Still { posture, .. }, _) => wait(posture, None),
     };
     (piece.end > piece.begin).then_some(step)
 }

@@ -76,7 +76,7 @@ fn lived(scenario: &Scenario, household: &Household, from: u32, days: u32) -> Mo
     let days = dates::some(calendar, length, from..(from + days).min(last + 1));
     let (begin, end) = (days.first().map_or(0, |day| day.begin_us), days.last().map_or(0, |day| day.end_us));
     let mut run = Run::new(scenario, household, scenario.file.seed, end);
-    let is_motion: Vec<bool> = run.sensors().iter().map(homebody_core::sensors::Sensor::looks).collect();
+    let is_motion: Vec<bool> = run.sensors().iter().map(homebody_core::sensors::Sensor::senses_motion).collect();
     let mut view = MonthView {
         residents: scenario.residents.iter().map(|resident| resident.file.name.clone()).collect(),
         rooms: run.home().plan.rooms.iter().map(|room| room.name.clone()).collect(),

@@ -4,7 +4,7 @@ use super::served::{Answer, Served};
 use homebody_core::event::Events;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
-use homebody_routine::household::{Household, Spoken};
+use homebody_routine::household::{Household, RoutineLanguage};
 use homebody_web::shelf::Shelf;
 use rusqlite::Connection;
 use serde::Deserialize;
@@ -217,7 +217,7 @@ fn a_draft_is_checked_as_the_files_would_be_and_touches_none() {
         })
         .chain([("margaret.routine".into(), routine), ("home.json".into(), home)])
         .collect();
-    let wrong = Scenario::load_in(&Spoken, &files, &shelf.entry).unwrap_err();
+    let wrong = Scenario::load_in(&RoutineLanguage, &files, &shelf.entry).unwrap_err();
     let problems = told["problems"].as_array().unwrap();
     assert_eq!(problems.len(), wrong.0.len());
     assert!(problems.len() >= 2 || wrong.0.len() == 1);
@@ -286,7 +286,7 @@ struct Floor {
 
 fn scenario(served: &Served, name: &str) -> (Scenario, Household) {
     let shelf = Shelf { scenario: served.file(name, ""), entry: "scenario.json".into(), runs: "runs".into() };
-    let mut scenario = Scenario::load_in(&Spoken, &shelf, &shelf.entry).unwrap();
+    let mut scenario = Scenario::load_in(&RoutineLanguage, &shelf, &shelf.entry).unwrap();
     let household = Household::read(&mut scenario, &shelf, &[]).unwrap();
     (scenario, household)
 }
@@ -326,7 +326,7 @@ fn a_month_is_what_a_run_would_be() {
     let mut events = Events::default();
     run.advance(end, &mut events);
     let begin = month["days"][0]["begin_us"].as_i64().unwrap();
-    let motion = |sensor: u32| run.sensors()[sensor as usize].looks();
+    let motion = |sensor: u32| run.sensors()[sensor as usize].senses_motion();
     let fired = events.firings.iter().filter(|firing| motion(firing.sensor) && firing.at >= begin).count() as u64;
     let hours = |month: &Value| -> u64 {
         month["hours"]

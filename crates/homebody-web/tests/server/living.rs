@@ -2,7 +2,7 @@
 
 use super::served::{Page, Seen, Served};
 use homebody_core::event::Events;
-use homebody_core::recording::{Recording, Seal};
+use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::SECOND;
@@ -63,10 +63,10 @@ fn who_is_driven_makes_sensors_fire_and_the_page_sees_what_the_log_gets() {
     assert!(recording.files["visitor.keys.json"].contains("\"held\": ["), "{:?}", recording.files.keys());
     let scenario = recording.scenario().unwrap();
     let mut run = recording.run(&scenario, &());
-    let (mut events, mut seal) = (Events::default(), Seal::default());
+    let (mut events, mut digest) = (Events::default(), RunDigest::default());
     run.advance(recording.length_us, &mut events);
-    seal.add(&events.firings);
-    assert_eq!((seal.firings(), seal.hex()), (recording.firings, recording.sha256));
+    digest.add(&events.firings);
+    assert_eq!((digest.firings(), digest.hex()), (recording.firings, recording.sha256));
 }
 
 #[test]
@@ -110,14 +110,14 @@ fn a_page_that_looks_changes_nothing() {
         let recording = recording(&served.only_run());
         let mut alone =
             Run::new(&scenario, &household, recording.seed, scenario.calendar.span_of_days(scenario.file.days));
-        let (mut events, mut seal) = (Events::default(), Seal::default());
+        let (mut events, mut digest) = (Events::default(), RunDigest::default());
         while alone.now() < recording.length_us {
             alone.advance(recording.length_us.min(alone.now() + 3600 * SECOND), &mut events);
-            seal.add(&events.firings);
+            digest.add(&events.firings);
             events.clear();
         }
         assert!(recording.firings > 0);
-        assert_eq!((seal.firings(), seal.hex()), (recording.firings, recording.sha256), "{speeds:?}");
+        assert_eq!((digest.firings(), digest.hex()), (recording.firings, recording.sha256), "{speeds:?}");
     }
 }
 

@@ -8,7 +8,7 @@ use homebody_core::home::plan::Plan;
 use homebody_core::problem::{Problems, counted};
 use homebody_core::scenario::load::Scenario;
 use homebody_import::{MOST_BYTES, sweet_home};
-use homebody_routine::household::{Household, Spoken};
+use homebody_routine::household::{Household, RoutineLanguage};
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -157,7 +157,7 @@ fn path(at: Point) -> String {
 }
 
 fn load(texts: &Texts) -> Result<Scenario, Problems> {
-    let mut scenario = Scenario::load_in(&Spoken, texts, "scenario.json")?;
+    let mut scenario = Scenario::load_in(&RoutineLanguage, texts, "scenario.json")?;
     Household::read(&mut scenario, texts, &[])?;
     Ok(scenario)
 }

@@ -14,7 +14,7 @@ use homebody_core::scenario::load::{Driver, Files, Scenario};
 use homebody_core::scenario::resident::DriverFile;
 use homebody_routine::household::Household;
 use homebody_routine::routine::{Kind, Routine};
-use sentences::Said;
+use sentences::OwnSentences;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::ErrorKind;
@@ -33,7 +33,7 @@ pub struct Profile {
     resident: Option<usize>,
     /// What they live by instead of their own routine.
     routine: Option<Arc<Other>>,
-    said: Said,
+    said: OwnSentences,
     /// Of the conditions that are asked to be left out, those that this member would show.
     pub without: Vec<String>,
 }
@@ -76,7 +76,7 @@ fn in_order(mut problems: Vec<Problem>, file: &str) -> Problems {
     problems.sort_by_key(|problem| (problem.file != file, problem.file.clone(), problem.line, problem.column));
     // Of several conditions that begin at once, each has the same to say.
     problems.dedup();
-    Problems::as_many_as_are_read(&problems)
+    Problems::truncated(&problems)
 }
 
 impl Base<'_> {
@@ -96,7 +96,7 @@ impl Base<'_> {
             }
             let routine = other.map(|other| &other.routine).or(self.household.routine(resident));
             if let (Some(routine), Driver::Routine { file, text }) = (routine, &scenario.residents[resident].driver)
-                && profile.said != Said::default()
+                && profile.said != OwnSentences::default()
             {
                 let text = profile.said.within(text, routine);
                 let file = file_of_own(&scenario, resident, file);

@@ -1,6 +1,6 @@
 //! The rows of a table as profiles: each cell with what may stand there.
 
-use super::sentences::Said;
+use super::sentences::OwnSentences;
 use super::table::{Cell, Table};
 use super::{Base, Other, Profile};
 use crate::commands::LIST;
@@ -63,7 +63,7 @@ impl<'a> Reader<'a> {
             return Vec::new();
         }
         let mut names = BTreeSet::new();
-        let mut seen: BTreeMap<(Option<usize>, Option<String>, Said), Vec<String>> = BTreeMap::new();
+        let mut seen: BTreeMap<(Option<usize>, Option<String>, OwnSentences), Vec<String>> = BTreeMap::new();
         let mut profiles = Vec::new();
         for cells in &self.table.rows {
             let before = self.problems.len();
@@ -188,7 +188,7 @@ impl<'a> Reader<'a> {
             row: told,
             resident: None,
             routine: None,
-            said: Said::default(),
+            said: OwnSentences::default(),
             without: Vec::new(),
         };
         if !profile.row.is_empty() {
@@ -258,7 +258,7 @@ impl<'a> Reader<'a> {
     }
 
     /// What is to stand in the routine.
-    fn said(&mut self, row: &Row) -> Said {
+    fn said(&mut self, row: &Row) -> OwnSentences {
         let fact = |reader: &mut Reader, column: &str, words: [&str; 2], what: &str| {
             let cell = row.get(column)?;
             if !cell.text.parse::<f64>().is_ok_and(|number| number.is_finite() && number > 0.0) {
@@ -268,7 +268,7 @@ impl<'a> Reader<'a> {
             let pieces = [(words[0], None), (cell.text.as_str(), Some(*cell)), (words[1], None)];
             reader.sentence(&pieces, cell, None).map(|(text, _)| text)
         };
-        Said {
+        OwnSentences {
             age: fact(self, "age", ["The person is ", ""], "age in years"),
             pace: fact(self, "pace_mps", ["The person walks at ", " m/s"], "pace in metres a second"),
             conditions: self.conditions(row),

@@ -7,7 +7,7 @@ use std::ops::Range;
 
 /// What a routine is to say of the person.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Said {
+pub struct OwnSentences {
     /// Such as "The person is 75".
     pub age: Option<String>,
     /// Such as "The person walks at 0.5 m/s".
@@ -16,7 +16,7 @@ pub struct Said {
     pub conditions: Option<Vec<String>>,
 }
 
-impl Said {
+impl OwnSentences {
     /// The text of a routine, with this in it. What stays keeps its line and, where nothing longer or shorter comes before
     /// it, its column.
     pub fn within(&self, text: &str, routine: &Routine) -> String {
@@ -72,7 +72,7 @@ mod tests {
         routine
     }
 
-    fn within(said: &Said, text: &str) -> String {
+    fn within(said: &OwnSentences, text: &str) -> String {
         let new = said.within(text, &read(text));
         read(&new);
         new
@@ -80,10 +80,10 @@ mod tests {
 
     #[test]
     fn what_says_otherwise_goes_where_it_stands() {
-        let said = Said {
+        let said = OwnSentences {
             age: Some("The person is 75".into()),
             pace: Some("The person walks at 0.5 m/s".into()),
-            ..Said::default()
+            ..OwnSentences::default()
         };
         let text = "# She is 82.\nShe is 82. She walks at about 0.65 m/s. # slow\nShe naps.\n";
         let new = "# She is 82.\nThe person is 75. The person walks at 0.5 m/s. # slow\nShe naps.\n\n";
@@ -93,7 +93,7 @@ mod tests {
 
     #[test]
     fn a_sentence_ends_where_the_language_ends_it() {
-        let said = Said { age: Some("The person is 75".into()), ..Said::default() };
+        let said = OwnSentences { age: Some("The person is 75".into()), ..OwnSentences::default() };
         assert_eq!(within(&said, "She is 82! She naps."), "The person is 75! She naps.\n");
         assert_eq!(within(&said, "Mrs. Miller is 82. She naps."), "The person is 75. She naps.\n");
         assert_eq!(within(&said, "She reads.\rMrs. Miller is 82.\r"), "She reads.\rThe person is 75.\r\n");
@@ -101,18 +101,18 @@ mod tests {
 
     #[test]
     fn other_conditions_are_shown_instead() {
-        let none = Said { conditions: Some(Vec::new()), ..Said::default() };
-        let one = Said { conditions: Some(vec!["The person shows frailty".into()]), ..Said::default() };
+        let none = OwnSentences { conditions: Some(Vec::new()), ..OwnSentences::default() };
+        let one = OwnSentences { conditions: Some(vec!["The person shows frailty".into()]), ..OwnSentences::default() };
         let text = "She naps. From week 6 she shows mild depression. She reads.\r\nShe shows frailty.";
         let rest = "She naps. ...................................... She reads.\r\n..................";
         assert_eq!(within(&none, text), format!("{rest}\n"));
         assert_eq!(within(&one, text), format!("{rest}\nThe person shows frailty.\n"));
-        assert_eq!(within(&Said::default(), text), format!("{text}\n"));
+        assert_eq!(within(&OwnSentences::default(), text), format!("{text}\n"));
     }
 
     #[test]
     fn what_stood_below_a_heading_stays_there_and_nothing_else_comes_to_it() {
-        let none = Said { conditions: Some(Vec::new()), ..Said::default() };
+        let none = OwnSentences { conditions: Some(Vec::new()), ..OwnSentences::default() };
         let days = |text: &str| -> Vec<u8> { read(text).habits.iter().map(|habit| habit.days.weekdays).collect() };
         for text in [
             "On Monday\n  she naps\nShe shows depression. She reads.",

@@ -76,7 +76,7 @@ test('stillness is more than a minute in which nothing fires and nobody strides'
   const run = storedRun('one', 1);
   const day = prepare(run, 0, {
     rows: [[100e6, 0, 0]],
-    lives: [{ movements: [[300e6, 400e6, 'stride', 'standing', [0, 0], [1, 1]], [400e6, 900e6, 'stir', 'lying', [0, 0], [0, 0]]], rooms: [], activities: [] }],
+    lives: [{ movements: [[300e6, 400e6, 'stride', 'standing', [0, 0], [1, 1]], [400e6, 900e6, 'in_place', 'lying', [0, 0], [0, 0]]], rooms: [], activities: [] }],
   });
   expect(day.quiet).toEqual([[0, 100e6], [100e6, DAY]]);
   expect(day.still).toEqual([[0, 100e6], [100e6, 300e6], [400e6, DAY]]);

@@ -125,7 +125,7 @@ fn check_sensors(report: &mut Report, file: &LinkFile, home: &HomeFile) {
                 let (what, hint) = unknown(name);
                 report.problems.push(report.source.problem_with_key(&pointer, what, hint));
             }
-            Some(sensor) if own.false_fires_per_h.is_some() && !sensor.looks() => {
+            Some(sensor) if own.false_fires_per_h.is_some() && !sensor.senses_motion() => {
                 let what = format!("{name:?} is no motion sensor: it does not fire for no reason");
                 report.add(&format!("{pointer}/false_fires_per_h"), what);
             }
@@ -140,7 +140,7 @@ fn check_sensors(report: &mut Report, file: &LinkFile, home: &HomeFile) {
                 let (what, hint) = unknown(name);
                 report.problem(&pointer, what, hint);
             }
-            (Some(sensor), FaultFile::FalseFires(_)) if !sensor.looks() => {
+            (Some(sensor), FaultFile::FalseFires(_)) if !sensor.senses_motion() => {
                 report.add(&pointer, format!("{name:?} is no motion sensor: it does not fire for no reason"));
             }
             (Some(sensor), FaultFile::Moved(_)) if !matches!(sensor, SensorFile::Motion(_)) => {

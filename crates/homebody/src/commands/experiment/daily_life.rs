@@ -73,7 +73,7 @@ fn live(scenario: &Scenario, household: &Household, seed: u64, days: u32) -> Per
     let mut run = Run::new(scenario, household, seed, length);
     let mut events = Events::default();
     run.advance(length, &mut events);
-    let is_motion: Vec<bool> = scenario.home.sensors.iter().map(SensorFile::looks).collect();
+    let is_motion: Vec<bool> = scenario.home.sensors.iter().map(SensorFile::senses_motion).collect();
     let hold = match &scenario.logger.messages {
         // Each firing is an ON of its own.
         MessagesFile::FireOnly => 1,

@@ -12,7 +12,7 @@ use homebody_study::day::Day;
 use homebody_study::picture::day_chart;
 use std::path::PathBuf;
 
-/// Lives a scenario as far as a day and says what was done on it, and in which rooms.
+/// DriverProvider a scenario as far as a day and says what was done on it, and in which rooms.
 ///
 /// It is the very day that a run of the scenario has: another seed is another day.
 #[derive(clap::Args)]
@@ -72,7 +72,7 @@ impl Lived {
         Lived { lives: run.names().into_iter().map(life).collect(), rooms }
     }
 
-    /// Lives the run to its end, and keeps what goes on from an instant on.
+    /// DriverProvider the run to its end, and keeps what goes on from an instant on.
     fn live(&mut self, mut run: Run, from: Micros, wall: impl Fn(Micros) -> Micros) {
         let mut events = Events::default();
         while run.now() < run.length() {

@@ -10,7 +10,7 @@ use homebody_core::event::{Events, Fact};
 use homebody_core::geometry::Point;
 use homebody_core::home::field::bits;
 use homebody_core::home::plan::Plan;
-use homebody_core::recording::{Recording, Seal};
+use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::Run;
 use homebody_core::scenario::input::{self, InputFile, KeysFile, UseFile};
 use homebody_core::scenario::load::{Files, Scenario};
@@ -19,7 +19,7 @@ use homebody_core::scene::Scene;
 use homebody_core::sensors::Sensor;
 use homebody_core::time::{Micros, micros, seconds};
 use homebody_log::{LogError, Places, RowText, Rows, RunLog};
-use homebody_routine::household::{Household, Spoken};
+use homebody_routine::household::{Household, RoutineLanguage};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -37,7 +37,7 @@ pub struct Start {
 }
 
 /// A run that is being lived, with everything that belongs to it.
-pub struct Act {
+pub struct StagedRun {
     pub start: Start,
     scenario: Scenario,
     /// The conditions that its residents show.
@@ -52,7 +52,7 @@ pub struct Act {
     /// Whether it is a recording lived again, which leaves no files.
     is_replay: bool,
     /// Of a replay: the files of any other run have their own.
-    seal: Seal,
+    digest: RunDigest,
     rows: Rows,
     growth: Arc<Mutex<Growth>>,
     /// What the log has got that nobody has taken to show yet.
@@ -72,9 +72,9 @@ struct Written {
     log: Option<RunLog>,
 }
 
-impl Act {
+impl StagedRun {
     /// A run of the scenario of these files, from its start. It leaves files from when it is first advanced.
-    pub fn new(files: &dyn Files, entry: &str, start: Start) -> Result<Act, String> {
+    pub fn new(files: &dyn Files, entry: &str, start: Start) -> Result<StagedRun, String> {
         let mut files = Drafted { texts: BTreeMap::new(), others: files };
         let first = load(&files, entry)?;
         let mut keys = None;
@@ -100,15 +100,15 @@ impl Act {
         if let Some(driven) = start.driven {
             run.open_input(driven as usize);
         }
-        Act::of(scenario, &household, run, recording, keys, start, false)
+        StagedRun::of(scenario, &household, run, recording, keys, start, false)
     }
 
     /// A recording, to be lived again.
-    pub fn again(recording: Recording) -> Result<Act, String> {
+    pub fn again(recording: Recording) -> Result<StagedRun, String> {
         let (scenario, household) = Household::recorded(&recording).map_err(|problems| problems.render())?;
         let run = recording.run(&scenario, &household);
         let start = Start { without: recording.without.clone(), ..Start::default() };
-        Act::of(scenario, &household, run, recording, None, start, true)
+        StagedRun::of(scenario, &household, run, recording, None, start, true)
     }
 
     fn of(
@@ -119,15 +119,15 @@ impl Act {
         keys: Option<String>,
         start: Start,
         is_replay: bool,
-    ) -> Result<Act, String> {
+    ) -> Result<StagedRun, String> {
         let sensors: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
         let rows = Rows::new(&scenario.logger, &sensors, &scenario.calendar).map_err(|error| error.to_string())?;
         let bodies = run.names().len();
         let held = start.input.last().cloned().unwrap_or_else(nothing_held);
         let conditions = household.conditions().keys().chain(&start.without).cloned().collect();
-        let is_motion = run.sensors().iter().map(Sensor::looks).collect();
+        let is_motion = run.sensors().iter().map(Sensor::senses_motion).collect();
         let growth = Growth::new(&scenario.calendar, run.length(), is_motion);
-        Ok(Act {
+        Ok(StagedRun {
             growth: Arc::new(Mutex::new(growth)),
             start,
             scenario,
@@ -138,7 +138,7 @@ impl Act {
             held,
             files: None,
             is_replay,
-            seal: Seal::default(),
+            digest: RunDigest::default(),
             rows,
             fresh: Vec::new(),
             counts: vec![0; sensors.len()],
@@ -186,7 +186,7 @@ impl Act {
         }
     }
 
-    /// Lives until `until`; true if files have been begun for it, so that its view is another.
+    /// DriverProvider until `until`; true if files have been begun for it, so that its view is another.
     pub fn advance(&mut self, until: Micros, shelf: &Shelf) -> Result<bool, String> {
         let until = until.min(self.run.length());
         if until <= self.run.now() || self.is_over {
@@ -198,7 +198,7 @@ impl Act {
         }
         self.run.advance(until, &mut self.events);
         if self.is_replay {
-            self.seal.add(&self.events.firings);
+            self.digest.add(&self.events.firings);
         }
         if let Some(log) = self.files.as_mut().and_then(|files| files.log.as_mut()) {
             log.store(&self.run, &self.events).map_err(|error| error.to_string())?;
@@ -257,16 +257,16 @@ impl Act {
 
     /// The same run from its start, whatever its files have become since, with what was done at the keys before an instant;
     /// from then on no key is held.
-    pub fn anew(&self, until: Micros) -> Result<Act, String> {
+    pub fn anew(&self, until: Micros) -> Result<StagedRun, String> {
         if self.is_replay {
-            return Act::again(self.recording.clone());
+            return StagedRun::again(self.recording.clone());
         }
         let mut input: Vec<KeysFile> =
             self.start.input.iter().filter(|line| micros(line.at_s) < until).cloned().collect();
         if let Some(last) = input.last().filter(|line| !line.held.is_empty()) {
             input.push(KeysFile { at_s: seconds(until), held: Vec::new(), uses: Vec::new(), ..last.clone() });
         }
-        Act::new(&self.recording.files, &self.recording.entry, Start { input, ..self.start.clone() })
+        StagedRun::new(&self.recording.files, &self.recording.entry, Start { input, ..self.start.clone() })
     }
 
     /// Completes all files; what is said about it.
@@ -276,7 +276,7 @@ impl Act {
         }
         if self.is_replay {
             let is_whole = self.run.now() == self.run.length();
-            let is_same = self.seal.firings() == self.recording.firings && self.seal.hex() == self.recording.sha256;
+            let is_same = self.digest.firings() == self.recording.firings && self.digest.hex() == self.recording.sha256;
             return match (is_whole, is_same) {
                 (false, _) => Ok(None),
                 (true, true) => Ok(Some("The same as the recording, firing by firing.".into())),
@@ -320,7 +320,7 @@ impl Act {
             bodies: scene.bodies.iter().enumerate().map(body).collect(),
             seeing: bits(scene.seeing).filter(|&sensor| sensor < sensors).map(|sensor| sensor as u32).collect(),
             on: scene.on,
-            sun: self.run.home().sun.height(scene.now),
+            sun: self.run.home().sun.elevation_sine(scene.now),
             told: self.counts.iter().sum(),
             counts: self.counts.clone(),
             firings: Vec::new(),
@@ -344,7 +344,7 @@ fn firing_view(row: RowText) -> FiringView {
 }
 
 fn load(files: &Drafted, entry: &str) -> Result<Scenario, String> {
-    Scenario::load_in(&Spoken, files, entry).map_err(|problems| problems.render())
+    Scenario::load_in(&RoutineLanguage, files, entry).map_err(|problems| problems.render())
 }
 
 fn nothing_held() -> KeysFile {

@@ -1,7 +1,7 @@
 //! One sensor and its way to the logger: how often things go wrong, and what is wrong with it when.
 
 use super::clock::Clock;
-use super::message::{Chance, IDS, Luck};
+use super::message::{Chance, Draws, IDS};
 use crate::event::{Loss, Value};
 use crate::random::{Range, Stream};
 use crate::scenario::link::{FaultFile, LinkFile, Span, of_days};
@@ -9,7 +9,7 @@ use crate::time::Micros;
 
 /// One sensor's way.
 #[derive(Clone, Debug)]
-pub struct Way {
+pub struct Channel {
     misses: f64,
     loss: f64,
     pub corruption: f64,
@@ -40,9 +40,9 @@ enum Fault {
     },
 }
 
-impl Way {
+impl Channel {
     /// The way of the sensor that the file calls so; only sensors that look for movement can miss it.
-    pub fn new(file: &LinkFile, sensor: &str, looks: bool, seed: u64) -> Way {
+    pub fn new(file: &LinkFile, sensor: &str, looks: bool, seed: u64) -> Channel {
         let rates = file.rates(sensor, looks);
         let own = file.faults.iter().filter(|fault| fault.sensor() == Some(sensor));
         let fault = |file: &FaultFile| {
@@ -57,7 +57,7 @@ impl Way {
             };
             Some((file.span(), fault))
         };
-        Way {
+        Channel {
             misses: rates.misses,
             loss: rates.loss,
             corruption: rates.corruption,
@@ -88,8 +88,8 @@ impl Way {
         self.moves.iter().rev().find(|(from, _)| *from <= at).map(|&(_, place)| place)
     }
 
-    pub fn draw(&mut self) -> Luck {
-        Luck::draw(&mut self.stream)
+    pub fn draw(&mut self) -> Draws {
+        Draws::draw(&mut self.stream)
     }
 
     fn faults(&self, at: Micros) -> impl Iterator<Item = (Micros, Fault)> {
@@ -98,21 +98,21 @@ impl Way {
     }
 
     /// Why its device does not say what it ought to, if it does not.
-    pub fn lost_by_device(&self, at: Micros, luck: Luck) -> Option<Loss> {
+    pub fn lost_by_device(&self, at: Micros, draws: Draws) -> Option<Loss> {
         let of_fault = |(begin, fault)| match fault {
-            Fault::Battery { fades } => (luck.of(Chance::Battery) < spent(at - begin, fades)).then_some(Loss::Battery),
+            Fault::Battery { fades } => (draws.of(Chance::Battery) < spent(at - begin, fades)).then_some(Loss::Battery),
             Fault::Stuck => Some(Loss::Stuck),
             Fault::FallsOff => Some(Loss::Place),
             Fault::BadLink { .. } => None,
         };
-        let missed = || (luck.of(Chance::Miss) < self.misses).then_some(Loss::Miss);
+        let missed = || (draws.of(Chance::Miss) < self.misses).then_some(Loss::Miss);
         self.faults(at).find_map(of_fault).or_else(missed)
     }
 
     /// Whether its device has not enough power to send this.
-    pub fn lost_by_battery(&self, at: Micros, luck: Luck) -> bool {
+    pub fn lost_by_battery(&self, at: Micros, draws: Draws) -> bool {
         self.faults(at).any(|(begin, fault)| match fault {
-            Fault::Battery { fades } => luck.of(Chance::Battery) < spent(at - begin, fades),
+            Fault::Battery { fades } => draws.of(Chance::Battery) < spent(at - begin, fades),
             Fault::Stuck | Fault::FallsOff | Fault::BadLink { .. } => false,
         })
     }
@@ -127,15 +127,15 @@ impl Way {
     }
 
     /// Whether its message, sent at this instant, gets lost on the way by chance.
-    pub fn lost_on_the_way(&self, sent_at: Micros, luck: Luck) -> bool {
-        let by_link = |(_, fault)| matches!(fault, Fault::BadLink { loss } if luck.of(Chance::BadLink) < loss);
-        luck.of(Chance::Loss) < self.loss || self.faults(sent_at).any(by_link)
+    pub fn lost_on_the_way(&self, sent_at: Micros, draws: Draws) -> bool {
+        let by_link = |(_, fault)| matches!(fault, Fault::BadLink { loss } if draws.of(Chance::BadLink) < loss);
+        draws.of(Chance::Loss) < self.loss || self.faults(sent_at).any(by_link)
     }
 
     /// A delay, by a number from 0 up to 1.
-    pub fn delay(&self, luck: f64) -> Micros {
+    pub fn delay(&self, draws: f64) -> Micros {
         let Range { least, most } = self.delay;
-        least + (luck * (most - least + 1) as f64) as Micros
+        least + (draws * (most - least + 1) as f64) as Micros
     }
 }
 
