@@ -6,8 +6,8 @@ use std::fmt::Write;
 
 use super::paint::{DENSITY, HAIRLINE, INK, MUTED, Paint, QUIET, WHITE};
 use super::svg::{Anchor, Px, Svg, Type};
-use crate::dates::{date_of, midnight};
-use crate::density::{Cell, Density, Map, State, level};
+use homebody_analysis::dates::{date_of, midnight};
+use homebody_analysis::density::{Cell, Density, Map, State, level};
 
 const WIDTH: f64 = 1200.0;
 const LEFT: f64 = 84.0;

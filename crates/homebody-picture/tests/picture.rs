@@ -1,14 +1,16 @@
 //! Pictures: well-formed, escaped, of the size asked for, and with the text in them.
 
+#[path = "../../homebody-analysis/tests/home/mod.rs"]
 mod home;
 
+use homebody_analysis::coverage::{STEP_M, coverage};
+use homebody_analysis::day::Day;
+use homebody_analysis::density::{Asked, density};
 use homebody_core::geometry::{Point, direction, point};
 use homebody_core::home::plan::Plan;
 use homebody_core::scenario::home::{HomeFile, SensorFile};
 use homebody_log::{Event, Log};
-use homebody_study::coverage::{STEP_M, coverage};
-use homebody_study::density::{Asked, density};
-use homebody_study::picture::{
+use homebody_picture::{
     Activity, Band, DayChart, Holds, Lane, Panel, PngError, Reference, Ticks, TotalsLine, coverage_map, day_chart,
     density_map, firing_chart, floor_plan, png, span_chart, totals_chart,
 };
@@ -126,6 +128,36 @@ fn a_day_is_drawn_with_firings_or_without() {
     well_formed(&svg);
     assert!(svg.contains("2 activities, 2 firings of 2 sensors") && svg.contains(">silent<"));
     well_formed(&day_chart(&DayChart::default()));
+}
+
+#[test]
+fn the_chart_of_a_log_has_its_activities_and_firings() {
+    const HOUR: i64 = 3_600_000_000;
+    let event = |hour: i64, sensor, value| Event { at: hour * HOUR, sensor, value };
+    let log = Log {
+        sensors: vec!["hall".into(), "door".into()],
+        values: vec!["ON".into(), "OFF".into(), "OPEN".into(), "CLOSE".into()],
+        // What goes on at midnight is of both days, and counts on the first.
+        events: vec![
+            event(20, 1, 2),
+            event(23, 0, 0),
+            event(24, 1, 3),
+            event(25, 0, 1),
+            event(30, 1, 2),
+            event(31, 1, 3),
+            event(47, 0, 0),
+            event(49, 0, 1),
+        ],
+        activities: vec![homebody_log::Activity { name: "Cook".into(), begin: 40 * HOUR, end: 50 * HOUR }],
+        ..Log::default()
+    };
+    let chart = DayChart::of(&Day::of("log", &log, &[], jiff::civil::date(1970, 1, 2)));
+    assert_eq!(chart.title, "log: Friday 2 January 1970");
+    assert_eq!((chart.bands.len(), chart.ticks.len()), (1, 2));
+    // As many as are told, though three of them are seen.
+    assert_eq!(chart.ticks.iter().map(|ticks| ticks.firings).collect::<Vec<_>>(), [1, 1]);
+    assert!(day_chart(&chart).contains("2 firings of 2 sensors"));
+    assert_eq!(chart.bands[0].spans, [(57_600.0, 86_400.0, "Cook".to_owned())]);
 }
 
 #[test]

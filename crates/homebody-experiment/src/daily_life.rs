@@ -21,7 +21,7 @@ pub use life::Lived;
 pub use nights::Nights;
 pub use sensing::Sensing;
 
-use crate::picture::{Hours, Measured, hour_chart, range_chart};
+use homebody_picture::{Hours, Measured, hour_chart, range_chart};
 use published::{LINES, Published};
 use serde::Serialize;
 use statistics::{mean, sd};

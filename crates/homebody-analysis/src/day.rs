@@ -11,7 +11,6 @@ use std::fmt;
 
 use crate::activity_kind::ActivityKind;
 use crate::dates::{clock, clock_s, midnight};
-use crate::picture::{Band, DayChart, Holds, Ticks};
 use crate::signs::{Kind, kinds, spans};
 
 /// What was so on one day.
@@ -112,29 +111,6 @@ impl Day {
             readings,
         }
     }
-
-    /// What a picture of it needs.
-    pub fn chart(&self) -> DayChart {
-        let mut bands = Vec::new();
-        for Resident { name, activities, rooms } in &self.residents {
-            let name = name.as_deref().unwrap_or("activities");
-            for (name, holds, stretches) in
-                [(name.to_owned(), Holds::Activities, activities), (format!("{name}: room"), Holds::Rooms, rooms)]
-            {
-                let spans = stretches.iter().map(|part| (part.begin_s, part.end_s, part.what.clone())).collect();
-                if !stretches.is_empty() {
-                    bands.push(Band { name, holds, spans });
-                }
-            }
-        }
-        let ticks = self.sensors.iter().map(|Sensor { sensor, spans_s, firings, .. }| Ticks {
-            sensor: sensor.clone(),
-            spans: spans_s.clone(),
-            firings: *firings,
-        });
-        let title = format!("{}: {}", self.name, self.date.strftime("%A %-d %B %Y"));
-        DayChart { title, bands, ticks: ticks.collect() }
-    }
 }
 
 /// The part of a span that is in the day which begins at `begin`, in seconds since then.
@@ -222,7 +198,6 @@ impl Day {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::picture::day_chart;
     use crate::sample::log;
     use jiff::civil::date;
 
@@ -262,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn a_day_is_told_and_drawn() {
+    fn a_day_is_told() {
         let day = told();
         let words = day.to_string();
         for part in [
@@ -273,11 +248,5 @@ mod tests {
         ] {
             assert!(words.contains(part), "{words}");
         }
-        let chart = day.chart();
-        assert_eq!((chart.bands.len(), chart.ticks.len()), (1, 2));
-        // As many as are told, though three of them are seen.
-        assert_eq!(chart.ticks.iter().map(|ticks| ticks.firings).collect::<Vec<_>>(), [1, 1]);
-        assert!(day_chart(&chart).contains("2 firings of 2 sensors"));
-        assert_eq!(chart.bands[0].spans[1], (57_600.0, 86_400.0, "Cook".to_owned()));
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! Its input is plain data, so that a day which is only planned can be drawn as well: bands without ticks.
 
+use homebody_analysis::day::{Day, Resident, Sensor};
 use homebody_core::geometry::Point;
 use std::fmt::Write;
 
@@ -9,7 +10,7 @@ use super::chart::heading;
 use super::font;
 use super::paint::{FLOOR, HAIRLINE, INK, MUTED, Paint, WALL, WHITE};
 use super::svg::{Anchor, Px, Svg, Type};
-use crate::activity_kind::ActivityKind;
+use homebody_analysis::activity_kind::ActivityKind;
 
 /// A day to be drawn. Times are seconds since its midnight; what lies outside the day is cut off.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -43,6 +44,31 @@ pub struct Band {
 pub enum Holds {
     Activities,
     Rooms,
+}
+
+impl DayChart {
+    /// A day of a log, or of lives, as it is drawn.
+    pub fn of(day: &Day) -> DayChart {
+        let mut bands = Vec::new();
+        for Resident { name, activities, rooms } in &day.residents {
+            let name = name.as_deref().unwrap_or("activities");
+            for (name, holds, stretches) in
+                [(name.to_owned(), Holds::Activities, activities), (format!("{name}: room"), Holds::Rooms, rooms)]
+            {
+                let spans = stretches.iter().map(|part| (part.begin_s, part.end_s, part.what.clone())).collect();
+                if !stretches.is_empty() {
+                    bands.push(Band { name, holds, spans });
+                }
+            }
+        }
+        let ticks = day.sensors.iter().map(|Sensor { sensor, spans_s, firings, .. }| Ticks {
+            sensor: sensor.clone(),
+            spans: spans_s.clone(),
+            firings: *firings,
+        });
+        let title = format!("{}: {}", day.name, day.date.strftime("%A %-d %B %Y"));
+        DayChart { title, bands, ticks: ticks.collect() }
+    }
 }
 
 const WIDTH: f64 = 1200.0;

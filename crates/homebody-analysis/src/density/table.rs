@@ -66,15 +66,10 @@ fn tell(f: &mut fmt::Formatter, map: &Map) -> fmt::Result {
     let names = map.entrance.sensors.join(", ");
     match map.entrance.chosen {
         Chosen::Asked => writeln!(f, "Entrance: {names}, as asked")?,
-        Chosen::Known => {
-            writeln!(f, "Entrance: {names}, by name or as a door's contact; to name others: --door SENSOR")?
-        }
-        Chosen::Guessed => writeln!(f, "Entrance: {names}, a guess by name; to name the right ones: --door SENSOR")?,
+        Chosen::Known => writeln!(f, "Entrance: {names}, by name or as a door's contact")?,
+        Chosen::Guessed => writeln!(f, "Entrance: {names}, a guess by name")?,
         Chosen::None => {
-            writeln!(
-                f,
-                "Entrance: no sensor's name speaks of one, so nobody is ever away; to name one: --door SENSOR"
-            )?;
+            writeln!(f, "Entrance: no sensor's name speaks of one, so nobody is ever away")?;
         }
     }
     absences(f, &map.absences)?;

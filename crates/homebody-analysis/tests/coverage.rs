@@ -2,10 +2,10 @@
 
 mod home;
 
+use homebody_analysis::coverage::{Coverage, Grid, LEAST_DEAD_ZONE_M2, STEP_M, coverage};
 use homebody_core::geometry::{Point, point, signed_area};
 use homebody_core::home::plan::Plan;
 use homebody_core::scenario::home::HomeFile;
-use homebody_study::coverage::{Coverage, Grid, LEAST_DEAD_ZONE_M2, STEP_M, coverage};
 use serde_json::json;
 
 const RADIUS_M: f64 = 0.2;

@@ -2,7 +2,7 @@
 
 use homebody_core::geometry::{self, Point};
 
-use crate::coverage::{Corner, Grid, Region};
+use homebody_analysis::coverage::{Corner, Grid, Region};
 
 /// So many straight cells to both sides of a turn make it a corner of the floor, not a stair of a slant.
 const STRAIGHT: usize = 4;

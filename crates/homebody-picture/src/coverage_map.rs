@@ -11,7 +11,7 @@ use super::paint::{DEAD, DEAD_GROUND, DEAD_TEXT, FURNITURE_EDGE, INK, MUTED, Pai
 use super::shade;
 use super::sheet::Sheet;
 use super::svg::{Anchor, Svg, Type, polyline, rings};
-use crate::coverage::{Coverage, Floor, Grid, LEAST_DEAD_ZONE_M2};
+use homebody_analysis::coverage::{Coverage, Floor, Grid, LEAST_DEAD_ZONE_M2};
 
 /// Rows that a table in the legend shows.
 const MOST_ROWS: usize = 20;

@@ -64,9 +64,9 @@ impl Default for Asked {
 pub enum NoMap {
     #[error("no sensor in it tells of motion\n  hint: motion sensors say ON, FIRE, true or 1 when they see somebody")]
     NoMotion,
-    #[error("a map of {0} days is longer than ten years\n  hint: choose a part with --from and --days")]
+    #[error("a map of {0} days is longer than ten years")]
     TooLong(usize),
-    #[error("{0} is no day of it: it goes from {1} to {2}\n  hint: --from takes one of its days")]
+    #[error("{0} is no day of it\n  hint: it goes from {1} to {2}")]
     NoDay(Date, Date, Date),
 }
 

@@ -1,6 +1,6 @@
-//! Questions about homes and logs: pure analysis, and the pictures of its answers.
+//! What homes and logs tell: figures and tables for people and programs.
 //!
-//! Nothing here reads or writes a file: texts and logs come in, figures and pictures go out. In reading order:
+//! Nothing here reads or writes a file: texts and logs come in, plain data goes out. Nothing here draws. In reading order:
 
 /// Where in a home the sensors see, from the very fields that make the data.
 pub mod coverage;
@@ -18,16 +18,6 @@ pub mod density;
 /// One day: what sensors said, and what residents did.
 pub mod activity_kind;
 pub mod day;
-
-/// What was measured in the real world, done again.
-pub mod godsey2009;
-pub mod sphere;
-
-/// Generated lives beside what was measured of real ones.
-pub mod daily_life;
-
-/// Floor plans, maps and charts.
-pub mod picture;
 
 #[cfg(test)]
 mod sample;
