@@ -83,7 +83,8 @@ fn cut_off(outline: &[Point], other: &[Point]) -> Option<Vec<Point>> {
     cut.into_iter().take(MOST_TRIED).find(|cut| overlap::area(cut, other) <= MOST_SHARED_M2)
 }
 
-/// The part of an outline beyond a line, by Sutherland & Hodgman (1974).
+/// The part of an outline beyond a line, by Sutherland & Hodgman (1974): its corners keep their very numbers, which boolean
+/// operations on a grid would move.
 fn beyond(outline: &[Point], on_line: Point, outward: Point) -> Vec<Point> {
     let side = |p: Point| (p - on_line).dot(outward);
     let mut kept = Vec::new();

@@ -1,4 +1,9 @@
 //! The floor in square cells, and the connected groups of cells traced to polygons.
+//!
+//! Rings are traced here rather than by a library. `contour` interpolates between the middles of cells, so its rings are not
+//! the borders of cells. `i_overlay`, on which `geo` builds, puts cells together as fast and as exactly, but a hole that
+//! touches the outer ring at a corner becomes part of that ring, and corners within straight sides are gone: smoothing and
+//! the error of an area need the ring in steps of one cell.
 
 use std::collections::BTreeMap;
 
