@@ -6,8 +6,10 @@
 //! Where no norm was found the line says so, and is neither inside nor outside.
 
 mod days;
+mod figures;
 mod life;
 mod nights;
+mod person;
 mod published;
 mod report;
 mod sensing;
@@ -19,20 +21,13 @@ mod tests;
 pub use days::{Days, USES, Use};
 pub use life::Lived;
 pub use nights::Nights;
+pub use person::Person;
 pub use sensing::Sensing;
 
 use homebody_picture::{Hours, Measured, hour_chart, range_chart};
 use published::{LINES, Published};
 use serde::Serialize;
 use statistics::{mean, sd};
-
-/// One person, measured.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Person {
-    pub nights: Nights,
-    pub days: Days,
-    pub sensing: Sensing,
-}
 
 /// Everything the experiment found.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -69,20 +64,6 @@ pub struct Line {
     pub guess: &'static str,
 }
 
-impl Person {
-    /// Measures a life.
-    pub fn of(lived: &Lived) -> Person {
-        let activities = lived.activities();
-        let moves = lived.moves();
-        let nights = nights::nights(lived, &activities, &moves);
-        Person {
-            nights: Nights::of(&nights, &activities),
-            days: Days::of(lived, &activities, &moves),
-            sensing: Sensing::of(lived),
-        }
-    }
-}
-
 impl Experiment {
     /// Holds people, each measured, beside what was published.
     pub fn of(persons: Vec<Person>, seed: u64) -> Experiment {
@@ -111,7 +92,7 @@ impl Experiment {
     pub fn chart(&self) -> String {
         let measured = self.lines.iter().filter_map(|line| {
             let [low, high] = line.range?;
-            let words = format!("{}: {}", report::number(line.ours?, line.unit), line.published);
+            let words = format!("{}: {}", figures::number(line.ours?, line.unit), line.published);
             Some(Measured { label: line.what.into(), words, low, high, value: line.ours? })
         });
         let title = format!("{} generated older adults beside published figures", self.people);

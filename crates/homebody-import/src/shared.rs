@@ -1,7 +1,6 @@
 //! Rooms that overlap: each floor belongs to one of them.
 
-use crate::outline::{is_sound, tidy};
-use crate::rooms::Room;
+use crate::outline::{Room, is_sound, tidy};
 use homebody_core::geometry::{self, Point, overlap};
 
 /// What two rooms may share: half of what the check lets pass.

@@ -4,8 +4,7 @@ use std::sync::{Arc, LazyLock};
 
 use resvg::usvg::{self, fontdb};
 
-/// What an SVG asks for. A reader without the first takes a similar one; labels leave room for that.
-pub const FAMILY: &str = "Ubuntu, 'Helvetica Neue', Arial, sans-serif";
+use super::svg::{Svg, Type};
 
 static FONTS: LazyLock<Arc<fontdb::Database>> = LazyLock::new(|| {
     let mut fonts = fontdb::Database::new();
@@ -30,9 +29,9 @@ pub fn options() -> usvg::Options<'static> {
 
 /// How wide a line of text is at a font size, in the same unit.
 pub fn width(text: &str, size: f64) -> f64 {
-    let mut svg = super::svg::Svg::new("", "");
+    let mut svg = Svg::new("", "");
     // Measured large, where hinting and rounding do not count.
-    svg.text(text, homebody_core::geometry::Point::ZERO, &super::svg::Type::new(100.0, "#000"));
+    svg.text(text, homebody_core::geometry::Point::ZERO, &Type::new(100.0, "#000"));
     let tree = usvg::Tree::from_str(&svg.finish(1.0, 1.0), &options());
     let texts = tree.map(|tree| {
         let root = tree.root().children();

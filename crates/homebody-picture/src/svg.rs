@@ -4,8 +4,10 @@ use std::fmt::{Display, Write};
 
 use homebody_core::geometry::Point;
 
-use super::font;
 use super::paint::{Paint, WHITE};
+
+/// What an SVG asks for. A reader without the first takes a similar one; labels leave room for that.
+const FAMILY: &str = "Ubuntu, 'Helvetica Neue', Arial, sans-serif";
 
 /// A picture being drawn. Points are pixels from the top left; later shapes cover earlier ones.
 pub struct Svg {
@@ -57,7 +59,7 @@ impl Svg {
                 ("width", &w),
                 ("height", &h),
                 ("role", &"img"),
-                ("font-family", &font::FAMILY),
+                ("font-family", &FAMILY),
             ],
         );
         for (name, words) in [("title", &self.title), ("desc", &self.description)] {

@@ -6,7 +6,7 @@ use jiff::civil::Date;
 use serde::Serialize;
 use std::ops::Range;
 
-use super::{Absence, Asked, Cell, Entrance, Measured, NoMap, Sign, State, Sum, Texture, absences, is_seat, levels};
+use super::{Absence, Cell, Entrance, LEAST, Sign, State, Sum, absences, is_seat};
 use crate::dates::{date_of, midnight};
 use crate::signs::{Kind, Says, kinds, says, spans};
 
@@ -15,6 +15,37 @@ const HOUR: Micros = 3600 * SECOND;
 const SILENCE: Micros = DAY;
 /// The longest map: ten years.
 const MOST_DAYS: usize = 3660;
+
+/// What somebody wants to know of a log.
+#[derive(Clone, Debug)]
+pub struct Asked {
+    /// The sensors at the entrance; none to have them found by their names.
+    pub doors: Vec<String>,
+    /// The least absence.
+    pub away_after: Micros,
+    /// From when to when the log was recorded, if that is known.
+    pub recorded: Option<Range<Micros>>,
+    /// The first day, and how many; all days without them.
+    pub from: Option<Date>,
+    pub days: Option<usize>,
+}
+
+impl Default for Asked {
+    fn default() -> Asked {
+        Asked { doors: Vec::new(), away_after: LEAST, recorded: None, from: None, days: None }
+    }
+}
+
+/// Why there is no map.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NoMap {
+    #[error("no sensor in it tells of motion\n  hint: motion sensors say ON, FIRE, true or 1 when they see somebody")]
+    NoMotion,
+    #[error("a map of {0} days is longer than ten years")]
+    TooLong(usize),
+    #[error("{0} is no day of it\n  hint: it goes from {1} to {2}")]
+    NoDay(Date, Date, Date),
+}
 
 /// The hours of some days.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -116,11 +147,6 @@ impl Map {
             absences: found.absences,
             cells,
         }
-    }
-
-    pub(super) fn measured(self, step_per_h: f64) -> Measured {
-        let texture = Texture::of(&levels(&self.cells, step_per_h));
-        Measured { map: self, texture }
     }
 
     /// The cells as rows of a table: `date,hour,events,athome_h,density`; without a density where nobody was at home, and

@@ -27,48 +27,14 @@ mod map;
 mod table;
 mod texture;
 
-use homebody_core::time::Micros;
 use homebody_log::Log;
-use jiff::civil::Date;
 use serde::Serialize;
-use std::ops::Range;
 
 pub use away::{Absence, LEAST, Sign, absences};
 pub use cell::{Cell, State, Sum};
 pub use entrance::{Chosen, Entrance, is_seat};
-pub use map::{Day, Hour, Map};
+pub use map::{Asked, Day, Hour, Map, NoMap};
 pub use texture::{LEVELS, Texture, level};
-
-/// What somebody wants to know of a log.
-#[derive(Clone, Debug)]
-pub struct Asked {
-    /// The sensors at the entrance; none to have them found by their names.
-    pub doors: Vec<String>,
-    /// The least absence.
-    pub away_after: Micros,
-    /// From when to when the log was recorded, if that is known.
-    pub recorded: Option<Range<Micros>>,
-    /// The first day, and how many; all days without them.
-    pub from: Option<Date>,
-    pub days: Option<usize>,
-}
-
-impl Default for Asked {
-    fn default() -> Asked {
-        Asked { doors: Vec::new(), away_after: LEAST, recorded: None, from: None, days: None }
-    }
-}
-
-/// Why there is no map.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum NoMap {
-    #[error("no sensor in it tells of motion\n  hint: motion sensors say ON, FIRE, true or 1 when they see somebody")]
-    NoMotion,
-    #[error("a map of {0} days is longer than ten years")]
-    TooLong(usize),
-    #[error("{0} is no day of it\n  hint: it goes from {1} to {2}")]
-    NoDay(Date, Date, Date),
-}
 
 /// An answer to people and scripts: a map, and how far it is from another.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -105,9 +71,9 @@ pub fn density(log: (&str, &Log, &Asked), against: Option<(&str, &Log, &Asked)>)
     let map = Map::of(log.0, log.1, log.2)?;
     let other = against.map(|(name, log, asked)| Map::of(name, log, asked)).transpose()?;
     let step_per_h = step_per_h([Some(&map), other.as_ref()].into_iter().flatten());
-    let of = map.measured(step_per_h);
+    let of = measured(map, step_per_h);
     let against = other.map(|other| {
-        let other = other.measured(step_per_h);
+        let other = measured(other, step_per_h);
         let features = |measured: &Measured| features(&measured.map.cells, step_per_h);
         let distance = features(&of).zip(features(&other)).map(|(a, b)| distance(&a, &b));
         Against { distance, weeks_apart: weeks_apart(&other.map.cells, step_per_h), of: other }
@@ -129,6 +95,11 @@ fn step_per_h<'a>(maps: impl Iterator<Item = &'a Map>) -> f64 {
         }
         power *= 10.0;
     }
+}
+
+fn measured(map: Map, step_per_h: f64) -> Measured {
+    let texture = Texture::of(&levels(&map.cells, step_per_h));
+    Measured { map, texture }
 }
 
 fn levels(cells: &[[Cell; 24]], step_per_h: f64) -> Vec<[Option<usize>; 24]> {

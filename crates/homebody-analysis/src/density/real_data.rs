@@ -4,7 +4,7 @@
 use super::*;
 use crate::dates::{date_of, midnight};
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::{DAY, SECOND};
+use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_log::{Url, read};
 use jiff::civil::{DateTime, date};
 use std::path::PathBuf;

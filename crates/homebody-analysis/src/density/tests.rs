@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::sample::log;
-use homebody_core::time::{DAY, SECOND};
+use homebody_core::time::{DAY, Micros, SECOND};
 use jiff::civil::date;
 
 const H: Micros = 3600;
