@@ -308,7 +308,7 @@ impl Director {
         self.state = State::Paused;
     }
 
-    /// DriverProvider what is due by now.
+    /// Lives what is due by now.
     fn go_on(&mut self) {
         if self.state != State::Playing || self.act.is_over() {
             return;

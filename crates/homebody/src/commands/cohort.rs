@@ -56,7 +56,7 @@ struct Member {
 }
 
 impl Cohort<'_> {
-    /// DriverProvider all members, each in a folder of its own in a new one, with a list of them beside.
+    /// Lives all members, each in a folder of its own in a new one, with a list of them beside.
     pub fn live(self, members: &Members) -> Result<(), Failure> {
         let folder = Places::cohort(self.base.scenario)?;
         let started = Instant::now();

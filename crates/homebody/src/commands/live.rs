@@ -69,7 +69,7 @@ pub struct Lived {
 }
 
 impl Live<'_> {
-    /// DriverProvider the run to its end, or until it is told to stop.
+    /// Lives the run to its end, or until it is told to stop.
     pub fn live(self, mut run: Run, pace: &Asked) -> Result<(), Failure> {
         let Output { out, truth, force, .. } = &self.output;
         let (out, truth, record) = (out.clone(), truth.clone(), self.record.clone());
@@ -87,7 +87,7 @@ impl Live<'_> {
         }
     }
 
-    /// DriverProvider the run into files, and adds to the progress what has been lived.
+    /// Lives the run into files, and adds to the progress what has been lived.
     pub fn live_into(
         &self,
         places: &Places,

@@ -10,7 +10,7 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::PathBuf;
 
-/// DriverProvider a recording again, and makes sure that every firing is the same.
+/// Lives a recording again, and makes sure that every firing is the same.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody replay runs/tigerplace-1/recording.json

@@ -13,7 +13,7 @@ use homebody_core::run::Run;
 use homebody_core::scenario::remarks;
 use std::path::PathBuf;
 
-/// DriverProvider a scenario and stores what its sensors say.
+/// Lives a scenario and stores what its sensors say.
 ///
 /// Without --out, everything goes into a new folder under runs/: the log as the scenario's logger.json
 /// says, the ground truth apart from it, and the recording that replays the run.

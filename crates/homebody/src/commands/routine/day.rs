@@ -12,7 +12,7 @@ use homebody_log::{Activity, Life, Log};
 use homebody_picture::{DayChart, day_chart};
 use std::path::PathBuf;
 
-/// DriverProvider a scenario as far as a day and says what was done on it, and in which rooms.
+/// Lives a scenario as far as a day and says what was done on it, and in which rooms.
 ///
 /// It is the very day that a run of the scenario has: another seed is another day.
 #[derive(clap::Args)]
@@ -72,7 +72,7 @@ impl Lived {
         Lived { lives: run.names().into_iter().map(life).collect(), rooms }
     }
 
-    /// DriverProvider the run to its end, and keeps what goes on from an instant on.
+    /// Lives the run to its end, and keeps what goes on from an instant on.
     fn live(&mut self, mut run: Run, from: Micros, wall: impl Fn(Micros) -> Micros) {
         let mut events = Events::default();
         while run.now() < run.length() {
@@ -80,11 +80,11 @@ impl Lived {
             for fact in events.facts.drain(..) {
                 match fact {
                     Fact::Activity { resident, at, name } => {
-                        turn(&mut self.lives[resident as usize].activities, wall(at), name);
+                        turn(&mut self.lives[resident.index()].activities, wall(at), name);
                     }
                     Fact::Room { resident, at, room } => {
-                        let name = room.map(|room| self.rooms[room as usize].clone());
-                        turn(&mut self.lives[resident as usize].rooms, wall(at), name);
+                        let name = room.map(|room| self.rooms[room.index()].clone());
+                        turn(&mut self.lives[resident.index()].rooms, wall(at), name);
                     }
                     _ => {}
                 }
