@@ -1,11 +1,9 @@
 //! How a command fails: what people read, and the exit code that scripts read.
 
-use crate::print::tell;
-use homebody_core::problem::{Problems, counted};
+use homebody_core::problem::Problems;
 use homebody_log::LogError;
 use std::fmt::Display;
 use std::path::Path;
-use std::process::ExitCode;
 
 /// Why a command ended early.
 pub enum Failure {
@@ -25,24 +23,6 @@ impl Failure {
 
     pub fn usage(what: impl Display) -> Failure {
         Failure::Usage(what.to_string())
-    }
-
-    /// Tells people on standard error, and scripts by the exit code.
-    pub fn report(&self) -> ExitCode {
-        match self {
-            Failure::Problems(problems) => {
-                tell(format_args!("{}\n{}", problems.render(), counted(problems.0.len(), "problem", "problems")));
-                ExitCode::from(2)
-            }
-            Failure::Usage(what) => {
-                tell(format_args!("error: {what}"));
-                ExitCode::from(2)
-            }
-            Failure::Io(what) => {
-                tell(format_args!("error: {what}"));
-                ExitCode::from(1)
-            }
-        }
     }
 }
 

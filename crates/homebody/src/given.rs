@@ -4,6 +4,7 @@
 use crate::commands::{place, tell_remarks};
 use crate::failure::Failure;
 use crate::print::tell;
+use homebody_analysis::dates::{date_of, dates, on_wall, put_on_wall};
 use homebody_core::recording::Recording;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::load::Scenario;
@@ -11,7 +12,6 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Micros;
 use homebody_log::source::Clock;
 use homebody_log::{Life, Log, lives, read};
-use homebody_study::dates::{date_of, dates, on_wall, put_on_wall};
 use jiff::civil::Date;
 use std::fs;
 use std::ops::Range;

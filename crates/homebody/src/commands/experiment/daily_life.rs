@@ -11,8 +11,8 @@ use homebody_core::scenario::home::SensorFile;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::MessagesFile;
 use homebody_core::time::{DAY, micros};
+use homebody_experiment::daily_life::{Experiment, Lived, Person};
 use homebody_routine::household::Household;
-use homebody_study::daily_life::{Experiment, Lived, Person};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 

@@ -3,13 +3,13 @@
 use crate::commands::answer::Answer;
 use crate::failure::Failure;
 use crate::folder;
+use homebody_analysis::dates::{date_of, on_wall};
+use homebody_analysis::day::Day;
 use homebody_core::event::{Events, Fact};
 use homebody_core::run::Run;
 use homebody_core::time::{Micros, SECOND};
 use homebody_log::{Activity, Life, Log};
-use homebody_study::dates::{date_of, on_wall};
-use homebody_study::day::Day;
-use homebody_study::picture::day_chart;
+use homebody_picture::{DayChart, day_chart};
 use std::path::PathBuf;
 
 /// Lives a scenario as far as a day and says what was done on it, and in which rooms.
@@ -55,7 +55,7 @@ impl Arguments {
         lives.live(run, begin, wall);
         let name = format!("{}, lived", scenario.file.name);
         let day = Day::of(&name, &Log::default(), &lives.lives, date);
-        answer.give(&day, [&|| day_chart(&day.chart())])
+        answer.give(&day, [&|| day_chart(&DayChart::of(&day))])
     }
 }
 

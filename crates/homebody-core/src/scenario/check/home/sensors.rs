@@ -1,8 +1,7 @@
 //! Sensors: timing that can be, and a place from which they can see.
 
-use super::{
-    Report, TOLERANCE_M, at, check_convex, devices, distance_outside, is_flat, is_within, keeps_within, solid_name,
-};
+use super::areas::{check_convex, is_flat, keeps_within};
+use super::{Report, TOLERANCE_M, at, devices, distance_outside, is_within, solid_name};
 use crate::geometry::{self, Point, point};
 use crate::home::plan::{Plan, Solid};
 use crate::scenario::home::{HomeFile, Level, MotionFile, SensorFile};
