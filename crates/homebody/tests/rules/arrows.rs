@@ -5,11 +5,12 @@ use std::fs;
 use toml::{Table, Value};
 
 /// On which of our crates each of them may depend.
-const ARROWS: [(&str, &[&str]); 7] = [
+const ARROWS: [(&str, &[&str]); 8] = [
     ("homebody-core", &[]),
     ("homebody-import", &["homebody-core"]),
     ("homebody-log", &["homebody-core"]),
-    ("homebody-routine", &["homebody-core"]),
+    ("homebody-walk", &["homebody-core"]),
+    ("homebody-routine", &["homebody-core", "homebody-walk"]),
     ("homebody-study", &["homebody-core", "homebody-log"]),
     ("homebody-web", &["homebody-core", "homebody-import", "homebody-log", "homebody-routine", "homebody-study"]),
     (
