@@ -17,15 +17,16 @@
 
 mod compare;
 mod experiment;
+mod house;
 mod parse;
 mod path;
 #[cfg(test)]
 mod real_data;
-mod roads;
 mod words;
 
 pub use compare::{Comparison, Figures, RoomComparison, compare_run, compare_runs, hold};
 pub use experiment::{Experiment, Recording, Undone};
+pub use house::House;
 pub use parse::{BadRow, Texts, parse};
 pub use path::{Unplaced, path_of};
 pub use words::Finding;

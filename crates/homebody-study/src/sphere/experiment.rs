@@ -1,6 +1,6 @@
 //! The whole experiment: each recording acted out in the house, and its sensors held against the real ones.
 
-use super::{AnnotatedRun, Comparison, Interval, Unplaced, compare_run, compare_runs, hold, path_of};
+use super::{AnnotatedRun, Comparison, House, Interval, Unplaced, compare_run, compare_runs, hold, path_of};
 use homebody_core::event::Events;
 use homebody_core::home::plan::Plan;
 use homebody_core::problem::Problems;
@@ -107,8 +107,9 @@ fn act(
     let DriverFile::Path(path_name) = &resident.file.driver else {
         return Err(unfit("the house's resident must follow a path, which the recordings replace"));
     };
-    let path =
-        path_of(run, &Plan::new(&house.home)).map_err(|why| Undone::Unplaced { recording: name.to_owned(), why })?;
+    let plan = Plan::new(&house.home);
+    let path = path_of(run, &mut House::new(&plan, resident.file.radius_m))
+        .map_err(|why| Undone::Unplaced { recording: name.to_owned(), why })?;
     // The annotated path takes the place of the house's own, and passes the same checks.
     let mut files = house.sources.clone();
     files.insert(path_name.clone(), serde_json::to_string_pretty(&path).expect("a path has only text and numbers"));

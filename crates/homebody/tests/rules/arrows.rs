@@ -11,7 +11,7 @@ const ARROWS: [(&str, &[&str]); 8] = [
     ("homebody-log", &["homebody-core"]),
     ("homebody-walk", &["homebody-core"]),
     ("homebody-routine", &["homebody-core", "homebody-walk"]),
-    ("homebody-study", &["homebody-core", "homebody-log"]),
+    ("homebody-study", &["homebody-core", "homebody-log", "homebody-walk"]),
     ("homebody-web", &["homebody-core", "homebody-import", "homebody-log", "homebody-routine", "homebody-study"]),
     (
         "homebody",
