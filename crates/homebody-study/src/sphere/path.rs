@@ -189,7 +189,7 @@ fn stays(run: &AnnotatedRun, plan: &Plan) -> Result<Vec<Stay>, Unplaced> {
 
     let mut stays: Vec<Stay> = Vec::new();
     for (index, Interval { start_s, name, .. }) in run.rooms.iter().enumerate() {
-        let room = plan.rooms.iter().position(|room| room.name == *name).ok_or_else(|| Unplaced::Room(name.clone()))?;
+        let room = room_of(name, plan)?;
         let begin = if index == 0 { 0 } else { instant(*start_s) };
         let end = run.rooms.get(index + 1).map_or(instant(run.end_s()), |next| instant(next.start_s));
         let cut = |piece: &Piece| Piece { begin: piece.begin.max(begin), end: piece.end.min(end), ..*piece };
@@ -208,13 +208,23 @@ fn stays(run: &AnnotatedRun, plan: &Plan) -> Result<Vec<Stay>, Unplaced> {
 /// Where rooms are not next to each other, the one in between was walked through but not annotated.
 /// We count it to the shorter of the two stays, which is a passage too.
 fn doors(stays: &[Stay], house: &House) -> Result<Vec<Point>, Unplaced> {
-    let pairs = stays.windows(2).map(|pair| {
-        let way = house.doors_between(pair[0].room, pair[1].room);
-        let door = if pair[0].lasts() < pair[1].lasts() { way.last() } else { way.first() };
-        let name = |stay: &Stay| house.plan.rooms[stay.room].name.clone();
-        door.copied().ok_or_else(|| Unplaced::Way(name(&pair[0]), name(&pair[1])))
-    });
-    pairs.collect()
+    let door =
+        |[before, after]: [&Stay; 2]| door_between([before.room, after.room], before.lasts() < after.lasts(), house);
+    stays.windows(2).map(|pair| door([&pair[0], &pair[1]])).collect()
+}
+
+/// The door in which the person changes from one room to another: the last on the way where what is between them is walked
+/// through in the first, else the first.
+pub(super) fn door_between([from, to]: [usize; 2], in_first: bool, house: &House) -> Result<Point, Unplaced> {
+    let way = house.doors_between(from, to);
+    let door = if in_first { way.last() } else { way.first() };
+    let name = |room: usize| house.plan.rooms[room].name.clone();
+    door.copied().ok_or_else(|| Unplaced::Way(name(from), name(to)))
+}
+
+/// The index of the room of a name.
+pub(super) fn room_of(name: &str, plan: &Plan) -> Result<usize, Unplaced> {
+    plan.rooms.iter().position(|room| room.name == name).ok_or_else(|| Unplaced::Room(name.to_owned()))
 }
 
 /// A point of the first room as far from its exit as the walking in it lasts.

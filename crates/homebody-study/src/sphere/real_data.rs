@@ -84,6 +84,7 @@ fn recordings_become_walks_that_a_person_can_walk() {
     for run in recordings() {
         let legs = legs(&path_of(&run, &mut house).unwrap(), run.begin_s());
         assert!((legs[legs.len() - 1].end_s - run.end_s()).abs() < 1e-3);
+        assert_eq!(without_short_stays(&run, &mut house).unwrap(), (run.clone(), Vec::new()));
         let (mut as_annotated, mut seconds) = (0, 0);
         for Leg { begin_s, end_s, from, to } in &legs {
             let speed_mps = from.distance(*to) / (end_s - begin_s);
