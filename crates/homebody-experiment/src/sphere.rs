@@ -9,7 +9,7 @@
 //! was is not known, so they walk between points that we choose, at the annotated times. Whatever
 //! a sensor sees of others in the house is in the real data and in no simulation.
 //!
-//! How: [`parse`] reads a recording, [`path_of`] makes a path of it, [`Experiment::run`] acts that path out in the
+//! How: [`parse`] reads a recording, [`without_short_stays`] leaves out what nobody can live, [`path_of`] makes a path of it, [`Experiment::run`] acts that path out in the
 //! house and [`hold`]s the firings, and [`compare_runs`] puts both in numbers and in words.
 //!
 //! What is left out: the accelerometer, the cameras, and what happened before the first
@@ -17,17 +17,20 @@
 
 mod compare;
 mod experiment;
+mod house;
 mod parse;
 mod path;
 #[cfg(test)]
 mod real_data;
-mod roads;
+mod short_stays;
 mod words;
 
 pub use compare::{Comparison, Figures, RoomComparison, compare_run, compare_runs, hold};
 pub use experiment::{Experiment, Recording, Undone};
+pub use house::House;
 pub use parse::{BadRow, Texts, parse};
 pub use path::{Unplaced, path_of};
+pub use short_stays::{ShortStay, without_short_stays};
 pub use words::Finding;
 
 use serde::Serialize;
@@ -46,6 +49,8 @@ pub struct Interval {
 pub struct AnnotatedRun {
     /// In which room the person was, in order of time and without overlaps; never empty.
     pub rooms: Vec<Interval>,
+    /// The row of each of the rooms in `location_0.csv`, as a line counted from 1.
+    pub room_lines: Vec<usize>,
     /// How the person moved, in order of time and without overlaps.
     pub movements: Vec<Interval>,
     /// When each room's motion sensor was ON, in order of time.

@@ -8,7 +8,6 @@ use crate::living::life::Life;
 use crate::living::pet::PetDriver;
 use crate::living::places::{Places, Role};
 use crate::routine::{Activity, Effect, Kind, Meal, Routine};
-use crate::walk::Mesh;
 use homebody_core::drivers::Decide;
 use homebody_core::home::plan::Plan;
 use homebody_core::home::{Build, Home};
@@ -17,6 +16,7 @@ use homebody_core::recording::Recording;
 use homebody_core::run::{DriverProvider, Guest};
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::load::{Driver, Files, Language, RoutineText, Scenario};
+use homebody_walk::Mesh;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 

@@ -82,8 +82,8 @@ impl Growth {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homebody_core::ids::SensorId;
     use homebody_core::event::Value;
+    use homebody_core::ids::SensorId;
 
     /// Each firing counts for the day and the hour that a clock on the wall shows, whenever clocks are set.
     #[test]

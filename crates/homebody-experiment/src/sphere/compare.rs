@@ -239,7 +239,7 @@ pub mod tests {
     /// Ten seconds in the hall, ninety in the kitchen, then ten in the hall again.
     fn recording(pir: &[Interval]) -> AnnotatedRun {
         let rooms = vec![on(10.0, 20.0, "hall"), on(20.0, 110.0, "kitchen"), on(110.0, 120.0, "hall")];
-        AnnotatedRun { rooms, movements: Vec::new(), pir: pir.to_vec(), second_rooms: None }
+        AnnotatedRun { rooms, room_lines: vec![2, 3, 4], movements: Vec::new(), pir: pir.to_vec(), second_rooms: None }
     }
 
     #[test]

@@ -1,12 +1,16 @@
 //! The whole experiment: each recording acted out in the house, and its sensors held against the real ones.
 
-use super::{AnnotatedRun, Comparison, Interval, Unplaced, compare_run, compare_runs, hold, path_of};
+use super::{
+    AnnotatedRun, Comparison, House, Interval, ShortStay, Unplaced, compare_run, compare_runs, hold, path_of,
+    without_short_stays,
+};
 use homebody_core::event::Events;
 use homebody_core::home::plan::Plan;
 use homebody_core::problem::Problems;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::MessagesFile;
+use homebody_core::scenario::path::PathFile;
 use homebody_core::scenario::resident::DriverFile;
 use homebody_core::time::{Micros, SECOND, micros, seconds};
 use serde::Serialize;
@@ -32,6 +36,8 @@ pub struct Recording {
     pub begin_s: f64,
     pub end_s: f64,
     pub comparison: Comparison,
+    /// Annotated, but too short to be lived: they count to the room before or after them.
+    pub short_stays: Vec<ShortStay>,
     /// In which room the person was, and when each room's sensor was ON.
     pub rooms: Vec<Interval>,
     pub real: Vec<Interval>,
@@ -43,8 +49,9 @@ pub struct Recording {
 pub enum Undone {
     #[error("{recording}: {why}")]
     Unplaced { recording: String, why: Unplaced },
-    #[error(transparent)]
-    Problems(#[from] Problems),
+    /// The path made of a recording does not pass the checks of every path.
+    #[error("{recording}: the path made of it cannot be walked\n{problems}")]
+    Unwalkable { recording: String, problems: Problems },
     #[error("{0}")]
     House(String),
 }
@@ -59,23 +66,33 @@ impl Experiment {
         seed: u64,
     ) -> Result<Experiment, Undone> {
         let rooms = sensed_rooms(house)?;
-        let mut by_recording = Vec::new();
+        let [resident] = &house.residents[..] else {
+            return Err(unfit("the house must have one resident, who acts out the recordings"));
+        };
+        let plan = Plan::new(&house.home);
+        let mut ways = House::new(&plan, resident.file.radius_m);
+        let (mut runs, mut by_recording) = (Vec::new(), Vec::new());
         for (name, run) in recordings {
-            let simulated = act(name, run, (house, entry), &rooms, seed)?;
+            let unplaced = |why| Undone::Unplaced { recording: name.clone(), why };
+            let (run, short_stays) = without_short_stays(run, &mut ways).map_err(unplaced)?;
+            let path = path_of(&run, &mut ways).map_err(unplaced)?;
+            let simulated = act(name, &run, &path, (house, entry), &rooms, seed)?;
             by_recording.push(Recording {
                 name: name.clone(),
                 begin_s: run.begin_s(),
                 end_s: run.end_s(),
-                comparison: compare_run(run, &simulated, &rooms),
+                comparison: compare_run(&run, &simulated, &rooms),
+                short_stays,
                 rooms: run.rooms.clone(),
                 real: run.pir.clone(),
                 simulated,
             });
+            runs.push(run);
         }
-        let runs = recordings.iter().zip(&by_recording);
-        let runs: Vec<(&AnnotatedRun, &[Interval])> =
-            runs.map(|((_, run), recording)| (run, &recording.simulated[..])).collect();
-        Ok(Experiment { seed, comparison: compare_runs(&runs, &rooms), by_recording })
+        let acted = runs.iter().zip(&by_recording);
+        let acted: Vec<(&AnnotatedRun, &[Interval])> =
+            acted.map(|(run, recording)| (run, &recording.simulated[..])).collect();
+        Ok(Experiment { seed, comparison: compare_runs(&acted, &rooms), by_recording })
     }
 }
 
@@ -90,10 +107,11 @@ fn sensed_rooms(house: &Scenario) -> Result<Vec<String>, Undone> {
     house.home.sensors.iter().map(|sensor| sensed(sensor.name())).collect()
 }
 
-/// When the house's sensors are ON while the recording is acted out, in seconds of the recording.
+/// When the house's sensors are ON while the path of a recording is acted out, in seconds of the recording.
 fn act(
     name: &str,
     run: &AnnotatedRun,
+    path: &PathFile,
     (house, entry): (&Scenario, &str),
     rooms: &[String],
     seed: u64,
@@ -101,18 +119,14 @@ fn act(
     let MessagesFile::OnOff(messages) = &house.logger.messages else {
         return Err(unfit("the house's logger must say ON and OFF, as the real one does"));
     };
-    let [resident] = &house.residents[..] else {
-        return Err(unfit("the house must have one resident, who acts out the recordings"));
-    };
-    let DriverFile::Path(path_name) = &resident.file.driver else {
+    let Some(DriverFile::Path(path_name)) = house.residents.first().map(|resident| &resident.file.driver) else {
         return Err(unfit("the house's resident must follow a path, which the recordings replace"));
     };
-    let path =
-        path_of(run, &Plan::new(&house.home)).map_err(|why| Undone::Unplaced { recording: name.to_owned(), why })?;
     // The annotated path takes the place of the house's own, and passes the same checks.
     let mut files = house.sources.clone();
-    files.insert(path_name.clone(), serde_json::to_string_pretty(&path).expect("a path has only text and numbers"));
-    let scenario = Scenario::load(&files, entry)?;
+    files.insert(path_name.clone(), serde_json::to_string_pretty(path).expect("a path has only text and numbers"));
+    let scenario = Scenario::load(&files, entry)
+        .map_err(|problems| Undone::Unwalkable { recording: name.to_owned(), problems })?;
 
     let mut lived = Run::new(&scenario, &(), seed, micros(run.end_s() - run.begin_s()));
     let (mut events, mut firings) = (Events::default(), Vec::new());
@@ -147,6 +161,15 @@ impl fmt::Display for Experiment {
                 overall.visits,
                 overall.kappa.map_or("-".into(), |kappa| format!("{kappa:.2}")),
             )?;
+        }
+        let named = |recording: &Recording| {
+            let name = recording.name.clone();
+            recording.short_stays.clone().into_iter().map(move |stay| format!("  {name}/{stay}"))
+        };
+        let short_stays: Vec<String> = self.by_recording.iter().flat_map(named).collect();
+        if !short_stays.is_empty() {
+            writeln!(f, "\nAnnotated, but too short to be lived, and counted to the room beside:")?;
+            writeln!(f, "{}", short_stays.join("\n"))?;
         }
         Ok(())
     }
@@ -190,6 +213,29 @@ pub mod tests {
         assert_eq!(room("bed2").simulated.intervals, 0);
         assert!(recording.simulated.iter().all(|on| on.start_s >= 10.0), "in seconds of the recording");
         assert_eq!(experiment.comparison.rooms, recording.comparison.rooms);
+    }
+
+    #[test]
+    fn a_stay_of_85_ms_is_told_and_does_not_stop_the_experiment() {
+        let location = "start,end,name,index\n10,40,living,5\n40,40.085,hall,3\n40.085,70,stairs,8\n";
+        let annotations = "start,end,name,index\n10,70,a_walk,0\n";
+        let pir = "start,end,name,index\n12,16,living,5\n";
+        let run = parse(&Texts { location, annotations, pir, second_location: None }).unwrap();
+        let house = house();
+        let experiment = Experiment::run(&[("00009".into(), run.clone())], &house, ENTRY, 1).unwrap();
+        let said = "00009/location_0.csv:3: 0.085 s in \"hall\" are too short to be there, and count as \"stairs\"";
+        assert!(experiment.to_string().contains(said), "{experiment}");
+        let visits = |room: &str| experiment.comparison.rooms.iter().find(|of| of.room == room).unwrap().visits;
+        assert_eq!([visits("living"), visits("hall"), visits("stairs")], [1, 0, 1]);
+        assert_eq!(experiment.by_recording[0].short_stays[0].line, 3);
+
+        // The negative control: with that stay, the path of the recording is one that nobody can walk.
+        let plan = Plan::new(&house.home);
+        let path = path_of(&run, &mut House::new(&plan, 0.22)).unwrap();
+        let rooms = sensed_rooms(&house).unwrap();
+        let undone = act("00009", &run, &path, (&house, ENTRY), &rooms, 1).unwrap_err().to_string();
+        assert!(undone.starts_with("00009: the path made of it cannot be walked\n"), "{undone}");
+        assert!(undone.contains("m in 0.085 s would be faster than"), "{undone}");
     }
 
     #[test]

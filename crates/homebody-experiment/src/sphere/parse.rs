@@ -36,18 +36,29 @@ impl std::error::Error for BadRow {}
 /// Reads a recording, or says everything that is wrong with it.
 pub fn parse(texts: &Texts) -> Result<AnnotatedRun, Vec<BadRow>> {
     let mut bad = Vec::new();
-    let rooms = without_overlaps(rows("location_0.csv", texts.location, &mut bad));
+    let (rooms, room_lines) = without_overlaps(rows("location_0.csv", texts.location, &mut bad)).into_iter().unzip();
     let movements = without_overlaps(rows("annotations_0.csv", texts.annotations, &mut bad));
     let pir = rows("pir.csv", texts.pir, &mut bad);
     let second = texts.second_location.map(|text| without_overlaps(rows("location_1.csv", text, &mut bad)));
-    if rooms.is_empty() && bad.is_empty() {
+    let run = AnnotatedRun {
+        rooms,
+        room_lines,
+        movements: intervals(movements),
+        pir: intervals(pir),
+        second_rooms: second.map(intervals),
+    };
+    if run.rooms.is_empty() && bad.is_empty() {
         bad.push(BadRow { file: "location_0.csv", line: 1, what: "no room is annotated".into() });
     }
-    if bad.is_empty() { Ok(AnnotatedRun { rooms, movements, pir, second_rooms: second }) } else { Err(bad) }
+    if bad.is_empty() { Ok(run) } else { Err(bad) }
 }
 
-/// The rows of a file, in order of time.
-fn rows(file: &'static str, text: &str, bad: &mut Vec<BadRow>) -> Vec<Interval> {
+fn intervals(rows: Vec<(Interval, usize)>) -> Vec<Interval> {
+    rows.into_iter().map(|(interval, _)| interval).collect()
+}
+
+/// The rows of a file, in order of time, each with its line.
+fn rows(file: &'static str, text: &str, bad: &mut Vec<BadRow>) -> Vec<(Interval, usize)> {
     let mut rows = Vec::new();
     for (index, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
         let parsed = match index {
@@ -57,11 +68,11 @@ fn rows(file: &'static str, text: &str, bad: &mut Vec<BadRow>) -> Vec<Interval> 
             _ => row(line),
         };
         match parsed {
-            Ok(interval) => rows.push(interval),
+            Ok(interval) => rows.push((interval, index + 1)),
             Err(what) => bad.push(BadRow { file, line: index + 1, what }),
         }
     }
-    rows.sort_by(|a, b| a.start_s.total_cmp(&b.start_s));
+    rows.sort_by(|(a, _), (b, _)| a.start_s.total_cmp(&b.start_s));
     rows
 }
 
@@ -85,14 +96,14 @@ fn row(line: &str) -> Result<Interval, String> {
 }
 
 /// A person is in one room and does one thing: what begins ends what was before.
-fn without_overlaps(mut intervals: Vec<Interval>) -> Vec<Interval> {
-    for index in 1..intervals.len() {
-        let start_s = intervals[index].start_s;
-        let before = &mut intervals[index - 1];
+fn without_overlaps(mut rows: Vec<(Interval, usize)>) -> Vec<(Interval, usize)> {
+    for index in 1..rows.len() {
+        let start_s = rows[index].0.start_s;
+        let (before, _) = &mut rows[index - 1];
         before.end_s = before.end_s.min(start_s);
     }
-    intervals.retain(|interval| interval.end_s > interval.start_s);
-    intervals
+    rows.retain(|(interval, _)| interval.end_s > interval.start_s);
+    rows
 }
 
 #[cfg(test)]
@@ -121,6 +132,7 @@ mod tests {
         let run = parse(&texts("start,end,name,index\n1,6,hall,3\n4,9,living,5\n4,5,bath,0\n", LOCATION)).unwrap();
         let rooms: Vec<_> = run.rooms.iter().map(|room| (room.start_s, room.end_s, room.name.as_str())).collect();
         assert_eq!(rooms, [(1.0, 4.0, "hall"), (4.0, 5.0, "bath")]);
+        assert_eq!(run.room_lines, [2, 4], "the row between them has no time left");
     }
 
     #[test]

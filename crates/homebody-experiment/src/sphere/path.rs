@@ -14,7 +14,7 @@
 //!
 //! What is left out: kneeling and squatting are as low as sitting, bending as high as standing.
 
-use super::roads::{Kind, Reach, Roads};
+use super::house::House;
 use super::{AnnotatedRun, Interval};
 use homebody_core::geometry::Point;
 use homebody_core::home::plan::Plan;
@@ -55,18 +55,18 @@ impl fmt::Display for Unplaced {
 impl std::error::Error for Unplaced {}
 
 /// The path of a recording through a home. Its second 0 is the first annotated instant, [`AnnotatedRun::begin_s`].
-pub fn path_of(run: &AnnotatedRun, plan: &Plan) -> Result<PathFile, Unplaced> {
-    let roads = Roads::new(plan);
+pub fn path_of(run: &AnnotatedRun, house: &mut House) -> Result<PathFile, Unplaced> {
+    let plan = house.plan;
     let stays = stays(run, plan)?;
-    let doors = doors(&stays, &roads, plan)?;
-    let mut here = start(&stays[0], doors.first().copied(), &roads)
+    let doors = doors(&stays, house)?;
+    let mut here = start(&stays[0], doors.first().copied(), house)
         .ok_or_else(|| Unplaced::Room(plan.rooms[stays[0].room].name.clone()))?;
-    let start = spot(roads.nodes[here].at);
+    let start = spot(here);
     let posture = stays[0].pieces.first().map_or(Posture::Standing, |piece| piece.doing.posture());
     let rooms: Vec<usize> = stays.iter().map(|stay| stay.room).collect();
     let mut steps = Vec::new();
     for (index, mut stay) in stays.into_iter().enumerate() {
-        let ways = walk(&mut stay, &mut here, doors.get(index).copied(), &roads).ok_or_else(|| {
+        let ways = walk(&mut stay, &mut here, doors.get(index).copied(), house).ok_or_else(|| {
             let name = |room: usize| plan.rooms[room].name.clone();
             // Only a door can be out of reach.
             Unplaced::Way(name(rooms[index]), name(*rooms.get(index + 1).unwrap_or(&rooms[index])))
@@ -189,7 +189,7 @@ fn stays(run: &AnnotatedRun, plan: &Plan) -> Result<Vec<Stay>, Unplaced> {
 
     let mut stays: Vec<Stay> = Vec::new();
     for (index, Interval { start_s, name, .. }) in run.rooms.iter().enumerate() {
-        let room = plan.rooms.iter().position(|room| room.name == *name).ok_or_else(|| Unplaced::Room(name.clone()))?;
+        let room = room_of(name, plan)?;
         let begin = if index == 0 { 0 } else { instant(*start_s) };
         let end = run.rooms.get(index + 1).map_or(instant(run.end_s()), |next| instant(next.start_s));
         let cut = |piece: &Piece| Piece { begin: piece.begin.max(begin), end: piece.end.min(end), ..*piece };
@@ -207,22 +207,34 @@ fn stays(run: &AnnotatedRun, plan: &Plan) -> Result<Vec<Stay>, Unplaced> {
 ///
 /// Where rooms are not next to each other, the one in between was walked through but not annotated.
 /// We count it to the shorter of the two stays, which is a passage too.
-fn doors(stays: &[Stay], roads: &Roads, plan: &Plan) -> Result<Vec<usize>, Unplaced> {
-    let pairs = stays.windows(2).map(|pair| {
-        let way = roads.doors_between(pair[0].room, pair[1].room);
-        let door = if pair[0].lasts() < pair[1].lasts() { way.last() } else { way.first() };
-        let name = |stay: &Stay| plan.rooms[stay.room].name.clone();
-        door.copied().ok_or_else(|| Unplaced::Way(name(&pair[0]), name(&pair[1])))
-    });
-    pairs.collect()
+fn doors(stays: &[Stay], house: &House) -> Result<Vec<Point>, Unplaced> {
+    let door =
+        |[before, after]: [&Stay; 2]| door_between([before.room, after.room], before.lasts() < after.lasts(), house);
+    stays.windows(2).map(|pair| door([&pair[0], &pair[1]])).collect()
+}
+
+/// The door in which the person changes from one room to another: the last on the way where what is between them is walked
+/// through in the first, else the first.
+pub(super) fn door_between([from, to]: [usize; 2], in_first: bool, house: &House) -> Result<Point, Unplaced> {
+    let way = house.doors_between(from, to);
+    let door = if in_first { way.last() } else { way.first() };
+    let name = |room: usize| house.plan.rooms[room].name.clone();
+    door.copied().ok_or_else(|| Unplaced::Way(name(from), name(to)))
+}
+
+/// The index of the room of a name.
+pub(super) fn room_of(name: &str, plan: &Plan) -> Result<usize, Unplaced> {
+    plan.rooms.iter().position(|room| room.name == name).ok_or_else(|| Unplaced::Room(name.to_owned()))
 }
 
 /// A point of the first room as far from its exit as the walking in it lasts.
-fn start(stay: &Stay, exit: Option<usize>, roads: &Roads) -> Option<usize> {
+fn start(stay: &Stay, exit: Option<Point>, house: &mut House) -> Option<Point> {
     let walks = stay.pieces.iter().filter(|piece| piece.doing == Annotated::Walk);
     let length_m: f64 = walks.map(Piece::walked_m).sum();
-    let to_exit = exit.map(|exit| roads.reach(exit).distance_m);
-    best_floor(stay.room, roads, |node| to_exit.as_ref().map_or(0.0, |to_exit| (to_exit[node] - length_m).abs()))
+    let to_exit_m = exit.map(|exit| house.floor_distances_m(exit, stay.room));
+    let floor = house.floor(stay.room);
+    let off_m = |index: usize| to_exit_m.as_ref().map_or(0.0, |to_exit_m| (to_exit_m[index] - length_m).abs());
+    least_off(floor.len(), off_m).map(|index| floor[index])
 }
 
 /// A walk's waypoints and length.
@@ -233,7 +245,7 @@ struct Walked {
 }
 
 /// Gives every walk of a stay its way, and moves `here` to where the last one ends; none where the exit is out of reach.
-fn walk(stay: &mut Stay, here: &mut usize, exit: Option<usize>, roads: &Roads) -> Option<Vec<Walked>> {
+fn walk(stay: &mut Stay, here: &mut Point, exit: Option<Point>, house: &mut House) -> Option<Vec<Walked>> {
     let last_walk = stay.pieces.iter().rposition(|piece| piece.doing == Annotated::Walk);
     let pause = stay.pieces.iter().skip(last_walk.map_or(0, |index| index + 1));
     let pause: Micros = pause.map(|piece| piece.end - piece.begin).sum();
@@ -244,7 +256,7 @@ fn walk(stay: &mut Stay, here: &mut usize, exit: Option<usize>, roads: &Roads) -
         // They left, but no walk to the door is annotated: one without length, to be lengthened.
         stay.pieces.push(Piece { begin: end, end, doing: Annotated::Walk });
     }
-    let to_exit = exit.map(|exit| roads.reach(exit).distance_m);
+    let to_exit_m = exit.map(|exit| house.floor_distances_m(exit, stay.room));
     let walks: Vec<usize> =
         (0..stay.pieces.len()).filter(|&index| stay.pieces[index].doing == Annotated::Walk).collect();
     let mut ways = Vec::new();
@@ -255,82 +267,83 @@ fn walk(stay: &mut Stay, here: &mut usize, exit: Option<usize>, roads: &Roads) -
         let pause = &stay.pieces[index + 1..next.unwrap_or(stay.pieces.len())];
         let goal = match (next, exit) {
             (None, Some(exit)) => Some(exit),
-            _ => seat(pause, stay.room, *here, roads),
+            _ => seat(pause, stay.room, *here, house),
         };
-        let too_far_m = |node: usize| to_exit.as_ref().map_or(0.0, |to_exit| (to_exit[node] - later_m).max(0.0));
-        ways.push(tour(here, goal, stay.room, length_m, too_far_m, roads)?);
+        let too_far_m =
+            |floor: usize| to_exit_m.as_ref().map_or(0.0, |to_exit_m| (to_exit_m[floor] - later_m).max(0.0));
+        ways.push(tour(here, goal, stay.room, length_m, too_far_m, house)?);
     }
     Some(ways)
 }
 
 /// Where the pause after a walk is spent, if not on the floor: the largest bed or the nearest seat.
-fn seat(pause: &[Piece], room: usize, here: usize, roads: &Roads) -> Option<usize> {
+fn seat(pause: &[Piece], room: usize, here: Point, house: &mut House) -> Option<Point> {
     let postures = pause.iter().filter_map(|piece| match piece.doing {
         Annotated::Still { posture, seated: true } => Some(posture),
         _ => None,
     });
     let lowest = postures.max()?;
-    let reach = roads.reach(here);
-    let seats = roads.nodes.iter().enumerate().filter_map(|(node, place)| match place.kind {
-        Kind::Seat { room: of, extent_m } if of == room => {
-            Some((node, if lowest == Posture::Lying { -extent_m } else { reach.distance_m[node] }))
-        }
-        _ => None,
+    let seats = house.seats(room).into_iter().filter_map(|(at, extent_m)| {
+        let away_m = house.way(here, at)?.length_m;
+        Some((at, if lowest == Posture::Lying { -extent_m } else { away_m }))
     });
-    let reached = seats.filter(|&(node, _)| reach.distance_m[node].is_finite());
-    reached.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(node, _)| node)
+    seats.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(at, _)| at)
 }
 
 /// A walk from `here` about so long, to the goal or to any floor point of the room that is not too far from where
 /// they go afterwards: as often as there is time for it, first to the far end of the room. None where no way leads
 /// to the goal.
 fn tour(
-    here: &mut usize,
-    goal: Option<usize>,
+    here: &mut Point,
+    goal: Option<Point>,
     room: usize,
     length_m: f64,
     too_far_m: impl Fn(usize) -> f64,
-    roads: &Roads,
+    house: &mut House,
 ) -> Option<Walked> {
-    let to_goal = goal.map(|goal| roads.reach(goal).distance_m);
+    let to_goal_m = goal.map(|goal| house.floor_distances_m(goal, room));
     let (mut way, mut left_m) = (Walked::default(), length_m);
     loop {
-        let reach = roads.reach(*here);
-        let farthest = best_floor(room, roads, |node| match reach.distance_m[node] {
-            f64::INFINITY => f64::INFINITY,
-            distance_m => -distance_m,
-        });
+        let away_m = house.floor_distances_m(*here, room);
+        let farthest =
+            least_off(away_m.len(), |floor| if away_m[floor].is_finite() { -away_m[floor] } else { f64::INFINITY });
         let detour = farthest.filter(|&far| {
-            let rest_m = to_goal.as_ref().map_or(0.0, |to_goal| to_goal[far]);
-            reach.distance_m[far] > LEAST_WALK_M && reach.distance_m[far] + rest_m + too_far_m(far) < left_m
+            let rest_m = to_goal_m.as_ref().map_or(0.0, |to_goal_m| to_goal_m[far]);
+            away_m[far] > LEAST_WALK_M && away_m[far] + rest_m + too_far_m(far) < left_m
         });
         if let Some(far) = detour {
-            extend(&mut way, here, far, &reach, roads)?;
-            left_m -= reach.distance_m[far];
+            extend(&mut way, here, house.floor(room)[far], house)?;
+            left_m -= away_m[far];
             continue;
         }
         let fitting_m = left_m.max(LEAST_WALK_M);
-        let off_m = |node: usize| (reach.distance_m[node] - fitting_m).abs() + too_far_m(node);
-        if let Some(end) = goal.or_else(|| best_floor(room, roads, off_m)) {
-            extend(&mut way, here, end, &reach, roads)?;
+        let off_m = |floor: usize| (away_m[floor] - fitting_m).abs() + too_far_m(floor);
+        let fitting = || least_off(away_m.len(), off_m).map(|floor| house.floor(room)[floor]);
+        if let Some(end) = goal.or_else(fitting) {
+            extend(&mut way, here, end, house)?;
         }
         return Some(way);
     }
 }
 
-fn extend(way: &mut Walked, here: &mut usize, to: usize, reach: &Reach, roads: &Roads) -> Option<()> {
-    let length_m = Some(reach.distance_m[to]).filter(|length_m| length_m.is_finite())?;
-    way.to.extend(roads.way(reach, to));
-    way.length_m += length_m;
+fn extend(walked: &mut Walked, here: &mut Point, to: Point, house: &mut House) -> Option<()> {
+    let way = house.way(*here, to)?;
+    for &corner in &*way.to {
+        let last = walked.to.last().copied().unwrap_or(*here);
+        // Corners that a file cannot tell apart are one.
+        if spot(corner) != spot(last) {
+            walked.to.push(corner);
+        }
+    }
+    walked.length_m += way.length_m;
     *here = to;
     Some(())
 }
 
-/// The floor point of a room that is least off; none where all are infinitely off.
-fn best_floor(room: usize, roads: &Roads, off_m: impl Fn(usize) -> f64) -> Option<usize> {
-    let floor = (0..roads.nodes.len()).filter(|&node| roads.nodes[node].kind == Kind::Floor { room });
-    let least = floor.map(|node| (node, off_m(node))).min_by(|(_, a), (_, b)| a.total_cmp(b));
-    least.filter(|(_, off_m)| off_m.is_finite()).map(|(node, _)| node)
+/// Which of so many is least off; none where all are infinitely off.
+fn least_off(count: usize, off_m: impl Fn(usize) -> f64) -> Option<usize> {
+    let least = (0..count).map(|index| (index, off_m(index))).min_by(|(_, a), (_, b)| a.total_cmp(b));
+    least.filter(|(_, off_m)| off_m.is_finite()).map(|(index, _)| index)
 }
 
 /// Lengthens each walk that would be hurried, first into what comes before it, then into what follows.
@@ -388,7 +401,7 @@ pub mod tests {
     use serde_json::json;
 
     /// Kitchen, hall and bedroom in a row from west to east, and a shed that no door leads to.
-    pub fn house() -> Plan {
+    pub fn plan() -> Plan {
         furnished(json!([]))
     }
 
@@ -422,7 +435,12 @@ pub mod tests {
         plan.rooms.iter().position(|room| room.name == name).unwrap()
     }
 
-    fn recording(rooms: &str, movements: &str) -> AnnotatedRun {
+    /// The path through a home for a body of an older adult.
+    fn placed(run: &AnnotatedRun, plan: &Plan) -> Result<PathFile, Unplaced> {
+        path_of(run, &mut House::new(plan, 0.22))
+    }
+
+    pub fn recording(rooms: &str, movements: &str) -> AnnotatedRun {
         let (location, annotations) = (rows(rooms), rows(movements));
         parse(&Texts { location: &location, annotations: &annotations, pir: &rows(""), second_location: None }).unwrap()
     }
@@ -461,8 +479,8 @@ pub mod tests {
         let rooms = "10-16 kitchen, 16.2-19 hall, 19-60 bedroom";
         let movements =
             "10-12 p_stand, 12-22 a_walk, 22-24 t_turn, 24-26 t_stand_sit, 26-40 p_sit, 40-42 t_sit_lie, 42-60 p_lie";
-        let plan = house();
-        let path = path_of(&recording(rooms, movements), &plan).unwrap();
+        let plan = plan();
+        let path = placed(&recording(rooms, movements), &plan).unwrap();
         let ends = ends(&path);
         assert_eq!(ends[ends.len() - 1].0, 50.0);
         let at = |second: f64| ends.iter().find(|(end, _)| (end - second).abs() < 1e-9).map(|(_, at)| *at);
@@ -481,17 +499,17 @@ pub mod tests {
 
     #[test]
     fn a_room_nobody_annotated_is_walked_through_in_the_shorter_stay() {
-        let path = path_of(&recording("0-8 kitchen, 8-40 bedroom", "0-40 a_walk"), &house()).unwrap();
+        let path = placed(&recording("0-8 kitchen, 8-40 bedroom", "0-40 a_walk"), &plan()).unwrap();
         let ends = ends(&path);
         assert!(ends.contains(&(8.0, point([5.0, 2.2]))), "{ends:?}");
-        let path = path_of(&recording("0-30 kitchen, 30-38 bedroom", "0-38 a_walk"), &house()).unwrap();
+        let path = placed(&recording("0-30 kitchen, 30-38 bedroom", "0-38 a_walk"), &plan()).unwrap();
         let ends = self::ends(&path);
         assert!(ends.contains(&(30.0, point([3.0, 0.8]))), "{ends:?}");
     }
 
     #[test]
     fn who_leaves_without_a_walk_leaves_in_time_and_unhurried() {
-        let path = path_of(&recording("0-20 kitchen, 20-30 hall", "0-4 a_walk, 4-20 p_stand, 20-30 p_stand"), &house());
+        let path = placed(&recording("0-20 kitchen, 20-30 hall", "0-4 a_walk, 4-20 p_stand, 20-30 p_stand"), &plan());
         let path = path.unwrap();
         let ends = ends(&path);
         let door = point([3.0, 0.8]);
@@ -503,7 +521,7 @@ pub mod tests {
 
     #[test]
     fn a_long_walk_goes_to_and_fro_at_the_usual_pace() {
-        let path = path_of(&recording("0-60 bedroom", "0-60 a_walk"), &house()).unwrap();
+        let path = placed(&recording("0-60 bedroom", "0-60 a_walk"), &plan()).unwrap();
         let [Step::Go(go)] = &path.steps[..] else { panic!("{:?}", path.steps) };
         assert!(go.to.len() > 10, "{} waypoints", go.to.len());
     }
@@ -511,9 +529,9 @@ pub mod tests {
     #[test]
     fn nobody_goes_through_what_blocks_the_way() {
         let recording = recording("0-10 kitchen, 10-20 hall, 20-30 bedroom", "0-30 a_walk");
-        assert!(path_of(&recording, &house()).is_ok());
+        assert!(placed(&recording, &plan()).is_ok());
         let shelf = json!([{ "name": "shelf", "at": [4.0, 1.5], "size_m": [0.3, 3.0], "height_m": 2.0 }]);
-        let why = path_of(&recording, &furnished(shelf)).unwrap_err();
+        let why = placed(&recording, &furnished(shelf)).unwrap_err();
         assert_eq!(why.to_string(), "no way leads from \"hall\" to \"bedroom\"");
     }
 
@@ -521,14 +539,14 @@ pub mod tests {
     fn a_seat_out_of_reach_is_not_sat_on() {
         let shelf = json!([{ "name": "shelf", "at": [7.0, 1.5], "size_m": [0.3, 3.0], "height_m": 2.0 }]);
         let recording = recording("0-10 hall, 10-30 bedroom", "0-15 a_walk, 15-30 p_lie");
-        let ends = ends(&path_of(&recording, &furnished(shelf)).unwrap());
+        let ends = ends(&placed(&recording, &furnished(shelf)).unwrap());
         assert_eq!(ends[ends.len() - 1].1, point([5.4, 0.4]), "the bed is behind the shelf, the chair before it");
     }
 
     #[test]
     fn what_cannot_be_placed_is_named() {
-        let plan = house();
-        let why = |rooms, movements| path_of(&recording(rooms, movements), &plan).unwrap_err().to_string();
+        let plan = plan();
+        let why = |rooms, movements| placed(&recording(rooms, movements), &plan).unwrap_err().to_string();
         assert_eq!(why("0-9 attic", "0-9 a_walk"), "the home has no room \"attic\" to stand in");
         assert_eq!(why("0-9 hall, 9-12 shed", "0-9 a_walk"), "no way leads from \"hall\" to \"shed\"");
         assert_eq!(why("0-9 hall", "0-9 a_fly"), "\"a_fly\" is no kind of movement that we know");

@@ -32,7 +32,7 @@ fn recordings() -> Vec<AnnotatedRun> {
     folders.into_iter().map(recording).collect()
 }
 
-fn house() -> Plan {
+fn plan() -> Plan {
     let text = fs::read_to_string(repository().join("scenarios/sphere-house/home.json")).unwrap();
     Plan::new(&serde_json::from_str(&text).unwrap())
 }
@@ -79,10 +79,12 @@ fn legs(path: &PathFile, begin_s: f64) -> Vec<Leg> {
 
 #[test]
 fn recordings_become_walks_that_a_person_can_walk() {
-    let plan = house();
+    let plan = plan();
+    let mut house = House::new(&plan, 0.22);
     for run in recordings() {
-        let legs = legs(&path_of(&run, &plan).unwrap(), run.begin_s());
+        let legs = legs(&path_of(&run, &mut house).unwrap(), run.begin_s());
         assert!((legs[legs.len() - 1].end_s - run.end_s()).abs() < 1e-3);
+        assert_eq!(without_short_stays(&run, &mut house).unwrap(), (run.clone(), Vec::new()));
         let (mut as_annotated, mut seconds) = (0, 0);
         for Leg { begin_s, end_s, from, to } in &legs {
             let speed_mps = from.distance(*to) / (end_s - begin_s);

@@ -15,13 +15,13 @@ use super::body::Body;
 use super::life::Life;
 use super::manner::Manner;
 use super::places::{Places, Role, Spot};
-use crate::walk::Wandering;
 use homebody_core::drivers::{Decide, MotionSegment, Next};
 use homebody_core::event::MotionState;
 use homebody_core::geometry::Point;
 use homebody_core::random::Stream;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros, SECOND, micros};
+use homebody_walk::Wandering;
 use std::collections::VecDeque;
 use std::sync::Arc;
 

@@ -5,14 +5,15 @@ use std::fs;
 use toml::{Table, Value};
 
 /// On which of our crates each of them may depend.
-const ARROWS: [(&str, &[&str]); 9] = [
+const ARROWS: [(&str, &[&str]); 10] = [
     ("homebody-core", &[]),
     ("homebody-import", &["homebody-core"]),
+    ("homebody-walk", &["homebody-core"]),
     ("homebody-log", &["homebody-core"]),
-    ("homebody-routine", &["homebody-core"]),
+    ("homebody-routine", &["homebody-core", "homebody-walk"]),
     ("homebody-analysis", &["homebody-core", "homebody-log"]),
     ("homebody-picture", &["homebody-analysis", "homebody-core"]),
-    ("homebody-experiment", &["homebody-core", "homebody-picture"]),
+    ("homebody-experiment", &["homebody-core", "homebody-picture", "homebody-walk"]),
     ("homebody-web", &["homebody-analysis", "homebody-core", "homebody-import", "homebody-log", "homebody-routine"]),
     (
         "homebody",

@@ -1,5 +1,5 @@
-use super::super::homes::{TIGERPLACE, plan, random_home, sphere_house, tangled_home, tigerplace};
 use super::*;
+use crate::homes::{TIGERPLACE, plan, random_home, sphere_house, tangled_home, tigerplace};
 use serde_json::json;
 
 const RADIUS_M: f64 = 0.22;

@@ -39,7 +39,7 @@ const TO_PLACE_M: f64 = 0.5;
 /// How often a random point is drawn before the room's own point is taken (ours).
 const TRIES: u32 = 32;
 
-/// The floor of a home for a body of one radius.
+/// The floor of a home for a body of one radius. All points are metres in the plane of the home.
 #[derive(Clone, Debug)]
 pub struct Mesh {
     plan: Plan,
@@ -85,7 +85,7 @@ impl Obstacle {
 }
 
 impl Mesh {
-    /// The mesh of a home for a body of this radius, which is above 0.
+    /// The mesh of a home for a body of this radius, which is above 0. It is some milliseconds of work.
     pub fn new(plan: &Plan, radius_m: f64) -> Mesh {
         let obstacles: Vec<Obstacle> = plan
             .solids
@@ -112,7 +112,7 @@ impl Mesh {
     }
 
     /// The free point from which one straight step leads to `to`: `to` itself where that is free, otherwise the
-    /// nearest, if possible one from which most of the home can be reached. Nothing if there is none.
+    /// nearest, if possible one from which most of the home can be reached. `None`: there is none.
     pub fn approach(&self, to: Point) -> Option<Point> {
         if self.is_free(to) {
             return Some(to);
@@ -123,7 +123,7 @@ impl Mesh {
         largest.map(|footing| footing.at)
     }
 
-    /// The corners of the way after `from`, and `to`; nothing if there is no way. Who is there already has no corners to go
+    /// The corners of the way after `from`, and `to`; `None` if no way leads there. Who is there already has no corners to go
     /// to, and who stays in one seat moves straight.
     pub fn path(&self, from: Point, to: Point) -> Option<Vec<Point>> {
         if from == to {
@@ -143,7 +143,7 @@ impl Mesh {
 
     /// The free point just inside a door that leads out, open or closed: where who goes away is last seen.
     ///
-    /// `door` is the middle of its opening.
+    /// `door` is the middle of its opening. `None`: the body cannot stand within 1.5 m of it.
     pub fn inside_of(&self, door: Point) -> Option<Point> {
         let ground = self.grounds.first()?;
         let stands_in_opening = |p| self.plan.openings.iter().any(|opening| geometry::contains(&opening.outline, p));
@@ -162,7 +162,7 @@ impl Mesh {
         })
     }
 
-    /// A random free point of a room of the plan, by at most 64 values of the stream: every one equally likely, of those from
+    /// A random free point of a room, which is an index into the plan's, by at most 64 values of the stream: every one equally likely, of those from
     /// which the room's own point can be reached. A room that is too full for the tries has its own point.
     pub fn free_point(&self, room: usize, stream: &mut Stream) -> Point {
         let (own, area) = self.rooms[room];

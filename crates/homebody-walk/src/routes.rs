@@ -1,6 +1,6 @@
-//! Ways that were found before.
+//! Ways that were found before. A life walks the same few again and again.
 
-use super::mesh::Mesh;
+use crate::mesh::Mesh;
 use homebody_core::geometry::Point;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -16,15 +16,17 @@ pub struct Routes {
 }
 
 impl Routes {
+    /// A mesh of which no way is known yet.
     pub fn new(mesh: Arc<Mesh>) -> Routes {
         Routes { mesh, known: BTreeMap::new() }
     }
 
+    /// The mesh that is asked.
     pub fn mesh(&self) -> &Mesh {
         &self.mesh
     }
 
-    /// As `Mesh::path`.
+    /// As [`Mesh::path`].
     pub fn path(&mut self, from: Point, to: Point) -> Option<Arc<[Point]>> {
         let key = [from.x, from.y, to.x, to.y].map(f64::to_bits);
         if let Some(known) = self.known.get(&key) {
@@ -41,8 +43,8 @@ impl Routes {
 
 #[cfg(test)]
 mod tests {
-    use super::super::homes::tigerplace;
     use super::*;
+    use crate::homes::tigerplace;
 
     #[test]
     fn what_is_remembered_is_what_was_found_and_a_copy_answers_the_same() {

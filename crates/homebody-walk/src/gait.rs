@@ -68,16 +68,17 @@ const SHORT_M: f64 = 0.05;
 /// How somebody walks, this time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gait {
-    /// Above 0, as the others.
+    /// The speed once it is reached, in metres a second. Above 0, as the others.
     pub speed_mps: f64,
+    /// How fast it is reached, and lost again, in metres a second, each second.
     pub acceleration_mps2: f64,
-    /// What a turn by 180 degrees on the spot takes.
+    /// What a turn by 180 degrees on the spot takes, in seconds.
     pub half_turn_s: f64,
 }
 
 impl Gait {
-    /// The gait of one walk of a person of this pace, at this hour of the day (0 to 24), who is not frail (0), frail (1)
-    /// or something in between. Draws two values.
+    /// The gait of one walk of a person of this pace in metres a second, at this hour of the day (0 to 24), who is not frail
+    /// (0), frail (1) or something in between. Draws two values.
     pub fn of_walk(pace_mps: f64, hour_of_day: f64, frailty: f64, stream: &mut Stream) -> Gait {
         let frailty = frailty.clamp(0.0, 1.0);
         let time_of_day = match hour_of_day {
@@ -96,7 +97,8 @@ impl Gait {
     }
 }
 
-/// The strides of a walk along a path, and its turns. A path that leads nowhere takes no time.
+/// The strides of a walk along a path, and its turns, from an instant on. The path is the corners after `from`, as
+/// [`Mesh::path`](crate::Mesh::path) gives them, in metres; one that leads nowhere takes no time.
 pub fn walk(path: &[Point], from: Point, begin: Micros, gait: &Gait) -> Vec<MotionSegment> {
     let mut legs = Vec::new();
     let mut at = from;
@@ -122,12 +124,12 @@ pub fn walk(path: &[Point], from: Point, begin: Micros, gait: &Gait) -> Vec<Moti
     walk.moves
 }
 
-/// Getting up, at the place where one sat or lay. Draws one value.
+/// Getting up from an instant on, at the place where one sat or lay: 2 to 3 s, or up to 5 s for a frailty of 1. Draws one value.
 pub fn rise(at: Point, begin: Micros, frailty: f64, stream: &mut Stream) -> MotionSegment {
     transfer(at, begin, frailty, Posture::Standing, stream)
 }
 
-/// Sitting or lying down, at the place where one will sit or lie. Draws one value.
+/// Sitting or lying down from an instant on, at the place where one will sit or lie: as long as getting up. Draws one value.
 pub fn sit(at: Point, begin: Micros, frailty: f64, posture: Posture, stream: &mut Stream) -> MotionSegment {
     transfer(at, begin, frailty, posture, stream)
 }

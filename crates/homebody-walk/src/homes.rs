@@ -1,4 +1,4 @@
-//! Homes to walk in, for the tests of this folder.
+//! Homes to walk in, for the tests of this crate.
 
 use homebody_core::geometry::point;
 use homebody_core::home::plan::Plan;
@@ -6,14 +6,14 @@ use homebody_core::random::Stream;
 use homebody_core::scenario::home::HomeFile;
 use serde_json::{Value, json};
 
-pub const TIGERPLACE: &str = include_str!("../../../../scenarios/tigerplace/home.json");
+pub const TIGERPLACE: &str = include_str!("../../../scenarios/tigerplace/home.json");
 
 pub fn tigerplace() -> Plan {
     plan(TIGERPLACE)
 }
 
 pub fn sphere_house() -> Plan {
-    plan(include_str!("../../../../scenarios/sphere-house/home.json"))
+    plan(include_str!("../../../scenarios/sphere-house/home.json"))
 }
 
 pub fn plan(text: &str) -> Plan {

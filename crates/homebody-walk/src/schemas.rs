@@ -15,9 +15,9 @@
 //!
 //! Left out: other people, pauses, setting off and slowing down, and what the wanderer looks for.
 
-use super::gait::Gait;
-use super::mesh::Mesh;
-use super::pattern::LONGEST_LAP;
+use crate::gait::Gait;
+use crate::mesh::Mesh;
+use crate::pattern::LONGEST_LAP;
 use homebody_core::drivers::MotionSegment;
 use homebody_core::event::MotionState;
 use homebody_core::geometry::{self, Point};
@@ -65,9 +65,9 @@ const APART_M: f64 = 1.5;
 const ROOM_AROUND_M: f64 = 0.5;
 const TRIES: usize = 24;
 
-/// Wanders for about as long as told: until the span is over and the body is in a free place, which is at most one leg more.
+/// Wanders for about `lasting` microseconds: until they are over and the body is in a free place, which is at most one leg more.
 ///
-/// The moves follow each other from `begin` on. Where there is nowhere to go, it is a stir on the spot.
+/// The moves follow each other from `begin` on. Where there is nowhere to go, it is movement on the spot.
 #[expect(clippy::too_many_arguments, reason = "they are the whole of what wandering depends on")]
 pub fn wander(
     kind: Wandering,
@@ -287,9 +287,9 @@ fn nearest(sides: &[(Point, Point)], p: Point) -> Option<Point> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::homes::{random_home, sphere_house, tigerplace};
-    use super::super::pattern::{Pattern, pattern_of};
     use super::*;
+    use crate::homes::{random_home, sphere_house, tigerplace};
+    use crate::pattern::{Pattern, pattern_of};
 
     const RADIUS_M: f64 = 0.22;
     const KINDS: [Wandering; 3] = [Wandering::Random, Wandering::Lapping, Wandering::Pacing];
