@@ -15,8 +15,8 @@
 mod measure;
 mod scene;
 
+use homebody_core::drivers::MotionSegment;
 use homebody_core::drivers::live::{KeyTrack, LiveDriver};
-use homebody_core::drivers::{Driver, MotionSegment};
 use homebody_core::event::{Events, MotionState};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
@@ -194,7 +194,7 @@ fn live_step(home: Arc<Home>, build: Build) -> String {
             KeyTrack::written(&input, &home.plan),
         );
         let length = STEPS * SECOND / 60;
-        let mut run = Run::of(home.clone(), vec![build], vec![Driver::Live(Box::new(driver))], 1, length);
+        let mut run = Run::of(home.clone(), vec![build], vec![Box::new(driver)], 1, length);
         let mut events = Events::default();
         let start = Instant::now();
         for step in 1..=STEPS {
