@@ -1,6 +1,7 @@
 //! A run: residents with their drivers in a world, and the one loop of the program.
 
 use crate::drivers::absent::Absent;
+use crate::drivers::error::{DriverError, DriverFault, MOST_ANSWERS, WALL_M};
 use crate::drivers::live::{Input, KeyTrack, LiveDriver};
 use crate::drivers::path::PathDriver;
 use crate::drivers::{Driver, MotionSegment, Next, Occupant, Surroundings};
@@ -35,6 +36,8 @@ pub struct Run {
     /// Nothing where all that sensors say reaches the logger at once.
     link: Option<Box<Link>>,
     length: Micros,
+    /// Why it goes no further.
+    failure: Option<DriverError>,
 }
 
 /// In which room a resident is, as it was told last.
@@ -116,6 +119,7 @@ impl Run {
             on,
             link: None,
             length,
+            failure: None,
         }
     }
 
@@ -185,31 +189,49 @@ impl Run {
 
     /// Lives until `until` or the end of the run, whichever is first, and adds to `events` what happens
     /// before then. In how many steps a run is advanced changes nothing.
-    pub fn advance(&mut self, until: Micros, events: &mut Events) {
+    ///
+    /// # Errors
+    ///
+    /// If a driver answers with what no body can do. The run has come to the instant at which it was asked, `events` has what
+    /// happened before, and the run goes no further: it gives the same error from then on.
+    pub fn advance(&mut self, until: Micros, events: &mut Events) -> Result<(), DriverError> {
         let until = until.min(self.length);
-        let Some(mut link) = self.link.take() else {
-            while self.now() < until {
-                self.begin_due(events);
-                self.go_on(until, events);
-            }
-            return;
-        };
+        let mut link = self.link.take();
         let mut said = Events::default();
-        while self.now() < until {
-            self.begin_due(events);
-            self.go_on(until, &mut said);
-            link.carry(&mut said, self.now(), events);
+        while self.now() < until && self.failure.is_none() {
+            self.failure = self.begin_due(events).err();
+            if self.failure.is_some() {
+                break;
+            }
+            match &mut link {
+                None => self.go_on(until, events),
+                Some(link) => {
+                    self.go_on(until, &mut said);
+                    link.carry(&mut said, self.now(), events);
+                }
+            }
         }
-        self.link = Some(link);
+        self.link = link;
+        self.failure.clone().map_or(Ok(()), Err)
+    }
+
+    /// Why the run goes no further, if it is for a driver's answer.
+    pub fn failure(&self) -> Option<&DriverError> {
+        self.failure.as_ref()
     }
 
     /// Asks the drivers of all whose move is over what comes next.
-    fn begin_due(&mut self, events: &mut Events) {
+    fn begin_due(&mut self, events: &mut Events) -> Result<(), DriverError> {
         for resident in (0..self.drivers.len()).map(ResidentId::of) {
-            if self.occupants[resident.index()].segment.end <= self.world.now() {
-                self.begin_next(resident, events);
+            if self.occupants[resident.index()].segment.end <= self.now() {
+                self.begin_next(resident, events).map_err(|fault| DriverError {
+                    resident: self.names[resident.index()].clone(),
+                    at: self.now(),
+                    fault,
+                })?;
             }
         }
+        Ok(())
     }
 
     /// Lets the world go on until somebody's move is over, or `until`.
@@ -220,12 +242,16 @@ impl Run {
 
     /// Lives the run from its beginning and returns what each resident does, for those who want to live it in another
     /// way. Only for a run that has not been advanced: what is under way is not told again.
-    pub fn moves(&self) -> Vec<Vec<MotionSegment>> {
+    ///
+    /// # Errors
+    ///
+    /// As [`Run::advance`].
+    pub fn moves(&self) -> Result<Vec<Vec<MotionSegment>>, DriverError> {
         let mut run = Run { link: None, ..self.clone() };
         let mut moves = vec![Vec::new(); run.drivers.len()];
         let mut events = Events::default();
         while run.now() < run.length {
-            run.advance(run.now() + 3600 * SECOND, &mut events);
+            run.advance(run.now() + 3600 * SECOND, &mut events)?;
             for fact in events.facts.drain(..) {
                 if let Fact::Movement { resident, begin, end, doing, posture } = fact {
                     moves[resident.index()].push(MotionSegment { begin, end, doing, posture });
@@ -233,15 +259,20 @@ impl Run {
             }
             events.clear();
         }
-        moves
+        Ok(moves)
     }
 
     /// Asks the resident's driver what comes next, and tells the world.
-    fn begin_next(&mut self, resident: ResidentId, events: &mut Events) {
+    fn begin_next(&mut self, resident: ResidentId, events: &mut Events) -> Result<(), DriverFault> {
         let now = self.world.now();
+        let things = self.on.len();
+        let here = self.occupants[resident.index()].segment.to();
+        let mut answers = 0;
         let next = loop {
             let around = Surroundings::new(now, resident, &self.world.home().plan, &self.occupants, &self.on);
-            match self.drivers[resident.index()].next(&around) {
+            let answer = self.drivers[resident.index()].next(&around);
+            DriverFault::of(&answer, now, here, things).map_or(Ok(()), Err)?;
+            match answer {
                 Next::Activity(name) => {
                     events.facts.push(Fact::Activity { resident, at: now, name });
                 }
@@ -255,12 +286,17 @@ impl Run {
                 }
                 Next::Segment(next) => break next,
             }
+            answers += 1;
+            if answers == MOST_ANSWERS {
+                return Err(DriverFault::NoEnd { answers });
+            }
         };
-        self.tell_rooms(resident, &next, events);
+        self.tell_rooms(resident, &next, events)?;
         self.world.begin(resident, &next);
         let MotionSegment { end, doing, posture, .. } = next.until(self.length);
         events.facts.push(Fact::Movement { resident, begin: now, end, doing, posture });
         self.occupants[resident.index()].segment = next;
+        Ok(())
     }
 
     /// A resident uses a thing. What several have turned on goes off with the last of them; what somebody else has left on,
@@ -285,18 +321,23 @@ impl Run {
         }
     }
 
-    /// Tells the truth which rooms the resident comes through.
-    fn tell_rooms(&mut self, resident: ResidentId, next: &MotionSegment, events: &mut Events) {
+    /// Tells the truth which rooms the resident comes through, which must be of this home.
+    fn tell_rooms(
+        &mut self,
+        resident: ResidentId,
+        next: &MotionSegment,
+        events: &mut Events,
+    ) -> Result<(), DriverFault> {
         let plan = &self.world.home().plan;
         let Whereabouts { room, located } = &mut self.whereabouts[resident.index()];
         let before = self.occupants[resident.index()].segment.to();
         // Mostly the room stays the same, which needs no search.
         match next.doing {
-            MotionState::InPlace { at, .. } | MotionState::Rest { at } if before == Some(at) => return,
+            MotionState::InPlace { at, .. } | MotionState::Rest { at } if before == Some(at) => return Ok(()),
             MotionState::Stride { from, to } if before == Some(from) => {
                 let here = room.map(|room: RoomId| &plan.rooms[room.index()]);
                 if here.is_some_and(|room| room.is_convex && geometry::contains(&room.outline, to)) {
-                    return;
+                    return Ok(());
                 }
             }
             _ => {}
@@ -306,6 +347,10 @@ impl Run {
             MotionState::InPlace { at, .. } | MotionState::Rest { at } => vec![(next.begin, plan.room_at(at))],
             MotionState::Away => vec![(next.begin, None)],
         };
+        let ends_in_none = rooms.last().is_none_or(|(_, room)| room.is_none());
+        if let Some(at) = next.to().filter(|&at| ends_in_none && plan.distance_outside(at) > WALL_M) {
+            return Err(DriverFault::Outside { at });
+        }
         let length = self.length;
         for (at, new) in rooms.into_iter().filter(|&(at, _)| at < length) {
             let new = new.map(RoomId::of);
@@ -314,6 +359,7 @@ impl Run {
                 events.facts.push(Fact::Room { resident, at, room: new });
             }
         }
+        Ok(())
     }
 }
 

@@ -188,7 +188,7 @@ fn the_truth_ends_with_the_run() {
     let length = 20 * SECOND;
     let mut run = Run::of(home.clone(), vec![BODY], vec![Box::new(path)], 1, length);
     let mut events = Events::default();
-    run.advance(length, &mut events);
+    run.advance(length, &mut events).unwrap();
     let movement = events.facts.iter().find(|fact| matches!(fact, Fact::Movement { .. }));
     let Some(Fact::Movement { end, doing: MotionState::Stride { to, .. }, .. }) = movement else { panic!("no stride") };
     assert_eq!((*end, *to), (length, Point::new(3.0, 1.0)));

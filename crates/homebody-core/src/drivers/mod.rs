@@ -3,9 +3,10 @@
 //! A driver is asked at the instant its last segment ends, with its [`Surroundings`], and answers with the next one. Of
 //! sensors it knows nothing. A copy of a driver decides as the original.
 //!
-//! A driver may be written elsewhere.
+//! A driver may be written elsewhere. What is wrong with its answers, [`error`] says.
 
 pub mod absent;
+pub mod error;
 pub mod live;
 pub mod path;
 pub mod surroundings;
@@ -85,7 +86,7 @@ pub enum Next {
 pub trait Driver: fmt::Debug + Send + Sync {
     /// What the resident does from now on. It is asked at 0 and whenever a segment ends, and again after each answer that
     /// takes no time. The first segment says where the body is; each later one begins where the last one ended, but after a
-    /// time away.
+    /// time away. An answer that no body can follow ends the run: see [`error::DriverFault`].
     fn next(&mut self, around: &Surroundings) -> Next;
 
     /// A copy that decides as the original.

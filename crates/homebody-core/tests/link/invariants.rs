@@ -120,9 +120,9 @@ fn with_everything(case: u64) -> Run {
 fn lived(mut run: Run, cuts: &[Micros]) -> Events {
     let mut events = Events::default();
     for cut in cuts {
-        run.advance(*cut, &mut events);
+        run.advance(*cut, &mut events).unwrap();
     }
-    run.advance(run.length(), &mut events);
+    run.advance(run.length(), &mut events).unwrap();
     events
 }
 
@@ -210,7 +210,7 @@ fn forgetting_what_is_under_way_does_change_something() {
 fn a_copy_of_the_run_continues_as_the_original() {
     for case in 0..CASES {
         let mut original = with_everything(case);
-        original.advance(Dice::new(case, "copy").below(LENGTH), &mut Events::default());
+        original.advance(Dice::new(case, "copy").below(LENGTH), &mut Events::default()).unwrap();
         let copy = original.clone();
         assert_eq!(lived(copy, &[]), lived(original, &[]), "case {case}");
     }
@@ -221,7 +221,7 @@ fn a_run_that_is_stopped_has_told_what_a_shorter_one_tells() {
     for case in 0..CASES {
         let stop = Dice::new(case, "stop").below(LENGTH);
         let mut stopped = Events::default();
-        with_everything(case).advance(stop, &mut stopped);
+        with_everything(case).advance(stop, &mut stopped).unwrap();
         let home = home(case);
         let link = everything(&home, true);
         assert_eq!(stopped.firings, lived(run(case, home, Some(link), stop), &[]).firings, "case {case}");
@@ -235,7 +235,7 @@ fn firings_are_in_order_numbered_and_no_later_than_settled() {
         let (mut all, mut settled) = (Events::default(), Micros::MIN);
         while run.now() < LENGTH {
             let mut events = Events::default();
-            run.advance(run.now() + SECOND / 2, &mut events);
+            run.advance(run.now() + SECOND / 2, &mut events).unwrap();
             assert!(events.firings.iter().all(|firing| firing.at >= settled), "case {case}");
             settled = run.settled();
             assert!(events.firings.iter().all(|firing| firing.at < settled), "case {case}");

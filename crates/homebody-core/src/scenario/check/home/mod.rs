@@ -9,7 +9,7 @@ mod walls;
 
 pub(in crate::scenario::check) use sensors::check_mounting;
 
-use super::{Report, TOLERANCE_M, at, blocking, distance_outside, is_within, solid_name};
+use super::{Report, TOLERANCE_M, at, blocking, is_within, solid_name};
 use crate::geometry::{self, Point, point};
 use crate::home::plan::Plan;
 use crate::problem::Problem;
@@ -60,7 +60,7 @@ fn check_size(report: &mut Report, home: &HomeFile) {
 fn check_places(report: &mut Report, home: &HomeFile, plan: &Plan) {
     for (index, place) in home.places.iter().enumerate() {
         let (pointer, name, p) = (format!("/places/{index}/at"), &place.name, point(place.at));
-        if distance_outside(plan, p) > TOLERANCE_M {
+        if plan.distance_outside(p) > TOLERANCE_M {
             report.add(&pointer, format!("the place {name:?} at {} is outside the home", at(p)));
         } else if let Some(solid) = blocking(plan, p) {
             let hint = "put it beside, where a person can stand";
@@ -94,6 +94,6 @@ fn is_flat(outline: &[Point]) -> bool {
 
 /// Whether an area keeps to the home, up to the thickness of its walls.
 fn keeps_within(plan: &Plan, outline: &[Point]) -> bool {
-    let corners = outline.iter().all(|&corner| distance_outside(plan, corner) <= REACH_OUT_M);
-    corners && distance_outside(plan, geometry::inner_point(outline)) <= TOLERANCE_M
+    let corners = outline.iter().all(|&corner| plan.distance_outside(corner) <= REACH_OUT_M);
+    corners && plan.distance_outside(geometry::inner_point(outline)) <= TOLERANCE_M
 }
