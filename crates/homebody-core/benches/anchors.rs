@@ -15,8 +15,8 @@
 mod measure;
 mod scene;
 
+use homebody_core::drivers::MotionSegment;
 use homebody_core::drivers::live::{KeyTrack, LiveDriver};
-use homebody_core::drivers::{Driver, MotionSegment};
 use homebody_core::event::{Events, MotionState};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
@@ -195,11 +195,11 @@ fn live_step(home: Arc<Home>, build: Build) -> String {
             KeyTrack::written(&input, &home.plan),
         );
         let length = STEPS * SECOND / 60;
-        let mut run = Run::of(home.clone(), vec![build], vec![Driver::Live(Box::new(driver))], 1, length);
+        let mut run = Run::of(home.clone(), vec![build], vec![Box::new(driver)], 1, length);
         let mut events = Events::default();
         let start = Instant::now();
         for step in 1..=STEPS {
-            run.advance(step * SECOND / 60, &mut events);
+            run.advance(step * SECOND / 60, &mut events).expect("a driver whose answers bodies can follow");
             events.clear();
         }
         start.elapsed().as_secs_f64() * 1e6 / STEPS as f64

@@ -185,6 +185,9 @@ fn at_speed(speed: i64, assumptions: Assumptions) -> Result<AtSpeed, Problems> {
     Ok(at)
 }
 
+/// Why a walk is walked to its end.
+const WALKABLE: &str = "a path that has passed its checks";
+
 /// One activity as a scenario.
 #[derive(Clone, Copy)]
 struct Walk {
@@ -200,7 +203,7 @@ impl Walk {
         let mut run = Run::new(&self.scenario()?, &(), seed, LENGTH);
         let mut events = Events::default();
         while run.now() < LENGTH {
-            run.advance(run.now() + step, &mut events);
+            run.advance(run.now() + step, &mut events).expect(WALKABLE);
         }
         Ok(events.firings.iter().map(|firing| firing.at).collect())
     }
@@ -209,7 +212,7 @@ impl Walk {
     fn paper_loop(&self, speed: i64) -> Result<usize, Problems> {
         let scenario = self.scenario()?;
         let run = Run::new(&scenario, &(), 0, LENGTH);
-        let moves = run.moves();
+        let moves = run.moves().expect(WALKABLE);
         let build = Build::of(&scenario.residents[0].file);
         let eye = PaperEye::new(run.home(), build.size(Posture::Standing), 1);
         let mut firings: Vec<Firing> = Vec::new();

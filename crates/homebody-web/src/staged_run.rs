@@ -189,7 +189,7 @@ impl StagedRun {
         if begins {
             self.files = Some(self.open(shelf).map_err(|error| error.to_string())?);
         }
-        self.run.advance(until, &mut self.events);
+        let lived = self.run.advance(until, &mut self.events);
         if self.is_replay {
             self.digest.add(&self.events.firings);
         }
@@ -207,7 +207,7 @@ impl StagedRun {
             self.fresh.push(firing_view(row));
         }
         self.events.clear();
-        Ok(begins)
+        lived.map(|()| begins).map_err(|error| error.to_string())
     }
 
     fn open(&self, shelf: &Shelf) -> Result<Written, LogError> {
@@ -293,7 +293,8 @@ impl StagedRun {
         if scene.now == 0 {
             // Where everybody is as it begins, the first instant tells.
             let mut first = self.run.clone();
-            first.advance(1, &mut Events::default());
+            // What is wrong with it, it says when it is lived.
+            let _ = first.advance(1, &mut Events::default());
             scene = Scene { now: 0, ..first.scene() };
         }
         for (heading, body) in self.headings.iter_mut().zip(&scene.bodies) {

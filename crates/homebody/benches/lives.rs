@@ -36,6 +36,8 @@ const STEP: Micros = 6 * 3600 * SECOND;
 /// Members of the cohort, and how long each lives.
 const MEMBERS: usize = 16;
 const MEMBERS_DAYS: usize = 60;
+/// Why a run is lived to its end.
+const SOUND: &str = "drivers whose answers bodies can follow";
 
 /// Measures what the figure of a name says.
 type Figure<'a> = &'a dyn Fn(&str) -> String;
@@ -77,7 +79,7 @@ impl Files for Folder {
 fn against_kernel(name: &str, link: Option<LinkFile>, length: Micros) -> String {
     let (mut scenario, household) = scenario("tigerplace");
     scenario.link = link;
-    let moves = Run::new(&scenario, &household, scenario.file.seed, length).moves();
+    let moves = Run::new(&scenario, &household, scenario.file.seed, length).moves().expect(SOUND);
     let mut bare = scenario.home.clone();
     bare.sensors.retain(|sensor| sensor.on().is_none());
     let builds: Vec<Build> = (0..moves.len())
@@ -101,7 +103,7 @@ fn live(scenario: &Scenario, household: &Household, length: Micros) -> f64 {
     let mut run = Run::new(scenario, household, scenario.file.seed, length);
     let mut events = Events::default();
     while run.now() < length {
-        run.advance(run.now() + STEP, &mut events);
+        run.advance(run.now() + STEP, &mut events).expect(SOUND);
         events.clear();
     }
     start.elapsed().as_secs_f64()
@@ -170,7 +172,7 @@ fn live_into(path: &Path, scenario: &Scenario, household: &Household, length: Mi
     let mut logger = Logger::open(places, &Default::default(), &info, How::Replace).expect("an open database");
     let mut events = Events::default();
     while run.now() < length {
-        run.advance(run.now() + STEP, &mut events);
+        run.advance(run.now() + STEP, &mut events).expect(SOUND);
         logger.store(&events.firings, run.now()).expect("stored firings");
         events.clear();
     }

@@ -1,5 +1,6 @@
 //! How a command fails: what people read, and the exit code that scripts read.
 
+use homebody_core::drivers::error::DriverError;
 use homebody_core::problem::Problems;
 use homebody_log::LogError;
 use std::fmt::Display;
@@ -29,6 +30,12 @@ impl Failure {
 impl From<Problems> for Failure {
     fn from(problems: Problems) -> Failure {
         Failure::Problems(problems)
+    }
+}
+
+impl From<DriverError> for Failure {
+    fn from(error: DriverError) -> Failure {
+        Failure::Usage(error.to_string())
     }
 }
 

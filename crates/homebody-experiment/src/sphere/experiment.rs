@@ -131,7 +131,7 @@ fn act(
     let mut lived = Run::new(&scenario, &(), seed, micros(run.end_s() - run.begin_s()));
     let (mut events, mut firings) = (Events::default(), Vec::new());
     while lived.now() < lived.length() {
-        lived.advance(lived.now() + STEP, &mut events);
+        lived.advance(lived.now() + STEP, &mut events).map_err(|error| unfit(&error.to_string()))?;
         firings.extend(events.firings.iter().map(|firing| (run.begin_s() + seconds(firing.at), firing.sensor.index())));
         events.clear();
     }

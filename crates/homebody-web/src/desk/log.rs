@@ -84,10 +84,14 @@ fn first_rows(scenario: &Scenario, household: &Household) -> Result<Vec<PlaceRow
     let (mut events, mut count) = (Events::default(), 0);
     // Of messages that a link delays, and of OFFs that are held, some rows come later than their firings.
     while count < 2 * ROWS && run.now() < run.length() {
-        run.advance(run.now() + 600 * SECOND, &mut events);
+        let lived = run.advance(run.now() + 600 * SECOND, &mut events);
         logger.store(&events.firings, run.settled())?;
         count += events.firings.len();
         events.clear();
+        // What came before it stopped is shown.
+        if lived.is_err() {
+            break;
+        }
     }
     logger.finish()?;
 

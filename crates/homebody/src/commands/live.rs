@@ -204,8 +204,9 @@ fn advance(run: &mut Run, mut pace: Pace, log: &mut RunLog, progress: &ProgressB
     while run.now() < run.length() {
         let before = run.now();
         let Some(until) = pace.next(before) else { break };
-        run.advance(until, &mut events);
+        let lived = run.advance(until, &mut events);
         log.store(run, &events)?;
+        lived?;
         events.clear();
         if !progress.is_hidden() {
             progress.inc((run.now() - before) as u64);

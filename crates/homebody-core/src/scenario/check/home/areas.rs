@@ -1,6 +1,6 @@
 //! Areas: whether an outline is one, and whether it keeps to the home.
 
-use super::{Report, TOLERANCE_M, distance_outside};
+use super::{Report, TOLERANCE_M};
 use crate::geometry::{self, Point};
 use crate::home::plan::Plan;
 use crate::scenario::home::REACH_OUT_M;
@@ -33,6 +33,6 @@ pub fn is_flat(outline: &[Point]) -> bool {
 
 /// Whether an area keeps to the home, up to the thickness of its walls.
 pub fn keeps_within(plan: &Plan, outline: &[Point]) -> bool {
-    let corners = outline.iter().all(|&corner| distance_outside(plan, corner) <= REACH_OUT_M);
-    corners && distance_outside(plan, geometry::inner_point(outline)) <= TOLERANCE_M
+    let corners = outline.iter().all(|&corner| plan.distance_outside(corner) <= REACH_OUT_M);
+    corners && plan.distance_outside(geometry::inner_point(outline)) <= TOLERANCE_M
 }

@@ -10,7 +10,7 @@ mod walls;
 
 pub(in crate::scenario::check) use sensors::check_mounting;
 
-use super::{Report, TOLERANCE_M, at, blocking, distance_outside, is_within, solid_name};
+use super::{Report, TOLERANCE_M, at, blocking, is_within, solid_name};
 use crate::geometry::{At, point};
 use crate::home::plan::Plan;
 use crate::problem::Problem;
@@ -58,7 +58,7 @@ fn check_size(report: &mut Report, home: &HomeFile) {
 fn check_places(report: &mut Report, home: &HomeFile, plan: &Plan) {
     for (index, place) in home.places.iter().enumerate() {
         let (pointer, name, p) = (format!("/places/{index}/at"), &place.name, point(place.at));
-        if distance_outside(plan, p) > TOLERANCE_M {
+        if plan.distance_outside(p) > TOLERANCE_M {
             report.add(&pointer, format!("the place {name:?} at {} is outside the home", at(p)));
         } else if let Some(solid) = blocking(plan, p) {
             let hint = "put it beside, where a person can stand";
