@@ -5,16 +5,28 @@ use std::fs;
 use toml::{Table, Value};
 
 /// On which of our crates each of them may depend.
-const ARROWS: [(&str, &[&str]); 7] = [
+const ARROWS: [(&str, &[&str]); 8] = [
     ("homebody-core", &[]),
     ("homebody-import", &["homebody-core"]),
     ("homebody-log", &["homebody-core"]),
     ("homebody-routine", &["homebody-core"]),
     ("homebody-study", &["homebody-core", "homebody-log"]),
-    ("homebody-web", &["homebody-core", "homebody-import", "homebody-log", "homebody-routine", "homebody-study"]),
+    ("homebody-kit", &["homebody-core", "homebody-log", "homebody-routine", "homebody-study"]),
+    (
+        "homebody-web",
+        &["homebody-core", "homebody-import", "homebody-kit", "homebody-log", "homebody-routine", "homebody-study"],
+    ),
     (
         "homebody",
-        &["homebody-core", "homebody-import", "homebody-log", "homebody-routine", "homebody-study", "homebody-web"],
+        &[
+            "homebody-core",
+            "homebody-import",
+            "homebody-kit",
+            "homebody-log",
+            "homebody-routine",
+            "homebody-study",
+            "homebody-web",
+        ],
     ),
 ];
 

@@ -2,7 +2,6 @@
 
 use crate::commands::answer::Answer;
 use crate::failure::Failure;
-use crate::folder;
 use homebody_core::event::Events;
 use homebody_core::random::Stream;
 use homebody_core::run::Run;
@@ -42,14 +41,14 @@ const SCENARIO: &str = "older-adult";
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let answer = self.answer.check(["", "hours"], &[])?;
-        let (scenario, household) = folder::load_own_lives(SCENARIO)?;
-        let household = household.one_of_many();
+        let opened = homebody_kit::template(SCENARIO)?;
+        let (scenario, household) = (opened.scenario(), opened.household().one_of_many());
         let progress = ProgressBar::new(u64::from(self.people));
         let style = ProgressStyle::with_template("{bar:40} {pos} of {len} people  {eta} left");
         progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         let live = |number: u32| {
             let seed = seed_of(self.seed, number);
-            let person = live(&scenario, &household, seed, self.days);
+            let person = live(scenario, &household, seed, self.days);
             progress.inc(1);
             person
         };
