@@ -20,6 +20,7 @@ use homebody_core::drivers::{Driver, MotionSegment};
 use homebody_core::event::{Events, MotionState};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
+use homebody_core::ids::ResidentId;
 use homebody_core::naive::brute::BruteEye;
 use homebody_core::naive::paper::PaperEye;
 use homebody_core::naive::{Eye, Loop, Player, Remainder};
@@ -80,20 +81,20 @@ fn against_loops(name: &str, home: &Arc<Home>, build: Build, schedule: &[MotionS
     ]
 }
 
-/// DriverProvider the schedule; seconds for a simulated second.
+/// Lives the schedule; seconds for a simulated second.
 fn kernel(home: &Arc<Home>, schedule: &[MotionSegment]) -> f64 {
     let mut world = World::new(home.clone(), 1, 1);
     let mut events = Events::default();
     let start = Instant::now();
     for next in schedule {
-        world.begin(0, next);
+        world.begin(ResidentId(0), next);
         world.advance(next.end, &mut events);
         events.clear();
     }
     start.elapsed().as_secs_f64() / seconds(world.now())
 }
 
-/// DriverProvider the excerpts in a loop of 60 updates a second; seconds for a simulated second.
+/// Lives the excerpts in a loop of 60 updates a second; seconds for a simulated second.
 fn naive(eye: impl Eye, home: &Home, build: Build, excerpts: &[MotionSegment]) -> f64 {
     let mut naive = Loop::new(eye, home, 1, 1, Remainder::Kept);
     let mut firings = Vec::new();
@@ -148,7 +149,7 @@ fn against_inserts(home: &Arc<Home>, schedule: &[MotionSegment]) -> String {
     Spread::of(&ratios).line("sqlite_vs_bare", 3)
 }
 
-/// DriverProvider the schedule into a database, by the hour; seconds.
+/// Lives the schedule into a database, by the hour; seconds.
 fn run_into(path: &Path, home: &Arc<Home>, schedule: &[MotionSegment]) -> f64 {
     let sensors: Vec<String> = home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
     let url: Url = format!("sqlite:{}", path.display()).parse().expect("a URL");
@@ -161,7 +162,7 @@ fn run_into(path: &Path, home: &Arc<Home>, schedule: &[MotionSegment]) -> f64 {
     let mut events = Events::default();
     let mut handed_over = 0;
     for next in schedule {
-        world.begin(0, next);
+        world.begin(ResidentId(0), next);
         world.advance(next.end, &mut events);
         if next.end >= handed_over + STEP {
             logger.store(&events.firings, next.end).expect("stored firings");

@@ -18,6 +18,7 @@ pub mod sensors;
 
 // Movement: strides, who decides on them, the world they happen in, and the way of what its sensors say.
 pub mod stride;
+pub mod ids;
 pub mod event;
 mod timers;
 pub mod drivers;

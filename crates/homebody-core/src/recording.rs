@@ -64,7 +64,7 @@ impl RunDigest {
     pub fn add(&mut self, firings: &[Firing]) {
         for firing in firings {
             self.hash.update(firing.at.to_le_bytes());
-            self.hash.update(firing.sensor.to_le_bytes());
+            self.hash.update(firing.sensor.0.to_le_bytes());
             // Motion sensors have but one thing to say.
             if firing.value != Value::Fire {
                 self.hash.update(firing.value.to_string());

@@ -7,6 +7,7 @@ use crate::event::{Events, Fact, MotionState, ThingUse};
 use crate::geometry::{self, Point};
 use crate::home::plan::Plan;
 use crate::home::{Build, Home, Sun};
+use crate::ids::{ResidentId, RoomId, ThingId};
 use crate::link::{self, Link};
 use crate::scenario::load::{self, Scenario};
 use crate::scene::{Presence, Scene};
@@ -24,7 +25,7 @@ pub struct Run {
     residents: Vec<Resident>,
     names: Vec<String>,
     /// By thing of the plan: who has turned it on, or opened it.
-    users: Vec<Vec<u32>>,
+    users: Vec<Vec<ResidentId>>,
     /// By thing of the plan: whether it is on, or open.
     on: Vec<bool>,
     /// Nothing where all that sensors say reaches the logger at once.
@@ -38,7 +39,7 @@ struct Resident {
     driver: Driver,
     /// Until when the world knows what the resident does.
     until: Micros,
-    room: Option<u32>,
+    room: Option<RoomId>,
     /// Whether any room was told yet.
     located: bool,
     /// Where the move that was told last ends; nothing while away.
@@ -151,41 +152,43 @@ impl Run {
 
     /// What the run looks like now.
     pub fn scene(&self) -> Scene {
-        let body = |resident: usize| {
+        let body = |resident: ResidentId| {
             Some(Presence {
                 at: self.world.position(resident)?,
                 heading: self.world.heading(resident),
                 posture: self.world.posture(resident),
-                room: self.residents[resident].room,
+                room: self.residents[resident.index()].room,
             })
         };
-        let all = 0..self.residents.len();
+        let all = (0..self.residents.len()).map(ResidentId::of);
         Scene {
             now: self.now(),
             bodies: all.clone().map(body).collect(),
             seeing: all.fold(0, |seeing, resident| seeing | self.world.seeing(resident)),
-            on: (0..).zip(&self.on).filter(|(_, on)| **on).map(|(thing, _)| thing).collect(),
+            on: (0..self.on.len()).filter(|&thing| self.on[thing]).map(ThingId::of).collect(),
         }
     }
 
     /// The input of a resident who is moved by keys comes from whoever lives the run, after what its file says. False if the
     /// resident is not moved by keys.
-    pub fn open_input(&mut self, resident: usize) -> bool {
-        let driver = self.residents.get_mut(resident).map(|resident| &mut resident.driver);
+    pub fn open_input(&mut self, resident: ResidentId) -> bool {
+        let driver = self.residents.get_mut(resident.index()).map(|resident| &mut resident.driver);
         let Some(Driver::Live(driver)) = driver else { return false };
         driver.open();
         true
     }
 
     /// From now on the input of a resident whose input is open is this.
-    pub fn input(&mut self, resident: usize, input: Input) {
+    pub fn input(&mut self, resident: ResidentId, input: Input) {
         let now = self.now();
-        if let Some(Driver::Live(driver)) = self.residents.get_mut(resident).map(|resident| &mut resident.driver) {
+        if let Some(Driver::Live(driver)) =
+            self.residents.get_mut(resident.index()).map(|resident| &mut resident.driver)
+        {
             driver.input(now, input);
         }
     }
 
-    /// DriverProvider until `until` or the end of the run, whichever is first, and adds to `events` what happens
+    /// Lives until `until` or the end of the run, whichever is first, and adds to `events` what happens
     /// before then. In how many steps a run is advanced changes nothing.
     pub fn advance(&mut self, until: Micros, events: &mut Events) {
         let until = until.min(self.length);
@@ -207,8 +210,8 @@ impl Run {
 
     /// Asks the drivers of all whose move is over what comes next.
     fn begin_due(&mut self, events: &mut Events) {
-        for resident in 0..self.residents.len() {
-            if self.residents[resident].until <= self.world.now() {
+        for resident in (0..self.residents.len()).map(ResidentId::of) {
+            if self.residents[resident.index()].until <= self.world.now() {
                 self.begin_next(resident, events);
             }
         }
@@ -220,7 +223,7 @@ impl Run {
         self.world.advance(until.min(next.unwrap_or(until)), events);
     }
 
-    /// DriverProvider the run from its beginning and returns what each resident does, for those who want to live it in another
+    /// Lives the run from its beginning and returns what each resident does, for those who want to live it in another
     /// way. Only for a run that has not been advanced: what is under way is not told again.
     pub fn moves(&self) -> Vec<Vec<MotionSegment>> {
         let mut run = Run { link: None, ..self.clone() };
@@ -230,7 +233,7 @@ impl Run {
             run.advance(run.now() + 3600 * SECOND, &mut events);
             for fact in events.facts.drain(..) {
                 if let Fact::Movement { resident, begin, end, doing, posture } = fact {
-                    moves[resident as usize].push(MotionSegment { begin, end, doing, posture });
+                    moves[resident.index()].push(MotionSegment { begin, end, doing, posture });
                 }
             }
             events.clear();
@@ -239,76 +242,76 @@ impl Run {
     }
 
     /// Asks the resident's driver what comes next, and tells the world.
-    fn begin_next(&mut self, resident: usize, events: &mut Events) {
+    fn begin_next(&mut self, resident: ResidentId, events: &mut Events) {
         let now = self.world.now();
-        let minds_others = self.residents[resident].driver.minds_others();
+        let minds_others = self.residents[resident.index()].driver.minds_others();
         let others = if minds_others { self.others(resident) } else { Vec::new() };
         let next = loop {
-            match self.residents[resident].driver.next(now, &others, &self.on) {
+            match self.residents[resident.index()].driver.next(now, &others, &self.on) {
                 Next::Activity(name) => {
-                    events.facts.push(Fact::Activity { resident: resident as u32, at: now, name });
+                    events.facts.push(Fact::Activity { resident, at: now, name });
                 }
                 Next::Use(act) => self.act(resident, act, now, events),
                 Next::Vitals(vitals) => self.world.feel(resident, vitals),
                 Next::Need(need, level) => {
-                    events.facts.push(Fact::Need { resident: resident as u32, at: now, need, level });
+                    events.facts.push(Fact::Need { resident, at: now, need, level });
                 }
                 Next::Condition(name, severity) => {
-                    events.facts.push(Fact::Condition { resident: resident as u32, at: now, name, severity });
+                    events.facts.push(Fact::Condition { resident, at: now, name, severity });
                 }
                 Next::Segment(next) => break next,
                 Next::Done => break self.rest(resident),
             }
         };
-        self.residents[resident].until = next.end;
+        self.residents[resident.index()].until = next.end;
         self.tell_rooms(resident, &next, events);
         self.world.begin(resident, &next);
         let MotionSegment { end, doing, posture, .. } = next.until(self.length);
-        events.facts.push(Fact::Movement { resident: resident as u32, begin: now, end, doing, posture });
+        events.facts.push(Fact::Movement { resident, begin: now, end, doing, posture });
     }
 
     /// A resident uses a thing. What several have turned on goes off with the last of them; what somebody else has left on,
     /// anybody turns off.
-    fn act(&mut self, resident: usize, act: ThingUse, now: Micros, events: &mut Events) {
-        let users = &mut self.users[act.thing as usize];
+    fn act(&mut self, resident: ResidentId, act: ThingUse, now: Micros, events: &mut Events) {
+        let users = &mut self.users[act.thing.index()];
         let was_on = !users.is_empty();
         if act.on {
-            if !users.contains(&(resident as u32)) {
-                users.push(resident as u32);
+            if !users.contains(&resident) {
+                users.push(resident);
             }
-        } else if users.contains(&(resident as u32)) {
-            users.retain(|user| *user != resident as u32);
+        } else if users.contains(&resident) {
+            users.retain(|user| *user != resident);
         } else {
             users.clear();
         }
         let changes = if act.on { !was_on } else { users.is_empty() };
         if changes {
-            self.on[act.thing as usize] = act.on;
-            events.facts.push(Fact::Use { resident: resident as u32, at: now, act });
+            self.on[act.thing.index()] = act.on;
+            events.facts.push(Fact::Use { resident, at: now, act });
             self.world.act(resident, act);
         }
     }
 
     /// The bodies of the others, where they are now.
-    fn others(&self, resident: usize) -> Vec<Body> {
-        let others = (0..self.residents.len()).filter(|&other| other != resident);
+    fn others(&self, resident: ResidentId) -> Vec<Body> {
+        let others = (0..self.residents.len()).map(ResidentId::of).filter(|&other| other != resident);
         others
             .filter_map(|other| {
-                Some(Body { at: self.world.position(other)?, radius_m: self.residents[other].build.radius_m })
+                Some(Body { at: self.world.position(other)?, radius_m: self.residents[other.index()].build.radius_m })
             })
             .collect()
     }
 
     /// Staying as one is, for ever.
-    fn rest(&self, resident: usize) -> MotionSegment {
-        let (at, posture) = self.residents[resident].driver.pose();
+    fn rest(&self, resident: ResidentId) -> MotionSegment {
+        let (at, posture) = self.residents[resident.index()].driver.pose();
         MotionSegment { begin: self.world.now(), end: NEVER, doing: MotionState::Rest { at }, posture }
     }
 
     /// Tells the truth which rooms the resident comes through.
-    fn tell_rooms(&mut self, resident: usize, next: &MotionSegment, events: &mut Events) {
+    fn tell_rooms(&mut self, resident: ResidentId, next: &MotionSegment, events: &mut Events) {
         let plan = &self.world.home().plan;
-        let Resident { room, last, .. } = &mut self.residents[resident];
+        let Resident { room, last, .. } = &mut self.residents[resident.index()];
         let before = std::mem::replace(
             last,
             match next.doing {
@@ -321,7 +324,7 @@ impl Run {
         match next.doing {
             MotionState::InPlace { at, .. } | MotionState::Rest { at } if before == Some(at) => return,
             MotionState::Stride { from, to } if before == Some(from) => {
-                let here = room.map(|room| &plan.rooms[room as usize]);
+                let here = room.map(|room| &plan.rooms[room.index()]);
                 if here.is_some_and(|room| room.is_convex && geometry::contains(&room.outline, to)) {
                     return;
                 }
@@ -333,13 +336,13 @@ impl Run {
             MotionState::InPlace { at, .. } | MotionState::Rest { at } => vec![(next.begin, plan.room_at(at))],
             MotionState::Away => vec![(next.begin, None)],
         };
-        let Resident { room, located, .. } = &mut self.residents[resident];
+        let Resident { room, located, .. } = &mut self.residents[resident.index()];
         let length = self.length;
         for (at, new) in rooms.into_iter().filter(|&(at, _)| at < length) {
-            let new = new.map(|index| index as u32);
+            let new = new.map(RoomId::of);
             if !*located || *room != new {
                 (*located, *room) = (true, new);
-                events.facts.push(Fact::Room { resident: resident as u32, at, room: new });
+                events.facts.push(Fact::Room { resident, at, room: new });
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use crate::geometry::Point;
 use crate::home::field::Mask;
+use crate::ids::{RoomId, ThingId};
 use crate::scenario::path::Posture;
 use crate::time::Micros;
 
@@ -14,7 +15,7 @@ pub struct Scene {
     /// The sensors that see somebody move, as bits.
     pub seeing: Mask,
     /// The things that are on, or open.
-    pub on: Vec<u32>,
+    pub on: Vec<ThingId>,
 }
 
 /// A body in the home.
@@ -24,5 +25,5 @@ pub struct Presence {
     /// Where it walks, of length one; nothing for who stays.
     pub heading: Option<Point>,
     pub posture: Posture,
-    pub room: Option<u32>,
+    pub room: Option<RoomId>,
 }

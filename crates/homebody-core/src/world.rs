@@ -13,6 +13,7 @@ use crate::event::{Events, Fact, Firing, MotionState, Provenance, ThingUse, Trig
 use crate::geometry::Point;
 use crate::home::Home;
 use crate::home::field::{Cell, Field, Mask, bits};
+use crate::ids::{ResidentId, SensorId};
 use crate::random::Stream;
 use crate::scenario::path::Posture;
 use crate::sensors::device::{Change, Device, Outbox};
@@ -135,7 +136,7 @@ impl World {
 
     /// From now until the move's end, the resident does this; the move may have begun before now. The
     /// caller advances no further than its end before it says what comes next.
-    pub fn begin(&mut self, resident: usize, next: &MotionSegment) {
+    pub fn begin(&mut self, resident: ResidentId, next: &MotionSegment) {
         let posture = next.posture;
         let motion = match next.doing {
             MotionState::Stride { from, to } => BodyMotion::Stride(Stride::new(from, to, next.begin, next.end)),
@@ -143,29 +144,29 @@ impl World {
             MotionState::Rest { at } => BodyMotion::Rest { at },
             MotionState::Away => BodyMotion::Away,
         };
-        let Body { posture: before, motion: last } = &self.bodies[resident];
+        let Body { posture: before, motion: last } = &self.bodies[resident.index()];
         let settles = *before != posture || matches!(last, BodyMotion::Away);
-        self.bodies[resident] = Body { posture, motion };
+        self.bodies[resident.index()] = Body { posture, motion };
         if settles && self.zoned != 0 {
             self.settle(resident);
         }
         // A cat presses no mat, and lies beside the strip.
-        if self.home.field(resident, posture).size.radius_m < LIGHT_M {
+        if self.home.field(resident.index(), posture).size.radius_m < LIGHT_M {
             return;
         }
         let MotionSegment { begin, end, doing, posture } = *next;
-        self.tell(self.feeling, &Change::Body { resident: resident as u32, begin, end, doing, posture });
+        self.tell(self.feeling, &Change::Body { resident, begin, end, doing, posture });
     }
 
     /// A resident uses a thing, now.
-    pub fn act(&mut self, resident: usize, act: ThingUse) {
+    pub fn act(&mut self, resident: ResidentId, act: ThingUse) {
         let ThingUse { thing, on } = act;
-        self.tell(Mask::MAX, &Change::Use { resident: resident as u32, thing, on });
+        self.tell(Mask::MAX, &Change::Use { resident, thing, on });
     }
 
     /// From now on a resident's heart and lungs are like this.
-    pub fn feel(&mut self, resident: usize, vitals: Vitals) {
-        self.tell(self.feeling, &Change::Vitals { resident: resident as u32, vitals });
+    pub fn feel(&mut self, resident: ResidentId, vitals: Vitals) {
+        self.tell(self.feeling, &Change::Vitals { resident, vitals });
     }
 
     /// Tells the devices among the sensors what happens now. What they say leaves them now too, but when it is their turn
@@ -180,27 +181,27 @@ impl World {
 
     /// A message leaves its sensor.
     fn send(&mut self, at: Micros, sensor: usize, value: Value, provenance: Provenance, events: &mut Events) {
-        events.firings.push(Firing { seq: self.seq, at, sensor: sensor as u32, value });
+        events.firings.push(Firing { seq: self.seq, at, sensor: SensorId::of(sensor), value });
         events.facts.push(Fact::Provenance { seq: self.seq, provenance });
         self.seq += 1;
     }
 
     /// A body that changes its posture or appears touches other beams from one instant to the next; that is no pulse.
-    fn settle(&mut self, resident: usize) {
-        let field = self.home.field(resident, self.bodies[resident].posture);
+    fn settle(&mut self, resident: ResidentId) {
+        let field = self.home.field(resident.index(), self.bodies[resident.index()].posture);
         let at = self.position(resident);
         for pulses in &mut self.pulses {
             let beams = &field.beams[field.range(pulses.sensor)];
             match at {
-                Some(at) => pulses.settle(resident as u32, beams, at, field.size.radius_m),
-                None => pulses.leave(resident as u32),
+                Some(at) => pulses.settle(resident.0, beams, at, field.size.radius_m),
+                None => pulses.leave(resident.0),
             }
         }
     }
 
     /// Where a resident is; nothing while away.
-    pub fn position(&self, resident: usize) -> Option<Point> {
-        match self.bodies[resident].motion {
+    pub fn position(&self, resident: ResidentId) -> Option<Point> {
+        match self.bodies[resident.index()].motion {
             BodyMotion::Stride(stride) => Some(stride.position(self.now)),
             BodyMotion::InPlace { at, .. } | BodyMotion::Rest { at } => Some(at),
             BodyMotion::Away => None,
@@ -208,17 +209,17 @@ impl World {
     }
 
     /// Where a resident walks, of length one; nothing for who stays.
-    pub fn heading(&self, resident: usize) -> Option<Point> {
-        match self.bodies[resident].motion {
+    pub fn heading(&self, resident: ResidentId) -> Option<Point> {
+        match self.bodies[resident.index()].motion {
             BodyMotion::Stride(stride) => Some((stride.to - stride.from).normalize_or_zero()),
             BodyMotion::InPlace { .. } | BodyMotion::Rest { .. } | BodyMotion::Away => None,
         }
     }
 
     /// The sensors in whose field a resident moves, as bits.
-    pub fn seeing(&self, resident: usize) -> Mask {
-        let Body { posture, motion } = &self.bodies[resident];
-        let field = self.home.field(resident, *posture);
+    pub fn seeing(&self, resident: ResidentId) -> Mask {
+        let Body { posture, motion } = &self.bodies[resident.index()];
+        let field = self.home.field(resident.index(), *posture);
         match motion {
             BodyMotion::Stride(stride) => field.seen_at(stride.position(self.now)),
             BodyMotion::InPlace { at, .. } => field.seen_at(*at),
@@ -226,8 +227,8 @@ impl World {
         }
     }
 
-    pub fn posture(&self, resident: usize) -> Posture {
-        self.bodies[resident].posture
+    pub fn posture(&self, resident: ResidentId) -> Posture {
+        self.bodies[resident.index()].posture
     }
 
     /// Lets everything happen that happens before `until`.
@@ -349,7 +350,7 @@ impl World {
             }
             let at = self.first_movement(mover, sensor, from);
             if let Some(at) = at.filter(|&at| at <= last && first.is_none_or(|first| at < first.at)) {
-                first = Some(Seen { resident: mover.body, at });
+                first = Some(Seen { resident: ResidentId(mover.body), at });
             }
         }
         if let Some(seen) = first {

@@ -8,6 +8,7 @@ use homebody_core::drivers::{Driver, MotionSegment};
 use homebody_core::event::{Events, Fact, Firing, MotionState, Provenance, Value};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
+use homebody_core::ids::ResidentId;
 use homebody_core::run::Run;
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::path::Posture;
@@ -39,7 +40,7 @@ impl Case {
         Case { world: World::new(home, builds.len(), case), lives, doings, length }
     }
 
-    /// DriverProvider until `until`, cutting time at `cuts` as well as wherever a move ends.
+    /// Lives until `until`, cutting time at `cuts` as well as wherever a move ends.
     fn live(&mut self, until: Micros, cuts: &[Micros], events: &mut Events) {
         while self.world.now() < until {
             let now = self.world.now();
@@ -47,14 +48,14 @@ impl Case {
             for (resident, life) in self.lives.iter().enumerate() {
                 let next = &life[life.partition_point(|next| next.end <= now)];
                 // Beginning the same move again in its middle is what cutting it means.
-                self.world.begin(resident, next);
+                self.world.begin(ResidentId::of(resident), next);
                 end = end.min(next.end);
                 let doings = &self.doings[resident];
                 let (now, later) = (at(doings, now), at(doings, now + 1));
                 for &(_, done) in &doings[now..later] {
                     match done {
-                        Done::Use(act) => self.world.act(resident, act),
-                        Done::Vitals(vitals) => self.world.feel(resident, vitals),
+                        Done::Use(act) => self.world.act(ResidentId::of(resident), act),
+                        Done::Vitals(vitals) => self.world.feel(ResidentId::of(resident), vitals),
                     }
                 }
                 end = end.min(doings.get(later).map_or(end, |&(at, _)| at));
@@ -80,7 +81,7 @@ fn at(doings: &[(Micros, Done)], at: Micros) -> usize {
 
 /// The firings alone, so that a failure is readable.
 fn firings(events: &Events) -> Vec<(Micros, u32, Value)> {
-    events.firings.iter().map(|firing| (firing.at, firing.sensor, firing.value)).collect()
+    events.firings.iter().map(|firing| (firing.at, firing.sensor.0, firing.value)).collect()
 }
 
 #[test]

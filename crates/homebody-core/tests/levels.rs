@@ -5,6 +5,7 @@ use homebody_core::drivers::MotionSegment;
 use homebody_core::event::{Events, Fact, MotionState};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
+use homebody_core::ids::ResidentId;
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND};
@@ -68,14 +69,14 @@ fn noticed(sensor: &Value, furniture: &Value, lives: &[Life]) -> Vec<(Micros, u3
         for (resident, life) in lives.iter().enumerate() {
             let next = &life.0[life.0.partition_point(|next| next.end <= now)];
             if next.begin == now {
-                world.begin(resident, next);
+                world.begin(ResidentId::of(resident), next);
             }
             until = until.min(next.end);
         }
         world.advance(until, &mut events);
     }
     let provenance = |fact| match fact {
-        Fact::Provenance { provenance, .. } => Some((provenance.seen_at, provenance.resident?)),
+        Fact::Provenance { provenance, .. } => Some((provenance.seen_at, provenance.resident?.0)),
         _ => None,
     };
     events.facts.into_iter().filter_map(provenance).collect()

@@ -10,6 +10,7 @@ use homebody_core::drivers::MotionSegment;
 use homebody_core::event::{Events, Fact, Firing, MotionState};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
+use homebody_core::ids::ResidentId;
 use homebody_core::naive::paper::PaperEye;
 use homebody_core::naive::{Loop, Player, Remainder, brute::BruteEye};
 use homebody_core::scenario::path::Posture;
@@ -63,7 +64,7 @@ impl Case {
         let mut world = World::new(self.home.clone(), 1, self.number);
         let mut events = Events::default();
         for next in &self.life {
-            world.begin(0, next);
+            world.begin(ResidentId(0), next);
             world.advance(next.end.min(LENGTH), &mut events);
         }
         events
@@ -89,7 +90,7 @@ impl Case {
     fn compare(&self, events: &Events, naive: &[Firing], tally: &mut Tally) {
         for sensor in 0..self.home.sensors.len() {
             let of = |firings: &[Firing]| -> Vec<Micros> {
-                let mine = firings.iter().filter(|firing| firing.sensor as usize == sensor);
+                let mine = firings.iter().filter(|firing| firing.sensor.index() == sensor);
                 mine.map(|firing| firing.at).collect()
             };
             let (exact, naive) = (of(&events.firings), of(naive));
@@ -192,7 +193,7 @@ impl Case {
 
 /// When the movement was seen that made the sensor's firing of this number.
 fn seen_at(events: &Events, sensor: usize, index: usize) -> Option<Micros> {
-    let seq = events.firings.iter().filter(|firing| firing.sensor as usize == sensor).nth(index)?.seq;
+    let seq = events.firings.iter().filter(|firing| firing.sensor.index() == sensor).nth(index)?.seq;
     events.facts.iter().find_map(|fact| match fact {
         Fact::Provenance { seq: of, provenance } if *of == seq => Some(provenance.seen_at),
         _ => None,

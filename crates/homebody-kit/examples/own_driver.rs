@@ -44,7 +44,7 @@ pub fn firings() -> Result<Vec<(String, usize)>, Error> {
     let mut run = scenario.run().days(1).driver("Margaret", pacing).start()?;
     let mut firings: Vec<(String, usize)> = run.sensors().map(|name| (name.to_owned(), 0)).collect();
     while let Some(batch) = run.next_batch()? {
-        batch.firings.iter().for_each(|firing| firings[firing.sensor as usize].1 += 1);
+        batch.firings.iter().for_each(|firing| firings[firing.sensor.index()].1 += 1);
     }
     Ok(firings)
 }

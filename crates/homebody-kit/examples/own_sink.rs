@@ -12,7 +12,7 @@ impl BatchSink for ByHour {
         let sensors: Vec<&str> = run.sensors().collect();
         for firing in batch.firings {
             let hour = run.calendar().local(firing.at).hour() as usize;
-            self.0.entry(sensors[firing.sensor as usize].to_owned()).or_default()[hour] += 1;
+            self.0.entry(sensors[firing.sensor.index()].to_owned()).or_default()[hour] += 1;
         }
         Ok(())
     }

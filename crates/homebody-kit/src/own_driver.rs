@@ -88,8 +88,8 @@ impl Watched {
                 Some(format!("ends a movement at {end}, which is not after its beginning"))
             }
             Next::Segment(MotionSegment { doing, .. }) => self.outside(doing),
-            Next::Use(thing_use) if thing_use.thing as usize >= plan.things.len() => {
-                Some(format!("uses thing {}, and the home has {}", thing_use.thing, plan.things.len()))
+            Next::Use(thing_use) if thing_use.thing.index() >= plan.things.len() => {
+                Some(format!("uses thing {}, and the home has {}", thing_use.thing.index(), plan.things.len()))
             }
             Next::Need(_, level) if !(0.0..=1.0).contains(level) => {
                 Some(format!("has a need of {level}, which is not from 0 to 1"))

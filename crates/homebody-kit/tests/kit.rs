@@ -4,6 +4,7 @@ use homebody_core::drivers::{Decide, MotionSegment, Next};
 use homebody_core::event::{Events, Firing, MotionState, ThingUse};
 use homebody_core::geometry::{Point, point};
 use homebody_core::home::Home;
+use homebody_core::ids::ThingId;
 use homebody_core::run::Run;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros, SECOND};
@@ -173,7 +174,7 @@ fn a_driver_that_decides_what_nobody_can_do_is_named() {
             |now| segment(now, now + SECOND, MotionState::InPlace { at: Point::new(6.0, 4.0), amplitude_m: -1.0 }),
             "moves in place by -1 m",
         ),
-        (|_| Next::Use(ThingUse { thing: 1000, on: true }), "uses thing 1000"),
+        (|_| Next::Use(ThingUse { thing: ThingId(1000), on: true }), "uses thing 1000"),
         (|_| Next::Activity(None), "without letting time pass"),
     ];
     for (answer, told) in odd {

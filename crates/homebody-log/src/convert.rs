@@ -9,6 +9,7 @@ use crate::sink::Opening;
 use crate::source::{Clock, Log};
 use crate::url::Url;
 use crate::writer::BATCH;
+use homebody_core::ids::SensorId;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 
@@ -34,7 +35,7 @@ pub fn convert(log: &Log, to: &Url, run: &RunInfo, zone: &str, force: bool) -> R
             .map(|(event, seq)| Row {
                 seq,
                 at: event.at - start,
-                sensor: event.sensor,
+                sensor: SensorId(event.sensor),
                 value: RowValue::Text(event.value),
             })
             .collect();

@@ -119,7 +119,7 @@ impl Logger {
         self.sent_at = Instant::now();
         let rows = Arc::new(std::mem::replace(&mut self.rows, Vec::with_capacity(BATCH)));
         for row in rows.iter() {
-            self.stored.by_sensor[row.sensor as usize] += 1;
+            self.stored.by_sensor[row.sensor.index()] += 1;
         }
         self.stored.rows += rows.len() as u64;
         for index in 0..self.writers.len() {

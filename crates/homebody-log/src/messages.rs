@@ -4,6 +4,7 @@
 //! prolong it. At one instant OFF comes before ON, and OFFs come in the order of sensors.
 
 use homebody_core::event::{Firing, Value};
+use homebody_core::ids::SensorId;
 use homebody_core::scenario::logger::MessagesFile;
 use homebody_core::time::{Micros, micros};
 use std::cmp::Reverse;
@@ -15,7 +16,7 @@ pub(crate) struct Row {
     /// The rows of a run are numbered from 0.
     pub seq: u64,
     pub at: Micros,
-    pub sensor: u32,
+    pub sensor: SensorId,
     pub value: RowValue,
 }
 
@@ -39,7 +40,7 @@ struct Hold {
     off_at: Vec<Option<Micros>>,
     /// One entry for each sensor that is ON. A firing does not move its sensor's entry, so an entry may come up
     /// too early; it is then put back to where it belongs.
-    due: BinaryHeap<Reverse<(Micros, u32)>>,
+    due: BinaryHeap<Reverse<(Micros, SensorId)>>,
 }
 
 impl Messages {
@@ -75,13 +76,13 @@ impl Messages {
 
 impl Hold {
     /// Turns OFF what is due at `now` or earlier.
-    fn release(&mut self, now: Micros, mut off: impl FnMut(Micros, u32)) {
+    fn release(&mut self, now: Micros, mut off: impl FnMut(Micros, SensorId)) {
         while let Some(&Reverse((at, sensor))) = self.due.peek() {
             if at > now {
                 break;
             }
             self.due.pop();
-            let off_at = &mut self.off_at[sensor as usize];
+            let off_at = &mut self.off_at[sensor.index()];
             match *off_at {
                 Some(later) if later > at => self.due.push(Reverse((later, sensor))),
                 _ => {
@@ -95,7 +96,7 @@ impl Hold {
     /// Holds the sensor ON from this firing, and says whether it was OFF before.
     fn prolong(&mut self, firing: &Firing) -> bool {
         let off_at = firing.at + self.span;
-        let was_off = self.off_at[firing.sensor as usize].replace(off_at).is_none();
+        let was_off = self.off_at[firing.sensor.index()].replace(off_at).is_none();
         if was_off {
             self.due.push(Reverse((off_at, firing.sensor)));
         }
@@ -103,7 +104,7 @@ impl Hold {
     }
 }
 
-fn push(rows: &mut Vec<Row>, next_seq: &mut u64, at: Micros, sensor: u32, value: Value) {
+fn push(rows: &mut Vec<Row>, next_seq: &mut u64, at: Micros, sensor: SensorId, value: Value) {
     rows.push(Row { seq: *next_seq, at, sensor, value: RowValue::Value(value) });
     *next_seq += 1;
 }
@@ -130,11 +131,11 @@ mod tests {
         let mut messages = Messages::new(&on_off(hold), SENSORS as usize);
         let mut rows = Vec::new();
         for (seq, &(at, sensor)) in firings.iter().enumerate() {
-            messages.firing(&Firing { seq: seq as u64, at, sensor, value: Value::Fire }, &mut rows);
+            messages.firing(&Firing { seq: seq as u64, at, sensor: SensorId(sensor), value: Value::Fire }, &mut rows);
         }
         messages.quiet(until, &mut rows);
         assert!(rows.iter().enumerate().all(|(seq, row)| row.seq == seq as u64));
-        rows.iter().map(|row| (row.at, row.sensor, value(row))).collect()
+        rows.iter().map(|row| (row.at, row.sensor.0, value(row))).collect()
     }
 
     /// Looks at each microsecond and each sensor, and asks whether it has fired within the hold.
@@ -164,9 +165,9 @@ mod tests {
     fn firings_alone_are_stored_as_they_are() {
         let mut messages = Messages::new(&MessagesFile::FireOnly, 2);
         let mut rows = Vec::new();
-        messages.firing(&Firing { seq: 7, at: 5, sensor: 1, value: Value::Fire }, &mut rows);
+        messages.firing(&Firing { seq: 7, at: 5, sensor: SensorId(1), value: Value::Fire }, &mut rows);
         messages.quiet(1_000_000_000, &mut rows);
-        assert_eq!(rows, [Row { seq: 0, at: 5, sensor: 1, value: RowValue::Value(ON) }]);
+        assert_eq!(rows, [Row { seq: 0, at: 5, sensor: SensorId(1), value: RowValue::Value(ON) }]);
     }
 
     #[test]
@@ -175,9 +176,9 @@ mod tests {
         let mut rows = Vec::new();
         for (at, sensor, value) in [(0, 0, Value::Fire), (1, 1, Value::Open), (2, 1, Value::Open), (9, 1, Value::Close)]
         {
-            messages.firing(&Firing { seq: at as u64, at, sensor, value }, &mut rows);
+            messages.firing(&Firing { seq: at as u64, at, sensor: SensorId(sensor), value }, &mut rows);
         }
-        let stored: Vec<_> = rows.iter().map(|row| (row.at, row.sensor, value(row))).collect();
+        let stored: Vec<_> = rows.iter().map(|row| (row.at, row.sensor.0, value(row))).collect();
         let opened = [(1, 1, Value::Open), (2, 1, Value::Open)];
         assert_eq!(stored[..3], [(0, 0, ON), opened[0], opened[1]]);
         assert_eq!(stored[3..], [(5, 0, OFF), (9, 1, Value::Close)]);

@@ -28,6 +28,7 @@ use crate::writer::{BATCH, BATCH_WAITS, Sink, Writer};
 use homebody_core::drivers::MotionSegment;
 use homebody_core::event::{Events, Fact, Firing, Loss, MotionState, Need, Provenance, ThingUse, Trigger, Value};
 use homebody_core::geometry::Point;
+use homebody_core::ids::{ResidentId, RoomId, SensorId};
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::path::Posture;
@@ -57,19 +58,19 @@ pub struct TruthLog {
 /// What is stored of a fact.
 enum Known {
     Provenance { seq: u64, provenance: Provenance, firing: Option<Firing> },
-    Lost { at: Micros, sensor: u32, value: Value, provenance: Provenance, loss: Loss },
-    Act { resident: u32, at: Micros, act: ThingUse },
-    Need { resident: u32, at: Micros, need: Need, level: f64 },
-    Condition { resident: u32, at: Micros, name: String, severity: f64 },
+    Lost { at: Micros, sensor: SensorId, value: Value, provenance: Provenance, loss: Loss },
+    Act { resident: ResidentId, at: Micros, act: ThingUse },
+    Need { resident: ResidentId, at: Micros, need: Need, level: f64 },
+    Condition { resident: ResidentId, at: Micros, name: String, severity: f64 },
     Movement(Movement),
-    Room { resident: u32, at: Micros, room: Option<u32> },
-    Activity { resident: u32, at: Micros, name: Option<String> },
+    Room { resident: ResidentId, at: Micros, room: Option<RoomId> },
+    Activity { resident: ResidentId, at: Micros, name: Option<String> },
 }
 
 /// What somebody's body did.
 #[derive(Clone)]
 struct Movement {
-    resident: u32,
+    resident: ResidentId,
     span: MotionSegment,
 }
 
@@ -153,7 +154,7 @@ struct TruthSink {
     /// Each resident's last movement: where the run is stopped, it ends sooner than it was going to.
     moving: Vec<Option<Movement>>,
     /// The rooms that these are going to come through: who, when, and which.
-    coming: Vec<(u32, Micros, Option<u32>)>,
+    coming: Vec<(ResidentId, Micros, Option<RoomId>)>,
     run: i64,
     inserts: Inserts,
 }
@@ -171,7 +172,7 @@ struct Inserts {
 
 /// An activity that is over.
 struct Done {
-    resident: u32,
+    resident: ResidentId,
     begin: Micros,
     end: Micros,
     name: String,
@@ -216,9 +217,9 @@ impl TruthSink {
     }
 
     /// Ends what a resident was doing and begins what is next; the activity that is over.
-    fn turn(&mut self, resident: u32, at: Micros, next: Option<String>) -> Option<Done> {
+    fn turn(&mut self, resident: ResidentId, at: Micros, next: Option<String>) -> Option<Done> {
         let next = next.map(|name| (at, name));
-        let (begin, name) = std::mem::replace(&mut self.doing[resident as usize], next)?;
+        let (begin, name) = std::mem::replace(&mut self.doing[resident.index()], next)?;
         Some(Done { resident, begin, end: at, name })
     }
 
@@ -226,7 +227,7 @@ impl TruthSink {
         let TruthSink { database, clock, residents, inserts, .. } = self;
         database.change(movements.len(), |connection| {
             inserts.movement.rows(connection, movements, |movement, row| {
-                row.put(&residents[movement.resident as usize])?;
+                row.put(&residents[movement.resident.index()])?;
                 row.put(clock.stamp(movement.span.begin))?;
                 row.put(clock.stamp(movement.span.end))?;
                 let (kind, from, to, amplitude) = told(&movement.span.doing);
@@ -241,13 +242,13 @@ impl TruthSink {
         })
     }
 
-    fn write_rooms(&mut self, entered: &[(u32, Micros, Option<u32>)]) -> Result<(), LogError> {
+    fn write_rooms(&mut self, entered: &[(ResidentId, Micros, Option<RoomId>)]) -> Result<(), LogError> {
         let TruthSink { database, clock, residents, rooms, inserts, .. } = self;
         database.change(entered.len(), |connection| {
             inserts.room.rows(connection, entered, |(resident, at, room), row| {
-                row.put(&residents[*resident as usize])?;
+                row.put(&residents[resident.index()])?;
                 row.put(clock.stamp(*at))?;
-                row.put(room.map(|room| &rooms[room as usize]))
+                row.put(room.map(|room| &rooms[room.index()]))
             })
         })
     }
@@ -256,7 +257,7 @@ impl TruthSink {
         let TruthSink { database, clock, residents, inserts, .. } = self;
         database.change(done.len(), |connection| {
             inserts.activity.rows(connection, done, |done, row| {
-                row.put(&residents[done.resident as usize])?;
+                row.put(&residents[done.resident.index()])?;
                 row.put(clock.stamp(done.begin))?;
                 row.put(clock.stamp(done.end))?;
                 row.put(&done.name)
@@ -285,12 +286,12 @@ impl TruthSink {
         database.change(causes.len() + lost.len(), |connection| {
             inserts.cause.rows(connection, &causes, |(seq, provenance, firing), row| {
                 row.put(*seq as i64)?;
-                row.put(provenance.resident.map(|resident| &residents[resident as usize]))?;
+                row.put(provenance.resident.map(|resident| &residents[resident.index()]))?;
                 row.put(clock.stamp(provenance.seen_at))?;
                 match firing {
                     Some(firing) => {
                         row.put(clock.stamp(firing.at))?;
-                        row.put(&shown.sensors[firing.sensor as usize])?;
+                        row.put(&shown.sensors[firing.sensor.index()])?;
                     }
                     None => {
                         row.put(Null)?;
@@ -302,12 +303,12 @@ impl TruthSink {
                 row.put(thing.map(|thing| &things[thing]))
             })?;
             inserts.lost.rows(connection, &lost, |(at, sensor, value, provenance, loss), row| {
-                row.put(&shown.sensors[*sensor as usize])?;
+                row.put(&shown.sensors[sensor.index()])?;
                 row.put(shown.value(RowValue::Value(*value), &mut text))?;
                 row.put(clock.stamp(*at))?;
                 row.put(clock.stamp(provenance.seen_at))?;
                 row.put(loss_name(*loss))?;
-                row.put(provenance.resident.map(|resident| &residents[resident as usize]))?;
+                row.put(provenance.resident.map(|resident| &residents[resident.index()]))?;
                 let (why, thing) = reason(provenance.trigger);
                 row.put(why)?;
                 row.put(thing.map(|thing| &things[thing]))
@@ -331,19 +332,19 @@ impl TruthSink {
         }
         database.change(acts.len() + needs.len() + conditions.len(), |connection| {
             inserts.act.rows(connection, &acts, |(resident, at, act), row| {
-                row.put(&residents[*resident as usize])?;
+                row.put(&residents[resident.index()])?;
                 row.put(clock.stamp(*at))?;
-                row.put(&things[act.thing as usize])?;
+                row.put(&things[act.thing.index()])?;
                 row.put(act.on)
             })?;
             inserts.need.rows(connection, &needs, |(resident, at, need, level), row| {
-                row.put(&residents[*resident as usize])?;
+                row.put(&residents[resident.index()])?;
                 row.put(clock.stamp(*at))?;
                 row.put(need_name(*need))?;
                 row.put(*level)
             })?;
             inserts.condition.rows(connection, &conditions, |(resident, at, name, severity), row| {
-                row.put(&residents[*resident as usize])?;
+                row.put(&residents[resident.index()])?;
                 row.put(clock.stamp(*at))?;
                 row.put(*name)?;
                 row.put(*severity)
@@ -391,10 +392,11 @@ impl Sink for TruthSink {
         for fact in known {
             match fact {
                 Known::Movement(movement) => {
-                    let begun =
-                        |room: &mut (u32, Micros, _)| room.0 == movement.resident && room.1 <= movement.span.begin;
+                    let begun = |room: &mut (ResidentId, Micros, _)| {
+                        room.0 == movement.resident && room.1 <= movement.span.begin
+                    };
                     rooms.extend(self.coming.extract_if(.., begun));
-                    movements.extend(self.moving[movement.resident as usize].replace(movement.clone()));
+                    movements.extend(self.moving[movement.resident.index()].replace(movement.clone()));
                 }
                 Known::Room { resident, at, room } => self.coming.push((*resident, *at, *room)),
                 Known::Activity { resident, at, name } => done.extend(self.turn(*resident, *at, name.clone())),
@@ -414,7 +416,7 @@ impl Sink for TruthSink {
 
     fn finish(mut self: Box<Self>, end: Micros) -> Result<(), LogError> {
         let nothing = |resident| Known::Activity { resident, at: end, name: None };
-        let last: Vec<Known> = (0..self.residents.len() as u32).map(nothing).collect();
+        let last: Vec<Known> = (0..self.residents.len()).map(ResidentId::of).map(nothing).collect();
         self.write(&last)?;
         let cut = |moving: Movement| Movement { span: moving.span.until(end), ..moving };
         let last: Vec<Movement> = self.moving.iter_mut().filter_map(|moving| moving.take().map(cut)).collect();
@@ -448,7 +450,7 @@ fn told(doing: &MotionState) -> (&'static str, Option<Point>, Option<Point>, Opt
 fn reason(trigger: Trigger) -> (&'static str, Option<usize>) {
     match trigger {
         Trigger::Movement => ("movement", None),
-        Trigger::Use(thing) => ("act", Some(thing as usize)),
+        Trigger::Use(thing) => ("act", Some(thing.index())),
         Trigger::Reading => ("reading", None),
         Trigger::Duplicate => ("duplicate", None),
         Trigger::False => ("false", None),

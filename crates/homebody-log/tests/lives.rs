@@ -3,6 +3,7 @@
 mod stage;
 
 use homebody_core::event::{Events, Fact};
+use homebody_core::ids::{ResidentId, RoomId};
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 use homebody_core::time::{Micros, SECOND};
 use homebody_log::{Activity, Life, TruthLog, lives, truth};
@@ -14,13 +15,13 @@ const HOUR: Micros = 3600 * SECOND;
 fn each_residents_activities_and_rooms_are_told() {
     let activity = |resident, at, name: Option<&str>| Fact::Activity { resident, at, name: name.map(String::from) };
     let facts = vec![
-        Fact::Room { resident: 0, at: 0, room: Some(0) },
-        activity(0, 0, Some("sleeping")),
-        Fact::Room { resident: 1, at: 0, room: Some(1) },
-        Fact::Room { resident: 0, at: HOUR, room: None },
-        activity(0, HOUR, None),
-        Fact::Room { resident: 0, at: HOUR + SECOND, room: Some(1) },
-        activity(0, 2 * HOUR, Some("cooking")),
+        Fact::Room { resident: ResidentId(0), at: 0, room: Some(RoomId(0)) },
+        activity(ResidentId(0), 0, Some("sleeping")),
+        Fact::Room { resident: ResidentId(1), at: 0, room: Some(RoomId(1)) },
+        Fact::Room { resident: ResidentId(0), at: HOUR, room: None },
+        activity(ResidentId(0), HOUR, None),
+        Fact::Room { resident: ResidentId(0), at: HOUR + SECOND, room: Some(RoomId(1)) },
+        activity(ResidentId(0), 2 * HOUR, Some("cooking")),
     ];
     let names = |names: [&str; 2]| names.map(String::from);
     let (residents, rooms) = (names(["Ann", "Bob"]), names(["bedroom", "kitchen"]));

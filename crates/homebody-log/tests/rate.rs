@@ -3,6 +3,7 @@
 mod stage;
 
 use homebody_core::event::{Events, Fact, Firing, Provenance, Trigger};
+use homebody_core::ids::ResidentId;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::{TruthLog, truth};
 use rusqlite::{Connection, params};
@@ -61,7 +62,11 @@ fn causes_are_written() {
     for step in firings.chunks(500) {
         let provenance = |firing: &Firing| Fact::Provenance {
             seq: firing.seq,
-            provenance: Provenance { resident: Some(0), seen_at: firing.at - 1, trigger: Trigger::Movement },
+            provenance: Provenance {
+                resident: Some(ResidentId(0)),
+                seen_at: firing.at - 1,
+                trigger: Trigger::Movement,
+            },
         };
         log.store(&Events { firings: step.to_vec(), facts: step.iter().map(provenance).collect() }).unwrap();
     }

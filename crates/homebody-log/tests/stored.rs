@@ -4,6 +4,7 @@ mod stage;
 
 use homebody_core::event::{Events, Fact, Firing, MotionState, Provenance, Trigger, Value};
 use homebody_core::geometry::Point;
+use homebody_core::ids::{ResidentId, RoomId, SensorId};
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, OccupancyFile, OnOffFile, TimeFormat};
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::SECOND;
@@ -86,7 +87,7 @@ fn a_mapping_names_everything() {
     file.ids.insert("fridge".into(), "A3".into());
     let urls = [folder.url("sqlite:log.db"), folder.url("csv:log.csv")];
     let mut logger = stage::open(&urls, &file, false).unwrap();
-    logger.store(&[Firing { seq: 0, at: SECOND, sensor: 2, value: Value::Fire }], 100 * SECOND).unwrap();
+    logger.store(&[Firing { seq: 0, at: SECOND, sensor: SensorId(2), value: Value::Fire }], 100 * SECOND).unwrap();
     logger.finish().unwrap();
     let stored = rows(&folder, "log.db", r#"SELECT seq, "select", typeof("select"), code, value FROM "order""#);
     assert_eq!(
@@ -104,7 +105,7 @@ fn instants_can_be_numbers() {
     let folder = Folder::new("epoch");
     let file = LoggerFile { time: TimeFormat::EpochS, ..Default::default() };
     let mut logger = stage::open(&[folder.url("sqlite:log.db")], &file, false).unwrap();
-    logger.store(&[Firing { seq: 0, at: SECOND / 4, sensor: 0, value: Value::Fire }], SECOND).unwrap();
+    logger.store(&[Firing { seq: 0, at: SECOND / 4, sensor: SensorId(0), value: Value::Fire }], SECOND).unwrap();
     logger.finish().unwrap();
     let stored = rows(&folder, "log.db", "SELECT fired_at, (SELECT started_at FROM run) FROM firing");
     assert_eq!(stored, ["Real(1236484800.25) Real(1236484800.0)"]);
@@ -115,8 +116,8 @@ fn what_is_held_at_the_end_is_not_let_go() {
     let folder = Folder::new("held");
     let file = LoggerFile { messages: MessagesFile::OnOff(OnOffFile { hold_s: 4.0 }), ..Default::default() };
     let mut logger = stage::open(&[folder.url("casas:log.txt")], &file, false).unwrap();
-    logger.store(&[Firing { seq: 0, at: 0, sensor: 0, value: Value::Fire }], 2 * SECOND).unwrap();
-    logger.store(&[Firing { seq: 1, at: 2 * SECOND, sensor: 2, value: Value::Fire }], 5 * SECOND).unwrap();
+    logger.store(&[Firing { seq: 0, at: 0, sensor: SensorId(0), value: Value::Fire }], 2 * SECOND).unwrap();
+    logger.store(&[Firing { seq: 1, at: 2 * SECOND, sensor: SensorId(2), value: Value::Fire }], 5 * SECOND).unwrap();
     let stored = logger.finish().unwrap();
     assert_eq!(stored.by_sensor, [2, 0, 1]);
     let values: Vec<String> =
@@ -139,7 +140,9 @@ fn a_live_run_can_be_watched_and_goes_on_while_it_is() {
         logger.store(&[], SECOND * 100).unwrap();
     }
     watcher.execute_batch("BEGIN; SELECT count(*) FROM firing").unwrap();
-    logger.store(&[Firing { seq: 3, at: SECOND * 100, sensor: 0, value: Value::Fire }], SECOND * 101).unwrap();
+    logger
+        .store(&[Firing { seq: 3, at: SECOND * 100, sensor: SensorId(0), value: Value::Fire }], SECOND * 101)
+        .unwrap();
     logger.finish().unwrap();
     assert_eq!(count(), 3, "a watcher's transaction stands still");
     watcher.execute_batch("COMMIT").unwrap();
@@ -159,29 +162,39 @@ fn truth(folder: &Folder, places: &[Url], events: &Events) -> Result<(), LogErro
 
 fn a_short_life() -> Events {
     let (bed, door) = (Point::new(1.0, 2.0), Point::new(4.0, 2.5));
-    let activity = |at, name: Option<&str>| Fact::Activity { resident: 0, at, name: name.map(String::from) };
-    let moving = |begin, end, doing| Fact::Movement { resident: 0, begin, end, doing, posture: Posture::Standing };
+    let activity =
+        |at, name: Option<&str>| Fact::Activity { resident: ResidentId(0), at, name: name.map(String::from) };
+    let moving =
+        |begin, end, doing| Fact::Movement { resident: ResidentId(0), begin, end, doing, posture: Posture::Standing };
     Events {
         firings: vec![
-            Firing { seq: 5, at: 2 * SECOND, sensor: 0, value: Value::Fire },
-            Firing { seq: 6, at: 3 * SECOND, sensor: 1, value: Value::Fire },
+            Firing { seq: 5, at: 2 * SECOND, sensor: SensorId(0), value: Value::Fire },
+            Firing { seq: 6, at: 3 * SECOND, sensor: SensorId(1), value: Value::Fire },
         ],
         facts: vec![
-            Fact::Room { resident: 0, at: 0, room: Some(0) },
+            Fact::Room { resident: ResidentId(0), at: 0, room: Some(RoomId(0)) },
             activity(0, Some("sleep")),
             moving(0, SECOND, MotionState::InPlace { at: bed, amplitude_m: 0.2 }),
             Fact::Provenance {
                 seq: 6,
-                provenance: Provenance { resident: Some(0), seen_at: 2 * SECOND, trigger: Trigger::Movement },
+                provenance: Provenance {
+                    resident: Some(ResidentId(0)),
+                    seen_at: 2 * SECOND,
+                    trigger: Trigger::Movement,
+                },
             },
             Fact::Provenance {
                 seq: 9,
-                provenance: Provenance { resident: Some(0), seen_at: 2 * SECOND, trigger: Trigger::Movement },
+                provenance: Provenance {
+                    resident: Some(ResidentId(0)),
+                    seen_at: 2 * SECOND,
+                    trigger: Trigger::Movement,
+                },
             },
             activity(10 * SECOND, None),
             moving(SECOND, 5 * SECOND, MotionState::Stride { from: bed, to: door }),
             moving(5 * SECOND, 60 * SECOND, MotionState::Away),
-            Fact::Room { resident: 0, at: 5 * SECOND, room: None },
+            Fact::Room { resident: ResidentId(0), at: 5 * SECOND, room: None },
             activity(20 * SECOND, Some("out")),
         ],
     }

@@ -4,6 +4,7 @@ mod stage;
 
 use homebody_core::event::{Events, Fact, MotionState};
 use homebody_core::geometry::Point;
+use homebody_core::ids::{SensorId, ThingId};
 use homebody_core::run::Run;
 use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_routine::fuzzy::Quantifier;
@@ -63,7 +64,12 @@ fn a_sensor_more_changes_neither_the_life_nor_other_sensors() {
     );
     more.insert("home.json".into(), home);
     let more = events(of(more), DAY);
-    let others: Vec<_> = more.firings.iter().filter(|firing| firing.sensor > 0).map(|f| (f.at, f.sensor - 1)).collect();
+    let others: Vec<_> = more
+        .firings
+        .iter()
+        .filter(|firing| firing.sensor > SensorId(0))
+        .map(|f| (f.at, SensorId(f.sensor.0 - 1)))
+        .collect();
     let alone: Vec<_> = fewer.firings.iter().map(|firing| (firing.at, firing.sensor)).collect();
     assert!(more.firings.len() > others.len(), "the fridge was opened");
     assert_eq!(others, alone);
@@ -202,7 +208,7 @@ fn stove_spans(events: &Events, stove: u32) -> Vec<Micros> {
     let (mut on, mut spans) = (None, Vec::new());
     for fact in &events.facts {
         if let Fact::Use { at, act, .. } = fact
-            && act.thing == stove
+            && act.thing == ThingId(stove)
         {
             match (act.on, on) {
                 (true, None) => on = Some(*at),

@@ -101,7 +101,13 @@ fn kind(file: &SensorFile) -> String {
 
 /// A body; `heading_deg` is where it faced last.
 pub fn body(seen: &homebody_core::scene::Presence, heading_deg: f64, activity: Option<String>) -> BodyView {
-    BodyView { at: at(seen.at), heading_deg, posture: posture(seen.posture), room: seen.room, activity }
+    BodyView {
+        at: at(seen.at),
+        heading_deg,
+        posture: posture(seen.posture),
+        room: seen.room.map(|room| room.0),
+        activity,
+    }
 }
 
 pub fn posture(posture: path::Posture) -> Posture {

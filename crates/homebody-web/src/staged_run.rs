@@ -10,6 +10,7 @@ use homebody_core::event::{Events, Fact};
 use homebody_core::geometry::Point;
 use homebody_core::home::field::bits;
 use homebody_core::home::plan::Plan;
+use homebody_core::ids::ResidentId;
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::Run;
 use homebody_core::scenario::input::{self, InputFile, KeysFile, UseFile};
@@ -98,7 +99,7 @@ impl StagedRun {
         };
         let mut run = Run::new(&scenario, &household, seed, recording.length_us);
         if let Some(driven) = start.driven {
-            run.open_input(driven as usize);
+            run.open_input(ResidentId(driven));
         }
         StagedRun::of(scenario, &household, run, recording, keys, start, false)
     }
@@ -186,7 +187,7 @@ impl StagedRun {
         }
     }
 
-    /// DriverProvider until `until`; true if files have been begun for it, so that its view is another.
+    /// Lives until `until`; true if files have been begun for it, so that its view is another.
     pub fn advance(&mut self, until: Micros, shelf: &Shelf) -> Result<bool, String> {
         let until = until.min(self.run.length());
         if until <= self.run.now() || self.is_over {
@@ -206,11 +207,11 @@ impl StagedRun {
         self.growth.lock().unwrap_or_else(PoisonError::into_inner).add(&self.events.firings, self.run.now());
         for fact in &self.events.facts {
             if let Fact::Activity { resident, name, .. } = fact {
-                self.activities[*resident as usize].clone_from(name);
+                self.activities[resident.index()].clone_from(name);
             }
         }
         for row in self.rows.of(&self.events.firings, self.run.settled()) {
-            self.counts[row.sensor as usize] += 1;
+            self.counts[row.sensor.index()] += 1;
             self.fresh.push(firing_view(row));
         }
         self.events.clear();
@@ -251,7 +252,7 @@ impl StagedRun {
     fn input(&mut self, uses: Vec<UseFile>) {
         let Some(driven) = self.start.driven.filter(|_| !self.is_over && !self.is_replay) else { return };
         let line = KeysFile { at_s: seconds(self.run.now()), uses, ..self.held.clone() };
-        self.run.input(driven as usize, Input::written(&line, &self.run.home().plan));
+        self.run.input(ResidentId(driven), Input::written(&line, &self.run.home().plan));
         self.start.input.push(line);
     }
 
@@ -319,7 +320,7 @@ impl StagedRun {
             speed,
             bodies: scene.bodies.iter().enumerate().map(body).collect(),
             seeing: bits(scene.seeing).filter(|&sensor| sensor < sensors).map(|sensor| sensor as u32).collect(),
-            on: scene.on,
+            on: scene.on.iter().map(|thing| thing.0).collect(),
             sun: self.run.home().sun.elevation_sine(scene.now),
             told: self.counts.iter().sum(),
             counts: self.counts.clone(),
@@ -340,7 +341,7 @@ impl StagedRun {
 
 fn firing_view(row: RowText) -> FiringView {
     let RowText { seq, at, sensor, time, id, value } = row;
-    FiringView { seq, at_us: at, sensor, value: value.clone(), row: Some([time, id, value]) }
+    FiringView { seq, at_us: at, sensor: sensor.0, value: value.clone(), row: Some([time, id, value]) }
 }
 
 fn load(files: &Drafted, entry: &str) -> Result<Scenario, String> {

@@ -1,4 +1,4 @@
-//! DriverProvider: what the whole model costs beside the bare kernel, what a year of a life into SQLite costs beside a bare loop of
+//! Lives: what the whole model costs beside the bare kernel, what a year of a life into SQLite costs beside a bare loop of
 //! inserts, and what a cohort costs beside as many programs of one life each.
 //!
 //! Both sides of a ratio take turns in one run, so that a noisy machine disturbs both.
@@ -12,6 +12,7 @@ mod measure;
 use homebody_core::drivers::MotionSegment;
 use homebody_core::event::Events;
 use homebody_core::home::{Build, Home};
+use homebody_core::ids::ResidentId;
 use homebody_core::run::Run;
 use homebody_core::scenario::link::{LinkFile, Network};
 use homebody_core::scenario::load::{Files, Scenario};
@@ -92,7 +93,7 @@ fn against_kernel(name: &str, link: Option<LinkFile>, length: Micros) -> String 
     Spread::of(&ratios).line(name, 3)
 }
 
-/// DriverProvider the scenario and forgets what happens; seconds, with the making of the run.
+/// Lives the scenario and forgets what happens; seconds, with the making of the run.
 fn live(scenario: &Scenario, household: &Household, length: Micros) -> f64 {
     let start = Instant::now();
     let mut run = Run::new(scenario, household, scenario.file.seed, length);
@@ -114,7 +115,7 @@ fn kernel(home: &Arc<Home>, moves: &[Vec<MotionSegment>], length: Micros) -> f64
         let mut until = length;
         for (body, moves) in moves.iter().enumerate() {
             if let Some(due) = moves.get(next[body]).filter(|due| due.begin <= world.now()) {
-                world.begin(body, due);
+                world.begin(ResidentId::of(body), due);
                 next[body] += 1;
             }
             until = until.min(moves.get(next[body]).map_or(length, |due| due.begin));
@@ -156,7 +157,7 @@ fn decline(name: &str) -> String {
     format!("{name} seconds {median:.2}, {:.2} of a bare loop's rate", bare_s / median)
 }
 
-/// DriverProvider the scenario into a database; seconds.
+/// Lives the scenario into a database; seconds.
 fn live_into(path: &Path, scenario: &Scenario, household: &Household, length: Micros) -> f64 {
     let url: Url = format!("sqlite:{}", path.display()).parse().expect("a URL");
     let info = RunInfo { id: 1, scenario: "bench".into(), seed: 1, version: "bench".into() };

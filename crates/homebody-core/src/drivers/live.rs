@@ -19,6 +19,7 @@ use super::{Body, MotionSegment, Next};
 use crate::event::{MotionState, ThingUse};
 use crate::geometry::Point;
 use crate::home::plan::Plan;
+use crate::ids::ThingId;
 use crate::scenario::input::{InputFile, Key, KeysFile, UseFile};
 use crate::scenario::path::Posture;
 use crate::time::{Micros, SECOND, micros, seconds};
@@ -116,7 +117,7 @@ pub struct Input {
 impl Input {
     /// The input that a line of a file describes, which has passed its checks.
     pub fn written(line: &KeysFile, plan: &Plan) -> Input {
-        let act = |used: &UseFile| Some(ThingUse { thing: plan.thing(&used.thing)? as u32, on: used.on });
+        let act = |used: &UseFile| Some(ThingUse { thing: ThingId::of(plan.thing(&used.thing)?), on: used.on });
         Input {
             held: line.held.iter().copied().collect(),
             posture: line.posture,
@@ -472,7 +473,7 @@ mod tests {
     #[test]
     fn who_sits_does_not_walk_and_uses_things() {
         let mut driver = standing_at(1.0, 1.0);
-        let lamp = ThingUse { thing: plan().thing("hall").unwrap() as u32, on: true };
+        let lamp = ThingUse { thing: ThingId(plan().thing("hall").unwrap() as u32), on: true };
         driver.input(0, Input { posture: Posture::Sitting, uses: vec![lamp, lamp], ..holding(&[Key::Right]) });
         assert_eq!([driver.next(0, &[], &[]), driver.next(0, &[], &[])], [Next::Use(lamp), Next::Use(lamp)]);
         let Next::Segment(sat) = driver.next(0, &[], &[]) else { panic!("no move") };

@@ -21,6 +21,7 @@
 use super::device::{Change, Outbox, no_stream};
 use crate::event::{Band, MotionState, Trigger, Value, Vitals};
 use crate::geometry::{self, Point};
+use crate::ids::ResidentId;
 use crate::random::Stream;
 use crate::scenario::device::BedFile;
 use crate::scenario::path::Posture;
@@ -100,7 +101,7 @@ impl Bed {
 
     pub fn on_event(&mut self, at: Micros, change: &Change) {
         let (Change::Body { resident, .. } | Change::Vitals { resident, .. }) = *change else { return };
-        let resident = resident as usize;
+        let resident = resident.index();
         if resident >= self.sleepers.len() {
             let awake = Sleeper { since: None, lies: false, stirs: false, vitals: ORDINARY, news: None };
             self.sleepers.resize(resident + 1, awake);
@@ -147,8 +148,8 @@ impl Bed {
         let inside = self.sleepers.iter().enumerate().filter_map(|(who, sleeper)| Some((sleeper.since?, who)));
         let first = inside.min().map(|(_, who)| who);
         match (self.first, first) {
-            (None, Some(who)) => outbox.say(Value::In, Some(who as u32), at, Trigger::Movement),
-            (Some(who), None) => outbox.say(Value::Out, Some(who as u32), at, Trigger::Movement),
+            (None, Some(who)) => outbox.say(Value::In, Some(ResidentId::of(who)), at, Trigger::Movement),
+            (Some(who), None) => outbox.say(Value::Out, Some(ResidentId::of(who)), at, Trigger::Movement),
             _ => {}
         }
         if self.first != first {
@@ -168,7 +169,12 @@ impl Bed {
         let mut next = levels.next();
         while next.is_some_and(|next| next <= at) {
             movement.said += 1;
-            outbox.say(Value::Restless(movement.said as u8), Some(who as u32), movement.onset, Trigger::Movement);
+            outbox.say(
+                Value::Restless(movement.said as u8),
+                Some(ResidentId::of(who)),
+                movement.onset,
+                Trigger::Movement,
+            );
             next = levels.next();
         }
         next.unwrap_or(NEVER)
@@ -196,8 +202,8 @@ impl Bed {
             respiration: self.stream.normal(respiration, NOISE.respiration),
         };
         let (pulse, respiration) = self.limits.bands(felt);
-        outbox.say(Value::Pulse(pulse), Some(who as u32), at, Trigger::Reading);
-        outbox.say(Value::Respiration(respiration), Some(who as u32), at, Trigger::Reading);
+        outbox.say(Value::Pulse(pulse), Some(ResidentId::of(who)), at, Trigger::Reading);
+        outbox.say(Value::Respiration(respiration), Some(ResidentId::of(who)), at, Trigger::Reading);
         (self.read_at, self.sleepers[who].news) = (Some(at), None);
         at + self.every
     }

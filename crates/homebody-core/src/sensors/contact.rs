@@ -10,18 +10,19 @@
 
 use super::device::{Change, Outbox};
 use crate::event::{Trigger, Value};
+use crate::ids::{ResidentId, ThingId};
 use crate::time::{Micros, NEVER};
 
 /// A contact sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact {
     /// Index into the home's things.
-    thing: u32,
+    thing: ThingId,
     open: bool,
 }
 
 impl Contact {
-    pub fn new(thing: u32, open: bool) -> Contact {
+    pub fn new(thing: ThingId, open: bool) -> Contact {
         Contact { thing, open }
     }
 
@@ -48,10 +49,10 @@ mod tests {
 
     #[test]
     fn only_a_change_is_a_message() {
-        let mut contact = Contact::new(3, false);
+        let mut contact = Contact::new(ThingId(3), false);
         let mut outbox = Outbox::default();
         for (at, thing, on) in [(1, 3, false), (2, 3, true), (3, 4, true), (4, 3, true), (5, 3, false)] {
-            contact.on_event(at, &Change::Use { resident: 0, thing, on }, &mut outbox);
+            contact.on_event(at, &Change::Use { resident: ResidentId(0), thing: ThingId(thing), on }, &mut outbox);
         }
         let values: Vec<Value> = outbox.0.iter().map(|(value, _)| *value).collect();
         assert_eq!(values, [Value::Open, Value::Close]);

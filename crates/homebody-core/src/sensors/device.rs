@@ -20,6 +20,7 @@ use super::stove_temperature::StoveTemperature;
 use super::temperature::Temperature;
 use crate::event::{MotionState, Provenance, Trigger, Value, Vitals};
 use crate::home::Sun;
+use crate::ids::{ResidentId, ThingId};
 use crate::random::{Range, Stream};
 use crate::scenario::path::Posture;
 use crate::time::Micros;
@@ -41,11 +42,11 @@ pub enum Device {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Change {
     /// A resident used a thing: index into the home's things.
-    Use { resident: u32, thing: u32, on: bool },
+    Use { resident: ResidentId, thing: ThingId, on: bool },
     /// From now until `end` a resident's body does this. What began earlier may be told again, with its own `begin`.
-    Body { resident: u32, begin: Micros, end: Micros, doing: MotionState, posture: Posture },
+    Body { resident: ResidentId, begin: Micros, end: Micros, doing: MotionState, posture: Posture },
     /// From now on a resident's heart and lungs are like this.
-    Vitals { resident: u32, vitals: Vitals },
+    Vitals { resident: ResidentId, vitals: Vitals },
 }
 
 /// What devices say, for the world to send.
@@ -53,7 +54,7 @@ pub enum Change {
 pub struct Outbox(pub Vec<(Value, Provenance)>);
 
 impl Outbox {
-    pub fn say(&mut self, value: Value, resident: Option<u32>, seen_at: Micros, trigger: Trigger) {
+    pub fn say(&mut self, value: Value, resident: Option<ResidentId>, seen_at: Micros, trigger: Trigger) {
         self.0.push((value, Provenance { resident, seen_at, trigger }));
     }
 }

@@ -12,6 +12,7 @@
 
 use super::device::{Change, Outbox};
 use crate::event::{Trigger, Value};
+use crate::ids::{ResidentId, ThingId};
 use crate::scenario::device::FlowFile;
 use crate::time::{Micros, NEVER, micros};
 
@@ -19,19 +20,19 @@ use crate::time::{Micros, NEVER, micros};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flow {
     /// Index into the home's things.
-    thing: u32,
+    thing: ThingId,
     runs: Option<Micros>,
     flows: bool,
     /// When it ceases by itself.
     ceases: Micros,
     /// Who flushed last, and when.
-    by: u32,
+    by: ResidentId,
     since: Micros,
 }
 
 impl Flow {
-    pub fn new(file: &FlowFile, thing: u32) -> Flow {
-        Flow { thing, runs: file.runs_s.map(micros), flows: false, ceases: NEVER, by: 0, since: 0 }
+    pub fn new(file: &FlowFile, thing: ThingId) -> Flow {
+        Flow { thing, runs: file.runs_s.map(micros), flows: false, ceases: NEVER, by: ResidentId(0), since: 0 }
     }
 
     pub fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
@@ -68,7 +69,7 @@ mod tests {
     use crate::time::SECOND;
 
     fn outbox(json: serde_json::Value, acts: &[(Micros, bool)]) -> Vec<(Micros, Value)> {
-        let mut flow = Flow::new(&serde_json::from_value(json).unwrap(), 7);
+        let mut flow = Flow::new(&serde_json::from_value(json).unwrap(), ThingId(7));
         let (mut outbox, mut messages) = (Outbox::default(), Vec::new());
         for &(at, on) in acts.iter().chain(&[(3600 * SECOND, false)]) {
             if flow.timer() < at {
@@ -76,7 +77,7 @@ mod tests {
                 flow.on_timer(due, &mut outbox);
                 messages.extend(outbox.0.drain(..).map(|(value, _)| (due, value)));
             }
-            flow.on_event(at, &Change::Use { resident: 0, thing: 7, on }, &mut outbox);
+            flow.on_event(at, &Change::Use { resident: ResidentId(0), thing: ThingId(7), on }, &mut outbox);
             messages.extend(outbox.0.drain(..).map(|(value, _)| (at, value)));
         }
         messages

@@ -14,6 +14,7 @@
 use super::device::{Change, Outbox, Rounds, reading};
 use crate::event::Trigger;
 use crate::home::Sun;
+use crate::ids::{ResidentId, ThingId};
 use crate::random::Stream;
 use crate::scenario::device::LightFile;
 use crate::time::{Micros, micros};
@@ -27,10 +28,10 @@ const STEP_LUX: f64 = 1.0;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Light {
     /// The room's lamp: index into the home's things.
-    lamp: u32,
+    lamp: ThingId,
     lamp_on: bool,
     /// Who turned the lamp since it last measured.
-    by: Option<u32>,
+    by: Option<ResidentId>,
     daylight_lux: f64,
     lamp_lux: f64,
     change: f64,
@@ -41,7 +42,7 @@ pub struct Light {
 }
 
 impl Light {
-    pub fn new(file: &LightFile, lamp: u32) -> Light {
+    pub fn new(file: &LightFile, lamp: ThingId) -> Light {
         Light {
             lamp,
             lamp_on: false,
@@ -101,7 +102,7 @@ mod tests {
 
     fn light() -> Light {
         let file = serde_json::json!({ "name": "l", "room": "kitchen" });
-        let light = Light::new(&serde_json::from_value(file).unwrap(), 3);
+        let light = Light::new(&serde_json::from_value(file).unwrap(), ThingId(3));
         // The equinox on the equator: the sun goes straight up and down, from 6 to 18 o'clock.
         let sun = Sun { day_of_year: 80.0, time_of_day: 0, latitude_deg: 0.0 };
         Light { sun, ..light }
@@ -126,9 +127,14 @@ mod tests {
                 let due = light.timer();
                 light.on_timer(due, &mut outbox);
                 assert!(light.timer() > due);
-                messages.extend(outbox.0.drain(..).map(|(value, provenance)| (due, value, provenance.resident)));
+                messages.extend(
+                    outbox
+                        .0
+                        .drain(..)
+                        .map(|(value, provenance)| (due, value, provenance.resident.map(|resident| resident.0))),
+                );
             }
-            light.on_event(at, &Change::Use { resident: 4, thing: 3, on });
+            light.on_event(at, &Change::Use { resident: ResidentId(4), thing: ThingId(3), on });
         }
         let at_night = [(0, 0, None), (HOUR + 7, 150_000, Some(4)), (2 * HOUR, 0, Some(4))];
         assert_eq!(messages[..3], at_night.map(|(at, lux, by)| (at, Value::Reading(lux), by)));

@@ -16,6 +16,7 @@ pub mod zones;
 
 use crate::geometry::{self, Point};
 use crate::home::plan::Plan;
+use crate::ids::ThingId;
 use crate::scenario::home::SensorFile;
 use bed::Bed;
 use ceiling_motion::CeilingMotion;
@@ -103,7 +104,7 @@ impl Sensor {
 
 /// What a sensor is on: a thing, or the lamp of the room that it is in.
 struct Site {
-    thing: u32,
+    thing: ThingId,
     is_open: bool,
     at: Point,
     outline: Vec<Point>,
@@ -121,7 +122,7 @@ impl Site {
         let found = thing.map(|thing| &plan.things[thing]);
         let piece = file.on().and_then(|on| plan.piece(on));
         Site {
-            thing: thing.unwrap_or(plan.things.len()) as u32,
+            thing: ThingId::of(thing.unwrap_or(plan.things.len())),
             is_open: found.is_some_and(|thing| thing.on),
             at: found.map_or(Point::ZERO, |thing| thing.at),
             outline: piece.map(|piece| piece.outline.clone()).unwrap_or_default(),

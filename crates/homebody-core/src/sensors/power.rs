@@ -12,6 +12,7 @@
 
 use super::device::{Change, Outbox, no_stream, reading};
 use crate::event::{Trigger, Value};
+use crate::ids::{ResidentId, ThingId};
 use crate::random::Stream;
 use crate::scenario::device::PowerFile;
 use crate::time::{Micros, NEVER, micros};
@@ -23,9 +24,9 @@ const NOISE: f64 = 0.02;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Power {
     /// Index into the home's things.
-    thing: u32,
+    thing: ThingId,
     on: bool,
-    by: Option<u32>,
+    by: Option<ResidentId>,
     watts: Option<f64>,
     standby_watts: f64,
     every: Option<Micros>,
@@ -34,7 +35,7 @@ pub struct Power {
 }
 
 impl Power {
-    pub fn new(file: &PowerFile, thing: u32) -> Power {
+    pub fn new(file: &PowerFile, thing: ThingId) -> Power {
         Power {
             thing,
             on: false,
@@ -87,11 +88,11 @@ mod tests {
     use crate::time::SECOND;
 
     fn power(json: serde_json::Value) -> Power {
-        Power::new(&serde_json::from_value(json).unwrap(), 1).begin(Stream::named(1, "power"))
+        Power::new(&serde_json::from_value(json).unwrap(), ThingId(1)).begin(Stream::named(1, "power"))
     }
 
     fn act(on: bool) -> Change {
-        Change::Use { resident: 0, thing: 1, on }
+        Change::Use { resident: ResidentId(0), thing: ThingId(1), on }
     }
 
     #[test]

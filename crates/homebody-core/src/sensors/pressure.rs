@@ -16,6 +16,7 @@
 use super::device::{Change, Outbox};
 use crate::event::{MotionState, Trigger, Value};
 use crate::geometry::{self, Point};
+use crate::ids::ResidentId;
 use crate::scenario::device::PressureFile;
 use crate::scenario::path::Posture;
 use crate::time::{Micros, NEVER, micros};
@@ -35,7 +36,7 @@ pub struct Pressure {
     /// Whether it is pressed, since when it is so, and by whom it was last.
     pressed: bool,
     since: Micros,
-    by: u32,
+    by: ResidentId,
     says_on: bool,
 }
 
@@ -50,14 +51,14 @@ impl Pressure {
             spans: Vec::new(),
             pressed: false,
             since: 0,
-            by: 0,
+            by: ResidentId(0),
             says_on: false,
         }
     }
 
     pub fn on_event(&mut self, at: Micros, change: &Change) {
         let Change::Body { resident, begin, end, doing, posture } = *change else { return };
-        let resident = resident as usize;
+        let resident = resident.index();
         if resident >= self.spans.len() {
             self.spans.resize(resident + 1, NOT);
         }
@@ -84,7 +85,7 @@ impl Pressure {
         let presses = |&(from, to): &(Micros, Micros)| from <= at && at < to;
         let by = self.spans.iter().position(presses);
         if let Some(by) = by {
-            self.by = by as u32;
+            self.by = ResidentId::of(by);
         }
         if by.is_some() != self.pressed {
             (self.pressed, self.since) = (by.is_some(), at);

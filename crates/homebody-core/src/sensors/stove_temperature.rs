@@ -16,6 +16,7 @@
 
 use super::device::{Change, Outbox, Rounds, reading};
 use crate::event::{Trigger, Value};
+use crate::ids::{ResidentId, ThingId};
 use crate::random::Stream;
 use crate::scenario::device::StoveTemperatureFile;
 use crate::time::{Micros, NEVER, micros, seconds};
@@ -33,7 +34,7 @@ const CHANGE_C: f64 = 1.0;
 #[derive(Clone, Debug, PartialEq)]
 pub struct StoveTemperature {
     /// Index into the home's things.
-    thing: u32,
+    thing: ThingId,
     hot_c: f64,
     on_above_c: f64,
     off_below_c: f64,
@@ -41,7 +42,7 @@ pub struct StoveTemperature {
     /// How the stove is, since when, by whose doing, and how warm it was then.
     on: bool,
     since: Micros,
-    by: Option<u32>,
+    by: Option<ResidentId>,
     start_c: f64,
     says_on: bool,
     crossing: Micros,
@@ -50,7 +51,7 @@ pub struct StoveTemperature {
 }
 
 impl StoveTemperature {
-    pub fn new(file: &StoveTemperatureFile, thing: u32) -> StoveTemperature {
+    pub fn new(file: &StoveTemperatureFile, thing: ThingId) -> StoveTemperature {
         StoveTemperature {
             thing,
             hot_c: file.hot_c,
@@ -143,7 +144,7 @@ mod tests {
     fn stove(json: serde_json::Value) -> StoveTemperature {
         let mut file = serde_json::json!({ "name": "stove heat", "on": "stove" });
         file.as_object_mut().unwrap().extend(json.as_object().unwrap().clone());
-        StoveTemperature::new(&serde_json::from_value(file).unwrap(), 2)
+        StoveTemperature::new(&serde_json::from_value(file).unwrap(), ThingId(2))
     }
 
     /// What it says, and when, if the stove is turned on and off at these instants.
@@ -157,7 +158,7 @@ mod tests {
                 assert!(stove.timer() > due);
                 messages.extend(outbox.0.drain(..).map(|(value, _)| (due, value)));
             }
-            stove.on_event(at, &Change::Use { resident: 0, thing: 2, on }, &mut outbox);
+            stove.on_event(at, &Change::Use { resident: ResidentId(0), thing: ThingId(2), on }, &mut outbox);
             messages.extend(outbox.0.drain(..).map(|(value, _)| (at, value)));
         }
         messages
@@ -186,7 +187,7 @@ mod tests {
         let mut told_first = stove(serde_json::json!({}));
         let mut due_first = told_first.clone();
         let (mut a, mut b) = (Outbox::default(), Outbox::default());
-        let act = |on| Change::Use { resident: 0, thing: 2, on };
+        let act = |on| Change::Use { resident: ResidentId(0), thing: ThingId(2), on };
         told_first.on_event(0, &act(true), &mut a);
         due_first.on_event(0, &act(true), &mut b);
         due_first.on_timer(crossing, &mut b);

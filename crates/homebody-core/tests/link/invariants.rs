@@ -6,6 +6,7 @@ use homebody_core::drivers::{Decide, MotionSegment, Next};
 use homebody_core::event::ThingUse;
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
+use homebody_core::ids::{SensorId, ThingId};
 use homebody_core::run::{DriverProvider, Guest, Run};
 use homebody_core::scenario::ScenarioFile;
 use homebody_core::scenario::calendar::Calendar;
@@ -32,7 +33,7 @@ impl Decide for Walker {
     fn next(&mut self, now: Micros) -> Next {
         self.has_acted = !self.has_acted;
         if self.has_acted {
-            return Next::Use(ThingUse { thing: self.door, on: self.next.is_multiple_of(2) });
+            return Next::Use(ThingUse { thing: ThingId(self.door), on: self.next.is_multiple_of(2) });
         }
         self.next += 1;
         let next = self.life.get(self.next - 1).cloned();
@@ -255,7 +256,7 @@ fn firings_are_in_order_numbered_and_no_later_than_settled() {
         });
         assert!(causes.eq(0..all.firings.len() as u64), "case {case}");
         let listed = run.sensors().len() as u32;
-        assert!(all.firings.iter().all(|firing| firing.sensor < listed), "case {case}");
+        assert!(all.firings.iter().all(|firing| firing.sensor < SensorId(listed)), "case {case}");
     }
 }
 
@@ -275,9 +276,9 @@ fn accounted(events: &Events, sensor: u32, before: Micros) -> usize {
         !matches!(provenance.trigger, Trigger::Duplicate | Trigger::False) && provenance.seen_at < before
     };
     let received = events.firings.iter().zip(causes(events));
-    let received = received.filter(|(firing, provenance)| firing.sensor == sensor && own(provenance)).count();
+    let received = received.filter(|(firing, provenance)| firing.sensor == SensorId(sensor) && own(provenance)).count();
     let lost = events.facts.iter().filter(|fact| match fact {
-        Fact::Lost { sensor: of, provenance, .. } => *of == sensor && own(provenance),
+        Fact::Lost { sensor: of, provenance, .. } => *of == SensorId(sensor) && own(provenance),
         _ => false,
     });
     received + lost.count()
@@ -304,7 +305,7 @@ fn every_message_is_received_or_lost() {
 
 /// What each sensor of these said, heard or lost, apart from damaged ids: one more sensor is one more id to become.
 fn fates(events: &Events, first: u32) -> BTreeSet<(Micros, u32, String)> {
-    let received = events.firings.iter().map(|firing| (firing.at, firing.sensor, firing.value.to_string()));
+    let received = events.firings.iter().map(|firing| (firing.at, firing.sensor.0, firing.value.to_string()));
     let lost = lost(events).into_iter().filter(|(.., loss)| *loss != Loss::Garbled);
     let all = received.chain(lost.map(|(at, sensor, loss)| (at, sensor, format!("{loss:?}"))));
     all.filter(|(_, sensor, _)| *sensor >= first).map(|(at, sensor, what)| (at, sensor - first, what)).collect()

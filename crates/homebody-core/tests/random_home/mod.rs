@@ -4,6 +4,7 @@ use homebody_core::drivers::MotionSegment;
 use homebody_core::event::{MotionState, ThingUse, Vitals};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
+use homebody_core::ids::ThingId;
 use homebody_core::random::{Range, Stream};
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::path::Posture;
@@ -155,7 +156,7 @@ pub fn doings(case: u64, resident: usize, home: &Home, length: Micros) -> Vec<(M
         } else {
             // Of all things those that sensors are on, as a rule.
             let name = ["door", "bed", "rug", "west", "piece 0"][dice.below(5) as usize];
-            Done::Use(ThingUse { thing: home.plan.thing(name).unwrap_or(0) as u32, on: dice.one_in(2) })
+            Done::Use(ThingUse { thing: ThingId::of(home.plan.thing(name).unwrap_or(0)), on: dice.one_in(2) })
         };
         doings.push((at, done));
     }

@@ -55,7 +55,7 @@ impl Sink for Casas {
             self.line.clear();
             self.line.extend_from_slice(self.clock.text(row.at).as_bytes());
             self.line.push(b'\t');
-            self.line.extend_from_slice(self.sensors[row.sensor as usize].as_bytes());
+            self.line.extend_from_slice(self.sensors[row.sensor.index()].as_bytes());
             self.line.push(b'\t');
             self.line.extend_from_slice(self.shown.value(row.value, &mut self.value).as_bytes());
             self.line.push(b'\n');

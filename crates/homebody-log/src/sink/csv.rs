@@ -53,7 +53,7 @@ impl Sink for Csv {
             self.line.push(b',');
             self.line.extend_from_slice(self.clock.text(row.at).as_bytes());
             self.line.push(b',');
-            self.line.extend_from_slice(self.sensors[row.sensor as usize].as_bytes());
+            self.line.extend_from_slice(self.sensors[row.sensor.index()].as_bytes());
             self.line.push(b',');
             self.line.extend_from_slice(self.shown.value(row.value, &mut self.value).as_bytes());
             self.line.push(b'\n');

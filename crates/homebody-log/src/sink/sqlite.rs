@@ -65,7 +65,7 @@ impl Sink for Sqlite {
             self.insert.rows(connection, rows, |row, binding| {
                 binding.put(row.seq as i64)?;
                 binding.put(self.clock.stamp(row.at))?;
-                binding.put(&self.shown.sensors[row.sensor as usize])?;
+                binding.put(&self.shown.sensors[row.sensor.index()])?;
                 binding.put(self.shown.value(row.value, &mut self.value))
             })
         })

@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test file uses a part of it")]
 
 use homebody_core::event::{Firing, Value};
+use homebody_core::ids::SensorId;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{Micros, SECOND};
@@ -64,7 +65,7 @@ pub fn firings(count: u64) -> Vec<Firing> {
     (0..count)
         .map(|seq| {
             at += 1 + (seq * 7_919_993 % 31) as Micros * SECOND / 4 + (seq % 1000) as Micros;
-            Firing { seq, at, sensor: (seq * 31 % 3) as u32, value: Value::Fire }
+            Firing { seq, at, sensor: SensorId((seq * 31 % 3) as u32), value: Value::Fire }
         })
         .collect()
 }

@@ -1,6 +1,7 @@
 //! The apartment of the example, lived in by whatever routine a test writes.
 
 use homebody_core::event::{Events, Fact};
+use homebody_core::ids::ResidentId;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{DAY, Micros, SECOND};
@@ -54,7 +55,7 @@ pub fn activities(events: &Events, resident: u32, end: Micros) -> Vec<(Micros, M
     let mut spans: Vec<(Micros, Micros, String)> = Vec::new();
     for fact in &events.facts {
         if let Fact::Activity { resident: who, at, name } = fact
-            && *who == resident
+            && *who == ResidentId(resident)
         {
             if let Some(last) = spans.last_mut() {
                 last.1 = *at;

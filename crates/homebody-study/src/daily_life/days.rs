@@ -3,6 +3,7 @@
 use super::life::{HALF_HOUR, Lived, Moved, Span, overlap_h, speed_mps};
 use super::nights::{IN_BED, TOILET};
 use super::statistics::{mean, sd};
+use homebody_core::ids::RoomId;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::Micros;
 use serde::Serialize;
@@ -132,7 +133,8 @@ impl Days {
         let count = |day: &[bool; 3]| day.iter().filter(|&&eaten| eaten).count();
         let mut napped: Vec<usize> = naps.iter().map(|nap| lived.clock(nap.begin).0).collect();
         napped.dedup();
-        let rooms: Vec<(Micros, u32)> = lived.rooms().into_iter().skip(1).filter(|(at, _)| span.contains(at)).collect();
+        let rooms: Vec<(Micros, RoomId)> =
+            lived.rooms().into_iter().skip(1).filter(|(at, _)| span.contains(at)).collect();
         let first = moves.partition_point(|moved| moved.begin < span.start);
         let moves = &moves[first..moves.partition_point(|moved| moved.begin < span.end)];
         let rises = moves.windows(2).filter(|pair| pair[0].posture != Posture::Standing && is_up(&pair[1])).count();

@@ -1,6 +1,7 @@
 //! One person's life as the truth and the sensors tell it, cut into what the measures ask for.
 
 use homebody_core::event::{Events, Fact, MotionState, Value};
+use homebody_core::ids::{ResidentId, RoomId, SensorId};
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, seconds};
@@ -11,12 +12,12 @@ use std::ops::Range;
 pub struct Lived<'a> {
     pub events: &'a Events,
     /// Whose life it is.
-    pub resident: u32,
+    pub resident: ResidentId,
     pub calendar: &'a Calendar,
     /// The days that count; the run begins before the first and ends with the last.
     pub days: Range<i32>,
-    /// Index of the room that people pass through: where a line of sensors would be.
-    pub hall: Option<u32>,
+    /// The room that people pass through: where a line of sensors would be.
+    pub hall: Option<RoomId>,
     /// Which sensors see motion, by index.
     pub is_motion: &'a [bool],
     /// For how long a firing keeps its sensor ON.
@@ -100,8 +101,8 @@ impl<'a> Lived<'a> {
     }
 
     /// When a room was entered that is not the one before, and which; doorways and time away are no rooms.
-    pub fn rooms(&self) -> Vec<(Micros, u32)> {
-        let mut rooms: Vec<(Micros, u32)> = Vec::new();
+    pub fn rooms(&self) -> Vec<(Micros, RoomId)> {
+        let mut rooms: Vec<(Micros, RoomId)> = Vec::new();
         for fact in &self.events.facts {
             if let Fact::Room { resident, at, room: Some(room) } = *fact
                 && resident == self.resident
@@ -114,11 +115,11 @@ impl<'a> Lived<'a> {
     }
 
     /// When each motion sensor was ON, as a log with a hold has it, in order of beginning: sensor, from, to.
-    pub fn ons(&self) -> Vec<(u32, Micros, Micros)> {
-        let mut ons: Vec<(u32, Micros, Micros)> = Vec::new();
+    pub fn ons(&self) -> Vec<(SensorId, Micros, Micros)> {
+        let mut ons: Vec<(SensorId, Micros, Micros)> = Vec::new();
         let mut last: Vec<Option<usize>> = vec![None; self.is_motion.len()];
         for firing in &self.events.firings {
-            let sensor = firing.sensor as usize;
+            let sensor = firing.sensor.index();
             if firing.value != Value::Fire || !self.is_motion.get(sensor).is_some_and(|&motion| motion) {
                 continue;
             }

@@ -2,6 +2,7 @@
 
 use super::life::Lived;
 use super::statistics::{lag_1_autocorrelation, mean, quantile, sd};
+use homebody_core::ids::SensorId;
 use homebody_core::time::seconds;
 use serde::Serialize;
 
@@ -37,7 +38,7 @@ impl Sensing {
             if let Some(day) = days.get_mut(lived.clock(from).0) {
                 *day += 1.0;
             }
-            if let Some(before) = last[sensor as usize].replace(from) {
+            if let Some(before) = last[sensor.index()].replace(from) {
                 again.push(seconds(from - before));
             }
         }
@@ -59,7 +60,7 @@ impl Sensing {
 }
 
 /// How the time with any sensor ON is shared between one, two and more of them.
-fn at_once(ons: &[(u32, i64, i64)]) -> Option<[f64; 3]> {
+fn at_once(ons: &[(SensorId, i64, i64)]) -> Option<[f64; 3]> {
     let mut changes: Vec<(i64, i32)> = ons.iter().flat_map(|&(_, from, to)| [(from, 1), (to, -1)]).collect();
     changes.sort_unstable();
     let (mut spans, mut now) = ([0.0; 3], 0);

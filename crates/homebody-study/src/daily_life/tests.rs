@@ -3,6 +3,7 @@
 use super::*;
 use homebody_core::event::{Events, Fact, Firing, MotionState, Value};
 use homebody_core::geometry::Point;
+use homebody_core::ids::{ResidentId, RoomId, SensorId};
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND};
@@ -21,7 +22,7 @@ fn at(day: i64, hour: i64, minute: i64) -> Micros {
 fn life() -> Events {
     let mut events = Events::default();
     let mut tell = |at: Micros, name: &str| {
-        events.facts.push(Fact::Activity { resident: 0, at, name: Some(name.into()) });
+        events.facts.push(Fact::Activity { resident: ResidentId(0), at, name: Some(name.into()) });
     };
     tell(0, "relaxing");
     for day in 1..3 {
@@ -53,14 +54,14 @@ fn life() -> Events {
     }
     bodies(&mut events);
     // Whoever else is there does not count.
-    events.facts.push(Fact::Activity { resident: 1, at: at(1, 9, 0), name: Some("napping".into()) });
+    events.facts.push(Fact::Activity { resident: ResidentId(1), at: at(1, 9, 0), name: Some("napping".into()) });
     events
 }
 
 /// Lying down at 23:00 each night; two risings and three walks on the second day, through rooms 0 (the hall) and 1.
 fn bodies(events: &mut Events) {
     let mut move_to = |begin: Micros, end: Micros, doing: MotionState, posture: Posture| {
-        events.facts.push(Fact::Movement { resident: 0, begin, end, doing, posture });
+        events.facts.push(Fact::Movement { resident: ResidentId(0), begin, end, doing, posture });
     };
     let rest = MotionState::Rest { at: HERE };
     for day in 0..3 {
@@ -76,8 +77,8 @@ fn bodies(events: &mut Events) {
         move_to(at(day, 23, 0), at(day + 1, 7, 0), rest, Posture::Lying);
     }
     for (at, room) in [(at(0, 1, 0), 1), (at(1, 9, 0), 0), (at(1, 9, 1), 1), (at(1, 9, 2), 1), (at(2, 9, 0), 0)] {
-        events.facts.push(Fact::Room { resident: 0, at, room: Some(room) });
-        events.facts.push(Fact::Room { resident: 0, at: at + SECOND, room: None });
+        events.facts.push(Fact::Room { resident: ResidentId(0), at, room: Some(RoomId(room)) });
+        events.facts.push(Fact::Room { resident: ResidentId(0), at: at + SECOND, room: None });
     }
 }
 
@@ -85,10 +86,10 @@ fn measure(events: &Events) -> Person {
     let calendar = Calendar::new("2011-06-06T00:00:00", "America/Los_Angeles").expect("a date and a zone");
     Person::of(&Lived {
         events,
-        resident: 0,
+        resident: ResidentId(0),
         calendar: &calendar,
         days: 1..3,
-        hall: Some(0),
+        hall: Some(RoomId(0)),
         is_motion: &[true, true, false],
         hold: 4 * SECOND,
     })
@@ -171,7 +172,7 @@ fn what_sensors_say_is_measured_as_logs_have_it() {
         (second(2, 0), 1),
     ];
     for (seq, (at, sensor)) in (0..).zip(fired) {
-        events.firings.push(Firing { seq, at, sensor, value: Value::Fire });
+        events.firings.push(Firing { seq, at, sensor: SensorId(sensor), value: Value::Fire });
     }
     let sensing = measure(&events).sensing;
     // 0 from 0 to 7, 1 from 2 to 6, 0 from 10 to 14; a day later 1 from 0 to 4.

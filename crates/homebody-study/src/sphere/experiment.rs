@@ -118,8 +118,7 @@ fn act(
     let (mut events, mut firings) = (Events::default(), Vec::new());
     while lived.now() < lived.length() {
         lived.advance(lived.now() + STEP, &mut events);
-        firings
-            .extend(events.firings.iter().map(|firing| (run.begin_s() + seconds(firing.at), firing.sensor as usize)));
+        firings.extend(events.firings.iter().map(|firing| (run.begin_s() + seconds(firing.at), firing.sensor.index())));
         events.clear();
     }
     Ok(hold(firings, rooms, messages.hold_s))

@@ -124,15 +124,15 @@ impl Known {
         for fact in &events.facts {
             match fact {
                 Fact::Activity { resident, at, name } => {
-                    let resident = *resident as usize;
+                    let resident = resident.index();
                     let Some(doing) = self.doing.get_mut(resident) else { continue };
                     let name = name.as_ref().map(|name| numbered(&mut view.activities, name));
                     change(doing, *at, name, &mut view.spans[resident]);
                 }
                 Fact::Room { resident, at, room } => {
-                    let resident = *resident as usize;
+                    let resident = resident.index();
                     let Some(being) = self.being.get_mut(resident) else { continue };
-                    change(being, *at, *room, &mut view.stays[resident]);
+                    change(being, *at, room.map(|room| room.0), &mut view.stays[resident]);
                 }
                 _ => {}
             }

@@ -2,6 +2,7 @@
 
 use super::served::{Answer, Served};
 use homebody_core::event::Events;
+use homebody_core::ids::SensorId;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_routine::household::{Household, RoutineLanguage};
@@ -326,7 +327,7 @@ fn a_month_is_what_a_run_would_be() {
     let mut events = Events::default();
     run.advance(end, &mut events);
     let begin = month["days"][0]["begin_us"].as_i64().unwrap();
-    let motion = |sensor: u32| run.sensors()[sensor as usize].senses_motion();
+    let motion = |sensor: SensorId| run.sensors()[sensor.index()].senses_motion();
     let fired = events.firings.iter().filter(|firing| motion(firing.sensor) && firing.at >= begin).count() as u64;
     let hours = |month: &Value| -> u64 {
         month["hours"]

@@ -6,7 +6,7 @@ use crate::pace::Asked;
 use homebody_kit::{Error, Recorded};
 use std::path::PathBuf;
 
-/// DriverProvider a recording again, and makes sure that every firing is the same.
+/// Lives a recording again, and makes sure that every firing is the same.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody replay runs/tigerplace-1/recording.json

@@ -10,7 +10,7 @@ use homebody_core::time::Micros;
 use homebody_kit::{OpenScenario, open};
 use std::path::PathBuf;
 
-/// DriverProvider a scenario and stores what its sensors say.
+/// Lives a scenario and stores what its sensors say.
 ///
 /// Without --out, everything goes into a new folder under runs/: the log as the scenario's logger.json
 /// says, the ground truth apart from it, and the recording that replays the run.

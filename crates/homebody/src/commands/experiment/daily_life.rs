@@ -3,6 +3,7 @@
 use crate::commands::answer::Answer;
 use crate::failure::Failure;
 use homebody_core::event::Events;
+use homebody_core::ids::{ResidentId, RoomId};
 use homebody_core::random::Stream;
 use homebody_core::run::Run;
 use homebody_core::scenario::home::SensorFile;
@@ -80,10 +81,10 @@ fn live(scenario: &Scenario, household: &Household, seed: u64, days: u32) -> Per
         MessagesFile::Occupancy(occupancy) => micros(occupancy.timeout_s),
     };
     let rooms = &run.home().plan.rooms;
-    let hall = rooms.iter().position(|room| room.name == "hall").map(|index| index as u32);
+    let hall = rooms.iter().position(|room| room.name == "hall").map(RoomId::of);
     Person::of(&Lived {
         events: &events,
-        resident: 0,
+        resident: ResidentId(0),
         calendar: &scenario.calendar,
         days: 1..days as i32,
         hall,

@@ -11,7 +11,7 @@ use homebody_study::day::Day;
 use homebody_study::picture::day_chart;
 use std::path::PathBuf;
 
-/// DriverProvider a scenario as far as a day and says what was done on it, and in which rooms.
+/// Lives a scenario as far as a day and says what was done on it, and in which rooms.
 ///
 /// It is the very day that a run of the scenario has: another seed is another day.
 #[derive(clap::Args)]
@@ -79,11 +79,11 @@ impl Lived {
             for fact in batch.facts {
                 match fact {
                     Fact::Activity { resident, at, name } => {
-                        turn(&mut self.lives[*resident as usize].activities, wall(*at), name.clone());
+                        turn(&mut self.lives[resident.index()].activities, wall(*at), name.clone());
                     }
                     Fact::Room { resident, at, room } => {
-                        let name = room.map(|room| self.rooms[room as usize].clone());
-                        turn(&mut self.lives[*resident as usize].rooms, wall(*at), name);
+                        let name = room.map(|room| self.rooms[room.index()].clone());
+                        turn(&mut self.lives[resident.index()].rooms, wall(*at), name);
                     }
                     _ => {}
                 }
