@@ -94,7 +94,7 @@ impl Run {
             let given = || drivers_of.driver(body, &home, seed);
             let resident = scenario.residents.get(body);
             let own = resident.and_then(|resident| driver(resident, &home.plan, start_of_day));
-            own.or_else(given).unwrap_or_else(|| Box::new(Absent))
+            given().or(own).unwrap_or_else(|| Box::new(Absent))
         });
         let drivers = drivers.collect();
         let mut run = Run { link: link.map(Box::new), ..Run::of(home, builds, drivers, seed, length) };

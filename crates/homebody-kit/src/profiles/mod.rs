@@ -8,7 +8,7 @@ mod rows;
 mod sentences;
 mod table;
 
-use crate::failure::Failure;
+use crate::error::Error;
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::scenario::load::{Driver, Files, Scenario};
 use homebody_core::scenario::resident::DriverFile;
@@ -25,7 +25,9 @@ use table::Table;
 /// Who one member of a cohort is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
+    /// What the member is called, and the member's folder.
     pub name: String,
+    /// A number of their own that all their randomness comes from.
     pub seed: Option<u64>,
     /// What the row says besides, by column, as it is written.
     pub row: BTreeMap<String, String>,
@@ -46,29 +48,34 @@ struct Other {
 }
 
 /// A scenario that members differ from.
-pub struct Base<'a> {
+pub(crate) struct Base<'a> {
     pub scenario: &'a Scenario,
     pub household: &'a Household,
     pub files: &'a (dyn Files + Sync),
 }
 
 /// Reads a file of profiles: all of them, or all that is wrong.
-pub fn read(path: &Path, base: &Base, without: &[String]) -> Result<Vec<Profile>, Failure> {
+pub(crate) fn read(path: &Path, base: &Base, without: &[String]) -> Result<Vec<Profile>, Error> {
     let file = path.display().to_string();
     let bytes = fs::read(path).map_err(|error| match error.kind() {
         ErrorKind::NotFound => {
-            Failure::io(path, "there is no such file\n  hint: it is a CSV file with a row for each member")
+            Error::file(path, "there is no such file\n  hint: it is a CSV file with a row for each member")
         }
-        ErrorKind::IsADirectory => Failure::io(path, "it is a folder\n  hint: name a CSV file"),
-        _ => Failure::io(path, error),
+        ErrorKind::IsADirectory => Error::file(path, "it is a folder\n  hint: name a CSV file"),
+        _ => Error::io(path, error),
     })?;
     let text = String::from_utf8(bytes).map_err(|_| {
         let hint = Some("save it as CSV in UTF-8".to_owned());
-        Failure::Problems(Problems(vec![Problem::of_file(&file, "it is not text in UTF-8", hint)]))
+        Problem::of_file(&file, "it is not text in UTF-8", hint)
     })?;
-    let table = Table::read(&file, &text).map_err(|problem| Failure::Problems(Problems(vec![problem])))?;
+    of(&file, &text, base, without)
+}
+
+/// The profiles of a table that problems call `file`: all of them, or all that is wrong.
+pub(crate) fn of(file: &str, text: &str, base: &Base, without: &[String]) -> Result<Vec<Profile>, Error> {
+    let table = Table::read(file, text)?;
     let (profiles, problems) = rows::read(&table, base, without);
-    if problems.is_empty() { Ok(profiles) } else { Err(Failure::Problems(in_order(problems, &file))) }
+    if problems.is_empty() { Ok(profiles) } else { Err(Error::Problems(in_order(problems, file))) }
 }
 
 /// Problems in the order of their places, those of other files than the list last.
