@@ -3,7 +3,6 @@
 use crate::dates;
 use crate::wire::GrowthView;
 use homebody_core::event::Firing;
-use homebody_core::ids::SensorId;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::{Micros, SECOND};
 use std::ops::Range;
@@ -83,6 +82,7 @@ impl Growth {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use homebody_core::ids::SensorId;
     use homebody_core::event::Value;
 
     /// Each firing counts for the day and the hour that a clock on the wall shows, whenever clocks are set.

@@ -39,9 +39,10 @@ impl From<LogError> for Failure {
             | LogError::SameName { .. }
             | LogError::SameSensor { .. }
             | LogError::SameFile { .. }
-            | LogError::Url(_)
+            | LogError::NoPlace(_)
             | LogError::Zone(_) => Failure::Usage(error.to_string()),
             LogError::Unmade { .. } => Failure::Io(format!("{error}; --out writes elsewhere")),
+            LogError::Exists { .. } => Failure::Io(format!("{error} by --force")),
             error => Failure::Io(error.to_string()),
         }
     }

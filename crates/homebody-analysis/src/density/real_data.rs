@@ -4,6 +4,7 @@
 use super::*;
 use crate::dates::{date_of, midnight};
 use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_log::{Url, read};
 use jiff::civil::{DateTime, date};
@@ -28,7 +29,7 @@ fn of(url: Url) -> Map {
 #[test]
 fn a_journey_of_days_is_found_in_spite_of_stray_firings() {
     let Some(path) = recorded("casas_tm000/tm000.multiday_absence.txt") else { return };
-    let map = of(Url::Casas(path));
+    let map = of(Url::new(Scheme::Casas, path));
     assert_eq!(map.entrance.sensors, ["EntrywayB", "MainEntryway"]);
     let longest = map.absences.iter().max_by_key(|absence| absence.end - absence.begin).unwrap();
     assert_eq!((date_of(longest.begin), date_of(longest.end)), (date(2016, 7, 13), date(2016, 7, 16)));
@@ -57,7 +58,7 @@ fn absences_are_those_that_the_residents_noted() {
         }
         last = Some(fields[3]);
     }
-    let map = of(Url::Csv(path));
+    let map = of(Url::new(Scheme::Csv, path));
     let minutes = |a: Micros, b: Micros| (a - b).abs() <= 120 * SECOND;
     let is_noted = |absence: &&Absence| {
         noted.iter().any(|&(left, came)| minutes(absence.begin, left) && minutes(absence.end, came))

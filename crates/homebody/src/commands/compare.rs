@@ -38,7 +38,7 @@ impl Arguments {
 fn log(text: &str) -> Result<Log, Failure> {
     let place = place(text)?;
     let mut log = read(&place, &LoggerFile::default())?;
-    let truth = place.path().with_file_name("truth.db");
+    let truth = place.file().unwrap_or(std::path::Path::new("")).with_file_name("truth.db");
     if truth.is_file() {
         log.activities = activities(&truth)?;
     }
