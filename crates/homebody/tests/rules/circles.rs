@@ -19,12 +19,11 @@ const CIRCLES: [&[&str]; 6] = [
     ],
     &["homebody-experiment/src/sphere/compare.rs", "homebody-experiment/src/sphere/words.rs"],
     &[
-        "homebody-log/src/logger.rs",
         "homebody-log/src/sink/casas.rs",
         "homebody-log/src/sink/csv.rs",
         "homebody-log/src/sink/mod.rs",
-        "homebody-log/src/sink/run.rs",
         "homebody-log/src/sink/sqlite.rs",
+        "homebody-log/src/sink/text.rs",
     ],
     &[
         "homebody-log/src/source/activities.rs",
