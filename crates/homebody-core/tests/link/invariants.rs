@@ -5,6 +5,7 @@ use crate::*;
 use homebody_core::drivers::{Decide, MotionSegment, Next};
 use homebody_core::event::ThingUse;
 use homebody_core::geometry::Point;
+use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::home::{Build, Home};
 use homebody_core::ids::{SensorId, ThingId};
 use homebody_core::run::{DriverProvider, Guest, Run};
@@ -113,7 +114,9 @@ fn run(case: u64, home: HomeFile, link: Option<serde_json::Value>, length: Micro
     let calendar = Calendar::new(&file.start, &file.time_zone).unwrap();
     let (logger, sources) = (LoggerFile::default(), BTreeMap::new());
     let link = link.map(link_file);
-    let scenario = Scenario { file, home, link, logger, residents: Vec::new(), calendar, sources };
+    let home = ResolvedHome::new(home).unwrap();
+    let entry = "scenario.json".into();
+    let scenario = Scenario { entry, file, home, link, logger, residents: Vec::new(), calendar, sources };
     Run::new(&scenario, &Walkers(case), case, length)
 }
 

@@ -2,7 +2,6 @@
 
 use super::{AnnotatedRun, Comparison, Interval, Unplaced, compare_run, compare_runs, hold, path_of};
 use homebody_core::event::Events;
-use homebody_core::home::plan::Plan;
 use homebody_core::problem::Problems;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
@@ -51,17 +50,12 @@ pub enum Undone {
 
 impl Experiment {
     /// Acts out the named recordings in a house with one resident who follows a path, one sensor per room, each
-    /// of its room's name, and a logger that says ON and OFF. `entry` is the file that the house was loaded from.
-    pub fn run(
-        recordings: &[(String, AnnotatedRun)],
-        house: &Scenario,
-        entry: &str,
-        seed: u64,
-    ) -> Result<Experiment, Undone> {
+    /// of its room's name, and a logger that says ON and OFF.
+    pub fn run(recordings: &[(String, AnnotatedRun)], house: &Scenario, seed: u64) -> Result<Experiment, Undone> {
         let rooms = sensed_rooms(house)?;
         let mut by_recording = Vec::new();
         for (name, run) in recordings {
-            let simulated = act(name, run, (house, entry), &rooms, seed)?;
+            let simulated = act(name, run, house, &rooms, seed)?;
             by_recording.push(Recording {
                 name: name.clone(),
                 begin_s: run.begin_s(),
@@ -91,13 +85,7 @@ fn sensed_rooms(house: &Scenario) -> Result<Vec<String>, Undone> {
 }
 
 /// When the house's sensors are ON while the recording is acted out, in seconds of the recording.
-fn act(
-    name: &str,
-    run: &AnnotatedRun,
-    (house, entry): (&Scenario, &str),
-    rooms: &[String],
-    seed: u64,
-) -> Result<Vec<Interval>, Undone> {
+fn act(name: &str, run: &AnnotatedRun, house: &Scenario, rooms: &[String], seed: u64) -> Result<Vec<Interval>, Undone> {
     let MessagesFile::OnOff(messages) = &house.logger.messages else {
         return Err(unfit("the house's logger must say ON and OFF, as the real one does"));
     };
@@ -107,12 +95,9 @@ fn act(
     let DriverFile::Path(path_name) = &resident.file.driver else {
         return Err(unfit("the house's resident must follow a path, which the recordings replace"));
     };
-    let path =
-        path_of(run, &Plan::new(&house.home)).map_err(|why| Undone::Unplaced { recording: name.to_owned(), why })?;
+    let path = path_of(run, house.home.plan()).map_err(|why| Undone::Unplaced { recording: name.to_owned(), why })?;
     // The annotated path takes the place of the house's own, and passes the same checks.
-    let mut files = house.sources.clone();
-    files.insert(path_name.clone(), serde_json::to_string_pretty(&path).expect("a path has only text and numbers"));
-    let scenario = Scenario::load(&files, entry)?;
+    let scenario = house.edit().path(0, path_name, &path).load()?;
 
     let mut lived = Run::new(&scenario, &(), seed, micros(run.end_s() - run.begin_s()));
     let (mut events, mut firings) = (Events::default(), Vec::new());
@@ -156,10 +141,11 @@ impl fmt::Display for Experiment {
 pub mod tests {
     use super::super::{Texts, parse};
     use super::*;
+    use homebody_core::scenario::home::HomeFile;
     use std::collections::BTreeMap;
     use std::fs;
 
-    pub const ENTRY: &str = "scenario.json";
+    const ENTRY: &str = "scenario.json";
 
     fn files() -> BTreeMap<String, String> {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/sphere-house");
@@ -182,7 +168,7 @@ pub mod tests {
 
     #[test]
     fn who_walks_in_a_room_is_seen_there() {
-        let experiment = Experiment::run(&[recording("kitchen")], &house(), ENTRY, 1).unwrap();
+        let experiment = Experiment::run(&[recording("kitchen")], &house(), 1).unwrap();
         let [recording] = &experiment.by_recording[..] else { panic!("one recording") };
         let room = |name: &str| recording.comparison.rooms.iter().find(|room| room.room == name).unwrap();
         assert_eq!(room("kitchen").simulated.visits_seen, 1);
@@ -194,14 +180,17 @@ pub mod tests {
 
     #[test]
     fn a_house_that_does_not_fit_is_named() {
-        let undone = Experiment::run(&[recording("attic")], &house(), ENTRY, 1).unwrap_err();
+        let undone = Experiment::run(&[recording("attic")], &house(), 1).unwrap_err();
         assert_eq!(undone.to_string(), "a minute: the home has no room \"attic\" to stand in");
         let mut silent = house();
         silent.logger.messages = MessagesFile::FireOnly;
-        assert!(matches!(Experiment::run(&[recording("kitchen")], &silent, ENTRY, 1), Err(Undone::House(_))));
-        let mut renamed = house();
-        renamed.home.rooms.retain(|room| room.name != "kitchen");
-        let undone = Experiment::run(&[recording("hall")], &renamed, ENTRY, 1).unwrap_err().to_string();
+        assert!(matches!(Experiment::run(&[recording("kitchen")], &silent, 1), Err(Undone::House(_))));
+        let rename = |home: &mut HomeFile| {
+            let room = home.rooms.iter_mut().find(|room| room.name == "kitchen");
+            room.unwrap().name = "scullery".into();
+        };
+        let renamed = house().edit().home(rename).load().unwrap();
+        let undone = Experiment::run(&[recording("hall")], &renamed, 1).unwrap_err().to_string();
         assert!(undone.contains("sensor \"kitchen\""), "{undone}");
     }
 
@@ -211,6 +200,6 @@ pub mod tests {
         let scenario = files.remove(ENTRY).unwrap();
         files.insert("other.json".into(), scenario);
         let house = Scenario::load(&files, "other.json").unwrap();
-        Experiment::run(&[recording("kitchen")], &house, "other.json", 1).unwrap();
+        Experiment::run(&[recording("kitchen")], &house, 1).unwrap();
     }
 }

@@ -39,11 +39,10 @@ impl Arguments {
         };
         let house = source.scenario()?;
         let recordings = recordings(&self.data)?;
-        let experiment =
-            Experiment::run(&recordings, &house, source.entry(), self.seed).map_err(|undone| match undone {
-                Undone::Problems(problems) => Failure::Problems(problems),
-                undone => Failure::usage(undone),
-            })?;
+        let experiment = Experiment::run(&recordings, &house, self.seed).map_err(|undone| match undone {
+            Undone::Problems(problems) => Failure::Problems(problems),
+            undone => Failure::usage(undone),
+        })?;
         answer.give(&experiment, [&|| picture(&experiment)])
     }
 }
