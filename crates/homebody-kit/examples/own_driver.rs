@@ -38,7 +38,7 @@ pub fn firings() -> Result<Vec<(String, usize)>, Error> {
     let scenario = homebody_kit::template("tigerplace")?;
     let ends = [point([5.0, 3.6]), point([8.4, 3.6])];
     let pacing = move |_: &_, _| Pacing { ends, at: 0, is_tired: false };
-    let mut run = scenario.run().days(1).driver("Margaret", pacing).start()?;
+    let mut run = scenario.run().days(1).driver("margaret", pacing).start()?;
     let mut firings: Vec<(String, usize)> = run.sensors().map(|name| (name.to_owned(), 0)).collect();
     while let Some(batch) = run.next_batch()? {
         batch.firings.iter().for_each(|firing| firings[firing.sensor.index()].1 += 1);

@@ -53,8 +53,7 @@ pub struct OpenScenario {
 
 impl OpenScenario {
     pub(crate) fn read(source: Source) -> Result<OpenScenario, Error> {
-        let mut scenario = source.scenario()?;
-        let household = Household::read(&mut scenario, source.files(), &[])?;
+        let (scenario, household) = Household::load(source.files(), source.entry(), &[])?;
         Ok(OpenScenario { scenario: Arc::new(scenario), household: Arc::new(household), source })
     }
 
@@ -138,8 +137,7 @@ impl OpenScenario {
         if conditions.is_empty() {
             return Ok(self.household.clone());
         }
-        let mut scenario = Scenario::clone(&self.scenario);
-        Ok(Arc::new(Household::read(&mut scenario, self.source.files(), conditions)?))
+        Ok(Arc::new(self.household.without(conditions)?))
     }
 
     pub(crate) fn base(&self) -> Base<'_> {

@@ -86,7 +86,7 @@ impl Source {
     ///
     /// [`Error::Problems`]: everything that is wrong with its files.
     pub fn scenario(&self) -> Result<Scenario, Error> {
-        Ok(Scenario::load_in(&RoutineLanguage, &*self.files, &self.entry)?)
+        Ok(Scenario::load_in(&mut RoutineLanguage::default(), &*self.files, &self.entry)?)
     }
 
     /// The scenario checked and its routines understood, to be lived.

@@ -57,8 +57,8 @@ fn what_makes_no_sense_is_refused_before_anything_is_lived() {
     }
     let wrong = opened.run().without(["grief"]).start().err().unwrap();
     assert!(matches!(&wrong, Error::Problems(_)) && wrong.to_string().contains("nobody shows \"grief\""), "{wrong}");
-    let nobody = opened.run().driver("margaret", |_, _| Odd(|_| Next::Activity(None))).start().err().unwrap();
-    assert_eq!(nobody.to_string(), "nobody called \"margaret\" lives there\n  hint: there are Margaret");
+    let nobody = opened.run().driver("Margaret", |_, _| Odd(|_| Next::Activity(None))).start().err().unwrap();
+    assert_eq!(nobody.to_string(), "nobody called \"Margaret\" lives there\n  hint: there are margaret");
     let folder = tempfile::tempdir().unwrap();
     let place = format!("sqlite:{}", folder.path().join("none/log.db").display());
     let run = opened.run().days(1).start().unwrap();
@@ -176,12 +176,12 @@ fn a_driver_that_decides_what_nobody_can_do_is_named() {
     ];
     for (answer, told) in odd {
         let error = lived_by(move |_: &Home| Odd(answer)).unwrap_err().to_string();
-        assert!(error.starts_with("the driver of \"Margaret\"") && error.contains(told), "{error}");
+        assert!(error.starts_with("the driver of \"margaret\"") && error.contains(told), "{error}");
     }
 }
 
 fn lived_by(driver: impl Fn(&Home) -> Odd + Send + Sync + 'static) -> Result<Micros, Error> {
-    let run = tigerplace().run().length(DAY / 4).driver("Margaret", move |home, _| driver(home)).start()?;
+    let run = tigerplace().run().length(DAY / 4).driver("margaret", move |home, _| driver(home)).start()?;
     let sink = &mut |_: &LiveRun, _: homebody_kit::Batch| Ok::<(), BoxError>(());
     Ok(run.give_to(sink, |_| ())?.lived)
 }
@@ -190,7 +190,7 @@ fn lived_by(driver: impl Fn(&Home) -> Odd + Send + Sync + 'static) -> Result<Mic
 fn a_run_with_a_driver_of_ones_own_leaves_no_recording_that_could_not_be_lived_again() {
     let folder = tempfile::tempdir().unwrap();
     let still = |_: &_, _| Odd(|now| segment(now, NEVER, MotionState::Rest { at: Point::new(6.0, 4.0) }));
-    let run = tigerplace().run().days(0.25).driver("Margaret", still).start().unwrap();
+    let run = tigerplace().run().days(0.25).driver("margaret", still).start().unwrap();
     let lived = run.store(&Destinations::new_folder_in(folder.path()), |_| ()).unwrap();
     assert!(lived.recorded.is_none() && lived.truth.unwrap().file().unwrap().is_file());
 }

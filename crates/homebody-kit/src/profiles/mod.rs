@@ -11,7 +11,6 @@ mod table;
 use crate::error::Error;
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::scenario::load::{Driver, Files, Scenario};
-use homebody_core::scenario::resident::DriverFile;
 use homebody_routine::household::Household;
 use homebody_routine::routine::{Kind, Routine};
 use sentences::OwnSentences;
@@ -95,33 +94,30 @@ impl Base<'_> {
 
     /// The scenario with what a profile says in it, and without these conditions.
     fn with(&self, profile: &Profile, without: &[String]) -> Result<(Scenario, Household), Problems> {
-        let mut scenario = self.scenario.clone();
-        if let Some(resident) = profile.resident {
-            let other = profile.routine.as_deref();
-            if let Some(Other { routine, text }) = other {
-                give_routine(&mut scenario, resident, &routine.file, text.clone());
-            }
-            let routine = other.map(|other| &other.routine).or(self.household.routine(resident));
-            if let (Some(routine), Driver::Routine { file, text }) = (routine, &scenario.residents[resident].driver)
-                && profile.said != OwnSentences::default()
-            {
-                let text = profile.said.within(text, routine);
-                let file = file_of_own(&scenario, resident, file);
-                give_routine(&mut scenario, resident, &file, text);
-            }
-        }
-        let household = match scenario.sources == self.scenario.sources && without.is_empty() {
-            true => self.household.clone(),
-            false => Household::read(&mut scenario, self.files, without)?,
+        let Some((resident, edit)) = profile.resident.map(|resident| (resident, self.scenario.edit())) else {
+            return Ok((self.scenario.clone(), self.household.without(without)?));
         };
-        Ok((scenario, household))
+        let Driver::Routine { file, text } = &self.scenario.residents[resident].driver else {
+            return Ok((self.scenario.clone(), self.household.without(without)?));
+        };
+        let other = profile.routine.as_deref();
+        let routine = other.map(|other| &other.routine).or(self.household.routine(resident));
+        let (file, text) = other.map_or((file, text), |other| (&other.routine.file, &other.text));
+        let edit = match routine.filter(|_| profile.said != OwnSentences::default()) {
+            Some(routine) => {
+                let own = file_of_own(self.scenario, resident, file);
+                edit.routine(resident, &own, profile.said.within(text, routine))
+            }
+            None if other.is_some() => edit.routine(resident, file, text),
+            None => return Ok((self.scenario.clone(), self.household.without(without)?)),
+        };
+        Household::load(&edit.over(self.files), &self.scenario.entry, without)
     }
 
     /// Another routine for a resident, if it is sound.
     fn other(&self, resident: usize, file: &str, text: String) -> Result<Other, Problems> {
-        let mut scenario = self.scenario.clone();
-        give_routine(&mut scenario, resident, file, text.clone());
-        let household = Household::read(&mut scenario, self.files, &[])?;
+        let edit = self.scenario.edit().routine(resident, file, text.clone());
+        let (_, household) = Household::load(&edit.over(self.files), &self.scenario.entry, &[])?;
         Ok(Other { routine: household.routine(resident).cloned().unwrap_or_default(), text })
     }
 
@@ -133,20 +129,6 @@ impl Base<'_> {
         };
         (0..self.scenario.residents.len()).filter(is_person).collect()
     }
-}
-
-/// Makes a resident live by another routine, also in the text of their file.
-fn give_routine(scenario: &mut Scenario, resident: usize, file: &str, text: String) {
-    let one = &mut scenario.residents[resident];
-    one.file.driver = DriverFile::Routine(file.into());
-    one.driver = Driver::Routine { file: file.into(), text: text.clone() };
-    if let Some(source) = scenario.sources.get_mut(&scenario.file.residents[resident])
-        && let Ok(mut json) = serde_json::from_str::<serde_json::Value>(source)
-    {
-        json["driver"]["routine"] = file.into();
-        *source = format!("{json:#}\n");
-    }
-    scenario.sources.insert(file.into(), text);
 }
 
 /// A file for the routine of this resident alone, since others may live by the one that it is made from: of the same name, so

@@ -39,7 +39,7 @@ impl Arguments {
         };
         let house = source.scenario()?;
         let recordings = recordings(&self.data)?;
-        let experiment = Experiment::run(&recordings, &house, source.entry(), self.seed).map_err(Failure::usage)?;
+        let experiment = Experiment::run(&recordings, &house, self.seed).map_err(Failure::usage)?;
         answer.give(&experiment, [&|| picture(&experiment)])
     }
 }
