@@ -10,7 +10,7 @@
 
 use super::device::{Change, Outbox};
 use crate::event::{Trigger, Value};
-use crate::ids::{ResidentId, ThingId};
+use crate::ids::ThingId;
 use crate::time::{Micros, NEVER};
 
 /// A contact sensor.
@@ -46,6 +46,7 @@ impl Contact {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ids::ResidentId;
 
     #[test]
     fn only_a_change_is_a_message() {
