@@ -15,8 +15,8 @@
 mod measure;
 mod scene;
 
+use homebody_core::drivers::MotionSegment;
 use homebody_core::drivers::live::{KeyTrack, LiveDriver};
-use homebody_core::drivers::{Driver, MotionSegment};
 use homebody_core::event::{Events, MotionState};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
@@ -31,7 +31,8 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use homebody_core::world::World;
-use homebody_log::{Logger, RunInfo, Url};
+use homebody_log::logger::destinations;
+use homebody_log::{How, Logger, RunInfo, Url};
 use measure::{Spread, insert, rows};
 use std::path::Path;
 use std::sync::Arc;
@@ -154,10 +155,10 @@ fn run_into(path: &Path, home: &Arc<Home>, schedule: &[MotionSegment]) -> f64 {
     let sensors: Vec<String> = home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
     let url: Url = format!("sqlite:{}", path.display()).parse().expect("a URL");
     let calendar = Calendar::new("2026-01-01T00:00:00", "America/Chicago").expect("a calendar");
-    let info = RunInfo { id: 1, scenario: "bench".into(), seed: 1, version: "bench".into() };
+    let info = Arc::new(RunInfo::plain("bench", calendar, &sensors));
     let start = Instant::now();
-    let opened = Logger::open(&[url], &LoggerFile::default(), &sensors, &calendar, &info, true);
-    let mut logger = opened.expect("an open database");
+    let places = destinations(&[url], How::Replace).expect("a place that can be written");
+    let mut logger = Logger::open(places, &LoggerFile::default(), &info, How::Replace).expect("an open database");
     let mut world = World::new(home.clone(), 1, 1);
     let mut events = Events::default();
     let mut handed_over = 0;
@@ -194,11 +195,11 @@ fn live_step(home: Arc<Home>, build: Build) -> String {
             KeyTrack::written(&input, &home.plan),
         );
         let length = STEPS * SECOND / 60;
-        let mut run = Run::of(home.clone(), vec![build], vec![Driver::Live(Box::new(driver))], 1, length);
+        let mut run = Run::of(home.clone(), vec![build], vec![Box::new(driver)], 1, length);
         let mut events = Events::default();
         let start = Instant::now();
         for step in 1..=STEPS {
-            run.advance(step * SECOND / 60, &mut events);
+            run.advance(step * SECOND / 60, &mut events).expect("a driver whose answers bodies can follow");
             events.clear();
         }
         start.elapsed().as_secs_f64() * 1e6 / STEPS as f64

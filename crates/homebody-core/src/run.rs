@@ -1,10 +1,12 @@
 //! A run: residents with their drivers in a world, and the one loop of the program.
 
+use crate::drivers::absent::Absent;
+use crate::drivers::error::{DriverError, DriverFault, MOST_ANSWERS, WALL_M};
 use crate::drivers::live::{Input, KeyTrack, LiveDriver};
 use crate::drivers::path::PathDriver;
-use crate::drivers::{Body, Decide, Driver, MotionSegment, Next};
+use crate::drivers::{Driver, MotionSegment, Next, Occupant, Surroundings};
 use crate::event::{Events, Fact, MotionState, ThingUse};
-use crate::geometry::{self, Point};
+use crate::geometry;
 use crate::home::plan::Plan;
 use crate::home::{Build, Home, Sun};
 use crate::ids::{ResidentId, RoomId, ThingId};
@@ -14,7 +16,7 @@ use crate::scene::{Presence, Scene};
 use crate::sensor_set::SensorSet;
 use crate::sensors::Sensor;
 use crate::stride::Stride;
-use crate::time::{Micros, NEVER, SECOND};
+use crate::time::{Micros, SECOND};
 use crate::world::World;
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -23,8 +25,11 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct Run {
     world: World,
-    residents: Vec<Resident>,
     names: Vec<String>,
+    /// By resident: who decides, what the body is doing, and what the truth knows of where it is.
+    drivers: Vec<Box<dyn Driver>>,
+    occupants: Vec<Occupant>,
+    whereabouts: Vec<Whereabouts>,
     /// By thing of the plan: who has turned it on, or opened it.
     users: Vec<Vec<ResidentId>>,
     /// By thing of the plan: whether it is on, or open.
@@ -32,19 +37,16 @@ pub struct Run {
     /// Nothing where all that sensors say reaches the logger at once.
     link: Option<Box<Link>>,
     length: Micros,
+    /// Why it goes no further.
+    failure: Option<DriverError>,
 }
 
-#[derive(Clone, Debug)]
-struct Resident {
-    build: Build,
-    driver: Driver,
-    /// Until when the world knows what the resident does.
-    until: Micros,
+/// In which room a resident is, as it was told last.
+#[derive(Clone, Debug, Default)]
+struct Whereabouts {
     room: Option<RoomId>,
     /// Whether any room was told yet.
     located: bool,
-    /// Where the move that was told last ends; nothing while away.
-    last: Option<Point>,
 }
 
 /// Who decides for those whose driver is not of this crate.
@@ -52,8 +54,8 @@ pub trait DriverProvider {
     /// Who comes into the home besides the scenario's residents.
     fn guests(&self) -> Vec<Guest>;
 
-    /// The driver of a body: the scenario's residents first, then the guests. Nothing where the scenario says all.
-    fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn Decide>>;
+    /// The driver of a body: the scenario's residents first, then the guests. `None` where the scenario says all.
+    fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn Driver>>;
 }
 
 /// A scenario of paths and keys needs nobody.
@@ -62,7 +64,7 @@ impl DriverProvider for () {
         Vec::new()
     }
 
-    fn driver(&self, _body: usize, _home: &Arc<Home>, _seed: u64) -> Option<Box<dyn Decide>> {
+    fn driver(&self, _body: usize, _home: &Arc<Home>, _seed: u64) -> Option<Box<dyn Driver>> {
         None
     }
 }
@@ -90,10 +92,10 @@ impl Run {
         home.sun = Sun::of(&scenario.calendar, scenario.home.latitude_deg);
         let home = Arc::new(home);
         let drivers = (0..builds.len()).map(|body| {
-            let given = || drivers_of.driver(body, &home, seed).map(Driver::Other);
+            let given = || drivers_of.driver(body, &home, seed);
             let resident = scenario.residents.get(body);
             let own = resident.and_then(|resident| driver(resident, &home.plan, start_of_day));
-            own.or_else(given).unwrap_or(Driver::Absent)
+            own.or_else(given).unwrap_or_else(|| Box::new(Absent))
         });
         let drivers = drivers.collect();
         let mut run = Run { link: link.map(Box::new), ..Run::of(home, builds, drivers, seed, length) };
@@ -103,20 +105,22 @@ impl Run {
     }
 
     /// A run of any drivers in a baked home.
-    pub fn of(home: Arc<Home>, builds: Vec<Build>, drivers: Vec<Driver>, seed: u64, length: Micros) -> Run {
+    pub fn of(home: Arc<Home>, builds: Vec<Build>, drivers: Vec<Box<dyn Driver>>, seed: u64, length: Micros) -> Run {
         let users = vec![Vec::new(); home.plan.things.len()];
         let on = home.plan.things.iter().map(|thing| thing.on).collect();
         let world = World::new(home, drivers.len(), seed);
-        let resident = |(build, driver)| Resident { build, driver, until: 0, room: None, located: false, last: None };
         let names = (1..=drivers.len()).map(|number| format!("resident {number}")).collect();
         Run {
             world,
-            residents: builds.into_iter().zip(drivers).map(resident).collect(),
             names,
+            occupants: builds.into_iter().map(Occupant::new).collect(),
+            whereabouts: vec![Whereabouts::default(); drivers.len()],
+            drivers,
             users,
             on,
             link: None,
             length,
+            failure: None,
         }
     }
 
@@ -158,10 +162,10 @@ impl Run {
                 at: self.world.position(resident)?,
                 heading: self.world.heading(resident),
                 posture: self.world.posture(resident),
-                room: self.residents[resident.index()].room,
+                room: self.whereabouts[resident.index()].room,
             })
         };
-        let all = (0..self.residents.len()).map(ResidentId::of);
+        let all = (0..self.drivers.len()).map(ResidentId::of);
         Scene {
             now: self.now(),
             bodies: all.clone().map(body).collect(),
@@ -170,68 +174,85 @@ impl Run {
         }
     }
 
-    /// The input of a resident who is moved by keys comes from whoever lives the run, after what its file says. False if the
-    /// resident is not moved by keys.
+    /// From now on the input of a resident comes from whoever lives the run, after what its file says. False if its driver
+    /// takes none.
     pub fn open_input(&mut self, resident: ResidentId) -> bool {
-        let driver = self.residents.get_mut(resident.index()).map(|resident| &mut resident.driver);
-        let Some(Driver::Live(driver)) = driver else { return false };
-        driver.open();
-        true
+        self.drivers.get_mut(resident.index()).is_some_and(|driver| driver.open_input())
     }
 
     /// From now on the input of a resident whose input is open is this.
     pub fn input(&mut self, resident: ResidentId, input: Input) {
         let now = self.now();
-        if let Some(Driver::Live(driver)) =
-            self.residents.get_mut(resident.index()).map(|resident| &mut resident.driver)
-        {
+        if let Some(driver) = self.drivers.get_mut(resident.index()) {
             driver.input(now, input);
         }
     }
 
     /// Lives until `until` or the end of the run, whichever is first, and adds to `events` what happens
     /// before then. In how many steps a run is advanced changes nothing.
-    pub fn advance(&mut self, until: Micros, events: &mut Events) {
+    ///
+    /// # Errors
+    ///
+    /// If a driver answers with what no body can do. The run has come to the instant at which it was asked, `events` has what
+    /// happened before, and the run goes no further: it gives the same error from then on.
+    pub fn advance(&mut self, until: Micros, events: &mut Events) -> Result<(), DriverError> {
         let until = until.min(self.length);
-        let Some(mut link) = self.link.take() else {
-            while self.now() < until {
-                self.begin_due(events);
-                self.go_on(until, events);
-            }
-            return;
-        };
+        let mut link = self.link.take();
         let mut said = Events::default();
-        while self.now() < until {
-            self.begin_due(events);
-            self.go_on(until, &mut said);
-            link.carry(&mut said, self.now(), events);
+        while self.now() < until && self.failure.is_none() {
+            self.failure = self.begin_due(events).err();
+            if self.failure.is_some() {
+                break;
+            }
+            match &mut link {
+                None => self.go_on(until, events),
+                Some(link) => {
+                    self.go_on(until, &mut said);
+                    link.carry(&mut said, self.now(), events);
+                }
+            }
         }
-        self.link = Some(link);
+        self.link = link;
+        self.failure.clone().map_or(Ok(()), Err)
+    }
+
+    /// Why the run goes no further, if it is for a driver's answer.
+    pub fn failure(&self) -> Option<&DriverError> {
+        self.failure.as_ref()
     }
 
     /// Asks the drivers of all whose move is over what comes next.
-    fn begin_due(&mut self, events: &mut Events) {
-        for resident in (0..self.residents.len()).map(ResidentId::of) {
-            if self.residents[resident.index()].until <= self.world.now() {
-                self.begin_next(resident, events);
+    fn begin_due(&mut self, events: &mut Events) -> Result<(), DriverError> {
+        for resident in (0..self.drivers.len()).map(ResidentId::of) {
+            if self.occupants[resident.index()].segment.end <= self.now() {
+                self.begin_next(resident, events).map_err(|fault| DriverError {
+                    resident: self.names[resident.index()].clone(),
+                    at: self.now(),
+                    fault,
+                })?;
             }
         }
+        Ok(())
     }
 
     /// Lets the world go on until somebody's move is over, or `until`.
     fn go_on(&mut self, until: Micros, events: &mut Events) {
-        let next = self.residents.iter().map(|resident| resident.until).min();
+        let next = self.occupants.iter().map(|occupant| occupant.segment.end).min();
         self.world.advance(until.min(next.unwrap_or(until)), events);
     }
 
     /// Lives the run from its beginning and returns what each resident does, for those who want to live it in another
     /// way. Only for a run that has not been advanced: what is under way is not told again.
-    pub fn moves(&self) -> Vec<Vec<MotionSegment>> {
+    ///
+    /// # Errors
+    ///
+    /// As [`Run::advance`].
+    pub fn moves(&self) -> Result<Vec<Vec<MotionSegment>>, DriverError> {
         let mut run = Run { link: None, ..self.clone() };
-        let mut moves = vec![Vec::new(); run.residents.len()];
+        let mut moves = vec![Vec::new(); run.drivers.len()];
         let mut events = Events::default();
         while run.now() < run.length {
-            run.advance(run.now() + 3600 * SECOND, &mut events);
+            run.advance(run.now() + 3600 * SECOND, &mut events)?;
             for fact in events.facts.drain(..) {
                 if let Fact::Movement { resident, begin, end, doing, posture } = fact {
                     moves[resident.index()].push(MotionSegment { begin, end, doing, posture });
@@ -239,16 +260,20 @@ impl Run {
             }
             events.clear();
         }
-        moves
+        Ok(moves)
     }
 
     /// Asks the resident's driver what comes next, and tells the world.
-    fn begin_next(&mut self, resident: ResidentId, events: &mut Events) {
+    fn begin_next(&mut self, resident: ResidentId, events: &mut Events) -> Result<(), DriverFault> {
         let now = self.world.now();
-        let minds_others = self.residents[resident.index()].driver.minds_others();
-        let others = if minds_others { self.others(resident) } else { Vec::new() };
+        let things = self.on.len();
+        let here = self.occupants[resident.index()].segment.to();
+        let mut answers = 0;
         let next = loop {
-            match self.residents[resident.index()].driver.next(now, &others, &self.on) {
+            let around = Surroundings::new(now, resident, &self.world.home().plan, &self.occupants, &self.on);
+            let answer = self.drivers[resident.index()].next(&around);
+            DriverFault::of(&answer, now, here, things).map_or(Ok(()), Err)?;
+            match answer {
                 Next::Activity(name) => {
                     events.facts.push(Fact::Activity { resident, at: now, name });
                 }
@@ -261,14 +286,18 @@ impl Run {
                     events.facts.push(Fact::Condition { resident, at: now, name, severity });
                 }
                 Next::Segment(next) => break next,
-                Next::Done => break self.rest(resident),
+            }
+            answers += 1;
+            if answers == MOST_ANSWERS {
+                return Err(DriverFault::NoEnd { answers });
             }
         };
-        self.residents[resident.index()].until = next.end;
-        self.tell_rooms(resident, &next, events);
+        self.tell_rooms(resident, &next, events)?;
         self.world.begin(resident, &next);
         let MotionSegment { end, doing, posture, .. } = next.until(self.length);
         events.facts.push(Fact::Movement { resident, begin: now, end, doing, posture });
+        self.occupants[resident.index()].segment = next;
+        Ok(())
     }
 
     /// A resident uses a thing. What several have turned on goes off with the last of them; what somebody else has left on,
@@ -293,41 +322,23 @@ impl Run {
         }
     }
 
-    /// The bodies of the others, where they are now.
-    fn others(&self, resident: ResidentId) -> Vec<Body> {
-        let others = (0..self.residents.len()).map(ResidentId::of).filter(|&other| other != resident);
-        others
-            .filter_map(|other| {
-                Some(Body { at: self.world.position(other)?, radius_m: self.residents[other.index()].build.radius_m })
-            })
-            .collect()
-    }
-
-    /// Staying as one is, for ever.
-    fn rest(&self, resident: ResidentId) -> MotionSegment {
-        let (at, posture) = self.residents[resident.index()].driver.pose();
-        MotionSegment { begin: self.world.now(), end: NEVER, doing: MotionState::Rest { at }, posture }
-    }
-
-    /// Tells the truth which rooms the resident comes through.
-    fn tell_rooms(&mut self, resident: ResidentId, next: &MotionSegment, events: &mut Events) {
+    /// Tells the truth which rooms the resident comes through, which must be of this home.
+    fn tell_rooms(
+        &mut self,
+        resident: ResidentId,
+        next: &MotionSegment,
+        events: &mut Events,
+    ) -> Result<(), DriverFault> {
         let plan = &self.world.home().plan;
-        let Resident { room, last, .. } = &mut self.residents[resident.index()];
-        let before = std::mem::replace(
-            last,
-            match next.doing {
-                MotionState::Stride { to, .. } => Some(to),
-                MotionState::InPlace { at, .. } | MotionState::Rest { at } => Some(at),
-                MotionState::Away => None,
-            },
-        );
+        let Whereabouts { room, located } = &mut self.whereabouts[resident.index()];
+        let before = self.occupants[resident.index()].segment.to();
         // Mostly the room stays the same, which needs no search.
         match next.doing {
-            MotionState::InPlace { at, .. } | MotionState::Rest { at } if before == Some(at) => return,
+            MotionState::InPlace { at, .. } | MotionState::Rest { at } if before == Some(at) => return Ok(()),
             MotionState::Stride { from, to } if before == Some(from) => {
-                let here = room.map(|room| &plan.rooms[room.index()]);
+                let here = room.map(|room: RoomId| &plan.rooms[room.index()]);
                 if here.is_some_and(|room| room.is_convex && geometry::contains(&room.outline, to)) {
-                    return;
+                    return Ok(());
                 }
             }
             _ => {}
@@ -337,7 +348,10 @@ impl Run {
             MotionState::InPlace { at, .. } | MotionState::Rest { at } => vec![(next.begin, plan.room_at(at))],
             MotionState::Away => vec![(next.begin, None)],
         };
-        let Resident { room, located, .. } = &mut self.residents[resident.index()];
+        let ends_in_none = rooms.last().is_none_or(|(_, room)| room.is_none());
+        if let Some(at) = next.to().filter(|&at| ends_in_none && plan.distance_outside(at) > WALL_M) {
+            return Err(DriverFault::Outside { at });
+        }
         let length = self.length;
         for (at, new) in rooms.into_iter().filter(|&(at, _)| at < length) {
             let new = new.map(RoomId::of);
@@ -346,17 +360,18 @@ impl Run {
                 events.facts.push(Fact::Room { resident, at, room: new });
             }
         }
+        Ok(())
     }
 }
 
 /// The driver that a resident's files ask for, if this crate knows it.
-fn driver(resident: &load::Resident, plan: &Plan, start_of_day: Micros) -> Option<Driver> {
+fn driver(resident: &load::Resident, plan: &Plan, start_of_day: Micros) -> Option<Box<dyn Driver>> {
     let load::Resident { file, driver } = resident;
     match driver {
-        load::Driver::Path(path) => Some(Driver::Path(PathDriver::new(path, plan, file.pace_mps, start_of_day))),
+        load::Driver::Path(path) => Some(Box::new(PathDriver::new(path, plan, file.pace_mps, start_of_day))),
         load::Driver::Live { input, start } => {
             let keys = KeyTrack::written(input, plan);
-            Some(Driver::Live(Box::new(LiveDriver::new(plan, *start, file.radius_m, file.pace_mps, keys))))
+            Some(Box::new(LiveDriver::new(plan, *start, file.radius_m, file.pace_mps, keys)))
         }
         load::Driver::Routine { .. } => None,
     }

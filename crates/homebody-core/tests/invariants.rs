@@ -3,8 +3,8 @@
 
 mod random_home;
 
+use homebody_core::drivers::MotionSegment;
 use homebody_core::drivers::path::PathDriver;
-use homebody_core::drivers::{Driver, MotionSegment};
 use homebody_core::event::{Events, Fact, Firing, MotionState, Provenance, Value};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
@@ -187,9 +187,9 @@ fn the_truth_ends_with_the_run() {
     let path = serde_json::json!({ "start": [1, 1], "steps": [{ "go": { "to": [[7, 1]], "in_s": 60 } }] });
     let path = PathDriver::new(&serde_json::from_value(path).unwrap(), &home.plan, 1.0, 0);
     let length = 20 * SECOND;
-    let mut run = Run::of(home.clone(), vec![BODY], vec![Driver::Path(path)], 1, length);
+    let mut run = Run::of(home.clone(), vec![BODY], vec![Box::new(path)], 1, length);
     let mut events = Events::default();
-    run.advance(length, &mut events);
+    run.advance(length, &mut events).unwrap();
     let movement = events.facts.iter().find(|fact| matches!(fact, Fact::Movement { .. }));
     let Some(Fact::Movement { end, doing: MotionState::Stride { to, .. }, .. }) = movement else { panic!("no stride") };
     assert_eq!((*end, *to), (length, Point::new(3.0, 1.0)));

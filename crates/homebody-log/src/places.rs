@@ -1,9 +1,10 @@
 //! The files of a run: where they go, and that they can, before the run begins.
 
-use crate::error::LogError;
+use crate::error::{LogError, place_of};
 use crate::fresh::{all_can_be_written, same_file};
 use crate::url::Url;
 use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::scheme::{self, Scheme};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -11,10 +12,14 @@ use std::path::{Path, PathBuf};
 /// The folder that runs go into where nothing else is asked for.
 pub const RUNS: &str = "runs";
 
+/// What a run's folder calls its recording, and the database of its truth.
+pub const RECORDING: &str = "recording.json";
+pub const TRUTH: &str = "truth.db";
+
 /// Where a run is written.
 pub struct Places {
     pub log: Vec<Url>,
-    pub truth: Option<PathBuf>,
+    pub truth: Option<Url>,
     pub recording: Option<PathBuf>,
     /// The folders made for the run, outer ones first.
     made: Vec<PathBuf>,
@@ -24,7 +29,7 @@ impl Places {
     /// The files that were asked for; a new folder's where no log was.
     pub fn find(
         log: Vec<Url>,
-        truth: Option<PathBuf>,
+        truth: Option<Url>,
         recording: Option<PathBuf>,
         scenario: &Scenario,
         sources: &[PathBuf],
@@ -52,6 +57,13 @@ impl Places {
     pub fn run(runs: &Path, scenario: &Scenario) -> Result<Places, LogError> {
         let mut places = Places::nowhere();
         places.default_to_folder(runs, scenario)?;
+        Ok(places)
+    }
+
+    /// The places of a run that left this folder, to go on with it.
+    pub fn of_folder(folder: &Path, scenario: &Scenario) -> Result<Places, LogError> {
+        let mut places = Places::nowhere();
+        places.put_into(folder, scenario)?;
         Ok(places)
     }
 
@@ -83,16 +95,16 @@ impl Places {
     /// Puts everything into a folder that has no place yet.
     fn put_into(&mut self, folder: &Path, scenario: &Scenario) -> Result<(), LogError> {
         let to = &scenario.logger.to;
-        let default = [String::from("sqlite:log.db")];
+        let default = [String::from(scheme::USUAL)];
         for url in if to.is_empty() { &default[..] } else { to } {
             let url = url.parse::<Url>()?.within(folder);
-            if let Some(inner) = url.path().parent().filter(|inner| inner.starts_with(folder)) {
+            if let Some(inner) = url.file().and_then(Path::parent).filter(|inner| inner.starts_with(folder)) {
                 self.make(inner)?;
             }
             self.log.push(url);
         }
-        self.truth.get_or_insert_with(|| folder.join("truth.db"));
-        self.recording.get_or_insert_with(|| folder.join("recording.json"));
+        self.truth.get_or_insert_with(|| Url::new(Scheme::Sqlite, folder.join(TRUTH)));
+        self.recording.get_or_insert_with(|| folder.join(RECORDING));
         Ok(())
     }
 
@@ -131,8 +143,8 @@ impl Places {
 
     /// All files that are going to be written.
     fn files(&self) -> Vec<&Path> {
-        let logs = self.log.iter().map(Url::path);
-        logs.chain(self.truth.as_deref()).chain(self.recording.as_deref()).collect()
+        let urls = self.log.iter().chain(&self.truth).filter_map(Url::file);
+        urls.chain(self.recording.as_deref()).collect()
     }
 }
 
@@ -141,7 +153,7 @@ impl Places {
 pub fn can_be_written(files: &[&Path], sources: &[PathBuf], force: bool) -> Result<(), LogError> {
     let is_source = |path: &&&Path| sources.iter().any(|source| same_file(source, path));
     if let Some(path) = files.iter().find(is_source) {
-        return Err(LogError::IsSource { path: path.into() });
+        return Err(LogError::IsSource { place: place_of(path) });
     }
     all_can_be_written(files, force)
 }
@@ -156,7 +168,7 @@ fn folder_name(name: &str) -> String {
 }
 
 fn no_folder(folder: &Path, source: std::io::Error) -> LogError {
-    LogError::Unmade { path: folder.into(), source }
+    LogError::Unmade { place: place_of(folder), source }
 }
 
 #[cfg(test)]

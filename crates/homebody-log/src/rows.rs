@@ -3,7 +3,7 @@
 use crate::clock::Clock;
 use crate::error::LogError;
 use crate::mapping::Shown;
-use crate::messages::{Messages, Row};
+use crate::messages::{LogRow, Messages};
 use homebody_core::event::Firing;
 use homebody_core::ids::SensorId;
 use homebody_core::scenario::calendar::Calendar;
@@ -15,7 +15,7 @@ pub struct Rows {
     messages: Messages,
     shown: Shown,
     clock: Clock,
-    rows: Vec<Row>,
+    rows: Vec<LogRow>,
 }
 
 /// A row as a log shows it.

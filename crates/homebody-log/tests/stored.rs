@@ -8,9 +8,10 @@ use homebody_core::ids::{ResidentId, RoomId, SensorId};
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, OccupancyFile, OnOffFile, TimeFormat};
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::SECOND;
-use homebody_log::{LogError, Logger, TruthLog, Url, truth};
+use homebody_log::{LogError, RowsOfFirings, Url, truth};
 use rusqlite::Connection;
 use stage::Folder;
+use std::collections::BTreeSet;
 
 const ALL: [&str; 3] = ["sqlite:log.db", "csv:log.csv", "casas:log.txt"];
 
@@ -150,13 +151,10 @@ fn a_live_run_can_be_watched_and_goes_on_while_it_is() {
 }
 
 fn truth(folder: &Folder, places: &[Url], events: &Events) -> Result<(), LogError> {
-    let residents = ["margaret".to_string()];
-    let rooms = ["bedroom".to_string(), "kitchen".to_string()];
-    let names = truth::Names { residents: &residents, rooms: &rooms, things: &[], sensors: &stage::sensors() };
     let path = folder.path().join("truth.db");
-    let file = LoggerFile::default();
-    let mut log = TruthLog::open(&path, places, &file, names, &stage::calendar(), &stage::run(), false)?;
-    log.store(events)?;
+    let mut log = stage::open_truth(&path, places, &LoggerFile::default())?;
+    // The firing of number 5 has no cause; that of number 6 is told by row 4.
+    log.store(events, &RowsOfFirings { rows: vec![3, 4], offs: vec![(2, 4)] })?;
     log.finish(60 * SECOND)
 }
 
@@ -209,20 +207,21 @@ fn the_truth_is_told() {
         [r#"Text("sleep") Text("22:00:00") Text("22:00:10")"#, r#"Text("out") Text("22:00:20") Text("22:01:00")"#]
     );
     assert_eq!(
-        rows(&folder, "truth.db", "SELECT firing, resident, fired_at, sensor FROM provenance"),
+        rows(&folder, "truth.db", "SELECT firing, row, resident, fired_at, sensor FROM cause"),
         [
-            r#"Integer(6) Text("margaret") Text("2009-03-07 22:00:03.000000") Text("kitchen motion")"#,
-            r#"Integer(9) Text("margaret") Null Null"#,
+            r#"Integer(6) Integer(4) Text("margaret") Text("2009-03-07 22:00:03.000000") Text("kitchen motion")"#,
+            r#"Integer(9) Null Text("margaret") Null Null"#,
         ]
     );
     assert_eq!(
         rows(&folder, "truth.db", "SELECT kind, from_x, to_y, amplitude_m, posture FROM movement"),
         [
-            r#"Text("stir") Real(1.0) Real(2.0) Real(0.2) Text("standing")"#,
+            r#"Text("in_place") Real(1.0) Real(2.0) Real(0.2) Text("standing")"#,
             r#"Text("stride") Real(1.0) Real(2.5) Null Text("standing")"#,
             r#"Text("away") Null Null Null Text("standing")"#,
         ]
     );
+    assert_eq!(rows(&folder, "truth.db", "SELECT row, firing FROM off"), ["Integer(2) Integer(4)"]);
     let rooms = rows(&folder, "truth.db", "SELECT room FROM room");
     assert_eq!(rooms, [r#"Text("bedroom")"#, "Null"]);
 }
@@ -238,13 +237,13 @@ fn truth_and_firings_are_never_in_one_file() {
     truth(&folder, std::slice::from_ref(&log), &a_short_life()).unwrap();
     stage::store(logger, &stage::firings(10), 10).unwrap();
     assert_eq!(schema(&folder, "log.db"), [r#"Text("firing")"#, r#"Text("run")"#]);
-    let truth = ["act", "activity", "provenance", "condition", "lost", "movement", "need", "room", "run"]
-        .map(|name| format!("Text({name:?})"));
+    let truth = truth::tables().into_iter().map(|table| table.name).chain(["run".into()]).collect::<BTreeSet<_>>();
+    let truth: Vec<_> = truth.into_iter().map(|name| format!("Text({name:?})")).collect();
     assert_eq!(schema(&folder, "truth.db"), truth);
 }
 
 #[test]
 fn a_logger_without_places_counts_alone() {
-    let logger = Logger::open(&[], &LoggerFile::default(), &stage::sensors(), &stage::calendar(), &stage::run(), false);
+    let logger = stage::open(&[], &LoggerFile::default(), false);
     assert_eq!(stage::store(logger.unwrap(), &stage::firings(10), 3).unwrap().rows, 10);
 }

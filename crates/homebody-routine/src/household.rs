@@ -8,8 +8,7 @@ use crate::living::life::Life;
 use crate::living::pet::PetDriver;
 use crate::living::places::{Places, Role};
 use crate::routine::{Activity, Effect, Kind, Meal, Routine};
-use crate::walk::Mesh;
-use homebody_core::drivers::Decide;
+use homebody_core::drivers;
 use homebody_core::home::plan::Plan;
 use homebody_core::home::{Build, Home};
 use homebody_core::problem::{Problem, Problems};
@@ -17,6 +16,7 @@ use homebody_core::recording::Recording;
 use homebody_core::run::{DriverProvider, Guest};
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::load::{Driver, Files, Language, RoutineText, Scenario};
+use homebody_walk::Mesh;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -253,7 +253,7 @@ impl DriverProvider for Household {
         self.guests.iter().map(|visitor| Guest { name: name(visitor), build: Build::adult() }).collect()
     }
 
-    fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn Decide>> {
+    fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn drivers::Driver>> {
         let places = |name: &str| Arc::new(Places::new(&self.scenario.home, &home.plan, name));
         if let Some(guest) = body.checked_sub(self.scenario.residents.len()) {
             let Visitor { host, name } = self.guests.get(guest)?;

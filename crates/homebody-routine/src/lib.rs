@@ -14,6 +14,3 @@ pub mod completion;
 // The living of it, and everybody of a scenario who does.
 pub mod living;
 pub mod household;
-
-// How a body gets from place to place: paths with clearance, gait, and what disturbs both.
-pub mod walk;

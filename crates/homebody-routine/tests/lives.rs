@@ -45,7 +45,7 @@ fn in_which_steps_a_life_is_lived_changes_nothing() {
 fn a_copy_of_a_life_continues_as_the_original() {
     let mut original = everything(4);
     let mut before = Events::default();
-    original.advance(2 * DAY + 5 * HOUR + 7, &mut before);
+    original.advance(2 * DAY + 5 * HOUR + 7, &mut before).unwrap();
     let copy = original.clone();
     assert_eq!(events(original, HOUR), events(copy, 2 * HOUR));
 }
@@ -83,8 +83,8 @@ fn a_resident_more_changes_nobody_elses_life() {
     let scenario = two["scenario.json"].replace("[\"margaret.json\"]", "[\"margaret.json\", \"henry.json\"]");
     two.insert("scenario.json".into(), scenario);
     let (scenario, household) = household(&two, &[]).unwrap();
-    let both = Run::new(&scenario, &household, scenario.file.seed, 3 * DAY).moves();
-    let alone = run(ORDINARY, 3).moves();
+    let both = Run::new(&scenario, &household, scenario.file.seed, 3 * DAY).moves().unwrap();
+    let alone = run(ORDINARY, 3).moves().unwrap();
     assert_eq!(both[0], alone[0]);
     assert_ne!(both[0], both[1]);
 }
@@ -133,7 +133,7 @@ fn what_a_condition_does_not_touch_draws_the_same_numbers() {
 /// Moves follow each other without gaps in time, and in space but for absences.
 #[test]
 fn nobody_is_in_two_places() {
-    for moves in everything(20).moves() {
+    for moves in everything(20).moves().unwrap() {
         let mut at: Option<Point> = None;
         for pair in moves.windows(2) {
             assert_eq!(pair[0].end, pair[1].begin);
@@ -245,7 +245,7 @@ fn a_rule_turns_off_what_was_forgotten() {
 fn visitors_come_stay_and_leave() {
     let run = run("Margaret is 82.\nOn Tuesday her daughter visits at about 15:00 for 1 hour.\n", 9);
     assert_eq!(run.names(), ["margaret", "margaret's daughter"]);
-    let moves = run.moves();
+    let moves = run.moves().unwrap();
     let here: Micros =
         moves[1].iter().filter(|next| next.doing != MotionState::Away).map(|next| next.end - next.begin).sum();
     let hours = here as f64 / HOUR as f64;
@@ -326,7 +326,7 @@ fn a_rule_about_the_host_does_not_bring_visitors() {
     let routine = "Margaret is 82.\nOn Tuesday her daughter visits at 15:00 for 1 hour.\n\
         On Wednesday she goes out at 9:00 for 6 hours.\n\
         Whenever she has been out for 4 hours, she rests on the sofa for 20 minutes.\n";
-    let moves = run(routine, 7).moves();
+    let moves = run(routine, 7).moves().unwrap();
     let here: Micros =
         moves[1].iter().filter(|next| next.doing != MotionState::Away).map(|next| next.end - next.begin).sum();
     assert!((40 * 60 * SECOND..2 * HOUR).contains(&here), "{} minutes", here / SECOND / 60);

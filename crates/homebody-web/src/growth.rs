@@ -3,7 +3,6 @@
 use crate::dates;
 use crate::wire::GrowthView;
 use homebody_core::event::Firing;
-use homebody_core::ids::SensorId;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::{Micros, SECOND};
 use std::ops::Range;
@@ -84,6 +83,7 @@ impl Growth {
 mod tests {
     use super::*;
     use homebody_core::event::Value;
+    use homebody_core::ids::SensorId;
 
     /// Each firing counts for the day and the hour that a clock on the wall shows, whenever clocks are set.
     #[test]

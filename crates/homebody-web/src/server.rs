@@ -29,8 +29,7 @@ use tokio::io::{AsyncRead, AsyncReadExt};
 use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
 
-/// Where pages say what they want, and see what there is.
-pub const SOCKET: &str = "/api/live";
+pub use crate::guard::SOCKET;
 
 /// What a page may send by HTTP (ours).
 const LARGEST_BODY: usize = 8 << 20;

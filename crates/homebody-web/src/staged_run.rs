@@ -18,7 +18,7 @@ use homebody_core::scenario::path;
 use homebody_core::scene::Scene;
 use homebody_core::sensors::Sensor;
 use homebody_core::time::{Micros, micros, seconds};
-use homebody_log::{LogError, Places, RowText, Rows, RunLog};
+use homebody_log::{How, LogError, Places, RowText, Rows, RunLog};
 use homebody_routine::household::{Household, RoutineLanguage};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -85,17 +85,9 @@ impl StagedRun {
         let mut scenario = if keys.is_some() { load(&files, entry)? } else { first };
         let household = Household::read(&mut scenario, &files, &start.without).map_err(|problems| problems.render())?;
         let seed = start.seed.unwrap_or(scenario.file.seed);
-        let recording = Recording {
-            version: env!("CARGO_PKG_VERSION").into(),
-            entry: entry.to_owned(),
-            files: scenario.sources.clone(),
-            seed,
-            length_us: scenario.calendar.span_of_days(scenario.file.days),
-            without: start.without.clone(),
-            one_of_many: false,
-            firings: 0,
-            sha256: String::new(),
-        };
+        let length = scenario.calendar.span_of_days(scenario.file.days);
+        let recording = Recording::of(&scenario, env!("CARGO_PKG_VERSION"), entry, seed, length);
+        let recording = Recording { without: start.without.clone(), ..recording }.begun();
         let mut run = Run::new(&scenario, &household, seed, recording.length_us);
         if let Some(driven) = start.driven {
             run.open_input(ResidentId(driven));
@@ -196,7 +188,7 @@ impl StagedRun {
         if begins {
             self.files = Some(self.open(shelf).map_err(|error| error.to_string())?);
         }
-        self.run.advance(until, &mut self.events);
+        let lived = self.run.advance(until, &mut self.events);
         if self.is_replay {
             self.digest.add(&self.events.firings);
         }
@@ -214,12 +206,12 @@ impl StagedRun {
             self.fresh.push(firing_view(row));
         }
         self.events.clear();
-        Ok(begins)
+        lived.map(|()| begins).map_err(|error| error.to_string())
     }
 
     fn open(&self, shelf: &Shelf) -> Result<Written, LogError> {
         let places = Places::run(&shelf.runs, &self.scenario)?;
-        let log = RunLog::open(&places, &self.scenario, &self.run, &self.recording, false)?;
+        let log = RunLog::open(&places, &self.scenario, &self.run, &self.recording, How::New)?;
         Ok(Written { places, log: Some(log) })
     }
 
@@ -300,7 +292,8 @@ impl StagedRun {
         if scene.now == 0 {
             // Where everybody is as it begins, the first instant tells.
             let mut first = self.run.clone();
-            first.advance(1, &mut Events::default());
+            // What is wrong with it, it says when it is lived.
+            let _ = first.advance(1, &mut Events::default());
             scene = Scene { now: 0, ..first.scene() };
         }
         for (heading, body) in self.headings.iter_mut().zip(&scene.bodies) {

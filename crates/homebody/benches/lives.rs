@@ -13,12 +13,14 @@ use homebody_core::drivers::MotionSegment;
 use homebody_core::event::Events;
 use homebody_core::home::{Build, Home};
 use homebody_core::ids::ResidentId;
+use homebody_core::recording::Recording;
 use homebody_core::run::Run;
 use homebody_core::scenario::link::{LinkFile, Network};
 use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use homebody_core::world::World;
-use homebody_log::{Logger, RunInfo, Url};
+use homebody_log::logger::destinations;
+use homebody_log::{How, Logger, RunInfo, Url};
 use homebody_routine::household::Household;
 use measure::{Spread, insert, rows};
 use std::fs;
@@ -34,6 +36,8 @@ const STEP: Micros = 6 * 3600 * SECOND;
 /// Members of the cohort, and how long each lives.
 const MEMBERS: usize = 16;
 const MEMBERS_DAYS: usize = 60;
+/// Why a run is lived to its end.
+const SOUND: &str = "drivers whose answers bodies can follow";
 
 /// Measures what the figure of a name says.
 type Figure<'a> = &'a dyn Fn(&str) -> String;
@@ -75,7 +79,7 @@ impl Files for Folder {
 fn against_kernel(name: &str, link: Option<LinkFile>, length: Micros) -> String {
     let (mut scenario, household) = scenario("tigerplace");
     scenario.link = link;
-    let moves = Run::new(&scenario, &household, scenario.file.seed, length).moves();
+    let moves = Run::new(&scenario, &household, scenario.file.seed, length).moves().expect(SOUND);
     let mut bare = scenario.home.clone();
     bare.sensors.retain(|sensor| sensor.on().is_none());
     let builds: Vec<Build> = (0..moves.len())
@@ -99,7 +103,7 @@ fn live(scenario: &Scenario, household: &Household, length: Micros) -> f64 {
     let mut run = Run::new(scenario, household, scenario.file.seed, length);
     let mut events = Events::default();
     while run.now() < length {
-        run.advance(run.now() + STEP, &mut events);
+        run.advance(run.now() + STEP, &mut events).expect(SOUND);
         events.clear();
     }
     start.elapsed().as_secs_f64()
@@ -160,15 +164,15 @@ fn decline(name: &str) -> String {
 /// Lives the scenario into a database; seconds.
 fn live_into(path: &Path, scenario: &Scenario, household: &Household, length: Micros) -> f64 {
     let url: Url = format!("sqlite:{}", path.display()).parse().expect("a URL");
-    let info = RunInfo { id: 1, scenario: "bench".into(), seed: 1, version: "bench".into() };
     let start = Instant::now();
     let mut run = Run::new(scenario, household, scenario.file.seed, length);
-    let sensors: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
-    let file = Default::default();
-    let mut logger = Logger::open(&[url], &file, &sensors, &scenario.calendar, &info, true).expect("an open database");
+    let recording = Recording::of(scenario, "bench", "scenario.json", scenario.file.seed, length);
+    let info = Arc::new(RunInfo::of(scenario, &run, &recording));
+    let places = destinations(&[url], How::Replace).expect("a place that can be written");
+    let mut logger = Logger::open(places, &Default::default(), &info, How::Replace).expect("an open database");
     let mut events = Events::default();
     while run.now() < length {
-        run.advance(run.now() + STEP, &mut events);
+        run.advance(run.now() + STEP, &mut events).expect(SOUND);
         logger.store(&events.firings, run.now()).expect("stored firings");
         events.clear();
     }

@@ -4,6 +4,7 @@
 use crate::commands::{place, tell_remarks};
 use crate::failure::Failure;
 use crate::print::tell;
+use homebody_analysis::dates::{date_of, dates, on_wall, put_on_wall};
 use homebody_core::recording::Recording;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::load::Scenario;
@@ -11,11 +12,10 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Micros;
 use homebody_log::source::Clock;
 use homebody_log::{Life, Log, lives, read};
-use homebody_study::dates::{date_of, dates, on_wall, put_on_wall};
 use jiff::civil::Date;
 use std::fs;
 use std::ops::Range;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A log on the clock on the wall of its home.
 pub struct Given {
@@ -41,7 +41,7 @@ impl Given {
         if log.skipped > 0 {
             tell(format_args!("{text}: {} lines were left out; homebody convert says which", log.skipped));
         }
-        let beside = |name: &str| Some(url.path().with_file_name(name)).filter(|path| path.is_file());
+        let beside = |name: &str| Some(url.file()?.with_file_name(name)).filter(|path| path.is_file());
         let (truth, recording) = (beside("truth.db"), beside("recording.json"));
         let mut lives = truth.as_ref().map(|truth| lives(truth)).transpose()?.unwrap_or_default();
         let run = recording.as_ref().and_then(|path| fs::read_to_string(path).ok());
@@ -69,7 +69,7 @@ impl Given {
         }
         // A recording that lies there by chance is of another time.
         let recorded = span.filter(|span| log.events.iter().all(|event| span.contains(&event.at)));
-        let sources = [Some(url.path().to_owned()), truth, recording].into_iter().flatten().collect();
+        let sources = [url.file().map(Path::to_owned), truth, recording].into_iter().flatten().collect();
         Ok(Given { name: named(text), log, lives, recorded, sources })
     }
 

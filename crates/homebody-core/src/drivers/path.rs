@@ -12,13 +12,13 @@
 //!
 //! What is left out: walls and other people. A path goes where it says.
 
-use super::{MotionSegment, Next};
+use super::{Driver, MotionSegment, Next, Surroundings};
 use crate::event::MotionState;
 use crate::geometry::Point;
 use crate::home::plan::Plan;
 use crate::scenario::calendar::time_of_day;
 use crate::scenario::path::{self as file, PathFile, Posture};
-use crate::time::{DAY, Micros, micros, seconds};
+use crate::time::{DAY, Micros, NEVER, micros, seconds};
 use std::sync::Arc;
 
 /// Nobody walks faster (ours): whoever would have to comes too late.
@@ -131,8 +131,8 @@ impl PathDriver {
         }
     }
 
-    /// What the resident does from `now` on.
-    pub fn next(&mut self, now: Micros) -> Next {
+    /// What the resident does from `now` on; once all is done, it rests for ever.
+    fn after(&mut self, now: Micros) -> Next {
         let steps = Arc::clone(&self.steps);
         while let Some(step) = steps.get(self.step) {
             let (under_way, waypoints) = match step {
@@ -168,12 +168,8 @@ impl PathDriver {
             self.under_way = None;
             self.step += 1;
         }
-        Next::Done
-    }
-
-    /// Where the body is, and how, at the end of the spans handed out so far.
-    pub fn pose(&self) -> (Point, Posture) {
-        (self.at, self.posture)
+        let doing = MotionState::Rest { at: self.at };
+        Next::Segment(MotionSegment { begin: now, end: NEVER, doing, posture: self.posture })
     }
 
     /// Begins a walk. One to where the resident already is takes no time, unless the file says when
@@ -278,6 +274,16 @@ impl PathDriver {
     }
 }
 
+impl Driver for PathDriver {
+    fn next(&mut self, around: &Surroundings) -> Next {
+        self.after(around.now())
+    }
+
+    fn copy(&self) -> Box<dyn Driver> {
+        Box::new(self.clone())
+    }
+}
+
 /// Appends the steps as a flat list, in which a repeat is bracketed by `Repeat` and `Again`.
 fn flatten(steps: &[file::Step], plan: &Plan, pace_mps: f64, flat: &mut Vec<Step>) {
     for step in steps {
@@ -357,9 +363,13 @@ mod tests {
 
     /// What the driver does up to the first span that ends at `until` or later, checked to have no gaps.
     fn spans(driver: &mut PathDriver, until: Micros) -> Vec<MotionSegment> {
-        let (mut now, mut at, mut spans) = (0, driver.pose().0, Vec::new());
+        let (mut now, mut at, mut spans) = (0, driver.at, Vec::new());
         while now < until {
-            match driver.next(now) {
+            match driver.after(now) {
+                Next::Segment(span) if span.end == NEVER => {
+                    assert_eq!(span.doing, MotionState::Rest { at: driver.at });
+                    break;
+                }
                 Next::Segment(span) => {
                     assert_eq!(span.begin, now);
                     assert!(span.end > span.begin);
@@ -369,14 +379,19 @@ mod tests {
                         MotionState::Away => {}
                     }
                     now = span.end;
-                    at = driver.pose().0;
+                    at = driver.at;
                     spans.push(span);
                 }
-                Next::Done => break,
                 _ => {}
             }
         }
         spans
+    }
+
+    /// What follows all steps of a path that has gone nowhere.
+    fn done(begin: Micros) -> Next {
+        let doing = MotionState::Rest { at: Point::ZERO };
+        Next::Segment(MotionSegment { begin, end: NEVER, doing, posture: Posture::Standing })
     }
 
     fn ends(spans: &[MotionSegment]) -> Vec<Micros> {
@@ -415,13 +430,13 @@ mod tests {
     #[test]
     fn legs_without_length_are_no_strides() {
         let here = json!([{ "go": { "to": [[0, 0], [0, 0]] } }]);
-        assert_eq!(driver(here).next(0), Next::Done);
+        assert_eq!(driver(here).after(0), done(0));
         let with_stops = json!([{ "go": { "to": [[0, 0], [1, 0], [1, 0], [2, 0], [2, 0]] } }]);
         assert_eq!(ends(&spans(&mut driver(with_stops), HOUR)), [2 * SECOND, 4 * SECOND]);
         let with_specks = json!([{ "go": { "to": [[1e-9, 0], [1, 0], [1, 1e-9], [2, 0], [2, 1e-9]], "in_s": 4 } }]);
         let mut speck_driver = driver(with_specks);
         assert_eq!(ends(&spans(&mut speck_driver, HOUR)), [2 * SECOND, 4 * SECOND]);
-        assert_eq!(speck_driver.pose().0, point([2.0, 1e-9]));
+        assert_eq!(speck_driver.at, point([2.0, 1e-9]));
         let stand = json!([{ "go": { "to": [[0, 0]], "in_s": 5 } }]);
         let rest = MotionState::Rest { at: Point::ZERO };
         let only = MotionSegment { begin: 0, end: 5 * SECOND, doing: rest, posture: Posture::Standing };
@@ -455,7 +470,7 @@ mod tests {
         let (mut now, mut most_open) = (0, 0);
         let ten_years = 3_652 * DAY;
         while now < ten_years {
-            let Next::Segment(span) = driver.next(now) else { panic!("the path has ended at {now}") };
+            let Next::Segment(span) = driver.after(now) else { panic!("the path has ended at {now}") };
             assert!(span.begin == now && span.end > now);
             now = span.end;
             most_open = most_open.max(driver.passes.capacity());
@@ -495,19 +510,19 @@ mod tests {
     #[test]
     fn activities_take_no_time() {
         let mut driver = driver(json!([{ "activity": "tea" }, { "activity": "" }, { "wait": { "for_s": 1 } }]));
-        assert_eq!(driver.next(0), Next::Activity(Some("tea".into())));
-        assert_eq!(driver.next(0), Next::Activity(None));
-        assert!(matches!(driver.next(0), Next::Segment(_)));
-        assert_eq!(driver.next(SECOND), Next::Done);
-        assert_eq!(driver.next(SECOND), Next::Done);
+        assert_eq!(driver.after(0), Next::Activity(Some("tea".into())));
+        assert_eq!(driver.after(0), Next::Activity(None));
+        assert!(matches!(driver.after(0), Next::Segment(_)));
+        assert_eq!(driver.after(SECOND), done(SECOND));
+        assert_eq!(driver.after(SECOND), done(SECOND));
     }
 
     #[test]
     fn a_loop_that_takes_no_time_ends() {
         let steps = json!([{ "repeat": { "steps": [{ "activity": "x" }, { "go": { "to": [[0, 0]] } }] } }]);
         let mut endless = driver(steps);
-        assert_eq!(endless.next(0), Next::Activity(Some("x".into())));
-        assert_eq!(endless.next(0), Next::Done);
+        assert_eq!(endless.after(0), Next::Activity(Some("x".into())));
+        assert_eq!(endless.after(0), done(0));
 
         let steps = json!([
             { "repeat": { "times": u32::MAX, "steps": [{ "wait": { "until": "07:00" } }] } },
@@ -520,8 +535,7 @@ mod tests {
     fn times_without_end_saturate() {
         let steps = json!([{ "repeat": { "steps": [{ "wait": { "for_s": 1e300 } }] } }]);
         let mut driver = driver(steps);
-        assert!(matches!(driver.next(0), Next::Segment(MotionSegment { end: Micros::MAX, .. })));
-        assert_eq!(driver.next(Micros::MAX), Next::Done);
+        assert!(matches!(driver.after(0), Next::Segment(MotionSegment { end: Micros::MAX, .. })));
     }
 
     #[test]
@@ -532,8 +546,8 @@ mod tests {
         let mut now = 0;
         for _ in 0..100 {
             let mut copy = original.clone();
-            let next = original.next(now);
-            assert_eq!(copy.next(now), next);
+            let next = original.after(now);
+            assert_eq!(copy.after(now), next);
             let Next::Segment(span) = next else { panic!("the path has ended") };
             now = span.end;
         }

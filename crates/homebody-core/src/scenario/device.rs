@@ -1,6 +1,6 @@
 //! The sensors of `home.json` that do not look for movement: they hang on things, lie under people or stand in rooms.
 
-use super::home::At;
+use crate::geometry::At;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -3,11 +3,9 @@
 use super::device::{
     BedFile, ContactFile, FlowFile, LightFile, PowerFile, PressureFile, StoveTemperatureFile, TemperatureFile,
 };
+use crate::geometry::At;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-
-/// A point on the floor plan: x to the east, y to the north, in metres.
-pub type At = [f64; 2];
 
 /// No home reaches further from its first room: larger ones are a mistake of units (ours), since the smallest flat in
 /// centimetres is larger.

@@ -19,6 +19,7 @@ pub mod path;
 pub mod remarks;
 pub mod resident;
 pub mod schema;
+pub mod scheme;
 mod shape;
 pub mod source;
 

@@ -2,9 +2,8 @@
 
 use crate::random_home::{self, Dice, Model};
 use crate::*;
-use homebody_core::drivers::{Decide, MotionSegment, Next};
+use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::ThingUse;
-use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
 use homebody_core::ids::{SensorId, ThingId};
 use homebody_core::run::{DriverProvider, Guest, Run};
@@ -13,7 +12,6 @@ use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::scenario::path::Posture;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -29,23 +27,19 @@ struct Walker {
     has_acted: bool,
 }
 
-impl Decide for Walker {
-    fn next(&mut self, now: Micros) -> Next {
+impl Driver for Walker {
+    fn next(&mut self, around: &Surroundings) -> Next {
         self.has_acted = !self.has_acted;
         if self.has_acted {
             return Next::Use(ThingUse { thing: ThingId(self.door), on: self.next.is_multiple_of(2) });
         }
         self.next += 1;
-        let next = self.life.get(self.next - 1).cloned();
-        assert!(next.as_ref().is_none_or(|next| next.begin == now));
-        next.map_or(Next::Done, Next::Segment)
+        let next = self.life[self.next - 1].clone();
+        assert_eq!(next.begin, around.now());
+        Next::Segment(next)
     }
 
-    fn pose(&self) -> (Point, Posture) {
-        (Point::ZERO, Posture::Standing)
-    }
-
-    fn copy(&self) -> Box<dyn Decide> {
+    fn copy(&self) -> Box<dyn Driver> {
         Box::new(self.clone())
     }
 }
@@ -59,7 +53,7 @@ impl DriverProvider for Walkers {
         random_home::builds(self.0, 3).into_iter().map(guest).collect()
     }
 
-    fn driver(&self, body: usize, home: &Arc<Home>, _seed: u64) -> Option<Box<dyn Decide>> {
+    fn driver(&self, body: usize, home: &Arc<Home>, _seed: u64) -> Option<Box<dyn Driver>> {
         let life = random_home::life(self.0, body, home, LENGTH, 0.05);
         let door = home.plan.thing("door")? as u32;
         Some(Box::new(Walker { life, door, next: 0, has_acted: false }))
@@ -129,9 +123,9 @@ fn with_everything(case: u64) -> Run {
 fn lived(mut run: Run, cuts: &[Micros]) -> Events {
     let mut events = Events::default();
     for cut in cuts {
-        run.advance(*cut, &mut events);
+        run.advance(*cut, &mut events).unwrap();
     }
-    run.advance(run.length(), &mut events);
+    run.advance(run.length(), &mut events).unwrap();
     events
 }
 
@@ -219,7 +213,7 @@ fn forgetting_what_is_under_way_does_change_something() {
 fn a_copy_of_the_run_continues_as_the_original() {
     for case in 0..CASES {
         let mut original = with_everything(case);
-        original.advance(Dice::new(case, "copy").below(LENGTH), &mut Events::default());
+        original.advance(Dice::new(case, "copy").below(LENGTH), &mut Events::default()).unwrap();
         let copy = original.clone();
         assert_eq!(lived(copy, &[]), lived(original, &[]), "case {case}");
     }
@@ -230,7 +224,7 @@ fn a_run_that_is_stopped_has_told_what_a_shorter_one_tells() {
     for case in 0..CASES {
         let stop = Dice::new(case, "stop").below(LENGTH);
         let mut stopped = Events::default();
-        with_everything(case).advance(stop, &mut stopped);
+        with_everything(case).advance(stop, &mut stopped).unwrap();
         let home = home(case);
         let link = everything(&home, true);
         assert_eq!(stopped.firings, lived(run(case, home, Some(link), stop), &[]).firings, "case {case}");
@@ -244,7 +238,7 @@ fn firings_are_in_order_numbered_and_no_later_than_settled() {
         let (mut all, mut settled) = (Events::default(), Micros::MIN);
         while run.now() < LENGTH {
             let mut events = Events::default();
-            run.advance(run.now() + SECOND / 2, &mut events);
+            run.advance(run.now() + SECOND / 2, &mut events).unwrap();
             assert!(events.firings.iter().all(|firing| firing.at >= settled), "case {case}");
             settled = run.settled();
             assert!(events.firings.iter().all(|firing| firing.at < settled), "case {case}");

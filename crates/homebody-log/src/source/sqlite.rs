@@ -2,7 +2,7 @@
 
 use super::instant::since_1970;
 use super::{Places, Reading, open};
-use crate::error::LogError;
+use crate::error::{LogError, place_of};
 use homebody_core::scenario::logger::LoggerFile;
 use rusqlite::types::ValueRef;
 use rusqlite::{Connection, OpenFlags};
@@ -23,12 +23,12 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading) -> Res
     let connection = connect(path).map_err(database)?;
     let table = find(&connection, file, reading).map_err(|error| match error.sqlite_error_code() {
         Some(rusqlite::ErrorCode::NotADatabase) => {
-            LogError::NoLog { path: path.into(), why: "it is no database".into() }
+            LogError::NoLog { place: place_of(path), why: "it is no database".into() }
         }
         _ => LogError::database(path, error),
     })?;
     let why = || "no table in it has columns of time, sensor and value".to_string();
-    let table = table.ok_or_else(|| LogError::NoLog { path: path.into(), why: why() })?;
+    let table = table.ok_or_else(|| LogError::NoLog { place: place_of(path), why: why() })?;
     read_table(&connection, file, &table, reading).map_err(database)
 }
 

@@ -13,9 +13,8 @@ use super::places::{Places, Role, Spot};
 use super::script::{Interruptible, Setting, Stay, Step, script};
 use super::watch::Watches;
 use crate::routine::{Activity, Response};
-use homebody_core::drivers::{Decide, MotionSegment, Next};
+use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::{MotionState, Need, ThingUse};
-use homebody_core::geometry::Point;
 use homebody_core::home::Home;
 use homebody_core::ids::ThingId;
 use homebody_core::random::Stream;
@@ -582,16 +581,12 @@ impl Item {
     }
 }
 
-impl Decide for RoutineDriver {
-    fn next(&mut self, now: Micros) -> Next {
-        self.step(now)
+impl Driver for RoutineDriver {
+    fn next(&mut self, around: &Surroundings) -> Next {
+        self.step(around.now())
     }
 
-    fn pose(&self) -> (Point, Posture) {
-        (self.body.at(), self.body.posture())
-    }
-
-    fn copy(&self) -> Box<dyn Decide> {
+    fn copy(&self) -> Box<dyn Driver> {
         Box::new(self.clone())
     }
 }

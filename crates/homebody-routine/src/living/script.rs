@@ -4,12 +4,12 @@ use super::life::DayParameters;
 use super::manner::Manner;
 use super::places::{Places, Role, Spot};
 use crate::routine::{Activity, Meal};
-use crate::walk::Wandering;
 use homebody_core::event::Need;
 use homebody_core::geometry::Point;
 use homebody_core::random::Stream;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, micros, seconds};
+use homebody_walk::Wandering;
 use std::collections::VecDeque;
 
 /// One step of a script.

@@ -44,7 +44,7 @@ pub fn run(routine: &str, days: i64) -> Run {
 pub fn events(mut run: Run, step: Micros) -> Events {
     let mut events = Events::default();
     while run.now() < run.length() {
-        run.advance(run.now() + step, &mut events);
+        run.advance(run.now() + step, &mut events).unwrap();
     }
     events
 }

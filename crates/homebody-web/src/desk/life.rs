@@ -6,6 +6,7 @@ use crate::growth::Growth;
 use crate::wire::{
     ConditionView, Explain, ExplainView, Month, MonthView, ProblemView, SentenceView, WordKind, WordView,
 };
+use homebody_core::drivers::error::DriverError;
 use homebody_core::event::{Events, Fact};
 use homebody_core::problem::Problem;
 use homebody_core::run::Run;
@@ -60,7 +61,10 @@ impl Desk {
             Err(wrong) => return MonthView { problems: problems(&wrong), ..MonthView::default() },
         };
         let _living = self.living.lock().unwrap_or_else(PoisonError::into_inner);
-        lived(&scenario, &household, from, days.clamp(1, LONGEST))
+        lived(&scenario, &household, from, days.clamp(1, LONGEST)).unwrap_or_else(|error| {
+            let unlived = Problem::of_file(&self.shelf.entry, error.to_string(), None);
+            MonthView { problems: problems(&[unlived]), ..MonthView::default() }
+        })
     }
 }
 
@@ -68,7 +72,7 @@ fn not_understood(problems: Vec<ProblemView>) -> ExplainView {
     ExplainView { problems, ..ExplainView::default() }
 }
 
-fn lived(scenario: &Scenario, household: &Household, from: u32, days: u32) -> MonthView {
+fn lived(scenario: &Scenario, household: &Household, from: u32, days: u32) -> Result<MonthView, DriverError> {
     let calendar = &scenario.calendar;
     let length = calendar.span_of_days(scenario.file.days);
     let last = dates::last(calendar, length);
@@ -90,21 +94,21 @@ fn lived(scenario: &Scenario, household: &Household, from: u32, days: u32) -> Mo
     let mut events = Events::default();
     // What was before the first day is only lived to come to it.
     while run.now() < begin {
-        run.advance(begin.min(run.now() + DAY), &mut events);
+        run.advance(begin.min(run.now() + DAY), &mut events)?;
         known.learn(&events, &mut view);
         growth.add(&events.firings, run.now());
         view.spans.iter_mut().chain(&mut view.stays).for_each(Vec::clear);
         events.clear();
     }
     for day in 0..view.days.len() {
-        run.advance(view.days[day].end_us, &mut events);
+        run.advance(view.days[day].end_us, &mut events)?;
         known.learn(&events, &mut view);
         growth.add(&events.firings, run.now());
         events.clear();
     }
     known.end(end, &mut view);
     view.hours = growth.view().hours.split_off(from as usize);
-    view
+    Ok(view)
 }
 
 /// What each resident does, and where they are, since when.

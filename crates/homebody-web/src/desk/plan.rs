@@ -3,6 +3,7 @@
 use super::{Desk, problems};
 use crate::draw;
 use crate::wire::{CoverageView, DeadZoneView, Draft, FloorView, HomeView, ImportView, PlanView, SeenView};
+use homebody_analysis::coverage::{self, Coverage, Floor, STEP_M, Seen};
 use homebody_core::home::Build;
 use homebody_core::home::plan::Plan;
 use homebody_core::problem::Problem;
@@ -11,7 +12,6 @@ use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::scenario::resident::ResidentFile;
 use homebody_core::sensors::Sensor;
 use homebody_import::{Imported, NotImported, SCHEMA, sweet_home};
-use homebody_study::coverage::{self, Coverage, Floor, STEP_M, Seen};
 use serde_json::json;
 use std::collections::BTreeMap;
 

@@ -325,7 +325,7 @@ fn a_month_is_what_a_run_would_be() {
     let end = month["days"][9]["end_us"].as_i64().unwrap();
     let mut run = Run::new(&scenario, &household, scenario.file.seed, end);
     let mut events = Events::default();
-    run.advance(end, &mut events);
+    run.advance(end, &mut events).unwrap();
     let begin = month["days"][0]["begin_us"].as_i64().unwrap();
     let motion = |sensor: SensorId| run.sensors()[sensor.index()].senses_motion();
     let fired = events.firings.iter().filter(|firing| motion(firing.sensor) && firing.at >= begin).count() as u64;

@@ -64,7 +64,7 @@ fn who_is_driven_makes_sensors_fire_and_the_page_sees_what_the_log_gets() {
     let scenario = recording.scenario().unwrap();
     let mut run = recording.run(&scenario, &());
     let (mut events, mut digest) = (Events::default(), RunDigest::default());
-    run.advance(recording.length_us, &mut events);
+    run.advance(recording.length_us, &mut events).unwrap();
     digest.add(&events.firings);
     assert_eq!((digest.firings(), digest.hex()), (recording.firings, recording.sha256));
 }
@@ -112,7 +112,7 @@ fn a_page_that_looks_changes_nothing() {
             Run::new(&scenario, &household, recording.seed, scenario.calendar.span_of_days(scenario.file.days));
         let (mut events, mut digest) = (Events::default(), RunDigest::default());
         while alone.now() < recording.length_us {
-            alone.advance(recording.length_us.min(alone.now() + 3600 * SECOND), &mut events);
+            alone.advance(recording.length_us.min(alone.now() + 3600 * SECOND), &mut events).unwrap();
             digest.add(&events.firings);
             events.clear();
         }

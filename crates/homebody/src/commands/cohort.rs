@@ -99,7 +99,8 @@ impl Cohort<'_> {
         progress: &ProgressBar,
     ) -> Result<Member, Failure> {
         let (name, seed, row) = members.who(self.recording.seed, index);
-        let recording = Recording { seed, one_of_many: true, ..self.recording.clone() };
+        let home = Some(name.clone());
+        let recording = Recording { seed, one_of_many: true, home, ..self.recording.clone() };
         match members {
             Members::Many(_) => self.lived(folder, name, row, self.base.scenario, household, recording, stop, progress),
             Members::Listed(profiles) => {

@@ -7,7 +7,7 @@ use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::fresh::same_file;
 use homebody_log::source::recognise;
-use homebody_log::{Log, RunInfo, Url, convert, read};
+use homebody_log::{How, Log, Url, convert, read};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -36,7 +36,7 @@ impl Arguments {
         Calendar::zone(&self.time_zone).map_err(Failure::usage)?;
         let from = place(&self.log)?;
         let log = read(&from, &LoggerFile::default())?;
-        if same_file(from.path(), self.to.path()) {
+        if from.file().zip(self.to.file()).is_some_and(|(one, other)| same_file(one, other)) {
             return Err(Failure::Io(format!("{} cannot become itself\n  hint: name another file", self.log)));
         }
         tell_remarks(&self.log, &log);
@@ -47,9 +47,8 @@ impl Arguments {
         if unsaid > 0 {
             tell(format_args!("{}: {unsaid} more lines were left out", self.log));
         }
-        let version = env!("CARGO_PKG_VERSION").into();
-        let run = RunInfo { id: 1, scenario: self.log.clone(), seed: 0, version };
-        let rows = convert(&log, &self.to, &run, &self.time_zone, self.force)?;
+        let how = if self.force { How::Replace } else { How::New };
+        let rows = convert(&log, &self.to, &self.log, &self.time_zone, how)?;
         tell(format_args!("{}: {rows} rows of {} sensors", self.to, log.sensors.len()));
         Ok(())
     }

@@ -3,10 +3,10 @@
 use super::answer::Answer;
 use crate::failure::Failure;
 use crate::folder;
+use homebody_analysis::coverage::{self, STEP_M, Seen};
 use homebody_core::geometry::Point;
 use homebody_core::home::Build;
-use homebody_study::coverage::{self, STEP_M, Seen};
-use homebody_study::picture;
+use homebody_picture::coverage_map;
 use std::path::PathBuf;
 
 /// Says which share of the floor is seen by no, one, two, three or more sensors, where the dead zones are, and how
@@ -28,7 +28,7 @@ impl Arguments {
         let answer = self.answer.check([""], &folder::files(&self.scenario, &scenario))?;
         let build = scenario.residents.first().map_or_else(Build::adult, |resident| Build::of(&resident.file));
         let seen = coverage::of_home(&scenario.home, build, STEP_M);
-        let map = || picture::coverage_map(&seen.home, &seen.coverage, &beams(&seen));
+        let map = || coverage_map(&seen.home, &seen.coverage, &beams(&seen));
         answer.give(&seen.coverage, [&map])
     }
 }

@@ -4,11 +4,12 @@ use super::answer::Answer;
 use crate::failure::Failure;
 use crate::given::Given;
 use crate::length::span;
+use crate::print::tell;
+use homebody_analysis::dates;
+use homebody_analysis::density::{Asked, Chosen, Measured, NoMap, density};
 use homebody_core::scenario::nearest::nearest;
 use homebody_core::time::Micros;
-use homebody_study::dates;
-use homebody_study::density::{Asked, density};
-use homebody_study::picture::density_map;
+use homebody_picture::density_map;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
@@ -78,9 +79,19 @@ impl Arguments {
         };
         let against = other.as_ref().map(|other| (other, asked_of(other)));
         let against = against.as_ref().map(|(other, asked)| (other.name.as_str(), &other.log, asked));
-        let density = density((&log.name, &log.log, &asked), against)
-            .map_err(|why| Failure::usage(format!("{}: {why}", self.log)))?;
+        let density = density((&log.name, &log.log, &asked), against).map_err(|why| self.no_map(&why))?;
+        if [Some(&density.of), density.against.as_ref().map(|other| &other.of)].into_iter().flatten().any(is_by_name) {
+            tell("The entrance is told by names; --door SENSOR names others");
+        }
         answer.give_beside(&density, [&|| density_map(&density)], &|| density.of.map.csv())
+    }
+
+    fn no_map(&self, why: &NoMap) -> Failure {
+        let hint = match why {
+            NoMap::TooLong(_) => "\n  hint: choose a part with --from and --days",
+            NoMap::NoMotion | NoMap::NoDay(..) => "",
+        };
+        Failure::usage(format!("{}: {why}{hint}", self.log))
     }
 
     /// Of the doors that are asked for those that a log has.
@@ -112,4 +123,9 @@ impl Arguments {
         };
         asked.within(there).is_none().then(problem)
     }
+}
+
+/// Whether nobody has said which sensors are at the entrance.
+fn is_by_name(of: &Measured) -> bool {
+    of.map.entrance.chosen != Chosen::Asked
 }

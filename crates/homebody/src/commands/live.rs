@@ -7,8 +7,9 @@ use homebody_core::event::Events;
 use homebody_core::recording::Recording;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::scheme::{NoPlace, SCHEMES, Scheme};
 use homebody_core::time::{Micros, SECOND, seconds};
-use homebody_log::{Places, RunLog, Stored, Url};
+use homebody_log::{How, Places, RunLog, Stored, Url};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
 use std::path::PathBuf;
@@ -24,9 +25,9 @@ pub struct Output {
     /// Write the log here: sqlite:FILE, csv:FILE or casas:FILE; may be given several times
     #[arg(long, value_name = "URL")]
     pub out: Vec<Url>,
-    /// Write the ground truth into this SQLite file
-    #[arg(long, value_name = "FILE")]
-    pub truth: Option<PathBuf>,
+    /// Write the ground truth into this SQLite file, or to csv:FILE, with a file for each table
+    #[arg(long, value_name = "FILE", value_parser = truth_place)]
+    pub truth: Option<Url>,
     /// Replace files that exist
     #[arg(long)]
     pub force: bool,
@@ -97,7 +98,8 @@ impl Live<'_> {
     ) -> Result<Lived, Failure> {
         let started = Instant::now();
         let recording = Recording { version: VERSION.into(), ..self.recording.clone() };
-        let mut log = RunLog::open(places, self.scenario, run, &recording, self.output.force)?;
+        let how = if self.output.force { How::Replace } else { How::New };
+        let mut log = RunLog::open(places, self.scenario, run, &recording, how)?;
         advance(run, pace, &mut log, progress)?;
         let (stored, recording) = log.finish(run, recording)?;
         Ok(Lived { recording, stored, took: started.elapsed() })
@@ -123,8 +125,8 @@ impl Live<'_> {
                 "rows": stored.rows,
                 "rows_by_sensor": self.by_sensor(run, stored).map(|(name, rows)| (name.into(), rows.into()))
                     .collect::<serde_json::Map<String, serde_json::Value>>(),
-                "log": stored.places.iter().map(Url::to_string).collect::<Vec<_>>(),
-                "truth": places.truth.as_ref().map(|path| path.display().to_string()),
+                "log": stored.places,
+                "truth": places.truth.as_ref().map(told),
                 "recording": places.recording.as_ref().map(|path| path.display().to_string()),
             }))?;
         } else if !self.output.quiet {
@@ -165,9 +167,10 @@ impl Live<'_> {
         for url in &stored.places {
             text += &format!("log        {url}\n");
         }
-        for (what, path) in [("truth", &places.truth), ("recording", &places.recording)] {
-            if let Some(path) = path {
-                text += &format!("{what:10} {}\n", path.display());
+        let recording_at = places.recording.as_ref().map(|path| path.display().to_string());
+        for (what, place) in [("truth", places.truth.as_ref().map(told)), ("recording", recording_at)] {
+            if let Some(place) = place {
+                text += &format!("{what:10} {place}\n");
             }
         }
         text += &format!("firings    {} with SHA-256 {}\n", recording.firings, recording.sha256);
@@ -178,14 +181,32 @@ impl Live<'_> {
     }
 }
 
+/// The place of a truth: a database where no kind is said.
+fn truth_place(text: &str) -> Result<Url, String> {
+    let is_kind = |(scheme, _): (&str, &str)| SCHEMES.iter().any(|row| row.name == scheme);
+    match text.split_once(':').is_some_and(is_kind) {
+        true => text.parse().map_err(|error: NoPlace| error.to_string()),
+        false => Ok(Url::new(Scheme::Sqlite, text)),
+    }
+}
+
+/// A database by its path alone, as it may be asked for.
+fn told(truth: &Url) -> String {
+    match (truth.scheme(), truth.file()) {
+        (Scheme::Sqlite, Some(file)) => file.display().to_string(),
+        _ => truth.to_string(),
+    }
+}
+
 /// Lets the run go at its pace, and hands what happens to the logs.
 fn advance(run: &mut Run, mut pace: Pace, log: &mut RunLog, progress: &ProgressBar) -> Result<(), Failure> {
     let mut events = Events::default();
     while run.now() < run.length() {
         let before = run.now();
         let Some(until) = pace.next(before) else { break };
-        run.advance(until, &mut events);
+        let lived = run.advance(until, &mut events);
         log.store(run, &events)?;
+        lived?;
         events.clear();
         if !progress.is_hidden() {
             progress.inc((run.now() - before) as u64);

@@ -63,7 +63,8 @@ pub enum Command {
 }
 
 impl Command {
-    pub fn run(self) -> Result<(), Failure> {
+    /// Runs it; `whole` is the command line that all of them belong to.
+    pub fn run(self, whole: fn() -> clap::Command) -> Result<(), Failure> {
         match self {
             Command::Run(arguments) => arguments.run(),
             Command::Replay(arguments) => arguments.run(),
@@ -80,7 +81,7 @@ impl Command {
             Command::Schema(arguments) => arguments.run(),
             Command::New(arguments) => arguments.run(),
             Command::Import(arguments) => arguments.run(),
-            Command::Completions(arguments) => arguments.run(),
+            Command::Completions(arguments) => arguments.run(whole()),
         }
     }
 }

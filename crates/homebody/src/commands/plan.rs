@@ -3,7 +3,7 @@
 use super::answer::Pictures;
 use crate::failure::Failure;
 use crate::folder;
-use homebody_study::picture::floor_plan;
+use homebody_picture::floor_plan;
 use std::path::PathBuf;
 
 /// Draws the floor plan: rooms, walls, doors, furniture and sensors, with their names. Furniture and ways in go without

@@ -92,17 +92,8 @@ impl Arguments {
         if !self.output.quiet {
             remarks::of(&scenario, length).iter().for_each(tell_remark);
         }
-        let recording = Recording {
-            version: env!("CARGO_PKG_VERSION").into(),
-            entry,
-            files: scenario.sources.clone(),
-            seed,
-            length_us: length,
-            without: self.without,
-            one_of_many: false,
-            firings: 0,
-            sha256: String::new(),
-        };
+        let recording = Recording::of(&scenario, env!("CARGO_PKG_VERSION"), &entry, seed, length);
+        let recording = Recording { without: self.without, ..recording };
         let sources = folder::files(&self.scenario, &scenario);
         if let Some(members) = members {
             return Cohort { base, recording, sources, output: self.output }.live(&members);

@@ -1,5 +1,6 @@
 //! A table as spreadsheets save it: values parted by commas, semicolons or tabs, each with its place in the text.
 
+use csv_core::{ReadFieldResult, ReaderBuilder, Terminator};
 use homebody_core::problem::{Excerpt, Problem};
 
 /// A file of rows below a header.
@@ -71,53 +72,71 @@ impl Cell {
 
 /// The cells of all lines; the one that is never closed, if one is.
 fn cells(text: &str, mark: char) -> Result<Vec<Vec<Cell>>, Cell> {
-    let mut rows = Vec::new();
-    let (mut line, mut column) = (1, 1);
-    let mut chars = text.chars().peekable();
-    let mut row: Vec<Cell> = Vec::new();
-    let mut cell = Cell { text: String::new(), line, column };
-    let mut in_quotes = false;
-    while let Some(c) = chars.next() {
-        column += 1;
-        match c {
-            '"' if in_quotes && chars.peek() == Some(&'"') => {
-                chars.next();
-                column += 1;
-                cell.text.push('"');
-            }
-            '"' if in_quotes => in_quotes = false,
-            '"' if cell.text.trim().is_empty() => {
-                in_quotes = true;
-                cell = Cell { text: String::new(), line, column };
-            }
-            '\n' => {
-                (line, column) = (line + 1, 1);
-                if in_quotes {
-                    cell.text.push(c);
-                    continue;
-                }
-                row.push(trimmed(std::mem::replace(&mut cell, Cell { text: String::new(), line, column })));
-                rows.push(std::mem::take(&mut row));
-            }
-            c if c == mark && !in_quotes => {
-                row.push(trimmed(std::mem::replace(&mut cell, Cell { text: String::new(), line, column })));
-            }
-            c => cell.text.push(c),
+    // Of "\r\n" the first is a blank at the end of a cell.
+    let mut reader = ReaderBuilder::new().delimiter(mark as u8).terminator(Terminator::Any(b'\n')).build();
+    // No cell is longer than the text.
+    let mut unquoted = vec![0; text.len()];
+    let mut place = Place { rest: text, line: 1, column: 1 };
+    let (mut rows, mut row) = (Vec::new(), Vec::new());
+    loop {
+        let is_blank = |c: char| c.is_whitespace() && c != mark && c != '\n';
+        while row.is_empty() && place.rest.trim_start_matches(is_blank).starts_with('\n') {
+            place.pass(place.rest.find('\n').map_or(0, |end| end + 1));
+        }
+        let begin = place;
+        place.pass(place.rest.len() - place.rest.trim_start_matches(is_blank).len());
+        let first = place;
+        let (mut result, read, mut length) = reader.read_field(place.rest.as_bytes(), &mut unquoted);
+        place.pass(read);
+        if result == ReadFieldResult::InputEmpty {
+            let more;
+            (result, _, more) = reader.read_field(&[], &mut unquoted[length..]);
+            length += more;
+        }
+        let ReadFieldResult::Field { record_end } = result else { return Ok(rows) };
+        let text = str::from_utf8(&unquoted[..length]).expect("a text cut at marks of one byte is a text");
+        let blanks = text.len() - text.trim_start().len();
+        let mut at = if text.trim().is_empty() { begin } else { first };
+        let quoted = first.rest.strip_prefix('"').map(|quoted| &quoted[..read - 1]);
+        if quoted.is_some() {
+            at = first;
+            at.pass(1);
+        }
+        // What is written twice stands within; the first that is not closes the cell.
+        if quoted.is_some_and(|quoted| !quoted.replace("\"\"", "").contains('"')) {
+            return Err(Cell { text: text.into(), line: at.line, column: at.column });
+        }
+        if !text.trim().is_empty() {
+            at.column += text[..blanks].chars().count() as u32;
+        }
+        row.push(Cell { text: text.trim().into(), line: at.line, column: at.column });
+        if record_end {
+            rows.push(std::mem::take(&mut row));
         }
     }
-    if in_quotes {
-        return Err(cell);
-    }
-    row.push(trimmed(cell));
-    rows.push(row);
-    Ok(rows)
 }
 
-fn trimmed(cell: Cell) -> Cell {
-    let blanks = cell.text.chars().take_while(|c| c.is_whitespace()).count();
-    let text = cell.text.trim().to_owned();
-    let column = if text.is_empty() { cell.column } else { cell.column + blanks as u32 };
-    Cell { text, column, ..cell }
+/// A place in a text, both counted from 1.
+#[derive(Clone, Copy)]
+struct Place<'t> {
+    rest: &'t str,
+    line: u32,
+    column: u32,
+}
+
+impl Place<'_> {
+    /// Goes on by so many bytes.
+    fn pass(&mut self, bytes: usize) {
+        let (passed, rest) = self.rest.split_at(bytes);
+        match passed.rsplit_once('\n') {
+            Some((before, last)) => {
+                self.line += 1 + before.matches('\n').count() as u32;
+                self.column = 1 + last.chars().count() as u32;
+            }
+            None => self.column += passed.chars().count() as u32,
+        }
+        self.rest = rest;
+    }
 }
 
 #[cfg(test)]

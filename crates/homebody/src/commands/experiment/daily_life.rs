@@ -3,6 +3,7 @@
 use crate::commands::answer::Answer;
 use crate::failure::Failure;
 use crate::folder;
+use homebody_core::drivers::error::DriverError;
 use homebody_core::event::Events;
 use homebody_core::ids::{ResidentId, RoomId};
 use homebody_core::random::Stream;
@@ -11,8 +12,8 @@ use homebody_core::scenario::home::SensorFile;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::MessagesFile;
 use homebody_core::time::{DAY, micros};
+use homebody_experiment::daily_life::{Experiment, Lived, Person};
 use homebody_routine::household::Household;
-use homebody_study::daily_life::{Experiment, Lived, Person};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
@@ -50,12 +51,13 @@ impl Arguments {
         progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         let live = |number: u32| {
             let seed = seed_of(self.seed, number);
-            let person = live(&scenario, &household, seed, self.days);
+            let person = live(&scenario, &household, seed, self.days)?;
             progress.inc(1);
-            person
+            Ok(person)
         };
         // In order of their numbers, whichever is done first.
-        let persons: Vec<Person> = (0..self.people).into_par_iter().map(live).collect();
+        let persons: Result<Vec<Person>, DriverError> = (0..self.people).into_par_iter().map(live).collect();
+        let persons = persons?;
         progress.finish_and_clear();
         let experiment = Experiment::of(persons, self.seed);
         answer.give(&experiment, [&|| experiment.chart(), &|| experiment.hours()])
@@ -69,11 +71,11 @@ fn seed_of(seed: u64, number: u32) -> u64 {
 }
 
 /// One person's days, measured.
-fn live(scenario: &Scenario, household: &Household, seed: u64, days: u32) -> Person {
+fn live(scenario: &Scenario, household: &Household, seed: u64, days: u32) -> Result<Person, DriverError> {
     let length = i64::from(days) * DAY;
     let mut run = Run::new(scenario, household, seed, length);
     let mut events = Events::default();
-    run.advance(length, &mut events);
+    run.advance(length, &mut events)?;
     let is_motion: Vec<bool> = scenario.home.sensors.iter().map(SensorFile::senses_motion).collect();
     let hold = match &scenario.logger.messages {
         // Each firing is an ON of its own.
@@ -83,7 +85,7 @@ fn live(scenario: &Scenario, household: &Household, seed: u64, days: u32) -> Per
     };
     let rooms = &run.home().plan.rooms;
     let hall = rooms.iter().position(|room| room.name == "hall").map(RoomId::of);
-    Person::of(&Lived {
+    Ok(Person::of(&Lived {
         events: &events,
         resident: ResidentId(0),
         calendar: &scenario.calendar,
@@ -91,5 +93,5 @@ fn live(scenario: &Scenario, household: &Household, seed: u64, days: u32) -> Per
         hall,
         is_motion: &is_motion,
         hold,
-    })
+    }))
 }

@@ -4,8 +4,8 @@ use crate::commands::answer::Answer;
 use crate::failure::Failure;
 use crate::folder;
 use crate::print::tell;
-use homebody_study::picture::{Lane, Panel, span_chart};
-use homebody_study::sphere::{AnnotatedRun, Experiment, Interval, Recording, Texts, Undone, parse};
+use homebody_experiment::sphere::{AnnotatedRun, Experiment, Interval, Recording, Texts, parse};
+use homebody_picture::{Lane, Panel, span_chart};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -38,10 +38,7 @@ impl Arguments {
             None => folder::load_own("sphere-house")?,
         };
         let recordings = recordings(&self.data)?;
-        let experiment = Experiment::run(&recordings, &house, &entry, self.seed).map_err(|undone| match undone {
-            Undone::Problems(problems) => Failure::Problems(problems),
-            undone => Failure::usage(undone),
-        })?;
+        let experiment = Experiment::run(&recordings, &house, &entry, self.seed).map_err(Failure::usage)?;
         answer.give(&experiment, [&|| picture(&experiment)])
     }
 }

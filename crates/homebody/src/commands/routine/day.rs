@@ -3,13 +3,14 @@
 use crate::commands::answer::Answer;
 use crate::failure::Failure;
 use crate::folder;
+use homebody_analysis::dates::{date_of, on_wall};
+use homebody_analysis::day::Day;
+use homebody_core::drivers::error::DriverError;
 use homebody_core::event::{Events, Fact};
 use homebody_core::run::Run;
 use homebody_core::time::{Micros, SECOND};
 use homebody_log::{Activity, Life, Log};
-use homebody_study::dates::{date_of, on_wall};
-use homebody_study::day::Day;
-use homebody_study::picture::day_chart;
+use homebody_picture::{DayChart, day_chart};
 use std::path::PathBuf;
 
 /// Lives a scenario as far as a day and says what was done on it, and in which rooms.
@@ -52,10 +53,10 @@ impl Arguments {
         let (begin, end) = (scenario.calendar.instant(day, 0), scenario.calendar.instant(day + 1, 0));
         let run = Run::new(&scenario, &household, self.seed.unwrap_or(scenario.file.seed), end);
         let mut lives = Lived::new(&run);
-        lives.live(run, begin, wall);
+        lives.live(run, begin, wall)?;
         let name = format!("{}, lived", scenario.file.name);
         let day = Day::of(&name, &Log::default(), &lives.lives, date);
-        answer.give(&day, [&|| day_chart(&day.chart())])
+        answer.give(&day, [&|| day_chart(&DayChart::of(&day))])
     }
 }
 
@@ -73,10 +74,10 @@ impl Lived {
     }
 
     /// Lives the run to its end, and keeps what goes on from an instant on.
-    fn live(&mut self, mut run: Run, from: Micros, wall: impl Fn(Micros) -> Micros) {
+    fn live(&mut self, mut run: Run, from: Micros, wall: impl Fn(Micros) -> Micros) -> Result<(), DriverError> {
         let mut events = Events::default();
         while run.now() < run.length() {
-            run.advance(run.now() + 6 * 3600 * SECOND, &mut events);
+            run.advance(run.now() + 6 * 3600 * SECOND, &mut events)?;
             for fact in events.facts.drain(..) {
                 match fact {
                     Fact::Activity { resident, at, name } => {
@@ -99,6 +100,7 @@ impl Lived {
             life.rooms.retain(|room| room.end > wall(from));
         }
         self.lives.retain(|life| !life.activities.is_empty() || !life.rooms.is_empty());
+        Ok(())
     }
 }
 

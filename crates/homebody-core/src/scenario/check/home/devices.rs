@@ -1,11 +1,12 @@
 //! Sensors that hang on things, lie under people or stand in rooms: what they need must be there, limits must be in order.
 
 use super::super::did_you_mean;
-use super::{Report, check_convex, is_flat, keeps_within};
-use crate::geometry::{Point, point};
+use super::Report;
+use super::areas::{check_convex, is_flat, keeps_within};
+use crate::geometry::{At, Point, point};
 use crate::home::plan::Plan;
 use crate::scenario::device::{BedFile, PowerFile, PressureFile, StoveTemperatureFile};
-use crate::scenario::home::{At, FurnitureFile, HomeFile, SensorFile};
+use crate::scenario::home::{FurnitureFile, HomeFile, SensorFile};
 use crate::sensors::pressure::MAT_HEIGHT_M;
 use crate::sensors::stove_temperature::ROOM_C;
 

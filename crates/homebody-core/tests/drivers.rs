@@ -1,0 +1,243 @@
+//! Drivers of anybody's: what they are shown, and what becomes of a run whose driver answers with nonsense.
+
+use homebody_core::drivers::error::{DriverError, DriverFault, MOST_ANSWERS};
+use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
+use homebody_core::event::{Events, Fact, MotionState, Need, ThingUse, Vitals};
+use homebody_core::geometry::Point;
+use homebody_core::home::{Build, Home};
+use homebody_core::ids::{ResidentId, RoomId, ThingId};
+use homebody_core::run::Run;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, NEVER, SECOND};
+use serde_json::json;
+use std::collections::VecDeque;
+use std::sync::{Arc, LazyLock, Mutex};
+
+/// Two rooms with a door between them, and a motion sensor in the west room.
+static HOME: LazyLock<Arc<Home>> = LazyLock::new(|| {
+    let home = json!({
+        "name": "two rooms",
+        "rooms": [
+            { "name": "west room", "outline": [[0, 0], [4, 0], [4, 4], [0, 4]] },
+            { "name": "east room", "outline": [[4, 0], [8, 0], [8, 4], [4, 4]] },
+        ],
+        "walls": [
+            { "from": [0, 0], "to": [8, 0] }, { "from": [8, 0], "to": [8, 4] }, { "from": [8, 4], "to": [0, 4] },
+            { "from": [0, 4], "to": [0, 0] }, { "from": [4, 0], "to": [4, 4] },
+        ],
+        "doors": [{ "name": "door", "from": [4, 1.5], "to": [4, 2.5] }],
+        "sensors": [{ "kind": "motion", "name": "motion", "at": [0.05, 2], "facing_deg": 0 }],
+    });
+    Arc::new(Home::bake(&serde_json::from_value(home).unwrap(), &[Build::adult(); 3]))
+});
+
+/// Gives one answer after the other, and the last one again and again.
+#[derive(Clone, Debug)]
+struct Says {
+    answers: VecDeque<Next>,
+    last: Next,
+}
+
+impl Driver for Says {
+    fn next(&mut self, _around: &Surroundings) -> Next {
+        self.answers.pop_front().unwrap_or_else(|| self.last.clone())
+    }
+
+    fn copy(&self) -> Box<dyn Driver> {
+        Box::new(self.clone())
+    }
+}
+
+fn says(answers: Vec<Next>, last: Next) -> Box<dyn Driver> {
+    Box::new(Says { answers: answers.into(), last })
+}
+
+fn at(x: f64, y: f64) -> Point {
+    Point::new(x, y)
+}
+
+fn segment(begin: Micros, end: Micros, doing: MotionState) -> Next {
+    Next::Segment(MotionSegment { begin, end, doing, posture: Posture::Standing })
+}
+
+/// A walk in the west room in the first ten seconds, which the sensor sees.
+fn walk() -> Vec<Next> {
+    vec![segment(0, 10 * SECOND, MotionState::Stride { from: at(1.0, 1.0), to: at(3.0, 3.0) })]
+}
+
+/// A rest where the walk has ended, for ever.
+fn rest() -> Next {
+    segment(10 * SECOND, NEVER, MotionState::Rest { at: at(3.0, 3.0) })
+}
+
+const LENGTH: Micros = 60 * SECOND;
+
+fn run(drivers: Vec<Box<dyn Driver>>) -> Run {
+    let builds = vec![Build::adult(); drivers.len()];
+    Run::of(HOME.clone(), builds, drivers, 1, LENGTH)
+}
+
+/// What becomes of who walks for ten seconds and then says this.
+fn after_a_walk(last: Next) -> (Run, Events, Result<(), DriverError>) {
+    let mut run = run(vec![says(walk(), last)]);
+    let mut events = Events::default();
+    let lived = run.advance(LENGTH, &mut events);
+    (run, events, lived)
+}
+
+#[test]
+fn nonsense_ends_the_run_where_it_was_said() {
+    let (begin, end, here) = (10 * SECOND, 20 * SECOND, at(3.0, 3.0));
+    let (mut sound, mut before) = (run(vec![says(walk(), rest())]), Events::default());
+    sound.advance(begin, &mut before).unwrap();
+    assert!(!before.firings.is_empty(), "the walk is seen");
+    let resting = |here| MotionState::Rest { at: here };
+    let no_number = |what| DriverFault::NoNumber { what };
+    let vitals = Vitals { pulse: f64::NAN, respiration: 15.0 };
+    let nonsense = [
+        (segment(begin - 1, end, resting(here)), DriverFault::BeginsElsewhen { begin: begin - 1 }),
+        (segment(begin + 1, end, resting(here)), DriverFault::BeginsElsewhen { begin: begin + 1 }),
+        (segment(begin, begin, resting(here)), DriverFault::EndsTooSoon { end: begin }),
+        (segment(begin, begin - 1, resting(here)), DriverFault::EndsTooSoon { end: begin - 1 }),
+        (segment(begin, Micros::MIN, resting(here)), DriverFault::EndsTooSoon { end: Micros::MIN }),
+        (segment(begin, end, resting(at(f64::NAN, 3.0))), no_number("the place")),
+        (segment(begin, end, MotionState::Stride { from: here, to: at(3.0, f64::INFINITY) }), no_number("the place")),
+        (segment(begin, end, MotionState::InPlace { at: here, amplitude_m: -0.1 }), no_number("the amplitude")),
+        (segment(begin, end, MotionState::InPlace { at: here, amplitude_m: f64::NAN }), no_number("the amplitude")),
+        (Next::Vitals(vitals), no_number("the vitals")),
+        (Next::Need(Need::Thirst, f64::INFINITY), no_number("the level of a need")),
+        (Next::Condition("flu".into(), f64::NAN), no_number("the severity of a condition")),
+        (segment(begin, end, resting(at(1.0, 1.0))), DriverFault::Jump { from: here, to: at(1.0, 1.0) }),
+        (
+            segment(begin, end, MotionState::Stride { from: at(3.02, 3.0), to: here }),
+            DriverFault::Jump { from: here, to: at(3.02, 3.0) },
+        ),
+        (
+            segment(begin, end, MotionState::Stride { from: here, to: at(3.0, 30.0) }),
+            DriverFault::Outside { at: at(3.0, 30.0) },
+        ),
+        (
+            Next::Use(ThingUse { thing: ThingId(3), on: true }),
+            DriverFault::NoSuchThing { thing: ThingId(3), things: 3 },
+        ),
+        (Next::Activity(None), DriverFault::NoEnd { answers: MOST_ANSWERS }),
+    ];
+    for (answer, fault) in nonsense {
+        let (mut run, mut events, lived) = after_a_walk(answer.clone());
+        let error = lived.expect_err(&format!("{answer:?}"));
+        assert_eq!(error, DriverError { resident: "resident 1".into(), at: begin, fault }, "{answer:?}");
+        let text = error.to_string();
+        for said in ["\"resident 1\"", "at 10 s", "\n  hint: "] {
+            assert!(text.contains(said), "{text}");
+        }
+        // It stands at that instant, with all that was before, and goes no further.
+        events.facts.retain(|fact| !matches!(fact, Fact::Activity { .. }));
+        assert_eq!((run.now(), &events), (begin, &before), "{answer:?}");
+        assert_eq!((run.advance(LENGTH, &mut events), run.failure()), (Err(error.clone()), Some(&error)));
+        assert_eq!((run.now(), &events), (begin, &before), "{answer:?}");
+        assert_eq!(run.clone().moves(), Err(error));
+    }
+}
+
+#[test]
+fn who_fails_at_once_has_done_nothing() {
+    let mut run = run(vec![says(Vec::new(), segment(0, 0, MotionState::Away))]);
+    let mut events = Events::default();
+    let error = run.advance(LENGTH, &mut events).unwrap_err();
+    assert_eq!((error.at, error.fault), (0, DriverFault::EndsTooSoon { end: 0 }));
+    assert_eq!((run.now(), events), (0, Events::default()));
+}
+
+#[test]
+fn what_bodies_can_do_is_taken() {
+    let (begin, end, here) = (10 * SECOND, NEVER, at(3.0, 3.0));
+    // Rounding is no jump; who stands in a wall or a door is inside.
+    let close = at(3.005, 3.0);
+    let away = segment(begin, 20 * SECOND, MotionState::Away);
+    let elsewhere = segment(20 * SECOND, end, MotionState::Rest { at: at(7.0, 1.0) });
+    let sound = [
+        vec![rest()],
+        vec![segment(begin, end, MotionState::Rest { at: close })],
+        vec![segment(begin, end, MotionState::Stride { from: here, to: at(3.0, 4.04) })],
+        vec![segment(begin, end, MotionState::Stride { from: here, to: at(4.0, 2.0) })],
+        vec![away, elsewhere],
+    ];
+    for mut answers in sound {
+        let last = answers.pop().unwrap();
+        let mut run = run(vec![says(walk().into_iter().chain(answers).collect(), last.clone())]);
+        run.advance(LENGTH, &mut Events::default()).unwrap_or_else(|error| panic!("{last:?}: {error}"));
+        assert_eq!((run.now(), run.failure()), (LENGTH, None));
+    }
+}
+
+/// What a driver has seen at an instant.
+#[derive(Clone, Debug, PartialEq)]
+struct Seen {
+    now: Micros,
+    own: Option<(Point, Posture)>,
+    others: Vec<(ResidentId, Point, Posture, Option<RoomId>)>,
+    door: bool,
+}
+
+/// Stands for a second, sits for a second, and writes down what it sees.
+#[derive(Clone, Debug)]
+struct Watcher(Arc<Mutex<Vec<Seen>>>);
+
+impl Driver for Watcher {
+    fn next(&mut self, around: &Surroundings) -> Next {
+        let begin = around.now();
+        let others = around.others().map(|body| (body.resident, body.at, body.posture, around.room_at(body.at)));
+        self.0.lock().unwrap().push(Seen {
+            now: begin,
+            own: around.body().map(|body| (body.at, body.posture)),
+            others: others.collect(),
+            door: around.is_on(ThingId::of(around.plan().thing("door").unwrap())),
+        });
+        assert!(!around.is_on(ThingId(100)), "what does not exist is not on");
+        let posture = if begin / SECOND % 2 == 0 { Posture::Standing } else { Posture::Sitting };
+        let doing = MotionState::Rest { at: at(1.0, 3.0) };
+        Next::Segment(MotionSegment { begin, end: begin + SECOND, doing, posture })
+    }
+
+    fn copy(&self) -> Box<dyn Driver> {
+        Box::new(self.clone())
+    }
+}
+
+#[test]
+fn who_decides_sees_what_is_so() {
+    let door = |on| Next::Use(ThingUse { thing: ThingId(0), on });
+    // From room to room, the door shut behind, and out.
+    let others = vec![
+        segment(0, 12_345_678, MotionState::Stride { from: at(1.0, 2.0), to: at(7.0, 2.0) }),
+        door(false),
+        segment(12_345_678, 30 * SECOND, MotionState::InPlace { at: at(7.0, 2.0), amplitude_m: 0.1 }),
+    ];
+    let away = segment(30 * SECOND, NEVER, MotionState::Away);
+    let seen = Arc::new(Mutex::new(Vec::new()));
+    let mut run = run(vec![Box::new(Watcher(seen.clone())), says(others, away)]);
+    let mut scenes = Vec::new();
+    for second in 0..60 {
+        run.advance(second * SECOND, &mut Events::default()).unwrap();
+        let scene = run.scene();
+        let body = |resident: usize| scene.bodies[resident].map(|body| (body.at, body.posture));
+        scenes.push(Seen {
+            now: scene.now,
+            own: body(0),
+            others: body(1).into_iter().map(|(at, posture)| (ResidentId(1), at, posture, None)).collect(),
+            door: scene.on.contains(&ThingId(0)),
+        });
+    }
+    run.advance(LENGTH, &mut Events::default()).unwrap();
+    let mut seen = seen.lock().unwrap().clone();
+    let rooms: Vec<_> = seen.iter_mut().map(|seen| seen.others.first_mut().and_then(|other| other.3.take())).collect();
+    assert_eq!(seen, scenes);
+    let in_the_west = rooms.iter().filter(|&&room| room == Some(RoomId(0))).count();
+    let in_the_east = rooms.iter().filter(|&&room| room == Some(RoomId(1))).count();
+    assert_eq!((in_the_west, in_the_east), (6, 24), "{rooms:?}");
+    assert!(seen[12].door && !seen[13].door);
+    assert!(seen[29].others.len() == 1 && seen[31].others.is_empty());
+    assert_eq!((seen[0].own, seen[1].own), (None, Some((at(1.0, 3.0), Posture::Standing))));
+    // The control: a second later it is not the same any more.
+    assert!(seen[1..13].iter().zip(&scenes[2..]).all(|(seen, scene)| seen.others != scene.others));
+}
