@@ -5,7 +5,9 @@ mod home;
 use homebody_analysis::coverage::{Coverage, Grid, LEAST_DEAD_ZONE_M2, STEP_M, coverage};
 use homebody_core::geometry::{Point, point, signed_area};
 use homebody_core::home::plan::Plan;
+use homebody_core::ids::SensorId;
 use homebody_core::scenario::home::HomeFile;
+use homebody_core::sensor_set::SensorSet;
 use serde_json::json;
 
 const RADIUS_M: f64 = 0.2;
@@ -19,9 +21,14 @@ fn one_room(width: f64, depth: f64) -> Plan {
     Plan::new(&home)
 }
 
-fn measured(plan: &Plan, sensors: usize, sees: &dyn Fn(Point) -> u128) -> Coverage {
+fn measured(plan: &Plan, sensors: usize, sees: &dyn Fn(Point) -> SensorSet) -> Coverage {
     let names: Vec<String> = (0..sensors).map(|sensor| format!("sensor {sensor}")).collect();
     coverage(plan, RADIUS_M, &names, STEP_M, sees)
+}
+
+/// The sensors, by number, of which it holds that they see.
+fn seeing<const N: usize>(sensors: [bool; N]) -> SensorSet {
+    (0..).map(SensorId).zip(sensors).filter(|&(_, sees)| sees).map(|(sensor, _)| sensor).collect()
 }
 
 #[test]
@@ -30,7 +37,7 @@ fn the_floor_of_a_rectangle_is_within_the_stated_error() {
         let plan = one_room(width, depth);
         let truth = (width - 0.1 - 2.0 * RADIUS_M) * (depth - 0.1 - 2.0 * RADIUS_M);
         for step_m in [0.02, 0.05, 0.13] {
-            let whole = coverage(&plan, RADIUS_M, &[], step_m, &|_| 0).whole;
+            let whole = coverage(&plan, RADIUS_M, &[], step_m, &|_| seeing([])).whole;
             let off = (whole.floor_m2 - truth).abs();
             assert!(off <= whole.floor_error_m2, "{width} x {depth} in {step_m}: {off} > {}", whole.floor_error_m2);
             assert!(whole.floor_error_m2 < 20.0 * step_m, "an error that says something");
@@ -42,10 +49,10 @@ fn the_floor_of_a_rectangle_is_within_the_stated_error() {
 fn shares_are_those_of_the_areas_seen() {
     // The floor is 0.25..4.25 by 0.25..3.25: 12 m2.
     let plan = one_room(4.5, 3.5);
-    let west = |p: Point| u128::from(p.x < 1.25);
-    let south = |p: Point| u128::from(p.y < 1.75) << 1;
-    let corner = |p: Point| u128::from(p.x < 1.25 && p.y < 1.25) << 2;
-    let seen = measured(&plan, 3, &|p| west(p) | south(p) | corner(p));
+    let west = |p: Point| p.x < 1.25;
+    let south = |p: Point| p.y < 1.75;
+    let corner = |p: Point| p.x < 1.25 && p.y < 1.25;
+    let seen = measured(&plan, 3, &|p| seeing([west(p), south(p), corner(p)]));
     let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-9, "{a} is not {b}");
     close(seen.whole.floor_m2, 12.0);
     close(seen.whole.seen_by.none, 4.5 / 12.0);
@@ -102,7 +109,7 @@ fn dead_zones_add_up_to_the_unseen_floor() {
 #[test]
 fn an_island_that_is_seen_is_a_hole_in_the_dead_zone() {
     let plan = one_room(4.5, 3.5);
-    let seen = measured(&plan, 1, &|p| u128::from(p.distance(Point::new(2.25, 1.75)) < 0.8));
+    let seen = measured(&plan, 1, &|p| seeing([p.distance(Point::new(2.25, 1.75)) < 0.8]));
     let [zone] = &seen.dead_zones[..] else { panic!("one dead zone around the island") };
     assert_eq!((zone.outline.len(), zone.holes.len()), (4, 1));
     assert!((zone.area_m2 - (12.0 - std::f64::consts::PI * 0.64)).abs() < zone.area_error_m2);
@@ -113,7 +120,7 @@ fn an_island_that_is_seen_is_a_hole_in_the_dead_zone() {
 #[test]
 fn small_dead_zones_count_but_are_not_listed() {
     let plan = one_room(4.5, 3.5);
-    let seen = measured(&plan, 1, &|p| u128::from((p - Point::new(2.0, 2.0)).abs().max_element() > 0.05));
+    let seen = measured(&plan, 1, &|p| seeing([(p - Point::new(2.0, 2.0)).abs().max_element() > 0.05]));
     assert!(seen.dead_zones.is_empty());
     assert!(seen.whole.seen_by.none > 0.0);
 }
@@ -125,7 +132,7 @@ fn rings_touch_but_never_cross() {
     let bounds = (Point::ZERO, Point::new(9.0, 7.0));
     let grid = Grid::sample(bounds, 1.0, |p| {
         let cell = rows[6 - p.y as usize].as_bytes()[p.x as usize];
-        (cell == b'#').then_some(0)
+        (cell == b'#').then(SensorSet::default)
     });
     let mut cells = 0;
     for region in grid.regions(|cell| grid.cells[cell].is_some()) {
@@ -147,14 +154,14 @@ fn rings_touch_but_never_cross() {
 
 #[test]
 fn a_home_without_sensors_is_one_dead_zone() {
-    let seen = measured(&one_room(4.5, 3.5), 0, &|_| u128::MAX);
-    assert_eq!(seen.whole.seen_by.none, 1.0, "bits of sensors that are not there do not count");
+    let seen = measured(&one_room(4.5, 3.5), 0, &|_| seeing([]));
+    assert_eq!(seen.whole.seen_by.none, 1.0);
     assert_eq!(seen.dead_zones.len(), 1);
 }
 
 #[test]
 fn a_home_too_narrow_to_stand_in_has_no_floor() {
-    let seen = measured(&one_room(0.4, 0.4), 1, &|_| 1);
+    let seen = measured(&one_room(0.4, 0.4), 1, &|_| seeing([true]));
     assert_eq!(seen.whole.floor_m2, 0.0);
     assert_eq!(seen.whole.seen_by.none, 0.0);
     assert!(seen.to_string().contains("No dead zone"));

@@ -19,6 +19,7 @@ pub mod sensors;
 // Movement: strides, who decides on them, the world they happen in, and the way of what its sensors say.
 pub mod stride;
 pub mod ids;
+pub mod sensor_set;
 pub mod event;
 mod timers;
 pub mod drivers;

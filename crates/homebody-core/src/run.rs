@@ -14,6 +14,7 @@ use crate::ids::{ResidentId, RoomId, ThingId};
 use crate::link::{self, Link};
 use crate::scenario::load::{self, Scenario};
 use crate::scene::{Presence, Scene};
+use crate::sensor_set::SensorSet;
 use crate::sensors::Sensor;
 use crate::stride::Stride;
 use crate::time::{Micros, SECOND};
@@ -168,7 +169,7 @@ impl Run {
         Scene {
             now: self.now(),
             bodies: all.clone().map(body).collect(),
-            seeing: all.fold(0, |seeing, resident| seeing | self.world.seeing(resident)),
+            seeing: all.fold(SensorSet::default(), |seeing, resident| seeing | self.world.seeing(resident)),
             on: (0..self.on.len()).filter(|&thing| self.on[thing]).map(ThingId::of).collect(),
         }
     }

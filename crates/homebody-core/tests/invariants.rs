@@ -9,10 +9,11 @@ use homebody_core::event::{Events, Fact, Firing, MotionState, Provenance, Value}
 use homebody_core::geometry::Point;
 use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::home::{Build, Home};
-use homebody_core::ids::ResidentId;
+use homebody_core::ids::{ResidentId, SensorId};
 use homebody_core::run::Run;
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::path::Posture;
+use homebody_core::sensor_set::SensorSet;
 use homebody_core::time::{Micros, SECOND};
 use homebody_core::world::World;
 use random_home::{Dice, Done, Model};
@@ -240,6 +241,26 @@ fn adding_a_sensor_changes_no_other() {
     }
 }
 
+/// Masks hold 128 sensors each: the first hundred, and the last, fire in a crowd as they do alone.
+#[test]
+fn sensors_beyond_a_mask_change_no_other() {
+    for (case, more) in [(1, 300), (2, 1000)] {
+        let file = random_home::crowded(case, Model::Whole, more);
+        let all = firings(&Case::with(case, file.clone(), vec![BODY]).events(&[]));
+        let last = file.sensors.len() - 100;
+        for part in [0..100, last..last + 100] {
+            let mut few = file.clone();
+            few.sensors = file.sensors[part.clone()].to_vec();
+            let alone = firings(&Case::with(case, few, vec![BODY]).events(&[]));
+            let of_part = all.iter().filter(|(_, sensor, _)| part.contains(&(*sensor as usize)));
+            let in_crowd: Vec<_> =
+                of_part.map(|&(at, sensor, value)| (at, sensor - part.start as u32, value)).collect();
+            assert!(alone.len() > 300, "case {case}: only {} firings", alone.len());
+            assert_eq!(alone, in_crowd, "case {case}, sensors {part:?}");
+        }
+    }
+}
+
 #[test]
 fn adding_a_resident_whom_no_sensor_sees_changes_nothing() {
     for case in 0..CASES {
@@ -270,7 +291,7 @@ fn the_grid_changes_nothing() {
                 );
                 let on_plan = p.cmpge(least).all() && p.cmple(most).all();
                 let seen = (0..home.sensors.len()).filter(|&sensor| on_plan && field.sees(sensor, p));
-                let seen = seen.fold(0u128, |mask, sensor| mask | 1 << sensor);
+                let seen: SensorSet = seen.map(SensorId::of).collect();
                 assert!(!on_plan || field.seen_at(p) == seen, "case {case} at {p}");
             }
         }

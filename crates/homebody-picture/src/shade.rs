@@ -97,6 +97,8 @@ fn simplify(line: &[Point], tolerance: f64, kept: &mut Vec<Point>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use homebody_core::ids::SensorId;
+    use homebody_core::sensor_set::SensorSet;
 
     /// The shapes tile the plane: what one gives away at a border, another takes.
     #[test]
@@ -105,7 +107,7 @@ mod tests {
         let rings = [(2.1, 1.9, 1.6), (3.3, 2.2, 1.4), (4.4, 1.2, 0.7), (1.0, 3.2, 0.4)];
         let near = |p: Point, (x, y, r): (f64, f64, f64)| p.distance(Point::new(x, y)) < r;
         let grid = Grid::sample(bounds, 0.05, |p| {
-            Some(rings.iter().enumerate().map(|(bit, &ring)| u128::from(near(p, ring)) << bit).sum())
+            Some((0..).map(SensorId).zip(rings).filter(|&(_, ring)| near(p, ring)).map(|(sensor, _)| sensor).collect())
         });
         let class = |cell: usize| 1 + grid.watchers(cell).unwrap_or(0);
         let mut area = 0.0;
@@ -122,7 +124,7 @@ mod tests {
     #[test]
     fn corners_of_rooms_stay_sharp() {
         let bounds = (Point::ZERO, Point::new(3.0, 2.0));
-        let grid = Grid::sample(bounds, 0.05, |p| (p.x > 1.0 && p.y > 0.5).then_some(0));
+        let grid = Grid::sample(bounds, 0.05, |p| (p.x > 1.0 && p.y > 0.5).then(SensorSet::default));
         let class = |cell: usize| usize::from(grid.cells[cell].is_some());
         let regions = grid.regions(|cell| class(cell) == 1);
         let ring = &smooth(&grid, &regions[0], &class)[0];

@@ -8,7 +8,6 @@ use crate::wire::{FiringView, Frame, Key, Posture, ResidentView, RunView, State}
 use homebody_core::drivers::live::Input;
 use homebody_core::event::{Events, Fact};
 use homebody_core::geometry::Point;
-use homebody_core::home::field::bits;
 use homebody_core::home::plan::Plan;
 use homebody_core::ids::ResidentId;
 use homebody_core::recording::{Recording, RunDigest};
@@ -315,7 +314,7 @@ impl StagedRun {
             state: if self.is_over { State::Over } else { state },
             speed,
             bodies: scene.bodies.iter().enumerate().map(body).collect(),
-            seeing: bits(scene.seeing).filter(|&sensor| sensor < sensors).map(|sensor| sensor as u32).collect(),
+            seeing: scene.seeing.iter().filter(|sensor| sensor.index() < sensors).map(|sensor| sensor.0).collect(),
             on: scene.on.iter().map(|thing| thing.0).collect(),
             sun: self.run.home().sun.elevation_sine(scene.now),
             told: self.counts.iter().sum(),

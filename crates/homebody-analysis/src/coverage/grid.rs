@@ -8,6 +8,7 @@
 use std::collections::BTreeMap;
 
 use homebody_core::geometry::Point;
+use homebody_core::sensor_set::SensorSet;
 
 /// Square cells over a home. Their corners lie at whole multiples of the step, so that walls that
 /// do the same cut no cell in two, and layouts of one home can be compared cell by cell.
@@ -16,8 +17,8 @@ pub struct Grid {
     pub step_m: f64,
     pub columns: usize,
     pub rows: usize,
-    /// Row by row from the south-west: nothing where no body can stand, else a bit per sensor that sees it.
-    pub cells: Vec<Option<u128>>,
+    /// Row by row from the south-west: nothing where no body can stand, else the sensors that see it.
+    pub cells: Vec<Option<SensorSet>>,
     /// The south-west corner, in steps.
     least: Corner,
 }
@@ -37,7 +38,7 @@ pub struct Region {
 
 impl Grid {
     /// Looks at the middle of every cell between the corners of `bounds`.
-    pub fn sample(bounds: (Point, Point), step_m: f64, look: impl Fn(Point) -> Option<u128>) -> Grid {
+    pub fn sample(bounds: (Point, Point), step_m: f64, look: impl Fn(Point) -> Option<SensorSet>) -> Grid {
         assert!(step_m > 0.0, "the cells of a grid need a size");
         let (least, most) = ((bounds.0 / step_m).floor(), (bounds.1 / step_m).ceil());
         let (columns, rows) = ((most.x - least.x) as usize, (most.y - least.y) as usize);
@@ -55,7 +56,7 @@ impl Grid {
 
     /// How many sensors see a cell; nothing where no body can stand.
     pub fn watchers(&self, cell: usize) -> Option<usize> {
-        self.cells[cell].map(|seen| seen.count_ones() as usize)
+        self.cells[cell].as_ref().map(SensorSet::len)
     }
 
     /// A corner in metres.

@@ -17,10 +17,12 @@ mod table;
 
 use homebody_core::geometry::Point;
 use homebody_core::home::Build;
-use homebody_core::home::field::{Field, MAX_SENSORS, bits};
+use homebody_core::home::field::Field;
 use homebody_core::home::plan::Plan;
+use homebody_core::ids::SensorId;
 use homebody_core::scenario::home::{HomeFile, SensorFile};
 use homebody_core::scenario::path::Posture;
+use homebody_core::sensor_set::SensorSet;
 use homebody_core::sensors::Sensor;
 use serde::Serialize;
 
@@ -136,22 +138,20 @@ pub fn of_home(home: &HomeFile, build: Build, step_m: f64) -> Seen {
 
 /// Samples the walkable floor in cells of `step_m` and counts which sensors see each.
 ///
-/// `sees` answers for a body that stands and moves at a point: bit `i` is set if `sensors[i]` would notice.
+/// `sees` answers for a body that stands and moves at a point: which of `sensors` would notice.
 ///
 /// # Panics
 ///
-/// If there are more sensors than `sees` has bits, or `step_m` is not a positive number.
+/// If `sees` names a sensor that is not among `sensors`, or `step_m` is not a positive number.
 pub fn coverage(
     plan: &Plan,
     body_radius_m: f64,
     sensors: &[String],
     step_m: f64,
-    sees: &dyn Fn(Point) -> u128,
+    sees: &dyn Fn(Point) -> SensorSet,
 ) -> Coverage {
     let count = sensors.len();
-    assert!(count <= MAX_SENSORS, "coverage tells at most {MAX_SENSORS} sensors apart, this home has {count}");
-    let known = if count == MAX_SENSORS { u128::MAX } else { (1 << count) - 1 };
-    let grid = Grid::sample(plan.bounds(), step_m, |p| plan.is_walkable(p, body_radius_m).then(|| sees(p) & known));
+    let grid = Grid::sample(plan.bounds(), step_m, |p| plan.is_walkable(p, body_radius_m).then(|| sees(p)));
     let room_of: Vec<Option<usize>> = (0..grid.cells.len()).map(|cell| plan.room_at(grid.middle(cell))).collect();
     let floor = |name: &str, belongs: &dyn Fn(usize) -> bool| floor(&grid, name, belongs);
 
@@ -159,18 +159,18 @@ pub fn coverage(
     let rooms = plan.rooms.iter().enumerate();
     let rooms = rooms.map(|(room, named)| floor(&named.name, &|cell| room_of[cell] == Some(room))).collect();
     let doorways = Some(floor("doorways", &|cell| room_of[cell].is_none())).filter(|floor| floor.floor_m2 > 0.0);
-    let area = |counts: &dyn Fn(u128) -> bool| {
-        grid.cells.iter().flatten().filter(|&&seen| counts(seen)).count() as f64 * step_m * step_m
+    let area = |counts: &dyn Fn(&SensorSet) -> bool| {
+        grid.cells.iter().flatten().filter(|seen| counts(seen)).count() as f64 * step_m * step_m
     };
     let views = sensors.iter().enumerate().map(|(sensor, name)| SensorView {
         name: name.clone(),
-        seen_m2: area(&|seen| seen & (1 << sensor) != 0),
-        alone_m2: area(&|seen| seen == 1 << sensor),
+        seen_m2: area(&|seen| seen.contains(SensorId::of(sensor))),
+        alone_m2: area(&|seen| seen.len() == 1 && seen.contains(SensorId::of(sensor))),
     });
     let mut shared = vec![0_usize; count * count];
-    for &seen in grid.cells.iter().flatten() {
-        for a in bits(seen) {
-            bits(seen).filter(|&b| b > a).for_each(|b| shared[a * count + b] += 1);
+    for seen in grid.cells.iter().flatten() {
+        for a in seen.iter().map(SensorId::index) {
+            seen.iter().map(SensorId::index).filter(|&b| b > a).for_each(|b| shared[a * count + b] += 1);
         }
     }
     let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b)));
@@ -217,7 +217,7 @@ fn floor(grid: &Grid, name: &str, belongs: &dyn Fn(usize) -> bool) -> Floor {
 }
 
 fn dead_zones(grid: &Grid, plan: &Plan, room_of: &[Option<usize>]) -> Vec<DeadZone> {
-    let mut regions = grid.regions(|cell| grid.cells[cell] == Some(0));
+    let mut regions = grid.regions(|cell| grid.watchers(cell) == Some(0));
     // By area; the regions come in the order of their first cells, which the stable sort keeps.
     regions.sort_by_key(|region| std::cmp::Reverse(region.cells.len()));
     let listed = regions.iter().filter(|region| grid.area_m2(region) >= LEAST_DEAD_ZONE_M2);

@@ -2,7 +2,9 @@
 
 use homebody_core::geometry::{Point, direction, point};
 use homebody_core::home::plan::Plan;
+use homebody_core::ids::SensorId;
 use homebody_core::scenario::home::{HomeFile, SensorFile};
+use homebody_core::sensor_set::SensorSet;
 use serde_json::{Value, json};
 
 /// The home, with the given furniture and sensors.
@@ -47,7 +49,7 @@ pub fn furnished() -> HomeFile {
 
 /// A made-up way to see: wall sensors see a fan up to their reach unless something tall stands between,
 /// ceiling sensors see their areas.
-pub fn sees(home: &HomeFile, plan: &Plan, p: Point) -> u128 {
+pub fn sees(home: &HomeFile, plan: &Plan, p: Point) -> SensorSet {
     let seen = home.sensors.iter().enumerate().filter(|(_, sensor)| match sensor {
         SensorFile::Motion(motion) => {
             let lens = point(motion.at);
@@ -61,7 +63,7 @@ pub fn sees(home: &HomeFile, plan: &Plan, p: Point) -> u128 {
         }
         _ => false,
     });
-    seen.map(|(index, _)| 1 << index).sum()
+    seen.map(|(index, _)| SensorId::of(index)).collect()
 }
 
 /// Where a beam from `a` to `b` ends at something tall.

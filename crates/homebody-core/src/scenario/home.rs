@@ -49,7 +49,7 @@ pub struct HomeFile {
     #[schemars(length(max = 1_000))]
     pub places: Vec<PlaceFile>,
     #[serde(default)]
-    #[schemars(length(max = 128))]
+    #[schemars(length(max = 1_024))]
     pub sensors: Vec<SensorFile>,
 }
 

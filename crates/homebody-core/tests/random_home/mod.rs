@@ -44,8 +44,14 @@ pub enum Model {
     Whole,
 }
 
-/// A rectangle cut into rooms, with furniture and sensors.
+/// A rectangle cut into rooms, with furniture and sensors; of whole models one in fifty has more sensors than a mask has bits.
 pub fn home(case: u64, model: Model) -> HomeFile {
+    let is_crowded = model == Model::Whole && case % 50 == 7;
+    crowded(case, model, if is_crowded { 130 + Dice::new(case, "how crowded").below(100) } else { 0 })
+}
+
+/// Such a home with so many sensors more, which look for movement. They come after the others that do.
+pub fn crowded(case: u64, model: Model, more: i64) -> HomeFile {
     let dice = &mut Dice::new(case, "home");
     let (width, depth) = (dice.between(4.0, 12.0), dice.between(3.0, 9.0));
     let cut = dice.between(0.3, 0.7) * width;
@@ -72,6 +78,8 @@ pub fn home(case: u64, model: Model) -> HomeFile {
         .collect();
     let mut sensors: Vec<Value> =
         (0..1 + dice.below(6)).map(|index| sensor(dice, index, width, depth, model)).collect();
+    let crowd = &mut Dice::new(case, "crowd");
+    sensors.extend((0..more).map(|index| sensor(crowd, 1000 + index, width, depth, model)));
     if model == Model::Whole {
         let dice = &mut Dice::new(case, "devices");
         let (x, y) = (dice.between(1.0, width - 1.0), dice.between(1.0, depth - 1.0));

@@ -218,7 +218,8 @@ impl TruthLog {
     }
 
     fn tell_offs_before(&mut self, next: u64) {
-        while let Some((row, firing)) = self.offs.pop_front_if(|(row, _)| *row < next) {
+        while let Some(&(row, firing)) = self.offs.front().filter(|(row, _)| *row < next) {
+            self.offs.pop_front();
             self.batch.push(Truth::Off as usize, [Cell::Integer(row as i64), Cell::Integer(firing as i64)]);
         }
     }

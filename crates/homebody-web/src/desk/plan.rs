@@ -83,7 +83,8 @@ fn step_m(plan: &Plan) -> f64 {
 
 fn covered(Seen { coverage, .. }: &Seen) -> CoverageView {
     let Coverage { step_m, whole, rooms, doorways, sensors, overlaps, dead_zones, grid, .. } = coverage;
-    let cell = |cell: usize| grid.watchers(cell).map_or(NO_FLOOR, |watchers| watchers as u8);
+    let cell =
+        |cell: usize| grid.watchers(cell).map_or(NO_FLOOR, |watchers| watchers.min(usize::from(NO_FLOOR) - 1) as u8);
     let half = step_m / 2.0;
     let corner = if grid.cells.is_empty() { [0.0; 2] } else { draw::at(grid.middle(0)).map(|middle| middle - half) };
     let zone = |zone: &coverage::DeadZone| DeadZoneView {

@@ -7,8 +7,8 @@ use crate::home::plan::{Plan, Solid};
 use crate::scenario::home::{HomeFile, Level, MotionFile, SensorFile};
 use crate::sensors::motion::LENS_OFF_WALL_M;
 
-/// The beams of all sensors together that a run can follow.
-const MOST_BEAMS: u32 = 4096;
+/// The beams of all sensors together that a run can follow (ours): as many as the most sensors have by default.
+const MOST_BEAMS: u32 = 32_768;
 
 /// An area that goes so far beyond a wall, along so much of it, reaches through it (ours).
 const REACH_THROUGH_M: f64 = 0.05;
