@@ -494,7 +494,7 @@ impl RoutineDriver {
         let gap = until - now;
         let key = format!("fill/{}", self.times(&Activity::Relax));
         let mut stream = self.life.stream_of_day(self.agenda.day, &key);
-        let said: Vec<&Activity> = self.life.habits(self.agenda.day).map(|(habit, _, _)| &habit.activity).collect();
+        let said: Vec<&Activity> = self.life.habits(self.agenda.day).map(|habit| &habit.said.activity).collect();
         let (mut fillers, mut weights) = (Vec::new(), Vec::new());
         let rising = RISES * self.parameters.activity(self.hour(now));
         for (activity, weight, minutes) in FILLERS {

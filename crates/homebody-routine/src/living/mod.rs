@@ -2,6 +2,7 @@
 
 // Whose life it is, and how it is on a day.
 pub mod life;
+mod keys;
 
 // What is to be done on a day, where, and how each thing is done.
 pub mod agenda;
