@@ -13,6 +13,7 @@ pub mod completion;
 
 // The living of it, and everybody of a scenario who does.
 pub mod living;
+mod needs_of_home;
 pub mod household;
 
 // How a body gets from place to place: paths with clearance, gait, and what disturbs both.

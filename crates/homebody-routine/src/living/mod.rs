@@ -18,6 +18,7 @@ mod watch;
 // Who carries it out.
 pub mod body;
 pub mod driver;
+mod spare_time;
 mod night;
 mod visit;
 pub mod pet;

@@ -137,4 +137,9 @@ impl Needs {
         need.meet(now, threshold);
         strength.min(1.0)
     }
+
+    /// Nothing can be done about a need: it presses again as if it had been met.
+    pub fn put_off(&mut self, kind: Kind, now: Micros) {
+        self.meet(kind, now);
+    }
 }
