@@ -6,7 +6,8 @@ use crate::living::body::Body;
 use crate::living::driver::RoutineDriver;
 use crate::living::life::Life;
 use crate::living::pet::PetDriver;
-use crate::living::places::{Places, Role};
+use crate::living::places::Places;
+use crate::needs_of_home;
 use crate::routine::{Activity, Effect, Kind, Meal, Routine};
 use homebody_core::drivers;
 use homebody_core::home::plan::Plan;
@@ -124,8 +125,8 @@ impl Household {
         let mut problems = household.not_shown(without);
         for (resident, routine) in scenario.residents.iter().zip(&household.routines) {
             if let Some(routine) = routine {
-                let plan = scenario.home.plan();
-                check_home(&scenario, plan, resident.file.radius_m, &resident.file.name, routine, &mut problems);
+                let (plan, conditions) = (scenario.home.plan(), &household.conditions);
+                problems.extend(needs_of_home::check(&scenario, plan, &resident.file, routine, conditions));
             }
         }
         if !problems.is_empty() {
@@ -246,10 +247,10 @@ impl Household {
         (0..self.routines.len()).flat_map(of).collect()
     }
 
-    fn body(&self, body: usize, home: &Arc<Home>, pace_mps: f64) -> Body {
+    /// What a body walks by.
+    fn mesh(&self, body: usize, home: &Home) -> Arc<Mesh> {
         let radius_m = self.scenario.residents.get(body).map_or(Build::adult().radius_m, |one| one.file.radius_m);
-        let mesh = Arc::new(Mesh::new(&home.plan, radius_m));
-        Body::new(home.clone(), mesh, pace_mps)
+        Arc::new(Mesh::new(&home.plan, radius_m))
     }
 }
 
@@ -261,20 +262,21 @@ impl DriverProvider for Household {
     }
 
     fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn drivers::Driver>> {
-        let places = |name: &str| Arc::new(Places::new(&self.scenario.home, &home.plan, name));
+        let mesh = self.mesh(body, home);
+        let places = |name: &str| Arc::new(Places::new(&self.scenario.home, &home.plan, &mesh, name));
         if let Some(guest) = body.checked_sub(self.scenario.residents.len()) {
             let Visitor { host, name } = self.guests.get(guest)?;
             let life = Arc::new(self.life(*host, seed)?);
             let places = places(&life.name);
             /// Metres a second: somebody younger who takes their time (ours).
             const PACE_MPS: f64 = 0.9;
-            let body = self.body(body, home, PACE_MPS);
+            let body = Body::new(home.clone(), mesh.clone(), PACE_MPS);
             return Some(Box::new(RoutineDriver::visitor(life, home.clone(), places, body, name)));
         }
         let life = Arc::new(self.life(body, seed)?);
         let places = places(&life.name);
         let kind = self.routine(body)?.person.as_ref().map_or(Kind::Person, |person| person.kind);
-        let own = self.body(body, home, life.pace_mps);
+        let own = Body::new(home.clone(), mesh.clone(), life.pace_mps);
         match kind {
             Kind::Person => Some(Box::new(RoutineDriver::new(life, home.clone(), places, own))),
             Kind::Cat | Kind::Dog => Some(Box::new(PetDriver::new(life, places, own))),
@@ -311,7 +313,7 @@ fn ordinary(home: &HomeFile, plan: &Plan) -> Routine {
 }
 
 /// The conditions that a routine shows.
-fn shows(routine: &Routine) -> impl Iterator<Item = &str> {
+pub(crate) fn shows(routine: &Routine) -> impl Iterator<Item = &str> {
     routine.changes.iter().filter_map(|change| match &change.effect {
         Effect::Shows { condition, .. } => Some(condition.as_str()),
         _ => None,
@@ -428,64 +430,4 @@ impl<'a> Reader<'a> {
 
 fn file_of(condition: &str) -> String {
     format!("conditions/{condition}.routine")
-}
-
-/// What the routine needs of the home: a bed, a way to each place, somewhere to do what it says.
-fn check_home(
-    scenario: &Scenario,
-    plan: &Plan,
-    radius_m: f64,
-    name: &str,
-    routine: &Routine,
-    problems: &mut Vec<Problem>,
-) {
-    let places = Places::new(&scenario.home, plan, name);
-    let mesh = Mesh::new(plan, radius_m);
-    let mut say = |line: u32, column: u32, what: String, hint: &str| {
-        let mut problem = Problem::of_file(&routine.file, what, Some(hint.to_owned()));
-        (problem.line, problem.column) = (line, column);
-        problems.push(problem);
-    };
-    let is_person = routine.person.as_ref().is_none_or(|person| person.kind == Kind::Person);
-    let anybodys = || places.anybodys(Role::Bed).into_iter().next().filter(|_| !is_person);
-    let Some(bed) = places.of(Role::Bed).or_else(anybodys) else {
-        return say(
-            0,
-            0,
-            "there is nowhere in this home to sleep".into(),
-            "give it a piece of furniture \"bed\" that is enterable",
-        );
-    };
-    if is_person {
-        for (role, what, hint) in [
-            (Role::Toilet, "there is no toilet in this home", "give it a piece of furniture or a place \"toilet\""),
-            (Role::Armchair, "there is nowhere to sit in this home", "give it an \"armchair\" that is enterable"),
-            (Role::Fridge, "there is no kitchen in this home", "give it a room \"kitchen\", or a place \"fridge\""),
-        ] {
-            match places.of(role) {
-                None => say(0, 0, what.into(), hint),
-                Some(spot) if !mesh.can_reach(bed.at, spot.at) => {
-                    let what = format!("{name} cannot get from {:?} to {:?}", bed.name, spot.name);
-                    say(0, 0, what, "see with `homebody plan` what is in the way: a closed door, a wall, furniture");
-                }
-                Some(_) => {}
-            }
-        }
-    }
-    let mut told: Vec<&str> = Vec::new();
-    for habit in &routine.habits {
-        let Some(place) = habit.place.as_deref().filter(|place| !told.contains(place)) else { continue };
-        let Some(spot) = places.named(place) else { continue };
-        if !mesh.can_reach(bed.at, spot.at) {
-            told.push(place);
-            let what = format!("{name} cannot get from {:?} to {place:?}", bed.name);
-            let hint = "see with `homebody plan` what is in the way: a closed door, a wall, furniture";
-            say(habit.said.line, habit.said.column, what, hint);
-        }
-    }
-    let goes_out = routine.habits.iter().find(|habit| matches!(habit.activity, Activity::Leave | Activity::Visit));
-    if let (Some(habit), None) = (goes_out, places.of(Role::FrontDoor)) {
-        let hint = "mark a door as \"outside\", or name a place \"front door\"";
-        say(habit.said.line, habit.said.column, "there is no way out of this home".into(), hint);
-    }
 }

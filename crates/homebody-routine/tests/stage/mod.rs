@@ -8,6 +8,7 @@ use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_routine::household::Household;
 use std::collections::BTreeMap;
 
+#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 pub const HOUR: Micros = 3600 * SECOND;
 
 /// The files of the scenario, with this routine and, if any, these other files.
