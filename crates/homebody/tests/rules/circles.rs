@@ -10,15 +10,13 @@ use super::{File, expect_none, files};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The circles that there are, each by its files below `crates/`, in order. Take out the one that you open.
-const CIRCLES: [&[&str]; 7] = [
+const CIRCLES: [&[&str]; 5] = [
     &[
         "homebody-core/src/drivers/live.rs",
         "homebody-core/src/drivers/live/obstacles.rs",
         "homebody-core/src/drivers/mod.rs",
         "homebody-core/src/drivers/surroundings.rs",
     ],
-    &["homebody-core/src/scenario/edit.rs", "homebody-core/src/scenario/load.rs"],
-    &["homebody-experiment/src/sphere/compare.rs", "homebody-experiment/src/sphere/words.rs"],
     &[
         "homebody-kit/src/cohort.rs",
         "homebody-kit/src/profiles/mod.rs",
