@@ -27,6 +27,13 @@ pub struct ScenarioEdit {
     texts: BTreeMap<String, String>,
 }
 
+impl Scenario {
+    /// The scenario as it is, to be changed.
+    pub fn edit(&self) -> ScenarioEdit {
+        ScenarioEdit::of(self)
+    }
+}
+
 impl ScenarioEdit {
     /// A scenario of this home in which nobody lives yet. Its own file is `scenario.json`; the home gets the file that
     /// `file.home` names.
@@ -37,7 +44,7 @@ impl ScenarioEdit {
         ScenarioEdit { entry, file, home, residents: Vec::new(), texts }
     }
 
-    pub(super) fn of(scenario: &Scenario) -> ScenarioEdit {
+    fn of(scenario: &Scenario) -> ScenarioEdit {
         ScenarioEdit {
             entry: scenario.entry.clone(),
             file: scenario.file.clone(),

@@ -3,7 +3,6 @@
 use super::ScenarioFile;
 use super::calendar::Calendar;
 use super::check;
-use super::edit::ScenarioEdit;
 use super::home::HomeFile;
 use super::input::InputFile;
 use super::link::LinkFile;
@@ -115,11 +114,6 @@ impl Language for () {
 }
 
 impl Scenario {
-    /// The scenario as it is, to be changed.
-    pub fn edit(&self) -> ScenarioEdit {
-        ScenarioEdit::of(self)
-    }
-
     /// As [`Scenario::load_in`], without a look into routines.
     pub fn load(files: &dyn Files, entry: &str) -> Result<Scenario, Problems> {
         Scenario::load_in(&mut (), files, entry)
