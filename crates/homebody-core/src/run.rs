@@ -8,7 +8,8 @@ use crate::drivers::{Driver, MotionSegment, Next, Occupant, Surroundings};
 use crate::event::{Events, Fact, MotionState, ThingUse};
 use crate::geometry;
 use crate::home::plan::Plan;
-use crate::home::{Build, Home, Sun};
+use crate::home::sun::Sun;
+use crate::home::{Build, Home};
 use crate::ids::{ResidentId, RoomId, ThingId};
 use crate::link::{self, Link};
 use crate::scenario::load::{self, Scenario};
@@ -55,7 +56,8 @@ pub trait DriverProvider {
     /// Who comes into the home besides the scenario's residents.
     fn guests(&self) -> Vec<Guest>;
 
-    /// The driver of a body: the scenario's residents first, then the guests. `None` where the scenario says all.
+    /// The driver of a body: the scenario's residents first, then the guests. `None` where the scenario says all; one that
+    /// is given moves the body whatever the scenario says.
     fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn Driver>>;
 }
 
@@ -85,18 +87,16 @@ impl Run {
         let builds: Vec<Build> = residents.chain(guests.iter().map(|guest| guest.build)).collect();
         let start_of_day = scenario.calendar.start_of_day();
         let link = scenario.link.as_ref().map(|file| Link::new(file, &scenario.home.sensors, start_of_day, seed));
-        let mut file = Cow::Borrowed(&scenario.home);
-        if let Some(link) = &scenario.link {
-            file.to_mut().sensors.extend(link::other_places(link, &scenario.home.sensors));
-        }
-        let mut home = Home::bake(&file, &builds);
+        let places = scenario.link.as_ref().map(|link| link::other_places(link, &scenario.home.sensors));
+        let moved = places.map_or(Cow::Borrowed(&scenario.home), |more| Cow::Owned(scenario.home.with_sensors(more)));
+        let mut home = Home::bake(&moved, &builds);
         home.sun = Sun::of(&scenario.calendar, scenario.home.latitude_deg);
         let home = Arc::new(home);
         let drivers = (0..builds.len()).map(|body| {
-            let given = || drivers_of.driver(body, &home, seed);
+            let given = drivers_of.driver(body, &home, seed);
             let resident = scenario.residents.get(body);
-            let own = resident.and_then(|resident| driver(resident, &home.plan, start_of_day));
-            own.or_else(given).unwrap_or_else(|| Box::new(Absent))
+            let own = || resident.and_then(|resident| driver(resident, &home.plan, start_of_day));
+            given.or_else(own).unwrap_or_else(|| Box::new(Absent))
         });
         let drivers = drivers.collect();
         let mut run = Run { link: link.map(Box::new), ..Run::of(home, builds, drivers, seed, length) };
@@ -395,7 +395,7 @@ impl Run {
 fn driver(resident: &load::Resident, plan: &Plan, start_of_day: Micros) -> Option<Box<dyn Driver>> {
     let load::Resident { file, driver } = resident;
     match driver {
-        load::Driver::Path(path) => Some(Box::new(PathDriver::new(path, plan, file.pace_mps, start_of_day))),
+        load::Driver::Path(path) => Some(Box::new(PathDriver::new(path, start_of_day))),
         load::Driver::Live { input, start } => {
             let keys = KeyTrack::written(input, plan);
             Some(Box::new(LiveDriver::new(plan, *start, file.radius_m, file.pace_mps, keys)))

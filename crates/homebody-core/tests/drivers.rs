@@ -5,6 +5,7 @@ use homebody_core::drivers::live::{Input, KeyTrack, LiveDriver};
 use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::{Events, Fact, MotionState, Need, ThingUse, Vitals};
 use homebody_core::geometry::Point;
+use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::home::{Build, Home};
 use homebody_core::ids::{ResidentId, RoomId, ThingId};
 use homebody_core::run::Run;
@@ -30,7 +31,7 @@ static HOME: LazyLock<Arc<Home>> = LazyLock::new(|| {
         "doors": [{ "name": "door", "from": [4, 1.5], "to": [4, 2.5] }],
         "sensors": [{ "kind": "motion", "name": "motion", "at": [0.05, 2], "facing_deg": 0 }],
     });
-    Arc::new(Home::bake(&serde_json::from_value(home).unwrap(), &[Build::adult(); 3]))
+    Arc::new(Home::bake(&ResolvedHome::new(serde_json::from_value(home).unwrap()).unwrap(), &[Build::adult(); 3]))
 });
 
 /// Gives one answer after the other, and the last one again and again.

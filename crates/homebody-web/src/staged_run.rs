@@ -3,7 +3,7 @@
 use crate::dates;
 use crate::draw;
 use crate::growth::Growth;
-use crate::shelf::{Drafted, Shelf};
+use crate::shelf::Shelf;
 use crate::wire::{FiringView, Frame, Key, Posture, ResidentView, RunView, State};
 use homebody_core::drivers::live::Input;
 use homebody_core::event::{Events, Fact};
@@ -13,6 +13,7 @@ use homebody_core::home::plan::Plan;
 use homebody_core::ids::ResidentId;
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::Run;
+use homebody_core::scenario::edit::ScenarioEdit;
 use homebody_core::scenario::input::{self, InputFile, KeysFile, UseFile};
 use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::scenario::path;
@@ -20,9 +21,7 @@ use homebody_core::scene::Scene;
 use homebody_core::sensors::Sensor;
 use homebody_core::time::{Micros, micros, seconds};
 use homebody_log::{How, LogError, Places, RowText, Rows, RunLog};
-use homebody_routine::household::{Household, RoutineLanguage};
-use serde_json::{Value, json};
-use std::collections::BTreeMap;
+use homebody_routine::household::Household;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -76,15 +75,19 @@ struct Written {
 impl StagedRun {
     /// A run of the scenario of these files, from its start. It leaves files from when it is first advanced.
     pub fn new(files: &dyn Files, entry: &str, start: Start) -> Result<StagedRun, String> {
-        let mut files = Drafted { texts: BTreeMap::new(), others: files };
-        let first = load(&files, entry)?;
+        let load =
+            |files: &dyn Files| Household::load(files, entry, &start.without).map_err(|problems| problems.render());
         let mut keys = None;
-        if let Some(driven) = start.driven {
-            let name = drive(&mut files, &first, entry, driven as usize, &start.input)?;
-            keys = Some(name);
-        }
-        let mut scenario = if keys.is_some() { load(&files, entry)? } else { first };
-        let household = Household::read(&mut scenario, &files, &start.without).map_err(|problems| problems.render())?;
+        let (scenario, household) = match start.driven {
+            None => load(files)?,
+            Some(driven) => {
+                // Who is moved by keys lives by no routine: it need not be understood.
+                let first = Scenario::load(files, entry).map_err(|problems| problems.render())?;
+                let (edit, name) = drive(&first, driven as usize, &start.input)?;
+                keys = Some(name);
+                load(&edit.over(files))?
+            }
+        };
         let seed = start.seed.unwrap_or(scenario.file.seed);
         let length = scenario.calendar.span_of_days(scenario.file.days);
         let recording = Recording::of(&scenario, env!("CARGO_PKG_VERSION"), entry, seed, length);
@@ -337,10 +340,6 @@ fn firing_view(row: RowText) -> FiringView {
     FiringView { seq, at_us: at, sensor: sensor.0, value: value.clone(), row: Some([time, id, value]) }
 }
 
-fn load(files: &Drafted, entry: &str) -> Result<Scenario, String> {
-    Scenario::load_in(&RoutineLanguage, files, entry).map_err(|problems| problems.render())
-}
-
 fn nothing_held() -> KeysFile {
     KeysFile { at_s: 0.0, held: Vec::new(), posture: path::Posture::Standing, uses: Vec::new() }
 }
@@ -361,25 +360,13 @@ fn input_text(input: &[KeysFile]) -> String {
     serde_json::to_string_pretty(&file).unwrap_or_default() + "\n"
 }
 
-/// Makes a resident of the texts one who is moved by keys; returns the name of the file that holds them.
-fn drive(
-    files: &mut Drafted,
-    scenario: &Scenario,
-    entry: &str,
-    driven: usize,
-    input: &[KeysFile],
-) -> Result<String, String> {
-    let no_json = |error: serde_json::Error| error.to_string();
+/// Makes a resident one who is moved by keys; returns also the name of the file that holds them.
+fn drive(scenario: &Scenario, driven: usize, input: &[KeysFile]) -> Result<(ScenarioEdit, String), String> {
     let resident = scenario.residents.get(driven).ok_or("there is no such resident")?;
-    let root: Value = serde_json::from_str(&files.read(entry)?).map_err(no_json)?;
-    let file = root["residents"][driven].as_str().ok_or("the resident has no file")?.to_owned();
-    let mut told: Value = serde_json::from_str(&files.read(&file)?).map_err(no_json)?;
-    let keys = format!("{}.keys.json", file.trim_end_matches(".json"));
-    let at = standing_place(&Plan::new(&scenario.home), resident.file.radius_m);
-    told["driver"] = json!({ "live": { "keys": keys, "start": [at.x, at.y] } });
-    files.texts.insert(file, serde_json::to_string_pretty(&told).map_err(no_json)? + "\n");
-    files.texts.insert(keys.clone(), input_text(input));
-    Ok(keys)
+    let name = format!("{}.keys.json", scenario.file.residents[driven].trim_end_matches(".json"));
+    let at = standing_place(scenario.home.plan(), resident.file.radius_m);
+    let keys = InputFile { schema: None, keys: input.to_vec() };
+    Ok((scenario.edit().keys(driven, &name, &keys, [at.x, at.y]), name))
 }
 
 /// Where somebody stands who is about to be driven: a place with a name and room around it, else any free place.

@@ -18,11 +18,11 @@
 //! Left out: who lies beside the strip, pets, how strong a movement is, what breathing does to the pulse's signal, drift of
 //! the pressure.
 
-use super::device::{Change, Outbox, no_stream};
+use super::outbox::{Change, Outbox};
 use crate::event::{Band, MotionState, Trigger, Value, Vitals};
 use crate::geometry::{self, Point};
 use crate::ids::ResidentId;
-use crate::random::Stream;
+use crate::random::{Stream, no_stream};
 use crate::scenario::device::BedFile;
 use crate::scenario::path::Posture;
 use crate::time::{Micros, NEVER, micros};

@@ -8,7 +8,7 @@
 //!
 //! Left out: bouncing, doors that stand ajar, magnets out of line.
 
-use super::device::{Change, Outbox};
+use super::outbox::{Change, Outbox};
 use crate::event::{Trigger, Value};
 use crate::ids::ThingId;
 use crate::time::{Micros, NEVER};

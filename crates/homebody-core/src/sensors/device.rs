@@ -14,15 +14,13 @@ use super::bed::Bed;
 use super::contact::Contact;
 use super::flow::Flow;
 use super::light::Light;
+use super::outbox::{Change, Outbox};
 use super::power::Power;
 use super::pressure::Pressure;
 use super::stove_temperature::StoveTemperature;
 use super::temperature::Temperature;
-use crate::event::{MotionState, Provenance, Trigger, Value, Vitals};
-use crate::home::Sun;
-use crate::ids::{ResidentId, ThingId};
-use crate::random::{Range, Stream};
-use crate::scenario::path::Posture;
+use crate::home::sun::Sun;
+use crate::random::Stream;
 use crate::time::Micros;
 
 /// A sensor that is told, one kind each.
@@ -36,27 +34,6 @@ pub enum Device {
     Flow(Flow),
     Light(Light),
     Temperature(Temperature),
-}
-
-/// What a device is told.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Change {
-    /// A resident used a thing: index into the home's things.
-    Use { resident: ResidentId, thing: ThingId, on: bool },
-    /// From now until `end` a resident's body does this. What began earlier may be told again, with its own `begin`.
-    Body { resident: ResidentId, begin: Micros, end: Micros, doing: MotionState, posture: Posture },
-    /// From now on a resident's heart and lungs are like this.
-    Vitals { resident: ResidentId, vitals: Vitals },
-}
-
-/// What devices say, for the world to send.
-#[derive(Clone, Debug, Default)]
-pub struct Outbox(pub Vec<(Value, Provenance)>);
-
-impl Outbox {
-    pub fn say(&mut self, value: Value, resident: Option<ResidentId>, seen_at: Micros, trigger: Trigger) {
-        self.0.push((value, Provenance { resident, seen_at, trigger }));
-    }
 }
 
 impl Device {
@@ -124,68 +101,5 @@ impl Device {
             Device::Light(device) => device.on_timer(at, outbox),
             Device::Temperature(device) => device.on_timer(at, outbox),
         }
-    }
-}
-
-/// Instants at which a device measures: every so often, from one on that its own random numbers give, so that not all of a
-/// home measure at once.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rounds {
-    every: Micros,
-    first: Micros,
-}
-
-impl Rounds {
-    pub fn new(every: Micros) -> Rounds {
-        Rounds { every, first: 0 }
-    }
-
-    pub fn begin(self, stream: &mut Stream) -> Rounds {
-        Rounds { first: stream.span(Range { least: 0, most: self.every - 1 }), ..self }
-    }
-
-    pub fn every(&self) -> Micros {
-        self.every
-    }
-
-    pub fn first(&self) -> Micros {
-        self.first
-    }
-
-    /// The first one later than `at`, which is not before 0.
-    pub fn after(&self, at: Micros) -> Micros {
-        match at - self.first {
-            before if before < 0 => self.first,
-            since => at + self.every - since % self.every,
-        }
-    }
-}
-
-/// A number as a reading: in thousandths, of which there are no more than a reading holds.
-pub fn reading(number: f64) -> Value {
-    Value::Reading(libm::round(number * 1000.0) as i32)
-}
-
-/// A stream that nobody draws from: what a device holds until a run begins.
-pub fn no_stream() -> Stream {
-    Stream::named(0, "")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rounds_come_every_so_often() {
-        let rounds = Rounds { every: 10, first: 3 };
-        let next = [0, 2, 3, 4, 12, 13, 14].map(|at| rounds.after(at));
-        assert_eq!(next, [3, 3, 13, 13, 13, 23, 23]);
-        let first = Rounds::new(10).begin(&mut Stream::named(1, "rounds")).first();
-        assert!((0..10).contains(&first));
-    }
-
-    #[test]
-    fn readings_are_rounded_to_thousandths() {
-        assert_eq!([21.5, -0.0004, -3.25, 1e9].map(reading), [21_500, 0, -3_250, i32::MAX].map(Value::Reading));
     }
 }

@@ -10,7 +10,7 @@
 //!
 //! Left out: how much flows, whether it is warm, other taps on the same pipe.
 
-use super::device::{Change, Outbox};
+use super::outbox::{Change, Outbox};
 use crate::event::{Trigger, Value};
 use crate::ids::{ResidentId, ThingId};
 use crate::scenario::device::FlowFile;

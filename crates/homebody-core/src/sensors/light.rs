@@ -11,9 +11,10 @@
 //!
 //! Left out: clouds, curtains, which way the windows look, light from the next room, twilight, noise.
 
-use super::device::{Change, Outbox, Rounds, reading};
+use super::outbox::{Change, Outbox, reading};
+use super::rounds::Rounds;
 use crate::event::Trigger;
-use crate::home::Sun;
+use crate::home::sun::Sun;
 use crate::ids::{ResidentId, ThingId};
 use crate::random::Stream;
 use crate::scenario::device::LightFile;

@@ -7,8 +7,10 @@ pub mod device;
 pub mod flow;
 pub mod light;
 pub mod motion;
+pub mod outbox;
 pub mod power;
 pub mod pressure;
+pub mod rounds;
 pub mod stove_temperature;
 pub mod temperature;
 pub mod timing;
@@ -52,9 +54,9 @@ pub enum Kind {
 }
 
 impl Sensor {
-    /// The sensor that a file that has passed its checks describes.
-    pub fn new(file: &SensorFile, plan: &Plan) -> Sensor {
-        let site = Site::of(file, plan);
+    /// The sensor that a file describes; nothing where the plan does not have what it is on, or the room that it is in.
+    pub fn new(file: &SensorFile, plan: &Plan) -> Option<Sensor> {
+        let site = Site::of(file, plan)?;
         let device = |device| (Kind::Device(Box::new(device)), site.at);
         let (kind, at) = match file {
             SensorFile::Motion(file) => {
@@ -88,7 +90,7 @@ impl Sensor {
             SensorFile::Light(file) => device(Device::Light(Light::new(file, site.thing))),
             SensorFile::Temperature(file) => device(Device::Temperature(Temperature::new(file))),
         };
-        Sensor { name: file.name().to_owned(), timing: Timing::new(file.timing()), kind, at }
+        Some(Sensor { name: file.name().to_owned(), timing: Timing::new(file.timing()), kind, at })
     }
 
     /// Whether it has a fan of beams, rather than an area below it.
@@ -112,21 +114,21 @@ struct Site {
 }
 
 impl Site {
-    /// What a home that was not checked lacks is at the origin, has no outline, and is never used.
-    fn of(file: &SensorFile, plan: &Plan) -> Site {
+    /// Nothing where the plan does not have it. A sensor that is on nothing asks for none of this.
+    fn of(file: &SensorFile, plan: &Plan) -> Option<Site> {
         let thing = match (file.on(), file.room()) {
-            (Some(on), _) => plan.thing(on),
-            (None, Some(room)) => plan.lamp(room),
+            (Some(on), _) => Some(plan.thing(on)?),
+            (None, Some(room)) => Some(plan.lamp(room)?),
             (None, None) => None,
         };
         let found = thing.map(|thing| &plan.things[thing]);
         let piece = file.on().and_then(|on| plan.piece(on));
-        Site {
+        Some(Site {
             thing: ThingId::of(thing.unwrap_or(plan.things.len())),
             is_open: found.is_some_and(|thing| thing.on),
             at: found.map_or(Point::ZERO, |thing| thing.at),
             outline: piece.map(|piece| piece.outline.clone()).unwrap_or_default(),
             height_m: piece.map_or(f64::INFINITY, |piece| piece.height_m),
-        }
+        })
     }
 }

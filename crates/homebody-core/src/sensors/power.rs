@@ -10,10 +10,10 @@
 //!
 //! Left out: the rush of current at first, things that draw more and less by themselves, such as refrigerators.
 
-use super::device::{Change, Outbox, no_stream, reading};
+use super::outbox::{Change, Outbox, reading};
 use crate::event::{Trigger, Value};
 use crate::ids::{ResidentId, ThingId};
-use crate::random::Stream;
+use crate::random::{Stream, no_stream};
 use crate::scenario::device::PowerFile;
 use crate::time::{Micros, NEVER, micros};
 

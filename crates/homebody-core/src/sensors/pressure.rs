@@ -13,7 +13,7 @@
 //!
 //! Left out: weight, feet and their pace, pets, things that are put down.
 
-use super::device::{Change, Outbox};
+use super::outbox::{Change, Outbox};
 use crate::event::{MotionState, Trigger, Value};
 use crate::geometry::{self, Point};
 use crate::ids::ResidentId;

@@ -14,7 +14,8 @@
 //!
 //! Left out: several burners, pots, the oven, noise, the room's own temperature.
 
-use super::device::{Change, Outbox, Rounds, reading};
+use super::outbox::{Change, Outbox, reading};
+use super::rounds::Rounds;
 use crate::event::{Trigger, Value};
 use crate::ids::{ResidentId, ThingId};
 use crate::random::Stream;

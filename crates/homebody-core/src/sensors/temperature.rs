@@ -12,10 +12,11 @@
 //!
 //! Left out: seasons, heating and its thermostat, cooking, open windows, other rooms.
 
-use super::device::{Outbox, Rounds, no_stream, reading};
+use super::outbox::{Outbox, reading};
+use super::rounds::Rounds;
 use crate::event::Trigger;
-use crate::home::Sun;
-use crate::random::Stream;
+use crate::home::sun::Sun;
+use crate::random::{Stream, no_stream};
 use crate::scenario::device::TemperatureFile;
 use crate::time::{Micros, SECOND, micros, seconds};
 

@@ -6,6 +6,7 @@ use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::{MotionState, ThingUse};
 use homebody_core::geometry::Point;
 use homebody_core::home::plan::Plan;
+use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::home::{Build, Home};
 use homebody_core::ids::{SensorId, ThingId};
 use homebody_core::run::{DriverProvider, Guest, Run};
@@ -123,7 +124,9 @@ fn run(case: u64, home: HomeFile, link: Option<serde_json::Value>, length: Micro
     let calendar = Calendar::new(&file.start, &file.time_zone).unwrap();
     let (logger, sources) = (LoggerFile::default(), BTreeMap::new());
     let link = link.map(link_file);
-    let scenario = Scenario { file, home, link, logger, residents: Vec::new(), calendar, sources };
+    let home = ResolvedHome::new(home).unwrap();
+    let entry = "scenario.json".into();
+    let scenario = Scenario { entry, file, home, link, logger, residents: Vec::new(), calendar, sources };
     Run::new(&scenario, &Walkers(case), case, length)
 }
 

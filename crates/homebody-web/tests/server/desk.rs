@@ -218,7 +218,7 @@ fn a_draft_is_checked_as_the_files_would_be_and_touches_none() {
         })
         .chain([("margaret.routine".into(), routine), ("home.json".into(), home)])
         .collect();
-    let wrong = Scenario::load_in(&RoutineLanguage, &files, &shelf.entry).unwrap_err();
+    let wrong = Scenario::load_in(&mut RoutineLanguage::default(), &files, &shelf.entry).unwrap_err();
     let problems = told["problems"].as_array().unwrap();
     assert_eq!(problems.len(), wrong.0.len());
     assert!(problems.len() >= 2 || wrong.0.len() == 1);
@@ -287,9 +287,7 @@ struct Floor {
 
 fn scenario(served: &Served, name: &str) -> (Scenario, Household) {
     let shelf = Shelf { scenario: served.file(name, ""), entry: "scenario.json".into(), runs: "runs".into() };
-    let mut scenario = Scenario::load_in(&RoutineLanguage, &shelf, &shelf.entry).unwrap();
-    let household = Household::read(&mut scenario, &shelf, &[]).unwrap();
-    (scenario, household)
+    Household::load(&shelf, &shelf.entry, &[]).unwrap()
 }
 
 #[test]

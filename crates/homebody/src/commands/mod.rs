@@ -10,6 +10,7 @@ mod coverage;
 mod day;
 mod density;
 mod experiment;
+mod given;
 mod import;
 mod live;
 mod new;
@@ -22,9 +23,6 @@ mod serve;
 
 use crate::failure::Failure;
 use clap::Subcommand;
-
-pub use cohort::LIST;
-pub use convert::{place, tell_remarks};
 
 #[derive(Subcommand)]
 pub enum Command {

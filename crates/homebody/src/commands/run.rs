@@ -1,16 +1,13 @@
 //! `homebody run`: live a scenario.
 
 use super::check::tell_remark;
-use super::cohort::{Cohort, Members};
-use super::live::{Live, Output};
+use super::cohort;
+use super::live::{Output, cancel_on_signal, live, show};
 use crate::failure::Failure;
-use crate::folder;
 use crate::length::{Length, length};
 use crate::pace::Asked;
-use crate::profiles::{self, Base};
-use homebody_core::recording::Recording;
-use homebody_core::run::Run;
-use homebody_core::scenario::remarks;
+use homebody_core::time::Micros;
+use homebody_kit::{OpenScenario, open};
 use std::path::PathBuf;
 
 /// Lives a scenario and stores what its sensors say.
@@ -78,28 +75,34 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        // Who shows a condition that is left out, only the list knows.
-        let without = if self.profiles.is_some() { &[][..] } else { &self.without };
-        let (scenario, entry, household) = folder::load_lives(&self.scenario, without)?;
+        let opened = open(&self.scenario)?;
+        let scenario = opened.scenario();
         let seed = self.seed.unwrap_or(scenario.file.seed);
         let length = self.length.unwrap_or(Length::Days(scenario.file.days)).by(&scenario.calendar);
-        let files = folder::files_beside(&self.scenario);
-        let base = Base { scenario: &scenario, household: &household, files: &files };
-        let members = match (&self.profiles, self.residents) {
-            (Some(file), _) => Some(Members::Listed(profiles::read(file, &base, &self.without)?)),
-            (None, residents) => residents.map(Members::Many),
+        let cohort = match (&self.profiles, self.residents) {
+            // Who shows a condition that is left out, only the list knows.
+            (Some(file), _) => Some(opened.cohort_of(opened.profiles(file, &self.without)?)),
+            (None, residents) => residents.map(|count| opened.cohort(count)),
         };
+        let cancel = cancel_on_signal();
+        if let Some(cohort) = cohort {
+            let cohort = cohort.seed(seed).length(length).without(&self.without).cancel(&cancel).start()?;
+            self.remark(&opened, length);
+            let progress = self.output.progress(cohort.progress().length);
+            let lived = cohort.store(|lived| show(&progress, lived));
+            progress.finish_and_clear();
+            return cohort::report(&self.output, &lived?);
+        }
+        let run = opened.run().seed(seed).length(length).without(&self.without);
+        let run = run.pace(self.pace.pace()).commands(self.pace.commands()).cancel(&cancel).start()?;
+        self.remark(&opened, length);
+        live(run, self.record, &self.output)
+    }
+
+    /// Warns of what is hardly meant.
+    fn remark(&self, opened: &OpenScenario, length: Micros) {
         if !self.output.quiet {
-            remarks::of(&scenario, length).iter().for_each(tell_remark);
+            opened.remarks(length).iter().for_each(tell_remark);
         }
-        let recording = Recording::of(&scenario, env!("CARGO_PKG_VERSION"), &entry, seed, length);
-        let recording = Recording { without: self.without, ..recording };
-        let sources = folder::files(&self.scenario, &scenario);
-        if let Some(members) = members {
-            return Cohort { base, recording, sources, output: self.output }.live(&members);
-        }
-        let run = Run::new(&scenario, &household, seed, length);
-        let live = Live { scenario: &scenario, recording, record: self.record, output: self.output, sources };
-        live.live(run, &self.pace)
     }
 }

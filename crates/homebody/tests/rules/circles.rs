@@ -10,36 +10,20 @@ use super::{File, expect_none, files};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The circles that there are, each by its files below `crates/`, in order. Take out the one that you open.
-const CIRCLES: [&[&str]; 7] = [
+const CIRCLES: [&[&str]; 6] = [
     &[
         "homebody-core/src/drivers/live.rs",
         "homebody-core/src/drivers/live/obstacles.rs",
         "homebody-core/src/drivers/mod.rs",
         "homebody-core/src/drivers/path.rs",
     ],
-    &[
-        "homebody-core/src/home/bake.rs",
-        "homebody-core/src/home/field.rs",
-        "homebody-core/src/home/mod.rs",
-        "homebody-core/src/sensors/bed.rs",
-        "homebody-core/src/sensors/contact.rs",
-        "homebody-core/src/sensors/device.rs",
-        "homebody-core/src/sensors/flow.rs",
-        "homebody-core/src/sensors/light.rs",
-        "homebody-core/src/sensors/mod.rs",
-        "homebody-core/src/sensors/power.rs",
-        "homebody-core/src/sensors/pressure.rs",
-        "homebody-core/src/sensors/stove_temperature.rs",
-        "homebody-core/src/sensors/temperature.rs",
-    ],
     &["homebody-experiment/src/sphere/compare.rs", "homebody-experiment/src/sphere/words.rs"],
     &[
-        "homebody-log/src/logger.rs",
         "homebody-log/src/sink/casas.rs",
         "homebody-log/src/sink/csv.rs",
         "homebody-log/src/sink/mod.rs",
-        "homebody-log/src/sink/run.rs",
         "homebody-log/src/sink/sqlite.rs",
+        "homebody-log/src/sink/text.rs",
     ],
     &[
         "homebody-log/src/source/activities.rs",
