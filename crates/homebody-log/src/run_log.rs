@@ -3,7 +3,7 @@
 
 use crate::error::LogError;
 use crate::fresh::FreshFile;
-use crate::logger::{Destination, Logger, Stored, destinations};
+use crate::logger::{Destination, Logger, RowsOfFirings, Stored, destinations};
 use crate::places::Places;
 use crate::run_info::RunInfo;
 use crate::sink::How;
@@ -92,7 +92,9 @@ impl RunLog {
     /// come to, and its other fields are those of `recording`.
     pub fn finish(self, run: &Run, recording: Recording) -> Result<(Stored, Recording), LogError> {
         let stored = self.logger.finish()?;
-        if let Some(truth) = self.truth {
+        if let Some(mut truth) = self.truth {
+            let last = Events { facts: run.under_way().collect(), ..Events::default() };
+            truth.store(&last, &RowsOfFirings::default())?;
             truth.finish(run.now())?;
         }
         let (firings, sha256) = (self.digest.firings(), self.digest.hex());
