@@ -50,6 +50,20 @@ pub enum Error {
         /// What is wrong with it.
         why: String,
     },
+    /// A run was lived to its end: nothing of it is left to do.
+    #[error("the run in {} is complete: there is nothing to go on with", folder.display())]
+    Complete {
+        /// The run's folder.
+        folder: PathBuf,
+    },
+    /// A run was begun by another version of the program, which may live it otherwise.
+    #[error("the run in {} was begun by version {version}\n  hint: go on with that version, or begin it anew", folder.display())]
+    OtherVersion {
+        /// The run's folder.
+        folder: PathBuf,
+        /// What began it.
+        version: String,
+    },
     /// A folder has no log in it.
     #[error("{} is a folder without a log\n  hint: name the log itself, or the folder of a run that has one", folder.display())]
     NoLog {

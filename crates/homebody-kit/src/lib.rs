@@ -45,7 +45,7 @@ pub use error::{BoxError, Error};
 pub use given::{Given, place_of_log};
 pub use homebody_log::Url;
 pub use profiles::Profile;
-pub use recorded::Recorded;
+pub use recorded::{Recorded, Unfinished};
 pub use run::{Batch, BatchSink, LiveRun, Progress, RunSetup};
 pub use scenario::{OpenScenario, open, template};
 pub use source::{Source, Template};

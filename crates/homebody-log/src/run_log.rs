@@ -28,7 +28,7 @@ impl RunLog {
     /// which stands from now on.
     ///
     /// Going on, the run is lived again from its beginning: what is there already is compared, and what is missing is
-    /// written.
+    /// written. The truth of a run that was stopped says what ended there and then, so it is written anew.
     pub fn open(
         places: &Places,
         scenario: &Scenario,
@@ -49,6 +49,7 @@ impl RunLog {
         how: How,
     ) -> Result<RunLog, LogError> {
         let info = Arc::new(RunInfo::of(scenario, run, recording));
+        let truth_how = if how == How::GoOn && was_stopped(places) { How::Replace } else { how };
         if let (Some(path), false) = (&places.recording, how == How::GoOn) {
             // Before all else: whatever becomes of the run from now on, it can be gone on with.
             write_recording(path, recording, how)?;
@@ -57,7 +58,8 @@ impl RunLog {
         all.extend(own);
         let opened = Logger::open(all, &scenario.logger, &info, how).and_then(|logger| {
             let truth = places.truth.as_ref();
-            let truth = truth.map(|url| TruthLog::open(url, &places.log, &scenario.logger, &info, how)).transpose()?;
+            let truth =
+                truth.map(|url| TruthLog::open(url, &places.log, &scenario.logger, &info, truth_how)).transpose()?;
             let sensors = places.log.iter().filter_map(|url| url.file()).map(sensors_beside);
             for path in sensors {
                 write_sensors(&path, &info)?;
@@ -98,12 +100,19 @@ impl RunLog {
             truth.finish(run.now())?;
         }
         let (firings, sha256) = (self.digest.firings(), self.digest.hex());
-        let recording = Recording { length_us: run.now(), firings, sha256, ..recording };
+        let stopped_of_us = (run.now() < run.length()).then(|| run.length());
+        let recording = Recording { length_us: run.now(), stopped_of_us, firings, sha256, ..recording };
         if let Some(path) = self.record {
             write_recording(&path, &recording, How::Replace)?;
         }
         Ok((stored, recording))
     }
+}
+
+/// Whether the run that left these places was stopped, and not killed.
+fn was_stopped(places: &Places) -> bool {
+    let text = places.recording.as_ref().and_then(|path| std::fs::read_to_string(path).ok());
+    text.and_then(|text| serde_json::from_str::<Recording>(&text).ok()).is_some_and(|recording| recording.is_complete())
 }
 
 /// Writes a recording in one piece.

@@ -120,7 +120,7 @@ fn with_another_chair_life_goes_on_with_that_one() {
     let run = || Run::new(&scenario, &household, 3, 4 * DAY);
     assert_is_a_life(&days_of(run(), 4));
     let rests_at = |at: Point| -> Micros {
-        let moves = run().moves().swap_remove(0);
+        let moves = run().moves().unwrap().swap_remove(0);
         let rests =
             moves.iter().filter(|next| matches!(next.doing, MotionState::Rest { at: here } if here.distance(at) < 0.1));
         rests.map(|next| next.end - next.begin).sum()

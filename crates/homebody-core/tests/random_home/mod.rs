@@ -45,6 +45,7 @@ pub enum Model {
 }
 
 /// A rectangle cut into rooms, with furniture and sensors; of whole models one in fifty has more sensors than a mask has bits.
+#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 pub fn home(case: u64, model: Model) -> HomeFile {
     let is_crowded = model == Model::Whole && case % 50 == 7;
     crowded(case, model, if is_crowded { 130 + Dice::new(case, "how crowded").below(100) } else { 0 })

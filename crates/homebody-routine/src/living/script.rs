@@ -410,9 +410,9 @@ impl Steps<'_, '_> {
 mod tests {
     use super::*;
     use crate::household::USUAL;
-    use homebody_walk::Mesh;
     use homebody_core::home::plan::Plan;
     use homebody_core::scenario::home::HomeFile;
+    use homebody_walk::Mesh;
     use std::collections::BTreeSet;
 
     /// Where an activity leads in the example's apartment, over many days, by name.

@@ -71,7 +71,7 @@ pub fn show(progress: &ProgressBar, Progress { lived, length }: Progress) {
 }
 
 /// Tells people and scripts what has become of a run.
-fn report(name: &str, lived: &Lived, output: &Output) -> Result<(), Failure> {
+pub fn report(name: &str, lived: &Lived, output: &Output) -> Result<(), Failure> {
     let Lived { recording, stored, truth, recorded, progress, agrees, before, took, .. } = lived;
     let Recording { firings, sha256, .. } = recording;
     let path = |path: &Option<PathBuf>| path.as_ref().map(|path| path.display().to_string());
