@@ -8,7 +8,7 @@ use crate::living::life::Life;
 use crate::living::pet::PetDriver;
 use crate::living::places::Places;
 use crate::needs_of_home;
-use crate::routine::{Activity, Effect, Kind, Meal, Routine};
+use crate::routine::{Effect, Kind, Routine, USUAL, shows};
 use homebody_core::drivers;
 use homebody_core::home::plan::Plan;
 use homebody_core::home::{Build, Home};
@@ -79,29 +79,6 @@ pub const CONDITIONS: [(&str, &str); 8] = [
 
 /// What a routine that says nothing of it leaves to be ordinary.
 const ORDINARY: &str = include_str!("ordinary.routine");
-
-/// What everybody does without its being said: what [`ORDINARY`] says, what needs drive to, and what fills the time.
-pub(crate) const USUAL: [Activity; 19] = [
-    Activity::GetUp,
-    Activity::Dress,
-    Activity::Wash,
-    Activity::Prepare(Meal::Breakfast),
-    Activity::Eat(Meal::Breakfast),
-    Activity::Prepare(Meal::Lunch),
-    Activity::Eat(Meal::Lunch),
-    Activity::Prepare(Meal::Dinner),
-    Activity::Eat(Meal::Dinner),
-    Activity::WashUp,
-    Activity::GoToBed,
-    Activity::Laundry,
-    Activity::Leave,
-    Activity::Phone,
-    Activity::UseBathroom,
-    Activity::Drink,
-    Activity::Snack,
-    Activity::WatchTelevision,
-    Activity::Read,
-];
 
 impl Household {
     /// Loads a scenario with its routines and the conditions that they show, each from the scenario's own files or, if there
@@ -310,14 +287,6 @@ impl Language for RoutineLanguage {
 /// What people do where their routines say nothing of it.
 fn ordinary(home: &HomeFile, plan: &Plan) -> Routine {
     language::condition("ordinary.routine", ORDINARY, &known(home, plan, None, Vec::new(), None)).0
-}
-
-/// The conditions that a routine shows.
-pub(crate) fn shows(routine: &Routine) -> impl Iterator<Item = &str> {
-    routine.changes.iter().filter_map(|change| match &change.effect {
-        Effect::Shows { condition, .. } => Some(condition.as_str()),
-        _ => None,
-    })
 }
 
 /// What may be named in a scenario's routines.

@@ -1,9 +1,8 @@
 //! What a routine needs of the home: somewhere to sleep and sit, a way out, and a way to all that its activities use.
 
-use crate::household::{USUAL, shows};
 use crate::living::places::{Places, Role, Spot};
 use crate::living::script::roles;
-use crate::routine::{Activity, Kind, Quote, Response, Routine};
+use crate::routine::{Activity, Kind, Quote, Response, Routine, USUAL, shows};
 use homebody_core::geometry;
 use homebody_core::home::plan::{self, Plan};
 use homebody_core::problem::Problem;

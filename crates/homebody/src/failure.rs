@@ -50,7 +50,7 @@ impl From<LogError> for Failure {
             | LogError::NoPlace(_)
             | LogError::Zone(_) => Failure::Usage(error.to_string()),
             LogError::Unmade { .. } => Failure::Io(format!("{error}; --out writes elsewhere")),
-            LogError::Exists { .. } => Failure::Io(format!("{error} by --force")),
+            LogError::Exists { place } => Failure::Io(format!("{place} exists already\n  hint: --force replaces it")),
             error => Failure::Io(error.to_string()),
         }
     }

@@ -77,10 +77,10 @@ fn columns(connection: &Connection, table: &str) -> rusqlite::Result<Vec<String>
 }
 
 /// The first instant, as text or as a number since 1970, is the time; the next two texts are sensor and value. Neither of these is an
-/// instant: what has a beginning and an end is no log. Numbers of a key, such as the id of a run, are no instants either.
+/// instant: what has a beginning and an end is no log. Numbers of a key, and the ids of our own runs, are no instants either.
 fn by_first_row(connection: &Connection, table: &str, reading: &mut Reading) -> rusqlite::Result<Option<Places>> {
     let key: Vec<bool> = connection
-        .prepare("SELECT pk > 0 FROM pragma_table_info(?) ORDER BY cid")?
+        .prepare("SELECT pk > 0 OR name = 'run_id' FROM pragma_table_info(?) ORDER BY cid")?
         .query_map([table], |row| row.get(0))?
         .collect::<rusqlite::Result<_>>()?;
     let mut statement = connection.prepare(&format!("SELECT * FROM {} LIMIT 1", quoted(table)))?;

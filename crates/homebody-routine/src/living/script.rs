@@ -409,7 +409,7 @@ impl Steps<'_, '_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::household::USUAL;
+    use crate::routine::USUAL;
     use homebody_core::home::plan::Plan;
     use homebody_core::scenario::home::HomeFile;
     use homebody_walk::Mesh;

@@ -475,8 +475,8 @@ fn a_place_for_a_log_is_tried_without_a_trace() {
         (format!("csv:{folder}/none/new.csv"), "does not exist"),
         (format!("sqlite:{folder}/studio/home.json"), "exists already"),
         (format!("sqlite:{folder}"), "is a folder"),
-        ("mysql:log".into(), "the known ones are"),
-        ("log.db".into(), "does not say what to write"),
+        ("mysql:log".into(), "is nowhere a log can go"),
+        ("log.db".into(), "write sqlite:FILE, csv:FILE or casas:FILE"),
     ] {
         let told = tried(&url);
         assert!(told["works"] == false && told["said"].as_str().unwrap().contains(said), "{url}: {told}");
