@@ -27,8 +27,8 @@ pub struct Desk {
     pub shelf: Shelf,
     /// Held while files are compared and replaced, so that no two pages do so at once.
     writing: Arc<Mutex<()>>,
-    /// Held while a draft is lived: one after the other, so that the run on the stage has a core.
-    living: Arc<Mutex<()>>,
+    /// Held while a draft is lived: one after the other, so that the run on the stage has a core. What is kept of the last.
+    living: Arc<Mutex<Option<life::LivedDraft>>>,
 }
 
 impl Desk {

@@ -267,13 +267,18 @@ impl Director {
         }
     }
 
-    /// Forward as fast as it goes; back by living it again from the start, with the same input.
+    /// Forward as fast as it goes; back by living it again from a moment that was kept, or from the start with the same input.
     fn jump(&mut self, to: Micros) {
         let was_paused = self.is_paused();
         if to < self.act.now() {
-            let act = self.act.anew(to);
-            if !self.change_act(act) {
-                return;
+            if self.act.go_back(to) {
+                self.pace = Pace::paused(self.pace.speed());
+                self.begin_anew();
+            } else {
+                let act = self.act.anew(to);
+                if !self.change_act(act) {
+                    return;
+                }
             }
         }
         self.pace.jump(self.act.now(), to, was_paused);

@@ -18,7 +18,8 @@ use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::scenario::path;
 use homebody_core::scene::Scene;
 use homebody_core::sensors::Sensor;
-use homebody_core::time::{Micros, micros, seconds};
+use homebody_core::snapshots::Snapshots;
+use homebody_core::time::{DAY, Micros, SECOND, micros, seconds};
 use homebody_log::{How, LogError, Places, RowText, Rows, RunLog};
 use homebody_routine::household::Household;
 use std::path::Path;
@@ -63,7 +64,29 @@ pub struct StagedRun {
     /// Its files are complete.
     is_over: bool,
     events: Events,
+    /// What it was like every few days. Nobody is driven in it.
+    moments: Snapshots<Moment>,
+    /// Who has gone back looks at what is stored already: how far the run had come before.
+    furthest: Option<Run>,
 }
+
+/// What a run was like at an instant, to go back to.
+#[derive(Clone)]
+struct Moment {
+    run: Run,
+    digest: RunDigest,
+    rows: Rows,
+    growth: Growth,
+    counts: Vec<u64>,
+    activities: Vec<Option<String>>,
+    headings: Vec<f64>,
+}
+
+/// How far apart moments are kept at first (ours): to live them takes some milliseconds.
+const MOMENTS: Micros = 4 * DAY;
+
+/// So much before where one goes back to is lived, too, for the rows that are shown (ours).
+const SHOWN_BEFORE: Micros = 6 * 3600 * SECOND;
 
 struct Written {
     places: Places,
@@ -141,6 +164,8 @@ impl StagedRun {
             headings: vec![0.0; bodies],
             is_over: false,
             events: Events::default(),
+            moments: Snapshots::new(MOMENTS),
+            furthest: None,
         })
     }
 
@@ -181,7 +206,8 @@ impl StagedRun {
         }
     }
 
-    /// Lives until `until`; true if files have been begun for it, so that its view is another.
+    /// Lives until `until`, or as far as it had come before somebody went back; true if files have been begun for it, so that
+    /// its view is another.
     pub fn advance(&mut self, until: Micros, shelf: &Shelf) -> Result<bool, String> {
         let until = until.min(self.run.length());
         if until <= self.run.now() || self.is_over {
@@ -191,13 +217,21 @@ impl StagedRun {
         if begins {
             self.files = Some(self.open(shelf).map_err(|error| error.to_string())?);
         }
-        let lived = self.run.advance(until, &mut self.events);
+        if self.start.driven.is_none() {
+            let mut moments = std::mem::replace(&mut self.moments, Snapshots::new(MOMENTS));
+            moments.keep(self.run.now(), || self.moment());
+            self.moments = moments;
+        }
+        let stored = self.furthest.as_ref().map(Run::now);
+        let lived = self.run.advance(stored.unwrap_or(until).min(until), &mut self.events);
         if self.is_replay {
             self.digest.add(&self.events.firings);
         }
-        if let Some(log) = self.files.as_mut().and_then(|files| files.log.as_mut()) {
+        let log = self.files.as_mut().and_then(|files| files.log.as_mut());
+        if let Some(log) = log.filter(|_| stored.is_none()) {
             log.store(&self.run, &self.events).map_err(|error| error.to_string())?;
         }
+        self.furthest.take_if(|furthest| furthest.now() <= self.run.now());
         self.growth.lock().unwrap_or_else(PoisonError::into_inner).add(&self.events.firings, self.run.now());
         for fact in &self.events.facts {
             if let Fact::Activity { resident, name, .. } = fact {
@@ -210,6 +244,40 @@ impl StagedRun {
         }
         self.events.clear();
         lived.map(|()| begins).map_err(|error| error.to_string())
+    }
+
+    fn moment(&self) -> Moment {
+        Moment {
+            run: self.run.clone(),
+            digest: self.digest.clone(),
+            rows: self.rows.clone(),
+            growth: self.growth.lock().unwrap_or_else(PoisonError::into_inner).clone(),
+            counts: self.counts.clone(),
+            activities: self.activities.clone(),
+            headings: self.headings.clone(),
+        }
+    }
+
+    /// Goes back to a moment before `to`, from which it continues as it did: what its log has already is not stored again.
+    /// False if the run must be lived anew: in one in which somebody is driven all may go another way from then on, and one
+    /// that was stopped has no log any more that could go on.
+    pub fn go_back(&mut self, to: Micros) -> bool {
+        let came_to = self.furthest.as_ref().unwrap_or(&self.run).now();
+        let has_log = self.files.as_ref().is_some_and(|files| files.log.is_some());
+        if !(self.is_replay || has_log || came_to == self.run.length()) {
+            return false;
+        }
+        let Some(moment) = self.moments.nearest_before((to - SHOWN_BEFORE).max(0)).cloned() else { return false };
+        let before = std::mem::replace(&mut self.run, moment.run);
+        if !self.is_replay {
+            self.furthest.get_or_insert(before);
+        }
+        (self.digest, self.rows, self.counts) = (moment.digest, moment.rows, moment.counts);
+        (self.activities, self.headings) = (moment.activities, moment.headings);
+        self.growth = Arc::new(Mutex::new(moment.growth));
+        self.fresh.clear();
+        self.is_over = false;
+        true
     }
 
     fn open(&self, shelf: &Shelf) -> Result<Written, LogError> {
@@ -283,7 +351,8 @@ impl StagedRun {
         if let Some(keys) = &self.keys {
             recording.files.insert(keys.clone(), input_text(&self.start.input));
         }
-        let (stored, recording) = log.finish(&self.run, recording).map_err(|error| error.to_string())?;
+        let furthest = self.furthest.as_ref().unwrap_or(&self.run);
+        let (stored, recording) = log.finish(furthest, recording).map_err(|error| error.to_string())?;
         self.recording = recording;
         let folder = self.folder().map(|folder| folder.display().to_string());
         Ok(Some(format!("{} rows are in {}.", stored.rows, folder.unwrap_or_default())))

@@ -413,6 +413,30 @@ fn the_first_rows_are_those_of_a_run_and_its_growth_is_its_logs() {
 }
 
 #[test]
+fn a_month_is_the_same_whatever_was_looked_at_before() {
+    let asked = |from: u32| json!({ "draft": { "texts": {} }, "from": from, "days": 3, "without": [] });
+    let fresh = |from: u32| Served::scenario("tigerplace-depression").told("/api/month", &asked(from));
+    let served = Served::scenario("tigerplace-depression");
+    let kept = |from: u32| served.told("/api/month", &asked(from));
+    kept(100);
+    for from in [62, 0, 37, 62, 117] {
+        let (kept, fresh) = (kept(from), fresh(from));
+        assert_eq!(kept["problems"], json!([]));
+        assert_eq!(kept, fresh, "from day {from}");
+    }
+    // The control: another routine is another life, and the one before is the same as ever.
+    let text = fs::read_to_string(served.file("tigerplace-depression", "margaret.routine")).unwrap();
+    let other = text + "She takes a shower every day at 3 pm.\n";
+    let changed = served.told(
+        "/api/month",
+        &json!({ "draft": draft("margaret.routine", &other), "from": 62, "days": 3, "without": [] }),
+    );
+    assert_eq!(changed["problems"], json!([]));
+    assert_ne!(changed["spans"], fresh(62)["spans"]);
+    assert_eq!(kept(62), fresh(62));
+}
+
+#[test]
 fn to_try_the_place_of_a_log_that_is_being_written_harms_it_not() {
     let served = Served::scenario("studio");
     let log = served.folder.path().join("out.txt");
