@@ -2,6 +2,7 @@
 //! replaces only what the page has seen.
 
 mod life;
+mod lived_draft;
 mod log;
 mod plan;
 
@@ -28,7 +29,7 @@ pub struct Desk {
     /// Held while files are compared and replaced, so that no two pages do so at once.
     writing: Arc<Mutex<()>>,
     /// Held while a draft is lived: one after the other, so that the run on the stage has a core. What is kept of the last.
-    living: Arc<Mutex<Option<life::LivedDraft>>>,
+    living: Arc<Mutex<Option<lived_draft::LivedDraft>>>,
 }
 
 impl Desk {
