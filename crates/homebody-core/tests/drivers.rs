@@ -1,4 +1,5 @@
 //! Drivers of anybody's: what they are shown, and what becomes of a run whose driver answers with nonsense.
+#![expect(clippy::disallowed_types, reason = "what a driver saw is told to the test by a lock")]
 
 use homebody_core::drivers::error::{DriverError, DriverFault, MOST_ANSWERS};
 use homebody_core::drivers::live::{Input, KeyTrack, LiveDriver};
@@ -316,6 +317,6 @@ fn staying_is_one_movement_however_often_it_is_said() {
     assert_eq!(life(&cuts, |_| Posture::Lying), whole);
     assert_eq!(movements(whole.facts).len(), 3);
     // The control: who turns from one posture to another does not stay as they are.
-    let turning = |index: usize| if index % 2 == 0 { Posture::Lying } else { Posture::Sitting };
+    let turning = |index: usize| if index.is_multiple_of(2) { Posture::Lying } else { Posture::Sitting };
     assert_eq!(movements(life(&cuts, turning).facts).len(), 2 + 30);
 }

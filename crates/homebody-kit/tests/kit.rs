@@ -158,7 +158,8 @@ fn a_driver_that_decides_what_nobody_can_do_is_named() {
         lived_by(move |_: &Home| Odd(|now| segment(now, now + SECOND, MotionState::Rest { at: Point::new(6.0, 4.0) })))
             .is_ok()
     );
-    let odd: [(fn(Micros) -> Next, &str); 8] = [
+    type Answer = fn(Micros) -> Next;
+    let odd: [(Answer, &str); 8] = [
         (|now| segment(now, now, MotionState::Away), "a segment that ends at 0 s"),
         (|now| segment(now, now - SECOND, MotionState::Away), "a segment that ends at -1 s"),
         (|now| segment(now + 1, now + SECOND, MotionState::Away), "a segment that begins at"),

@@ -137,7 +137,7 @@ fn labels_are_those_of_a_join_by_hand() {
         for (row, labelled) in rows.iter().map(parts).zip(labelled.iter().map(parts)) {
             let of_sensor = || causes.iter().filter(|cause| cause[1] == row[2]);
             let cause = match row[3].as_str() {
-                "OFF" => of_sensor().filter(|cause| cause[0] < row[1]).next_back(),
+                "OFF" => of_sensor().rfind(|cause| cause[0] < row[1]),
                 _ => of_sensor().find(|cause| cause[0] == row[1]),
             };
             let cause = cause.expect("each row has its cause");
