@@ -129,9 +129,7 @@ impl Field {
         let around = middle.distance(most);
         let (near, inside) = (self.size.radius_m + SLACK_M, self.size.radius_m - SLACK_M);
         let mut cell = Cell { unsure: self.unsure.len() as u32, ..Cell::default() };
-        let first = block * BLOCK;
-        for sensor in first..self.areas.len().min(first + BLOCK) {
-            let (from, to) = reaches[sensor];
+        for (sensor, &(from, to)) in reaches.iter().enumerate().skip(block * BLOCK).take(BLOCK) {
             if middle.cmplt(from).any() || middle.cmpgt(to).any() {
                 continue;
             }
