@@ -19,6 +19,7 @@ use homebody_core::drivers::MotionSegment;
 use homebody_core::drivers::live::{KeyTrack, LiveDriver};
 use homebody_core::event::{Events, MotionState};
 use homebody_core::geometry::Point;
+use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::home::{Build, Home};
 use homebody_core::ids::ResidentId;
 use homebody_core::naive::brute::BruteEye;
@@ -48,7 +49,7 @@ const EXCERPT: Micros = SECOND / 2;
 fn main() {
     let build = Build { radius_m: 0.22, height_m: 1.65 };
     let start = Instant::now();
-    let home = Arc::new(Home::bake(&scene::home(), &[build]));
+    let home = Arc::new(Home::bake(&ResolvedHome::new(scene::home()).expect("a home"), &[build]));
     println!("the bench scene, baked in {:.1} ms", start.elapsed().as_secs_f64() * 1e3);
     let mut lines = Vec::new();
     for (name, schedule) in [("day", scene::day(60 * DAY)), ("walk", scene::walk(4 * DAY))] {

@@ -129,7 +129,8 @@ pub enum Fact {
     Provenance { seq: u64, provenance: Provenance },
     /// What a sensor said at `at`, or should have said, that never reached the logger.
     Lost { at: Micros, sensor: SensorId, value: Value, provenance: Provenance, loss: Loss },
-    /// What a resident's body does over a span; the spans of a resident follow each other without gaps.
+    /// What a resident's body did over a span, told when that is over: the spans of a resident follow each other without
+    /// gaps, and no two that follow each other are the same rest, in-place motion or absence.
     Movement { resident: ResidentId, begin: Micros, end: Micros, doing: MotionState, posture: Posture },
     /// From `at` on, the resident is in this room, or in none: between
     /// rooms or away.

@@ -28,6 +28,7 @@ pub mod link;
 pub mod run;
 pub mod scene;
 pub mod recording;
+pub mod snapshots;
 
 // The naive way, as oracle and as baseline.
 pub mod naive;

@@ -38,6 +38,9 @@ pub struct Recording {
     /// The id that the rows of the run have; None where it follows from the rest.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub run_id: Option<i64>,
+    /// How long it was to be, where it was stopped before, in microseconds.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stopped_of_us: Option<Micros>,
     /// How many firings it had, and the SHA-256 of them: empty until the run is complete.
     pub firings: u64,
     pub sha256: String,
@@ -61,6 +64,7 @@ impl Recording {
             one_of_many: false,
             home: None,
             run_id: None,
+            stopped_of_us: None,
             firings: 0,
             sha256: String::new(),
         }
@@ -71,9 +75,17 @@ impl Recording {
         Recording { run_id: Some(self.run_id()), ..self }
     }
 
-    /// Whether the run was lived to where it was to end, or was stopped there.
+    /// Whether the run was completed, at its end or where it was stopped: a run that was killed is not.
     pub fn is_complete(&self) -> bool {
         !self.sha256.is_empty()
+    }
+
+    /// The recording of the same run as it is begun again, to go on where it was killed or stopped; None where it was lived
+    /// to its end.
+    pub fn unfinished(&self) -> Option<Recording> {
+        let length_us = if self.is_complete() { self.stopped_of_us? } else { self.length_us };
+        let (firings, sha256) = (0, String::new());
+        Some(Recording { length_us, stopped_of_us: None, firings, sha256, ..self.clone() })
     }
 
     /// The id of the run: the same for the same texts, seed, conditions left out and home, whatever its length. It is a

@@ -30,7 +30,7 @@ pub struct Run {
     /// By resident: who decides, what the body is doing, and what the truth knows of where it is.
     drivers: Vec<Box<dyn Driver>>,
     occupants: Vec<Occupant>,
-    whereabouts: Vec<Whereabouts>,
+    told: Vec<Told>,
     /// By thing of the plan: who has turned it on, or opened it.
     users: Vec<Vec<ResidentId>>,
     /// By thing of the plan: whether it is on, or open.
@@ -42,12 +42,14 @@ pub struct Run {
     failure: Option<DriverError>,
 }
 
-/// In which room a resident is, as it was told last.
+/// What the truth knows of a resident.
 #[derive(Clone, Debug, Default)]
-struct Whereabouts {
+struct Told {
     room: Option<RoomId>,
     /// Whether any room was told yet.
     located: bool,
+    /// Since when the body has been doing what it does: that is told when it ends. Before, all has been told.
+    since: Micros,
 }
 
 /// Who decides for those whose driver is not of this crate.
@@ -55,7 +57,8 @@ pub trait DriverProvider {
     /// Who comes into the home besides the scenario's residents.
     fn guests(&self) -> Vec<Guest>;
 
-    /// The driver of a body: the scenario's residents first, then the guests. `None` where the scenario says all.
+    /// The driver of a body: the scenario's residents first, then the guests. `None` where the scenario says all; one that
+    /// is given moves the body whatever the scenario says.
     fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn Driver>>;
 }
 
@@ -85,18 +88,16 @@ impl Run {
         let builds: Vec<Build> = residents.chain(guests.iter().map(|guest| guest.build)).collect();
         let start_of_day = scenario.calendar.start_of_day();
         let link = scenario.link.as_ref().map(|file| Link::new(file, &scenario.home.sensors, start_of_day, seed));
-        let mut file = Cow::Borrowed(&scenario.home);
-        if let Some(link) = &scenario.link {
-            file.to_mut().sensors.extend(link::other_places(link, &scenario.home.sensors));
-        }
-        let mut home = Home::bake(&file, &builds);
+        let places = scenario.link.as_ref().map(|link| link::other_places(link, &scenario.home.sensors));
+        let moved = places.map_or(Cow::Borrowed(&scenario.home), |more| Cow::Owned(scenario.home.with_sensors(more)));
+        let mut home = Home::bake(&moved, &builds);
         home.sun = Sun::of(&scenario.calendar, scenario.home.latitude_deg);
         let home = Arc::new(home);
         let drivers = (0..builds.len()).map(|body| {
-            let given = || drivers_of.driver(body, &home, seed);
+            let given = drivers_of.driver(body, &home, seed);
             let resident = scenario.residents.get(body);
-            let own = resident.and_then(|resident| driver(resident, &home.plan, start_of_day));
-            own.or_else(given).unwrap_or_else(|| Box::new(Absent))
+            let own = || resident.and_then(|resident| driver(resident, &home.plan, start_of_day));
+            given.or_else(own).unwrap_or_else(|| Box::new(Absent))
         });
         let drivers = drivers.collect();
         let mut run = Run { link: link.map(Box::new), ..Run::of(home, builds, drivers, seed, length) };
@@ -115,7 +116,7 @@ impl Run {
             world,
             names,
             occupants: builds.into_iter().map(Occupant::new).collect(),
-            whereabouts: vec![Whereabouts::default(); drivers.len()],
+            told: vec![Told::default(); drivers.len()],
             drivers,
             users,
             on,
@@ -163,7 +164,7 @@ impl Run {
                 at: self.world.position(resident)?,
                 heading: self.world.heading(resident),
                 posture: self.world.posture(resident),
-                room: self.whereabouts[resident.index()].room,
+                room: self.told[resident.index()].room,
             })
         };
         let all = (0..self.drivers.len()).map(ResidentId::of);
@@ -214,7 +215,25 @@ impl Run {
             }
         }
         self.link = link;
+        if self.now() >= self.length || self.failure.is_some() {
+            events.facts.extend(self.under_way());
+            let now = self.now();
+            self.told.iter_mut().for_each(|told| told.since = now);
+        }
         self.failure.clone().map_or(Ok(()), Err)
+    }
+
+    /// What each resident's body has been doing until now that is not told yet, as movements that end now. At the end of the
+    /// run there is none; for who stops a run before its end.
+    pub fn under_way(&self) -> impl Iterator<Item = Fact> {
+        (0..self.drivers.len()).map(ResidentId::of).filter_map(|resident| self.movement(resident))
+    }
+
+    /// What a resident's body has been doing until now, unless that is told.
+    fn movement(&self, resident: ResidentId) -> Option<Fact> {
+        let begin = self.told[resident.index()].since;
+        let MotionSegment { end, doing, posture, .. } = self.occupants[resident.index()].segment.until(self.now());
+        (begin < end).then_some(Fact::Movement { resident, begin, end, doing, posture })
     }
 
     /// Why the run goes no further, if it is for a driver's answer.
@@ -243,7 +262,7 @@ impl Run {
     }
 
     /// Lives the run from its beginning and returns what each resident does, for those who want to live it in another
-    /// way. Only for a run that has not been advanced: what is under way is not told again.
+    /// way.
     ///
     /// # Errors
     ///
@@ -293,10 +312,14 @@ impl Run {
                 return Err(DriverFault::NoEnd { answers });
             }
         };
-        self.tell_rooms(resident, &next, events)?;
+        let rooms = self.rooms_of(resident, &next)?;
+        // Staying on as one is, however often it is said anew, is one movement.
+        if !next.goes_on(&self.occupants[resident.index()].segment) {
+            events.facts.extend(self.movement(resident));
+            self.told[resident.index()].since = now;
+        }
+        self.tell_rooms(resident, rooms, events);
         self.world.begin(resident, &next);
-        let MotionSegment { end, doing, posture, .. } = next.until(self.length);
-        events.facts.push(Fact::Movement { resident, begin: now, end, doing, posture });
         self.occupants[resident.index()].segment = next;
         Ok(())
     }
@@ -323,23 +346,22 @@ impl Run {
         }
     }
 
-    /// Tells the truth which rooms the resident comes through, which must be of this home.
-    fn tell_rooms(
-        &mut self,
+    /// The rooms that a resident comes through: from which instant on, and which, if any; none where that is as before. They
+    /// are of this home.
+    fn rooms_of(
+        &self,
         resident: ResidentId,
         next: &MotionSegment,
-        events: &mut Events,
-    ) -> Result<(), DriverFault> {
-        let plan = &self.world.home().plan;
-        let Whereabouts { room, located } = &mut self.whereabouts[resident.index()];
+    ) -> Result<Vec<(Micros, Option<usize>)>, DriverFault> {
+        let plan = &self.home().plan;
         let before = self.occupants[resident.index()].segment.to();
         // Mostly the room stays the same, which needs no search.
         match next.doing {
-            MotionState::InPlace { at, .. } | MotionState::Rest { at } if before == Some(at) => return Ok(()),
+            MotionState::InPlace { at, .. } | MotionState::Rest { at } if before == Some(at) => return Ok(Vec::new()),
             MotionState::Stride { from, to } if before == Some(from) => {
-                let here = room.map(|room: RoomId| &plan.rooms[room.index()]);
+                let here = self.told[resident.index()].room.map(|room| &plan.rooms[room.index()]);
                 if here.is_some_and(|room| room.is_convex && geometry::contains(&room.outline, to)) {
-                    return Ok(());
+                    return Ok(Vec::new());
                 }
             }
             _ => {}
@@ -350,9 +372,15 @@ impl Run {
             MotionState::Away => vec![(next.begin, None)],
         };
         let ends_in_none = rooms.last().is_none_or(|(_, room)| room.is_none());
-        if let Some(at) = next.to().filter(|&at| ends_in_none && plan.distance_outside(at) > WALL_M) {
-            return Err(DriverFault::Outside { at });
+        match next.to().filter(|&at| ends_in_none && plan.distance_outside(at) > WALL_M) {
+            Some(at) => Err(DriverFault::Outside { at }),
+            None => Ok(rooms),
         }
+    }
+
+    /// Tells the truth which rooms a resident comes through.
+    fn tell_rooms(&mut self, resident: ResidentId, rooms: Vec<(Micros, Option<usize>)>, events: &mut Events) {
+        let Told { room, located, .. } = &mut self.told[resident.index()];
         let length = self.length;
         for (at, new) in rooms.into_iter().filter(|&(at, _)| at < length) {
             let new = new.map(RoomId::of);
@@ -361,7 +389,6 @@ impl Run {
                 events.facts.push(Fact::Room { resident, at, room: new });
             }
         }
-        Ok(())
     }
 }
 
@@ -369,7 +396,7 @@ impl Run {
 fn driver(resident: &load::Resident, plan: &Plan, start_of_day: Micros) -> Option<Box<dyn Driver>> {
     let load::Resident { file, driver } = resident;
     match driver {
-        load::Driver::Path(path) => Some(Box::new(PathDriver::new(path, plan, file.pace_mps, start_of_day))),
+        load::Driver::Path(path) => Some(Box::new(PathDriver::new(path, start_of_day))),
         load::Driver::Live { input, start } => {
             let keys = KeyTrack::written(input, plan);
             Some(Box::new(LiveDriver::new(plan, *start, file.radius_m, file.pace_mps, keys)))

@@ -3,6 +3,7 @@
 use homebody_core::drivers::MotionSegment;
 use homebody_core::event::{Events, Fact, MotionState, ThingUse, Trigger, Value, Vitals};
 use homebody_core::geometry::Point;
+use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::home::{Build, Home};
 use homebody_core::ids::{ResidentId, ThingId};
 use homebody_core::scenario::path::Posture;
@@ -53,7 +54,7 @@ fn home(sensor: serde_json::Value) -> Home {
         "sensors": [sensor],
     });
     let build = Build { radius_m: 0.2, height_m: 1.7 };
-    Home::bake(&serde_json::from_value(file).unwrap(), &[build, build])
+    Home::bake(&ResolvedHome::new(serde_json::from_value(file).unwrap()).unwrap(), &[build, build])
 }
 
 /// What the sensor says until `until`: instants in microseconds, values, and whose doing it was. Bodies do what they do
@@ -420,7 +421,7 @@ fn what_happens_at_one_instant_is_told_in_the_order_of_sensors() {
         ],
     });
     let build = Build { radius_m: 0.2, height_m: 1.7 };
-    let home = Home::bake(&serde_json::from_value(file).unwrap(), &[build, build]);
+    let home = Home::bake(&ResolvedHome::new(serde_json::from_value(file).unwrap()).unwrap(), &[build, build]);
     let happens = [
         (1.0, 0, Happens::Act("fridge", true)),
         (1.0, 0, Happens::Act("fridge", false)),

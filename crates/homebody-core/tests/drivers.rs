@@ -1,12 +1,15 @@
 //! Drivers of anybody's: what they are shown, and what becomes of a run whose driver answers with nonsense.
 
 use homebody_core::drivers::error::{DriverError, DriverFault, MOST_ANSWERS};
+use homebody_core::drivers::live::{Input, KeyTrack, LiveDriver};
 use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::{Events, Fact, MotionState, Need, ThingUse, Vitals};
 use homebody_core::geometry::Point;
+use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::home::{Build, Home};
 use homebody_core::ids::{ResidentId, RoomId, ThingId};
 use homebody_core::run::Run;
+use homebody_core::scenario::input::Key;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, NEVER, SECOND};
 use serde_json::json;
@@ -28,7 +31,7 @@ static HOME: LazyLock<Arc<Home>> = LazyLock::new(|| {
         "doors": [{ "name": "door", "from": [4, 1.5], "to": [4, 2.5] }],
         "sensors": [{ "kind": "motion", "name": "motion", "at": [0.05, 2], "facing_deg": 0 }],
     });
-    Arc::new(Home::bake(&serde_json::from_value(home).unwrap(), &[Build::adult(); 3]))
+    Arc::new(Home::bake(&ResolvedHome::new(serde_json::from_value(home).unwrap()).unwrap(), &[Build::adult(); 3]))
 });
 
 /// Gives one answer after the other, and the last one again and again.
@@ -91,6 +94,7 @@ fn nonsense_ends_the_run_where_it_was_said() {
     let (mut sound, mut before) = (run(vec![says(walk(), rest())]), Events::default());
     sound.advance(begin, &mut before).unwrap();
     assert!(!before.firings.is_empty(), "the walk is seen");
+    before.facts.extend(sound.under_way());
     let resting = |here| MotionState::Rest { at: here };
     let no_number = |what| DriverFault::NoNumber { what };
     let vitals = Vitals { pulse: f64::NAN, respiration: 15.0 };
@@ -240,4 +244,78 @@ fn who_decides_sees_what_is_so() {
     assert_eq!((seen[0].own, seen[1].own), (None, Some((at(1.0, 3.0), Posture::Standing))));
     // The control: a second later it is not the same any more.
     assert!(seen[1..13].iter().zip(&scenes[2..]).all(|(seen, scene)| seen.others != scene.others));
+}
+
+/// A room in which somebody stands who is moved by keys.
+fn by_keys() -> Run {
+    let keys = LiveDriver::new(&HOME.plan, at(1.0, 2.0), 0.22, 0.6, KeyTrack::live());
+    let length = 3600 * SECOND;
+    let mut run = Run::of(HOME.clone(), vec![Build::adult()], vec![Box::new(keys)], 1, length);
+    assert!(run.open_input(ResidentId(0)));
+    run
+}
+
+fn movements(facts: impl IntoIterator<Item = Fact>) -> Vec<MotionSegment> {
+    let movement = |fact| match fact {
+        Fact::Movement { begin, end, doing, posture, .. } => Some(MotionSegment { begin, end, doing, posture }),
+        _ => None,
+    };
+    facts.into_iter().filter_map(movement).collect()
+}
+
+#[test]
+fn who_stands_still_at_the_keys_fills_no_truth() {
+    let mut run = by_keys();
+    let mut events = Events::default();
+    let (stands, walks) = (10 * 60 * SECOND + 12_345, SECOND / 2);
+    while run.now() < stands {
+        // As a page does it, 60 times a second.
+        run.advance(stands.min(run.now() + SECOND / 60), &mut events).unwrap();
+    }
+    let key = |key: Option<Key>| Input { held: key.into_iter().collect(), ..Input::default() };
+    run.input(ResidentId(0), key(Some(Key::Right)));
+    run.advance(stands + walks, &mut events).unwrap();
+    run.input(ResidentId(0), key(None));
+    run.advance(2 * stands, &mut events).unwrap();
+    let mut told = movements(events.facts);
+    let all_told = told.len();
+    told.extend(movements(run.under_way()));
+    // The first step of 1/60 s that begins after the key was pressed moves the body, to the microsecond.
+    assert_eq!((told[0].begin, told[0].end), (0, 600_016_666));
+    assert!(matches!(told[0].doing, MotionState::Rest { .. }));
+    let strides = told.iter().filter(|next| matches!(next.doing, MotionState::Stride { .. })).count();
+    assert_eq!((strides, told.len(), all_told), (30, 32, 31));
+    assert!(told.windows(2).all(|pair| pair[0].end == pair[1].begin));
+    assert_eq!(told.last().map(|last| last.end), Some(run.now()), "what is under way is told up to now");
+    run.advance(run.length(), &mut Events::default()).unwrap();
+    assert_eq!(run.under_way().count(), 0);
+}
+
+#[test]
+fn staying_is_one_movement_however_often_it_is_said() {
+    let lying = |begin, end| MotionSegment {
+        begin,
+        end,
+        doing: MotionState::InPlace { at: at(3.0, 3.0), amplitude_m: 0.1 },
+        posture: Posture::Lying,
+    };
+    let life = |cuts: &[Micros], postures: fn(usize) -> Posture| {
+        let mut answers = walk();
+        for (index, cut) in cuts.windows(2).enumerate() {
+            answers.push(Next::Segment(MotionSegment { posture: postures(index), ..lying(cut[0], cut[1]) }));
+        }
+        let last = segment(*cuts.last().unwrap(), NEVER, MotionState::Away);
+        let mut run = run(vec![says(answers, last)]);
+        let mut events = Events::default();
+        run.advance(LENGTH, &mut events).unwrap();
+        events
+    };
+    let second = |second: Micros| second * SECOND;
+    let cuts: Vec<Micros> = (10..=40).map(second).collect();
+    let whole = life(&[second(10), second(40)], |_| Posture::Lying);
+    assert_eq!(life(&cuts, |_| Posture::Lying), whole);
+    assert_eq!(movements(whole.facts).len(), 3);
+    // The control: who turns from one posture to another does not stay as they are.
+    let turning = |index: usize| if index % 2 == 0 { Posture::Lying } else { Posture::Sitting };
+    assert_eq!(movements(life(&cuts, turning).facts).len(), 2 + 30);
 }

@@ -4,9 +4,10 @@
 mod random_home;
 
 use homebody_core::drivers::MotionSegment;
-use homebody_core::drivers::path::PathDriver;
+use homebody_core::drivers::path::{PathDriver, ResolvedPath};
 use homebody_core::event::{Events, Fact, Firing, MotionState, Provenance, Value};
 use homebody_core::geometry::Point;
+use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::home::{Build, Home};
 use homebody_core::ids::{ResidentId, SensorId};
 use homebody_core::run::Run;
@@ -35,7 +36,7 @@ impl Case {
     }
 
     fn with(case: u64, file: HomeFile, builds: Vec<Build>) -> Case {
-        let home = Arc::new(Home::bake(&file, &builds));
+        let home = Arc::new(Home::bake(&ResolvedHome::new(file).unwrap(), &builds));
         let length = 300 * SECOND;
         let lives = (0..builds.len()).map(|i| random_home::life(case, i, &home, length, 0.05)).collect();
         let doings = (0..builds.len()).map(|i| random_home::doings(case, i, &home, length)).collect();
@@ -193,9 +194,11 @@ fn who_hardly_moves_is_seen_at_once_or_never() {
 
 #[test]
 fn the_truth_ends_with_the_run() {
-    let home = Arc::new(Home::bake(&random_home::home(0, Model::Whole), &[BODY]));
+    let home = ResolvedHome::new(random_home::home(0, Model::Whole)).unwrap();
+    let home = Arc::new(Home::bake(&home, &[BODY]));
     let path = serde_json::json!({ "start": [1, 1], "steps": [{ "go": { "to": [[7, 1]], "in_s": 60 } }] });
-    let path = PathDriver::new(&serde_json::from_value(path).unwrap(), &home.plan, 1.0, 0);
+    let path = ResolvedPath::new(serde_json::from_value(path).unwrap(), &home.plan, 1.0).unwrap();
+    let path = PathDriver::new(&path, 0);
     let length = 20 * SECOND;
     let mut run = Run::of(home.clone(), vec![BODY], vec![Box::new(path)], 1, length);
     let mut events = Events::default();
@@ -287,7 +290,7 @@ fn adding_a_resident_whom_no_sensor_sees_changes_nothing() {
 fn the_grid_changes_nothing() {
     for case in 0..CASES {
         let file = random_home::home(case, Model::Whole);
-        let home = Home::bake(&file, &random_home::builds(case, 3));
+        let home = Home::bake(&ResolvedHome::new(file).unwrap(), &random_home::builds(case, 3));
         let dice = &mut Dice::new(case, "places");
         let (least, most) = home.plan.bounds();
         for field in &home.fields {

@@ -1,6 +1,6 @@
 //! The list of kinds of sensors says what is so, and documents say what it says.
 
-use homebody_core::home::plan::Plan;
+use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::home::{Build, Home};
 use homebody_core::scenario::home::{HomeFile, SensorFile};
 use homebody_core::sensors::form::KindRow;
@@ -72,8 +72,9 @@ fn a_home_says_of_each_sensor_where_it_is_and_what_it_can_say() {
         ],
     }))
     .expect("a home");
+    let home = ResolvedHome::new(home).expect("all that it names is there");
     let infos = Home::bake(&home, &[Build::adult()]).sensor_infos();
-    let plan = Plan::new(&home);
+    let plan = home.plan();
     let said = infos.iter().map(|info| {
         let values: Vec<String> = info.values.iter().map(ToString::to_string).collect();
         let room = info.room.as_deref().unwrap_or_default();

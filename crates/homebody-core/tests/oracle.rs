@@ -9,6 +9,7 @@ mod random_home;
 use homebody_core::drivers::MotionSegment;
 use homebody_core::event::{Events, Fact, Firing, MotionState};
 use homebody_core::geometry::Point;
+use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::home::{Build, Home};
 use homebody_core::ids::ResidentId;
 use homebody_core::naive::paper::PaperEye;
@@ -49,7 +50,8 @@ impl Case {
     /// A case with so many sensors more.
     fn crowded(number: u64, more: i64) -> Case {
         let build = random_home::builds(number, 1)[0];
-        let home = Arc::new(Home::bake(&random_home::crowded(number, Model::Paper, more), &[build]));
+        let home = ResolvedHome::new(random_home::crowded(number, Model::Paper, more)).unwrap();
+        let home = Arc::new(Home::bake(&home, &[build]));
         let mut life = random_home::life(number, 0, &home, LENGTH, 0.3);
         let (least, most) = home.plan.bounds();
         let mut at = (least + most) / 2.0;

@@ -15,12 +15,14 @@ use homebody_core::naive::paper::PaperEye;
 use homebody_core::naive::{Loop, Player, Remainder};
 use homebody_core::problem::Problems;
 use homebody_core::run::Run;
+use homebody_core::scenario::ScenarioFile;
+use homebody_core::scenario::edit::ScenarioEdit;
+use homebody_core::scenario::home::{HomeFile, MotionFile, RoomFile, SensorFile, WallFile};
 use homebody_core::scenario::load::Scenario;
-use homebody_core::scenario::path::Posture;
+use homebody_core::scenario::path::{Go, PathFile, Posture, Repeat, Spot, Step, StirFile, Wait};
+use homebody_core::scenario::resident::{DriverFile, ResidentFile};
 use homebody_core::time::{Micros, SECOND};
 use serde::Serialize;
-use serde_json::json;
-use std::collections::BTreeMap;
 use std::fmt;
 
 /// Five and ten feet.
@@ -227,40 +229,32 @@ impl Walk {
         let Walk { distance_m, speed_mps, assumptions: Assumptions { walk_m, turn_s }, random } = *self;
         let (width, depth) = (4.0, walk_m + 2.0);
         let corners = [[0.0, 0.0], [width, 0.0], [width, depth], [0.0, depth]];
-        let walls: Vec<_> = (0..4).map(|i| json!({ "from": corners[i], "to": corners[(i + 1) % 4] })).collect();
+        let mut home = HomeFile::new("one room");
+        home.rooms.push(RoomFile { name: "room".into(), outline: corners.to_vec() });
+        home.walls.extend((0..4).map(|side| WallFile::new(corners[side], corners[(side + 1) % 4])));
         // A name for each activity, so that each draws its own random numbers.
-        let name = format!("PIR at {distance_m} m, {speed_mps} m/s");
-        let mut sensor = json!({ "kind": "motion", "name": name, "at": [0.05, depth / 2.0], "facing_deg": 0 });
+        let mut sensor = MotionFile::new(&format!("PIR at {distance_m} m, {speed_mps} m/s"), [0.05, depth / 2.0], 0.0);
         if !random {
-            (sensor["first_fire_s"], sensor["refire_s"]) = (json!([1.5, 1.5]), json!([7, 7]));
+            (sensor.first_fire_s, sensor.refire_s) = (Some([1.5, 1.5]), Some([7.0, 7.0]));
         }
-        let home = json!({ "name": "one room", "rooms": [{ "name": "room", "outline": corners }],
-            "walls": walls, "sensors": [sensor] });
+        home.sensors.push(SensorFile::Motion(sensor));
         let (start, end) = ([0.05 + distance_m, 1.0], [0.05 + distance_m, 1.0 + walk_m]);
         let mut steps = Vec::new();
         for to in [end, start] {
-            steps.push(json!({ "go": { "to": [to], "pace_mps": speed_mps } }));
+            steps.push(Step::Go(Go { to: vec![Spot::At(to)], pace_mps: Some(speed_mps), in_s: None, arrive_at: None }));
             if turn_s > 0.0 {
                 // The body turns on the spot all the time.
-                let stir = json!({ "every_s": turn_s, "for_s": turn_s, "amplitude_m": 0.2 });
-                steps.push(json!({ "wait": { "for_s": turn_s, "stir": stir } }));
+                let stir = Some(StirFile { every_s: turn_s, for_s: turn_s, amplitude_m: 0.2 });
+                let (for_s, posture) = (Some(turn_s), Posture::Standing);
+                steps.push(Step::Wait(Wait { for_s, until: None, posture, stir }));
             }
         }
-        let path = json!({ "start": start, "steps": [{ "repeat": { "steps": steps } }] });
-        let files: BTreeMap<String, String> = [
-            (
-                "scenario.json",
-                json!({ "name": "Godsey & Skubic 2009", "start": "2009-01-01T12:00:00", "days": 1,
-                "home": "home.json", "residents": ["person.json"] }),
-            ),
-            ("home.json", home),
-            ("person.json", json!({ "name": "person", "height_m": 1.75, "driver": { "path": "path.json" } })),
-            ("path.json", path),
-        ]
-        .into_iter()
-        .map(|(name, value)| (name.into(), value.to_string()))
-        .collect();
-        Scenario::load(&files, "scenario.json")
+        let steps = vec![Step::Repeat(Repeat { times: None, steps })];
+        let path = PathFile { schema: None, start: Spot::At(start), posture: Posture::Standing, steps };
+        let driver = DriverFile::Path("path.json".into());
+        let person = ResidentFile { name: "person".into(), height_m: 1.75, ..ResidentFile::somebody(driver) };
+        let scenario = ScenarioFile::new("Godsey & Skubic 2009", "2009-01-01T12:00:00", 1.0);
+        ScenarioEdit::new(scenario, home).add_resident("person.json", person).path(0, "path.json", &path).load()
     }
 }
 

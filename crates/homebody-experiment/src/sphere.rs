@@ -16,6 +16,7 @@
 //! and after the last annotation.
 
 mod compare;
+mod comparison;
 mod experiment;
 mod house;
 mod parse;
@@ -25,13 +26,13 @@ mod real_data;
 mod short_stays;
 mod words;
 
-pub use compare::{Comparison, Figures, RoomComparison, compare_run, compare_runs, hold};
+pub use compare::{compare_run, compare_runs, hold};
+pub use comparison::{Comparison, Figures, Finding, RoomComparison};
 pub use experiment::{Experiment, Recording, Undone};
 pub use house::House;
 pub use parse::{BadRow, Texts, parse};
 pub use path::{Unplaced, path_of};
 pub use short_stays::{ShortStay, without_short_stays};
-pub use words::Finding;
 
 use serde::Serialize;
 

@@ -170,6 +170,12 @@ fn begin_part(path: &Path) -> io::Result<(PathBuf, File)> {
     }
 }
 
+/// Removes the parts of a file that programs which died have left.
+pub(crate) fn remove_parts(path: &Path) -> Result<(), LogError> {
+    let removed = largest_part(path).and_then(|part| part.map_or(Ok(()), fs::remove_file));
+    removed.map_err(|error| LogError::file(path, error))
+}
+
 /// The largest of the parts of a file that programs which died have left; the others are removed.
 fn largest_part(path: &Path) -> io::Result<Option<PathBuf>> {
     let begins = format!("{}.", path.file_name().unwrap_or_default().to_string_lossy());

@@ -37,10 +37,12 @@ pub mod rows;
 pub mod preview;
 
 pub mod convert;
+pub mod label;
 pub mod source;
 
 pub use convert::convert;
 pub use error::LogError;
+pub use label::{Labelled, label};
 pub use logger::{Destination, Logger, RowsOfFirings, Stored};
 pub use places::Places;
 pub use policy::Policy;

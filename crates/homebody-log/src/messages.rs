@@ -23,11 +23,13 @@ pub(crate) struct LogRow {
 }
 
 /// Turns firings into rows.
+#[derive(Clone)]
 pub(crate) struct Messages {
     hold: Option<Hold>,
     next_seq: u64,
 }
 
+#[derive(Clone)]
 struct Hold {
     span: Micros,
     /// What each sensor is held by; none while it is OFF.

@@ -16,11 +16,16 @@ pub const RUNS: &str = "runs";
 pub const RECORDING: &str = "recording.json";
 pub const TRUTH: &str = "truth.db";
 
+/// The table of the sensors in a run's folder: id in the log, name in the home, kind, room and place.
+pub const SENSORS: &str = "sensors.csv";
+
 /// Where a run is written.
 pub struct Places {
     pub log: Vec<Url>,
     pub truth: Option<Url>,
     pub recording: Option<PathBuf>,
+    /// The table of the sensors, in a run's folder.
+    pub sensors: Option<PathBuf>,
     /// The folders made for the run, outer ones first.
     made: Vec<PathBuf>,
 }
@@ -35,7 +40,7 @@ impl Places {
         sources: &[PathBuf],
         force: bool,
     ) -> Result<Places, LogError> {
-        let mut places = Places { log, truth, recording, made: Vec::new() };
+        let mut places = Places { log, truth, recording, sensors: None, made: Vec::new() };
         let asked = if places.log.is_empty() { places.default_to_folder(Path::new(RUNS), scenario) } else { Ok(()) };
         match asked.and_then(|()| can_be_written(&places.files(), sources, force)) {
             Ok(()) => Ok(places),
@@ -68,7 +73,7 @@ impl Places {
     }
 
     fn nowhere() -> Places {
-        Places { log: Vec::new(), truth: None, recording: None, made: Vec::new() }
+        Places { log: Vec::new(), truth: None, recording: None, sensors: None, made: Vec::new() }
     }
 
     /// A new folder for a cohort of a scenario, with nothing in it.
@@ -105,6 +110,7 @@ impl Places {
         }
         self.truth.get_or_insert_with(|| Url::new(Scheme::Sqlite, folder.join(TRUTH)));
         self.recording.get_or_insert_with(|| folder.join(RECORDING));
+        self.sensors = Some(folder.join(SENSORS));
         Ok(())
     }
 
@@ -144,7 +150,7 @@ impl Places {
     /// All files that are going to be written.
     fn files(&self) -> Vec<&Path> {
         let urls = self.log.iter().chain(&self.truth).filter_map(Url::file);
-        urls.chain(self.recording.as_deref()).collect()
+        urls.chain(self.recording.as_deref()).chain(self.sensors.as_deref()).collect()
     }
 }
 

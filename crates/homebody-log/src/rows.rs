@@ -10,7 +10,8 @@ use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Micros;
 
-/// Turns a run's firings into the rows that its log has of them.
+/// Turns a run's firings into the rows that its log has of them. A copy goes on as the original.
+#[derive(Clone)]
 pub struct Rows {
     messages: Messages,
     shown: Shown,

@@ -2,12 +2,13 @@
 //! again.
 
 use crate::error::LogError;
-use crate::fresh::FreshFile;
-use crate::logger::{Destination, Logger, Stored, destinations};
+use crate::fresh::{FreshFile, remove_parts};
+use crate::logger::{Destination, Logger, RowsOfFirings, Stored, destinations};
 use crate::places::Places;
 use crate::run_info::RunInfo;
 use crate::sink::How;
 use crate::truth::TruthLog;
+use crate::url::Url;
 use homebody_core::event::Events;
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::Run;
@@ -17,9 +18,12 @@ use std::sync::Arc;
 
 /// The open places of a run that is being lived.
 pub struct RunLog {
-    logger: Logger,
+    /// Until it is completed.
+    logger: Option<Logger>,
     truth: Option<TruthLog>,
     record: Option<PathBuf>,
+    /// What is removed if the run fails and leaves no log by which it could be gone on with.
+    given_up: Option<GivenUp>,
     digest: RunDigest,
 }
 
@@ -28,7 +32,7 @@ impl RunLog {
     /// which stands from now on.
     ///
     /// Going on, the run is lived again from its beginning: what is there already is compared, and what is missing is
-    /// written.
+    /// written. The truth of a run that was stopped says what ended there and then, so it is written anew.
     pub fn open(
         places: &Places,
         scenario: &Scenario,
@@ -49,6 +53,13 @@ impl RunLog {
         how: How,
     ) -> Result<RunLog, LogError> {
         let info = Arc::new(RunInfo::of(scenario, run, recording));
+        if how == How::GoOn {
+            for path in places.recording.iter().chain(&places.sensors) {
+                // A program that died while it wrote one of them has left a part.
+                remove_parts(path)?;
+            }
+        }
+        let truth_how = if how == How::GoOn && was_stopped(places) { How::Replace } else { how };
         if let (Some(path), false) = (&places.recording, how == How::GoOn) {
             // Before all else: whatever becomes of the run from now on, it can be gone on with.
             write_recording(path, recording, how)?;
@@ -57,16 +68,21 @@ impl RunLog {
         all.extend(own);
         let opened = Logger::open(all, &scenario.logger, &info, how).and_then(|logger| {
             let truth = places.truth.as_ref();
-            let truth = truth.map(|url| TruthLog::open(url, &places.log, &scenario.logger, &info, how)).transpose()?;
-            let sensors = places.log.iter().filter_map(|url| url.file()).map(sensors_beside);
-            for path in sensors {
-                write_sensors(&path, &info)?;
+            let truth =
+                truth.map(|url| TruthLog::open(url, &places.log, &scenario.logger, &info, truth_how)).transpose()?;
+            if let Some(path) = &places.sensors {
+                write_sensors(path, &info)?;
             }
             Ok((logger, truth))
         });
         match opened {
             Ok((logger, truth)) => {
-                Ok(RunLog { logger, truth, record: places.recording.clone(), digest: RunDigest::default() })
+                let record = places.recording.clone();
+                let beside = record.iter().chain(&places.sensors).cloned().collect();
+                let is_folder = places.sensors.is_some();
+                let logs = places.log.iter().filter_map(Url::file).filter(|_| is_folder).map(Path::to_owned).collect();
+                let given_up = (how == How::New || !is_folder).then_some(GivenUp { beside, logs });
+                Ok(RunLog { logger: Some(logger), truth, record, given_up, digest: RunDigest::default() })
             }
             Err(error) => {
                 if let (Some(path), How::New) = (&places.recording, how) {
@@ -81,7 +97,8 @@ impl RunLog {
     /// Hands on what has happened in the run since the last time.
     pub fn store(&mut self, run: &Run, events: &Events) -> Result<(), LogError> {
         self.digest.add(&events.firings);
-        let joined = self.logger.store(&events.firings, run.settled())?;
+        let Some(logger) = &mut self.logger else { return Ok(()) };
+        let joined = logger.store(&events.firings, run.settled())?;
         match &mut self.truth {
             Some(truth) => truth.store(events, joined),
             None => Ok(()),
@@ -90,18 +107,47 @@ impl RunLog {
 
     /// Completes all places, and returns what was stored and the recording of what was lived: its length is where the run has
     /// come to, and its other fields are those of `recording`.
-    pub fn finish(self, run: &Run, recording: Recording) -> Result<(Stored, Recording), LogError> {
-        let stored = self.logger.finish()?;
-        if let Some(truth) = self.truth {
+    pub fn finish(mut self, run: &Run, recording: Recording) -> Result<(Stored, Recording), LogError> {
+        let stored = self.logger.take().map(Logger::finish).transpose()?.unwrap_or_default();
+        if let Some(mut truth) = self.truth.take() {
+            let under_way = Events { facts: run.under_way().collect(), ..Events::default() };
+            truth.store(&under_way, &RowsOfFirings::default())?;
             truth.finish(run.now())?;
         }
         let (firings, sha256) = (self.digest.firings(), self.digest.hex());
-        let recording = Recording { length_us: run.now(), firings, sha256, ..recording };
-        if let Some(path) = self.record {
-            write_recording(&path, &recording, How::Replace)?;
+        let stopped_of_us = (run.now() < run.length()).then(|| run.length());
+        let recording = Recording { length_us: run.now(), stopped_of_us, firings, sha256, ..recording };
+        if let Some(path) = &self.record {
+            write_recording(path, &recording, How::Replace)?;
         }
+        self.given_up = None;
         Ok((stored, recording))
     }
+}
+
+/// The files that are of no use without a log.
+struct GivenUp {
+    beside: Vec<PathBuf>,
+    logs: Vec<PathBuf>,
+}
+
+impl Drop for RunLog {
+    fn drop(&mut self) {
+        let Some(GivenUp { beside, logs }) = self.given_up.take() else { return };
+        // They decide first what stays of the logs.
+        (self.logger, self.truth) = (None, None);
+        if !logs.iter().any(|log| log.is_file()) {
+            beside.iter().for_each(|path| {
+                let _ = std::fs::remove_file(path);
+            });
+        }
+    }
+}
+
+/// Whether the run that left these places was stopped, and not killed.
+fn was_stopped(places: &Places) -> bool {
+    let text = places.recording.as_ref().and_then(|path| std::fs::read_to_string(path).ok());
+    text.and_then(|text| serde_json::from_str::<Recording>(&text).ok()).is_some_and(|recording| recording.is_complete())
 }
 
 /// Writes a recording in one piece.
@@ -110,11 +156,6 @@ fn write_recording(path: &Path, recording: &Recording, how: How) -> Result<(), L
     file.write(serde_json::to_string_pretty(recording)?.as_bytes())?;
     file.write(b"\n")?;
     file.finish()
-}
-
-/// The file beside a log that tells of its sensors: `log.db` has `log.sensors.csv`.
-pub fn sensors_beside(log: &Path) -> PathBuf {
-    log.with_extension("sensors.csv")
 }
 
 /// Writes a row for each sensor: its id in the log, its name in the home, its kind, its room and its place.

@@ -194,7 +194,8 @@ pub fn mats(sheet: &mut Sheet, home: &HomeFile) {
 /// Wall sensors as triangles that point where they look, ceiling sensors as rings, all others as squares.
 pub fn sensors(sheet: &mut Sheet, home: &HomeFile, plan: &Plan) {
     for sensor in &home.sensors {
-        let at = sheet.at(Sensor::new(sensor, plan).at);
+        let Some(Sensor { at, .. }) = Sensor::new(sensor, plan) else { continue };
+        let at = sheet.at(at);
         let bulk = match sensor {
             SensorFile::Motion(motion) => {
                 let triangle = dart(at, flipped(geometry::direction(motion.facing_deg)));
@@ -240,7 +241,8 @@ pub fn names(sheet: &mut Sheet, home: &HomeFile, plan: &Plan, furniture: Type) {
         }
     }
     for sensor in &home.sensors {
-        let at = sheet.at(Sensor::new(sensor, plan).at);
+        let Some(Sensor { at, .. }) = Sensor::new(sensor, plan) else { continue };
+        let at = sheet.at(at);
         let facing_deg = match sensor {
             SensorFile::Motion(motion) => motion.facing_deg,
             _ => 0.0,

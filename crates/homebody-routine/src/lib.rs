@@ -13,4 +13,5 @@ pub mod completion;
 
 // The living of it, and everybody of a scenario who does.
 pub mod living;
+mod needs_of_home;
 pub mod household;

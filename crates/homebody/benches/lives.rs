@@ -11,10 +11,12 @@ mod measure;
 
 use homebody_core::drivers::MotionSegment;
 use homebody_core::event::Events;
+use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::home::{Build, Home};
 use homebody_core::ids::ResidentId;
 use homebody_core::recording::Recording;
 use homebody_core::run::Run;
+use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::link::{LinkFile, Network};
 use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
@@ -61,9 +63,7 @@ fn main() {
 /// A scenario that comes with the program, and who lives there.
 fn scenario(name: &str) -> (Scenario, Household) {
     let folder = Folder(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios").join(name));
-    let mut scenario = Scenario::load(&folder, "scenario.json").expect("a scenario without problems");
-    let household = Household::read(&mut scenario, &folder, &[]).expect("routines without problems");
-    (scenario, household)
+    Household::load(&folder, "scenario.json", &[]).expect("a scenario without problems")
 }
 
 struct Folder(PathBuf);
@@ -80,12 +80,12 @@ fn against_kernel(name: &str, link: Option<LinkFile>, length: Micros) -> String 
     let (mut scenario, household) = scenario("tigerplace");
     scenario.link = link;
     let moves = Run::new(&scenario, &household, scenario.file.seed, length).moves().expect(SOUND);
-    let mut bare = scenario.home.clone();
+    let mut bare = HomeFile::clone(&scenario.home);
     bare.sensors.retain(|sensor| sensor.on().is_none());
     let builds: Vec<Build> = (0..moves.len())
         .map(|body| scenario.residents.get(body).map_or(Build::adult(), |resident| Build::of(&resident.file)))
         .collect();
-    let home = Arc::new(Home::bake(&bare, &builds));
+    let home = Arc::new(Home::bake(&ResolvedHome::new(bare).expect("a home"), &builds));
     let mut ratios = Vec::new();
     for _ in 0..ROUNDS {
         let life_s = live(&scenario, &household, length);

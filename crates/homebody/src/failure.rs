@@ -2,6 +2,7 @@
 
 use homebody_core::drivers::error::DriverError;
 use homebody_core::problem::Problems;
+use homebody_kit::Error;
 use homebody_log::LogError;
 use std::fmt::Display;
 use std::path::Path;
@@ -49,8 +50,24 @@ impl From<LogError> for Failure {
             | LogError::NoPlace(_)
             | LogError::Zone(_) => Failure::Usage(error.to_string()),
             LogError::Unmade { .. } => Failure::Io(format!("{error}; --out writes elsewhere")),
-            LogError::Exists { .. } => Failure::Io(format!("{error} by --force")),
+            LogError::Exists { place } => Failure::Io(format!("{place} exists already\n  hint: --force replaces it")),
             error => Failure::Io(error.to_string()),
+        }
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Failure {
+        match error {
+            Error::Problems(problems) => Failure::Problems(problems),
+            Error::Log(error) => match error.downcast::<LogError>() {
+                Ok(error) => (*error).into(),
+                Err(error) => Failure::Io(error.to_string()),
+            },
+            Error::File { .. } | Error::NoLog { .. } | Error::NoRecording { .. } | Error::Threads(_) => {
+                Failure::Io(error.to_string())
+            }
+            error => Failure::usage(error),
         }
     }
 }

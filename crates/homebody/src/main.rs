@@ -3,12 +3,9 @@
 mod beginning;
 mod commands;
 mod failure;
-mod folder;
-mod given;
 mod length;
 mod pace;
 mod print;
-mod profiles;
 
 use clap::{CommandFactory, Parser};
 use commands::Command;

@@ -129,7 +129,7 @@ pub fn of_home(home: &HomeFile, build: Build, step_m: f64) -> Seen {
     let mut home = home.clone();
     home.sensors.retain(SensorFile::senses_motion);
     let plan = Plan::new(&home);
-    let sensors: Vec<Sensor> = home.sensors.iter().map(|sensor| Sensor::new(sensor, &plan)).collect();
+    let sensors: Vec<Sensor> = home.sensors.iter().filter_map(|sensor| Sensor::new(sensor, &plan)).collect();
     let names: Vec<String> = sensors.iter().map(|sensor| sensor.name.clone()).collect();
     let field = Field::bake(&plan, &sensors, build.size(Posture::Standing));
     let coverage = coverage(&plan, build.radius_m, &names, step_m, &|p| field.seen_at(p));

@@ -45,6 +45,12 @@ impl MotionSegment {
         MotionSegment { end, doing, ..*self }
     }
 
+    /// Whether the body, which was doing `before` until this segment begins, just stays on as it is.
+    pub fn goes_on(&self, before: &MotionSegment) -> bool {
+        let walks = matches!(self.doing, MotionState::Stride { .. });
+        !walks && before.end == self.begin && before.doing == self.doing && before.posture == self.posture
+    }
+
     /// Where the body is at an instant of the segment, its end included; `None` while away.
     pub fn position(&self, at: Micros) -> Option<Point> {
         match self.doing {

@@ -19,6 +19,7 @@ use crate::home::plan::Plan;
 use crate::scenario::calendar::time_of_day;
 use crate::scenario::path::{self as file, PathFile, Posture};
 use crate::time::{DAY, Micros, NEVER, micros, seconds};
+use std::ops::Deref;
 use std::sync::Arc;
 
 /// Nobody walks faster (ours): whoever would have to comes too late.
@@ -41,7 +42,7 @@ pub struct PathDriver {
     posture: Posture,
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 enum Step {
     Go {
         to: Vec<Point>,
@@ -62,7 +63,7 @@ enum Step {
     },
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Tempo {
     /// Metres a second.
     Pace(f64),
@@ -70,14 +71,14 @@ enum Tempo {
     Within(Span),
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Span {
     For(Micros),
     /// Up to the next such time of day, in microseconds since midnight.
     Until(Micros),
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Pastime {
     Still(Posture),
     Stirring { posture: Posture, every: Micros, lasting: Micros, amplitude_m: f64 },
@@ -110,23 +111,45 @@ struct Pass {
     left: Option<u32>,
 }
 
+/// A path whose places and times of day are found. One of a [`Scenario`](crate::scenario::load::Scenario) has passed its checks
+/// besides.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ResolvedPath {
+    file: PathFile,
+    steps: Arc<[Step]>,
+    start: Point,
+}
+
+impl ResolvedPath {
+    /// Finds in a home what the file of somebody with this pace names; nothing if it names a place that the home does not
+    /// have, or a time of day that is none.
+    pub fn new(file: PathFile, plan: &Plan, pace_mps: f64) -> Option<ResolvedPath> {
+        let mut steps = Vec::new();
+        flatten(&file.steps, plan, pace_mps, &mut steps)?;
+        let start = plan.spot(&file.start)?;
+        Some(ResolvedPath { steps: steps.into(), start, file })
+    }
+}
+
+/// What its file says.
+impl Deref for ResolvedPath {
+    type Target = PathFile;
+
+    fn deref(&self) -> &PathFile {
+        &self.file
+    }
+}
+
 impl PathDriver {
     /// The driver of a path; `start_of_day` are the microseconds from local midnight to the scenario's start.
-    ///
-    /// # Panics
-    ///
-    /// If the path names a place that the home does not have, or a time of day that is none. The
-    /// checks of a scenario refuse both.
-    pub fn new(path: &PathFile, plan: &Plan, pace_mps: f64, start_of_day: Micros) -> PathDriver {
-        let mut steps = Vec::new();
-        flatten(&path.steps, plan, pace_mps, &mut steps);
+    pub fn new(path: &ResolvedPath, start_of_day: Micros) -> PathDriver {
         PathDriver {
-            steps: steps.into(),
+            steps: path.steps.clone(),
             start_of_day,
             step: 0,
             under_way: None,
             passes: Vec::new(),
-            at: place(plan, &path.start),
+            at: path.start,
             posture: path.posture,
         }
     }
@@ -285,15 +308,15 @@ impl Driver for PathDriver {
 }
 
 /// Appends the steps as a flat list, in which a repeat is bracketed by `Repeat` and `Again`.
-fn flatten(steps: &[file::Step], plan: &Plan, pace_mps: f64, flat: &mut Vec<Step>) {
+fn flatten(steps: &[file::Step], plan: &Plan, pace_mps: f64, flat: &mut Vec<Step>) -> Option<()> {
     for step in steps {
         match step {
             file::Step::Go(go) => {
-                let to = go.to.iter().map(|spot| place(plan, spot)).collect();
+                let to = go.to.iter().map(|spot| plan.spot(spot)).collect::<Option<_>>()?;
                 let tempo = match (go.pace_mps, go.in_s, &go.arrive_at) {
                     (Some(mps), _, _) => Tempo::Pace(mps),
                     (None, None, None) => Tempo::Pace(pace_mps),
-                    (None, in_s, arrive_at) => Tempo::Within(span(in_s, arrive_at)),
+                    (None, in_s, arrive_at) => Tempo::Within(span(in_s, arrive_at)?),
                 };
                 flat.push(Step::Go { to, tempo });
             }
@@ -308,32 +331,29 @@ fn flatten(steps: &[file::Step], plan: &Plan, pace_mps: f64, flat: &mut Vec<Step
                         amplitude_m: stir.amplitude_m,
                     },
                 };
-                flat.push(Step::Stay { span: span(wait.for_s, &wait.until), pastime });
+                flat.push(Step::Stay { span: span(wait.for_s, &wait.until)?, pastime });
             }
             file::Step::Repeat(repeat) => {
                 flat.push(Step::Repeat { times: repeat.times });
                 let first = flat.len();
-                flatten(&repeat.steps, plan, pace_mps, flat);
+                flatten(&repeat.steps, plan, pace_mps, flat)?;
                 flat.push(Step::Again { first });
             }
             file::Step::Activity(name) => flat.push(Step::Activity((!name.is_empty()).then(|| name.clone()))),
             file::Step::Away(away) => {
-                flat.push(Step::Stay { span: span(away.for_s, &away.until), pastime: Pastime::Away });
+                flat.push(Step::Stay { span: span(away.for_s, &away.until)?, pastime: Pastime::Away });
             }
         }
     }
+    Some(())
 }
 
-fn place(plan: &Plan, spot: &file::Spot) -> Point {
-    plan.spot(spot).unwrap_or_else(|| panic!("the home has no place {spot:?}"))
-}
-
-fn span(for_s: Option<f64>, until: &Option<String>) -> Span {
-    match (for_s, until) {
+fn span(for_s: Option<f64>, until: &Option<String>) -> Option<Span> {
+    Some(match (for_s, until) {
         (Some(for_s), _) => Span::For(micros(for_s)),
-        (None, Some(until)) => Span::Until(time_of_day(until).unwrap_or_else(|| panic!("{until:?} is no time of day"))),
+        (None, Some(until)) => Span::Until(time_of_day(until)?),
         (None, None) => Span::For(0),
-    }
+    })
 }
 
 /// The instant so many seconds after another.
@@ -358,7 +378,23 @@ mod tests {
         });
         let path = json!({ "start": [0, 0], "steps": steps });
         let home = serde_json::from_value(home).unwrap();
-        PathDriver::new(&serde_json::from_value(path).unwrap(), &Plan::new(&home), 0.5, 7 * HOUR)
+        let path = ResolvedPath::new(serde_json::from_value(path).unwrap(), &Plan::new(&home), 0.5);
+        PathDriver::new(&path.unwrap(), 7 * HOUR)
+    }
+
+    #[test]
+    fn what_the_home_does_not_have_is_no_path() {
+        let home = json!({ "name": "a room", "walls": [], "rooms": [{ "name": "room", "outline": [[0, 0], [9, 0], [9, 9]] }] });
+        let plan = Plan::new(&serde_json::from_value(home).unwrap());
+        let is_path = |start: Value, steps: Value| {
+            let file = serde_json::from_value(json!({ "start": start, "steps": steps })).unwrap();
+            ResolvedPath::new(file, &plan, 0.5).is_some()
+        };
+        let again = |step: Value| json!([{ "repeat": { "steps": [step] } }]);
+        assert!(is_path(json!("room"), again(json!({ "wait": { "until": "07:30" } }))));
+        assert!(!is_path(json!("sink"), json!([])));
+        assert!(!is_path(json!("room"), again(json!({ "go": { "to": ["room", "sink"] } }))));
+        assert!(!is_path(json!("room"), again(json!({ "away": { "until": "25:00" } }))));
     }
 
     /// What the driver does up to the first span that ends at `until` or later, checked to have no gaps.

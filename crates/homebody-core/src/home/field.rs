@@ -298,7 +298,8 @@ mod tests {
         }));
         let home = home.expect("a home");
         let plan = Plan::new(&home);
-        let sensors: Vec<Sensor> = home.sensors.iter().map(|sensor| Sensor::new(sensor, &plan)).collect();
+        let sensors: Vec<Sensor> =
+            home.sensors.iter().map(|sensor| Sensor::new(sensor, &plan).expect("a place")).collect();
         Field::bake(&plan, &sensors, Size { radius_m: 0.2, top_m })
     }
 

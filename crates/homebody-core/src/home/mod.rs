@@ -3,14 +3,15 @@
 pub mod bake;
 pub mod field;
 pub mod plan;
+pub mod resolved;
 pub mod sun;
 
-use crate::scenario::home::HomeFile;
 use crate::scenario::path::Posture;
 use crate::scenario::resident::{self, ResidentFile};
 use crate::sensors::{Sensor, SensorInfo};
 use field::{Field, Size};
 use plan::Plan;
+use resolved::ResolvedHome;
 use sun::Sun;
 
 /// A home and the bodies it was baked for.
@@ -56,10 +57,9 @@ impl Build {
 }
 
 impl Home {
-    /// Bakes a home that has passed its checks for the bodies that live there.
-    pub fn bake(file: &HomeFile, residents: &[Build]) -> Home {
-        let plan = Plan::new(file);
-        let sensors: Vec<Sensor> = file.sensors.iter().map(|sensor| Sensor::new(sensor, &plan)).collect();
+    /// Bakes a home for the bodies that live there.
+    pub fn bake(home: &ResolvedHome, residents: &[Build]) -> Home {
+        let (plan, sensors) = (home.plan().clone(), home.placed_sensors().to_vec());
         let mut home = Home { plan, sensors, sun: Sun::default(), fields: Vec::new(), postures: Vec::new() };
         for build in residents {
             let fields = [Posture::Standing, Posture::Sitting, Posture::Lying].map(|posture| {

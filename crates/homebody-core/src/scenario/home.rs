@@ -53,6 +53,52 @@ pub struct HomeFile {
     pub sensors: Vec<SensorFile>,
 }
 
+impl HomeFile {
+    /// A home with nothing in it.
+    pub fn new(name: &str) -> HomeFile {
+        HomeFile {
+            schema: None,
+            name: name.into(),
+            about: String::new(),
+            latitude_deg: latitude(),
+            rooms: Vec::new(),
+            walls: Vec::new(),
+            doors: Vec::new(),
+            furniture: Vec::new(),
+            places: Vec::new(),
+            sensors: Vec::new(),
+        }
+    }
+}
+
+impl WallFile {
+    /// A wall of the usual thickness.
+    pub fn new(from: At, to: At) -> WallFile {
+        WallFile { from, to, thickness_m: wall_thickness() }
+    }
+}
+
+impl MotionFile {
+    /// A sensor as it comes, at a point of a wall, that looks to where `facing_deg` says: 0 is east, 90 is north.
+    pub fn new(name: &str, at: At, facing_deg: f64) -> MotionFile {
+        MotionFile {
+            name: name.into(),
+            at,
+            height_m: mounting_height(),
+            facing_deg,
+            tilt_deg: tilt(),
+            field_deg: field(),
+            reach_m: reach(),
+            beams: beams(),
+            level: Level::default(),
+            preset: Preset::default(),
+            first_fire_s: None,
+            refire_s: None,
+            persist_s: None,
+        }
+    }
+}
+
 /// A room: a name and an outline.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -72,8 +72,8 @@ pub enum Kind {
 }
 
 impl Sensor {
-    /// The sensor that a file that has passed its checks describes.
-    pub fn new(file: &SensorFile, plan: &Plan) -> Sensor {
+    /// The sensor that a file describes; nothing where the plan does not have what it is on, or the room that it is in.
+    pub fn new(file: &SensorFile, plan: &Plan) -> Option<Sensor> {
         let (kind, at) = match file {
             SensorFile::Motion(file) => {
                 let motion = Motion::new(file);
@@ -86,12 +86,12 @@ impl Sensor {
                 (Kind::CeilingMotion(area), middle)
             }
             told => {
-                let site = site(told, plan);
+                let site = site(told, plan)?;
                 let device = Device::new(told, &site).expect("all that does not look for movement is told");
                 (Kind::Device(Box::new(device)), site.at)
             }
         };
-        Sensor {
+        Some(Sensor {
             name: file.name().to_owned(),
             timing: Timing::new(file.timing()),
             kind,
@@ -99,7 +99,7 @@ impl Sensor {
             row: file.row(),
             room: plan.room_at(at).map(RoomId::of),
             unit: file.row().unit.filter(|_| file.gives_readings()),
-        }
+        })
     }
 
     /// What there is to say of it; the plan is that of its home.
@@ -125,25 +125,24 @@ impl Sensor {
     }
 }
 
-/// Where a device is. What a home that was not checked lacks is at the origin, has no outline, and is never used.
-fn site(file: &SensorFile, plan: &Plan) -> Site {
+/// Where a device is; nothing where the plan does not have what it is on, or the room that it is in.
+fn site(file: &SensorFile, plan: &Plan) -> Option<Site> {
     if let Some(area) = file.area() {
         let outline: Vec<Point> = area.iter().map(|&at| geometry::point(at)).collect();
         let at = geometry::inner_point(&outline);
-        return Site { thing: ThingId::of(plan.things.len()), is_open: false, at, outline, height_m: 0.0 };
+        return Some(Site { thing: ThingId::of(plan.things.len()), is_open: false, at, outline, height_m: 0.0 });
     }
     let thing = match (file.on(), file.room()) {
-        (Some(on), _) => plan.thing(on),
-        (None, Some(room)) => plan.lamp(room),
-        (None, None) => None,
+        (Some(on), _) => plan.thing(on)?,
+        (None, room) => plan.lamp(room?)?,
     };
-    let found = thing.map(|thing| &plan.things[thing]);
+    let found = &plan.things[thing];
     let piece = file.on().and_then(|on| plan.piece(on));
-    Site {
-        thing: ThingId::of(thing.unwrap_or(plan.things.len())),
-        is_open: found.is_some_and(|thing| thing.on),
-        at: found.map_or(Point::ZERO, |thing| thing.at),
+    Some(Site {
+        thing: ThingId::of(thing),
+        is_open: found.on,
+        at: found.at,
         outline: piece.map(|piece| piece.outline.clone()).unwrap_or_default(),
         height_m: piece.map_or(f64::INFINITY, |piece| piece.height_m),
-    }
+    })
 }

@@ -3,7 +3,10 @@
 use crate::random_home::{self, Dice, Model};
 use crate::*;
 use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
-use homebody_core::event::ThingUse;
+use homebody_core::event::{MotionState, ThingUse};
+use homebody_core::geometry::Point;
+use homebody_core::home::plan::Plan;
+use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::home::{Build, Home};
 use homebody_core::ids::{SensorId, ThingId};
 use homebody_core::run::{DriverProvider, Guest, Run};
@@ -54,9 +57,23 @@ impl DriverProvider for Walkers {
     }
 
     fn driver(&self, body: usize, home: &Arc<Home>, _seed: u64) -> Option<Box<dyn Driver>> {
-        let life = random_home::life(self.0, body, home, LENGTH, 0.05);
+        let mut life = random_home::life(self.0, body, home, LENGTH, 0.05);
+        life.iter_mut().for_each(|next| next.doing = within(&home.plan, next.doing));
         let door = home.plan.thing("door")? as u32;
         Some(Box::new(Walker { life, door, next: 0, has_acted: false }))
+    }
+}
+
+/// The same, but with the middle of a room for each place outside the home.
+fn within(plan: &Plan, doing: MotionState) -> MotionState {
+    let corners = &plan.rooms[0].outline;
+    let middle = corners.iter().copied().sum::<Point>() / corners.len() as f64;
+    let inside = |at: Point| if plan.distance_outside(at) > 0.1 { middle } else { at };
+    match doing {
+        MotionState::Stride { from, to } => MotionState::Stride { from: inside(from), to: inside(to) },
+        MotionState::InPlace { at, amplitude_m } => MotionState::InPlace { at: inside(at), amplitude_m },
+        MotionState::Rest { at } => MotionState::Rest { at: inside(at) },
+        MotionState::Away => MotionState::Away,
     }
 }
 
@@ -110,7 +127,9 @@ fn run(case: u64, home: HomeFile, link: Option<serde_json::Value>, length: Micro
     let calendar = Calendar::new(&file.start, &file.time_zone).unwrap();
     let (logger, sources) = (LoggerFile::default(), BTreeMap::new());
     let link = link.map(link_file);
-    let scenario = Scenario { file, home, link, logger, residents: Vec::new(), calendar, sources };
+    let home = ResolvedHome::new(home).unwrap();
+    let entry = "scenario.json".into();
+    let scenario = Scenario { entry, file, home, link, logger, residents: Vec::new(), calendar, sources };
     Run::new(&scenario, &Walkers(case), case, length)
 }
 

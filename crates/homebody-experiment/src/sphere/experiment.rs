@@ -5,7 +5,6 @@ use super::{
     without_short_stays,
 };
 use homebody_core::event::Events;
-use homebody_core::home::plan::Plan;
 use homebody_core::problem::Problems;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
@@ -58,25 +57,19 @@ pub enum Undone {
 
 impl Experiment {
     /// Acts out the named recordings in a house with one resident who follows a path, one sensor per room, each
-    /// of its room's name, and a logger that says ON and OFF. `entry` is the file that the house was loaded from.
-    pub fn run(
-        recordings: &[(String, AnnotatedRun)],
-        house: &Scenario,
-        entry: &str,
-        seed: u64,
-    ) -> Result<Experiment, Undone> {
+    /// of its room's name, and a logger that says ON and OFF.
+    pub fn run(recordings: &[(String, AnnotatedRun)], house: &Scenario, seed: u64) -> Result<Experiment, Undone> {
         let rooms = sensed_rooms(house)?;
         let [resident] = &house.residents[..] else {
             return Err(unfit("the house must have one resident, who acts out the recordings"));
         };
-        let plan = Plan::new(&house.home);
-        let mut ways = House::new(&plan, resident.file.radius_m);
+        let mut ways = House::new(house.home.plan(), resident.file.radius_m);
         let (mut runs, mut by_recording) = (Vec::new(), Vec::new());
         for (name, run) in recordings {
             let unplaced = |why| Undone::Unplaced { recording: name.clone(), why };
             let (run, short_stays) = without_short_stays(run, &mut ways).map_err(unplaced)?;
             let path = path_of(&run, &mut ways).map_err(unplaced)?;
-            let simulated = act(name, &run, &path, (house, entry), &rooms, seed)?;
+            let simulated = act(name, &run, &path, house, &rooms, seed)?;
             by_recording.push(Recording {
                 name: name.clone(),
                 begin_s: run.begin_s(),
@@ -112,7 +105,7 @@ fn act(
     name: &str,
     run: &AnnotatedRun,
     path: &PathFile,
-    (house, entry): (&Scenario, &str),
+    house: &Scenario,
     rooms: &[String],
     seed: u64,
 ) -> Result<Vec<Interval>, Undone> {
@@ -123,10 +116,8 @@ fn act(
         return Err(unfit("the house's resident must follow a path, which the recordings replace"));
     };
     // The annotated path takes the place of the house's own, and passes the same checks.
-    let mut files = house.sources.clone();
-    files.insert(path_name.clone(), serde_json::to_string_pretty(path).expect("a path has only text and numbers"));
-    let scenario = Scenario::load(&files, entry)
-        .map_err(|problems| Undone::Unwalkable { recording: name.to_owned(), problems })?;
+    let scenario = house.edit().path(0, path_name, path).load();
+    let scenario = scenario.map_err(|problems| Undone::Unwalkable { recording: name.to_owned(), problems })?;
 
     let mut lived = Run::new(&scenario, &(), seed, micros(run.end_s() - run.begin_s()));
     let (mut events, mut firings) = (Events::default(), Vec::new());
@@ -179,10 +170,11 @@ impl fmt::Display for Experiment {
 pub mod tests {
     use super::super::{Texts, parse};
     use super::*;
+    use homebody_core::scenario::home::HomeFile;
     use std::collections::BTreeMap;
     use std::fs;
 
-    pub const ENTRY: &str = "scenario.json";
+    const ENTRY: &str = "scenario.json";
 
     fn files() -> BTreeMap<String, String> {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/sphere-house");
@@ -205,7 +197,7 @@ pub mod tests {
 
     #[test]
     fn who_walks_in_a_room_is_seen_there() {
-        let experiment = Experiment::run(&[recording("kitchen")], &house(), ENTRY, 1).unwrap();
+        let experiment = Experiment::run(&[recording("kitchen")], &house(), 1).unwrap();
         let [recording] = &experiment.by_recording[..] else { panic!("one recording") };
         let room = |name: &str| recording.comparison.rooms.iter().find(|room| room.room == name).unwrap();
         assert_eq!(room("kitchen").simulated.visits_seen, 1);
@@ -222,7 +214,7 @@ pub mod tests {
         let pir = "start,end,name,index\n12,16,living,5\n";
         let run = parse(&Texts { location, annotations, pir, second_location: None }).unwrap();
         let house = house();
-        let experiment = Experiment::run(&[("00009".into(), run.clone())], &house, ENTRY, 1).unwrap();
+        let experiment = Experiment::run(&[("00009".into(), run.clone())], &house, 1).unwrap();
         let said = "00009/location_0.csv:3: 0.085 s in \"hall\" are too short to be there, and count as \"stairs\"";
         assert!(experiment.to_string().contains(said), "{experiment}");
         let visits = |room: &str| experiment.comparison.rooms.iter().find(|of| of.room == room).unwrap().visits;
@@ -230,24 +222,26 @@ pub mod tests {
         assert_eq!(experiment.by_recording[0].short_stays[0].line, 3);
 
         // The negative control: with that stay, the path of the recording is one that nobody can walk.
-        let plan = Plan::new(&house.home);
-        let path = path_of(&run, &mut House::new(&plan, 0.22)).unwrap();
+        let path = path_of(&run, &mut House::new(house.home.plan(), 0.22)).unwrap();
         let rooms = sensed_rooms(&house).unwrap();
-        let undone = act("00009", &run, &path, (&house, ENTRY), &rooms, 1).unwrap_err().to_string();
+        let undone = act("00009", &run, &path, &house, &rooms, 1).unwrap_err().to_string();
         assert!(undone.starts_with("00009: the path made of it cannot be walked\n"), "{undone}");
         assert!(undone.contains("m in 0.085 s would be faster than"), "{undone}");
     }
 
     #[test]
     fn a_house_that_does_not_fit_is_named() {
-        let undone = Experiment::run(&[recording("attic")], &house(), ENTRY, 1).unwrap_err();
+        let undone = Experiment::run(&[recording("attic")], &house(), 1).unwrap_err();
         assert_eq!(undone.to_string(), "a minute: the home has no room \"attic\" to stand in");
         let mut silent = house();
         silent.logger.messages = MessagesFile::FireOnly;
-        assert!(matches!(Experiment::run(&[recording("kitchen")], &silent, ENTRY, 1), Err(Undone::House(_))));
-        let mut renamed = house();
-        renamed.home.rooms.retain(|room| room.name != "kitchen");
-        let undone = Experiment::run(&[recording("hall")], &renamed, ENTRY, 1).unwrap_err().to_string();
+        assert!(matches!(Experiment::run(&[recording("kitchen")], &silent, 1), Err(Undone::House(_))));
+        let rename = |home: &mut HomeFile| {
+            let room = home.rooms.iter_mut().find(|room| room.name == "kitchen");
+            room.unwrap().name = "scullery".into();
+        };
+        let renamed = house().edit().home(rename).load().unwrap();
+        let undone = Experiment::run(&[recording("hall")], &renamed, 1).unwrap_err().to_string();
         assert!(undone.contains("sensor \"kitchen\""), "{undone}");
     }
 
@@ -257,6 +251,6 @@ pub mod tests {
         let scenario = files.remove(ENTRY).unwrap();
         files.insert("other.json".into(), scenario);
         let house = Scenario::load(&files, "other.json").unwrap();
-        Experiment::run(&[recording("kitchen")], &house, "other.json", 1).unwrap();
+        Experiment::run(&[recording("kitchen")], &house, 1).unwrap();
     }
 }

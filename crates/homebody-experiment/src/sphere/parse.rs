@@ -1,6 +1,7 @@
 //! The recording's files: rows of `start,end,name,index`.
 
 use super::{AnnotatedRun, Interval};
+use csv::{ReaderBuilder, StringRecord, Trim};
 use std::fmt;
 
 /// The text of a recording's files.
@@ -57,29 +58,50 @@ fn intervals(rows: Vec<(Interval, usize)>) -> Vec<Interval> {
     rows.into_iter().map(|(interval, _)| interval).collect()
 }
 
+/// The columns of every file.
+const COLUMNS: &str = "start,end,name,index";
+
 /// The rows of a file, in order of time, each with its line.
 fn rows(file: &'static str, text: &str, bad: &mut Vec<BadRow>) -> Vec<(Interval, usize)> {
+    let text = text.trim_start_matches('\u{feff}');
+    let mut reader =
+        ReaderBuilder::new().has_headers(false).flexible(true).trim(Trim::All).from_reader(text.as_bytes());
     let mut rows = Vec::new();
-    for (index, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
+    for (index, record) in reader.records().enumerate() {
+        // Text is read from memory, and rows may have any number of fields.
+        let record = record.expect("a text is UTF-8");
+        let line = line_of(&record, text);
         let parsed = match index {
-            0 if line.trim() == "start,end,name,index" => continue,
-            0 => Err(format!("the first line must be start,end,name,index, but is {line:?}")),
-            _ if line.trim().is_empty() => continue,
-            _ => row(line),
+            0 if record.iter().eq(COLUMNS.split(',')) => continue,
+            0 => Err(format!("the first line must be {COLUMNS}, but is {:?}", fields(&record).join(","))),
+            _ if fields(&record) == [""] => continue,
+            _ => row(&record),
         };
         match parsed {
-            Ok(interval) => rows.push((interval, index + 1)),
-            Err(what) => bad.push(BadRow { file, line: index + 1, what }),
+            Ok(interval) => rows.push((interval, line)),
+            Err(what) => bad.push(BadRow { file, line, what }),
         }
     }
     rows.sort_by(|(a, _), (b, _)| a.start_s.total_cmp(&b.start_s));
     rows
 }
 
-fn row(line: &str) -> Result<Interval, String> {
-    let fields: Vec<&str> = line.split(',').map(str::trim).collect();
-    let [start, end, name, _index] = fields[..] else {
-        return Err(format!("a row has 4 fields, but this one {}", fields.len()));
+fn fields(record: &StringRecord) -> Vec<&str> {
+    record.iter().collect()
+}
+
+/// The line that a record begins on, counted from 1. The reader's own place is where the record before ended: what is left
+/// of that line's end, and empty lines, come in between.
+fn line_of(record: &StringRecord, text: &str) -> usize {
+    let Some(place) = record.position() else { return 0 };
+    let left = text.as_bytes().get(place.byte() as usize..).unwrap_or_default();
+    let ends = left.iter().take_while(|byte| matches!(byte, b'\r' | b'\n'));
+    place.line() as usize + ends.filter(|byte| **byte == b'\n').count()
+}
+
+fn row(record: &StringRecord) -> Result<Interval, String> {
+    let [start, end, name, _index] = fields(record)[..] else {
+        return Err(format!("a row has 4 fields, but this one {}", record.len()));
     };
     let second = |text: &str| match text.parse::<f64>() {
         Ok(second) if second.is_finite() && second >= 0.0 => Ok(second),
@@ -152,6 +174,26 @@ mod tests {
             ]
         );
         assert!(parse(&texts("start,end,name,index\n", LOCATION)).is_err());
+    }
+
+    #[test]
+    fn lines_are_those_of_the_file_whatever_ends_them() {
+        for end in ["\n", "\r\n"] {
+            let location =
+                "\u{feff}start,end,name,index\n\n1,2,hall,3\n  \n\n3,4,living,5\n5,now,hall,3\n".replace('\n', end);
+            let bad = parse(&texts(&location, LOCATION)).unwrap_err();
+            let bad: Vec<String> = bad.iter().map(BadRow::to_string).collect();
+            assert_eq!(bad, ["location_0.csv:7: \"now\" is no time in seconds"], "{end:?}");
+            let right = location.replace("now", "6");
+            assert_eq!(parse(&texts(&right, LOCATION)).unwrap().room_lines, [3, 6, 7], "{end:?}");
+        }
+    }
+
+    #[test]
+    fn a_field_may_be_quoted() {
+        let run =
+            parse(&texts("start,end,name,index\n1,4,\"hall\",3\n4, 9 ,\"living, upstairs\",5\n", LOCATION)).unwrap();
+        assert_eq!(run.rooms.iter().map(|room| &room.name[..]).collect::<Vec<_>>(), ["hall", "living, upstairs"]);
     }
 
     #[test]

@@ -107,7 +107,7 @@ fn recordings_pass_the_checks_of_every_path() {
     let recordings: Vec<(String, AnnotatedRun)> =
         recordings().into_iter().enumerate().map(|(index, run)| (index.to_string(), run)).collect();
     let house = experiment::tests::house();
-    let experiment = Experiment::run(&recordings, &house, experiment::tests::ENTRY, 1).unwrap();
+    let experiment = Experiment::run(&recordings, &house, 1).unwrap();
     assert_eq!(experiment.by_recording.len(), recordings.len());
 }
 

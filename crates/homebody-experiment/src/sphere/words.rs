@@ -1,7 +1,6 @@
 //! The comparison in words and as a table.
 
-use super::compare::{Comparison, Figures, RoomComparison};
-use serde::Serialize;
+use super::comparison::{Comparison, Figures, Finding, RoomComparison};
 use std::fmt;
 
 /// Counts and durations agree if neither is more than this many times the other. What counts as like is ours, but for
@@ -17,13 +16,6 @@ const LIKE_KAPPA: f64 = 0.4;
 const LEAST_VISITS: usize = 3;
 /// A sensor that neither in truth nor in simulation was ON for this long says nothing about its ON time. Ours.
 const LEAST_ON_S: f64 = 10.0;
-
-/// One thing that agrees or does not.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Finding {
-    pub agrees: bool,
-    pub what: String,
-}
 
 /// Measures that are judged, room by room.
 struct Measure {

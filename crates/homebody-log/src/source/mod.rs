@@ -15,6 +15,7 @@ use crate::sink::casas::one_word;
 use crate::url::Url;
 use activities::Notes;
 pub use activities::{Activity, Life, activities, lives};
+pub(crate) use activities::{Cause, told_causes};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::{DAY, Micros};

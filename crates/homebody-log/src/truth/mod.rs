@@ -41,9 +41,7 @@ pub struct TruthLog {
     things: Vec<TextId>,
     /// What each resident is doing, and since when.
     doing: Vec<Option<(Micros, TextId)>>,
-    /// Each resident's last movement: where the run is stopped, it ends sooner than it was going to.
-    moving: Vec<Option<MotionSegment>>,
-    /// The rooms that these are going to come through: who, when, and which.
+    /// The rooms that a stride under way is going to come through: who, when, and which.
     coming: Vec<(ResidentId, Micros, Option<RoomId>)>,
     /// The rows that end a hold and are not told yet: each comes before the cause of the next row.
     offs: VecDeque<(u64, u64)>,
@@ -95,7 +93,6 @@ impl TruthLog {
             rooms: texts.ids(&run.rooms),
             things: texts.ids(&run.things),
             doing: vec![None; run.residents.len()],
-            moving: vec![None; run.residents.len()],
             coming: Vec::new(),
             offs: VecDeque::new(),
             batch: Batch::default(),
@@ -133,11 +130,6 @@ impl TruthLog {
         for resident in (0..self.residents.len()).map(ResidentId::of) {
             self.turn(resident, end, None);
         }
-        for resident in (0..self.residents.len()).map(ResidentId::of) {
-            if let Some(last) = self.moving[resident.index()].take() {
-                self.push_movement(resident, &last.until(end));
-            }
-        }
         for (resident, at, room) in std::mem::take(&mut self.coming) {
             if at < end {
                 self.push_room(resident, at, room);
@@ -161,11 +153,9 @@ impl TruthLog {
         match *fact {
             Fact::Provenance { seq, provenance } => self.take_cause(seq, provenance, events, joined),
             Fact::Movement { resident, begin, end, doing, posture } => {
-                self.enter_rooms(resident, begin);
-                let next = MotionSegment { begin, end, doing, posture };
-                if let Some(last) = self.moving[resident.index()].replace(next) {
-                    self.push_movement(resident, &last);
-                }
+                // What begins at its end belongs to the next.
+                self.enter_rooms(resident, end - 1);
+                self.push_movement(resident, &MotionSegment { begin, end, doing, posture });
             }
             Fact::Room { resident, at, room } => self.coming.push((resident, at, room)),
             Fact::Activity { resident, at, ref name } => {
@@ -218,7 +208,8 @@ impl TruthLog {
     }
 
     fn tell_offs_before(&mut self, next: u64) {
-        while let Some((row, firing)) = self.offs.pop_front_if(|(row, _)| *row < next) {
+        while let Some(&(row, firing)) = self.offs.front().filter(|(row, _)| *row < next) {
+            self.offs.pop_front();
             self.batch.push(Truth::Off as usize, [Cell::Integer(row as i64), Cell::Integer(firing as i64)]);
         }
     }

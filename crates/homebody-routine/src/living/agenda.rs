@@ -3,7 +3,7 @@
 //! Each habit that is meant for the day is drawn: whether, how often, when, for how long. What is said relative to
 //! something else is put beside it. The order is that of the starts; how the day really goes is for the living.
 
-use super::life::{DayParameters, Life};
+use super::life::{DayParameters, InForce, Life};
 use crate::fuzzy::Fuzzy;
 use crate::routine::{Activity, Habit, Meal, PartOfDay, When};
 use homebody_core::time::{Micros, SECOND, micros, seconds};
@@ -129,20 +129,21 @@ fn bed(life: &Life, day: i32, parameters: &DayParameters) -> Micros {
 
 /// The time of day that the habits say for getting up or going to bed, if one of them holds on this day.
 fn clock_of(life: &Life, day: i32, parameters: &DayParameters, activity: &Activity) -> Option<f64> {
-    life.habits(day).find_map(|(habit, strength, file)| {
+    life.habits(day).find_map(|InForce { said: habit, strength, key, .. }| {
         if habit.activity != *activity || habit.visitor.is_some() || !life.is_on(&habit.days, day) {
             return None;
         }
         let When::At(time) = &habit.when else { return None };
-        let key = key(habit, file, 0);
+        let key = of_time(key, 0);
         let holds = life.stream_of_day(day, &format!("{key}/whether")).unit() < life.chance(habit, strength, day);
         let share = life.stream_of_day(day, &format!("{key}/start")).unit();
         holds.then(|| varied(time, share, parameters.irregular) + parameters.later_s(activity))
     })
 }
 
-fn key(habit: &Habit, file: &str, number: u32) -> String {
-    format!("{file}:{}:{}/{number}", habit.said.line, habit.said.column)
+/// What tells apart the several times a day that a habit is done.
+fn of_time(key: &str, number: u32) -> String {
+    format!("{key}/{number}")
 }
 
 /// A number of a fuzzy number, so many times as far from its mean as it would be.
@@ -168,34 +169,34 @@ impl Planner<'_> {
     /// Draws every habit of the day.
     fn draw(&mut self) {
         let life = self.life;
-        // The last habit of the file, and when it is done if it is done today.
-        let mut before: (&str, Option<Start>) = ("", None);
-        for (habit, strength, file) in life.habits(self.day) {
-            if before.0 != file {
-                before = (file, None);
+        // The text of the last habit, and when that is done if it is done today.
+        let mut before: (usize, Option<Start>) = (0, None);
+        for InForce { said: habit, strength, key, source } in life.habits(self.day) {
+            if before.0 != source {
+                before = (source, None);
             }
             if matches!(habit.activity, Activity::GetUp | Activity::GoToBed) && habit.visitor.is_none() {
                 before.1 = Some(Start::After(habit.activity.clone(), 0));
                 continue;
             }
-            let count = self.count(habit, strength, file);
+            let count = self.count(habit, strength, key);
             if habit.when == When::Then && before.1.is_none() {
                 continue;
             }
             let mut last = None;
             for number in 0..count {
-                last = self.add(habit, file, number, before.1.as_ref()).or(last);
+                last = self.add(habit, key, number, before.1.as_ref()).or(last);
             }
             before.1 = last;
         }
     }
 
     /// How many times the habit is done today.
-    fn count(&self, habit: &Habit, strength: f64, file: &str) -> u32 {
+    fn count(&self, habit: &Habit, strength: f64, key: &str) -> u32 {
         if !self.life.is_on(&habit.days, self.day) {
             return 0;
         }
-        let key = key(habit, file, 0);
+        let key = of_time(key, 0);
         let share = |purpose: &str| self.life.stream_of_day(self.day, &format!("{key}/{purpose}")).unit();
         let within = match habit.when {
             When::Within(part) => Some(part),
@@ -237,8 +238,8 @@ impl Planner<'_> {
     }
 
     /// Adds one time of a habit; when what is said to come then begins, if it is done.
-    fn add(&mut self, habit: &Habit, file: &str, number: u32, before: Option<&Start>) -> Option<Start> {
-        let key = key(habit, file, number);
+    fn add(&mut self, habit: &Habit, key: &str, number: u32, before: Option<&Start>) -> Option<Start> {
+        let key = of_time(key, number);
         let share = |purpose: &str| self.life.stream_of_day(self.day, &format!("{key}/{purpose}")).unit();
         let (activity, parameters) = (habit.activity.clone(), self.parameters);
         let lasts_s = match &habit.lasts {

@@ -75,11 +75,12 @@ impl Body {
         pace: f64,
         stream: &mut Stream,
     ) -> Option<Vec<MotionSegment>> {
-        self.spot = Some(spot.clone());
         if self.at.distance(spot.at) < THERE_M {
+            self.spot = Some(spot.clone());
             return Some(Vec::new());
         }
         let path = self.routes.path(self.at, spot.at)?;
+        self.spot = Some(spot.clone());
         let mut moves = self.stand_up(now, pace, stream);
         let set_out = moves.last().map_or(now, |last| last.end);
         let gait = Gait::of_walk(self.pace_mps * pace, hour, 0.0, stream);

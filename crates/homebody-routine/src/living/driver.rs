@@ -58,7 +58,7 @@ pub struct RoutineDriver {
 /// A script that is being played.
 #[derive(Clone, Debug)]
 pub(super) struct Playing {
-    steps: VecDeque<Step>,
+    pub(super) steps: VecDeque<Step>,
     stream: Stream,
     name: String,
     /// Where it was when it was interrupted.
@@ -196,12 +196,11 @@ impl RoutineDriver {
     fn go(&mut self, spot: Spot, now: Micros) {
         let hour = self.hour(now);
         let Some(playing) = self.scripts.last_mut() else { return };
-        playing.spot = Some(spot.clone());
         let from = self.body.room();
         let Some(moves) = self.body.go(&spot, now, hour, self.parameters.pace, &mut playing.stream) else {
-            // Nothing is done where nobody can go.
-            return playing.steps.clear();
+            return self.give_up(now);
         };
+        playing.spot = Some(spot.clone());
         let arrival = moves.last().map_or(now, |last| last.end);
         self.lamps(from, spot.room, now, moves);
         self.watches.arrive(spot.room, &spot.name, &self.home.plan, arrival, &self.life);
@@ -214,6 +213,34 @@ impl RoutineDriver {
                 self.act(thing, false, arrival);
             }
         }
+    }
+
+    /// There is no way to where this is done: what is left of it is not done. A night is spent wherever one is, and who visits
+    /// stays where they are.
+    fn give_up(&mut self, now: Micros) {
+        let is_visit = self.visitor.is_some();
+        let Some(playing) = self.scripts.last_mut() else { return };
+        if is_visit || playing.steps.iter().any(|step| matches!(step, Step::Wake)) {
+            return;
+        }
+        let at_a_loss = Stay {
+            posture: self.body.posture(),
+            manner: Manner::BUSY,
+            left: AT_A_LOSS,
+            until: None,
+            may: Interruptible::Nothing,
+        };
+        let left = std::mem::replace(&mut playing.steps, VecDeque::from([Step::Stay(at_a_loss)]));
+        let mut stays_on = Vec::new();
+        for step in left {
+            match step {
+                Step::Meet(need) => self.needs.put_off(need, now),
+                Step::Act(thing, false) if self.watches.is_on(thing) => stays_on.push(thing),
+                _ => {}
+            }
+        }
+        // Whoever comes by turns it off.
+        self.watches.forget(stays_on);
     }
 
     /// Puts a walk on its way: in the dark, the lamp of the room that is left goes off, that of the other on.
@@ -455,7 +482,7 @@ impl RoutineDriver {
 
     /// How many times today something was done that nobody planned: each time has random numbers of its own, whatever else
     /// was done. What fills the time is counted as relaxing.
-    fn times(&mut self, activity: &Activity) -> u32 {
+    pub(super) fn times(&mut self, activity: &Activity) -> u32 {
         let times = self.unplanned.entry(activity.clone()).or_default();
         *times += 1;
         *times
@@ -489,52 +516,8 @@ impl RoutineDriver {
         }
     }
 
-    /// Fills the time until something is due, by the weights of older adults' days.
-    fn fill(&mut self, until: Micros, now: Micros) {
-        let gap = until - now;
-        let key = format!("fill/{}", self.times(&Activity::Relax));
-        let mut stream = self.life.stream_of_day(self.agenda.day, &key);
-        let said: Vec<&Activity> = self.life.habits(self.agenda.day).map(|(habit, _, _)| &habit.activity).collect();
-        let (mut fillers, mut weights) = (Vec::new(), Vec::new());
-        let rising = RISES * self.parameters.activity(self.hour(now));
-        for (activity, weight, minutes) in FILLERS {
-            // A home without a desk has no computer.
-            let can = activity != Activity::UseComputer || self.places.has(Role::Desk);
-            let planned = activity != Activity::Relax && activity != Activity::Housework && said.contains(&&activity);
-            let rises = activity == Activity::Housework && self.body.posture() != Posture::Standing;
-            if can && !planned {
-                let weight = weight * self.parameters.oftener(&activity, None);
-                weights.push(if rises { weight * rising } else { weight });
-                fillers.push((activity, minutes));
-            }
-        }
-        let (activity, minutes) = &fillers[stream.pick(&weights)];
-        if gap < 3 * MINUTE {
-            let posture = self.body.posture();
-            let stay = Stay {
-                posture,
-                manner: Manner::STILL,
-                left: gap.max(SECOND),
-                until: Some(until.max(now + SECOND)),
-                may: Interruptible::Interrupt,
-            };
-            let steps = [Step::Name(Activity::Relax.name()), Step::Stay(stay)];
-            return self.play(steps.into(), stream, Activity::Relax.name());
-        }
-        let lasts =
-            micros(self.parameters.lasting_s(activity, stream.lognormal(minutes * 60.0, 0.5)).max(20.0)).min(gap);
-        self.begin(&Item::now(key, activity.clone(), lasts));
-        for step in self.scripts.last_mut().into_iter().flat_map(|playing| playing.steps.iter_mut()) {
-            if let Step::Stay(stay) = step
-                && stay.may == Interruptible::Interrupt
-            {
-                stay.may = Interruptible::Yield;
-            }
-        }
-    }
-
     /// The time of day, in hours.
-    fn hour(&self, now: Micros) -> f64 {
+    pub(super) fn hour(&self, now: Micros) -> f64 {
         (now - self.midnight).rem_euclid(DAY) as f64 / (3600 * SECOND) as f64
     }
 
@@ -556,23 +539,11 @@ impl RoutineDriver {
     }
 }
 
+/// So long somebody stands there who finds no way (ours): what is tried takes time, so that no instant goes on for ever.
+const AT_A_LOSS: Micros = MINUTE;
+
 /// The sine of the sun's height below which lamps are lit (ours).
 const DARK: f64 = 0.08;
-
-/// What fills the time, how often in comparison, and for how many minutes at a time. Both are ours, set so that the hours of
-/// a day come near those of people of 75 and more (American Time Use Survey); housework stands for the small errands that
-/// nobody plans, from which people of that age rise from their seats 46-60 times a day.
-const FILLERS: [(Activity, f64, f64); 6] = [
-    (Activity::WatchTelevision, 0.98, 14.0),
-    (Activity::Relax, 0.21, 8.0),
-    (Activity::Read, 0.14, 13.0),
-    (Activity::Housework, 0.5, 1.3),
-    (Activity::Phone, 0.1, 12.0),
-    (Activity::UseComputer, 0.1, 14.0),
-];
-
-/// So many times as often somebody who sits gets up for an errand as one errand follows another (ours).
-const RISES: f64 = 26.0;
 
 impl Item {
     /// Whether it is still done before bed although it is late.

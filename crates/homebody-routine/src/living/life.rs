@@ -3,6 +3,7 @@
 //! Every random number of a life comes from a stream with the day and the purpose in its name, never from one that was
 //! drawn from before. So two lives that differ in one condition draw the same numbers for all that it does not touch.
 
+use super::keys::Keys;
 use crate::fuzzy::Fuzzy;
 use crate::routine::{Activity, Change, Days, Effect, Habit, Meal, Moment, PartOfDay, Phase, Routine, Rule, When};
 use homebody_core::random::Stream;
@@ -29,10 +30,24 @@ pub struct Life {
 #[derive(Clone, Debug)]
 struct Source {
     routine: Routine,
+    /// The streams' names of what it says.
+    keys: Keys,
     /// The name of the condition, if it is one.
     condition: Option<String>,
     /// What shows it: all of these phases, at these severities.
     shown: Vec<(Phase, f64)>,
+}
+
+/// A habit or a rule that is in force on a day.
+#[derive(Clone, Copy, Debug)]
+pub struct InForce<'a, T> {
+    pub said: &'a T,
+    /// Of the condition that it comes from; 1 for what the routine itself says.
+    pub strength: f64,
+    /// What its random streams are called after.
+    pub key: &'a str,
+    /// Which of the life's texts says it: the routine is 0, what it leaves unsaid 1, conditions come after.
+    pub source: usize,
 }
 
 /// What a body is like, drawn once for a life.
@@ -168,14 +183,16 @@ impl Life {
         }
         let mentioned: Vec<&Habit> = routine.habits.iter().collect();
         let unsaid = |habit: &Habit| !mentioned.iter().any(|said| said.activity == habit.activity);
-        let habits = ordinary.habits.into_iter().filter(unsaid).collect();
+        // Named before some of it is left out: what is left keeps its numbers.
+        let Keys { habits: keys, rules, changes } = Keys::of(&ordinary, "ordinary");
+        let habits = ordinary.habits.into_iter().zip(keys).filter(|(habit, _)| unsaid(habit));
+        let (habits, keys): (Vec<Habit>, Vec<String>) = habits.unzip();
         let ordinary = Routine { habits, ..ordinary };
         life.add_conditions(&routine.changes.clone(), &[], conditions, 0);
-        // What is drawn for a habit hangs on its place in a file, wherever that file is.
-        let file = routine.file.rsplit('/').next().unwrap_or_default().to_owned();
-        let routine = Routine { file, ..routine };
-        let always = |routine| Source { routine, condition: None, shown: Vec::new() };
-        life.sources.splice(0..0, [always(routine), always(ordinary)]);
+        let own_keys = Keys::of(&routine, "own");
+        let always = |routine, keys| Source { routine, keys, condition: None, shown: Vec::new() };
+        let ordinary = always(ordinary, Keys { habits: keys, rules, changes });
+        life.sources.splice(0..0, [always(routine, own_keys), ordinary]);
         life
     }
 
@@ -191,7 +208,8 @@ impl Life {
             let Some(routine) = conditions.get(condition).filter(|_| depth < DEPTH) else { continue };
             let shown: Vec<(Phase, f64)> = shown.iter().copied().chain([(change.phase, *severity)]).collect();
             self.add_conditions(&routine.changes, &shown, conditions, depth + 1);
-            self.sources.push(Source { routine: routine.clone(), condition: Some(condition.clone()), shown });
+            let keys = Keys::of(routine, condition);
+            self.sources.push(Source { routine: routine.clone(), keys, condition: Some(condition.clone()), shown });
         }
     }
 
@@ -221,19 +239,19 @@ impl Life {
         self.calendar.instant(day, micros(time_s))
     }
 
-    /// The habits in force on a day, each with the strength of what it comes from.
-    pub fn habits(&self, day: i32) -> impl Iterator<Item = (&Habit, f64, &str)> {
-        self.in_force(day).flat_map(move |(source, strength)| {
-            let file = source.routine.file.as_str();
-            source.routine.habits.iter().map(move |habit| (habit, strength, file))
+    /// The habits in force on a day, in the order of the texts that say them.
+    pub fn habits(&self, day: i32) -> impl Iterator<Item = InForce<'_, Habit>> {
+        self.in_force(day).flat_map(move |(index, strength)| {
+            let source = &self.sources[index];
+            each(&source.routine.habits, &source.keys.habits, strength, index)
         })
     }
 
     /// The rules in force on a day.
-    pub fn rules(&self, day: i32) -> impl Iterator<Item = (&Rule, f64, &str)> {
-        self.in_force(day).flat_map(move |(source, strength)| {
-            let file = source.routine.file.as_str();
-            source.routine.rules.iter().map(move |rule| (rule, strength, file))
+    pub fn rules(&self, day: i32) -> impl Iterator<Item = InForce<'_, Rule>> {
+        self.in_force(day).flat_map(move |(index, strength)| {
+            let source = &self.sources[index];
+            each(&source.routine.rules, &source.keys.rules, strength, index)
         })
     }
 
@@ -256,11 +274,10 @@ impl Life {
         visitors
     }
 
-    fn in_force(&self, day: i32) -> impl Iterator<Item = (&Source, f64)> {
-        self.sources.iter().filter_map(move |source| {
-            let strength = self.strength(source, day);
-            (strength > 0.0).then_some((source, strength))
-        })
+    /// The texts in force on a day, each with its strength.
+    fn in_force(&self, day: i32) -> impl Iterator<Item = (usize, f64)> {
+        let strengths = self.sources.iter().map(move |source| self.strength(source, day)).enumerate();
+        strengths.filter(|(_, strength)| *strength > 0.0)
     }
 
     fn strength(&self, source: &Source, day: i32) -> f64 {
@@ -269,7 +286,8 @@ impl Life {
 
     /// How severe a condition is on a day; 1 is a moderate case.
     pub fn severity(&self, condition: &str, day: i32) -> f64 {
-        let of_it = self.in_force(day).filter(|(source, _)| source.condition.as_deref() == Some(condition));
+        let of_it =
+            self.in_force(day).filter(|(source, _)| self.sources[*source].condition.as_deref() == Some(condition));
         of_it.map(|(_, strength)| strength).sum()
     }
 
@@ -341,18 +359,17 @@ impl Life {
             parameters.active.push((None, self.person.activity));
         }
         for (source, strength) in self.in_force(day) {
+            let source = &self.sources[source];
             if let Some(condition) = &source.condition {
                 match parameters.severities.iter_mut().find(|(name, _)| name == condition) {
                     Some((_, severity)) => *severity += strength,
                     None => parameters.severities.push((condition.clone(), strength)),
                 }
             }
-            for change in &source.routine.changes {
+            for (change, key) in source.routine.changes.iter().zip(&source.keys.changes) {
                 let full = strength * self.phase(&change.phase, day);
                 if full > 0.0 {
-                    let said = &change.said;
-                    let key = format!("change/{}:{}:{}", source.routine.file, said.line, said.column);
-                    let share = self.stream(&key).unit();
+                    let share = self.stream(key).unit();
                     // Counted from when it began: the change itself, or else the condition that brings it.
                     let phases = source.shown.iter().map(|(phase, _)| phase);
                     let shown = phases.filter_map(|phase| phase.from).map(|from| self.day_of(from)).max();
@@ -364,6 +381,16 @@ impl Life {
         }
         parameters
     }
+}
+
+/// What a text says of one kind, with what goes for all of it.
+fn each<'a, T>(
+    all: &'a [T],
+    keys: &'a [String],
+    strength: f64,
+    source: usize,
+) -> impl Iterator<Item = InForce<'a, T>> + 'a {
+    all.iter().zip(keys).map(move |(said, key)| InForce { said, strength, key, source })
 }
 
 impl Constitution {

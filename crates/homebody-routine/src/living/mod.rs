@@ -2,6 +2,7 @@
 
 // Whose life it is, and how it is on a day.
 pub mod life;
+mod keys;
 
 // What is to be done on a day, where, and how each thing is done.
 pub mod agenda;
@@ -17,6 +18,7 @@ mod watch;
 // Who carries it out.
 pub mod body;
 pub mod driver;
+mod spare_time;
 mod night;
 mod visit;
 pub mod pet;

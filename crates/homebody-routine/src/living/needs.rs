@@ -43,7 +43,8 @@ const ANYWAY: f64 = 2.0;
 impl Needs {
     pub fn new(life: &Life, now: Micros) -> Needs {
         // Who naps by plan does not nap for being tired, too.
-        let plans_naps = life.habits(0).any(|(habit, _, _)| habit.activity == Activity::Nap && habit.visitor.is_none());
+        let plans_naps =
+            life.habits(0).any(|habit| habit.said.activity == Activity::Nap && habit.said.visitor.is_none());
         let naps = if plans_naps { 0.0 } else { life.constitution.naps };
         let constitution = Constitution { naps, ..life.constitution };
         let mut streams = KINDS.map(|kind| life.stream(&format!("needs/{kind:?}")));
@@ -135,5 +136,10 @@ impl Needs {
         let strength = need.strength(now);
         need.meet(now, threshold);
         strength.min(1.0)
+    }
+
+    /// Nothing can be done about a need: it presses again as if it had been met.
+    pub fn put_off(&mut self, kind: Kind, now: Micros) {
+        self.meet(kind, now);
     }
 }

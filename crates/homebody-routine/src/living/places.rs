@@ -4,6 +4,7 @@ use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::{Origin, Plan};
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::path::Posture;
+use homebody_walk::Mesh;
 
 /// A place to be, and how the body is there.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,6 +13,10 @@ pub struct Spot {
     pub at: Point,
     pub posture: Posture,
     pub room: Option<usize>,
+    /// Whether it is the room itself, where nothing in it is called so.
+    pub is_room: bool,
+    /// Whether there is a way to it from most of the home.
+    pub is_reachable: bool,
 }
 
 impl Spot {
@@ -115,34 +120,47 @@ pub struct Places {
 }
 
 impl Places {
-    pub fn new(home: &HomeFile, plan: &Plan, resident: &str) -> Places {
+    /// The places of a home for a resident who walks by `mesh`.
+    pub fn new(home: &HomeFile, plan: &Plan, mesh: &Mesh, resident: &str) -> Places {
         let seats = plan.solids.iter().filter_map(|solid| match solid.origin {
             Origin::Furniture(index) if home.furniture[index].enterable => Some(&home.furniture[index].name),
             _ => None,
         });
         let seats: Vec<&String> = seats.collect();
-        let spot = |(name, at): &(String, Point)| {
+        let spot = |name: &str, at, posture| {
+            let name = name.to_lowercase();
+            let is_room = home.rooms.iter().any(|room| room.name.to_lowercase() == name);
+            Spot { name, at, posture, room: plan.room_at(at), is_room, is_reachable: true }
+        };
+        let place = |(name, at): &(String, Point)| {
             let lower = name.to_lowercase();
             let posture = match () {
                 () if !seats.contains(&name) || is_stood_in(&lower) => Posture::Standing,
                 () if words(&lower).any(|word| word.ends_with("bed")) => Posture::Lying,
                 () => Posture::Sitting,
             };
-            Spot { name: lower, at: *at, posture, room: plan.room_at(*at) }
+            spot(name, *at, posture)
         };
-        let mut spots: Vec<Spot> = plan.places.iter().map(spot).collect();
-        // What nobody can be in, people stand beside.
+        let mut spots: Vec<Spot> = plan.places.iter().map(place).collect();
+        // What nobody can be in, people stand beside, on any side that there is a way to.
+        let mut sides: Vec<(usize, Vec<Point>)> = Vec::new();
         for (index, piece) in home.furniture.iter().enumerate() {
             let known = spots.iter().any(|spot| spot.name == piece.name.to_lowercase());
             let solid = plan.solids.iter().find(|solid| solid.origin == Origin::Furniture(index));
             if let (false, Some(solid)) = (known, solid) {
-                let at = beside(plan, &solid.outline);
-                spots.push(Spot {
-                    name: piece.name.to_lowercase(),
-                    at,
-                    posture: Posture::Standing,
-                    room: plan.room_at(at),
-                });
+                let around = beside(plan, &solid.outline);
+                let at = around.first().copied().unwrap_or_else(|| geometry::inner_point(&solid.outline));
+                sides.push((spots.len(), around));
+                spots.push(spot(&piece.name, at, Posture::Standing));
+            }
+        }
+        let hub = hub(&spots, mesh);
+        let is_reachable = |at: Point| hub.is_some_and(|hub| mesh.can_reach(hub, at));
+        spots.iter_mut().for_each(|spot| spot.is_reachable = is_reachable(spot.at));
+        for (index, around) in sides {
+            let spot = &mut spots[index];
+            if let Some(at) = around.into_iter().find(|&at| !spot.is_reachable && is_reachable(at)) {
+                *spot = Spot { at, room: plan.room_at(at), is_reachable: true, ..spot.clone() };
             }
         }
         let things = plan.things.iter().map(|thing| thing.name.to_lowercase()).collect();
@@ -155,6 +173,9 @@ impl Places {
             stations: Vec::new(),
         };
         places.door = places.find_door(home, plan);
+        if let Some((spot, _)) = &mut places.door {
+            spot.is_reachable = is_reachable(spot.at);
+        }
         places.stations = places.find_stations(home);
         places
     }
@@ -165,21 +186,41 @@ impl Places {
         self.own_spot(&name).or_else(|| self.spot(&name))
     }
 
-    /// Where the role is filled, if anything in the home will do.
+    /// Where the role is filled, if anything in the home will do: the best that there is a way to, else the best.
     pub fn of(&self, role: Role) -> Option<&Spot> {
         if role == Role::FrontDoor
             && let Some((spot, _)) = &self.door
         {
             return Some(spot);
         }
-        self.own(role).or_else(|| role.names().1.iter().find_map(|&role| self.own(role)))
+        let all = || self.own(role).chain(self.instead(role));
+        all().find(|spot| spot.is_reachable).or_else(|| all().next())
     }
 
-    /// Where the role itself is filled, by what is called after the resident before what is anybody's.
-    fn own(&self, role: Role) -> Option<&Spot> {
+    /// What fills the role itself, the best first: what is called after the resident before what is anybody's.
+    fn own(&self, role: Role) -> impl Iterator<Item = &Spot> {
         let (names, _) = role.names();
-        let own = names.iter().find_map(|name| self.own_spot(name));
-        own.or_else(|| names.iter().find_map(|name| self.spot(name)))
+        let own = names.iter().filter_map(|name| self.own_spot(name));
+        own.chain(names.iter().filter_map(|name| self.spot(name)))
+    }
+
+    /// What will do where nothing fills the role itself.
+    fn instead(&self, role: Role) -> impl Iterator<Item = &Spot> {
+        role.names().1.iter().flat_map(|&role| self.own(role))
+    }
+
+    /// What would fill the role if there were a way to it: nothing where there is one to something as good. Standing is not as
+    /// good as sitting, nor a room as what stands in it.
+    pub fn out_of_reach(&self, role: Role) -> Option<&Spot> {
+        let door = self.door.as_ref().map(|(spot, _)| spot).filter(|_| role == Role::FrontDoor);
+        let mut all: Vec<&Spot> = door.map_or_else(|| self.own(role).collect(), |door| vec![door]);
+        if all.is_empty() {
+            all = self.instead(role).collect();
+        }
+        let best = *all.first()?;
+        let is_as_good =
+            |spot: &&Spot| spot.is_reachable && spot.posture == best.posture && (best.is_room || !spot.is_room);
+        (!all.iter().any(is_as_good)).then_some(best)
     }
 
     /// Whether the home has it itself, and not only something that will do.
@@ -187,18 +228,21 @@ impl Places {
         self.spots.iter().any(|spot| spot.is_of(role))
     }
 
-    /// Of several toilets or washbasins the nearest as the crow flies, else as [`Places::of`].
+    /// Of several toilets or washbasins that there is a way to the nearest as the crow flies, else as [`Places::of`].
     pub fn nearest(&self, role: Role, at: Point) -> Option<&Spot> {
         let best = role.names().0[0];
-        let several = self.spots.iter().filter(|spot| spot.name.ends_with(best) && !spot.name.contains('\''));
+        let several = self
+            .spots
+            .iter()
+            .filter(|spot| spot.is_reachable && spot.name.ends_with(best) && !spot.name.contains('\''));
         let nearest = several.min_by(|a, b| a.at.distance(at).total_cmp(&b.at.distance(at)));
         let is_own = self.of(role).is_some_and(|spot| spot.name.starts_with(&self.whose));
         if is_own { self.of(role) } else { nearest.or_else(|| self.of(role)) }
     }
 
-    /// All that fill the role, whosever they are: a pet asks nobody.
+    /// All that fill the role and that there is a way to, whosever they are: a pet asks nobody.
     pub fn anybodys(&self, role: Role) -> Vec<&Spot> {
-        self.spots.iter().filter(|spot| spot.is_of(role)).collect()
+        self.spots.iter().filter(|spot| spot.is_reachable && spot.is_of(role)).collect()
     }
 
     /// The thing of a role, to turn on or open.
@@ -262,24 +306,24 @@ impl Places {
         let at_door = || {
             let door = &plan.things[outside?];
             let at = just_inside(plan, door.at);
-            Some(Spot { name: door.name.to_lowercase(), at, posture: Posture::Standing, room: plan.room_at(at) })
+            let (name, room) = (door.name.to_lowercase(), plan.room_at(at));
+            Some(Spot { name, at, posture: Posture::Standing, room, is_room: false, is_reachable: true })
         };
         place.or_else(at_door).or(room).map(|spot| (spot, thing))
     }
 
-    /// Places to stand at, of all rooms; beds, seats and doors aside.
+    /// Places to stand at that there is a way to, of all rooms; beds, seats and doors aside.
     fn find_stations(&self, home: &HomeFile) -> Vec<Spot> {
         let named = home.places.iter().map(|place| place.name.to_lowercase());
         let door = self.door.as_ref().map(|(spot, _)| spot.name.clone());
         let named: Vec<String> = named.filter(|name| Some(name) != door.as_ref()).collect();
-        let standing = self.spots.iter().filter(|spot| spot.posture == Posture::Standing && named.contains(&spot.name));
+        let reachable = || self.spots.iter().filter(|spot| spot.is_reachable);
+        let standing = reachable().filter(|spot| spot.posture == Posture::Standing && named.contains(&spot.name));
         let stations: Vec<Spot> = standing.cloned().collect();
         if !stations.is_empty() {
             return stations;
         }
-        let rooms =
-            self.spots.iter().filter(|spot| home.rooms.iter().any(|room| room.name.to_lowercase() == spot.name));
-        rooms.cloned().collect()
+        reachable().filter(|spot| spot.is_room).cloned().collect()
     }
 }
 
@@ -295,8 +339,9 @@ fn just_inside(plan: &Plan, door: Point) -> Point {
     free.max_by(|a, b| room(a).total_cmp(&room(b))).unwrap_or(door)
 }
 
-/// Where somebody stands at a piece of furniture: before the middle of a side where there is room, else in its middle.
-fn beside(plan: &Plan, outline: &[Point]) -> Point {
+/// Where somebody can stand at a piece of furniture: before the middles of its sides where there is room, the nearest to its
+/// middle first.
+fn beside(plan: &Plan, outline: &[Point]) -> Vec<Point> {
     /// From its edge, in metres: a body and a hand's breadth (ours).
     const OFF_M: f64 = 0.32;
     let middle = geometry::inner_point(outline);
@@ -305,7 +350,21 @@ fn beside(plan: &Plan, outline: &[Point]) -> Point {
         (a + b) / 2.0 + off
     };
     let free = geometry::sides(outline).map(side).filter(|&at| plan.is_walkable(at, OFF_M - 0.05));
-    free.min_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle))).unwrap_or(middle)
+    let mut free: Vec<Point> = free.collect();
+    free.sort_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)));
+    free
+}
+
+/// A place from which there is a way to most of the others; nothing where there is no place to stand at all.
+fn hub(spots: &[Spot], mesh: &Mesh) -> Option<Point> {
+    let mut parts: Vec<(Point, usize)> = Vec::new();
+    for spot in spots.iter().filter(|spot| mesh.approach(spot.at).is_some()) {
+        match parts.iter_mut().find(|(of, _)| mesh.can_reach(*of, spot.at)) {
+            Some((_, count)) => *count += 1,
+            None => parts.push((spot.at, 1)),
+        }
+    }
+    parts.into_iter().reduce(|a, b| if b.1 > a.1 { b } else { a }).map(|(of, _)| of)
 }
 
 /// What people stand in although they can enter it.
@@ -334,7 +393,8 @@ mod tests {
             "name": "one room", "rooms": [{ "name": "studio", "outline": outline }], "walls": [], "furniture": furniture,
         });
         let home: HomeFile = serde_json::from_value(home).unwrap();
-        Places::new(&home, &Plan::new(&home), resident)
+        let plan = Plan::new(&home);
+        Places::new(&home, &plan, &Mesh::new(&plan, 0.22), resident)
     }
 
     fn names(spots: &[&Spot]) -> Vec<String> {

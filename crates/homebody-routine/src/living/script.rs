@@ -81,6 +81,35 @@ struct Steps<'a, 'b> {
     setting: &'b mut Setting<'a>,
 }
 
+/// Where an activity takes somebody, but for rounds and walks that go anywhere.
+pub fn roles(activity: &Activity) -> &'static [Role] {
+    use Role::*;
+    match activity {
+        Activity::GetUp | Activity::GoToBed | Activity::LieAwake => &[Bed],
+        Activity::UseBathroom => &[Toilet, Washbasin],
+        Activity::Shower => &[Shower, Washbasin],
+        Activity::Wash => &[Washbasin],
+        Activity::Dress => &[Wardrobe],
+        Activity::TakeMedicine => &[Medicine, Sink],
+        Activity::Prepare(_) => &[Fridge, Drawers, Counter, Stove, Sink],
+        Activity::Eat(_) => &[DiningSeat],
+        Activity::WashUp => &[Sink],
+        Activity::WatchTelevision | Activity::Read | Activity::Exercise | Activity::Relax => &[Armchair],
+        Activity::Phone => &[Telephone],
+        Activity::Nap => &[Bed, Armchair],
+        Activity::Laundry => &[WashingMachine, Dryer],
+        Activity::Leave => &[Coats, FrontDoor],
+        Activity::ComeHome | Activity::Housework => &[],
+        Activity::Visit => &[FrontDoor, Armchair, GuestSeat],
+        Activity::Drink => &[Stove, Sink, DiningSeat],
+        Activity::Snack => &[Fridge, DiningSeat],
+        Activity::UseComputer => &[Desk],
+        Activity::Wander | Activity::Pace | Activity::Lap | Activity::Fall => &[],
+        // Where it is said, else on a seat.
+        Activity::Other(_) => &[Armchair],
+    }
+}
+
 /// The steps of an activity that lasts so long in all, at a place that was said or where it is usually done.
 pub fn script(
     activity: &Activity,
@@ -374,5 +403,61 @@ impl Steps<'_, '_> {
         self.station(Role::Fridge, lasts);
         self.at(Role::DiningSeat, None, lasts, Manner::EATING, Interruptible::Rules);
         self.push(Step::Meet(Need::Hunger));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::routine::USUAL;
+    use homebody_core::home::plan::Plan;
+    use homebody_core::scenario::home::HomeFile;
+    use homebody_walk::Mesh;
+    use std::collections::BTreeSet;
+
+    /// Where an activity leads in the example's apartment, over many days, by name.
+    fn ways(activity: &Activity, places: &Places) -> BTreeSet<String> {
+        let parameters = DayParameters::ordinary();
+        let steps = (0..40).flat_map(|seed| {
+            let mut stream = Stream::named(seed, "script");
+            let at = places.of(Role::Armchair).unwrap().at;
+            let mut setting =
+                Setting { places, at, parameters: &parameters, stream: &mut stream, forgotten: Vec::new() };
+            script(activity, None, 1200 * SECOND, None, &mut setting)
+        });
+        let goes = steps.filter_map(|step| match step {
+            Step::Go(spot) => Some(spot.name),
+            _ => None,
+        });
+        goes.collect()
+    }
+
+    #[test]
+    fn the_roles_of_an_activity_are_those_that_its_script_goes_to() {
+        let home = include_str!("../../../../scenarios/tigerplace/home.json");
+        let home: HomeFile = serde_json::from_str(home).unwrap();
+        let plan = Plan::new(&home);
+        let places = Places::new(&home, &plan, &Mesh::new(&plan, 0.22), "margaret");
+        let more = [
+            Activity::Shower,
+            Activity::TakeMedicine,
+            Activity::Nap,
+            Activity::Exercise,
+            Activity::UseComputer,
+            Activity::Relax,
+            Activity::ComeHome,
+            Activity::Other("knits".into()),
+        ];
+        for activity in USUAL.iter().chain(&more) {
+            // The night and getting up have scripts of their own.
+            if matches!(activity, Activity::GetUp | Activity::GoToBed) {
+                continue;
+            }
+            let names = roles(activity).iter().map(|&role| places.of(role).unwrap().name.clone());
+            assert_eq!(ways(activity, &places), names.collect(), "{activity:?}");
+        }
+        // The seat of who visits is none of the host's script.
+        let names = [Role::FrontDoor, Role::Armchair].map(|role| places.of(role).unwrap().name.clone());
+        assert_eq!(ways(&Activity::Visit, &places), names.into());
     }
 }

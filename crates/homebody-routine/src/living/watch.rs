@@ -1,6 +1,6 @@
 //! What is on or open, and the rules that wait for something to have lasted long enough.
 
-use super::life::Life;
+use super::life::{InForce, Life};
 use super::places::Places;
 use crate::routine::{Response, Rule, Trigger};
 use homebody_core::home::plan::Plan;
@@ -46,11 +46,10 @@ impl Watches {
     /// The rules of a new day; those that go on go on waiting.
     pub fn wake(&mut self, day: i32, life: &Life) {
         let mut before = std::mem::take(&mut self.rules);
-        for (rule, strength, file) in life.rules(day) {
-            let key = format!("rule/{file}:{}:{}", rule.said.line, rule.said.column);
+        for InForce { said: rule, strength, key, .. } in life.rules(day) {
             if strength * life.phase(&rule.phase, day) > 0.0 {
                 let kept = before.iter().position(|watch| watch.key == key).map(|index| before.swap_remove(index));
-                let new = || Watch { rule: rule.clone(), key: key.clone(), holds: false, due: NEVER };
+                let new = || Watch { rule: rule.clone(), key: key.to_owned(), holds: false, due: NEVER };
                 self.rules.push(kept.unwrap_or_else(new));
             }
         }

@@ -8,6 +8,7 @@ use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_routine::household::Household;
 use std::collections::BTreeMap;
 
+#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 pub const HOUR: Micros = 3600 * SECOND;
 
 /// The files of the scenario, with this routine and, if any, these other files.
@@ -26,10 +27,8 @@ pub fn files(routine: &str, others: &[(&str, &str)]) -> BTreeMap<String, String>
 
 /// A household of these files, or what is wrong with it.
 pub fn household(files: &BTreeMap<String, String>, without: &[&str]) -> Result<(Scenario, Household), String> {
-    let mut scenario = Scenario::load(files, "scenario.json").map_err(|problems| problems.to_string())?;
     let without: Vec<String> = without.iter().map(|name| name.to_string()).collect();
-    let household = Household::read(&mut scenario, files, &without).map_err(|problems| problems.to_string())?;
-    Ok((scenario, household))
+    Household::load(files, "scenario.json", &without).map_err(|problems| problems.to_string())
 }
 
 /// A run of a routine in the apartment.

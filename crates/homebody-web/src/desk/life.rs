@@ -11,11 +11,14 @@ use homebody_core::event::{Events, Fact};
 use homebody_core::problem::Problem;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::{Driver, Scenario};
+use homebody_core::sensors::Sensor;
+use homebody_core::snapshots::Snapshots;
 use homebody_core::time::{DAY, Micros};
 use homebody_routine::completion;
 use homebody_routine::explain::{self, Kind, Spread, explain};
 use homebody_routine::household::{Household, Understood};
 use homebody_routine::routine::Routine;
+use std::collections::BTreeMap;
 use std::sync::PoisonError;
 
 /// A month is no longer.
@@ -60,8 +63,16 @@ impl Desk {
             Ok(lives) => lives,
             Err(wrong) => return MonthView { problems: problems(&wrong), ..MonthView::default() },
         };
-        let _living = self.living.lock().unwrap_or_else(PoisonError::into_inner);
-        lived(&scenario, &household, from, days.clamp(1, LONGEST)).unwrap_or_else(|error| {
+        let mut living = self.living.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_same = |last: &LivedDraft| last.sources == scenario.sources && last.without == without;
+        let mut draft = living.take().filter(is_same).unwrap_or_else(|| LivedDraft {
+            sources: scenario.sources.clone(),
+            without,
+            moments: Snapshots::new(MOMENTS),
+        });
+        let month = lived(&scenario, &household, from, days.clamp(1, LONGEST), &mut draft.moments);
+        *living = Some(draft);
+        month.unwrap_or_else(|error| {
             let unlived = Problem::of_file(&self.shelf.entry, error.to_string(), None);
             MonthView { problems: problems(&[unlived]), ..MonthView::default() }
         })
@@ -72,46 +83,87 @@ fn not_understood(problems: Vec<ProblemView>) -> ExplainView {
     ExplainView { problems, ..ExplainView::default() }
 }
 
-fn lived(scenario: &Scenario, household: &Household, from: u32, days: u32) -> Result<MonthView, DriverError> {
+/// The draft that was lived last. As long as it is the same, its life is.
+pub struct LivedDraft {
+    /// The texts of all files that the scenario is made of, by name.
+    sources: BTreeMap<String, String>,
+    without: Vec<String>,
+    moments: Snapshots<Moment>,
+}
+
+/// How far apart moments are kept at first (ours): to live them takes some milliseconds.
+const MOMENTS: Micros = 4 * DAY;
+
+/// A life at an instant, and what is known of it by then.
+#[derive(Clone)]
+struct Moment {
+    run: Run,
+    known: Known,
+    growth: Growth,
+    activities: Vec<String>,
+}
+
+impl Moment {
+    /// The beginning of a life.
+    fn first(scenario: &Scenario, household: &Household, length: Micros) -> Moment {
+        let run = Run::new(scenario, household, scenario.file.seed, length);
+        let is_motion = run.sensors().iter().map(Sensor::senses_motion).collect();
+        let known = Known::of(scenario.residents.len());
+        Moment { run, known, growth: Growth::new(&scenario.calendar, length, is_motion), activities: Vec::new() }
+    }
+
+    /// Lives on, and adds what has ended to the view.
+    fn live(&mut self, until: Micros, view: &mut MonthView) -> Result<(), DriverError> {
+        let mut events = Events::default();
+        let lived = self.run.advance(until, &mut events);
+        self.known.learn(&events, &mut self.activities, view);
+        self.growth.add(&events.firings, self.run.now());
+        lived
+    }
+}
+
+fn lived(
+    scenario: &Scenario,
+    household: &Household,
+    from: u32,
+    days: u32,
+    moments: &mut Snapshots<Moment>,
+) -> Result<MonthView, DriverError> {
     let calendar = &scenario.calendar;
     let length = calendar.span_of_days(scenario.file.days);
     let last = dates::last(calendar, length);
     let from = from.min(last);
     let days = dates::some(calendar, length, from..(from + days).min(last + 1));
     let (begin, end) = (days.first().map_or(0, |day| day.begin_us), days.last().map_or(0, |day| day.end_us));
-    let mut run = Run::new(scenario, household, scenario.file.seed, end);
-    let is_motion: Vec<bool> = run.sensors().iter().map(homebody_core::sensors::Sensor::senses_motion).collect();
+    let kept = moments.nearest_before(begin).cloned();
+    let mut life = kept.unwrap_or_else(|| Moment::first(scenario, household, length));
     let mut view = MonthView {
         residents: scenario.residents.iter().map(|resident| resident.file.name.clone()).collect(),
-        rooms: run.home().plan.rooms.iter().map(|room| room.name.clone()).collect(),
+        rooms: life.run.home().plan.rooms.iter().map(|room| room.name.clone()).collect(),
         spans: vec![Vec::new(); scenario.residents.len()],
         stays: vec![Vec::new(); scenario.residents.len()],
         days,
         ..MonthView::default()
     };
-    let mut known = Known::of(view.residents.len());
-    let mut growth = Growth::new(calendar, end, is_motion);
-    let mut events = Events::default();
     // What was before the first day is only lived to come to it.
-    while run.now() < begin {
-        run.advance(begin.min(run.now() + DAY), &mut events)?;
-        known.learn(&events, &mut view);
-        growth.add(&events.firings, run.now());
+    while life.run.now() < begin {
+        moments.keep(life.run.now(), || life.clone());
+        life.live(begin.min(life.run.now() + DAY), &mut view)?;
         view.spans.iter_mut().chain(&mut view.stays).for_each(Vec::clear);
-        events.clear();
     }
     for day in 0..view.days.len() {
-        run.advance(view.days[day].end_us, &mut events)?;
-        known.learn(&events, &mut view);
-        growth.add(&events.firings, run.now());
-        events.clear();
+        moments.keep(life.run.now(), || life.clone());
+        life.live(view.days[day].end_us, &mut view)?;
     }
-    known.end(end, &mut view);
-    view.hours = growth.view().hours.split_off(from as usize);
+    life.known.end(end, &mut view);
+    // A stride may come to another room later.
+    view.stays.iter_mut().flatten().for_each(|stay| stay.1 = stay.1.min(end));
+    (view.activities, view.hours) = (life.activities, life.growth.view().hours.split_off(from as usize));
     Ok(view)
 }
 
 /// What each resident does, and where they are, since when.
+#[derive(Clone)]
 struct Known {
     doing: Vec<(Micros, Option<u32>)>,
     being: Vec<(Micros, Option<u32>)>,
@@ -124,13 +176,13 @@ impl Known {
     }
 
     /// Adds what has ended to the view.
-    fn learn(&mut self, events: &Events, view: &mut MonthView) {
+    fn learn(&mut self, events: &Events, activities: &mut Vec<String>, view: &mut MonthView) {
         for fact in &events.facts {
             match fact {
                 Fact::Activity { resident, at, name } => {
                     let resident = resident.index();
                     let Some(doing) = self.doing.get_mut(resident) else { continue };
-                    let name = name.as_ref().map(|name| numbered(&mut view.activities, name));
+                    let name = name.as_ref().map(|name| numbered(activities, name));
                     change(doing, *at, name, &mut view.spans[resident]);
                 }
                 Fact::Room { resident, at, room } => {

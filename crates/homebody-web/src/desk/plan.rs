@@ -2,15 +2,14 @@
 
 use super::{Desk, problems};
 use crate::draw;
-use crate::wire::{CoverageView, DeadZoneView, Draft, FloorView, HomeView, ImportView, PlanView, SeenView};
+use crate::wire::{CoverageView, DeadZoneView, Draft, FloorView, ImportView, PlanView, SeenView};
 use homebody_analysis::coverage::{self, Coverage, Floor, STEP_M, Seen};
 use homebody_core::home::Build;
 use homebody_core::home::plan::Plan;
+use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::problem::Problem;
-use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::scenario::resident::ResidentFile;
-use homebody_core::sensors::Sensor;
 use homebody_import::{Imported, NotImported, SCHEMA, sweet_home};
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -27,9 +26,9 @@ impl Desk {
         let files = self.with(draft);
         match home(&files, &self.shelf.entry) {
             Ok(home) => {
-                let plan = Plan::new(&home);
-                let seen = coverage::of_home(&home, build(&files, &self.shelf.entry), step_m(&plan));
-                PlanView { problems: Vec::new(), home: Some(view(&home, &plan)), coverage: Some(covered(&seen)) }
+                let seen = coverage::of_home(&home, build(&files, &self.shelf.entry), step_m(home.plan()));
+                let view = draw::home(&home, home.plan(), home.placed_sensors());
+                PlanView { problems: Vec::new(), home: Some(view), coverage: Some(covered(&seen)) }
             }
             Err(wrong) => PlanView { problems: problems(&wrong), home: None, coverage: None },
         }
@@ -51,7 +50,7 @@ impl Desk {
 }
 
 /// A scenario's home by itself: what is wrong with other files is not asked.
-fn home(files: &dyn Files, entry: &str) -> Result<HomeFile, Vec<Problem>> {
+fn home(files: &dyn Files, entry: &str) -> Result<ResolvedHome, Vec<Problem>> {
     let of_entry = |what: String| vec![Problem::of_file(entry, what, None)];
     let text = files.read(entry).map_err(|why| of_entry(format!("cannot be read: {why}")))?;
     let root: serde_json::Value = serde_json::from_str(&text).map_err(|error| of_entry(error.to_string()))?;
@@ -72,11 +71,6 @@ fn build(files: &dyn Files, entry: &str) -> Build {
         serde_json::from_str(&files.read(&name).ok()?).ok()
     };
     first().map_or_else(Build::adult, |file| Build::of(&file))
-}
-
-fn view(home: &HomeFile, plan: &Plan) -> HomeView {
-    let sensors: Vec<Sensor> = home.sensors.iter().map(|sensor| Sensor::new(sensor, plan)).collect();
-    draw::home(home, plan, &sensors)
 }
 
 /// The side of a cell: as the command has it, but in a very large home, which is told while it is being drawn.

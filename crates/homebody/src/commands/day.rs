@@ -1,8 +1,8 @@
 //! `homebody day`: one day of a log.
 
 use super::answer::Answer;
+use super::given::given;
 use crate::failure::Failure;
-use crate::given::Given;
 use homebody_analysis::dates::Asked;
 use homebody_analysis::day::Day;
 use homebody_picture::{DayChart, day_chart};
@@ -28,7 +28,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let given = Given::read(&self.log, self.time_zone.as_deref())?;
+        let given = given(&self.log, self.time_zone.as_deref())?;
         let answer = self.answer.check([""], &given.sources)?;
         let no_rows = || Failure::usage(format!("{}: it has no rows, so no day", self.log));
         let there = given.dates().ok_or_else(no_rows)?;

@@ -1,14 +1,15 @@
 //! `homebody density`: how much somebody moves in each hour of each day.
 
 use super::answer::Answer;
+use super::given::given;
 use crate::failure::Failure;
-use crate::given::Given;
 use crate::length::span;
 use crate::print::tell;
 use homebody_analysis::dates;
 use homebody_analysis::density::{Asked, Chosen, Measured, NoMap, density};
 use homebody_core::scenario::nearest::nearest;
 use homebody_core::time::Micros;
+use homebody_kit::Given;
 use homebody_picture::density_map;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -54,8 +55,8 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let zone = self.time_zone.as_deref();
-        let log = Given::read(&self.log, zone)?;
-        let other = self.against.as_deref().map(|other| Given::read(other, zone)).transpose()?;
+        let log = given(&self.log, zone)?;
+        let other = self.against.as_deref().map(|other| given(other, zone)).transpose()?;
         let sources: Vec<PathBuf> =
             [Some(&log), other.as_ref()].into_iter().flatten().flat_map(|log| log.sources.clone()).collect();
         let csv = self.csv.as_deref();

@@ -5,7 +5,7 @@ use std::fs;
 use toml::{Table, Value};
 
 /// On which of our crates each of them may depend.
-const ARROWS: [(&str, &[&str]); 10] = [
+const ARROWS: [(&str, &[&str]); 11] = [
     ("homebody-core", &[]),
     ("homebody-import", &["homebody-core"]),
     ("homebody-walk", &["homebody-core"]),
@@ -14,7 +14,11 @@ const ARROWS: [(&str, &[&str]); 10] = [
     ("homebody-analysis", &["homebody-core", "homebody-log"]),
     ("homebody-picture", &["homebody-analysis", "homebody-core"]),
     ("homebody-experiment", &["homebody-core", "homebody-picture", "homebody-walk"]),
-    ("homebody-web", &["homebody-analysis", "homebody-core", "homebody-import", "homebody-log", "homebody-routine"]),
+    ("homebody-kit", &["homebody-analysis", "homebody-core", "homebody-log", "homebody-routine"]),
+    (
+        "homebody-web",
+        &["homebody-analysis", "homebody-core", "homebody-import", "homebody-kit", "homebody-log", "homebody-routine"],
+    ),
     (
         "homebody",
         &[
@@ -22,6 +26,7 @@ const ARROWS: [(&str, &[&str]); 10] = [
             "homebody-core",
             "homebody-experiment",
             "homebody-import",
+            "homebody-kit",
             "homebody-log",
             "homebody-picture",
             "homebody-routine",

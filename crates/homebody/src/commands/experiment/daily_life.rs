@@ -2,7 +2,6 @@
 
 use crate::commands::answer::Answer;
 use crate::failure::Failure;
-use crate::folder;
 use homebody_core::drivers::error::DriverError;
 use homebody_core::event::Events;
 use homebody_core::ids::{ResidentId, RoomId};
@@ -44,21 +43,21 @@ const SCENARIO: &str = "older-adult";
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let answer = self.answer.check(["", "hours"], &[])?;
-        let (scenario, household) = folder::load_own_lives(SCENARIO)?;
-        let household = household.one_of_many();
+        let opened = homebody_kit::template(SCENARIO)?;
+        let (scenario, household) = (opened.scenario(), opened.household().one_of_many());
         let progress = ProgressBar::new(u64::from(self.people));
         let style = ProgressStyle::with_template("{bar:40} {pos} of {len} people  {eta} left");
         progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         let live = |number: u32| {
             let seed = seed_of(self.seed, number);
-            let person = live(&scenario, &household, seed, self.days)?;
+            let person = live(scenario, &household, seed, self.days)?;
             progress.inc(1);
             Ok(person)
         };
         // In order of their numbers, whichever is done first.
         let persons: Result<Vec<Person>, DriverError> = (0..self.people).into_par_iter().map(live).collect();
-        let persons = persons?;
         progress.finish_and_clear();
+        let persons = persons?;
         let experiment = Experiment::of(persons, self.seed);
         answer.give(&experiment, [&|| experiment.chart(), &|| experiment.hours()])
     }

@@ -4,7 +4,7 @@ use csv_core::{ReadFieldResult, ReaderBuilder, Terminator};
 use homebody_core::problem::{Excerpt, Problem};
 
 /// A file of rows below a header.
-pub struct Table<'t> {
+pub(crate) struct Table<'t> {
     file: &'t str,
     lines: Vec<&'t str>,
     pub header: Vec<Cell>,
@@ -14,7 +14,7 @@ pub struct Table<'t> {
 
 /// What stands in one place of a table, without the blanks around it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Cell {
+pub(crate) struct Cell {
     pub text: String,
     /// Both counted from 1, the column in characters.
     line: u32,

@@ -3,7 +3,7 @@
 use super::sentences::OwnSentences;
 use super::table::{Cell, Table};
 use super::{Base, Other, Profile};
-use crate::commands::LIST;
+use crate::cohort::LIST;
 use homebody_core::problem::Problem;
 use homebody_core::scenario::GREATEST_SEED;
 use homebody_core::scenario::load::{WHERE, outside_folder};
@@ -25,7 +25,7 @@ const SHOWS: &str = "the person shows ";
 const MOST: usize = 100_000;
 
 /// The profiles of all rows, and all that is wrong with them.
-pub fn read(table: &Table, base: &Base, without: &[String]) -> (Vec<Profile>, Vec<Problem>) {
+pub(crate) fn read(table: &Table, base: &Base, without: &[String]) -> (Vec<Profile>, Vec<Problem>) {
     let mut reader = Reader { table, base, problems: Vec::new(), routines: BTreeMap::new() };
     let profiles = reader.profiles(without);
     (profiles, reader.problems)

@@ -8,10 +8,9 @@ mod rows;
 mod sentences;
 mod table;
 
-use crate::failure::Failure;
+use crate::error::Error;
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::scenario::load::{Driver, Files, Scenario};
-use homebody_core::scenario::resident::DriverFile;
 use homebody_routine::household::Household;
 use homebody_routine::routine::{Kind, Routine};
 use sentences::OwnSentences;
@@ -25,7 +24,9 @@ use table::Table;
 /// Who one member of a cohort is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
+    /// What the member is called, and the member's folder.
     pub name: String,
+    /// A number of their own that all their randomness comes from.
     pub seed: Option<u64>,
     /// What the row says besides, by column, as it is written.
     pub row: BTreeMap<String, String>,
@@ -46,29 +47,34 @@ struct Other {
 }
 
 /// A scenario that members differ from.
-pub struct Base<'a> {
+pub(crate) struct Base<'a> {
     pub scenario: &'a Scenario,
     pub household: &'a Household,
     pub files: &'a (dyn Files + Sync),
 }
 
 /// Reads a file of profiles: all of them, or all that is wrong.
-pub fn read(path: &Path, base: &Base, without: &[String]) -> Result<Vec<Profile>, Failure> {
+pub(crate) fn read(path: &Path, base: &Base, without: &[String]) -> Result<Vec<Profile>, Error> {
     let file = path.display().to_string();
     let bytes = fs::read(path).map_err(|error| match error.kind() {
         ErrorKind::NotFound => {
-            Failure::io(path, "there is no such file\n  hint: it is a CSV file with a row for each member")
+            Error::file(path, "there is no such file\n  hint: it is a CSV file with a row for each member")
         }
-        ErrorKind::IsADirectory => Failure::io(path, "it is a folder\n  hint: name a CSV file"),
-        _ => Failure::io(path, error),
+        ErrorKind::IsADirectory => Error::file(path, "it is a folder\n  hint: name a CSV file"),
+        _ => Error::io(path, error),
     })?;
     let text = String::from_utf8(bytes).map_err(|_| {
         let hint = Some("save it as CSV in UTF-8".to_owned());
-        Failure::Problems(Problems(vec![Problem::of_file(&file, "it is not text in UTF-8", hint)]))
+        Problem::of_file(&file, "it is not text in UTF-8", hint)
     })?;
-    let table = Table::read(&file, &text).map_err(|problem| Failure::Problems(Problems(vec![problem])))?;
+    of(&file, &text, base, without)
+}
+
+/// The profiles of a table that problems call `file`: all of them, or all that is wrong.
+pub(crate) fn of(file: &str, text: &str, base: &Base, without: &[String]) -> Result<Vec<Profile>, Error> {
+    let table = Table::read(file, text)?;
     let (profiles, problems) = rows::read(&table, base, without);
-    if problems.is_empty() { Ok(profiles) } else { Err(Failure::Problems(in_order(problems, &file))) }
+    if problems.is_empty() { Ok(profiles) } else { Err(Error::Problems(in_order(problems, file))) }
 }
 
 /// Problems in the order of their places, those of other files than the list last.
@@ -88,33 +94,30 @@ impl Base<'_> {
 
     /// The scenario with what a profile says in it, and without these conditions.
     fn with(&self, profile: &Profile, without: &[String]) -> Result<(Scenario, Household), Problems> {
-        let mut scenario = self.scenario.clone();
-        if let Some(resident) = profile.resident {
-            let other = profile.routine.as_deref();
-            if let Some(Other { routine, text }) = other {
-                give_routine(&mut scenario, resident, &routine.file, text.clone());
-            }
-            let routine = other.map(|other| &other.routine).or(self.household.routine(resident));
-            if let (Some(routine), Driver::Routine { file, text }) = (routine, &scenario.residents[resident].driver)
-                && profile.said != OwnSentences::default()
-            {
-                let text = profile.said.within(text, routine);
-                let file = file_of_own(&scenario, resident, file);
-                give_routine(&mut scenario, resident, &file, text);
-            }
-        }
-        let household = match scenario.sources == self.scenario.sources && without.is_empty() {
-            true => self.household.clone(),
-            false => Household::read(&mut scenario, self.files, without)?,
+        let Some((resident, edit)) = profile.resident.map(|resident| (resident, self.scenario.edit())) else {
+            return Ok((self.scenario.clone(), self.household.without(without)?));
         };
-        Ok((scenario, household))
+        let Driver::Routine { file, text } = &self.scenario.residents[resident].driver else {
+            return Ok((self.scenario.clone(), self.household.without(without)?));
+        };
+        let other = profile.routine.as_deref();
+        let routine = other.map(|other| &other.routine).or(self.household.routine(resident));
+        let (file, text) = other.map_or((file, text), |other| (&other.routine.file, &other.text));
+        let edit = match routine.filter(|_| profile.said != OwnSentences::default()) {
+            Some(routine) => {
+                let own = file_of_own(self.scenario, resident, file);
+                edit.routine(resident, &own, profile.said.within(text, routine))
+            }
+            None if other.is_some() => edit.routine(resident, file, text),
+            None => return Ok((self.scenario.clone(), self.household.without(without)?)),
+        };
+        Household::load(&edit.over(self.files), &self.scenario.entry, without)
     }
 
     /// Another routine for a resident, if it is sound.
     fn other(&self, resident: usize, file: &str, text: String) -> Result<Other, Problems> {
-        let mut scenario = self.scenario.clone();
-        give_routine(&mut scenario, resident, file, text.clone());
-        let household = Household::read(&mut scenario, self.files, &[])?;
+        let edit = self.scenario.edit().routine(resident, file, text.clone());
+        let (_, household) = Household::load(&edit.over(self.files), &self.scenario.entry, &[])?;
         Ok(Other { routine: household.routine(resident).cloned().unwrap_or_default(), text })
     }
 
@@ -126,20 +129,6 @@ impl Base<'_> {
         };
         (0..self.scenario.residents.len()).filter(is_person).collect()
     }
-}
-
-/// Makes a resident live by another routine, also in the text of their file.
-fn give_routine(scenario: &mut Scenario, resident: usize, file: &str, text: String) {
-    let one = &mut scenario.residents[resident];
-    one.file.driver = DriverFile::Routine(file.into());
-    one.driver = Driver::Routine { file: file.into(), text: text.clone() };
-    if let Some(source) = scenario.sources.get_mut(&scenario.file.residents[resident])
-        && let Ok(mut json) = serde_json::from_str::<serde_json::Value>(source)
-    {
-        json["driver"]["routine"] = file.into();
-        *source = format!("{json:#}\n");
-    }
-    scenario.sources.insert(file.into(), text);
 }
 
 /// A file for the routine of this resident alone, since others may live by the one that it is made from: of the same name, so

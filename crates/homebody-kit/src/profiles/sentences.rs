@@ -7,7 +7,7 @@ use std::ops::Range;
 
 /// What a routine is to say of the person.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct OwnSentences {
+pub(crate) struct OwnSentences {
     /// Such as "The person is 75".
     pub age: Option<String>,
     /// Such as "The person walks at 0.5 m/s".

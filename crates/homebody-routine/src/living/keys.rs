@@ -1,0 +1,168 @@
+//! What the random streams of a routine's sentences are called: after what each says, and its place among those that say the
+//! same.
+//!
+//! So blank lines, comments, indentation, other words for the same, a file's name and any other sentence change none of its
+//! numbers. What is said otherwise is another sentence, with numbers of its own.
+//!
+//! A name is written out here field by field, not derived: to rename a field or a variant in the code changes no log, while
+//! every change of this file does.
+
+use crate::fuzzy::Fuzzy;
+use crate::routine::{Change, Days, Effect, Habit, Moment, PartOfDay, Phase, Response, Routine, Rule, Trigger, When};
+use std::collections::BTreeMap;
+
+/// The streams' names of all that one routine or condition says, each in the order of the file.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Keys {
+    pub habits: Vec<String>,
+    pub rules: Vec<String>,
+    pub changes: Vec<String>,
+}
+
+impl Keys {
+    /// The names for what `routine` says; `source` tells it from other routines and conditions of the same life.
+    pub fn of(routine: &Routine, source: &str) -> Keys {
+        let mut before = 0;
+        let habits = routine.habits.iter().map(|habit| {
+            let said = match habit.when {
+                // What comes then is told apart by what it comes after.
+                When::Then => format!("{} of {before:016x}", of_habit(habit)),
+                _ => of_habit(habit),
+            };
+            before = hash(&said);
+            said
+        });
+        Keys {
+            habits: among_like("habit", source, habits),
+            rules: among_like("rule", source, routine.rules.iter().map(of_rule)),
+            changes: among_like("change", source, routine.changes.iter().map(of_change)),
+        }
+    }
+}
+
+/// Adds to each what it is, where it is from, and how many before it say the same.
+fn among_like(kind: &str, source: &str, all: impl Iterator<Item = String>) -> Vec<String> {
+    let mut alike: BTreeMap<String, u32> = BTreeMap::new();
+    let name = |said: String| {
+        let before = alike.entry(said.clone()).or_default();
+        let name = format!("{kind}/{source}/{said}/{before}");
+        *before += 1;
+        name
+    };
+    all.map(name).collect()
+}
+
+/// FNV-1a of 64 bits: a chain of sentences that each begin with "then" has names of one length.
+fn hash(text: &str) -> u64 {
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
+}
+
+fn of_habit(habit: &Habit) -> String {
+    let mut text = String::new();
+    if let Some(visitor) = &habit.visitor {
+        text += &format!("{}: ", visitor.to_lowercase());
+    }
+    text += &habit.activity.name();
+    if let Some(place) = &habit.place {
+        text += &format!(" at {}", place.to_lowercase());
+    }
+    text += &format!(" p {}", habit.chance.probability);
+    if let Some((probability, by)) = habit.chance.becomes {
+        text += &format!(" to {probability} by {}", of_moment(by));
+    }
+    if let Some(days) = habit.chance.days_a_week {
+        text += &format!(" on {days} a week");
+    }
+    let Days { weekdays, months, every } = habit.days;
+    if habit.days != Days::ALL {
+        text += &format!(" days {weekdays:07b} {months:012b} {every}");
+    }
+    text += &match &habit.when {
+        When::AnyTime => String::new(),
+        When::At(time) => format!(" from {}", of_fuzzy(time)),
+        When::Within(part) => format!(" in {}", part.word()),
+        When::After(activity, gap) => format!(" after {}{}", activity.name(), of_gap(gap)),
+        When::Before(activity, gap) => format!(" before {}{}", activity.name(), of_gap(gap)),
+        When::With(activity) => format!(" with {}", activity.name()),
+        When::Then => " then".to_owned(),
+    };
+    for (what, amount) in [(" for ", &habit.lasts), (" until ", &habit.until)] {
+        text += &amount.as_ref().map(|amount| format!("{what}{}", of_fuzzy(amount))).unwrap_or_default();
+    }
+    if habit.times != (1, 1) {
+        text += &format!(" times {} {}", habit.times.0, habit.times.1);
+    }
+    text + &of_phase(&habit.phase)
+}
+
+fn of_rule(rule: &Rule) -> String {
+    let trigger = match &rule.whenever {
+        Trigger::On(thing) => format!("on {}", thing.to_lowercase()),
+        Trigger::At(place) => format!("at {}", place.to_lowercase()),
+        Trigger::Away => "away".to_owned(),
+        Trigger::InBed => "in bed".to_owned(),
+    };
+    let response = match &rule.response {
+        Response::Turn { thing, on } => format!("turn {} {}", thing.to_lowercase(), if *on { "on" } else { "off" }),
+        Response::Do { activity, place, lasts } => {
+            let place = place.as_ref().map(|place| format!(" at {}", place.to_lowercase())).unwrap_or_default();
+            let lasts = lasts.as_ref().map(|lasts| format!(" for {}", of_fuzzy(lasts))).unwrap_or_default();
+            format!("{}{place}{lasts}", activity.name())
+        }
+    };
+    let (after, phase) = (of_fuzzy(&rule.lasts), of_phase(&rule.phase));
+    format!("{trigger} after {after} p {} {response}{phase}", rule.probability)
+}
+
+fn of_change(change: &Change) -> String {
+    let part = |part: &Option<PartOfDay>| part.map(|part| format!(" in {}", part.word())).unwrap_or_default();
+    let effect = match &change.effect {
+        Effect::Shows { condition, severity } => format!("shows {condition} {severity}"),
+        Effect::Pace(by) => format!("pace {}", of_fuzzy(by)),
+        Effect::PaceEachWeek(by) => format!("pace each week {}", of_fuzzy(by)),
+        Effect::Later { activity, by } => format!("later {} {}", activity.name(), of_fuzzy(by)),
+        Effect::Longer { activity, factor } => format!("longer {} {}", activity.name(), of_fuzzy(factor)),
+        Effect::LongerBy { activity, by } => format!("longer by {} {}", activity.name(), of_fuzzy(by)),
+        Effect::Oftener { activity, part: of, factor } => {
+            format!("oftener {}{} {}", activity.name(), part(of), of_fuzzy(factor))
+        }
+        Effect::Skips { activity, chance } => format!("skips {} {chance}", activity.name()),
+        Effect::Irregular(by) => format!("irregular {}", of_fuzzy(by)),
+        Effect::Active { part: of, factor } => format!("active{} {}", part(of), of_fuzzy(factor)),
+        Effect::Restless(by) => format!("restless {}", of_fuzzy(by)),
+        Effect::Forgets { thing, chance } => format!("forgets {} {chance}", thing.to_lowercase()),
+        Effect::Pulse(by) => format!("pulse {}", of_fuzzy(by)),
+        Effect::Respiration(by) => format!("respiration {}", of_fuzzy(by)),
+    };
+    effect + &of_phase(&change.phase)
+}
+
+fn of_phase(phase: &Phase) -> String {
+    let mut text = String::new();
+    for (what, moment) in [("from", phase.from), ("until", phase.until)] {
+        if let Some(moment) = moment {
+            text += &format!(" {what} {}", of_moment(moment));
+        }
+    }
+    for (what, days) in [("over", phase.over_days), ("fading", phase.fading_days)] {
+        if days != 0.0 {
+            text += &format!(" {what} {days}");
+        }
+    }
+    text
+}
+
+fn of_moment(moment: Moment) -> String {
+    match moment {
+        Moment::Day(day) => format!("day {day}"),
+        Moment::Date(year, month, day) => format!("{year}-{month}-{day}"),
+    }
+}
+
+fn of_gap(gap: &Option<Fuzzy>) -> String {
+    gap.as_ref().map(|gap| format!(" by {}", of_fuzzy(gap))).unwrap_or_default()
+}
+
+fn of_fuzzy(fuzzy: &Fuzzy) -> String {
+    format!("{}|{}|{}|{}", fuzzy.low, fuzzy.from, fuzzy.to, fuzzy.high)
+}

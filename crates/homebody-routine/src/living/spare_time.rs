@@ -1,0 +1,71 @@
+//! What fills the time until something is due.
+
+use super::agenda::Item;
+use super::driver::{MINUTE, RoutineDriver};
+use super::manner::Manner;
+use super::places::Role;
+use super::script::{Interruptible, Stay, Step};
+use crate::routine::Activity;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, SECOND, micros};
+
+/// What fills the time, how often in comparison, and for how many minutes at a time. Both are ours, set so that the hours of
+/// a day come near those of people of 75 and more (American Time Use Survey); housework stands for the small errands that
+/// nobody plans, from which people of that age rise from their seats 46-60 times a day.
+const FILLERS: [(Activity, f64, f64); 6] = [
+    (Activity::WatchTelevision, 0.98, 14.0),
+    (Activity::Relax, 0.21, 8.0),
+    (Activity::Read, 0.14, 13.0),
+    (Activity::Housework, 0.5, 1.3),
+    (Activity::Phone, 0.1, 12.0),
+    (Activity::UseComputer, 0.1, 14.0),
+];
+
+/// So many times as often somebody who sits gets up for an errand as one errand follows another (ours).
+const RISES: f64 = 26.0;
+
+impl RoutineDriver {
+    /// Fills the time until something is due, by the weights of older adults' days.
+    pub(super) fn fill(&mut self, until: Micros, now: Micros) {
+        let gap = until - now;
+        let key = format!("fill/{}", self.times(&Activity::Relax));
+        let mut stream = self.life.stream_of_day(self.agenda.day, &key);
+        let said: Vec<&Activity> = self.life.habits(self.agenda.day).map(|habit| &habit.said.activity).collect();
+        let (mut fillers, mut weights) = (Vec::new(), Vec::new());
+        let rising = RISES * self.parameters.activity(self.hour(now));
+        for (activity, weight, minutes) in FILLERS {
+            // A home without a desk has no computer.
+            let can = activity != Activity::UseComputer || self.places.has(Role::Desk);
+            let planned = activity != Activity::Relax && activity != Activity::Housework && said.contains(&&activity);
+            let rises = activity == Activity::Housework && self.body.posture() != Posture::Standing;
+            if can && !planned {
+                let weight = weight * self.parameters.oftener(&activity, None);
+                weights.push(if rises { weight * rising } else { weight });
+                fillers.push((activity, minutes));
+            }
+        }
+        let (activity, minutes) = &fillers[stream.pick(&weights)];
+        if gap < 3 * MINUTE {
+            let posture = self.body.posture();
+            let stay = Stay {
+                posture,
+                manner: Manner::STILL,
+                left: gap.max(SECOND),
+                until: Some(until.max(now + SECOND)),
+                may: Interruptible::Interrupt,
+            };
+            let steps = [Step::Name(Activity::Relax.name()), Step::Stay(stay)];
+            return self.play(steps.into(), stream, Activity::Relax.name());
+        }
+        let lasts =
+            micros(self.parameters.lasting_s(activity, stream.lognormal(minutes * 60.0, 0.5)).max(20.0)).min(gap);
+        self.begin(&Item::now(key, activity.clone(), lasts));
+        for step in self.scripts.last_mut().into_iter().flat_map(|playing| playing.steps.iter_mut()) {
+            if let Step::Stay(stay) = step
+                && stay.may == Interruptible::Interrupt
+            {
+                stay.may = Interruptible::Yield;
+            }
+        }
+    }
+}

@@ -1,0 +1,228 @@
+//! What a routine needs of the home: somewhere to sleep and sit, a way out, and a way to all that its activities use.
+
+use crate::living::places::{Places, Role, Spot};
+use crate::living::script::roles;
+use crate::routine::{Activity, Kind, Quote, Response, Routine, USUAL, shows};
+use homebody_core::geometry;
+use homebody_core::home::plan::{self, Plan};
+use homebody_core::problem::Problem;
+use homebody_core::scenario::home::HomeFile;
+use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::resident::ResidentFile;
+use homebody_walk::Mesh;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What is missing, and what there is no way to, for one resident and the conditions that their routine shows.
+pub fn check(
+    scenario: &Scenario,
+    plan: &Plan,
+    resident: &ResidentFile,
+    routine: &Routine,
+    conditions: &BTreeMap<String, Routine>,
+) -> Vec<Problem> {
+    let places = Places::new(&scenario.home, plan, &Mesh::new(plan, resident.radius_m), &resident.name);
+    let mut texts = vec![routine];
+    let mut next = 0;
+    while let Some(text) = texts.get(next) {
+        let shown: Vec<&Routine> = shows(text).filter_map(|name| conditions.get(name)).collect();
+        texts.extend(
+            shown.into_iter().filter(|shown| !texts.iter().any(|known| known.file == shown.file)).collect::<Vec<_>>(),
+        );
+        next += 1;
+    }
+    let kind = routine.person.as_ref().map_or(Kind::Person, |person| person.kind);
+    let mut check = Check {
+        home: &scenario.home,
+        resident,
+        file: &routine.file,
+        bed: String::new(),
+        told: BTreeSet::new(),
+        problems: Vec::new(),
+    };
+    check.all(&places, &texts, kind == Kind::Person);
+    check.problems
+}
+
+/// For so many places that nobody can get to it is found out what is in the way (ours): each takes a while.
+const MOST_EXPLAINED: usize = 3;
+
+/// So many pieces of furniture are tried for each (ours).
+const MOST_PIECES: usize = 12;
+
+struct Check<'a> {
+    home: &'a HomeFile,
+    resident: &'a ResidentFile,
+    /// The routine's file.
+    file: &'a str,
+    /// Where the resident sleeps.
+    bed: String,
+    /// The places that were told.
+    told: BTreeSet<String>,
+    problems: Vec<Problem>,
+}
+
+impl Check<'_> {
+    fn all(&mut self, places: &Places, texts: &[&Routine], is_person: bool) {
+        let anybodys = || places.anybodys(Role::Bed).into_iter().next().filter(|_| !is_person);
+        let Some(bed) = places.of(Role::Bed).or_else(anybodys) else {
+            let hint = "give it a piece of furniture \"bed\" that is enterable";
+            return self.say(None, "there is nowhere in this home to sleep", hint);
+        };
+        self.bed = bed.name.clone();
+        // Who cannot get out of bed gets nowhere.
+        let boxed_in = places.out_of_reach(Role::Bed).filter(|_| is_person);
+        if let Some(bed) = boxed_in {
+            let what = format!("{} cannot get from {:?} to the rest of the home", self.resident.name, bed.name);
+            let hint = self.what_to_do(bed);
+            return self.say(None, &what, &hint);
+        }
+        let of_pets = [(Role::Basket, None), (Role::FoodBowl, None)];
+        let used = if is_person { used_roles(places, texts) } else { of_pets.into() };
+        if is_person {
+            self.missing(places);
+        }
+        for (role, said) in used {
+            if let Some(spot) = places.out_of_reach(role) {
+                self.no_way(spot, said);
+            }
+        }
+        for (place, said) in texts.iter().flat_map(|text| named_places(text)) {
+            if let Some(spot) = places.named(place).filter(|spot| !spot.is_reachable) {
+                self.no_way(&Spot { name: place.to_owned(), ..spot.clone() }, Some(said));
+            }
+        }
+        let goes_out = |activity: &Activity| matches!(activity, Activity::Leave | Activity::Visit);
+        let outing = texts[0].habits.iter().find(|habit| goes_out(&habit.activity));
+        if let (Some(habit), None) = (outing, places.of(Role::FrontDoor)) {
+            let hint = "mark a door as \"outside\", or name a place \"front door\"";
+            self.say(Some((self.file, &habit.said)), "there is no way out of this home", hint);
+        }
+    }
+
+    /// What everybody needs and the home does not have.
+    fn missing(&mut self, places: &Places) {
+        for (role, what, hint) in [
+            (Role::Toilet, "there is no toilet in this home", "give it a piece of furniture or a place \"toilet\""),
+            (Role::Armchair, "there is nowhere to sit in this home", "give it an \"armchair\" that is enterable"),
+            (Role::Fridge, "there is no kitchen in this home", "give it a room \"kitchen\", or a place \"fridge\""),
+        ] {
+            if places.of(role).is_none() {
+                self.say(None, what, hint);
+            }
+        }
+    }
+
+    /// There is no way to a place, which is told once.
+    fn no_way(&mut self, spot: &Spot, said: Option<(&str, &Quote)>) {
+        if self.told.insert(spot.name.to_lowercase()) {
+            let what = format!("{} cannot get from {:?} to {:?}", self.resident.name, self.bed, spot.name);
+            let hint = self.what_to_do(spot);
+            self.say(said, &what, &hint);
+        }
+    }
+
+    fn say(&mut self, said: Option<(&str, &Quote)>, what: &str, hint: &str) {
+        let mut problem = Problem::of_file(said.map_or(self.file, |(file, _)| file), what, Some(hint.to_owned()));
+        if let Some((_, said)) = said {
+            (problem.line, problem.column) = (said.line, said.column);
+        }
+        self.problems.push(problem);
+    }
+
+    /// Which doors to open or pieces to move so that there is a way, each by itself; else what stands around it.
+    fn what_to_do(&self, to: &Spot) -> String {
+        let mut ways: Vec<String> = Vec::new();
+        if self.told.len() <= MOST_EXPLAINED {
+            for (index, door) in self.home.doors.iter().enumerate().filter(|(_, door)| !door.open && !door.outside) {
+                let mut home = self.home.clone();
+                home.doors[index].open = true;
+                ways.extend(self.is_reachable_in(&home, to).then(|| format!("open {:?}", door.name)));
+            }
+            for index in self.nearest_pieces(to, f64::INFINITY) {
+                let mut home = self.home.clone();
+                let piece = home.furniture.remove(index);
+                ways.extend(self.is_reachable_in(&home, to).then(|| format!("move {:?}", piece.name)));
+            }
+        }
+        if !ways.is_empty() {
+            return ways.join(", or ");
+        }
+        let mut hint = "see with `homebody plan` what is in the way: a closed door, a wall, furniture".to_owned();
+        let around: Vec<String> = self
+            .nearest_pieces(to, 2.0 * self.resident.radius_m)
+            .iter()
+            .map(|&index| format!("{:?}", self.home.furniture[index].name))
+            .collect();
+        if !around.is_empty() {
+            hint += &format!(" such as {}", around.join(", "));
+        }
+        hint
+    }
+
+    fn is_reachable_in(&self, home: &HomeFile, to: &Spot) -> bool {
+        let plan = Plan::new(home);
+        let places = Places::new(home, &plan, &Mesh::new(&plan, self.resident.radius_m), &self.resident.name);
+        places.named(&to.name).is_some_and(|spot| spot.is_reachable)
+    }
+
+    /// The pieces that are no farther from a place than this, without what it is the place of, the nearest first.
+    fn nearest_pieces(&self, to: &Spot, most_m: f64) -> Vec<usize> {
+        let others = self
+            .home
+            .furniture
+            .iter()
+            .enumerate()
+            .filter(|(_, piece)| piece.name.to_lowercase() != to.name.to_lowercase());
+        let away =
+            others.map(|(index, piece)| (index, geometry::distance_to_area(&plan::furniture_outline(piece), to.at)));
+        let mut near: Vec<(usize, f64)> = away.filter(|(_, away_m)| *away_m <= most_m).collect();
+        near.sort_by(|a, b| a.1.total_cmp(&b.1));
+        near.into_iter().take(MOST_PIECES).map(|(index, _)| index).collect()
+    }
+}
+
+/// The roles that somebody's activities use, each with the sentence that says the first of them, if one does.
+fn used_roles<'t>(places: &Places, texts: &[&'t Routine]) -> Vec<(Role, Option<(&'t str, &'t Quote)>)> {
+    let mut used: Vec<(Activity, Option<(&str, &Quote)>)> = Vec::new();
+    for text in texts {
+        let done = text.habits.iter().filter(|habit| {
+            habit.chance.probability > 0.0 || habit.chance.becomes.is_some_and(|(probability, _)| probability > 0.0)
+        });
+        used.extend(done.map(|habit| (habit.activity.clone(), Some((text.file.as_str(), &habit.said)))));
+        for rule in &text.rules {
+            if let Response::Do { activity, .. } = &rule.response {
+                used.push((activity.clone(), Some((text.file.as_str(), &rule.said))));
+            }
+        }
+    }
+    // What is done without being said.
+    let is_mentioned = |activity: &Activity| texts[0].habits.iter().any(|habit| habit.activity == *activity);
+    let unsaid = USUAL.iter().chain(&[Activity::Relax, Activity::Nap]).filter(|activity| !is_mentioned(activity));
+    used.extend(unsaid.cloned().map(|activity| (activity, None)));
+    if places.has(Role::Desk) {
+        used.push((Activity::UseComputer, None));
+    }
+    let mut all: Vec<(Role, Option<(&str, &Quote)>)> = Vec::new();
+    for (activity, said) in used {
+        for &role in roles(&activity) {
+            if all.iter().all(|(known, _)| *known != role) {
+                all.push((role, said));
+            }
+        }
+    }
+    all
+}
+
+/// The places that a text names to do something at, or to turn something on or off at, each with its sentence.
+fn named_places(text: &Routine) -> Vec<(&str, (&str, &Quote))> {
+    let file = text.file.as_str();
+    let habits = text.habits.iter().filter_map(|habit| Some((habit.place.as_deref()?, (file, &habit.said))));
+    let rules = text.rules.iter().filter_map(|rule| {
+        let place = match &rule.response {
+            Response::Turn { thing, .. } => Some(thing.as_str()),
+            Response::Do { place, .. } => place.as_deref(),
+        };
+        Some((place?, (file, &rule.said)))
+    });
+    habits.chain(rules).collect()
+}
