@@ -178,6 +178,15 @@ mod tests {
     }
 
     #[test]
+    fn what_our_own_sensors_say_first_begins_something() {
+        for kind in homebody_core::sensors::kinds::KINDS {
+            let Some(first) = kind.values.first() else { continue };
+            let says = says(&first.to_string());
+            assert!(matches!(says, Says::Begins | Says::Opens), "a {} sensor says {first}: {says:?}", kind.key);
+        }
+    }
+
+    #[test]
     fn what_is_on_goes_on_until_it_is_off() {
         let log = log(&[
             (5, "M1", "ON"),

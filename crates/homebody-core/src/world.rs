@@ -19,7 +19,7 @@ use crate::scenario::path::Posture;
 use crate::sensor_set::{BLOCK, BLOCKS, Mask, SensorSet, bit, bits, blocks};
 use crate::sensors::device::Device;
 use crate::sensors::motion::{Level, Motion};
-use crate::sensors::outbox::{Change, Outbox};
+use crate::sensors::outbox::{Change, DeviceModel, Outbox};
 use crate::sensors::timing::{Machine, Seen, TimerOutcome};
 use crate::sensors::zones::Pulses;
 use crate::sensors::{Kind, Sensor};

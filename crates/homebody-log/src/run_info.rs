@@ -4,7 +4,7 @@ use homebody_core::recording::Recording;
 use homebody_core::run::Run;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::sensors::Kind;
+use homebody_core::sensors::Sensor;
 
 /// What tells a run from others, and what its rows speak of.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,7 +41,11 @@ pub struct SensorInfo {
     pub is_motion: bool,
     /// What kind of sensor it is, as `home.json` writes it.
     pub kind: String,
-    /// The room that it is in.
+    /// Of its readings, such as `°C`. None for one that gives no readings.
+    pub unit: Option<String>,
+    /// What it says besides readings, such as `OPEN` and `CLOSE`; the logger may translate it.
+    pub values: Vec<String>,
+    /// The room that it is in. None between rooms, as on a door.
     pub room: Option<String>,
     /// Where it is on the plan, in metres to the east and to the north.
     pub at_m: [f64; 2],
@@ -51,16 +55,17 @@ impl RunInfo {
     /// What is known of a run before it is lived.
     pub fn of(scenario: &Scenario, run: &Run, recording: &Recording) -> RunInfo {
         let plan = &run.home().plan;
-        let sensor = |(sensor, file): (&homebody_core::sensors::Sensor, _)| {
-            let file: &homebody_core::scenario::home::SensorFile = file;
-            let room = plan.room_at(sensor.at).map(|room| plan.rooms[room].name.clone());
+        let sensor = |sensor: &Sensor| {
+            let info = sensor.info(plan);
             SensorInfo {
-                name: sensor.name.clone(),
-                id: scenario.logger.ids.get(&sensor.name).unwrap_or(&sensor.name).clone(),
-                is_motion: !matches!(sensor.kind, Kind::Device(_)),
-                kind: kind_of(file),
-                room: file.room().map(str::to_owned).or(room),
-                at_m: [sensor.at.x, sensor.at.y],
+                id: scenario.logger.ids.get(&info.name).unwrap_or(&info.name).clone(),
+                name: info.name,
+                is_motion: info.kind.senses_motion(),
+                kind: info.kind.key.to_owned(),
+                unit: info.unit.map(|unit| unit.symbol.to_owned()),
+                values: info.values.iter().map(ToString::to_string).collect(),
+                room: info.room,
+                at_m: [info.at.x, info.at.y],
             }
         };
         RunInfo {
@@ -70,7 +75,7 @@ impl RunInfo {
             seed: recording.seed,
             version: recording.version.clone(),
             calendar: scenario.calendar.clone(),
-            sensors: run.sensors().iter().zip(&scenario.home.sensors).map(sensor).collect(),
+            sensors: run.sensors().iter().map(sensor).collect(),
             residents: run.names(),
             rooms: plan.rooms.iter().map(|room| room.name.clone()).collect(),
             things: plan.things.iter().map(|thing| thing.name.clone()).collect(),
@@ -84,6 +89,8 @@ impl RunInfo {
             id: name.clone(),
             is_motion: false,
             kind: String::new(),
+            unit: None,
+            values: Vec::new(),
             room: None,
             at_m: [0.0; 2],
         };
@@ -105,10 +112,4 @@ impl RunInfo {
     pub fn sensor_names(&self) -> Vec<String> {
         self.sensors.iter().map(|sensor| sensor.name.clone()).collect()
     }
-}
-
-/// The kind, as the file writes it.
-fn kind_of(file: &homebody_core::scenario::home::SensorFile) -> String {
-    let json = serde_json::to_value(file).unwrap_or_default();
-    json["kind"].as_str().unwrap_or_default().to_owned()
 }

@@ -2,7 +2,6 @@
 
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::{Origin, Plan, furniture_outline, span_on_wall};
-use homebody_core::scenario::device::PressureFile;
 use homebody_core::scenario::home::{DoorFile, HomeFile, SensorFile};
 use homebody_core::sensors::Sensor;
 
@@ -184,7 +183,7 @@ pub fn ceiling_areas(sheet: &mut Sheet, home: &HomeFile, fill: &str) {
 /// The mats on the floor that feel who is on them.
 pub fn mats(sheet: &mut Sheet, home: &HomeFile) {
     for sensor in &home.sensors {
-        if let SensorFile::Pressure(PressureFile { area: Some(area), .. }) = sensor {
+        if let Some(area) = sensor.area() {
             let area = sheet.outline(&corners(area));
             sheet.svg.polygon(&area, &Paint::line(SENSOR, 1.2).dashed("2 3"));
             sheet.labels.soft.push(area);

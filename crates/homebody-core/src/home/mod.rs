@@ -8,7 +8,7 @@ pub mod sun;
 
 use crate::scenario::path::Posture;
 use crate::scenario::resident::{self, ResidentFile};
-use crate::sensors::Sensor;
+use crate::sensors::{Sensor, SensorInfo};
 use field::{Field, Size};
 use plan::Plan;
 use resolved::ResolvedHome;
@@ -73,6 +73,11 @@ impl Home {
             home.postures.push(fields);
         }
         home
+    }
+
+    /// What there is to say of each sensor, in the order of [`Home::sensors`].
+    pub fn sensor_infos(&self) -> Vec<SensorInfo> {
+        self.sensors.iter().map(|sensor| sensor.info(&self.plan)).collect()
     }
 
     /// What the sensors see of a resident in a posture.

@@ -1,8 +1,10 @@
 //! Where the sun stands over the home.
 
 use crate::scenario::calendar::Calendar;
-use crate::scenario::home::latitude;
 use crate::time::{DAY, Micros, SECOND};
+
+/// How far north Columbia is, the town of TigerPlace in Missouri, in degrees.
+pub const COLUMBIA_DEG: f64 = 38.95;
 
 /// What there is to know of the sun at the home: where it stands as a run begins. Daylight saving does not move it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,6 +49,6 @@ impl Sun {
 impl Default for Sun {
     /// The first of March, from midnight, in Missouri.
     fn default() -> Sun {
-        Sun { day_of_year: 59.0, time_of_day: 0, latitude_deg: latitude() }
+        Sun { day_of_year: 59.0, time_of_day: 0, latitude_deg: COLUMBIA_DEG }
     }
 }

@@ -1,14 +1,13 @@
 //! The scenario as its author wrote it: the JSON files of a scenario folder, as plain data.
 //!
 //! `scenario.json` links the home, the link, the logger and the residents; a resident links a driver.
-//! Reading order: this file, [`home`], [`device`], [`resident`], [`path`], [`input`], [`link`], [`logger`], then how the
+//! Reading order: this file, [`home`], [`resident`], [`path`], [`input`], [`link`], [`logger`], then how the
 //! text becomes data ([`load`]): places in the text ([`source`]), the right shape (`shape`, by the
 //! [`schema`]), the right meaning (`check`), and what is right but hardly
 //! meant ([`remarks`]). What code makes or changes of it is in [`edit`].
 
 pub mod calendar;
 mod check;
-pub mod device;
 pub mod edit;
 pub mod home;
 pub mod input;

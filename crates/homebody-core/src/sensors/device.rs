@@ -10,96 +10,54 @@
 //!
 //! Left out: what becomes of a message on its way to the logger.
 
-use super::bed::Bed;
-use super::contact::Contact;
-use super::flow::Flow;
-use super::light::Light;
-use super::outbox::{Change, Outbox};
-use super::power::Power;
-use super::pressure::Pressure;
-use super::stove_temperature::StoveTemperature;
-use super::temperature::Temperature;
+use super::form::Site;
+use super::kinds::devices;
+use super::outbox::{Change, DeviceModel, Outbox};
 use crate::home::sun::Sun;
 use crate::random::Stream;
+use crate::scenario::home::SensorFile;
 use crate::time::Micros;
 
-/// A sensor that is told, one kind each.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Device {
-    Contact(Contact),
-    Bed(Bed),
-    StoveTemperature(StoveTemperature),
-    Pressure(Pressure),
-    Power(Power),
-    Flow(Flow),
-    Light(Light),
-    Temperature(Temperature),
+macro_rules! device {
+    ($($kind:ident($module:ident, $form:ident))*) => {
+        /// A sensor that is told, one kind each.
+        #[derive(Clone, Debug, PartialEq)]
+        pub enum Device {
+            $($kind(super::$module::$kind)),*
+        }
+
+        impl Device {
+            /// The device that a file that has passed its checks describes, at its site; nothing for sensors that look for
+            /// movement.
+            pub fn new(file: &SensorFile, site: &Site) -> Option<Device> {
+                match file {
+                    SensorFile::Motion(_) | SensorFile::CeilingMotion(_) => None,
+                    $(SensorFile::$kind(file) => Some(Device::$kind(super::$module::$kind::new(file, site)))),*
+                }
+            }
+        }
+
+        impl DeviceModel for Device {
+            fn begin(&self, stream: Stream, sun: Sun) -> Device {
+                match self { $(Device::$kind(device) => Device::$kind(device.begin(stream, sun))),* }
+            }
+
+            fn feels_bodies(&self) -> bool {
+                match self { $(Device::$kind(device) => device.feels_bodies()),* }
+            }
+
+            fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
+                match self { $(Device::$kind(device) => device.on_event(at, change, outbox)),* }
+            }
+
+            fn timer(&self) -> Micros {
+                match self { $(Device::$kind(device) => device.timer()),* }
+            }
+
+            fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
+                match self { $(Device::$kind(device) => device.on_timer(at, outbox)),* }
+            }
+        }
+    };
 }
-
-impl Device {
-    /// The device at the beginning of a run, with random numbers of its own, under this sun.
-    pub fn begin(&self, stream: Stream, sun: Sun) -> Device {
-        match self {
-            Device::Contact(device) => Device::Contact(device.clone()),
-            Device::Bed(device) => Device::Bed(device.begin(stream)),
-            Device::StoveTemperature(device) => Device::StoveTemperature(device.begin(stream)),
-            Device::Pressure(device) => Device::Pressure(device.clone()),
-            Device::Power(device) => Device::Power(device.begin(stream)),
-            Device::Flow(device) => Device::Flow(device.clone()),
-            Device::Light(device) => Device::Light(device.begin(stream, sun)),
-            Device::Temperature(device) => Device::Temperature(device.begin(stream, sun)),
-        }
-    }
-
-    /// Whether it wants to be told what bodies do, which they say far more often than what they use.
-    pub fn feels_bodies(&self) -> bool {
-        match self {
-            Device::Bed(_) | Device::Pressure(_) => true,
-            Device::Contact(_) | Device::StoveTemperature(_) | Device::Power(_) | Device::Flow(_) => false,
-            Device::Light(_) | Device::Temperature(_) => false,
-        }
-    }
-
-    /// Something happens at `at`; timers that are due earlier have run out before, those that are due then have not. What
-    /// depends on all that happens at this instant waits for a timer that is due now.
-    pub fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
-        match self {
-            Device::Contact(device) => device.on_event(at, change, outbox),
-            Device::Bed(device) => device.on_event(at, change),
-            Device::StoveTemperature(device) => device.on_event(at, change, outbox),
-            Device::Pressure(device) => device.on_event(at, change),
-            Device::Power(device) => device.on_event(at, change, outbox),
-            Device::Flow(device) => device.on_event(at, change, outbox),
-            Device::Light(device) => device.on_event(at, change),
-            Device::Temperature(_) => {}
-        }
-    }
-
-    /// When its timer is due next: after it was told something, now at the earliest; after its timer ran out, later.
-    pub fn timer(&self) -> Micros {
-        match self {
-            Device::Contact(device) => device.timer(),
-            Device::Bed(device) => device.timer(),
-            Device::StoveTemperature(device) => device.timer(),
-            Device::Pressure(device) => device.timer(),
-            Device::Power(device) => device.timer(),
-            Device::Flow(device) => device.timer(),
-            Device::Light(device) => device.timer(),
-            Device::Temperature(device) => device.timer(),
-        }
-    }
-
-    /// Its timer runs out.
-    pub fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
-        match self {
-            Device::Contact(device) => device.on_timer(at, outbox),
-            Device::Bed(device) => device.on_timer(at, outbox),
-            Device::StoveTemperature(device) => device.on_timer(at, outbox),
-            Device::Pressure(device) => device.on_timer(at, outbox),
-            Device::Power(device) => device.on_timer(at, outbox),
-            Device::Flow(device) => device.on_timer(at, outbox),
-            Device::Light(device) => device.on_timer(at, outbox),
-            Device::Temperature(device) => device.on_timer(at, outbox),
-        }
-    }
-}
+devices!(device);

@@ -9,9 +9,11 @@
 //! Left out: what becomes of a message on its way to the logger.
 
 use crate::event::{MotionState, Provenance, Trigger, Value, Vitals};
+use crate::home::sun::Sun;
 use crate::ids::{ResidentId, ThingId};
+use crate::random::Stream;
 use crate::scenario::path::Posture;
-use crate::time::Micros;
+use crate::time::{Micros, NEVER};
 
 /// What a device is told.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +24,31 @@ pub enum Change {
     Body { resident: ResidentId, begin: Micros, end: Micros, doing: MotionState, posture: Posture },
     /// From now on a resident's heart and lungs are like this.
     Vitals { resident: ResidentId, vitals: Vitals },
+}
+
+/// How a device behaves. What does nothing by default, many do not need.
+pub trait DeviceModel: Clone {
+    /// The device at the beginning of a run, with random numbers of its own, under this sun.
+    fn begin(&self, _stream: Stream, _sun: Sun) -> Self {
+        self.clone()
+    }
+
+    /// Whether it wants to be told what bodies do, which they say far more often than what they use.
+    fn feels_bodies(&self) -> bool {
+        false
+    }
+
+    /// Something happens at `at`; timers that are due earlier have run out before, those that are due then have not. What
+    /// depends on all that happens at this instant waits for a timer that is due now.
+    fn on_event(&mut self, _at: Micros, _change: &Change, _outbox: &mut Outbox) {}
+
+    /// When its timer is due next: after it was told something, now at the earliest; after its timer ran out, later.
+    fn timer(&self) -> Micros {
+        NEVER
+    }
+
+    /// Its timer runs out.
+    fn on_timer(&mut self, _at: Micros, _outbox: &mut Outbox) {}
 }
 
 /// What devices say, for the world to send.

@@ -136,7 +136,8 @@ pub fn device(dice: &mut Dice, index: i64, width: f64, depth: f64) -> Value {
         0 => json!({ "kind": "contact", "on": thing }),
         1 | 2 => json!({ "kind": "bed", "on": "bed", "levels_s": [delay, 1, 1.5, 4], "vitals_every_s": often,
             "still_s": delay }),
-        3 => json!({ "kind": "stove_temperature", "on": thing, "hot_c": 500, "readings_every_s": often }),
+        3 => json!({ "kind": "stove_temperature", "on": thing, "hot_c": 1000, "on_above_c": 150,
+            "off_below_c": 149, "readings_every_s": often }),
         4 => json!({ "kind": "pressure", "on": (["bed", "rug"][dice.below(2) as usize]), "delay_s": delay }),
         5 => {
             let (x, y) = (dice.between(0.0, width - 2.0), dice.between(0.0, depth - 2.0));
