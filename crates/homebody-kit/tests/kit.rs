@@ -1,7 +1,7 @@
 //! Scenarios opened, runs lived and stored, cohorts, and what is refused.
 
 use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
-use homebody_core::event::{Events, Firing, MotionState, ThingUse};
+use homebody_core::event::{Events, Fact, Firing, MotionState, ThingUse};
 use homebody_core::geometry::Point;
 use homebody_core::home::Home;
 use homebody_core::ids::ThingId;
@@ -185,6 +185,31 @@ fn lived_by(driver: impl Fn(&Home) -> Odd + Send + Sync + 'static) -> Result<Mic
     let run = tigerplace().run().length(DAY / 4).driver("margaret", move |home, _| driver(home)).start()?;
     let sink = &mut |_: &LiveRun, _: homebody_kit::Batch| Ok::<(), BoxError>(());
     Ok(run.give_to(sink, |_| ())?.lived)
+}
+
+#[test]
+fn what_happened_before_a_driver_went_wrong_is_handed_on() {
+    let odd = |now: Micros| match now {
+        0 => segment(0, 90 * 60 * SECOND, MotionState::InPlace { at: Point::new(6.0, 4.0), amplitude_m: 0.3 }),
+        _ => segment(now, now, MotionState::Away),
+    };
+    let run = tigerplace().run().days(1).driver("margaret", move |_, _| Odd(odd));
+    let mut run = run.start().unwrap();
+    let (mut firings, mut movements, mut end) = (0, 0, 0);
+    let error = loop {
+        match run.next_batch() {
+            Ok(Some(batch)) => {
+                firings += batch.firings.iter().filter(|firing| firing.at >= 60 * 60 * SECOND).count();
+                movements += batch.facts.iter().filter(|fact| matches!(fact, Fact::Movement { .. })).count();
+                end = batch.end;
+            }
+            Ok(None) => panic!("it has ended without an error"),
+            Err(error) => break error,
+        }
+    };
+    assert!(error.to_string().contains("asked at 5400 s"), "{error}");
+    assert!(firings > 100 && movements == 2, "{firings} firings, {movements} movements");
+    assert_eq!(end, 5400 * SECOND);
 }
 
 #[test]
