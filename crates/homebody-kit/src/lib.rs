@@ -40,7 +40,7 @@ mod cohort;
 mod given;
 
 pub use cancel::Cancel;
-pub use cohort::{Cohort, CohortList, CohortSetup, LIST, ListedMember, LivedCohort, Member};
+pub use cohort::{Cohort, CohortList, CohortSetup, LIST, ListedMember, LivedCohort, Member, UnfinishedCohort};
 pub use error::{BoxError, Error};
 pub use given::{Given, place_of_log};
 pub use homebody_log::Url;

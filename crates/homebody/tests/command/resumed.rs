@@ -89,6 +89,52 @@ fn a_run_that_was_stopped_is_gone_on_with() {
     }
 }
 
+/// Both kinds of cohorts, the listed one with texts that only its rows name.
+#[test]
+fn a_cohort_goes_on_with_the_members_that_are_missing() {
+    let folder = Folder::new();
+    folder.copy_scenario("tigerplace");
+    folder.write("tigerplace/late.routine", "The person gets up at 09:00.\n");
+    folder.write("tigerplace/conditions/low-mood.routine", "The person goes to bed 1 hour earlier.\n");
+    let list = "name;routine;conditions;seed\nbea;late.routine;;\ncarl, or c;;low mood;7\ndora;;;\nemil;;;\n";
+    folder.write("people.csv", list);
+    for who in ["--residents 4", "--profiles people.csv"] {
+        let live = format!("run tigerplace {who} --for 2d --quiet");
+        let begun = Instant::now();
+        folder.run(&live).ok();
+        let (whole, took) = (left(&folder, "tigerplace-1"), begun.elapsed());
+        assert!(whole.len() > 4 * 4);
+        folder.run("run --resume runs/tigerplace-1").fails(2, "is complete: there is nothing to go on with");
+        for share in [0.0, 0.3, 0.6, 0.9] {
+            let running = folder.start(&live);
+            folder.until("the cohort is begun", |folder| folder.path("runs/tigerplace-2/cohort.json").exists());
+            thread::sleep(took.mul_f64(share));
+            running.kill();
+            let members =
+                serde_json::from_str::<serde_json::Value>(&folder.read("runs/tigerplace-2/cohort.json")).unwrap();
+            let is_over = !members["members"].as_array().unwrap().is_empty();
+            assert!(share > 0.5 || !is_over, "it was killed on its way");
+            if !is_over {
+                folder.run("run --resume runs/tigerplace-2 --quiet").ok();
+            }
+            assert_eq!(differ(&folder, "tigerplace-2", &whole), Vec::<String>::new(), "{who}, killed after {share}");
+            fs::remove_dir_all(folder.path("runs/tigerplace-2")).unwrap();
+        }
+        // One who is lost is lived again; all others stay.
+        let one = whole.iter().find_map(|(name, _)| name.strip_suffix("/recording.json")).unwrap();
+        fs::remove_dir_all(folder.path(&format!("runs/tigerplace-1/{one}"))).unwrap();
+        folder.run("run --resume runs/tigerplace-1 --quiet").ok();
+        assert_eq!(differ(&folder, "tigerplace-1", &whole), Vec::<String>::new(), "{who}, without {one}");
+        // The control: a member of another cohort is not passed off as one of this.
+        let recording = folder.read(&format!("runs/tigerplace-1/{one}/recording.json"));
+        let mut other: serde_json::Value = serde_json::from_str(&recording).unwrap();
+        (other["run_id"], other["sha256"]) = (7.into(), "".into());
+        folder.write(&format!("runs/tigerplace-1/{one}/recording.json"), other.to_string());
+        folder.run("run --resume runs/tigerplace-1").fails(2, "it is of another cohort");
+        fs::remove_dir_all(folder.path("runs/tigerplace-1")).unwrap();
+    }
+}
+
 /// The negative control: where what is there was changed, it is not passed off as the run.
 #[test]
 fn what_was_changed_is_not_gone_on_with() {
