@@ -21,6 +21,7 @@ use crate::url::Url;
 use activities::Notes;
 pub use activities::{Activity, Life, activities, lives};
 pub(crate) use activities::{Cause, Causes};
+use foldhash::HashMap;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::{DAY, Micros};
@@ -30,7 +31,6 @@ pub use movements::{Movement, MovementKind, Movements};
 pub use run_clock::RunClock;
 use serde::Serialize;
 pub(crate) use sqlite::text;
-use std::collections::HashMap;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -193,7 +193,7 @@ struct Reading<'t> {
 
 impl<'t> Reading<'t> {
     fn new(take: &'t mut dyn FnMut(&Log) -> Result<(), LogError>) -> Reading<'t> {
-        let (sensors, values) = (HashMap::new(), HashMap::new());
+        let (sensors, values) = (HashMap::default(), HashMap::default());
         let (instants, notes) = (Instants::default(), Notes::default());
         Reading { log: Log::default(), take, sensors, values, instants, notes, last: 0 }
     }
