@@ -8,6 +8,10 @@ pub mod time;
 pub mod geometry;
 pub mod random;
 
+// What names are made of, and what activities are called.
+pub mod names;
+pub mod activity;
+
 // What the user wrote, and what is wrong with it.
 pub mod scenario;
 pub mod problem;

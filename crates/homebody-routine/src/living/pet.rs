@@ -16,6 +16,7 @@ use super::life::Life;
 use super::manner::Manner;
 use super::places::{Places, Role, Spot};
 use crate::walk::Wandering;
+use homebody_core::activity;
 use homebody_core::drivers::{Decide, MotionSegment, Next};
 use homebody_core::event::MotionState;
 use homebody_core::geometry::Point;
@@ -86,9 +87,9 @@ impl PetDriver {
         let rests = !sleeps && !self.asleep && self.stream.chance(0.6);
         self.asleep = sleeps;
         let name = match (sleeps, rests) {
-            (true, _) => "sleeping",
-            (false, true) => "resting",
-            (false, false) => "roaming",
+            (true, _) => activity::SLEEPING,
+            (false, true) => activity::RESTING,
+            (false, false) => activity::ROAMING,
         };
         self.ready.push_back(Next::Activity(Some(name.into())));
         let to = match (sleeps, self.stream.unit()) {

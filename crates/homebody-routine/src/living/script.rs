@@ -5,6 +5,7 @@ use super::manner::Manner;
 use super::places::{Places, Role, Spot};
 use crate::routine::{Activity, Meal};
 use crate::walk::Wandering;
+use homebody_core::activity::LEAVING_HOME;
 use homebody_core::event::Need;
 use homebody_core::geometry::Point;
 use homebody_core::random::Stream;
@@ -119,7 +120,7 @@ pub fn script(
     setting: &mut Setting,
 ) -> VecDeque<Step> {
     let mut steps = Steps { steps: VecDeque::new(), setting };
-    steps.push(Step::Name(activity.name()));
+    steps.push(Step::Name(activity.label().into()));
     steps.act_out(activity, place, lasts, until);
     steps.steps
 }
@@ -352,13 +353,13 @@ impl Steps<'_, '_> {
     }
 
     fn leave(&mut self, lasts: Micros, until: Option<Micros>) {
-        self.push(Step::Name("leaving_home".into()));
+        self.push(Step::Name(LEAVING_HOME.into()));
         let dressing = self.around(80.0);
         self.at(Role::Coats, None, dressing, Manner::BUSY, Interruptible::Rules);
         self.through_the_door();
-        self.push(Step::Name(Activity::Leave.name()));
+        self.push(Step::Name(Activity::Leave.label().into()));
         self.push(Step::Away { lasts, until });
-        self.push(Step::Name(Activity::ComeHome.name()));
+        self.push(Step::Name(Activity::ComeHome.label().into()));
         self.act(Role::FrontDoor, true);
         let inside = self.around(6.0);
         self.stay(Posture::Standing, Manner::BUSY, inside, Interruptible::Rules);

@@ -2,6 +2,7 @@
 //!
 //! Its input is plain data, so that a day which is only planned can be drawn as well: bands without ticks.
 
+use homebody_core::activity::ActivityKind;
 use homebody_core::geometry::Point;
 use std::fmt::Write;
 
@@ -9,7 +10,6 @@ use super::chart::heading;
 use super::font;
 use super::paint::{FLOOR, HAIRLINE, INK, MUTED, Paint, WALL, WHITE};
 use super::svg::{Anchor, Px, Svg, Type};
-use crate::activity_kind::ActivityKind;
 
 /// A day to be drawn. Times are seconds since its midnight; what lies outside the day is cut off.
 #[derive(Clone, Debug, Default, PartialEq)]
