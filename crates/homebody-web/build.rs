@@ -9,7 +9,9 @@ use std::process::Command;
 fn main() {
     let web = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default()).join("../../web");
     let page = PathBuf::from(env::var_os("OUT_DIR").unwrap_or_default()).join("page");
-    for watched in ["src", "public", "index.html", "package.json", "package-lock.json", "vite.config.ts"] {
+    for watched in
+        ["src", "public", "index.html", "package.json", "package-lock.json", "vite.config.ts", "with-node.sh"]
+    {
         println!("cargo:rerun-if-changed={}", web.join(watched).display());
     }
     // The plan's editor takes its fields from it.
@@ -36,9 +38,10 @@ fn build(web: &Path, page: &Path) -> Result<(), String> {
     npm(web, &["run", "build", "--", "--outDir", &out, "--emptyOutDir"])
 }
 
+/// Runs npm with a Node.js that suffices, which is installed where the system's does not.
 fn npm(web: &Path, words: &[&str]) -> Result<(), String> {
-    let done = Command::new("npm").args(words).current_dir(web).output();
-    let done = done.map_err(|error| format!("npm cannot be run ({error}); install Node.js 20.19 or later"))?;
+    let done = Command::new("sh").args(["with-node.sh", "npm"]).args(words).current_dir(web).output();
+    let done = done.map_err(|error| format!("npm cannot be run ({error})"))?;
     if done.status.success() {
         return Ok(());
     }
@@ -53,7 +56,7 @@ fn say_why(page: &Path, why: &str) {
     let why = why.replace('&', "&amp;").replace('<', "&lt;");
     let text = format!(
         "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Homebody</title><h1>This page was not built</h1>\
-         <p>{why}</p><p>Install Node.js 20.19 or later, and build the program again.</p></html>\n"
+         <p>{why}</p><p>Once that is mended, run <code>touch web/package.json</code>, and build the program again.</p></html>\n"
     );
     let _ = fs::remove_dir_all(page);
     let written = fs::create_dir_all(page).and_then(|()| fs::write(page.join("index.html"), text));

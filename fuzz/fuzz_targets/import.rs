@@ -15,7 +15,7 @@ use homebody_core::home::plan::Plan;
 use homebody_core::random::Stream;
 use homebody_core::scenario::load::Scenario;
 use homebody_import::{Imported, sweet_home};
-use homebody_routine::walk::Mesh;
+use homebody_walk::Mesh;
 use libfuzzer_sys::{fuzz_mutator, fuzz_target, fuzzer_mutate};
 use std::collections::BTreeMap;
 use std::io::{Cursor, Write};

@@ -15,11 +15,13 @@
 mod measure;
 mod scene;
 
+use homebody_core::drivers::MotionSegment;
 use homebody_core::drivers::live::{KeyTrack, LiveDriver};
-use homebody_core::drivers::{Driver, MotionSegment};
 use homebody_core::event::{Events, MotionState};
 use homebody_core::geometry::Point;
+use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::home::{Build, Home};
+use homebody_core::ids::ResidentId;
 use homebody_core::naive::brute::BruteEye;
 use homebody_core::naive::paper::PaperEye;
 use homebody_core::naive::{Eye, Loop, Player, Remainder};
@@ -30,7 +32,8 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use homebody_core::world::World;
-use homebody_log::{Logger, RunInfo, Url};
+use homebody_log::logger::destinations;
+use homebody_log::{How, Logger, RunInfo, Url};
 use measure::{Spread, insert, rows};
 use std::path::Path;
 use std::sync::Arc;
@@ -46,7 +49,7 @@ const EXCERPT: Micros = SECOND / 2;
 fn main() {
     let build = Build { radius_m: 0.22, height_m: 1.65 };
     let start = Instant::now();
-    let home = Arc::new(Home::bake(&scene::home(), &[build]));
+    let home = Arc::new(Home::bake(&ResolvedHome::new(scene::home()).expect("a home"), &[build]));
     println!("the bench scene, baked in {:.1} ms", start.elapsed().as_secs_f64() * 1e3);
     let mut lines = Vec::new();
     for (name, schedule) in [("day", scene::day(60 * DAY)), ("walk", scene::walk(4 * DAY))] {
@@ -80,20 +83,20 @@ fn against_loops(name: &str, home: &Arc<Home>, build: Build, schedule: &[MotionS
     ]
 }
 
-/// DriverProvider the schedule; seconds for a simulated second.
+/// Lives the schedule; seconds for a simulated second.
 fn kernel(home: &Arc<Home>, schedule: &[MotionSegment]) -> f64 {
     let mut world = World::new(home.clone(), 1, 1);
     let mut events = Events::default();
     let start = Instant::now();
     for next in schedule {
-        world.begin(0, next);
+        world.begin(ResidentId(0), next);
         world.advance(next.end, &mut events);
         events.clear();
     }
     start.elapsed().as_secs_f64() / seconds(world.now())
 }
 
-/// DriverProvider the excerpts in a loop of 60 updates a second; seconds for a simulated second.
+/// Lives the excerpts in a loop of 60 updates a second; seconds for a simulated second.
 fn naive(eye: impl Eye, home: &Home, build: Build, excerpts: &[MotionSegment]) -> f64 {
     let mut naive = Loop::new(eye, home, 1, 1, Remainder::Kept);
     let mut firings = Vec::new();
@@ -148,20 +151,20 @@ fn against_inserts(home: &Arc<Home>, schedule: &[MotionSegment]) -> String {
     Spread::of(&ratios).line("sqlite_vs_bare", 3)
 }
 
-/// DriverProvider the schedule into a database, by the hour; seconds.
+/// Lives the schedule into a database, by the hour; seconds.
 fn run_into(path: &Path, home: &Arc<Home>, schedule: &[MotionSegment]) -> f64 {
     let sensors: Vec<String> = home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
     let url: Url = format!("sqlite:{}", path.display()).parse().expect("a URL");
     let calendar = Calendar::new("2026-01-01T00:00:00", "America/Chicago").expect("a calendar");
-    let info = RunInfo { id: 1, scenario: "bench".into(), seed: 1, version: "bench".into() };
+    let info = Arc::new(RunInfo::plain("bench", calendar, &sensors));
     let start = Instant::now();
-    let opened = Logger::open(&[url], &LoggerFile::default(), &sensors, &calendar, &info, true);
-    let mut logger = opened.expect("an open database");
+    let places = destinations(&[url], How::Replace).expect("a place that can be written");
+    let mut logger = Logger::open(places, &LoggerFile::default(), &info, How::Replace).expect("an open database");
     let mut world = World::new(home.clone(), 1, 1);
     let mut events = Events::default();
     let mut handed_over = 0;
     for next in schedule {
-        world.begin(0, next);
+        world.begin(ResidentId(0), next);
         world.advance(next.end, &mut events);
         if next.end >= handed_over + STEP {
             logger.store(&events.firings, next.end).expect("stored firings");
@@ -193,11 +196,11 @@ fn live_step(home: Arc<Home>, build: Build) -> String {
             KeyTrack::written(&input, &home.plan),
         );
         let length = STEPS * SECOND / 60;
-        let mut run = Run::of(home.clone(), vec![build], vec![Driver::Live(Box::new(driver))], 1, length);
+        let mut run = Run::of(home.clone(), vec![build], vec![Box::new(driver)], 1, length);
         let mut events = Events::default();
         let start = Instant::now();
         for step in 1..=STEPS {
-            run.advance(step * SECOND / 60, &mut events);
+            run.advance(step * SECOND / 60, &mut events).expect("a driver whose answers bodies can follow");
             events.clear();
         }
         start.elapsed().as_secs_f64() * 1e6 / STEPS as f64

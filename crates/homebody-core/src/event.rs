@@ -1,6 +1,7 @@
 //! What comes out of the world: firings, and apart from them the truth.
 
 use crate::geometry::Point;
+use crate::ids::{ResidentId, RoomId, SensorId, ThingId};
 use crate::scenario::path::Posture;
 use crate::time::Micros;
 use std::fmt;
@@ -12,8 +13,7 @@ pub struct Firing {
     pub seq: u64,
     /// The time that the log gives it.
     pub at: Micros,
-    /// Index into the run's sensors.
-    pub sensor: u32,
+    pub sensor: SensorId,
     pub value: Value,
 }
 
@@ -80,7 +80,7 @@ impl fmt::Display for Value {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Provenance {
     /// Whose doing it was, if it was anybody's.
-    pub resident: Option<u32>,
+    pub resident: Option<ResidentId>,
     /// When what it was began to be noticed.
     pub seen_at: Micros,
     pub trigger: Trigger,
@@ -91,8 +91,8 @@ pub struct Provenance {
 pub enum Trigger {
     /// A body moved, came or left.
     Movement,
-    /// A thing was used: index into the home's things.
-    Use(u32),
+    /// A thing was used.
+    Use(ThingId),
     /// It was time for a reading, or what is measured has changed by itself.
     Reading,
     /// The message came twice.
@@ -128,27 +128,27 @@ pub enum Fact {
     /// Why a firing came: whose movement the sensor saw, and when it saw it.
     Provenance { seq: u64, provenance: Provenance },
     /// What a sensor said at `at`, or should have said, that never reached the logger.
-    Lost { at: Micros, sensor: u32, value: Value, provenance: Provenance, loss: Loss },
-    /// What a resident's body does over a span; the spans of a resident follow each other without gaps.
-    Movement { resident: u32, begin: Micros, end: Micros, doing: MotionState, posture: Posture },
-    /// From `at` on, the resident is in this room (index into the plan's rooms), or in none: between
+    Lost { at: Micros, sensor: SensorId, value: Value, provenance: Provenance, loss: Loss },
+    /// What a resident's body did over a span, told when that is over: the spans of a resident follow each other without
+    /// gaps, and no two that follow each other are the same rest, in-place motion or absence.
+    Movement { resident: ResidentId, begin: Micros, end: Micros, doing: MotionState, posture: Posture },
+    /// From `at` on, the resident is in this room, or in none: between
     /// rooms or away.
-    Room { resident: u32, at: Micros, room: Option<u32> },
+    Room { resident: ResidentId, at: Micros, room: Option<RoomId> },
     /// From `at` on, the resident does this; nothing ends what was done before.
-    Activity { resident: u32, at: Micros, name: Option<String> },
+    Activity { resident: ResidentId, at: Micros, name: Option<String> },
     /// A resident used a thing.
-    Use { resident: u32, at: Micros, act: ThingUse },
+    Use { resident: ResidentId, at: Micros, act: ThingUse },
     /// How strong a need of a resident is, from 0 (met) to 1 (pressing).
-    Need { resident: u32, at: Micros, need: Need, level: f64 },
+    Need { resident: ResidentId, at: Micros, need: Need, level: f64 },
     /// From `at` on, until it is told again, a resident's condition is this severe; 1 is a moderate case.
-    Condition { resident: u32, at: Micros, name: String, severity: f64 },
+    Condition { resident: ResidentId, at: Micros, name: String, severity: f64 },
 }
 
 /// Using a thing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ThingUse {
-    /// Index into the home's things.
-    pub thing: u32,
+    pub thing: ThingId,
     /// How it is afterwards: on or open, or off or closed.
     pub on: bool,
 }

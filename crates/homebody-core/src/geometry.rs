@@ -5,8 +5,11 @@ pub mod overlap;
 /// A point or a direction on the floor plan, in metres.
 pub type Point = glam::DVec2;
 
+/// A point on the floor plan: x to the east, y to the north, in metres.
+pub type At = [f64; 2];
+
 /// A point as files write it.
-pub fn point(at: [f64; 2]) -> Point {
+pub fn point(at: At) -> Point {
     Point::new(at[0], at[1])
 }
 

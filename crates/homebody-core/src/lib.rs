@@ -22,6 +22,8 @@ pub mod sensors;
 
 // Movement: strides, who decides on them, the world they happen in, and the way of what its sensors say.
 pub mod stride;
+pub mod ids;
+pub mod sensor_set;
 pub mod event;
 mod timers;
 pub mod drivers;
@@ -30,6 +32,7 @@ pub mod link;
 pub mod run;
 pub mod scene;
 pub mod recording;
+pub mod snapshots;
 
 // The naive way, as oracle and as baseline.
 pub mod naive;

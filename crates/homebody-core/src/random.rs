@@ -166,6 +166,11 @@ impl Range {
     }
 }
 
+/// A stream that nobody draws from: what somebody holds until a run begins.
+pub fn no_stream() -> Stream {
+    Stream::named(0, "")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -32,7 +32,16 @@ pub struct Recording {
     /// Whether the residents are one of many: not quite as their routines are written.
     #[serde(default, skip_serializing_if = "is_false")]
     pub one_of_many: bool,
-    /// How many firings it had, and the SHA-256 of them.
+    /// Which home of several it is: the name of a member of a cohort.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub home: Option<String>,
+    /// The id that the rows of the run have; None where it follows from the rest.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub run_id: Option<i64>,
+    /// How long it was to be, where it was stopped before, in microseconds.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stopped_of_us: Option<Micros>,
+    /// How many firings it had, and the SHA-256 of them: empty until the run is complete.
     pub firings: u64,
     pub sha256: String,
 }
@@ -42,6 +51,64 @@ fn is_false(value: &bool) -> bool {
 }
 
 impl Recording {
+    /// The recording of a run of a scenario that has not begun; `entry` is the name of the scenario's own file. It has all of
+    /// its conditions and is no member of a cohort, unless that is said.
+    pub fn of(scenario: &Scenario, version: &str, entry: &str, seed: u64, length: Micros) -> Recording {
+        Recording {
+            version: version.into(),
+            entry: entry.into(),
+            files: scenario.sources.clone(),
+            seed,
+            length_us: length,
+            without: Vec::new(),
+            one_of_many: false,
+            home: None,
+            run_id: None,
+            stopped_of_us: None,
+            firings: 0,
+            sha256: String::new(),
+        }
+    }
+
+    /// The same with its id settled: what is done at the keys later does not change it.
+    pub fn begun(self) -> Recording {
+        Recording { run_id: Some(self.run_id()), ..self }
+    }
+
+    /// Whether the run was completed, at its end or where it was stopped: a run that was killed is not.
+    pub fn is_complete(&self) -> bool {
+        !self.sha256.is_empty()
+    }
+
+    /// The recording of the same run as it is begun again, to go on where it was killed or stopped; None where it was lived
+    /// to its end.
+    pub fn unfinished(&self) -> Option<Recording> {
+        let length_us = if self.is_complete() { self.stopped_of_us? } else { self.length_us };
+        let (firings, sha256) = (0, String::new());
+        Some(Recording { length_us, stopped_of_us: None, firings, sha256, ..self.clone() })
+    }
+
+    /// The id of the run: the same for the same texts, seed, conditions left out and home, whatever its length. It is a
+    /// number from 1 to 2^47 - 1, so that it takes six bytes in a database and is exact in JSON.
+    pub fn run_id(&self) -> i64 {
+        self.run_id.unwrap_or_else(|| {
+            let mut hash = Sha256::new();
+            let mut add = |text: &str| {
+                hash.update((text.len() as u64).to_le_bytes());
+                hash.update(text);
+            };
+            add(&self.entry);
+            self.files.iter().for_each(|(name, text)| [name, text].into_iter().for_each(|part| add(part)));
+            self.without.iter().for_each(|condition| add(condition));
+            add(self.home.as_deref().unwrap_or_default());
+            add(&self.seed.to_string());
+            add(if self.one_of_many { "one of many" } else { "" });
+            let digest = hash.finalize();
+            let bytes: [u8; 8] = std::array::from_fn(|index| digest[index]);
+            ((u64::from_le_bytes(bytes) >> 17) as i64).max(1)
+        })
+    }
+
     /// The scenario that was recorded.
     pub fn scenario(&self) -> Result<Scenario, Problems> {
         Scenario::load(&self.files, &self.entry)
@@ -64,7 +131,7 @@ impl RunDigest {
     pub fn add(&mut self, firings: &[Firing]) {
         for firing in firings {
             self.hash.update(firing.at.to_le_bytes());
-            self.hash.update(firing.sensor.to_le_bytes());
+            self.hash.update(firing.sensor.0.to_le_bytes());
             // Motion sensors have but one thing to say.
             if firing.value != Value::Fire {
                 self.hash.update(firing.value.to_string());

@@ -1,18 +1,23 @@
 //! A run: residents with their drivers in a world, and the one loop of the program.
 
+use crate::drivers::absent::Absent;
+use crate::drivers::error::{DriverError, DriverFault, MOST_ANSWERS, WALL_M};
 use crate::drivers::live::{Input, KeyTrack, LiveDriver};
 use crate::drivers::path::PathDriver;
-use crate::drivers::{Body, Decide, Driver, MotionSegment, Next};
+use crate::drivers::{Driver, MotionSegment, Next, Occupant, Surroundings};
 use crate::event::{Events, Fact, MotionState, ThingUse};
-use crate::geometry::{self, Point};
+use crate::geometry;
 use crate::home::plan::Plan;
-use crate::home::{Build, Home, Sun};
+use crate::home::sun::Sun;
+use crate::home::{Build, Home};
+use crate::ids::{ResidentId, RoomId, ThingId};
 use crate::link::{self, Link};
 use crate::scenario::load::{self, Scenario};
 use crate::scene::{Presence, Scene};
+use crate::sensor_set::SensorSet;
 use crate::sensors::Sensor;
 use crate::stride::Stride;
-use crate::time::{Micros, NEVER, SECOND};
+use crate::time::{Micros, SECOND};
 use crate::world::World;
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -21,28 +26,30 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct Run {
     world: World,
-    residents: Vec<Resident>,
     names: Vec<String>,
+    /// By resident: who decides, what the body is doing, and what the truth knows of where it is.
+    drivers: Vec<Box<dyn Driver>>,
+    occupants: Vec<Occupant>,
+    told: Vec<Told>,
     /// By thing of the plan: who has turned it on, or opened it.
-    users: Vec<Vec<u32>>,
+    users: Vec<Vec<ResidentId>>,
     /// By thing of the plan: whether it is on, or open.
     on: Vec<bool>,
     /// Nothing where all that sensors say reaches the logger at once.
     link: Option<Box<Link>>,
     length: Micros,
+    /// Why it goes no further.
+    failure: Option<DriverError>,
 }
 
-#[derive(Clone, Debug)]
-struct Resident {
-    build: Build,
-    driver: Driver,
-    /// Until when the world knows what the resident does.
-    until: Micros,
-    room: Option<u32>,
+/// What the truth knows of a resident.
+#[derive(Clone, Debug, Default)]
+struct Told {
+    room: Option<RoomId>,
     /// Whether any room was told yet.
     located: bool,
-    /// Where the move that was told last ends; nothing while away.
-    last: Option<Point>,
+    /// Since when the body has been doing what it does: that is told when it ends. Before, all has been told.
+    since: Micros,
 }
 
 /// Who decides for those whose driver is not of this crate.
@@ -50,8 +57,9 @@ pub trait DriverProvider {
     /// Who comes into the home besides the scenario's residents.
     fn guests(&self) -> Vec<Guest>;
 
-    /// The driver of a body: the scenario's residents first, then the guests. Nothing where the scenario says all.
-    fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn Decide>>;
+    /// The driver of a body: the scenario's residents first, then the guests. `None` where the scenario says all; one that
+    /// is given moves the body whatever the scenario says.
+    fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn Driver>>;
 }
 
 /// A scenario of paths and keys needs nobody.
@@ -60,7 +68,7 @@ impl DriverProvider for () {
         Vec::new()
     }
 
-    fn driver(&self, _body: usize, _home: &Arc<Home>, _seed: u64) -> Option<Box<dyn Decide>> {
+    fn driver(&self, _body: usize, _home: &Arc<Home>, _seed: u64) -> Option<Box<dyn Driver>> {
         None
     }
 }
@@ -80,18 +88,16 @@ impl Run {
         let builds: Vec<Build> = residents.chain(guests.iter().map(|guest| guest.build)).collect();
         let start_of_day = scenario.calendar.start_of_day();
         let link = scenario.link.as_ref().map(|file| Link::new(file, &scenario.home.sensors, start_of_day, seed));
-        let mut file = Cow::Borrowed(&scenario.home);
-        if let Some(link) = &scenario.link {
-            file.to_mut().sensors.extend(link::other_places(link, &scenario.home.sensors));
-        }
-        let mut home = Home::bake(&file, &builds);
+        let places = scenario.link.as_ref().map(|link| link::other_places(link, &scenario.home.sensors));
+        let moved = places.map_or(Cow::Borrowed(&scenario.home), |more| Cow::Owned(scenario.home.with_sensors(more)));
+        let mut home = Home::bake(&moved, &builds);
         home.sun = Sun::of(&scenario.calendar, scenario.home.latitude_deg);
         let home = Arc::new(home);
         let drivers = (0..builds.len()).map(|body| {
-            let given = || drivers_of.driver(body, &home, seed).map(Driver::Other);
+            let given = drivers_of.driver(body, &home, seed);
             let resident = scenario.residents.get(body);
-            let own = resident.and_then(|resident| driver(resident, &home.plan, start_of_day));
-            own.or_else(given).unwrap_or(Driver::Absent)
+            let own = || resident.and_then(|resident| driver(resident, &home.plan, start_of_day));
+            given.or_else(own).unwrap_or_else(|| Box::new(Absent))
         });
         let drivers = drivers.collect();
         let mut run = Run { link: link.map(Box::new), ..Run::of(home, builds, drivers, seed, length) };
@@ -101,20 +107,22 @@ impl Run {
     }
 
     /// A run of any drivers in a baked home.
-    pub fn of(home: Arc<Home>, builds: Vec<Build>, drivers: Vec<Driver>, seed: u64, length: Micros) -> Run {
+    pub fn of(home: Arc<Home>, builds: Vec<Build>, drivers: Vec<Box<dyn Driver>>, seed: u64, length: Micros) -> Run {
         let users = vec![Vec::new(); home.plan.things.len()];
         let on = home.plan.things.iter().map(|thing| thing.on).collect();
         let world = World::new(home, drivers.len(), seed);
-        let resident = |(build, driver)| Resident { build, driver, until: 0, room: None, located: false, last: None };
         let names = (1..=drivers.len()).map(|number| format!("resident {number}")).collect();
         Run {
             world,
-            residents: builds.into_iter().zip(drivers).map(resident).collect(),
             names,
+            occupants: builds.into_iter().map(Occupant::new).collect(),
+            told: vec![Told::default(); drivers.len()],
+            drivers,
             users,
             on,
             link: None,
             length,
+            failure: None,
         }
     }
 
@@ -151,179 +159,209 @@ impl Run {
 
     /// What the run looks like now.
     pub fn scene(&self) -> Scene {
-        let body = |resident: usize| {
+        let body = |resident: ResidentId| {
             Some(Presence {
                 at: self.world.position(resident)?,
                 heading: self.world.heading(resident),
                 posture: self.world.posture(resident),
-                room: self.residents[resident].room,
+                room: self.told[resident.index()].room,
             })
         };
-        let all = 0..self.residents.len();
+        let all = (0..self.drivers.len()).map(ResidentId::of);
         Scene {
             now: self.now(),
             bodies: all.clone().map(body).collect(),
-            seeing: all.fold(0, |seeing, resident| seeing | self.world.seeing(resident)),
-            on: (0..).zip(&self.on).filter(|(_, on)| **on).map(|(thing, _)| thing).collect(),
+            seeing: all.fold(SensorSet::default(), |seeing, resident| seeing | self.world.seeing(resident)),
+            on: (0..self.on.len()).filter(|&thing| self.on[thing]).map(ThingId::of).collect(),
         }
     }
 
-    /// The input of a resident who is moved by keys comes from whoever lives the run, after what its file says. False if the
-    /// resident is not moved by keys.
-    pub fn open_input(&mut self, resident: usize) -> bool {
-        let driver = self.residents.get_mut(resident).map(|resident| &mut resident.driver);
-        let Some(Driver::Live(driver)) = driver else { return false };
-        driver.open();
-        true
+    /// From now on the input of a resident comes from whoever lives the run, after what its file says. False if its driver
+    /// takes none.
+    pub fn open_input(&mut self, resident: ResidentId) -> bool {
+        self.drivers.get_mut(resident.index()).is_some_and(|driver| driver.open_input())
     }
 
     /// From now on the input of a resident whose input is open is this.
-    pub fn input(&mut self, resident: usize, input: Input) {
+    pub fn input(&mut self, resident: ResidentId, input: Input) {
         let now = self.now();
-        if let Some(Driver::Live(driver)) = self.residents.get_mut(resident).map(|resident| &mut resident.driver) {
+        if let Some(driver) = self.drivers.get_mut(resident.index()) {
             driver.input(now, input);
         }
     }
 
-    /// DriverProvider until `until` or the end of the run, whichever is first, and adds to `events` what happens
+    /// Lives until `until` or the end of the run, whichever is first, and adds to `events` what happens
     /// before then. In how many steps a run is advanced changes nothing.
-    pub fn advance(&mut self, until: Micros, events: &mut Events) {
+    ///
+    /// # Errors
+    ///
+    /// If a driver answers with what no body can do. The run has come to the instant at which it was asked, `events` has what
+    /// happened before, and the run goes no further: it gives the same error from then on.
+    pub fn advance(&mut self, until: Micros, events: &mut Events) -> Result<(), DriverError> {
         let until = until.min(self.length);
-        let Some(mut link) = self.link.take() else {
-            while self.now() < until {
-                self.begin_due(events);
-                self.go_on(until, events);
-            }
-            return;
-        };
+        let mut link = self.link.take();
         let mut said = Events::default();
-        while self.now() < until {
-            self.begin_due(events);
-            self.go_on(until, &mut said);
-            link.carry(&mut said, self.now(), events);
+        while self.now() < until && self.failure.is_none() {
+            self.failure = self.begin_due(events).err();
+            if self.failure.is_some() {
+                break;
+            }
+            match &mut link {
+                None => self.go_on(until, events),
+                Some(link) => {
+                    self.go_on(until, &mut said);
+                    link.carry(&mut said, self.now(), events);
+                }
+            }
         }
-        self.link = Some(link);
+        self.link = link;
+        if self.now() >= self.length || self.failure.is_some() {
+            events.facts.extend(self.under_way());
+            let now = self.now();
+            self.told.iter_mut().for_each(|told| told.since = now);
+        }
+        self.failure.clone().map_or(Ok(()), Err)
+    }
+
+    /// What each resident's body has been doing until now that is not told yet, as movements that end now. At the end of the
+    /// run there is none; for who stops a run before its end.
+    pub fn under_way(&self) -> impl Iterator<Item = Fact> {
+        (0..self.drivers.len()).map(ResidentId::of).filter_map(|resident| self.movement(resident))
+    }
+
+    /// What a resident's body has been doing until now, unless that is told.
+    fn movement(&self, resident: ResidentId) -> Option<Fact> {
+        let begin = self.told[resident.index()].since;
+        let MotionSegment { end, doing, posture, .. } = self.occupants[resident.index()].segment.until(self.now());
+        (begin < end).then_some(Fact::Movement { resident, begin, end, doing, posture })
+    }
+
+    /// Why the run goes no further, if it is for a driver's answer.
+    pub fn failure(&self) -> Option<&DriverError> {
+        self.failure.as_ref()
     }
 
     /// Asks the drivers of all whose move is over what comes next.
-    fn begin_due(&mut self, events: &mut Events) {
-        for resident in 0..self.residents.len() {
-            if self.residents[resident].until <= self.world.now() {
-                self.begin_next(resident, events);
+    fn begin_due(&mut self, events: &mut Events) -> Result<(), DriverError> {
+        for resident in (0..self.drivers.len()).map(ResidentId::of) {
+            if self.occupants[resident.index()].segment.end <= self.now() {
+                self.begin_next(resident, events).map_err(|fault| DriverError {
+                    resident: self.names[resident.index()].clone(),
+                    at: self.now(),
+                    fault,
+                })?;
             }
         }
+        Ok(())
     }
 
     /// Lets the world go on until somebody's move is over, or `until`.
     fn go_on(&mut self, until: Micros, events: &mut Events) {
-        let next = self.residents.iter().map(|resident| resident.until).min();
+        let next = self.occupants.iter().map(|occupant| occupant.segment.end).min();
         self.world.advance(until.min(next.unwrap_or(until)), events);
     }
 
-    /// DriverProvider the run from its beginning and returns what each resident does, for those who want to live it in another
-    /// way. Only for a run that has not been advanced: what is under way is not told again.
-    pub fn moves(&self) -> Vec<Vec<MotionSegment>> {
+    /// Lives the run from its beginning and returns what each resident does, for those who want to live it in another
+    /// way.
+    ///
+    /// # Errors
+    ///
+    /// As [`Run::advance`].
+    pub fn moves(&self) -> Result<Vec<Vec<MotionSegment>>, DriverError> {
         let mut run = Run { link: None, ..self.clone() };
-        let mut moves = vec![Vec::new(); run.residents.len()];
+        let mut moves = vec![Vec::new(); run.drivers.len()];
         let mut events = Events::default();
         while run.now() < run.length {
-            run.advance(run.now() + 3600 * SECOND, &mut events);
+            run.advance(run.now() + 3600 * SECOND, &mut events)?;
             for fact in events.facts.drain(..) {
                 if let Fact::Movement { resident, begin, end, doing, posture } = fact {
-                    moves[resident as usize].push(MotionSegment { begin, end, doing, posture });
+                    moves[resident.index()].push(MotionSegment { begin, end, doing, posture });
                 }
             }
             events.clear();
         }
-        moves
+        Ok(moves)
     }
 
     /// Asks the resident's driver what comes next, and tells the world.
-    fn begin_next(&mut self, resident: usize, events: &mut Events) {
+    fn begin_next(&mut self, resident: ResidentId, events: &mut Events) -> Result<(), DriverFault> {
         let now = self.world.now();
-        let minds_others = self.residents[resident].driver.minds_others();
-        let others = if minds_others { self.others(resident) } else { Vec::new() };
+        let things = self.on.len();
+        let here = self.occupants[resident.index()].segment.to();
+        let mut answers = 0;
         let next = loop {
-            match self.residents[resident].driver.next(now, &others, &self.on) {
+            let around = Surroundings::new(now, resident, &self.world.home().plan, &self.occupants, &self.on);
+            let answer = self.drivers[resident.index()].next(&around);
+            DriverFault::of(&answer, now, here, things).map_or(Ok(()), Err)?;
+            match answer {
                 Next::Activity(name) => {
-                    events.facts.push(Fact::Activity { resident: resident as u32, at: now, name });
+                    events.facts.push(Fact::Activity { resident, at: now, name });
                 }
                 Next::Use(act) => self.act(resident, act, now, events),
                 Next::Vitals(vitals) => self.world.feel(resident, vitals),
                 Next::Need(need, level) => {
-                    events.facts.push(Fact::Need { resident: resident as u32, at: now, need, level });
+                    events.facts.push(Fact::Need { resident, at: now, need, level });
                 }
                 Next::Condition(name, severity) => {
-                    events.facts.push(Fact::Condition { resident: resident as u32, at: now, name, severity });
+                    events.facts.push(Fact::Condition { resident, at: now, name, severity });
                 }
                 Next::Segment(next) => break next,
-                Next::Done => break self.rest(resident),
+            }
+            answers += 1;
+            if answers == MOST_ANSWERS {
+                return Err(DriverFault::NoEnd { answers });
             }
         };
-        self.residents[resident].until = next.end;
-        self.tell_rooms(resident, &next, events);
+        let rooms = self.rooms_of(resident, &next)?;
+        // Staying on as one is, however often it is said anew, is one movement.
+        if !next.goes_on(&self.occupants[resident.index()].segment) {
+            events.facts.extend(self.movement(resident));
+            self.told[resident.index()].since = now;
+        }
+        self.tell_rooms(resident, rooms, events);
         self.world.begin(resident, &next);
-        let MotionSegment { end, doing, posture, .. } = next.until(self.length);
-        events.facts.push(Fact::Movement { resident: resident as u32, begin: now, end, doing, posture });
+        self.occupants[resident.index()].segment = next;
+        Ok(())
     }
 
     /// A resident uses a thing. What several have turned on goes off with the last of them; what somebody else has left on,
     /// anybody turns off.
-    fn act(&mut self, resident: usize, act: ThingUse, now: Micros, events: &mut Events) {
-        let users = &mut self.users[act.thing as usize];
+    fn act(&mut self, resident: ResidentId, act: ThingUse, now: Micros, events: &mut Events) {
+        let users = &mut self.users[act.thing.index()];
         let was_on = !users.is_empty();
         if act.on {
-            if !users.contains(&(resident as u32)) {
-                users.push(resident as u32);
+            if !users.contains(&resident) {
+                users.push(resident);
             }
-        } else if users.contains(&(resident as u32)) {
-            users.retain(|user| *user != resident as u32);
+        } else if users.contains(&resident) {
+            users.retain(|user| *user != resident);
         } else {
             users.clear();
         }
         let changes = if act.on { !was_on } else { users.is_empty() };
         if changes {
-            self.on[act.thing as usize] = act.on;
-            events.facts.push(Fact::Use { resident: resident as u32, at: now, act });
+            self.on[act.thing.index()] = act.on;
+            events.facts.push(Fact::Use { resident, at: now, act });
             self.world.act(resident, act);
         }
     }
 
-    /// The bodies of the others, where they are now.
-    fn others(&self, resident: usize) -> Vec<Body> {
-        let others = (0..self.residents.len()).filter(|&other| other != resident);
-        others
-            .filter_map(|other| {
-                Some(Body { at: self.world.position(other)?, radius_m: self.residents[other].build.radius_m })
-            })
-            .collect()
-    }
-
-    /// Staying as one is, for ever.
-    fn rest(&self, resident: usize) -> MotionSegment {
-        let (at, posture) = self.residents[resident].driver.pose();
-        MotionSegment { begin: self.world.now(), end: NEVER, doing: MotionState::Rest { at }, posture }
-    }
-
-    /// Tells the truth which rooms the resident comes through.
-    fn tell_rooms(&mut self, resident: usize, next: &MotionSegment, events: &mut Events) {
-        let plan = &self.world.home().plan;
-        let Resident { room, last, .. } = &mut self.residents[resident];
-        let before = std::mem::replace(
-            last,
-            match next.doing {
-                MotionState::Stride { to, .. } => Some(to),
-                MotionState::InPlace { at, .. } | MotionState::Rest { at } => Some(at),
-                MotionState::Away => None,
-            },
-        );
+    /// The rooms that a resident comes through: from which instant on, and which, if any; none where that is as before. They
+    /// are of this home.
+    fn rooms_of(
+        &self,
+        resident: ResidentId,
+        next: &MotionSegment,
+    ) -> Result<Vec<(Micros, Option<usize>)>, DriverFault> {
+        let plan = &self.home().plan;
+        let before = self.occupants[resident.index()].segment.to();
         // Mostly the room stays the same, which needs no search.
         match next.doing {
-            MotionState::InPlace { at, .. } | MotionState::Rest { at } if before == Some(at) => return,
+            MotionState::InPlace { at, .. } | MotionState::Rest { at } if before == Some(at) => return Ok(Vec::new()),
             MotionState::Stride { from, to } if before == Some(from) => {
-                let here = room.map(|room| &plan.rooms[room as usize]);
+                let here = self.told[resident.index()].room.map(|room| &plan.rooms[room.index()]);
                 if here.is_some_and(|room| room.is_convex && geometry::contains(&room.outline, to)) {
-                    return;
+                    return Ok(Vec::new());
                 }
             }
             _ => {}
@@ -333,26 +371,35 @@ impl Run {
             MotionState::InPlace { at, .. } | MotionState::Rest { at } => vec![(next.begin, plan.room_at(at))],
             MotionState::Away => vec![(next.begin, None)],
         };
-        let Resident { room, located, .. } = &mut self.residents[resident];
+        let ends_in_none = rooms.last().is_none_or(|(_, room)| room.is_none());
+        match next.to().filter(|&at| ends_in_none && plan.distance_outside(at) > WALL_M) {
+            Some(at) => Err(DriverFault::Outside { at }),
+            None => Ok(rooms),
+        }
+    }
+
+    /// Tells the truth which rooms a resident comes through.
+    fn tell_rooms(&mut self, resident: ResidentId, rooms: Vec<(Micros, Option<usize>)>, events: &mut Events) {
+        let Told { room, located, .. } = &mut self.told[resident.index()];
         let length = self.length;
         for (at, new) in rooms.into_iter().filter(|&(at, _)| at < length) {
-            let new = new.map(|index| index as u32);
+            let new = new.map(RoomId::of);
             if !*located || *room != new {
                 (*located, *room) = (true, new);
-                events.facts.push(Fact::Room { resident: resident as u32, at, room: new });
+                events.facts.push(Fact::Room { resident, at, room: new });
             }
         }
     }
 }
 
 /// The driver that a resident's files ask for, if this crate knows it.
-fn driver(resident: &load::Resident, plan: &Plan, start_of_day: Micros) -> Option<Driver> {
+fn driver(resident: &load::Resident, plan: &Plan, start_of_day: Micros) -> Option<Box<dyn Driver>> {
     let load::Resident { file, driver } = resident;
     match driver {
-        load::Driver::Path(path) => Some(Driver::Path(PathDriver::new(path, plan, file.pace_mps, start_of_day))),
+        load::Driver::Path(path) => Some(Box::new(PathDriver::new(path, start_of_day))),
         load::Driver::Live { input, start } => {
             let keys = KeyTrack::written(input, plan);
-            Some(Driver::Live(Box::new(LiveDriver::new(plan, *start, file.radius_m, file.pace_mps, keys))))
+            Some(Box::new(LiveDriver::new(plan, *start, file.radius_m, file.pace_mps, keys)))
         }
         load::Driver::Routine { .. } => None,
     }

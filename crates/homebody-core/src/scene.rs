@@ -1,8 +1,9 @@
 //! What a run looks like at an instant, for those who watch it. Looking changes nothing.
 
 use crate::geometry::Point;
-use crate::home::field::Mask;
+use crate::ids::{RoomId, ThingId};
 use crate::scenario::path::Posture;
+use crate::sensor_set::SensorSet;
 use crate::time::Micros;
 
 /// A run at the instant that it has come to.
@@ -11,10 +12,10 @@ pub struct Scene {
     pub now: Micros,
     /// By resident; nothing for those who are out.
     pub bodies: Vec<Option<Presence>>,
-    /// The sensors that see somebody move, as bits.
-    pub seeing: Mask,
+    /// The sensors that see somebody move; also those of places that a sensor is moved to in the course of the run.
+    pub seeing: SensorSet,
     /// The things that are on, or open.
-    pub on: Vec<u32>,
+    pub on: Vec<ThingId>,
 }
 
 /// A body in the home.
@@ -24,5 +25,5 @@ pub struct Presence {
     /// Where it walks, of length one; nothing for who stays.
     pub heading: Option<Point>,
     pub posture: Posture,
-    pub room: Option<u32>,
+    pub room: Option<RoomId>,
 }

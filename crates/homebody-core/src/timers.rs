@@ -1,6 +1,6 @@
 //! Which of many timers is due next.
 
-use crate::home::field::MAX_SENSORS;
+use crate::sensor_set::MAX_SENSORS;
 use crate::time::{Micros, NEVER};
 
 /// The timers of all sensors, as a tournament: each node holds the earlier of its two, so that setting one
@@ -12,8 +12,8 @@ pub struct Timers {
     leaves: usize,
 }
 
-/// Instants are shifted by so many bits to make room for the sensor; they must be less than 2^56 microseconds, some two
-/// thousand years.
+/// Instants are shifted by so many bits to make room for the sensor: 10 leave 2^53 microseconds, 285 years, and a run is at
+/// most 100 years long.
 const SENSOR_BITS: u32 = MAX_SENSORS.ilog2();
 const SENSOR: i64 = (1 << SENSOR_BITS) - 1;
 

@@ -12,11 +12,14 @@ use crate::drivers::MotionSegment;
 use crate::event::{Events, Fact, Firing, MotionState, Provenance, ThingUse, Trigger, Value, Vitals};
 use crate::geometry::Point;
 use crate::home::Home;
-use crate::home::field::{Cell, Field, Mask, bits};
+use crate::home::field::{Cell, Field};
+use crate::ids::{ResidentId, SensorId};
 use crate::random::Stream;
 use crate::scenario::path::Posture;
-use crate::sensors::device::{Change, Device, Outbox};
+use crate::sensor_set::{BLOCK, BLOCKS, Mask, SensorSet, bit, bits, blocks};
+use crate::sensors::device::Device;
 use crate::sensors::motion::{Level, Motion};
+use crate::sensors::outbox::{Change, DeviceModel, Outbox};
 use crate::sensors::timing::{Machine, Seen, TimerOutcome};
 use crate::sensors::zones::Pulses;
 use crate::sensors::{Kind, Sensor};
@@ -35,20 +38,22 @@ pub struct World {
     /// The sensors that are told what happens, by sensor, with what they have said now and not yet sent; the others look
     /// for movement.
     devices: Vec<Option<(Device, Outbox)>>,
-    told: Mask,
-    /// Those of them that want to be told what bodies do.
-    feeling: Mask,
-    /// Sensors whose machine wants to be told of movement.
-    want: Mask,
+    /// The numbers of those that are told, and of those of them that want to be told what bodies do.
+    told: Vec<usize>,
+    feeling: Vec<usize>,
+    /// How many blocks of sensors there are.
+    blocks: usize,
+    /// By block: those whose machine wants to be told of movement.
+    want: [Mask; BLOCKS],
     timers: Timers,
-    /// Sensors that take any change in a beam for movement.
-    plain: Mask,
-    /// Sensors that count pulses, with what they have counted.
-    zoned: Mask,
+    /// By sensor: whether it takes any change in a beam for movement.
+    plain: Vec<bool>,
+    /// What sensors that count pulses have counted, in the order of these sensors.
     pulses: Vec<Pulses>,
     seq: u64,
-    /// The bodies that move in the present slice.
-    movers: Vec<Mover>,
+    /// By block: the bodies that move in the present slice, and the sensors that may see one of them.
+    movers: [Vec<Mover>; BLOCKS],
+    may: [Mask; BLOCKS],
 }
 
 /// Bodies narrower than this are too light to be felt in beds and on mats (ours): that of a cat is 0.1 m.
@@ -69,7 +74,7 @@ enum BodyMotion {
     Away,
 }
 
-/// A body that moves in the present slice, and the cell of its field that it stays in meanwhile.
+/// A body that moves in the present slice, and what a block knows of the cell that it stays in meanwhile.
 #[derive(Clone, Copy, Debug)]
 struct Mover {
     body: u32,
@@ -83,8 +88,10 @@ impl World {
             Machine::new(sensor.timing, Stream::named(seed, &format!("sensor/{}/timing", sensor.name)))
         };
         let machines: Vec<Machine> = home.sensors.iter().map(machine).collect();
-        let looking = |&sensor: &usize| home.sensors[sensor].senses_motion();
-        let all: Mask = (0..machines.len()).filter(looking).fold(0, |mask, sensor| mask | 1 << sensor);
+        let mut want = [0; BLOCKS];
+        for sensor in (0..machines.len()).filter(|&sensor| home.sensors[sensor].senses_motion()) {
+            want[sensor / BLOCK] |= bit(sensor);
+        }
         let device = |sensor: &Sensor| match &sensor.kind {
             Kind::Device(device) => {
                 let stream = Stream::named(seed, &format!("sensor/{}/device", sensor.name));
@@ -94,31 +101,36 @@ impl World {
         };
         let devices: Vec<Option<(Device, Outbox)>> = home.sensors.iter().map(device).collect();
         let mut timers = Timers::new(machines.len());
-        let (mut told, mut feeling) = (0, 0);
+        let (mut told, mut feeling) = (Vec::new(), Vec::new());
         for (sensor, device) in devices.iter().enumerate() {
             let Some((device, _)) = device else { continue };
             timers.set(sensor, device.timer());
-            told |= 1 << sensor;
-            feeling |= Mask::from(device.feels_bodies()) << sensor;
+            told.push(sensor);
+            if device.feels_bodies() {
+                feeling.push(sensor);
+            }
         }
-        let of_level = |wanted: fn(&Level) -> bool| {
-            let is = |sensor: &Sensor| matches!(&sensor.kind, Kind::Motion(motion) if wanted(&motion.level));
-            (0..machines.len()).filter(|&i| is(&home.sensors[i])).fold(0, |mask: Mask, sensor| mask | 1 << sensor)
+        let level = |sensor: &Sensor| match &sensor.kind {
+            Kind::Motion(motion) => Some(motion.level),
+            Kind::CeilingMotion(_) => Some(Level::Paper),
+            Kind::Device(_) => None,
         };
-        let zoned = of_level(|level| matches!(level, Level::Zones { .. }));
+        let levels: Vec<Option<Level>> = home.sensors.iter().map(level).collect();
+        let zoned = (0..levels.len()).filter(|&sensor| matches!(levels[sensor], Some(Level::Zones { .. })));
         World {
             now: 0,
             bodies: vec![Body { posture: Posture::Standing, motion: BodyMotion::Away }; residents],
-            want: all,
+            blocks: blocks(machines.len()),
+            want,
             timers,
             devices,
             told,
             feeling,
-            plain: all & !zoned & !of_level(|level| matches!(level, Level::Sensitivity { .. })),
-            zoned,
-            pulses: bits(zoned).map(|sensor| Pulses::new(sensor, residents)).collect(),
+            plain: levels.iter().map(|level| matches!(level, Some(Level::Paper))).collect(),
+            pulses: zoned.map(|sensor| Pulses::new(sensor, residents)).collect(),
             seq: 0,
-            movers: Vec::new(),
+            movers: Default::default(),
+            may: [0; BLOCKS],
             machines,
             home,
         }
@@ -135,7 +147,7 @@ impl World {
 
     /// From now until the move's end, the resident does this; the move may have begun before now. The
     /// caller advances no further than its end before it says what comes next.
-    pub fn begin(&mut self, resident: usize, next: &MotionSegment) {
+    pub fn begin(&mut self, resident: ResidentId, next: &MotionSegment) {
         let posture = next.posture;
         let motion = match next.doing {
             MotionState::Stride { from, to } => BodyMotion::Stride(Stride::new(from, to, next.begin, next.end)),
@@ -143,35 +155,39 @@ impl World {
             MotionState::Rest { at } => BodyMotion::Rest { at },
             MotionState::Away => BodyMotion::Away,
         };
-        let Body { posture: before, motion: last } = &self.bodies[resident];
+        let Body { posture: before, motion: last } = &self.bodies[resident.index()];
         let settles = *before != posture || matches!(last, BodyMotion::Away);
-        self.bodies[resident] = Body { posture, motion };
-        if settles && self.zoned != 0 {
+        self.bodies[resident.index()] = Body { posture, motion };
+        if settles && !self.pulses.is_empty() {
             self.settle(resident);
         }
         // A cat presses no mat, and lies beside the strip.
-        if self.home.field(resident, posture).size.radius_m < LIGHT_M {
+        if self.home.field(resident.index(), posture).size.radius_m < LIGHT_M {
             return;
         }
         let MotionSegment { begin, end, doing, posture } = *next;
-        self.tell(self.feeling, &Change::Body { resident: resident as u32, begin, end, doing, posture });
+        self.tell(&Change::Body { resident, begin, end, doing, posture });
     }
 
     /// A resident uses a thing, now.
-    pub fn act(&mut self, resident: usize, act: ThingUse) {
+    pub fn act(&mut self, resident: ResidentId, act: ThingUse) {
         let ThingUse { thing, on } = act;
-        self.tell(Mask::MAX, &Change::Use { resident: resident as u32, thing, on });
+        self.tell(&Change::Use { resident, thing, on });
     }
 
     /// From now on a resident's heart and lungs are like this.
-    pub fn feel(&mut self, resident: usize, vitals: Vitals) {
-        self.tell(self.feeling, &Change::Vitals { resident: resident as u32, vitals });
+    pub fn feel(&mut self, resident: ResidentId, vitals: Vitals) {
+        self.tell(&Change::Vitals { resident, vitals });
     }
 
     /// Tells the devices among the sensors what happens now. What they say leaves them now too, but when it is their turn
     /// among all sensors that have something to say.
-    fn tell(&mut self, sensors: Mask, change: &Change) {
-        for sensor in bits(sensors & self.told) {
+    fn tell(&mut self, change: &Change) {
+        let listeners = match change {
+            Change::Use { .. } => &self.told,
+            Change::Body { .. } | Change::Vitals { .. } => &self.feeling,
+        };
+        for &sensor in listeners {
             let Some((device, outbox)) = &mut self.devices[sensor] else { continue };
             device.on_event(self.now, change, outbox);
             self.timers.set(sensor, if outbox.0.is_empty() { device.timer() } else { self.now });
@@ -180,27 +196,27 @@ impl World {
 
     /// A message leaves its sensor.
     fn send(&mut self, at: Micros, sensor: usize, value: Value, provenance: Provenance, events: &mut Events) {
-        events.firings.push(Firing { seq: self.seq, at, sensor: sensor as u32, value });
+        events.firings.push(Firing { seq: self.seq, at, sensor: SensorId::of(sensor), value });
         events.facts.push(Fact::Provenance { seq: self.seq, provenance });
         self.seq += 1;
     }
 
     /// A body that changes its posture or appears touches other beams from one instant to the next; that is no pulse.
-    fn settle(&mut self, resident: usize) {
-        let field = self.home.field(resident, self.bodies[resident].posture);
+    fn settle(&mut self, resident: ResidentId) {
+        let field = self.home.field(resident.index(), self.bodies[resident.index()].posture);
         let at = self.position(resident);
         for pulses in &mut self.pulses {
             let beams = &field.beams[field.range(pulses.sensor)];
             match at {
-                Some(at) => pulses.settle(resident as u32, beams, at, field.size.radius_m),
-                None => pulses.leave(resident as u32),
+                Some(at) => pulses.settle(resident.0, beams, at, field.size.radius_m),
+                None => pulses.leave(resident.0),
             }
         }
     }
 
     /// Where a resident is; nothing while away.
-    pub fn position(&self, resident: usize) -> Option<Point> {
-        match self.bodies[resident].motion {
+    pub fn position(&self, resident: ResidentId) -> Option<Point> {
+        match self.bodies[resident.index()].motion {
             BodyMotion::Stride(stride) => Some(stride.position(self.now)),
             BodyMotion::InPlace { at, .. } | BodyMotion::Rest { at } => Some(at),
             BodyMotion::Away => None,
@@ -208,35 +224,40 @@ impl World {
     }
 
     /// Where a resident walks, of length one; nothing for who stays.
-    pub fn heading(&self, resident: usize) -> Option<Point> {
-        match self.bodies[resident].motion {
+    pub fn heading(&self, resident: ResidentId) -> Option<Point> {
+        match self.bodies[resident.index()].motion {
             BodyMotion::Stride(stride) => Some((stride.to - stride.from).normalize_or_zero()),
             BodyMotion::InPlace { .. } | BodyMotion::Rest { .. } | BodyMotion::Away => None,
         }
     }
 
-    /// The sensors in whose field a resident moves, as bits.
-    pub fn seeing(&self, resident: usize) -> Mask {
-        let Body { posture, motion } = &self.bodies[resident];
-        let field = self.home.field(resident, *posture);
+    /// The sensors in whose field a resident moves.
+    pub fn seeing(&self, resident: ResidentId) -> SensorSet {
+        let Body { posture, motion } = &self.bodies[resident.index()];
+        let field = self.home.field(resident.index(), *posture);
         match motion {
             BodyMotion::Stride(stride) => field.seen_at(stride.position(self.now)),
             BodyMotion::InPlace { at, .. } => field.seen_at(*at),
-            BodyMotion::Rest { .. } | BodyMotion::Away => 0,
+            BodyMotion::Rest { .. } | BodyMotion::Away => SensorSet::default(),
         }
     }
 
-    pub fn posture(&self, resident: usize) -> Posture {
-        self.bodies[resident].posture
+    pub fn posture(&self, resident: ResidentId) -> Posture {
+        self.bodies[resident.index()].posture
     }
 
     /// Lets everything happen that happens before `until`.
     pub fn advance(&mut self, until: Micros, events: &mut Events) {
+        if self.blocks == 1 { self.go_on::<true>(until, events) } else { self.go_on::<false>(until, events) }
+    }
+
+    /// [`World::advance`], compiled for homes of `ONE` block of sensors, as most are, and for others.
+    fn go_on<const ONE: bool>(&mut self, until: Micros, events: &mut Events) {
         while self.now < until {
-            self.now = self.coast(until, events);
+            self.now = self.coast::<ONE>(until, events);
             if self.now < until {
-                let end = self.next_slice(until);
-                self.run_slice(end, events);
+                let end = self.next_slice::<ONE>(until);
+                self.run_slice::<ONE>(end, events);
                 self.now = end;
             }
         }
@@ -244,29 +265,36 @@ impl World {
 
     /// Lets timers run out until a body comes to a cell where a sensor that wants to know of movement may see it;
     /// returns that instant.
-    fn coast(&mut self, until: Micros, events: &mut Events) -> Micros {
-        let mut unseen = self.unseen_until(self.want, self.now, until);
+    fn coast<const ONE: bool>(&mut self, until: Micros, events: &mut Events) -> Micros {
+        let mut unseen = until;
+        for block in 0..self.blocks::<ONE>() {
+            unseen = self.unseen_until(block, self.want[block], self.now, unseen);
+        }
         while let (at, sensor) = self.timers.next()
             && at < unseen
         {
             self.ring(at, sensor, events);
             if self.devices[sensor].is_none() && self.machines[sensor].wants() {
-                unseen = self.unseen_until(1 << sensor, at, unseen);
+                unseen = self.unseen_until(block_of::<ONE>(sensor), bit(sensor), at, unseen);
                 // It decides unseen: at once, as that says nothing to anybody.
                 let machine = &mut self.machines[sensor];
                 if machine.wants_until() < unseen {
                     machine.on_timer();
                 }
             }
-            self.note(sensor);
+            self.note::<ONE>(sensor);
         }
         unseen
     }
 
-    /// The first instant from `now` on at which a body is in a cell where a sensor of `want` may see it move;
-    /// `until` if there is none before.
-    fn unseen_until(&self, want: Mask, now: Micros, until: Micros) -> Micros {
-        if self.zoned != 0 {
+    fn blocks<const ONE: bool>(&self) -> usize {
+        if ONE { 1 } else { self.blocks }
+    }
+
+    /// The first instant from `now` on at which a body is in a cell where a sensor of `want`, all of one block, may see
+    /// it move; `until` if there is none before.
+    fn unseen_until(&self, block: usize, want: Mask, now: Micros, until: Micros) -> Micros {
+        if !self.pulses.is_empty() {
             // They count what they saw before they woke, too.
             return now;
         }
@@ -274,8 +302,8 @@ impl World {
         for (body, Body { posture, motion }) in self.bodies.iter().enumerate() {
             let field = self.home.field(body, *posture);
             match motion {
-                BodyMotion::Stride(stride) => until = field.unseen_until(stride, want, now, until),
-                BodyMotion::InPlace { at, .. } if field.cell(*at).may & want != 0 => until = now,
+                BodyMotion::Stride(stride) => until = field.unseen_until(block, stride, want, now, until),
+                BodyMotion::InPlace { at, .. } if field.cell(block, *at).may & want != 0 => until = now,
                 BodyMotion::InPlace { .. } | BodyMotion::Rest { .. } | BodyMotion::Away => {}
             }
         }
@@ -283,8 +311,9 @@ impl World {
     }
 
     /// Finds the bodies that move in the slice that begins now, and returns the slice's end.
-    fn next_slice(&mut self, until: Micros) -> Micros {
-        self.movers.clear();
+    fn next_slice<const ONE: bool>(&mut self, until: Micros) -> Micros {
+        let blocks = self.blocks::<ONE>();
+        self.movers[..blocks].iter_mut().for_each(Vec::clear);
         let mut end = until;
         for (body, Body { posture, motion }) in self.bodies.iter().enumerate() {
             let (at, leaves) = match motion {
@@ -293,32 +322,37 @@ impl World {
                 BodyMotion::Rest { .. } | BodyMotion::Away => continue,
             };
             let field = self.home.field(body, *posture);
-            let cell = field.cell(at);
             if let Some(stride) = leaves {
                 let micros = field.leaves_cell(at, stride);
                 end = end.min(self.now.saturating_add(micros as Micros).saturating_add(1));
             }
-            self.movers.push(Mover { body: body as u32, cell: *cell });
+            for (block, movers) in self.movers[..blocks].iter_mut().enumerate() {
+                movers.push(Mover { body: body as u32, cell: *field.cell(block, at) });
+            }
         }
         end
     }
 
     /// Lets everything happen that happens between now and `end`.
-    fn run_slice(&mut self, end: Micros, events: &mut Events) {
-        let may = self.movers.iter().fold(0, |mask, mover| mask | mover.cell.may);
-        if self.zoned != 0 {
+    fn run_slice<const ONE: bool>(&mut self, end: Micros, events: &mut Events) {
+        if !self.pulses.is_empty() {
             self.count_pulses(end);
         }
-        for sensor in bits(self.want & may) {
-            self.look(sensor, self.now, end);
+        for block in 0..self.blocks::<ONE>() {
+            let may = self.movers[block].iter().fold(0, |mask, mover| mask | mover.cell.may);
+            self.may[block] = may;
+            for number in bits(self.want[block] & may) {
+                self.look::<ONE>(block * BLOCK + number, self.now, end);
+            }
         }
         while let (at, sensor) = self.timers.next()
             && at < end
         {
             self.ring(at, sensor, events);
-            self.note(sensor);
-            if (self.want & may) >> sensor & 1 != 0 {
-                self.look(sensor, at, end);
+            self.note::<ONE>(sensor);
+            let block = block_of::<ONE>(sensor);
+            if (self.want[block] & self.may[block]) >> (sensor % BLOCK) & 1 != 0 {
+                self.look::<ONE>(sensor, at, end);
             }
         }
     }
@@ -340,32 +374,32 @@ impl World {
 
     /// Looks for the first movement from `from` on and before `end` that `sensor`'s machine wants to
     /// know of, and tells it.
-    fn look(&mut self, sensor: usize, from: Micros, end: Micros) {
+    fn look<const ONE: bool>(&mut self, sensor: usize, from: Micros, end: Micros) {
         let last = (end - 1).min(self.machines[sensor].wants_until());
         let mut first: Option<Seen> = None;
-        for mover in &self.movers {
-            if mover.cell.may >> sensor & 1 == 0 {
+        for mover in &self.movers[block_of::<ONE>(sensor)] {
+            if mover.cell.may >> (sensor % BLOCK) & 1 == 0 {
                 continue;
             }
             let at = self.first_movement(mover, sensor, from);
             if let Some(at) = at.filter(|&at| at <= last && first.is_none_or(|first| at < first.at)) {
-                first = Some(Seen { resident: mover.body, at });
+                first = Some(Seen { resident: ResidentId(mover.body), at });
             }
         }
         if let Some(seen) = first {
             self.machines[sensor].sees(seen);
-            self.note(sensor);
+            self.note::<ONE>(sensor);
         }
     }
 
     /// Keeps what a machine wants and when its timer is due.
-    fn note(&mut self, sensor: usize) {
+    fn note<const ONE: bool>(&mut self, sensor: usize) {
         if let Some((device, _)) = &self.devices[sensor] {
             return self.timers.set(sensor, device.timer());
         }
         let machine = &self.machines[sensor];
-        let bit = 1 << sensor;
-        self.want = if machine.wants() { self.want | bit } else { self.want & !bit };
+        let want = &mut self.want[block_of::<ONE>(sensor)];
+        *want = if machine.wants() { *want | bit(sensor) } else { *want & !bit(sensor) };
         self.timers.set(sensor, machine.timer());
     }
 
@@ -374,7 +408,7 @@ impl World {
     fn first_movement(&self, mover: &Mover, sensor: usize, from: Micros) -> Option<Micros> {
         let Body { posture, motion } = &self.bodies[mover.body as usize];
         let field = self.home.field(mover.body as usize, *posture);
-        if self.plain >> sensor & 1 != 0 {
+        if self.plain[sensor] {
             return first_touch(field, &mover.cell, sensor, motion, from);
         }
         let Kind::Motion(pir) = &self.home.sensors[sensor].kind else { return None };
@@ -396,8 +430,7 @@ impl World {
     }
 
     fn pulses_of(&self, sensor: usize) -> &Pulses {
-        let before = self.zoned & ((1 << sensor) - 1);
-        &self.pulses[before.count_ones() as usize]
+        &self.pulses[self.pulses.partition_point(|pulses| pulses.sensor < sensor)]
     }
 
     /// Lets the sensors that count pulses count those between now and `end`.
@@ -407,10 +440,10 @@ impl World {
             let Kind::Motion(pir) = &self.home.sensors[sensor].kind else { continue };
             pulses.begin_slice();
             for (index, Body { posture, motion }) in self.bodies.iter().enumerate() {
-                let mover = self.movers.iter().find(|mover| mover.body as usize == index);
+                let mover = self.movers[sensor / BLOCK].iter().find(|mover| mover.body as usize == index);
                 let field = self.home.field(index, *posture);
                 match motion {
-                    BodyMotion::Stride(stride) if mover.is_some_and(|mover| mover.cell.may >> sensor & 1 != 0) => {
+                    BodyMotion::Stride(stride) if mover.is_some_and(|mover| mover.cell.may & bit(sensor) != 0) => {
                         let beams = &field.beams[field.range(sensor)];
                         pulses.walk(index as u32, stride, beams, pir, field.size.radius_m, self.now, end);
                     }
@@ -423,9 +456,14 @@ impl World {
     }
 }
 
+/// The block of a sensor.
+fn block_of<const ONE: bool>(sensor: usize) -> usize {
+    if ONE { 0 } else { sensor / BLOCK }
+}
+
 /// The first instant from `from` on at which the body, which is in the cell, touches what the sensor sees.
 fn first_touch(field: &Field, cell: &Cell, sensor: usize, motion: &BodyMotion, from: Micros) -> Option<Micros> {
-    if cell.sure >> sensor & 1 != 0 {
+    if cell.sure >> (sensor % BLOCK) & 1 != 0 {
         return Some(from);
     }
     match motion {

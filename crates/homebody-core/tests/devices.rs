@@ -3,7 +3,9 @@
 use homebody_core::drivers::MotionSegment;
 use homebody_core::event::{Events, Fact, MotionState, ThingUse, Trigger, Value, Vitals};
 use homebody_core::geometry::Point;
+use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::home::{Build, Home};
+use homebody_core::ids::{ResidentId, ThingId};
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND};
 use homebody_core::world::World;
@@ -52,7 +54,7 @@ fn home(sensor: serde_json::Value) -> Home {
         "sensors": [sensor],
     });
     let build = Build { radius_m: 0.2, height_m: 1.7 };
-    Home::bake(&serde_json::from_value(file).unwrap(), &[build, build])
+    Home::bake(&ResolvedHome::new(serde_json::from_value(file).unwrap()).unwrap(), &[build, build])
 }
 
 /// What the sensor says until `until`: instants in microseconds, values, and whose doing it was. Bodies do what they do
@@ -62,7 +64,7 @@ fn said(
     happens: &[(f64, usize, Happens)],
     until: f64,
     cuts: &[f64],
-) -> Vec<(Micros, Value, Option<u32>, Micros, Trigger)> {
+) -> Vec<(Micros, Value, Option<ResidentId>, Micros, Trigger)> {
     let micros = |seconds: f64| (seconds * SECOND as f64).round() as Micros;
     let mut world = World::new(Arc::new(home), 2, 1);
     let mut events = Events::default();
@@ -77,11 +79,11 @@ fn said(
         for (_, who, what) in happens.iter().filter(|(happens, ..)| micros(*happens) == at) {
             match what {
                 Happens::Act(name, on) => {
-                    let thing = world.home().plan.thing(name).unwrap() as u32;
-                    world.act(*who, ThingUse { thing, on: *on });
+                    let thing = ThingId::of(world.home().plan.thing(name).unwrap());
+                    world.act(ResidentId::of(*who), ThingUse { thing, on: *on });
                 }
                 Feels(pulse, respiration) => {
-                    world.feel(*who, Vitals { pulse: *pulse, respiration: *respiration });
+                    world.feel(ResidentId::of(*who), Vitals { pulse: *pulse, respiration: *respiration });
                 }
                 Body(does, posture) => {
                     let later = happens
@@ -96,7 +98,7 @@ fn said(
             if let Some(next) = next
                 && (next.begin == at || cuts.iter().any(|&cut| micros(cut) == at))
             {
-                world.begin(who, next);
+                world.begin(ResidentId::of(who), next);
             }
         }
     }
@@ -160,7 +162,7 @@ fn a_bed_with_two_in_it_is_left_when_both_have_left() {
         (7.0, 0, AWAY),
     ];
     let whole = said(home(bed()), &happens, 20.0, &[]);
-    let whole: Vec<_> = whole.into_iter().map(|(at, value, by, ..)| (at / SECOND, value, by)).collect();
+    let whole: Vec<_> = whole.into_iter().map(|(at, value, by, ..)| (at / SECOND, value, by.map(|by| by.0))).collect();
     let expected =
         [(1, Value::In, Some(1)), (4, Value::Out, Some(0)), (5, Value::In, Some(1)), (7, Value::Out, Some(0))];
     assert_eq!(whole, expected);
@@ -289,14 +291,14 @@ fn readings_scatter_about_the_truth() {
 fn a_stove_is_hot_and_cool_when_the_closed_form_says() {
     let happens = [(5.0, 0, Happens::Act("stove", true)), (605.0, 1, Happens::Act("stove", false))];
     let found = said(home(json!({ "kind": "stove_temperature", "on": "stove" })), &happens, 7200.0, &[]);
-    let thing = 3;
+    let thing = ThingId(3);
     // 240 ln(158 / 135); then from 180 - 158 exp(-2.5), 1200 ln((that - 22) / 16).
     let on = 5.0 + 240.0 * libm::log(158.0 / 135.0);
     let off = 605.0 + 1200.0 * libm::log((158.0 - 158.0 * libm::exp(-2.5)) / 16.0);
     let micros = |seconds: f64| (seconds * SECOND as f64).round() as Micros;
     let expected = [
-        (micros(on), Value::On, Some(0), 5 * SECOND, Trigger::Use(thing)),
-        (micros(off), Value::Off, Some(1), 605 * SECOND, Trigger::Use(thing)),
+        (micros(on), Value::On, Some(ResidentId(0)), 5 * SECOND, Trigger::Use(thing)),
+        (micros(off), Value::Off, Some(ResidentId(1)), 605 * SECOND, Trigger::Use(thing)),
     ];
     assert_eq!(found, expected);
     let with_readings =
@@ -419,7 +421,7 @@ fn what_happens_at_one_instant_is_told_in_the_order_of_sensors() {
         ],
     });
     let build = Build { radius_m: 0.2, height_m: 1.7 };
-    let home = Home::bake(&serde_json::from_value(file).unwrap(), &[build, build]);
+    let home = Home::bake(&ResolvedHome::new(serde_json::from_value(file).unwrap()).unwrap(), &[build, build]);
     let happens = [
         (1.0, 0, Happens::Act("fridge", true)),
         (1.0, 0, Happens::Act("fridge", false)),

@@ -4,7 +4,9 @@
 use homebody_core::drivers::MotionSegment;
 use homebody_core::event::{Events, Fact, MotionState};
 use homebody_core::geometry::Point;
+use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::home::{Build, Home};
+use homebody_core::ids::ResidentId;
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND};
@@ -58,7 +60,8 @@ fn noticed(sensor: &Value, furniture: &Value, lives: &[Life]) -> Vec<(Micros, u3
     fields.extend(sensor.as_object().expect("an object").clone());
     let file: HomeFile = serde_json::from_value(file).expect("a home");
     let builds = vec![Build { radius_m: 0.2, height_m: 1.65 }; lives.len()];
-    let mut world = World::new(Arc::new(Home::bake(&file, &builds)), lives.len(), 1);
+    let home = Home::bake(&ResolvedHome::new(file).unwrap(), &builds);
+    let mut world = World::new(Arc::new(home), lives.len(), 1);
     let mut events = Events::default();
     let end_of = |life: &Life| life.0.last().map_or(0, |last| last.end);
     let length = lives.iter().map(end_of).min().unwrap_or(0);
@@ -68,14 +71,14 @@ fn noticed(sensor: &Value, furniture: &Value, lives: &[Life]) -> Vec<(Micros, u3
         for (resident, life) in lives.iter().enumerate() {
             let next = &life.0[life.0.partition_point(|next| next.end <= now)];
             if next.begin == now {
-                world.begin(resident, next);
+                world.begin(ResidentId::of(resident), next);
             }
             until = until.min(next.end);
         }
         world.advance(until, &mut events);
     }
     let provenance = |fact| match fact {
-        Fact::Provenance { provenance, .. } => Some((provenance.seen_at, provenance.resident?)),
+        Fact::Provenance { provenance, .. } => Some((provenance.seen_at, provenance.resident?.0)),
         _ => None,
     };
     events.facts.into_iter().filter_map(provenance).collect()

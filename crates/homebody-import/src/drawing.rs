@@ -3,7 +3,7 @@
 //! Sweet Home 3D writes centimetres, y to the south and radians clockwise; they are turned into ours here and nowhere
 //! else.
 
-use crate::kinds;
+use crate::words::words;
 use homebody_core::geometry::{self, Point};
 use roxmltree::{Document, Node};
 use std::collections::BTreeMap;
@@ -158,7 +158,7 @@ fn piece(node: Node, level: Option<LevelId>, is_visible: bool, unsaid_m: Option<
     // A piece that leans has another size as seen from above.
     let size = |in_plan, upright| positive(in_plan).or_else(|| positive(upright));
     let name = node.attribute("name").unwrap_or_default().to_owned();
-    let words = kinds::words(&[&name, node.attribute("catalogId").unwrap_or_default()]);
+    let words = words(&[&name, node.attribute("catalogId").unwrap_or_default()]);
     Some(Piece {
         level,
         name,

@@ -3,8 +3,7 @@
 //! Walls are cut where they meet, dead ends are taken off, and each space is walked around with the space at its left
 //! hand. A space around what stands free, such as the garden around a house, overlaps it and is left out.
 
-use crate::outline::{is_sound, tidy};
-use crate::rooms::Room;
+use crate::outline::{Room, is_sound, tidy};
 use crate::walls::Wall;
 use homebody_core::geometry::{self, Point, overlap};
 use std::collections::{BTreeMap, BTreeSet};

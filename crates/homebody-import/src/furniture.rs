@@ -4,7 +4,7 @@ use crate::drawing::Piece;
 use crate::error::NotImported;
 use crate::kinds;
 use crate::names::Names;
-use crate::rooms::Room;
+use crate::outline::Room;
 use homebody_core::geometry::{self, Point};
 use homebody_core::problem::counted;
 use homebody_core::scenario::home::REACH_OUT_M;

@@ -10,6 +10,7 @@ pub mod error;
 // From bytes to a drawing: the archive, its XML, what that draws, which level of it.
 mod archive;
 mod markup;
+mod words;
 mod drawing;
 mod levels;
 mod kinds;

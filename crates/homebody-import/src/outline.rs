@@ -1,6 +1,13 @@
-//! Outlines of rooms in order: no corner twice, none in the middle of a side, and no side across another.
+//! Rooms, and their outlines in order: no corner twice, none in the middle of a side, and no side across another.
 
 use homebody_core::geometry::{self, Point};
+
+/// A room with a name of its own.
+#[derive(Clone, Debug)]
+pub struct Room {
+    pub name: String,
+    pub outline: Vec<Point>,
+}
 
 /// Corners nearer than this to each other, or to the line of their neighbours, are none (ours): what is written is
 /// rounded to millimetres.

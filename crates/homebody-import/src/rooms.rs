@@ -6,17 +6,10 @@
 use crate::drawing;
 use crate::error::NotImported;
 use crate::names::Names;
-use crate::outline::{is_sound, tidy, untangled};
+use crate::outline::{Room, is_sound, tidy, untangled};
 use crate::shared;
 use crate::walls::Wall;
 use homebody_core::geometry::{self, Point};
-
-/// A room with a name of its own.
-#[derive(Clone, Debug)]
-pub struct Room {
-    pub name: String,
-    pub outline: Vec<Point>,
-}
 
 /// A floor with more is none of a home (ours).
 const MOST_ROOMS: usize = 200;

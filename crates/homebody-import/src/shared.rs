@@ -1,7 +1,6 @@
 //! Rooms that overlap: each floor belongs to one of them.
 
-use crate::outline::{is_sound, tidy};
-use crate::rooms::Room;
+use crate::outline::{Room, is_sound, tidy};
 use homebody_core::geometry::{self, Point, overlap};
 
 /// What two rooms may share: half of what the check lets pass.
@@ -83,7 +82,8 @@ fn cut_off(outline: &[Point], other: &[Point]) -> Option<Vec<Point>> {
     cut.into_iter().take(MOST_TRIED).find(|cut| overlap::area(cut, other) <= MOST_SHARED_M2)
 }
 
-/// The part of an outline beyond a line, by Sutherland & Hodgman (1974).
+/// The part of an outline beyond a line, by Sutherland & Hodgman (1974): its corners keep their very numbers, which boolean
+/// operations on a grid would move.
 fn beyond(outline: &[Point], on_line: Point, outward: Point) -> Vec<Point> {
     let side = |p: Point| (p - on_line).dot(outward);
     let mut kept = Vec::new();

@@ -5,15 +5,12 @@ use crate::drawing::{self, Drawing};
 use crate::error::NotImported;
 use crate::furniture::Furniture;
 use crate::names::{self, Names};
-use crate::outline::rounded;
-use crate::rooms::Room;
+use crate::outline::{Room, rounded};
 use crate::walls::Wall;
 use crate::{archive, doors, enclosed, furniture, levels, markup, rooms, sound, walls};
-use homebody_core::geometry::{self, Point};
+use homebody_core::geometry::{self, At, Point};
 use homebody_core::problem::counted;
-use homebody_core::scenario::home::{
-    At, DoorFile, FurnitureFile, GREATEST_SIZE_M, HomeFile, RoomFile, WallFile, latitude,
-};
+use homebody_core::scenario::home::{DoorFile, FurnitureFile, GREATEST_SIZE_M, HomeFile, RoomFile, WallFile, latitude};
 
 /// A home, and what was left out of the plan or guessed.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,6 +1,7 @@
 //! The text of a home as people write it: a line for each room, wall, door and piece of furniture.
 
-use homebody_core::scenario::home::{At, DoorFile, FurnitureFile, HomeFile, RoomFile, WallFile};
+use homebody_core::geometry::At;
+use homebody_core::scenario::home::{DoorFile, FurnitureFile, HomeFile, RoomFile, WallFile};
 use serde_json::Value;
 
 /// Which list of a home.

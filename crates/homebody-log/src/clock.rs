@@ -19,6 +19,7 @@ const DAY: i64 = 24 * 60 * MINUTE;
 const LONGEST: usize = 32;
 
 /// The clock on the wall, as text.
+#[derive(Clone)]
 pub(crate) struct Clock {
     format: TimeFormat,
     zone: TimeZone,

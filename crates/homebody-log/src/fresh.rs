@@ -1,13 +1,13 @@
 //! New files: nothing that is there already is overwritten unasked, nothing new is half written.
 
-use crate::error::LogError;
+use crate::error::{LogError, place_of};
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 /// What is at a path where a log shall be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Place {
+pub(crate) enum Found {
     /// Nothing yet.
     Free,
     /// A file that may be replaced; of a symbolic link the link is, and what it leads to stays as it was.
@@ -16,29 +16,33 @@ pub(crate) enum Place {
     Device,
 }
 
-impl Place {
+impl Found {
     /// Looks at a path, and refuses it where a log could not or should not be written.
-    pub fn at(path: &Path, force: bool) -> Result<Place, LogError> {
+    pub fn at(path: &Path, force: bool) -> Result<Found, LogError> {
         let kind = match fs::symlink_metadata(path) {
             Ok(found) if found.is_symlink() => fs::metadata(path).unwrap_or(found).file_type(),
             Ok(found) => found.file_type(),
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
                 let folder = folder(path);
-                return if folder.is_dir() { Ok(Place::Free) } else { Err(LogError::NoFolder { path: path.into() }) };
+                return if folder.is_dir() {
+                    Ok(Found::Free)
+                } else {
+                    Err(LogError::NoFolder { place: place_of(path) })
+                };
             }
             Err(error) if error.kind() == io::ErrorKind::NotADirectory => {
-                return Err(LogError::NoFolder { path: path.into() });
+                return Err(LogError::NoFolder { place: place_of(path) });
             }
             Err(error) => return Err(LogError::file(path, error)),
         };
         if kind.is_dir() {
-            Err(LogError::IsFolder { path: path.into() })
+            Err(LogError::IsFolder { place: place_of(path) })
         } else if !kind.is_file() && !kind.is_symlink() {
-            Ok(Place::Device)
+            Ok(Found::Device)
         } else if force {
-            Ok(Place::Replaced)
+            Ok(Found::Replaced)
         } else {
-            Err(LogError::Exists { path: path.into() })
+            Err(LogError::Exists { place: place_of(path) })
         }
     }
 }
@@ -47,9 +51,9 @@ impl Place {
 /// written, none is there already or `force` is given, no two are one.
 pub fn all_can_be_written(paths: &[&Path], force: bool) -> Result<(), LogError> {
     for (index, path) in paths.iter().enumerate() {
-        Place::at(path, force)?;
+        Found::at(path, force)?;
         if paths[..index].iter().any(|other| same_file(other, path)) {
-            return Err(LogError::SameFile { path: path.into() });
+            return Err(LogError::SameFile { place: place_of(path) });
         }
     }
     Ok(())
@@ -67,7 +71,7 @@ pub fn same_file(one: &Path, other: &Path) -> bool {
 /// A text file that takes its name only when it is whole; dropped before, it leaves nothing behind.
 pub struct FreshFile {
     path: PathBuf,
-    place: Place,
+    place: Found,
     /// Where it is until then, beside its later place so that renaming it moves no data.
     part: Option<PathBuf>,
     out: BufWriter<File>,
@@ -75,13 +79,39 @@ pub struct FreshFile {
 
 impl FreshFile {
     pub fn create(path: &Path, force: bool) -> Result<FreshFile, LogError> {
-        let place = Place::at(path, force)?;
+        let place = Found::at(path, force)?;
         let begun = match place {
-            Place::Device => OpenOptions::new().write(true).open(path).map(|file| (None, file)),
+            Found::Device => OpenOptions::new().write(true).open(path).map(|file| (None, file)),
             _ => begin_part(path).map(|(part, file)| (Some(part), file)),
         };
         let (part, file) = begun.map_err(|error| LogError::file(path, error))?;
         Ok(FreshFile { path: path.into(), place, part, out: BufWriter::with_capacity(1 << 16, file) })
+    }
+
+    /// Opens what a program that died has left of a file, be it whole already or not; None where there is nothing. Its
+    /// text is read from its beginning, and may be cut and added to.
+    pub fn reopen(path: &Path) -> Result<Option<(FreshFile, File)>, LogError> {
+        let wrong = |error| LogError::file(path, error);
+        let is_whole = path.is_file();
+        let left = if is_whole { Some(path.to_owned()) } else { largest_part(path).map_err(wrong)? };
+        let Some(left) = left else { return Ok(None) };
+        let read = File::open(&left).map_err(wrong)?;
+        let file = OpenOptions::new().write(true).open(&left).map_err(wrong)?;
+        let part = (!is_whole).then_some(left);
+        let out = BufWriter::with_capacity(1 << 16, file);
+        Ok(Some((FreshFile { path: path.into(), place: Found::Free, part, out }, read)))
+    }
+
+    /// Cuts the file to so many bytes, and goes on behind them.
+    pub fn cut(&mut self, bytes: u64) -> Result<(), LogError> {
+        let file = self.out.get_mut();
+        let cut = file.set_len(bytes).and_then(|()| file.seek(SeekFrom::Start(bytes)));
+        cut.map(|_| ()).map_err(|error| LogError::file(&self.path, error))
+    }
+
+    /// Leaves the file as it is, with the name that it has.
+    pub fn keep(&mut self) {
+        self.part = None;
     }
 
     pub fn path(&self) -> &Path {
@@ -103,7 +133,7 @@ impl FreshFile {
             return Ok(());
         };
         let named = self.out.get_ref().sync_all().and_then(|()| match self.place {
-            Place::Replaced => replace(&part, &self.path),
+            Found::Replaced => replace(&part, &self.path),
             _ => name_if_free(&part, &self.path),
         });
         match named {
@@ -111,7 +141,7 @@ impl FreshFile {
             Err(error) => {
                 let _ = fs::remove_file(&part);
                 match error.kind() {
-                    io::ErrorKind::AlreadyExists => Err(LogError::Exists { path: self.path.clone() }),
+                    io::ErrorKind::AlreadyExists => Err(LogError::Exists { place: place_of(&self.path) }),
                     _ => Err(LogError::file(&self.path, error)),
                 }
             }
@@ -138,6 +168,29 @@ fn begin_part(path: &Path) -> io::Result<(PathBuf, File)> {
             begun => return begun.map(|file| (part, file)),
         }
     }
+}
+
+/// Removes the parts of a file that programs which died have left.
+pub(crate) fn remove_parts(path: &Path) -> Result<(), LogError> {
+    let removed = largest_part(path).and_then(|part| part.map_or(Ok(()), fs::remove_file));
+    removed.map_err(|error| LogError::file(path, error))
+}
+
+/// The largest of the parts of a file that programs which died have left; the others are removed.
+fn largest_part(path: &Path) -> io::Result<Option<PathBuf>> {
+    let begins = format!("{}.", path.file_name().unwrap_or_default().to_string_lossy());
+    let mut parts = Vec::new();
+    for entry in fs::read_dir(folder(path))? {
+        let entry = entry?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if name.strip_prefix(&begins).is_some_and(|rest| rest.ends_with(".part")) {
+            parts.push((entry.metadata()?.len(), entry.path()));
+        }
+    }
+    parts.sort();
+    let largest = parts.pop();
+    parts.iter().try_for_each(|(_, part)| fs::remove_file(part))?;
+    Ok(largest.map(|(_, part)| part))
 }
 
 /// Renames over a file, and who may read and write it stays as it was.

@@ -18,11 +18,14 @@ pub mod error;
 pub mod fresh;
 pub mod places;
 
+pub mod table;
+pub mod run_info;
+pub mod policy;
+pub mod sink;
+
 mod clock;
 mod mapping;
 mod messages;
-
-mod sink;
 mod writer;
 
 pub mod logger;
@@ -34,14 +37,19 @@ pub mod rows;
 pub mod preview;
 
 pub mod convert;
+pub mod label;
 pub mod source;
 
 pub use convert::convert;
 pub use error::LogError;
-pub use logger::{Logger, RunInfo, Stored};
+pub use label::{Labelled, label};
+pub use logger::{Destination, Logger, RowsOfFirings, Stored};
 pub use places::Places;
+pub use policy::Policy;
 pub use rows::{RowText, Rows};
+pub use run_info::{RunInfo, SensorInfo};
 pub use run_log::RunLog;
+pub use sink::{Begin, How, Sink, Watermark};
 pub use source::{
     Activity, Event, Life, Log, Movement, MovementKind, Movements, RunClock, activities, ids, lives, read,
 };

@@ -3,28 +3,46 @@
 use crate::error::LogError;
 use crate::fresh::all_can_be_written;
 use crate::mapping::{Columns, Shown};
-use crate::messages::{Messages, Row};
-use crate::sink::Opening;
+use crate::messages::{LogRow, Messages};
+use crate::policy::Policy;
+use crate::run_info::RunInfo;
+use crate::sink::{self, How, Sink, Watermark};
+use crate::table::{Batch, Cell, TextId, Texts};
 use crate::url::Url;
-use crate::writer::{BATCH, BATCH_WAITS, Writer};
+use crate::writer::{BATCH, BATCH_WAITS, Beginning, Writer};
 use homebody_core::event::Firing;
-use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Micros;
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// What tells a run from others.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct RunInfo {
-    /// The run's number in its database.
-    pub id: i64,
-    /// The scenario's name.
-    pub scenario: String,
-    pub seed: u64,
-    /// The program's version.
-    pub version: String,
+/// Where rows go, and what becomes of the run if that fails.
+pub struct Destination {
+    /// What errors and summaries call it, such as `csv:log.csv`.
+    pub place: String,
+    pub sink: Box<dyn Sink>,
+    pub policy: Policy,
+}
+
+impl Destination {
+    /// A place of one of the known kinds, which the run cannot do without.
+    pub fn of(url: &Url) -> Destination {
+        Destination { place: url.to_string(), sink: sink::open(url), policy: Policy::default() }
+    }
+
+    /// A caller's own.
+    pub fn own(place: impl Into<String>, sink: impl Sink + 'static, policy: Policy) -> Destination {
+        Destination { place: place.into(), sink: Box::new(sink), policy }
+    }
+}
+
+/// Destinations of known kinds, of which all can be written.
+pub fn destinations(urls: &[Url], how: How) -> Result<Vec<Destination>, LogError> {
+    if how != How::GoOn {
+        let files: Vec<_> = urls.iter().filter_map(Url::file).collect();
+        all_can_be_written(&files, how == How::Replace)?;
+    }
+    Ok(urls.iter().map(Destination::of).collect())
 }
 
 /// Stores firings as a scenario's `logger.json` says.
@@ -33,75 +51,121 @@ pub struct RunInfo {
 /// unfinished has been given up: text files vanish, a database keeps what it holds. After an error the logger is of no
 /// more use.
 pub struct Logger {
-    places: Vec<Url>,
-    writers: Vec<Writer<Row>>,
+    writers: Vec<Writer>,
     messages: Messages,
-    /// Rows that do not fill a batch yet.
-    rows: Vec<Row>,
+    shown: Shown,
+    texts: Texts,
+    /// The sensors' ids.
+    ids: Vec<TextId>,
+    /// Rows that were made by the last call, and rows that do not fill a batch yet.
+    made: Vec<LogRow>,
+    batch: Batch,
     sent_at: Instant,
     until: Micros,
     stored: Stored,
+    rows_of_firings: RowsOfFirings,
     /// The place that failed.
-    failed: Option<PathBuf>,
+    failed: Option<String>,
+}
+
+/// Which rows of the log tell of which firings: what joins the truth to the log, in each mode of messages.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct RowsOfFirings {
+    /// Of each of the firings that were stored last, the row that tells of it: its own, or the ON that it prolongs.
+    pub rows: Vec<u64>,
+    /// The rows since then that say that a hold is over, with the last firing that was held.
+    pub offs: Vec<(u64, u64)>,
 }
 
 /// What a logger has stored.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Debug, Default)]
 pub struct Stored {
     /// Rows in each of the places.
     pub rows: u64,
     /// Rows of each sensor.
     pub by_sensor: Vec<u64>,
     /// Where they are.
-    pub places: Vec<Url>,
+    pub places: Vec<String>,
+    /// The destinations that the run could do without and that failed: each with its error.
+    pub failed: Vec<(String, LogError)>,
 }
 
 impl Logger {
-    /// Opens all places, or none: `sensors` are the names of the home's sensors, in their order.
-    ///
-    /// Files that exist are replaced with `force` only. Paths are taken as they are; see [`Url::within`].
+    /// Opens all destinations, or none.
     pub fn open(
-        urls: &[Url],
+        destinations: Vec<Destination>,
         file: &LoggerFile,
-        sensors: &[String],
-        calendar: &Calendar,
-        run: &RunInfo,
-        force: bool,
+        run: &Arc<RunInfo>,
+        how: How,
     ) -> Result<Logger, LogError> {
         let columns = Columns::new(file)?;
-        let shown = Shown::new(file, sensors)?;
-        all_can_be_written(&urls.iter().map(Url::path).collect::<Vec<_>>(), force)?;
-        let opening = Opening { columns: &columns, shown: &shown, calendar, run, force };
-        let sinks = urls.iter().map(|url| opening.open(url)).collect::<Result<Vec<_>, _>>()?;
+        let sensors = run.sensor_names();
+        let shown = Shown::new(file, &sensors)?;
+        let beginning = Beginning {
+            run: run.clone(),
+            tables: Arc::new(vec![columns.log_table()]),
+            time: shown.time,
+            run_column: columns.run,
+            how,
+        };
+        let mut stored = Stored { by_sensor: vec![0; sensors.len()], ..Stored::default() };
+        let mut writers = Vec::new();
+        for Destination { place, sink, policy } in destinations {
+            let is_required = policy.required;
+            match Writer::spawn(place.clone(), sink, policy, &beginning) {
+                Ok(writer) => {
+                    stored.places.push(place);
+                    writers.push(writer);
+                }
+                Err(error) if is_required => return Err(error),
+                Err(error) => stored.failed.push((place, error)),
+            }
+        }
+        let mut texts = Texts::default();
         Ok(Logger {
-            places: urls.to_vec(),
-            writers: sinks.into_iter().map(Writer::spawn).collect(),
+            writers,
             messages: Messages::new(&file.messages, sensors.len()),
-            rows: Vec::with_capacity(BATCH),
+            ids: texts.ids(&shown.sensors),
+            shown,
+            texts,
+            made: Vec::new(),
+            batch: Batch::with_capacity(BATCH, COLUMNS),
             sent_at: Instant::now(),
             until: 0,
-            stored: Stored { rows: 0, by_sensor: vec![0; sensors.len()], places: urls.to_vec() },
+            stored,
+            rows_of_firings: RowsOfFirings::default(),
             failed: None,
         })
     }
 
-    /// Stores firings: all there are from the last `until` to this one, in their order.
+    /// Stores firings: all there are from the last `until` to this one, in their order. Returns which rows tell of them.
     ///
     /// Rows wait a moment for others. A live run that is paused calls this with no firings now and then, so that
     /// what was last seen reaches the log.
-    pub fn store(&mut self, firings: &[Firing], until: Micros) -> Result<(), LogError> {
-        if let Some(path) = &self.failed {
-            return Err(LogError::Stopped { path: path.clone() });
+    pub fn store(&mut self, firings: &[Firing], until: Micros) -> Result<&RowsOfFirings, LogError> {
+        if let Some(place) = &self.failed {
+            return Err(LogError::Stopped { place: place.clone() });
         }
+        self.rows_of_firings.rows.clear();
+        self.rows_of_firings.offs.clear();
         for firing in firings {
-            self.messages.firing(firing, &mut self.rows);
-            if self.rows.len() >= BATCH {
-                self.send()?;
-            }
+            let row = self.messages.firing(firing, &mut self.made);
+            self.rows_of_firings.rows.push(row);
+            self.take_made(row)?;
         }
         self.until = until;
-        self.messages.quiet(until, &mut self.rows);
-        if self.sent_at.elapsed() >= BATCH_WAITS { self.send() } else { Ok(()) }
+        self.messages.quiet(until, &mut self.made);
+        self.take_made(u64::MAX)?;
+        if self.sent_at.elapsed() >= BATCH_WAITS {
+            self.send()?;
+        }
+        Ok(&self.rows_of_firings)
+    }
+
+    /// How far everything is durable in all of the places: so many rows of the log.
+    pub fn durable(&self) -> Watermark {
+        let rows = self.writers.iter().map(|writer| writer.durable().of(0)).min();
+        Watermark(vec![rows.unwrap_or(0)])
     }
 
     /// Makes sure of all rows and gives the files their names. Sensors that are held ON stay so.
@@ -109,28 +173,66 @@ impl Logger {
         self.store(&[], self.until)?;
         self.send()?;
         for writer in std::mem::take(&mut self.writers) {
-            writer.finish(self.until)?;
+            let (place, is_required) = (writer.place().to_owned(), writer.is_required());
+            match writer.finish(self.until) {
+                Err(error) if is_required => return Err(error),
+                Err(error) => self.leave_behind(place, error),
+                Ok(()) => {}
+            }
         }
         Ok(std::mem::take(&mut self.stored))
+    }
+
+    /// Puts what was made into the batch; `own` is the row of the firing that was stored, the others end a hold.
+    fn take_made(&mut self, own: u64) -> Result<(), LogError> {
+        for row in std::mem::take(&mut self.made) {
+            if row.seq != own {
+                self.rows_of_firings.offs.push((row.seq, row.firing));
+            }
+            self.stored.by_sensor[row.sensor.index()] += 1;
+            let value = self.shown.cell(row.value, &mut self.texts);
+            let sensor = Cell::Text(self.ids[row.sensor.index()]);
+            let cells: [Cell; COLUMNS] = [Cell::Integer(row.seq as i64), Cell::Instant(row.at), sensor, value];
+            self.batch.push_of(row.firing, 0, cells);
+            if self.batch.len() >= BATCH {
+                self.send()?;
+            }
+        }
+        Ok(())
     }
 
     /// Hands what there is to the writers.
     fn send(&mut self) -> Result<(), LogError> {
         self.sent_at = Instant::now();
-        let rows = Arc::new(std::mem::replace(&mut self.rows, Vec::with_capacity(BATCH)));
-        for row in rows.iter() {
-            self.stored.by_sensor[row.sensor as usize] += 1;
-        }
-        self.stored.rows += rows.len() as u64;
-        for index in 0..self.writers.len() {
+        let batch = std::mem::replace(&mut self.batch, Batch::with_capacity(BATCH, COLUMNS)).with(&self.texts);
+        self.stored.rows += batch.len() as u64;
+        let batch = Arc::new(batch);
+        let mut index = 0;
+        while index < self.writers.len() {
             let writer = &mut self.writers[index];
-            if let Err(error) = if rows.is_empty() { writer.check() } else { writer.send(rows.clone()) } {
-                // With a gap in one place, the others shall not go on.
-                self.failed = Some(self.places[index].path().into());
-                self.writers.clear();
-                return Err(error);
+            match if batch.is_empty() { writer.check() } else { writer.send(batch.clone()) } {
+                Ok(()) => index += 1,
+                Err(error) if writer.is_required() => {
+                    // With a gap in one place, the others shall not go on.
+                    self.failed = Some(writer.place().to_owned());
+                    self.writers.clear();
+                    return Err(error);
+                }
+                Err(error) => {
+                    let place = self.writers.remove(index).place().to_owned();
+                    self.leave_behind(place, error);
+                }
             }
         }
         Ok(())
     }
+
+    /// From now on the run does without a place.
+    fn leave_behind(&mut self, place: String, error: LogError) {
+        self.stored.places.retain(|other| *other != place);
+        self.stored.failed.push((place, error));
+    }
 }
+
+/// Columns of a log: the row's number, the instant, the sensor, and what it said.
+const COLUMNS: usize = 4;

@@ -1,11 +1,10 @@
 //! `logger.json` checked: the names and texts under which rows are stored.
 
 use crate::error::LogError;
-use crate::messages::RowValue;
+use crate::table::{Cell, Column, ColumnKind, Table, Texts, thousandths};
 use homebody_core::event::Value;
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, TimeFormat};
 use std::collections::BTreeMap;
-use std::fmt::Write;
 
 /// The table that tells about runs, beside the rows' own.
 const RUN_TABLE: &str = "run";
@@ -27,8 +26,6 @@ pub(crate) struct Shown {
     pub sensors: Vec<String>,
     /// What is shown for ON and OFF.
     pub values: [String; 2],
-    /// What a log that was read says.
-    pub texts: Vec<String>,
     pub time: TimeFormat,
 }
 
@@ -59,6 +56,25 @@ impl Columns {
     }
 }
 
+impl Columns {
+    /// The table of a log under these names.
+    pub fn log_table(&self) -> Table {
+        let column = |name: &String, kind, about| Column { name: name.clone(), kind, unit: "", about };
+        Table {
+            name: self.table.clone(),
+            about: "what a sensor said, as the logger stored it",
+            columns: vec![
+                column(&self.seq, ColumnKind::Integer, "the number of the row in its run, from 0"),
+                column(&self.time, ColumnKind::Instant, "when the logger says that it was said"),
+                column(&self.sensor, ColumnKind::Text, "the sensor's id in the log"),
+                column(&self.value, ColumnKind::Text, "what it said, such as ON or 21.5"),
+            ],
+            is_numbered: true,
+            is_frequent: true,
+        }
+    }
+}
+
 impl Shown {
     /// The sensors under the network's own ids, and the two values of the kind of messages, ON first.
     pub fn new(file: &LoggerFile, sensors: &[String]) -> Result<Shown, LogError> {
@@ -68,21 +84,32 @@ impl Shown {
         };
         let shown = sensors.iter().map(|name| file.ids.get(name).unwrap_or(name).clone()).collect();
         apart(sensors, &shown)?;
-        Ok(Shown { sensors: shown, values: values.map(String::from), texts: Vec::new(), time: file.time })
+        Ok(Shown { sensors: shown, values: values.map(String::from), time: file.time })
     }
 
     /// The text of what a row says; `buffer` is where it is put together if it has to be.
-    pub fn value<'a>(&'a self, said: RowValue, buffer: &'a mut String) -> &'a str {
-        match said {
-            RowValue::Text(index) => &self.texts[index as usize],
-            RowValue::Value(Value::Fire | Value::On) => &self.values[0],
-            RowValue::Value(Value::Off) => &self.values[1],
-            RowValue::Value(value) => {
-                buffer.clear();
-                // A string takes whatever is written to it.
-                let _ = write!(buffer, "{value}");
+    pub fn value<'a>(&'a self, value: Value, buffer: &'a mut String) -> &'a str {
+        match value {
+            Value::Fire | Value::On => &self.values[0],
+            Value::Off => &self.values[1],
+            Value::Reading(number) => {
+                thousandths(number, buffer);
                 buffer
             }
+            value => {
+                *buffer = value.to_string();
+                buffer
+            }
+        }
+    }
+
+    /// The same as a cell.
+    pub fn cell(&self, value: Value, texts: &mut Texts) -> Cell {
+        match value {
+            Value::Fire | Value::On => Cell::Text(texts.id(&self.values[0])),
+            Value::Off => Cell::Text(texts.id(&self.values[1])),
+            Value::Reading(number) => Cell::Thousandths(number),
+            value => Cell::Text(texts.id(&value.to_string())),
         }
     }
 }

@@ -4,6 +4,7 @@
 //! prolong it. At one instant OFF comes before ON, and OFFs come in the order of sensors.
 
 use homebody_core::event::{Firing, Value};
+use homebody_core::ids::SensorId;
 use homebody_core::scenario::logger::MessagesFile;
 use homebody_core::time::{Micros, micros};
 use std::cmp::Reverse;
@@ -11,35 +12,42 @@ use std::collections::BinaryHeap;
 
 /// One row of a log: what was stored, of which sensor, when.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Row {
+pub(crate) struct LogRow {
     /// The rows of a run are numbered from 0.
     pub seq: u64,
     pub at: Micros,
-    pub sensor: u32,
-    pub value: RowValue,
-}
-
-/// What a row says.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum RowValue {
-    Value(Value),
-    /// Index into the texts of a log that was read.
-    Text(u32),
+    pub sensor: SensorId,
+    pub value: Value,
+    /// The firing that it came from; of an OFF that a hold ends with, the last that was held.
+    pub firing: u64,
 }
 
 /// Turns firings into rows.
+#[derive(Clone)]
 pub(crate) struct Messages {
     hold: Option<Hold>,
     next_seq: u64,
 }
 
+#[derive(Clone)]
 struct Hold {
     span: Micros,
-    /// When each sensor goes OFF unless it fires again; none while it is OFF.
-    off_at: Vec<Option<Micros>>,
+    /// What each sensor is held by; none while it is OFF.
+    held: Vec<Option<Held>>,
     /// One entry for each sensor that is ON. A firing does not move its sensor's entry, so an entry may come up
     /// too early; it is then put back to where it belongs.
-    due: BinaryHeap<Reverse<(Micros, u32)>>,
+    due: BinaryHeap<Reverse<(Micros, SensorId)>>,
+}
+
+/// A sensor that is held ON.
+#[derive(Clone, Copy)]
+struct Held {
+    /// When it goes OFF unless it fires again.
+    off_at: Micros,
+    /// The row that said ON.
+    row: u64,
+    /// The firing that prolonged it last.
+    firing: u64,
 }
 
 impl Messages {
@@ -49,62 +57,69 @@ impl Messages {
             MessagesFile::OnOff(on_off) => Some(micros(on_off.hold_s)),
             MessagesFile::Occupancy(occupancy) => Some(micros(occupancy.timeout_s)),
         };
-        let hold = span.map(|span| Hold { span, off_at: vec![None; sensors], due: BinaryHeap::new() });
+        let hold = span.map(|span| Hold { span, held: vec![None; sensors], due: BinaryHeap::new() });
         Messages { hold, next_seq: 0 }
     }
 
-    /// The rows of a firing: what has become due by then, then its own.
-    pub fn firing(&mut self, firing: &Firing, rows: &mut Vec<Row>) {
-        let mut first = true;
+    /// The rows of a firing: what has become due by then, then its own. Returns the number of the row that tells of it: its
+    /// own, or the ON that it prolongs.
+    pub fn firing(&mut self, firing: &Firing, rows: &mut Vec<LogRow>) -> u64 {
+        let next_seq = &mut self.next_seq;
         if let Some(hold) = &mut self.hold {
-            hold.release(firing.at, |at, sensor| push(rows, &mut self.next_seq, at, sensor, Value::Off));
-            first = firing.value != Value::Fire || hold.prolong(firing);
+            hold.release(firing.at, |at, sensor, held| push(rows, next_seq, at, sensor, Value::Off, held.firing));
+            if firing.value == Value::Fire
+                && let Some(row) = hold.prolong(firing, *next_seq)
+            {
+                return row;
+            }
         }
-        if first {
-            push(rows, &mut self.next_seq, firing.at, firing.sensor, firing.value);
-        }
+        push(rows, next_seq, firing.at, firing.sensor, firing.value, firing.seq);
+        *next_seq - 1
     }
 
     /// The rows due before `until`, given that no firing comes before it.
-    pub fn quiet(&mut self, until: Micros, rows: &mut Vec<Row>) {
+    pub fn quiet(&mut self, until: Micros, rows: &mut Vec<LogRow>) {
+        let next_seq = &mut self.next_seq;
         if let Some(hold) = &mut self.hold {
-            hold.release(until - 1, |at, sensor| push(rows, &mut self.next_seq, at, sensor, Value::Off));
+            hold.release(until - 1, |at, sensor, held| push(rows, next_seq, at, sensor, Value::Off, held.firing));
         }
     }
 }
 
 impl Hold {
     /// Turns OFF what is due at `now` or earlier.
-    fn release(&mut self, now: Micros, mut off: impl FnMut(Micros, u32)) {
+    fn release(&mut self, now: Micros, mut off: impl FnMut(Micros, SensorId, Held)) {
         while let Some(&Reverse((at, sensor))) = self.due.peek() {
             if at > now {
                 break;
             }
             self.due.pop();
-            let off_at = &mut self.off_at[sensor as usize];
-            match *off_at {
-                Some(later) if later > at => self.due.push(Reverse((later, sensor))),
-                _ => {
-                    *off_at = None;
-                    off(at, sensor);
+            match self.held[sensor.index()].take() {
+                Some(held) if held.off_at > at => {
+                    self.held[sensor.index()] = Some(held);
+                    self.due.push(Reverse((held.off_at, sensor)));
                 }
+                Some(held) => off(at, sensor, held),
+                None => {}
             }
         }
     }
 
-    /// Holds the sensor ON from this firing, and says whether it was OFF before.
-    fn prolong(&mut self, firing: &Firing) -> bool {
+    /// Holds the sensor ON from this firing; the row that said ON if it was so before, else `row` will.
+    fn prolong(&mut self, firing: &Firing, row: u64) -> Option<u64> {
         let off_at = firing.at + self.span;
-        let was_off = self.off_at[firing.sensor as usize].replace(off_at).is_none();
-        if was_off {
+        let held = &mut self.held[firing.sensor.index()];
+        let before = held.map(|held| held.row);
+        *held = Some(Held { off_at, row: before.unwrap_or(row), firing: firing.seq });
+        if before.is_none() {
             self.due.push(Reverse((off_at, firing.sensor)));
         }
-        was_off
+        before
     }
 }
 
-fn push(rows: &mut Vec<Row>, next_seq: &mut u64, at: Micros, sensor: u32, value: Value) {
-    rows.push(Row { seq: *next_seq, at, sensor, value: RowValue::Value(value) });
+fn push(rows: &mut Vec<LogRow>, next_seq: &mut u64, at: Micros, sensor: SensorId, value: Value, firing: u64) {
+    rows.push(LogRow { seq: *next_seq, at, sensor, value, firing });
     *next_seq += 1;
 }
 
@@ -117,11 +132,6 @@ mod tests {
     const ON: Value = Value::Fire;
     const OFF: Value = Value::Off;
 
-    fn value(row: &Row) -> Value {
-        let RowValue::Value(value) = row.value else { panic!("{row:?} is of a log that was read") };
-        value
-    }
-
     fn on_off(hold: Micros) -> MessagesFile {
         MessagesFile::OnOff(OnOffFile { hold_s: hold as f64 / 1e6 })
     }
@@ -130,11 +140,11 @@ mod tests {
         let mut messages = Messages::new(&on_off(hold), SENSORS as usize);
         let mut rows = Vec::new();
         for (seq, &(at, sensor)) in firings.iter().enumerate() {
-            messages.firing(&Firing { seq: seq as u64, at, sensor, value: Value::Fire }, &mut rows);
+            messages.firing(&Firing { seq: seq as u64, at, sensor: SensorId(sensor), value: Value::Fire }, &mut rows);
         }
         messages.quiet(until, &mut rows);
         assert!(rows.iter().enumerate().all(|(seq, row)| row.seq == seq as u64));
-        rows.iter().map(|row| (row.at, row.sensor, value(row))).collect()
+        rows.iter().map(|row| (row.at, row.sensor.0, row.value)).collect()
     }
 
     /// Looks at each microsecond and each sensor, and asks whether it has fired within the hold.
@@ -164,9 +174,9 @@ mod tests {
     fn firings_alone_are_stored_as_they_are() {
         let mut messages = Messages::new(&MessagesFile::FireOnly, 2);
         let mut rows = Vec::new();
-        messages.firing(&Firing { seq: 7, at: 5, sensor: 1, value: Value::Fire }, &mut rows);
+        messages.firing(&Firing { seq: 7, at: 5, sensor: SensorId(1), value: Value::Fire }, &mut rows);
         messages.quiet(1_000_000_000, &mut rows);
-        assert_eq!(rows, [Row { seq: 0, at: 5, sensor: 1, value: RowValue::Value(ON) }]);
+        assert_eq!(rows, [LogRow { seq: 0, at: 5, sensor: SensorId(1), value: ON, firing: 7 }]);
     }
 
     #[test]
@@ -175,9 +185,9 @@ mod tests {
         let mut rows = Vec::new();
         for (at, sensor, value) in [(0, 0, Value::Fire), (1, 1, Value::Open), (2, 1, Value::Open), (9, 1, Value::Close)]
         {
-            messages.firing(&Firing { seq: at as u64, at, sensor, value }, &mut rows);
+            messages.firing(&Firing { seq: at as u64, at, sensor: SensorId(sensor), value }, &mut rows);
         }
-        let stored: Vec<_> = rows.iter().map(|row| (row.at, row.sensor, value(row))).collect();
+        let stored: Vec<_> = rows.iter().map(|row| (row.at, row.sensor.0, row.value)).collect();
         let opened = [(1, 1, Value::Open), (2, 1, Value::Open)];
         assert_eq!(stored[..3], [(0, 0, ON), opened[0], opened[1]]);
         assert_eq!(stored[3..], [(5, 0, OFF), (9, 1, Value::Close)]);

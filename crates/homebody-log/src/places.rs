@@ -1,9 +1,10 @@
 //! The files of a run: where they go, and that they can, before the run begins.
 
-use crate::error::LogError;
+use crate::error::{LogError, place_of};
 use crate::fresh::{all_can_be_written, same_file};
 use crate::url::Url;
 use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::scheme::{self, Scheme};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -11,11 +12,20 @@ use std::path::{Path, PathBuf};
 /// The folder that runs go into where nothing else is asked for.
 pub const RUNS: &str = "runs";
 
+/// What a run's folder calls its recording, and the database of its truth.
+pub const RECORDING: &str = "recording.json";
+pub const TRUTH: &str = "truth.db";
+
+/// The table of the sensors in a run's folder: id in the log, name in the home, kind, room and place.
+pub const SENSORS: &str = "sensors.csv";
+
 /// Where a run is written.
 pub struct Places {
     pub log: Vec<Url>,
-    pub truth: Option<PathBuf>,
+    pub truth: Option<Url>,
     pub recording: Option<PathBuf>,
+    /// The table of the sensors, in a run's folder.
+    pub sensors: Option<PathBuf>,
     /// The folders made for the run, outer ones first.
     made: Vec<PathBuf>,
 }
@@ -24,13 +34,13 @@ impl Places {
     /// The files that were asked for; a new folder's where no log was.
     pub fn find(
         log: Vec<Url>,
-        truth: Option<PathBuf>,
+        truth: Option<Url>,
         recording: Option<PathBuf>,
         scenario: &Scenario,
         sources: &[PathBuf],
         force: bool,
     ) -> Result<Places, LogError> {
-        let mut places = Places { log, truth, recording, made: Vec::new() };
+        let mut places = Places { log, truth, recording, sensors: None, made: Vec::new() };
         let asked = if places.log.is_empty() { places.default_to_folder(Path::new(RUNS), scenario) } else { Ok(()) };
         match asked.and_then(|()| can_be_written(&places.files(), sources, force)) {
             Ok(()) => Ok(places),
@@ -55,8 +65,15 @@ impl Places {
         Ok(places)
     }
 
+    /// The places of a run that left this folder, to go on with it.
+    pub fn of_folder(folder: &Path, scenario: &Scenario) -> Result<Places, LogError> {
+        let mut places = Places::nowhere();
+        places.put_into(folder, scenario)?;
+        Ok(places)
+    }
+
     fn nowhere() -> Places {
-        Places { log: Vec::new(), truth: None, recording: None, made: Vec::new() }
+        Places { log: Vec::new(), truth: None, recording: None, sensors: None, made: Vec::new() }
     }
 
     /// A new folder for a cohort of a scenario, with nothing in it.
@@ -83,16 +100,17 @@ impl Places {
     /// Puts everything into a folder that has no place yet.
     fn put_into(&mut self, folder: &Path, scenario: &Scenario) -> Result<(), LogError> {
         let to = &scenario.logger.to;
-        let default = [String::from("sqlite:log.db")];
+        let default = [String::from(scheme::USUAL)];
         for url in if to.is_empty() { &default[..] } else { to } {
             let url = url.parse::<Url>()?.within(folder);
-            if let Some(inner) = url.path().parent().filter(|inner| inner.starts_with(folder)) {
+            if let Some(inner) = url.file().and_then(Path::parent).filter(|inner| inner.starts_with(folder)) {
                 self.make(inner)?;
             }
             self.log.push(url);
         }
-        self.truth.get_or_insert_with(|| folder.join("truth.db"));
-        self.recording.get_or_insert_with(|| folder.join("recording.json"));
+        self.truth.get_or_insert_with(|| Url::new(Scheme::Sqlite, folder.join(TRUTH)));
+        self.recording.get_or_insert_with(|| folder.join(RECORDING));
+        self.sensors = Some(folder.join(SENSORS));
         Ok(())
     }
 
@@ -131,8 +149,8 @@ impl Places {
 
     /// All files that are going to be written.
     fn files(&self) -> Vec<&Path> {
-        let logs = self.log.iter().map(Url::path);
-        logs.chain(self.truth.as_deref()).chain(self.recording.as_deref()).collect()
+        let urls = self.log.iter().chain(&self.truth).filter_map(Url::file);
+        urls.chain(self.recording.as_deref()).chain(self.sensors.as_deref()).collect()
     }
 }
 
@@ -141,7 +159,7 @@ impl Places {
 pub fn can_be_written(files: &[&Path], sources: &[PathBuf], force: bool) -> Result<(), LogError> {
     let is_source = |path: &&&Path| sources.iter().any(|source| same_file(source, path));
     if let Some(path) = files.iter().find(is_source) {
-        return Err(LogError::IsSource { path: path.into() });
+        return Err(LogError::IsSource { place: place_of(path) });
     }
     all_can_be_written(files, force)
 }
@@ -156,7 +174,7 @@ fn folder_name(name: &str) -> String {
 }
 
 fn no_folder(folder: &Path, source: std::io::Error) -> LogError {
-    LogError::Unmade { path: folder.into(), source }
+    LogError::Unmade { place: place_of(folder), source }
 }
 
 #[cfg(test)]

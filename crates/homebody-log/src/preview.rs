@@ -1,11 +1,12 @@
 //! The beginning of a log as its readers find it, and whether there can be one at a place.
 
 use crate::error::LogError;
-use crate::fresh::{FreshFile, Place};
+use crate::fresh::{Found, FreshFile};
 use crate::mapping::Columns;
 use crate::source::text;
 use crate::url::Url;
 use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::scenario::scheme::Scheme;
 use rusqlite::{Connection, OpenFlags};
 use std::fs::File;
 use std::io::{BufRead, BufReader};
@@ -23,22 +24,24 @@ pub struct Preview {
 
 /// The first rows of a log that is complete; `file` is the mapping that it was written by.
 pub fn preview(url: &Url, file: &LoggerFile, most: usize) -> Result<Preview, LogError> {
-    match url {
-        Url::Sqlite(path) => {
+    let path = url.file().unwrap_or(Path::new(""));
+    match url.scheme() {
+        Scheme::Sqlite => {
             let table = Columns::new(file)?.table;
             database(path, &table, most).map_err(|error| LogError::database(path, error))
         }
-        Url::Csv(path) => values(path, most),
-        Url::Casas(path) => lines(path, most),
+        Scheme::Csv => values(path, most),
+        Scheme::Casas => lines(path, most),
     }
 }
 
 /// Makes sure that a new log can be begun at a place; nothing is left there.
 pub fn try_place(url: &Url) -> Result<(), LogError> {
-    match Place::at(url.path(), false)? {
+    let Some(path) = url.file() else { return Ok(()) };
+    match Found::at(path, false)? {
         // To open a pipe is to wait for who reads it.
-        Place::Device => Ok(()),
-        _ => FreshFile::create(url.path(), false).map(drop),
+        Found::Device => Ok(()),
+        _ => FreshFile::create(path, false).map(drop),
     }
 }
 

@@ -3,18 +3,20 @@
 use crate::clock::Clock;
 use crate::error::LogError;
 use crate::mapping::Shown;
-use crate::messages::{Messages, Row};
+use crate::messages::{LogRow, Messages};
 use homebody_core::event::Firing;
+use homebody_core::ids::SensorId;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Micros;
 
-/// Turns a run's firings into the rows that its log has of them.
+/// Turns a run's firings into the rows that its log has of them. A copy goes on as the original.
+#[derive(Clone)]
 pub struct Rows {
     messages: Messages,
     shown: Shown,
     clock: Clock,
-    rows: Vec<Row>,
+    rows: Vec<LogRow>,
 }
 
 /// A row as a log shows it.
@@ -23,8 +25,7 @@ pub struct RowText {
     /// The rows of a run are numbered from 0.
     pub seq: u64,
     pub at: Micros,
-    /// Index into the run's sensors.
-    pub sensor: u32,
+    pub sensor: SensorId,
     pub time: String,
     /// What the sensor is called in the log.
     pub id: String,
@@ -57,7 +58,7 @@ impl Rows {
                 at: row.at,
                 sensor: row.sensor,
                 time: clock.text(row.at).into(),
-                id: shown.sensors[row.sensor as usize].clone(),
+                id: shown.sensors[row.sensor.index()].clone(),
                 value: shown.value(row.value, &mut buffer).into(),
             }
         })

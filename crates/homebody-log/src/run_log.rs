@@ -1,72 +1,175 @@
-//! All that a run leaves: its log, the truth apart from it, and the recording that lives it again.
+//! All that a run leaves: its log, the truth apart from it, the table of its sensors, and the recording that lives it
+//! again.
 
 use crate::error::LogError;
-use crate::fresh::FreshFile;
-use crate::logger::{Logger, RunInfo, Stored};
+use crate::fresh::{FreshFile, remove_parts};
+use crate::logger::{Destination, Logger, RowsOfFirings, Stored, destinations};
 use crate::places::Places;
-use crate::truth::{Names, TruthLog};
+use crate::run_info::RunInfo;
+use crate::sink::How;
+use crate::truth::TruthLog;
+use crate::url::Url;
 use homebody_core::event::Events;
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-/// The open files of a run that is being lived.
+/// The open places of a run that is being lived.
 pub struct RunLog {
-    logger: Logger,
+    /// Until it is completed.
+    logger: Option<Logger>,
     truth: Option<TruthLog>,
-    record: Option<FreshFile>,
+    record: Option<PathBuf>,
+    /// What is removed if the run fails and leaves no log by which it could be gone on with.
+    given_up: Option<GivenUp>,
     digest: RunDigest,
 }
 
 impl RunLog {
-    /// Opens the files of a run that has not been advanced. Its seed and the program's version are those of the recording;
-    /// files that exist are only replaced if `force` is given.
+    /// Opens the places of a run that has not been advanced. Its seed and the program's version are those of the recording,
+    /// which stands from now on.
+    ///
+    /// Going on, the run is lived again from its beginning: what is there already is compared, and what is missing is
+    /// written. The truth of a run that was stopped says what ended there and then, so it is written anew.
     pub fn open(
         places: &Places,
         scenario: &Scenario,
         run: &Run,
         recording: &Recording,
-        force: bool,
+        how: How,
     ) -> Result<RunLog, LogError> {
-        let record = places.recording.as_ref().map(|path| FreshFile::create(path, force)).transpose()?;
-        let sensors: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
-        let rooms: Vec<String> = run.home().plan.rooms.iter().map(|room| room.name.clone()).collect();
-        let things: Vec<String> = run.home().plan.things.iter().map(|thing| thing.name.clone()).collect();
-        let residents = run.names();
-        let Scenario { file, logger: mapping, calendar, .. } = scenario;
-        let Recording { seed, version, .. } = recording;
-        let info = RunInfo { id: 1, scenario: file.name.clone(), seed: *seed, version: version.clone() };
-        let logger = Logger::open(&places.log, mapping, &sensors, calendar, &info, force)?;
-        let names = Names { residents: &residents, rooms: &rooms, things: &things, sensors: &sensors };
-        let truth = places.truth.as_ref();
-        let truth = truth.map(|path| TruthLog::open(path, &places.log, mapping, names, calendar, &info, force));
-        Ok(RunLog { logger, truth: truth.transpose()?, record, digest: RunDigest::default() })
+        RunLog::open_with(places, Vec::new(), scenario, run, recording, how)
+    }
+
+    /// The same, with destinations of a caller's own beside the places.
+    pub fn open_with(
+        places: &Places,
+        own: Vec<Destination>,
+        scenario: &Scenario,
+        run: &Run,
+        recording: &Recording,
+        how: How,
+    ) -> Result<RunLog, LogError> {
+        let info = Arc::new(RunInfo::of(scenario, run, recording));
+        if how == How::GoOn {
+            for path in places.recording.iter().chain(&places.sensors) {
+                // A program that died while it wrote one of them has left a part.
+                remove_parts(path)?;
+            }
+        }
+        let truth_how = if how == How::GoOn && was_stopped(places) { How::Replace } else { how };
+        if let (Some(path), false) = (&places.recording, how == How::GoOn) {
+            // Before all else: whatever becomes of the run from now on, it can be gone on with.
+            write_recording(path, recording, how)?;
+        }
+        let mut all = destinations(&places.log, how)?;
+        all.extend(own);
+        let opened = Logger::open(all, &scenario.logger, &info, how).and_then(|logger| {
+            let truth = places.truth.as_ref();
+            let truth =
+                truth.map(|url| TruthLog::open(url, &places.log, &scenario.logger, &info, truth_how)).transpose()?;
+            if let Some(path) = &places.sensors {
+                write_sensors(path, &info)?;
+            }
+            Ok((logger, truth))
+        });
+        match opened {
+            Ok((logger, truth)) => {
+                let record = places.recording.clone();
+                let beside = record.iter().chain(&places.sensors).cloned().collect();
+                let is_folder = places.sensors.is_some();
+                let logs = places.log.iter().filter_map(Url::file).filter(|_| is_folder).map(Path::to_owned).collect();
+                let given_up = (how == How::New || !is_folder).then_some(GivenUp { beside, logs });
+                Ok(RunLog { logger: Some(logger), truth, record, given_up, digest: RunDigest::default() })
+            }
+            Err(error) => {
+                if let (Some(path), How::New) = (&places.recording, how) {
+                    // Nothing was begun, so nothing can be gone on with.
+                    let _ = std::fs::remove_file(path);
+                }
+                Err(error)
+            }
+        }
     }
 
     /// Hands on what has happened in the run since the last time.
     pub fn store(&mut self, run: &Run, events: &Events) -> Result<(), LogError> {
         self.digest.add(&events.firings);
-        self.logger.store(&events.firings, run.settled())?;
+        let Some(logger) = &mut self.logger else { return Ok(()) };
+        let joined = logger.store(&events.firings, run.settled())?;
         match &mut self.truth {
-            Some(truth) => truth.store(events),
+            Some(truth) => truth.store(events, joined),
             None => Ok(()),
         }
     }
 
-    /// Completes all files, and returns what was stored and the recording of what was lived: its length is where the run has
+    /// Completes all places, and returns what was stored and the recording of what was lived: its length is where the run has
     /// come to, and its other fields are those of `recording`.
-    pub fn finish(self, run: &Run, recording: Recording) -> Result<(Stored, Recording), LogError> {
-        let stored = self.logger.finish()?;
-        if let Some(truth) = self.truth {
+    pub fn finish(mut self, run: &Run, recording: Recording) -> Result<(Stored, Recording), LogError> {
+        let stored = self.logger.take().map(Logger::finish).transpose()?.unwrap_or_default();
+        if let Some(mut truth) = self.truth.take() {
+            let under_way = Events { facts: run.under_way().collect(), ..Events::default() };
+            truth.store(&under_way, &RowsOfFirings::default())?;
             truth.finish(run.now())?;
         }
         let (firings, sha256) = (self.digest.firings(), self.digest.hex());
-        let recording = Recording { length_us: run.now(), firings, sha256, ..recording };
-        if let Some(mut file) = self.record {
-            file.write(serde_json::to_string_pretty(&recording)?.as_bytes())?;
-            file.write(b"\n")?;
-            file.finish()?;
+        let stopped_of_us = (run.now() < run.length()).then(|| run.length());
+        let recording = Recording { length_us: run.now(), stopped_of_us, firings, sha256, ..recording };
+        if let Some(path) = &self.record {
+            write_recording(path, &recording, How::Replace)?;
         }
+        self.given_up = None;
         Ok((stored, recording))
     }
+}
+
+/// The files that are of no use without a log.
+struct GivenUp {
+    beside: Vec<PathBuf>,
+    logs: Vec<PathBuf>,
+}
+
+impl Drop for RunLog {
+    fn drop(&mut self) {
+        let Some(GivenUp { beside, logs }) = self.given_up.take() else { return };
+        // They decide first what stays of the logs.
+        (self.logger, self.truth) = (None, None);
+        if !logs.iter().any(|log| log.is_file()) {
+            beside.iter().for_each(|path| {
+                let _ = std::fs::remove_file(path);
+            });
+        }
+    }
+}
+
+/// Whether the run that left these places was stopped, and not killed.
+fn was_stopped(places: &Places) -> bool {
+    let text = places.recording.as_ref().and_then(|path| std::fs::read_to_string(path).ok());
+    text.and_then(|text| serde_json::from_str::<Recording>(&text).ok()).is_some_and(|recording| recording.is_complete())
+}
+
+/// Writes a recording in one piece.
+fn write_recording(path: &Path, recording: &Recording, how: How) -> Result<(), LogError> {
+    let mut file = FreshFile::create(path, how != How::New)?;
+    file.write(serde_json::to_string_pretty(recording)?.as_bytes())?;
+    file.write(b"\n")?;
+    file.finish()
+}
+
+/// Writes a row for each sensor: its id in the log, its name in the home, its kind, its room and its place.
+fn write_sensors(path: &Path, run: &RunInfo) -> Result<(), LogError> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let wrong = |error: csv::Error| LogError::file(path, error.into());
+    writer.write_record(["id", "name", "kind", "room", "x_m", "y_m"]).map_err(wrong)?;
+    for sensor in &run.sensors {
+        let [x, y] = sensor.at_m.map(|metres| format!("{metres:.3}"));
+        let room = sensor.room.as_deref().unwrap_or_default();
+        writer.write_record([&sensor.id, &sensor.name, &sensor.kind, room, &x, &y]).map_err(wrong)?;
+    }
+    let written = writer.into_inner().map_err(|error| LogError::file(path, error.into_error()))?;
+    let mut file = FreshFile::create(path, true)?;
+    file.write(&written)?;
+    file.finish()
 }

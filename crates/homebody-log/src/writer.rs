@@ -1,21 +1,23 @@
-//! A thread that writes rows, so that what makes them need not wait for the disk.
+//! A thread that writes batches to one destination, so that what makes them need not wait for a disk or a network.
 //!
-//! Rows come in batches through a bounded channel: when the disk is the slower, the maker waits for it, and memory
-//! stays small. An error ends the thread; it comes out of the next call to the writer.
+//! Batches come through a bounded queue: when the destination is the slower, the maker waits for it, and memory stays
+//! small. An error ends the thread; it comes out of the next call to the writer.
 
 use crate::error::LogError;
+use crate::policy::Policy;
+use crate::run_info::RunInfo;
+use crate::sink::{Begin, How, Sink, Watermark};
+use crate::table::{Batch, Table};
+use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::Micros;
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, TrySendError, sync_channel};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 /// Rows of one batch. This and the numbers below are ours.
 pub(crate) const BATCH: usize = 4096;
-
-/// Batches on their way to the thread.
-const ON_THEIR_WAY: usize = 4;
 
 /// How long rows wait for a batch to fill. Whoever watches a live run sees them a little later.
 pub(crate) const BATCH_WAITS: Duration = Duration::from_millis(100);
@@ -26,49 +28,84 @@ const SETTLE_ROWS: usize = 200_000;
 /// How long rows may be unsure, the time it takes to write a batch aside.
 const SETTLE_AFTER: Duration = Duration::from_secs(1);
 
-/// Where rows end up. One file each kind, all in this shape.
-///
-/// Its life: `open` (each kind's own), then any number of `write` and `settle`, then `finish`, or `drop` where the run
-/// is given up. After an error nothing more is called but `drop`.
-pub(crate) trait Sink: Send {
-    type Row;
+/// How often a full queue or a thread that ends is looked at.
+const LOOK: Duration = Duration::from_micros(200);
 
-    /// The file that errors are about.
-    fn path(&self) -> &Path;
-
-    /// Takes rows; they may be lost until the next `settle`.
-    fn write(&mut self, rows: &[Self::Row]) -> Result<(), LogError>;
-
-    /// Makes sure of the rows taken.
-    fn settle(&mut self) -> Result<(), LogError>;
-
-    /// Makes sure of everything, and marks the run as ended at `end`.
-    fn finish(self: Box<Self>, end: Micros) -> Result<(), LogError>;
-}
-
-/// A sink in a thread of its own.
-pub(crate) struct Writer<Row> {
-    path: PathBuf,
-    messages: Option<SyncSender<Message<Row>>>,
+/// A destination in a thread of its own.
+pub(crate) struct Writer {
+    /// What errors call it.
+    place: String,
+    policy: Policy,
+    messages: Option<SyncSender<Message>>,
     thread: Option<JoinHandle<Result<(), LogError>>>,
+    shared: Arc<Shared>,
 }
 
-enum Message<Row> {
-    Rows(Arc<Vec<Row>>),
+/// What the thread tells while it works.
+#[derive(Default)]
+struct Shared {
+    /// Counts up whenever the destination has answered.
+    answers: AtomicU64,
+    durable: Mutex<Watermark>,
+}
+
+enum Message {
+    Rows(Arc<Batch>),
     Finish(Micros),
 }
 
-impl<Row: Send + Sync + 'static> Writer<Row> {
-    pub fn spawn(sink: Box<dyn Sink<Row = Row>>) -> Writer<Row> {
-        let path = sink.path().to_owned();
-        let (messages, incoming) = sync_channel(ON_THEIR_WAY);
-        let thread = thread::spawn(move || write(sink, incoming));
-        Writer { path, messages: Some(messages), thread: Some(thread) }
+/// What a writer is begun with.
+#[derive(Clone)]
+pub(crate) struct Beginning {
+    pub run: Arc<RunInfo>,
+    pub tables: Arc<Vec<Table>>,
+    pub time: TimeFormat,
+    pub run_column: String,
+    pub how: How,
+}
+
+impl Writer {
+    /// Begins the sink here, so that its error is told at once, and hands it to its thread.
+    pub fn spawn(
+        place: String,
+        mut sink: Box<dyn Sink>,
+        policy: Policy,
+        beginning: &Beginning,
+    ) -> Result<Writer, LogError> {
+        let begin = Begin {
+            run: &beginning.run,
+            tables: &beginning.tables,
+            time: beginning.time,
+            run_column: &beginning.run_column,
+            how: beginning.how,
+        };
+        let there = policy.with_retries(|| sink.begin(&begin))?;
+        let (messages, incoming) = sync_channel(policy.batches_waiting);
+        let shared = Arc::new(Shared::default());
+        *shared.durable.lock().unwrap_or_else(PoisonError::into_inner) = there.clone();
+        let work = Work { sink, policy: policy.clone(), shared: shared.clone(), there: there.0 };
+        let thread = thread::spawn(move || work.write(incoming));
+        Ok(Writer { place, policy, messages: Some(messages), thread: Some(thread), shared })
+    }
+
+    /// What errors call the destination.
+    pub fn place(&self) -> &str {
+        &self.place
+    }
+
+    /// Whether its error ends the run.
+    pub fn is_required(&self) -> bool {
+        self.policy.required
+    }
+
+    /// How far everything is durable.
+    pub fn durable(&self) -> Watermark {
+        self.shared.durable.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
     /// Hands over rows; the thread's error, if it has ended by one.
-    pub fn send(&mut self, rows: Arc<Vec<Row>>) -> Result<(), LogError> {
-        self.pass(Message::Rows(rows))
+    pub fn send(&mut self, batch: Arc<Batch>) -> Result<(), LogError> {
+        self.pass(Message::Rows(batch))
     }
 
     /// The thread's error, if it has ended by one.
@@ -79,106 +116,149 @@ impl<Row: Send + Sync + 'static> Writer<Row> {
         }
     }
 
-    /// Waits until all rows are safe and the run is marked as ended.
+    /// Waits until all rows are safe and the run is marked as ended, as long as the destination goes on answering.
     pub fn finish(mut self, end: Micros) -> Result<(), LogError> {
         self.pass(Message::Finish(end))?;
+        self.messages = None;
+        self.wait()?;
         self.join()
     }
 
-    fn pass(&mut self, message: Message<Row>) -> Result<(), LogError> {
-        match &self.messages {
-            Some(messages) if messages.send(message).is_ok() => Ok(()),
-            _ => self.join(),
+    fn pass(&mut self, message: Message) -> Result<(), LogError> {
+        let Some(messages) = &self.messages else { return self.join() };
+        let mut message = match messages.try_send(message) {
+            Ok(()) => return Ok(()),
+            Err(TrySendError::Full(message)) => message,
+            Err(TrySendError::Disconnected(_)) => return self.join(),
+        };
+        let mut patience = Patience::new(self);
+        loop {
+            thread::sleep(LOOK);
+            message = match messages.try_send(message) {
+                Ok(()) => return Ok(()),
+                Err(TrySendError::Full(message)) => message,
+                Err(TrySendError::Disconnected(_)) => return self.join(),
+            };
+            patience.is_left(self)?;
         }
+    }
+
+    /// Waits for the thread's end.
+    fn wait(&self) -> Result<(), LogError> {
+        let mut patience = Patience::new(self);
+        while self.thread.as_ref().is_some_and(|thread| !thread.is_finished()) {
+            thread::sleep(LOOK);
+            patience.is_left(self)?;
+        }
+        Ok(())
     }
 
     fn join(&mut self) -> Result<(), LogError> {
         self.messages = None;
         match self.thread.take() {
             Some(thread) => thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
-            None => Err(LogError::Stopped { path: self.path.clone() }),
+            None => Err(LogError::Stopped { place: self.place.clone() }),
         }
     }
 }
 
-impl<Row> Drop for Writer<Row> {
-    /// Waits for the thread, so that nothing writes on after the run has been given up.
+impl Drop for Writer {
+    /// Waits for the thread, so that nothing writes on after the run has been given up; but not for one that hangs.
     fn drop(&mut self) {
         self.messages = None;
-        if let Some(thread) = self.thread.take() {
+        if self.wait().is_ok()
+            && let Some(thread) = self.thread.take()
+        {
             let _ = thread.join();
         }
     }
 }
 
-/// The thread's work.
-fn write<Row>(mut sink: Box<dyn Sink<Row = Row>>, incoming: Receiver<Message<Row>>) -> Result<(), LogError> {
-    let mut unsettled = 0;
-    let mut settle_at = None;
-    loop {
-        let message = match settle_at {
-            Some(at) => incoming.recv_timeout(Instant::saturating_duration_since(&at, Instant::now())),
-            None => incoming.recv().map_err(|_| RecvTimeoutError::Disconnected),
-        };
-        match message {
-            Ok(Message::Rows(rows)) => {
-                sink.write(&rows)?;
-                unsettled += rows.len();
-                settle_at.get_or_insert_with(|| Instant::now() + SETTLE_AFTER);
-            }
-            Ok(Message::Finish(end)) => return sink.finish(end),
-            Err(RecvTimeoutError::Timeout) => {}
-            Err(RecvTimeoutError::Disconnected) => return sink.settle(),
+/// How long a destination may still go without an answer.
+struct Patience {
+    answers: u64,
+    since: Instant,
+}
+
+impl Patience {
+    fn new(writer: &Writer) -> Patience {
+        Patience { answers: writer.shared.answers.load(Ordering::Relaxed), since: Instant::now() }
+    }
+
+    fn is_left(&mut self, writer: &Writer) -> Result<(), LogError> {
+        let answers = writer.shared.answers.load(Ordering::Relaxed);
+        if answers != self.answers {
+            *self = Patience { answers, since: Instant::now() };
         }
-        // Where rows never cease to come, no wait for them ever ends by its time.
-        if unsettled >= SETTLE_ROWS || settle_at.is_some_and(|at| Instant::now() >= at) {
-            sink.settle()?;
-            unsettled = 0;
-            settle_at = None;
+        match self.since.elapsed() > writer.policy.answers_within {
+            true => {
+                Err(LogError::Hangs { place: writer.place.clone(), seconds: writer.policy.answers_within.as_secs() })
+            }
+            false => Ok(()),
         }
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use std::sync::atomic::{AtomicUsize, Ordering};
+/// What the thread works with.
+struct Work {
+    sink: Box<dyn Sink>,
+    policy: Policy,
+    shared: Arc<Shared>,
+    /// By table, how many of the rows to come the destination has already.
+    there: Vec<u64>,
+}
 
-    /// A disk slower than what makes the rows.
-    struct Slow(Arc<AtomicUsize>);
-
-    impl Sink for Slow {
-        type Row = u8;
-
-        fn path(&self) -> &Path {
-            Path::new("slow")
-        }
-
-        fn write(&mut self, _: &[u8]) -> Result<(), LogError> {
-            thread::sleep(Duration::from_millis(2));
-            Ok(())
-        }
-
-        fn settle(&mut self) -> Result<(), LogError> {
-            self.0.fetch_add(1, Ordering::Relaxed);
-            Ok(())
-        }
-
-        fn finish(mut self: Box<Self>, _: Micros) -> Result<(), LogError> {
-            self.settle()
+impl Work {
+    fn write(mut self, incoming: Receiver<Message>) -> Result<(), LogError> {
+        let mut unsettled = 0;
+        let mut settle_at = None;
+        loop {
+            let message = match settle_at {
+                Some(at) => incoming.recv_timeout(Instant::saturating_duration_since(&at, Instant::now())),
+                None => incoming.recv().map_err(|_| RecvTimeoutError::Disconnected),
+            };
+            match message {
+                Ok(Message::Rows(batch)) => {
+                    unsettled += batch.len();
+                    self.take(&batch)?;
+                    settle_at.get_or_insert_with(|| Instant::now() + SETTLE_AFTER);
+                }
+                Ok(Message::Finish(end)) => {
+                    let Work { sink, policy, .. } = &mut self;
+                    return policy.with_retries(|| sink.finish(end));
+                }
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => return self.settle(),
+            }
+            // Where rows never cease to come, no wait for them ever ends by its time.
+            if unsettled >= SETTLE_ROWS || settle_at.is_some_and(|at| Instant::now() >= at) {
+                self.settle()?;
+                unsettled = 0;
+                settle_at = None;
+            }
         }
     }
 
-    #[test]
-    fn rows_settle_though_more_of_them_always_wait() {
-        let settled = Arc::new(AtomicUsize::new(0));
-        let mut writer = Writer::spawn(Box::new(Slow(settled.clone())));
-        let begun = Instant::now();
-        while settled.load(Ordering::Relaxed) == 0 {
-            assert!(begun.elapsed() < 10 * SETTLE_AFTER, "nothing is sure after {:?}", begun.elapsed());
-            writer.send(Arc::new(vec![0])).unwrap();
+    /// Writes a batch, but for what is there already.
+    fn take(&mut self, batch: &Batch) -> Result<(), LogError> {
+        let Work { sink, policy, shared, there } = self;
+        if there.iter().any(|&rows| rows > 0) {
+            let rest = batch.beyond(there);
+            if !rest.is_empty() {
+                policy.with_retries(|| sink.write(&rest))?;
+            }
+        } else {
+            policy.with_retries(|| sink.write(batch))?;
         }
-        writer.finish(0).unwrap();
-        assert!(settled.load(Ordering::Relaxed) >= 2);
+        shared.answers.fetch_add(1, Ordering::Relaxed);
+        Ok(())
+    }
+
+    fn settle(&mut self) -> Result<(), LogError> {
+        let Work { sink, policy, shared, .. } = self;
+        let durable = policy.with_retries(|| sink.settle())?;
+        *shared.durable.lock().unwrap_or_else(PoisonError::into_inner) = durable;
+        shared.answers.fetch_add(1, Ordering::Relaxed);
+        Ok(())
     }
 }

@@ -77,7 +77,7 @@ fn check(path: &Path, firings: &[homebody_core::event::Firing]) -> i64 {
     let mut statement = connection.prepare("SELECT sensor FROM firing ORDER BY seq LIMIT 1000").unwrap();
     let sensors = statement.query_map([], |row| row.get::<_, String>(0)).unwrap().map(Result::unwrap);
     for (sensor, firing) in sensors.zip(firings) {
-        assert_eq!(sensor, names[firing.sensor as usize]);
+        assert_eq!(sensor, names[firing.sensor.index()]);
     }
     rows
 }

@@ -3,8 +3,9 @@
 mod stage;
 
 use homebody_core::event::{Events, Fact, Firing, Provenance, Trigger};
+use homebody_core::ids::ResidentId;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::{TruthLog, truth};
+use homebody_log::RowsOfFirings;
 use rusqlite::{Connection, params};
 use stage::Folder;
 use std::time::{Duration, Instant};
@@ -53,17 +54,19 @@ fn text_files_are_written() {
 fn causes_are_written() {
     let folder = Folder::new("rate-truth");
     let firings = stage::firings(ROWS);
-    let (residents, rooms, sensors) = (["margaret".to_string()], [], stage::sensors());
-    let names = truth::Names { residents: &residents, rooms: &rooms, things: &[], sensors: &sensors };
-    let (path, file, calendar) = (folder.path().join("truth.db"), LoggerFile::default(), stage::calendar());
-    let mut log = TruthLog::open(&path, &[], &file, names, &calendar, &stage::run(), false).unwrap();
+    let mut log = stage::open_truth(&folder.path().join("truth.db"), &[], &LoggerFile::default()).unwrap();
     let began = Instant::now();
     for step in firings.chunks(500) {
         let provenance = |firing: &Firing| Fact::Provenance {
             seq: firing.seq,
-            provenance: Provenance { resident: Some(0), seen_at: firing.at - 1, trigger: Trigger::Movement },
+            provenance: Provenance {
+                resident: Some(ResidentId(0)),
+                seen_at: firing.at - 1,
+                trigger: Trigger::Movement,
+            },
         };
-        log.store(&Events { firings: step.to_vec(), facts: step.iter().map(provenance).collect() }).unwrap();
+        let joined = RowsOfFirings { rows: step.iter().map(|firing| firing.seq).collect(), offs: Vec::new() };
+        log.store(&Events { firings: step.to_vec(), facts: step.iter().map(provenance).collect() }, &joined).unwrap();
     }
     log.finish(firings[firings.len() - 1].at).unwrap();
     println!("causes {:.0} rows/s", ROWS as f64 / began.elapsed().as_secs_f64());

@@ -3,8 +3,9 @@
 mod stage;
 
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, OnOffFile, TimeFormat};
+use homebody_core::scenario::scheme::Scheme;
 use homebody_log::source::{Clock, recognise};
-use homebody_log::{Log, LogError, Url, convert, read};
+use homebody_log::{How, Log, LogError, convert, read};
 use rusqlite::Connection;
 use stage::Folder;
 use std::fs;
@@ -14,8 +15,8 @@ const ALL: [&str; 3] = ["sqlite:log.db", "csv:log.csv", "casas:log.txt"];
 
 fn from_text(folder: &Folder, url: &str, text: &str) -> Result<Log, LogError> {
     let url = folder.url(url);
-    fs::write(url.path(), text).unwrap();
-    assert_eq!(recognise(url.path()).unwrap(), url);
+    fs::write(url.file().unwrap(), text).unwrap();
+    assert_eq!(recognise(url.file().unwrap()).unwrap(), url);
     read(&url, &LoggerFile::default())
 }
 
@@ -34,7 +35,7 @@ fn what_was_logged_is_read_back() {
         let urls = ALL.map(|url| folder.url(url));
         let stored = stage::store(stage::open(&urls, &file, false).unwrap(), &firings, 100).unwrap();
         let [database, csv, casas] = urls.map(|url| {
-            assert_eq!(recognise(url.path()).unwrap(), url);
+            assert_eq!(recognise(url.file().unwrap()).unwrap(), url);
             read(&url, &LoggerFile::default()).unwrap()
         });
         assert_eq!(database, csv);
@@ -61,12 +62,12 @@ fn a_log_goes_from_form_to_form_and_comes_back_the_same() {
     for to in ["sqlite:second.db", "csv:third.csv", "sqlite:fourth.db", "casas:last.txt"] {
         let to = folder.url(to);
         let log = read(&from, &LoggerFile::default()).unwrap();
-        let rows = convert(&log, &to, &stage::run(), "UTC", false).unwrap();
+        let rows = convert(&log, &to, "a log", "UTC", How::New).unwrap();
         assert_eq!(rows, log.events.len() as u64);
         from = to;
     }
     assert_eq!(folder.text("first.txt"), folder.text("last.txt"));
-    let again = convert(&Log::default(), &from, &stage::run(), "UTC", false);
+    let again = convert(&Log::default(), &from, "a log", "UTC", How::New);
     assert!(matches!(again, Err(LogError::Exists { .. })));
 }
 
@@ -75,11 +76,11 @@ fn a_log_in_utc_becomes_local_for_casas_alone() {
     let folder = Folder::new("utc");
     let text = "entity_id,state,last_changed\nbinary_sensor.hall,on,2009-03-02T13:12:03.250000Z\n";
     let log = from_text(&folder, "csv:ha.csv", text).unwrap();
-    convert(&log, &folder.url("casas:log.txt"), &stage::run(), "America/Chicago", false).unwrap();
-    convert(&log, &folder.url("csv:log.csv"), &stage::run(), "America/Chicago", false).unwrap();
+    convert(&log, &folder.url("casas:log.txt"), "a log", "America/Chicago", How::New).unwrap();
+    convert(&log, &folder.url("csv:log.csv"), "a log", "America/Chicago", How::New).unwrap();
     assert_eq!(folder.text("log.txt"), "2009-03-02 07:12:03.250000\tbinary_sensor.hall\ton\n");
     assert_eq!(folder.text("log.csv").lines().last(), Some("0,2009-03-02T13:12:03.250000Z,binary_sensor.hall,on"));
-    let nowhere = convert(&log, &folder.url("csv:x.csv"), &stage::run(), "Mars/Olympus", false);
+    let nowhere = convert(&log, &folder.url("csv:x.csv"), "a log", "Mars/Olympus", How::New);
     assert!(matches!(nowhere, Err(LogError::Zone(_))));
 }
 
@@ -105,7 +106,7 @@ fn other_peoples_tables_are_found() {
         ),
     ] {
         let url = folder.url(&format!("sqlite:{name}.db"));
-        Connection::open(url.path()).unwrap().execute_batch(sql).unwrap();
+        Connection::open(url.file().unwrap()).unwrap().execute_batch(sql).unwrap();
         let log = read(&url, &LoggerFile::default()).unwrap();
         assert_eq!(told(&log), [(1_235_977_923_000_000, "D1", "OPEN")], "{name}");
     }
@@ -118,7 +119,7 @@ fn other_peoples_tables_are_found() {
         ),
     ] {
         let url = folder.url(&format!("sqlite:{name}.db"));
-        Connection::open(url.path()).unwrap().execute_batch(sql).unwrap();
+        Connection::open(url.file().unwrap()).unwrap().execute_batch(sql).unwrap();
         assert!(matches!(read(&url, &LoggerFile::default()), Err(LogError::NoLog { .. })), "{name}");
     }
 }
@@ -132,7 +133,7 @@ fn a_mapping_leads_to_its_own_table() {
     let url = folder.url("sqlite:log.db");
     stage::store(stage::open(std::slice::from_ref(&url), &file, false).unwrap(), &stage::firings(10), 3).unwrap();
     let other = "CREATE TABLE firing (run_id, seq, fired_at, sensor, value)";
-    Connection::open(url.path()).unwrap().execute_batch(other).unwrap();
+    Connection::open(url.file().unwrap()).unwrap().execute_batch(other).unwrap();
     let log = read(&url, &file).unwrap();
     assert_eq!(log.events.len(), 10);
     assert_eq!(log.sensor(&log.events[0]), "bedroom motion");
@@ -166,7 +167,7 @@ fn of_several_runs_one_is_read() {
     )
     .unwrap();
     let more = "INSERT INTO firing SELECT 2, seq, fired_at, sensor, value FROM firing";
-    Connection::open(url.path()).unwrap().execute_batch(more).unwrap();
+    Connection::open(url.file().unwrap()).unwrap().execute_batch(more).unwrap();
     let log = read(&url, &LoggerFile::default()).unwrap();
     assert_eq!((log.events.len(), log.skipped), (10, 0));
     assert_eq!(log.remarks, ["of 2 runs in it only the first is read"]);
@@ -201,7 +202,7 @@ fn what_is_no_log_is_told() {
         let missing = read(&folder.url(&format!("{scheme}:none")), &LoggerFile::default());
         assert!(matches!(missing, Err(LogError::Missing { .. })));
         let url = folder.url(&format!("{scheme}:text"));
-        fs::write(url.path(), "it is,\n no,\n log,").unwrap();
+        fs::write(url.file().unwrap(), "it is,\n no,\n log,").unwrap();
         assert!(matches!(read(&url, &LoggerFile::default()), Err(LogError::NoLog { .. })), "{scheme}");
         let is_folder = read(&folder.url(&format!("{scheme}:.")), &LoggerFile::default());
         assert!(matches!(is_folder, Err(LogError::IsFolder { .. })));
@@ -238,13 +239,13 @@ fn dirt_never_panics() {
         }
         for scheme in ["sqlite", "csv", "casas"] {
             let url = folder.url(&format!("{scheme}:dirt"));
-            fs::write(url.path(), &bytes).unwrap();
+            fs::write(url.file().unwrap(), &bytes).unwrap();
             let _ = read(&url, &LoggerFile::default());
         }
     }
     let long = [&b"x".repeat(200_000)[..], b"\n2009-03-02 07:12:03 M1 ON\n"].concat();
     let url = folder.url("casas:long");
-    fs::write(url.path(), long).unwrap();
+    fs::write(url.file().unwrap(), long).unwrap();
     let log = read(&url, &LoggerFile::default()).unwrap();
     assert_eq!((log.events.len(), log.skipped, log.problems[0].line), (1, 1, 1));
 }
@@ -264,10 +265,10 @@ fn a_real_home_s_text_is_read_whole() {
     let log = read(&recognise(&path).unwrap(), &LoggerFile::default()).unwrap();
     assert_eq!((log.events.len(), log.sensors.len(), log.skipped), (21_968, 22, 0));
     let folder = Folder::new("real");
-    convert(&log, &folder.url("sqlite:log.db"), &stage::run(), "UTC", false).unwrap();
+    convert(&log, &folder.url("sqlite:log.db"), "a log", "UTC", How::New).unwrap();
     let back = read(&folder.url("sqlite:log.db"), &LoggerFile::default()).unwrap();
     assert_eq!(back, log);
-    convert(&back, &folder.url("casas:log.txt"), &stage::run(), "UTC", false).unwrap();
+    convert(&back, &folder.url("casas:log.txt"), "a log", "UTC", How::New).unwrap();
     let ours = read(&folder.url("casas:log.txt"), &LoggerFile::default()).unwrap();
     assert_eq!(ours, log);
 }
@@ -276,7 +277,7 @@ fn a_real_home_s_text_is_read_whole() {
 fn a_real_home_s_csv_is_read_whole() {
     let Some(path) = real("casas_hh111_week1/hh111week1.csv") else { return };
     let url = recognise(&path).unwrap();
-    assert!(matches!(url, Url::Csv(_)));
+    assert!(url.scheme() == Scheme::Csv);
     let log = read(&url, &LoggerFile::default()).unwrap();
     assert_eq!((log.events.len(), log.sensors.len(), log.skipped), (35_064, 84, 0));
 }

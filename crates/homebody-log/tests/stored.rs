@@ -4,12 +4,14 @@ mod stage;
 
 use homebody_core::event::{Events, Fact, Firing, MotionState, Provenance, Trigger, Value};
 use homebody_core::geometry::Point;
+use homebody_core::ids::{ResidentId, RoomId, SensorId};
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, OccupancyFile, OnOffFile, TimeFormat};
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::SECOND;
-use homebody_log::{LogError, Logger, TruthLog, Url, truth};
+use homebody_log::{LogError, RowsOfFirings, Url, truth};
 use rusqlite::Connection;
 use stage::Folder;
+use std::collections::BTreeSet;
 
 const ALL: [&str; 3] = ["sqlite:log.db", "csv:log.csv", "casas:log.txt"];
 
@@ -86,7 +88,7 @@ fn a_mapping_names_everything() {
     file.ids.insert("fridge".into(), "A3".into());
     let urls = [folder.url("sqlite:log.db"), folder.url("csv:log.csv")];
     let mut logger = stage::open(&urls, &file, false).unwrap();
-    logger.store(&[Firing { seq: 0, at: SECOND, sensor: 2, value: Value::Fire }], 100 * SECOND).unwrap();
+    logger.store(&[Firing { seq: 0, at: SECOND, sensor: SensorId(2), value: Value::Fire }], 100 * SECOND).unwrap();
     logger.finish().unwrap();
     let stored = rows(&folder, "log.db", r#"SELECT seq, "select", typeof("select"), code, value FROM "order""#);
     assert_eq!(
@@ -104,7 +106,7 @@ fn instants_can_be_numbers() {
     let folder = Folder::new("epoch");
     let file = LoggerFile { time: TimeFormat::EpochS, ..Default::default() };
     let mut logger = stage::open(&[folder.url("sqlite:log.db")], &file, false).unwrap();
-    logger.store(&[Firing { seq: 0, at: SECOND / 4, sensor: 0, value: Value::Fire }], SECOND).unwrap();
+    logger.store(&[Firing { seq: 0, at: SECOND / 4, sensor: SensorId(0), value: Value::Fire }], SECOND).unwrap();
     logger.finish().unwrap();
     let stored = rows(&folder, "log.db", "SELECT fired_at, (SELECT started_at FROM run) FROM firing");
     assert_eq!(stored, ["Real(1236484800.25) Real(1236484800.0)"]);
@@ -115,8 +117,8 @@ fn what_is_held_at_the_end_is_not_let_go() {
     let folder = Folder::new("held");
     let file = LoggerFile { messages: MessagesFile::OnOff(OnOffFile { hold_s: 4.0 }), ..Default::default() };
     let mut logger = stage::open(&[folder.url("casas:log.txt")], &file, false).unwrap();
-    logger.store(&[Firing { seq: 0, at: 0, sensor: 0, value: Value::Fire }], 2 * SECOND).unwrap();
-    logger.store(&[Firing { seq: 1, at: 2 * SECOND, sensor: 2, value: Value::Fire }], 5 * SECOND).unwrap();
+    logger.store(&[Firing { seq: 0, at: 0, sensor: SensorId(0), value: Value::Fire }], 2 * SECOND).unwrap();
+    logger.store(&[Firing { seq: 1, at: 2 * SECOND, sensor: SensorId(2), value: Value::Fire }], 5 * SECOND).unwrap();
     let stored = logger.finish().unwrap();
     assert_eq!(stored.by_sensor, [2, 0, 1]);
     let values: Vec<String> =
@@ -139,7 +141,9 @@ fn a_live_run_can_be_watched_and_goes_on_while_it_is() {
         logger.store(&[], SECOND * 100).unwrap();
     }
     watcher.execute_batch("BEGIN; SELECT count(*) FROM firing").unwrap();
-    logger.store(&[Firing { seq: 3, at: SECOND * 100, sensor: 0, value: Value::Fire }], SECOND * 101).unwrap();
+    logger
+        .store(&[Firing { seq: 3, at: SECOND * 100, sensor: SensorId(0), value: Value::Fire }], SECOND * 101)
+        .unwrap();
     logger.finish().unwrap();
     assert_eq!(count(), 3, "a watcher's transaction stands still");
     watcher.execute_batch("COMMIT").unwrap();
@@ -147,41 +151,48 @@ fn a_live_run_can_be_watched_and_goes_on_while_it_is() {
 }
 
 fn truth(folder: &Folder, places: &[Url], events: &Events) -> Result<(), LogError> {
-    let residents = ["margaret".to_string()];
-    let rooms = ["bedroom".to_string(), "kitchen".to_string()];
-    let names = truth::Names { residents: &residents, rooms: &rooms, things: &[], sensors: &stage::sensors() };
     let path = folder.path().join("truth.db");
-    let file = LoggerFile::default();
-    let mut log = TruthLog::open(&path, places, &file, names, &stage::calendar(), &stage::run(), false)?;
-    log.store(events)?;
+    let mut log = stage::open_truth(&path, places, &LoggerFile::default())?;
+    // The firing of number 5 has no cause; that of number 6 is told by row 4.
+    log.store(events, &RowsOfFirings { rows: vec![3, 4], offs: vec![(2, 4)] })?;
     log.finish(60 * SECOND)
 }
 
 fn a_short_life() -> Events {
     let (bed, door) = (Point::new(1.0, 2.0), Point::new(4.0, 2.5));
-    let activity = |at, name: Option<&str>| Fact::Activity { resident: 0, at, name: name.map(String::from) };
-    let moving = |begin, end, doing| Fact::Movement { resident: 0, begin, end, doing, posture: Posture::Standing };
+    let activity =
+        |at, name: Option<&str>| Fact::Activity { resident: ResidentId(0), at, name: name.map(String::from) };
+    let moving =
+        |begin, end, doing| Fact::Movement { resident: ResidentId(0), begin, end, doing, posture: Posture::Standing };
     Events {
         firings: vec![
-            Firing { seq: 5, at: 2 * SECOND, sensor: 0, value: Value::Fire },
-            Firing { seq: 6, at: 3 * SECOND, sensor: 1, value: Value::Fire },
+            Firing { seq: 5, at: 2 * SECOND, sensor: SensorId(0), value: Value::Fire },
+            Firing { seq: 6, at: 3 * SECOND, sensor: SensorId(1), value: Value::Fire },
         ],
         facts: vec![
-            Fact::Room { resident: 0, at: 0, room: Some(0) },
+            Fact::Room { resident: ResidentId(0), at: 0, room: Some(RoomId(0)) },
             activity(0, Some("sleep")),
             moving(0, SECOND, MotionState::InPlace { at: bed, amplitude_m: 0.2 }),
             Fact::Provenance {
                 seq: 6,
-                provenance: Provenance { resident: Some(0), seen_at: 2 * SECOND, trigger: Trigger::Movement },
+                provenance: Provenance {
+                    resident: Some(ResidentId(0)),
+                    seen_at: 2 * SECOND,
+                    trigger: Trigger::Movement,
+                },
             },
             Fact::Provenance {
                 seq: 9,
-                provenance: Provenance { resident: Some(0), seen_at: 2 * SECOND, trigger: Trigger::Movement },
+                provenance: Provenance {
+                    resident: Some(ResidentId(0)),
+                    seen_at: 2 * SECOND,
+                    trigger: Trigger::Movement,
+                },
             },
             activity(10 * SECOND, None),
             moving(SECOND, 5 * SECOND, MotionState::Stride { from: bed, to: door }),
             moving(5 * SECOND, 60 * SECOND, MotionState::Away),
-            Fact::Room { resident: 0, at: 5 * SECOND, room: None },
+            Fact::Room { resident: ResidentId(0), at: 5 * SECOND, room: None },
             activity(20 * SECOND, Some("out")),
         ],
     }
@@ -196,20 +207,21 @@ fn the_truth_is_told() {
         [r#"Text("sleep") Text("22:00:00") Text("22:00:10")"#, r#"Text("out") Text("22:00:20") Text("22:01:00")"#]
     );
     assert_eq!(
-        rows(&folder, "truth.db", "SELECT firing, resident, fired_at, sensor FROM provenance"),
+        rows(&folder, "truth.db", "SELECT firing, row, resident, fired_at, sensor FROM cause"),
         [
-            r#"Integer(6) Text("margaret") Text("2009-03-07 22:00:03.000000") Text("kitchen motion")"#,
-            r#"Integer(9) Text("margaret") Null Null"#,
+            r#"Integer(6) Integer(4) Text("margaret") Text("2009-03-07 22:00:03.000000") Text("kitchen motion")"#,
+            r#"Integer(9) Null Text("margaret") Null Null"#,
         ]
     );
     assert_eq!(
         rows(&folder, "truth.db", "SELECT kind, from_x, to_y, amplitude_m, posture FROM movement"),
         [
-            r#"Text("stir") Real(1.0) Real(2.0) Real(0.2) Text("standing")"#,
+            r#"Text("in_place") Real(1.0) Real(2.0) Real(0.2) Text("standing")"#,
             r#"Text("stride") Real(1.0) Real(2.5) Null Text("standing")"#,
             r#"Text("away") Null Null Null Text("standing")"#,
         ]
     );
+    assert_eq!(rows(&folder, "truth.db", "SELECT row, firing FROM off"), ["Integer(2) Integer(4)"]);
     let rooms = rows(&folder, "truth.db", "SELECT room FROM room");
     assert_eq!(rooms, [r#"Text("bedroom")"#, "Null"]);
 }
@@ -225,13 +237,13 @@ fn truth_and_firings_are_never_in_one_file() {
     truth(&folder, std::slice::from_ref(&log), &a_short_life()).unwrap();
     stage::store(logger, &stage::firings(10), 10).unwrap();
     assert_eq!(schema(&folder, "log.db"), [r#"Text("firing")"#, r#"Text("run")"#]);
-    let truth = ["act", "activity", "provenance", "condition", "lost", "movement", "need", "room", "run"]
-        .map(|name| format!("Text({name:?})"));
+    let truth = truth::tables().into_iter().map(|table| table.name).chain(["run".into()]).collect::<BTreeSet<_>>();
+    let truth: Vec<_> = truth.into_iter().map(|name| format!("Text({name:?})")).collect();
     assert_eq!(schema(&folder, "truth.db"), truth);
 }
 
 #[test]
 fn a_logger_without_places_counts_alone() {
-    let logger = Logger::open(&[], &LoggerFile::default(), &stage::sensors(), &stage::calendar(), &stage::run(), false);
+    let logger = stage::open(&[], &LoggerFile::default(), false);
     assert_eq!(stage::store(logger.unwrap(), &stage::firings(10), 3).unwrap().rows, 10);
 }

@@ -4,7 +4,7 @@ mod stage;
 
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::SECOND;
-use homebody_log::{LogError, Logger, Url};
+use homebody_log::{How, LogError, Logger};
 use rusqlite::Connection;
 use stage::Folder;
 use std::fs;
@@ -23,7 +23,7 @@ fn an_existing_file_is_replaced_with_force_only() {
         fs::write(folder.path().join(name), "mine").unwrap();
         let error = refused(&folder, url, false);
         assert!(matches!(error, LogError::Exists { .. }));
-        assert!(error.to_string().contains("hint: --force"), "{error}");
+        assert!(error.to_string().contains("hint: name another place"), "{error}");
         assert_eq!(folder.text(name), "mine");
         let logger = stage::open(&[folder.url(url)], &LoggerFile::default(), true).unwrap();
         stage::store(logger, &stage::firings(10), 3).unwrap();
@@ -77,9 +77,8 @@ fn a_folder_that_may_not_be_written_says_so() {
 fn sensors_that_become_one_word_stay_apart() {
     let folder = Folder::new("one-word");
     let sensors = ["hall motion".to_string(), "HallMotion".to_string()];
-    let open = |url: &str, sensors: &[String]| {
-        Logger::open(&[folder.url(url)], &LoggerFile::default(), sensors, &stage::calendar(), &stage::run(), false)
-    };
+    let open =
+        |url: &str, sensors: &[String]| stage::open_of(&[folder.url(url)], &LoggerFile::default(), sensors, How::New);
     assert!(open("csv:log.csv", &sensors).is_ok());
     assert!(matches!(open("casas:log.txt", &sensors), Err(LogError::SameSensor { .. })));
 }
@@ -169,7 +168,7 @@ fn a_committed_row_stays_when_the_database_is_locked_later() {
     other.execute_batch("BEGIN IMMEDIATE").unwrap();
     let more: Vec<_> =
         firings.iter().map(|f| homebody_core::event::Firing { at: f.at + firings[9_999].at, ..*f }).collect();
-    let stored = logger.store(&more, 3 * firings[9_999].at).and_then(|()| logger.finish().map(|_| ()));
+    let stored = logger.store(&more, 3 * firings[9_999].at).map(|_| ()).and_then(|()| logger.finish().map(|_| ()));
     assert!(matches!(stored, Err(LogError::Locked { .. })));
     other.execute_batch("COMMIT").unwrap();
     assert_eq!(count(), kept);
@@ -177,8 +176,10 @@ fn a_committed_row_stays_when_the_database_is_locked_later() {
 }
 
 #[test]
-fn a_url_names_its_file_in_errors() {
-    let error = LogError::Exists { path: "runs/log.db".into() };
-    assert_eq!(error.to_string(), "runs/log.db exists already\n  hint: --force replaces it");
-    assert_eq!(Url::Csv("x.csv".into()).to_string(), "csv:x.csv");
+fn an_error_names_its_place() {
+    let error = LogError::Exists { place: "runs/log.db".into() };
+    assert_eq!(
+        error.to_string(),
+        "runs/log.db exists already\n  hint: name another place, or allow that what is there is replaced"
+    );
 }

@@ -160,8 +160,9 @@ fn capital(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::household::{CONDITIONS, USUAL};
+    use crate::household::CONDITIONS;
     use crate::language;
+    use crate::routine::USUAL;
 
     fn home() -> Known {
         let names = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>();

@@ -8,9 +8,8 @@ use crate::living::life::Life;
 use crate::living::pet::PetDriver;
 use crate::living::places::Places;
 use crate::needs_of_home;
-use crate::routine::{Activity, Effect, Kind, Meal, Routine};
-use crate::walk::Mesh;
-use homebody_core::drivers::Decide;
+use crate::routine::{Effect, Kind, Routine, USUAL, shows};
+use homebody_core::drivers;
 use homebody_core::home::plan::Plan;
 use homebody_core::home::{Build, Home};
 use homebody_core::problem::{Problem, Problems};
@@ -18,6 +17,7 @@ use homebody_core::recording::Recording;
 use homebody_core::run::{DriverProvider, Guest};
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::load::{Driver, Files, Language, RoutineText, Scenario};
+use homebody_walk::Mesh;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -80,92 +80,77 @@ pub const CONDITIONS: [(&str, &str); 8] = [
 /// What a routine that says nothing of it leaves to be ordinary.
 const ORDINARY: &str = include_str!("ordinary.routine");
 
-/// What everybody does without its being said: what [`ORDINARY`] says, what needs drive to, and what fills the time.
-pub(crate) const USUAL: [Activity; 19] = [
-    Activity::GetUp,
-    Activity::Dress,
-    Activity::Wash,
-    Activity::Prepare(Meal::Breakfast),
-    Activity::Eat(Meal::Breakfast),
-    Activity::Prepare(Meal::Lunch),
-    Activity::Eat(Meal::Lunch),
-    Activity::Prepare(Meal::Dinner),
-    Activity::Eat(Meal::Dinner),
-    Activity::WashUp,
-    Activity::GoToBed,
-    Activity::Laundry,
-    Activity::Leave,
-    Activity::Phone,
-    Activity::UseBathroom,
-    Activity::Drink,
-    Activity::Snack,
-    Activity::WatchTelevision,
-    Activity::Read,
-];
-
 impl Household {
-    /// Reads the routines of a scenario and the conditions that they show, each from the scenario's own folder or, if it
-    /// has none of that name, from those the program knows. The texts that were read join the scenario's sources.
+    /// Loads a scenario with its routines and the conditions that they show, each from the scenario's own files or, if there
+    /// is none of that name, from those the program knows. All texts that were read are in the scenario's sources, and each
+    /// was read once.
     ///
     /// `without` names conditions that are left out; one that nobody shows is a problem.
-    pub fn read(scenario: &mut Scenario, files: &dyn Files, without: &[String]) -> Result<Household, Problems> {
-        let plan = Plan::new(&scenario.home);
-        let first = Some(scenario.calendar.date(0));
-        let mut reader = Reader::new(files, &scenario.home, &plan, first);
-        let mut routines = Vec::new();
-        for resident in &scenario.residents {
-            let Driver::Routine { file, text } = &resident.driver else {
-                routines.push(None);
-                continue;
-            };
-            routines.push(Some(reader.routine(file, text, Some(&resident.file.name))));
-        }
-        for name in without {
-            let shown = |routine: &Routine| shows(routine).any(|condition| condition == name);
-            if !routines.iter().flatten().chain(reader.known.values()).any(shown) {
-                let names: Vec<&str> = routines.iter().flatten().flat_map(shows).collect();
-                let hint = match names.is_empty() {
-                    true => "no routine of this scenario shows a condition".to_owned(),
-                    false => format!("its routines show {}", names.join(", ")),
-                };
-                let file = &scenario.file.name;
-                reader.problems.push(Problem::of_file(file, format!("nobody shows {name:?}"), Some(hint)));
-            }
-        }
-        let mut problems = std::mem::take(&mut reader.problems);
-        for (resident, routine) in scenario.residents.iter().zip(&routines) {
+    pub fn load(files: &dyn Files, entry: &str, without: &[String]) -> Result<(Scenario, Household), Problems> {
+        let mut language = RoutineLanguage::default();
+        let mut scenario = Scenario::load_in(&mut language, files, entry)?;
+        let RoutineLanguage { mut routines, conditions, sources } = language;
+        scenario.sources.extend(sources);
+        let household = Household {
+            routines: (0..scenario.residents.len()).map(|resident| routines.remove(&resident)).collect(),
+            conditions,
+            ordinary: ordinary(&scenario.home, scenario.home.plan()),
+            guests: Vec::new(),
+            is_one_of_many: false,
+            scenario: scenario.clone(),
+        };
+        let mut problems = household.not_shown(without);
+        for (resident, routine) in scenario.residents.iter().zip(&household.routines) {
             if let Some(routine) = routine {
-                problems.extend(needs_of_home::check(scenario, &plan, &resident.file, routine, &reader.known));
+                let (plan, conditions) = (scenario.home.plan(), &household.conditions);
+                problems.extend(needs_of_home::check(&scenario, plan, &resident.file, routine, conditions));
             }
         }
         if !problems.is_empty() {
             return Err(Problems(problems));
         }
-        let mut conditions = reader.known;
-        conditions.retain(|name, _| !without.contains(name));
-        let sources = reader.sources;
-        scenario.sources.extend(sources);
-        let mut household = Household {
-            scenario: scenario.clone(),
-            routines,
-            conditions,
-            ordinary: ordinary(&scenario.home, &plan),
-            guests: Vec::new(),
-            is_one_of_many: false,
+        Ok((scenario, household.leaving_out(without)))
+    }
+
+    /// The same household in which nobody shows these conditions; one that nobody shows anyway is a problem.
+    pub fn without(&self, conditions: &[String]) -> Result<Household, Problems> {
+        let problems = self.not_shown(conditions);
+        if problems.is_empty() { Ok(self.clone().leaving_out(conditions)) } else { Err(Problems(problems)) }
+    }
+
+    fn leaving_out(mut self, conditions: &[String]) -> Household {
+        self.conditions.retain(|name, _| !conditions.contains(name));
+        self.guests = self.find_guests();
+        self
+    }
+
+    /// A problem for each of these conditions that nobody shows.
+    fn not_shown(&self, conditions: &[String]) -> Vec<Problem> {
+        let routines = || self.routines.iter().flatten();
+        let is_shown = |name: &String| {
+            let shown = |routine: &Routine| shows(routine).any(|condition| condition == name);
+            routines().chain(self.conditions.values()).any(shown)
         };
-        household.guests = household.find_guests();
-        Ok(household)
+        let problem = |name: &String| {
+            let names: Vec<&str> = routines().flat_map(shows).collect();
+            let hint = match names.is_empty() {
+                true => "no routine of this scenario shows a condition".to_owned(),
+                false => format!("its routines show {}", names.join(", ")),
+            };
+            Problem::of_file(&self.scenario.file.name, format!("nobody shows {name:?}"), Some(hint))
+        };
+        conditions.iter().filter(|name| !is_shown(name)).map(problem).collect()
     }
 
     /// How the routine of a resident is understood; nothing for who lives by none. The scenario is sound but for its routines.
     pub fn understand(scenario: &Scenario, files: &dyn Files, resident: usize) -> Option<Understood> {
         let Driver::Routine { file, text } = &scenario.residents.get(resident)?.driver else { return None };
         let person = scenario.residents[resident].file.name.as_str();
-        let plan = Plan::new(&scenario.home);
+        let plan = scenario.home.plan();
         let first = Some(scenario.calendar.date(0));
-        let mut reader = Reader::new(files, &scenario.home, &plan, first);
+        let mut reader = Reader::new(files, &scenario.home, plan, first);
         let routine = reader.routine(file, text, Some(person));
-        let names = known(&scenario.home, &plan, Some(person), reader.names(text), first);
+        let names = known(&scenario.home, plan, Some(person), reader.names(text), first);
         let Reader { known: conditions, problems, .. } = reader;
         let mut routines = vec![None; scenario.residents.len()];
         routines[resident] = Some(routine.clone());
@@ -173,7 +158,7 @@ impl Household {
             scenario: scenario.clone(),
             routines,
             conditions,
-            ordinary: ordinary(&scenario.home, &plan),
+            ordinary: ordinary(&scenario.home, plan),
             guests: Vec::new(),
             is_one_of_many: false,
         };
@@ -184,8 +169,7 @@ impl Household {
 
     /// The scenario of a recording, and who lives there.
     pub fn recorded(recording: &Recording) -> Result<(Scenario, Household), Problems> {
-        let mut scenario = recording.scenario()?;
-        let household = Household::read(&mut scenario, &recording.files, &recording.without)?;
+        let (scenario, household) = Household::load(&recording.files, &recording.entry, &recording.without)?;
         let household = if recording.one_of_many { household.one_of_many() } else { household };
         Ok((scenario, household))
     }
@@ -254,7 +238,7 @@ impl DriverProvider for Household {
         self.guests.iter().map(|visitor| Guest { name: name(visitor), build: Build::adult() }).collect()
     }
 
-    fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn Decide>> {
+    fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn drivers::Driver>> {
         let mesh = self.mesh(body, home);
         let places = |name: &str| Arc::new(Places::new(&self.scenario.home, &home.plan, &mesh, name));
         if let Some(guest) = body.checked_sub(self.scenario.residents.len()) {
@@ -277,13 +261,25 @@ impl DriverProvider for Household {
     }
 }
 
-/// What is wrong with routines, for those who load scenarios.
-pub struct RoutineLanguage;
+/// Reads the routines of a scenario as it is loaded, and keeps what it has understood.
+#[derive(Clone, Debug, Default)]
+pub struct RoutineLanguage {
+    /// By resident.
+    routines: BTreeMap<usize, Routine>,
+    /// Those that any of them shows, by name.
+    conditions: BTreeMap<String, Routine>,
+    /// The texts of these, by file.
+    sources: BTreeMap<String, String>,
+}
 
 impl Language for RoutineLanguage {
-    fn problems(&self, said: &RoutineText, home: &HomeFile, plan: &Plan, files: &dyn Files) -> Vec<Problem> {
+    fn read(&mut self, said: &RoutineText, home: &HomeFile, plan: &Plan, files: &dyn Files) -> Vec<Problem> {
         let mut reader = Reader::new(files, home, plan, said.calendar.map(|calendar| calendar.date(0)));
-        reader.routine(said.file, said.text, said.resident);
+        reader.known = std::mem::take(&mut self.conditions);
+        let routine = reader.routine(said.file, said.text, said.resident);
+        self.routines.insert(said.of, routine);
+        self.conditions = reader.known;
+        self.sources.extend(reader.sources);
         reader.problems
     }
 }
@@ -291,14 +287,6 @@ impl Language for RoutineLanguage {
 /// What people do where their routines say nothing of it.
 fn ordinary(home: &HomeFile, plan: &Plan) -> Routine {
     language::condition("ordinary.routine", ORDINARY, &known(home, plan, None, Vec::new(), None)).0
-}
-
-/// The conditions that a routine shows.
-pub(crate) fn shows(routine: &Routine) -> impl Iterator<Item = &str> {
-    routine.changes.iter().filter_map(|change| match &change.effect {
-        Effect::Shows { condition, .. } => Some(condition.as_str()),
-        _ => None,
-    })
 }
 
 /// What may be named in a scenario's routines.

@@ -15,6 +15,3 @@ pub mod completion;
 pub mod living;
 mod needs_of_home;
 pub mod household;
-
-// How a body gets from place to place: paths with clearance, gait, and what disturbs both.
-pub mod walk;

@@ -1,16 +1,15 @@
 //! What a routine needs of the home: somewhere to sleep and sit, a way out, and a way to all that its activities use.
 
-use crate::household::{USUAL, shows};
 use crate::living::places::{Places, Role, Spot};
 use crate::living::script::roles;
-use crate::routine::{Activity, Kind, Quote, Response, Routine};
-use crate::walk::Mesh;
+use crate::routine::{Activity, Kind, Quote, Response, Routine, USUAL, shows};
 use homebody_core::geometry;
 use homebody_core::home::plan::{self, Plan};
 use homebody_core::problem::Problem;
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::resident::ResidentFile;
+use homebody_walk::Mesh;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What is missing, and what there is no way to, for one resident and the conditions that their routine shows.

@@ -374,3 +374,34 @@ impl PartOfDay {
         }
     }
 }
+
+/// What everybody does without its being said: what `ordinary.routine` says, what needs drive to, and what fills the time.
+pub(crate) const USUAL: [Activity; 19] = [
+    Activity::GetUp,
+    Activity::Dress,
+    Activity::Wash,
+    Activity::Prepare(Meal::Breakfast),
+    Activity::Eat(Meal::Breakfast),
+    Activity::Prepare(Meal::Lunch),
+    Activity::Eat(Meal::Lunch),
+    Activity::Prepare(Meal::Dinner),
+    Activity::Eat(Meal::Dinner),
+    Activity::WashUp,
+    Activity::GoToBed,
+    Activity::Laundry,
+    Activity::Leave,
+    Activity::Phone,
+    Activity::UseBathroom,
+    Activity::Drink,
+    Activity::Snack,
+    Activity::WatchTelevision,
+    Activity::Read,
+];
+
+/// The conditions that a routine shows.
+pub(crate) fn shows(routine: &Routine) -> impl Iterator<Item = &str> {
+    routine.changes.iter().filter_map(|change| match &change.effect {
+        Effect::Shows { condition, .. } => Some(condition.as_str()),
+        _ => None,
+    })
+}

@@ -12,18 +12,21 @@ use std::collections::BTreeMap;
 
 const ORDINARY: &str = include_str!("../../../scenarios/tigerplace/margaret.routine");
 
+/// A piece of furniture: its name, where it is in the way, where it is not, and its size in metres.
+type Piece = (&'static str, [f64; 2], [f64; 2], [f64; 2]);
+
 /// Tables around the dining chair, whose other sides are a wall and the dining table, and where they stand otherwise.
-const TABLES: [(&str, [f64; 2], [f64; 2], [f64; 2]); 2] =
+const TABLES: [Piece; 2] =
     [("west table", [7.48, 3.25], [6.2, 3.9], [0.4, 1.0]), ("north table", [7.85, 3.9], [5.0, 3.9], [1.2, 0.5])];
 
 /// Screens around the place before the stove, and where they stand otherwise.
-const SCREENS: [(&str, [f64; 2], [f64; 2], [f64; 2]); 3] = [
+const SCREENS: [Piece; 3] = [
     ("west screen", [7.1, 1.2], [0.5, 6.3], [0.1, 0.98]),
     ("east screen", [7.9, 1.2], [0.8, 6.2], [0.1, 0.98]),
     ("north screen", [7.5, 1.75], [3.2, 6.3], [0.9, 0.1]),
 ];
 
-type Pieces<'a> = &'a [(&'a str, [f64; 2], [f64; 2], [f64; 2])];
+type Pieces<'a> = &'a [Piece];
 
 /// The scenario with these pieces in the way, or elsewhere, and these besides.
 fn with_pieces(pieces: Pieces, in_the_way: bool, besides: &str) -> BTreeMap<String, String> {
@@ -120,7 +123,7 @@ fn with_another_chair_life_goes_on_with_that_one() {
     let run = || Run::new(&scenario, &household, 3, 4 * DAY);
     assert_is_a_life(&days_of(run(), 4));
     let rests_at = |at: Point| -> Micros {
-        let moves = run().moves().swap_remove(0);
+        let moves = run().moves().unwrap().swap_remove(0);
         let rests =
             moves.iter().filter(|next| matches!(next.doing, MotionState::Rest { at: here } if here.distance(at) < 0.1));
         rests.map(|next| next.end - next.begin).sum()

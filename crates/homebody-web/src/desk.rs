@@ -2,17 +2,18 @@
 //! replaces only what the page has seen.
 
 mod life;
+mod lived_draft;
 mod log;
 mod plan;
 
-use crate::shelf::{Drafted, Shelf};
+use crate::shelf::Shelf;
 use crate::wire::{CheckView, Draft, FileView, FilesView, LivesView, ProblemView, Save, SaveFile, SavedView};
 use homebody_core::problem::Problem;
-use homebody_core::scenario::load::{Files, Scenario};
+use homebody_core::scenario::load::{Files, Overlay, Scenario};
 use homebody_core::scenario::remarks;
 use homebody_log::LogError;
 use homebody_log::fresh::FreshFile;
-use homebody_routine::household::{Household, RoutineLanguage};
+use homebody_routine::household::Household;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
@@ -27,8 +28,8 @@ pub struct Desk {
     pub shelf: Shelf,
     /// Held while files are compared and replaced, so that no two pages do so at once.
     writing: Arc<Mutex<()>>,
-    /// Held while a draft is lived: one after the other, so that the run on the stage has a core.
-    living: Arc<Mutex<()>>,
+    /// Held while a draft is lived: one after the other, so that the run on the stage has a core. What is kept of the last.
+    living: Arc<Mutex<Option<lived_draft::LivedDraft>>>,
 }
 
 impl Desk {
@@ -100,16 +101,13 @@ impl Desk {
     }
 
     /// The scenario's files with a draft laid over them.
-    pub fn with(&self, draft: Draft) -> Drafted<'_> {
-        Drafted { texts: draft.texts, others: &self.shelf }
+    pub fn with(&self, draft: Draft) -> Overlay<'_> {
+        Overlay { texts: draft.texts, others: &self.shelf }
     }
 
     /// The scenario of a draft and who lives there, or all that is wrong with it.
-    pub fn lives(&self, files: &Drafted, without: &[String]) -> Result<(Scenario, Household), Vec<Problem>> {
-        let mut scenario =
-            Scenario::load_in(&RoutineLanguage, files, &self.shelf.entry).map_err(|problems| problems.0)?;
-        let household = Household::read(&mut scenario, files, without).map_err(|problems| problems.0)?;
-        Ok((scenario, household))
+    pub fn lives(&self, files: &Overlay, without: &[String]) -> Result<(Scenario, Household), Vec<Problem>> {
+        Household::load(files, &self.shelf.entry, without).map_err(|problems| problems.0)
     }
 
     /// What is wrong with a draft, and what is hardly meant in it: as `homebody check` says it.

@@ -6,9 +6,9 @@ use crate::wire::{
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::bake;
 use homebody_core::home::plan::{Origin, Plan};
-use homebody_core::scenario::device::PressureFile;
 use homebody_core::scenario::home::{HomeFile, SensorFile};
 use homebody_core::scenario::path;
+use homebody_core::sensors::form::{Bearer, Mount};
 use homebody_core::sensors::{Kind, Sensor};
 
 /// How high the body reaches for which beams are drawn: an adult who stands.
@@ -76,13 +76,12 @@ fn sensor(sensor: &Sensor, file: &SensorFile, plan: &Plan) -> SensorView {
     let on = file.on().and_then(|thing| plan.piece(thing)).map(|piece| outline(&piece.outline));
     let area = match (&sensor.kind, file) {
         (Kind::CeilingMotion(ceiling), _) => Some(outline(&ceiling.outline)),
-        (_, SensorFile::Pressure(PressureFile { area: Some(area), .. })) => Some(area.clone()),
-        (_, SensorFile::Pressure(_) | SensorFile::Bed(_)) => on,
+        _ if file.row().mount == Mount::Thing(&[Bearer::Enterable]) => file.area().map(<[_]>::to_vec).or(on),
         _ => None,
     };
     SensorView {
         name: sensor.name.clone(),
-        kind: kind(file),
+        kind: file.row().key.into(),
         at: at(sensor.at),
         facing_deg: match file {
             SensorFile::Motion(motion) => Some(motion.facing_deg),
@@ -93,15 +92,15 @@ fn sensor(sensor: &Sensor, file: &SensorFile, plan: &Plan) -> SensorView {
     }
 }
 
-/// As the file says it.
-fn kind(file: &SensorFile) -> String {
-    let file = serde_json::to_value(file).unwrap_or_default();
-    file.get("kind").and_then(serde_json::Value::as_str).unwrap_or_default().into()
-}
-
 /// A body; `heading_deg` is where it faced last.
 pub fn body(seen: &homebody_core::scene::Presence, heading_deg: f64, activity: Option<String>) -> BodyView {
-    BodyView { at: at(seen.at), heading_deg, posture: posture(seen.posture), room: seen.room, activity }
+    BodyView {
+        at: at(seen.at),
+        heading_deg,
+        posture: posture(seen.posture),
+        room: seen.room.map(|room| room.0),
+        activity,
+    }
 }
 
 pub fn posture(posture: path::Posture) -> Posture {

@@ -42,11 +42,11 @@ impl Growth {
         for firing in firings {
             self.come_to(firing.at);
             let (_, day, hour) = self.now;
-            if self.is_motion.get(firing.sensor as usize) == Some(&true) {
+            if self.is_motion.get(firing.sensor.index()) == Some(&true) {
                 self.hours[day][hour] += 1;
             }
             if day + 1 == self.hours.len() {
-                self.today.push((firing.at, firing.sensor));
+                self.today.push((firing.at, firing.sensor.0));
             }
         }
         // Midnight itself is of a day that has not begun.
@@ -83,6 +83,7 @@ impl Growth {
 mod tests {
     use super::*;
     use homebody_core::event::Value;
+    use homebody_core::ids::SensorId;
 
     /// Each firing counts for the day and the hour that a clock on the wall shows, whenever clocks are set.
     #[test]
@@ -102,7 +103,7 @@ mod tests {
             let mut wanted = vec![vec![0_u32; 24]; dates::last(&calendar, length) as usize + 1];
             for seq in 0..length / (7 * 60 * SECOND) {
                 let at = seq * 7 * 60 * SECOND;
-                let firing = Firing { seq: seq as u64, at, sensor: 0, value: Value::Fire };
+                let firing = Firing { seq: seq as u64, at, sensor: SensorId(0), value: Value::Fire };
                 growth.add(&[firing], at + SECOND);
                 wanted[calendar.day(at) as usize][dates::hour(&calendar, at)] += 1;
             }

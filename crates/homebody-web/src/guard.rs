@@ -19,6 +19,9 @@ use tokio::sync::Mutex;
 /// The header that the token comes in.
 pub const TOKEN: HeaderName = HeaderName::from_static("x-homebody-token");
 
+/// Where pages say what they want, and see what there is.
+pub const SOCKET: &str = "/api/live";
+
 /// What scripts, pictures and connections the page may have: its own.
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; \
     connect-src 'self'; font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
@@ -108,7 +111,7 @@ pub async fn watch(State(guard): State<Guard>, request: Request, next: Next) -> 
         given.is_some_and(|token| guard.knows(token))
     };
     // The socket's token comes in its first message.
-    let is_open = !path.starts_with("/api/") || path == crate::server::SOCKET;
+    let is_open = !path.starts_with("/api/") || path == SOCKET;
     let mut response = if !guard.is_for_us(headers, request.uri()) {
         (StatusCode::FORBIDDEN, "This server has another name.").into_response()
     } else if !guard.is_from_us(headers) {

@@ -11,6 +11,7 @@ use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::scenario::path::Posture;
+use homebody_core::scenario::scheme;
 use homebody_core::time::{Micros, SECOND};
 use homebody_log::source::Clock;
 use homebody_log::{Event, Log, LogError, Movement, MovementKind, Movements, RunClock, Url};
@@ -168,7 +169,7 @@ impl Playback {
         let truth = self.shelf.file_of_run(name, TRUTH);
         let folder = recording_path.parent().unwrap_or(Path::new("")).to_owned();
         let mut files = vec![recording_path, folder.join(TRUTH)];
-        files.extend(log.iter().map(|log| log.path().to_owned()));
+        files.extend(log.iter().filter_map(|log| log.file().map(Path::to_owned)));
         // Looked at before they are read: what changes meanwhile is read again.
         let state = state(&files);
 
@@ -207,15 +208,15 @@ impl Playback {
     /// The file of a run's log, if it is in the run's folder.
     pub fn log_of(&self, name: &str) -> Option<PathBuf> {
         let scenario = self.shelf.recording(name).ok()?.scenario().ok()?;
-        Some(self.log(name, &scenario)?.path().to_owned())
+        self.log(name, &scenario)?.file().map(Path::to_owned)
     }
 
     /// Where a run's log is, the first of them that is in its folder.
     fn log(&self, name: &str, scenario: &Scenario) -> Option<Url> {
-        let usual = Url::Sqlite("log.db".into());
-        let named = scenario.logger.to.iter().filter_map(|url| url.parse().ok()).chain([usual]);
+        let usual = scheme::USUAL.parse().ok();
+        let named = scenario.logger.to.iter().filter_map(|url| url.parse().ok()).chain(usual);
         named.into_iter().find_map(|url: Url| {
-            let file = self.shelf.file_within_run(name, url.path())?;
+            let file = self.shelf.file_within_run(name, url.file()?)?;
             Some(url.at(file))
         })
     }

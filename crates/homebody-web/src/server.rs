@@ -19,18 +19,17 @@ use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use futures_util::stream::{Stream, try_unfold};
 use homebody_import::{MOST_BYTES, NotImported};
+use homebody_kit::Cancel;
 use serde::Serialize;
 use std::io;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 use tokio::io::{AsyncRead, AsyncReadExt};
 use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
 
-/// Where pages say what they want, and see what there is.
-pub const SOCKET: &str = "/api/live";
+pub use crate::guard::SOCKET;
 
 /// What a page may send by HTTP (ours).
 const LARGEST_BODY: usize = 8 << 20;
@@ -77,9 +76,9 @@ impl Options {
     }
 }
 
-/// Serves until `stop` is set, then completes the files of the run; `ready` hears the address to open, with the token where no
+/// Serves until it is cancelled, then completes the files of the run; `ready` hears the address to open, with the token where no
 /// server sees it.
-pub fn serve(options: Options, stop: &AtomicBool, ready: impl FnOnce(&str)) -> Result<(), ServeError> {
+pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(&str)) -> Result<(), ServeError> {
     let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build();
     let runtime = runtime.map_err(ServeError::Broken)?;
     let served = runtime.block_on(async {
@@ -94,7 +93,7 @@ pub fn serve(options: Options, stop: &AtomicBool, ready: impl FnOnce(&str)) -> R
         ready(&format!("http://{address}/#token={}", house.guard.token()));
         let served = tokio::select! {
             error = connections::serve(listener, routes(house)) => Err(error),
-            () = set(stop) => Ok(()),
+            () = cancelled(cancel) => Ok(()),
         };
         stage.close();
         served.map_err(ServeError::Broken)
@@ -104,8 +103,8 @@ pub fn serve(options: Options, stop: &AtomicBool, ready: impl FnOnce(&str)) -> R
     served
 }
 
-async fn set(stop: &AtomicBool) {
-    while !stop.load(Ordering::Relaxed) {
+async fn cancelled(cancel: &Cancel) {
+    while !cancel.is_cancelled() {
         tokio::time::sleep(Duration::from_millis(50)).await;
     }
 }

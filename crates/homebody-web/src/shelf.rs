@@ -5,7 +5,6 @@
 
 use homebody_core::recording::{LONGEST, Recording};
 use homebody_core::scenario::load::Files;
-use std::collections::BTreeMap;
 use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
@@ -106,18 +105,6 @@ impl Files for Shelf {
         let text = String::from_utf8(text).map_err(|_| "it is not text in UTF-8")?;
         // A byte order mark says nothing.
         Ok(text.strip_prefix('\u{feff}').map_or(text.clone(), str::to_owned))
-    }
-}
-
-/// A scenario's files with other texts in the places of some.
-pub struct Drafted<'a> {
-    pub texts: BTreeMap<String, String>,
-    pub others: &'a dyn Files,
-}
-
-impl Files for Drafted<'_> {
-    fn read(&self, name: &str) -> Result<String, String> {
-        self.texts.get(name).map_or_else(|| self.others.read(name), |text| Ok(text.clone()))
     }
 }
 

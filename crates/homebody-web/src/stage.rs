@@ -8,6 +8,7 @@ use crate::shelf::Shelf;
 use crate::staged_run::{StagedRun, Start};
 use crate::wire::{FiringView, Frame, GrowthView, RunView, Say, State, Tell};
 use homebody_core::time::{Micros, SECOND, micros};
+use homebody_kit::pace::{Pace, Speed};
 use std::collections::VecDeque;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -91,7 +92,7 @@ impl Stage {
             number: 0,
             view: Arc::new(act.view()),
             growth: act.growth(),
-            frame: act.frame(State::Paused, Some(1.0)),
+            frame: act.frame(State::Paused, times(Speed::Times(1.0))),
             rows: VecDeque::new(),
             notes: VecDeque::new(),
             next_note: 0,
@@ -99,17 +100,8 @@ impl Stage {
         let board = Arc::new(Mutex::new(board));
         let (wishes, heard) = channel();
         let (change, changed) = watch::channel(0);
-        let director = Director {
-            shelf,
-            act,
-            state: State::Paused,
-            speed: Some(1.0),
-            from: (0, Instant::now()),
-            jump: None,
-            heard,
-            board: board.clone(),
-            change,
-        };
+        let director =
+            Director { shelf, act, pace: Pace::paused(Speed::Times(1.0)), heard, board: board.clone(), change };
         thread::spawn(move || director.direct());
         Ok(Stage { wishes, board, changed })
     }
@@ -165,6 +157,14 @@ impl Stage {
     }
 }
 
+/// A speed as the page is told it: nothing where it is as fast as it goes.
+fn times(speed: Speed) -> Option<f64> {
+    match speed {
+        Speed::Times(times) => Some(times),
+        Speed::Max => None,
+    }
+}
+
 /// Nobody panics while it is held; if somebody did, what is there is whole all the same.
 fn locked<T>(held: &Mutex<T>) -> MutexGuard<'_, T> {
     held.lock().unwrap_or_else(PoisonError::into_inner)
@@ -174,12 +174,7 @@ fn locked<T>(held: &Mutex<T>) -> MutexGuard<'_, T> {
 struct Director {
     shelf: Shelf,
     act: StagedRun,
-    state: State,
-    speed: Option<f64>,
-    /// Where the run was, and when, at the last change of pace.
-    from: (Micros, Instant),
-    /// Where a jump or a step ends, to which it goes as fast as it can, and what its state is then.
-    jump: Option<(Micros, State)>,
+    pace: Pace,
     heard: Receiver<Wish>,
     board: Arc<Mutex<Board>>,
     change: watch::Sender<u64>,
@@ -205,16 +200,20 @@ impl Director {
     }
 
     fn wait(&self) -> Duration {
-        let runs = self.state == State::Playing && !self.act.is_over();
-        match (runs, self.is_hurrying()) {
+        let runs = !self.is_paused() && !self.act.is_over();
+        match (runs, self.pace.hurries(self.act.now())) {
             (false, _) => IDLE,
             (true, true) => Duration::ZERO,
             (true, false) => FRAME,
         }
     }
 
-    fn is_hurrying(&self) -> bool {
-        self.speed.is_none() || self.jump.is_some()
+    fn is_paused(&self) -> bool {
+        self.pace.is_paused(self.act.now())
+    }
+
+    fn state(&self) -> State {
+        if self.is_paused() { State::Paused } else { State::Playing }
     }
 
     fn fulfil(&mut self, wish: Wish) {
@@ -230,21 +229,21 @@ impl Director {
 
     fn obey(&mut self, say: Say) {
         let now = self.act.now();
-        self.from = (now, Instant::now());
+        self.pace.count_from(now);
         match say {
             Say::Hello { .. } => {}
-            Say::Play => self.state = State::Playing,
-            Say::Pause => (self.state, self.jump) = (State::Paused, None),
+            // Where a jump pauses, it does so all the same.
+            Say::Play if self.pace.is_jumping(now) => {}
+            Say::Play => self.pace.resume(now),
+            Say::Pause => self.pace.pause(now),
             Say::Step { seconds } if seconds.is_finite() && (0.0..=86_400.0).contains(&seconds) => {
-                self.state = State::Playing;
-                self.jump = Some((now + micros(seconds), State::Paused));
+                self.pace.jump(now, now + micros(seconds), true);
             }
             Say::Step { .. } => self.note("a step is at most a day long".into(), true),
-            Say::Speed { times } => match times {
-                Some(times) if !(0.1..=1000.0).contains(&times) => {
-                    self.note("a speed is from 0.1 to 1000 times".into(), true);
-                }
-                times => self.speed = times,
+            Say::Speed { times: None } => self.pace.set_speed(now, Speed::Max),
+            Say::Speed { times: Some(times) } => match Speed::times(times) {
+                Some(speed) => self.pace.set_speed(now, speed),
+                None => self.note("a speed is from 0.1 to 1000 times".into(), true),
             },
             Say::Jump { to_us } => self.jump(to_us.clamp(0, self.act.length())),
             Say::Hold { keys } => self.act.hold(&keys),
@@ -262,23 +261,27 @@ impl Director {
             Say::Replay { run } => {
                 let act = self.shelf.recording(&run).and_then(StagedRun::again);
                 if self.change_act(act) {
-                    self.state = State::Playing;
+                    self.pace.resume(0);
                 }
             }
         }
     }
 
-    /// Forward as fast as it goes; back by living it again from the start, with the same input.
+    /// Forward as fast as it goes; back by living it again from a moment that was kept, or from the start with the same input.
     fn jump(&mut self, to: Micros) {
-        let before = self.state;
+        let was_paused = self.is_paused();
         if to < self.act.now() {
-            let act = self.act.anew(to);
-            if !self.change_act(act) {
-                return;
+            if self.act.go_back(to) {
+                self.pace = Pace::paused(self.pace.speed());
+                self.begin_anew();
+            } else {
+                let act = self.act.anew(to);
+                if !self.change_act(act) {
+                    return;
+                }
             }
         }
-        self.state = State::Playing;
-        self.jump = Some((to, before));
+        self.pace.jump(self.act.now(), to, was_paused);
     }
 
     /// Another run takes the stage, if there is one; the files of this one are completed before.
@@ -287,8 +290,7 @@ impl Director {
             Ok(act) => {
                 self.finish();
                 self.act = act;
-                (self.state, self.jump) = (State::Paused, None);
-                self.from = (0, Instant::now());
+                self.pace = Pace::paused(self.pace.speed());
                 self.begin_anew();
                 true
             }
@@ -305,23 +307,18 @@ impl Director {
             Ok(None) => {}
             Err(why) => self.note(why, true),
         }
-        self.state = State::Paused;
+        self.pace.pause(self.act.now());
     }
 
-    /// DriverProvider what is due by now.
+    /// Lives what is due by now.
     fn go_on(&mut self) {
-        if self.state != State::Playing || self.act.is_over() {
+        if self.is_paused() || self.act.is_over() {
             return;
         }
         let begun = Instant::now();
-        let (from, since) = self.from;
-        let stop = self.jump.map_or(self.act.length(), |(at, _)| at);
-        let due = match self.speed.filter(|_| !self.is_hurrying()) {
-            Some(times) => from + (since.elapsed().as_secs_f64() * times * SECOND as f64) as Micros,
-            None => Micros::MAX,
-        };
-        while self.act.now() < due.min(stop) && self.state == State::Playing {
-            let until = due.min(stop).min(self.act.now() + STRETCH);
+        let due = self.pace.due().min(self.act.length());
+        while self.act.now() < due && !self.is_paused() {
+            let until = due.min(self.act.now() + STRETCH);
             match self.act.advance(until, &self.shelf) {
                 Ok(true) => self.tell_run_again(),
                 Ok(false) => {}
@@ -334,12 +331,7 @@ impl Director {
                 break;
             }
         }
-        if let Some((at, state)) = self.jump
-            && self.act.now() >= at
-        {
-            (self.jump, self.state) = (None, state);
-            self.from = (self.act.now(), Instant::now());
-        }
+        self.pace.arrive(self.act.now());
         if self.act.now() >= self.act.length() {
             self.finish();
         }
@@ -347,7 +339,7 @@ impl Director {
 
     /// Puts on the board what there is to be seen.
     fn show(&mut self) {
-        let frame = self.act.frame(self.state, self.speed);
+        let frame = self.act.frame(self.state(), times(self.pace.speed()));
         let mut board = locked(&self.board);
         board.frame = frame;
         board.rows.extend(self.act.take_rows());
@@ -359,7 +351,7 @@ impl Director {
 
     /// Nobody sees a frame of the run before under the name of this one.
     fn begin_anew(&mut self) {
-        let (view, frame) = (Arc::new(self.act.view()), self.act.frame(self.state, self.speed));
+        let (view, frame) = (Arc::new(self.act.view()), self.act.frame(self.state(), times(self.pace.speed())));
         let mut board = locked(&self.board);
         board.run += 1;
         board.rows.clear();

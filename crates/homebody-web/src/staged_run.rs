@@ -3,25 +3,25 @@
 use crate::dates;
 use crate::draw;
 use crate::growth::Growth;
-use crate::shelf::{Drafted, Shelf};
+use crate::shelf::Shelf;
 use crate::wire::{FiringView, Frame, Key, Posture, ResidentView, RunView, State};
 use homebody_core::drivers::live::Input;
 use homebody_core::event::{Events, Fact};
 use homebody_core::geometry::Point;
-use homebody_core::home::field::bits;
 use homebody_core::home::plan::Plan;
+use homebody_core::ids::ResidentId;
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::Run;
+use homebody_core::scenario::edit::ScenarioEdit;
 use homebody_core::scenario::input::{self, InputFile, KeysFile, UseFile};
 use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::scenario::path;
 use homebody_core::scene::Scene;
 use homebody_core::sensors::Sensor;
-use homebody_core::time::{Micros, micros, seconds};
-use homebody_log::{LogError, Places, RowText, Rows, RunLog};
-use homebody_routine::household::{Household, RoutineLanguage};
-use serde_json::{Value, json};
-use std::collections::BTreeMap;
+use homebody_core::snapshots::Snapshots;
+use homebody_core::time::{DAY, Micros, SECOND, micros, seconds};
+use homebody_log::{How, LogError, Places, RowText, Rows, RunLog};
+use homebody_routine::household::Household;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -64,7 +64,29 @@ pub struct StagedRun {
     /// Its files are complete.
     is_over: bool,
     events: Events,
+    /// What it was like every few days. Nobody is driven in it.
+    moments: Snapshots<Moment>,
+    /// Who has gone back looks at what is stored already: how far the run had come before.
+    furthest: Option<Run>,
 }
+
+/// What a run was like at an instant, to go back to.
+#[derive(Clone)]
+struct Moment {
+    run: Run,
+    digest: RunDigest,
+    rows: Rows,
+    growth: Growth,
+    counts: Vec<u64>,
+    activities: Vec<Option<String>>,
+    headings: Vec<f64>,
+}
+
+/// How far apart moments are kept at first (ours): to live them takes some milliseconds.
+const MOMENTS: Micros = 4 * DAY;
+
+/// So much before where one goes back to is lived, too, for the rows that are shown (ours).
+const SHOWN_BEFORE: Micros = 6 * 3600 * SECOND;
 
 struct Written {
     places: Places,
@@ -75,30 +97,26 @@ struct Written {
 impl StagedRun {
     /// A run of the scenario of these files, from its start. It leaves files from when it is first advanced.
     pub fn new(files: &dyn Files, entry: &str, start: Start) -> Result<StagedRun, String> {
-        let mut files = Drafted { texts: BTreeMap::new(), others: files };
-        let first = load(&files, entry)?;
+        let load =
+            |files: &dyn Files| Household::load(files, entry, &start.without).map_err(|problems| problems.render());
         let mut keys = None;
-        if let Some(driven) = start.driven {
-            let name = drive(&mut files, &first, entry, driven as usize, &start.input)?;
-            keys = Some(name);
-        }
-        let mut scenario = if keys.is_some() { load(&files, entry)? } else { first };
-        let household = Household::read(&mut scenario, &files, &start.without).map_err(|problems| problems.render())?;
-        let seed = start.seed.unwrap_or(scenario.file.seed);
-        let recording = Recording {
-            version: env!("CARGO_PKG_VERSION").into(),
-            entry: entry.to_owned(),
-            files: scenario.sources.clone(),
-            seed,
-            length_us: scenario.calendar.span_of_days(scenario.file.days),
-            without: start.without.clone(),
-            one_of_many: false,
-            firings: 0,
-            sha256: String::new(),
+        let (scenario, household) = match start.driven {
+            None => load(files)?,
+            Some(driven) => {
+                // Who is moved by keys lives by no routine: it need not be understood.
+                let first = Scenario::load(files, entry).map_err(|problems| problems.render())?;
+                let (edit, name) = drive(&first, driven as usize, &start.input)?;
+                keys = Some(name);
+                load(&edit.over(files))?
+            }
         };
+        let seed = start.seed.unwrap_or(scenario.file.seed);
+        let length = scenario.calendar.span_of_days(scenario.file.days);
+        let recording = Recording::of(&scenario, env!("CARGO_PKG_VERSION"), entry, seed, length);
+        let recording = Recording { without: start.without.clone(), ..recording }.begun();
         let mut run = Run::new(&scenario, &household, seed, recording.length_us);
         if let Some(driven) = start.driven {
-            run.open_input(driven as usize);
+            run.open_input(ResidentId(driven));
         }
         StagedRun::of(scenario, &household, run, recording, keys, start, false)
     }
@@ -146,6 +164,8 @@ impl StagedRun {
             headings: vec![0.0; bodies],
             is_over: false,
             events: Events::default(),
+            moments: Snapshots::new(MOMENTS),
+            furthest: None,
         })
     }
 
@@ -186,7 +206,8 @@ impl StagedRun {
         }
     }
 
-    /// DriverProvider until `until`; true if files have been begun for it, so that its view is another.
+    /// Lives until `until`, or as far as it had come before somebody went back; true if files have been begun for it, so that
+    /// its view is another.
     pub fn advance(&mut self, until: Micros, shelf: &Shelf) -> Result<bool, String> {
         let until = until.min(self.run.length());
         if until <= self.run.now() || self.is_over {
@@ -196,30 +217,72 @@ impl StagedRun {
         if begins {
             self.files = Some(self.open(shelf).map_err(|error| error.to_string())?);
         }
-        self.run.advance(until, &mut self.events);
+        if self.start.driven.is_none() {
+            let mut moments = std::mem::replace(&mut self.moments, Snapshots::new(MOMENTS));
+            moments.keep(self.run.now(), || self.moment());
+            self.moments = moments;
+        }
+        let stored = self.furthest.as_ref().map(Run::now);
+        let lived = self.run.advance(stored.unwrap_or(until).min(until), &mut self.events);
         if self.is_replay {
             self.digest.add(&self.events.firings);
         }
-        if let Some(log) = self.files.as_mut().and_then(|files| files.log.as_mut()) {
+        let log = self.files.as_mut().and_then(|files| files.log.as_mut());
+        if let Some(log) = log.filter(|_| stored.is_none()) {
             log.store(&self.run, &self.events).map_err(|error| error.to_string())?;
         }
+        self.furthest.take_if(|furthest| furthest.now() <= self.run.now());
         self.growth.lock().unwrap_or_else(PoisonError::into_inner).add(&self.events.firings, self.run.now());
         for fact in &self.events.facts {
             if let Fact::Activity { resident, name, .. } = fact {
-                self.activities[*resident as usize].clone_from(name);
+                self.activities[resident.index()].clone_from(name);
             }
         }
         for row in self.rows.of(&self.events.firings, self.run.settled()) {
-            self.counts[row.sensor as usize] += 1;
+            self.counts[row.sensor.index()] += 1;
             self.fresh.push(firing_view(row));
         }
         self.events.clear();
-        Ok(begins)
+        lived.map(|()| begins).map_err(|error| error.to_string())
+    }
+
+    fn moment(&self) -> Moment {
+        Moment {
+            run: self.run.clone(),
+            digest: self.digest.clone(),
+            rows: self.rows.clone(),
+            growth: self.growth.lock().unwrap_or_else(PoisonError::into_inner).clone(),
+            counts: self.counts.clone(),
+            activities: self.activities.clone(),
+            headings: self.headings.clone(),
+        }
+    }
+
+    /// Goes back to a moment before `to`, from which it continues as it did: what its log has already is not stored again.
+    /// False if the run must be lived anew: in one in which somebody is driven all may go another way from then on, and one
+    /// that was stopped has no log any more that could go on.
+    pub fn go_back(&mut self, to: Micros) -> bool {
+        let came_to = self.furthest.as_ref().unwrap_or(&self.run).now();
+        let has_log = self.files.as_ref().is_some_and(|files| files.log.is_some());
+        if !(self.is_replay || has_log || came_to == self.run.length()) {
+            return false;
+        }
+        let Some(moment) = self.moments.nearest_before((to - SHOWN_BEFORE).max(0)).cloned() else { return false };
+        let before = std::mem::replace(&mut self.run, moment.run);
+        if !self.is_replay {
+            self.furthest.get_or_insert(before);
+        }
+        (self.digest, self.rows, self.counts) = (moment.digest, moment.rows, moment.counts);
+        (self.activities, self.headings) = (moment.activities, moment.headings);
+        self.growth = Arc::new(Mutex::new(moment.growth));
+        self.fresh.clear();
+        self.is_over = false;
+        true
     }
 
     fn open(&self, shelf: &Shelf) -> Result<Written, LogError> {
         let places = Places::run(&shelf.runs, &self.scenario)?;
-        let log = RunLog::open(&places, &self.scenario, &self.run, &self.recording, false)?;
+        let log = RunLog::open(&places, &self.scenario, &self.run, &self.recording, How::New)?;
         Ok(Written { places, log: Some(log) })
     }
 
@@ -251,7 +314,7 @@ impl StagedRun {
     fn input(&mut self, uses: Vec<UseFile>) {
         let Some(driven) = self.start.driven.filter(|_| !self.is_over && !self.is_replay) else { return };
         let line = KeysFile { at_s: seconds(self.run.now()), uses, ..self.held.clone() };
-        self.run.input(driven as usize, Input::written(&line, &self.run.home().plan));
+        self.run.input(ResidentId(driven), Input::written(&line, &self.run.home().plan));
         self.start.input.push(line);
     }
 
@@ -288,7 +351,8 @@ impl StagedRun {
         if let Some(keys) = &self.keys {
             recording.files.insert(keys.clone(), input_text(&self.start.input));
         }
-        let (stored, recording) = log.finish(&self.run, recording).map_err(|error| error.to_string())?;
+        let furthest = self.furthest.as_ref().unwrap_or(&self.run);
+        let (stored, recording) = log.finish(furthest, recording).map_err(|error| error.to_string())?;
         self.recording = recording;
         let folder = self.folder().map(|folder| folder.display().to_string());
         Ok(Some(format!("{} rows are in {}.", stored.rows, folder.unwrap_or_default())))
@@ -300,7 +364,8 @@ impl StagedRun {
         if scene.now == 0 {
             // Where everybody is as it begins, the first instant tells.
             let mut first = self.run.clone();
-            first.advance(1, &mut Events::default());
+            // What is wrong with it, it says when it is lived.
+            let _ = first.advance(1, &mut Events::default());
             scene = Scene { now: 0, ..first.scene() };
         }
         for (heading, body) in self.headings.iter_mut().zip(&scene.bodies) {
@@ -318,8 +383,8 @@ impl StagedRun {
             state: if self.is_over { State::Over } else { state },
             speed,
             bodies: scene.bodies.iter().enumerate().map(body).collect(),
-            seeing: bits(scene.seeing).filter(|&sensor| sensor < sensors).map(|sensor| sensor as u32).collect(),
-            on: scene.on,
+            seeing: scene.seeing.iter().filter(|sensor| sensor.index() < sensors).map(|sensor| sensor.0).collect(),
+            on: scene.on.iter().map(|thing| thing.0).collect(),
             sun: self.run.home().sun.elevation_sine(scene.now),
             told: self.counts.iter().sum(),
             counts: self.counts.clone(),
@@ -340,11 +405,7 @@ impl StagedRun {
 
 fn firing_view(row: RowText) -> FiringView {
     let RowText { seq, at, sensor, time, id, value } = row;
-    FiringView { seq, at_us: at, sensor, value: value.clone(), row: Some([time, id, value]) }
-}
-
-fn load(files: &Drafted, entry: &str) -> Result<Scenario, String> {
-    Scenario::load_in(&RoutineLanguage, files, entry).map_err(|problems| problems.render())
+    FiringView { seq, at_us: at, sensor: sensor.0, value: value.clone(), row: Some([time, id, value]) }
 }
 
 fn nothing_held() -> KeysFile {
@@ -367,25 +428,13 @@ fn input_text(input: &[KeysFile]) -> String {
     serde_json::to_string_pretty(&file).unwrap_or_default() + "\n"
 }
 
-/// Makes a resident of the texts one who is moved by keys; returns the name of the file that holds them.
-fn drive(
-    files: &mut Drafted,
-    scenario: &Scenario,
-    entry: &str,
-    driven: usize,
-    input: &[KeysFile],
-) -> Result<String, String> {
-    let no_json = |error: serde_json::Error| error.to_string();
+/// Makes a resident one who is moved by keys; returns also the name of the file that holds them.
+fn drive(scenario: &Scenario, driven: usize, input: &[KeysFile]) -> Result<(ScenarioEdit, String), String> {
     let resident = scenario.residents.get(driven).ok_or("there is no such resident")?;
-    let root: Value = serde_json::from_str(&files.read(entry)?).map_err(no_json)?;
-    let file = root["residents"][driven].as_str().ok_or("the resident has no file")?.to_owned();
-    let mut told: Value = serde_json::from_str(&files.read(&file)?).map_err(no_json)?;
-    let keys = format!("{}.keys.json", file.trim_end_matches(".json"));
-    let at = standing_place(&Plan::new(&scenario.home), resident.file.radius_m);
-    told["driver"] = json!({ "live": { "keys": keys, "start": [at.x, at.y] } });
-    files.texts.insert(file, serde_json::to_string_pretty(&told).map_err(no_json)? + "\n");
-    files.texts.insert(keys.clone(), input_text(input));
-    Ok(keys)
+    let name = format!("{}.keys.json", scenario.file.residents[driven].trim_end_matches(".json"));
+    let at = standing_place(scenario.home.plan(), resident.file.radius_m);
+    let keys = InputFile { schema: None, keys: input.to_vec() };
+    Ok((scenario.edit().keys(driven, &name, &keys, [at.x, at.y]), name))
 }
 
 /// Where somebody stands who is about to be driven: a place with a name and room around it, else any free place.

@@ -146,7 +146,7 @@ fn stuck_browsers() {
     let (scenario, household) = Household::recorded(&recording).unwrap();
     let mut alone = recording.run(&scenario, &household);
     let (mut events, mut digest) = (Events::default(), RunDigest::default());
-    alone.advance(recording.length_us, &mut events);
+    alone.advance(recording.length_us, &mut events).unwrap();
     digest.add(&events.firings);
     assert_eq!((digest.firings(), digest.hex()), (recording.firings, recording.sha256));
     let log = rusqlite::Connection::open(run.join("log.db")).unwrap();

@@ -4,7 +4,7 @@ use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_web::playback::{Playback, Refusal};
 use homebody_web::shelf::Shelf;
 use homebody_web::staged_run::{StagedRun, Start};
-use homebody_web::wire::{DayView, MotionState, PlaybackView};
+use homebody_web::wire::{DayView, MotionState, PlaybackView, State};
 use rusqlite::Connection;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -148,7 +148,9 @@ fn rooms_and_activities_are_the_truths() {
     assert_eq!(view.activities[all[0].2 as usize], "sleeping");
     let (begin, end, room) = days[0].lives[0].rooms[0];
     assert_eq!((begin, view.home.rooms[room as usize].name.as_str()), (0, "bedroom"));
-    assert!(end > HOUR);
+    let left = "SELECT (julianday(at) - julianday('2009-03-02')) * 86400 FROM room WHERE resident = 'margaret' LIMIT 1 OFFSET 1";
+    let left_s = connection.query_row(left, [], |row| row.get::<_, f64>(0)).unwrap();
+    assert!((end as f64 / 1e6 - left_s).abs() < 0.01, "{end} {left_s}");
     assert!(!view.spans[0].is_empty() && view.spans[0].len() <= all.len());
 }
 
@@ -272,4 +274,77 @@ fn members_of_a_cohort_are_played_back_by_their_folders() {
     for name in ["cohort-1", "cohort-1/", "cohort-1/../cohort-1/0001", "/cohort-1/0001"] {
         assert!(matches!(stored.playback.run(name), Err(Refusal::Unknown(_))), "{name}");
     }
+}
+
+/// A run that goes back and forth leaves what an undisturbed one leaves.
+#[test]
+fn going_back_is_going_on_from_there_as_it_was() {
+    let stored = |back: &[Micros], stop: Micros| {
+        let folder = TempDir::new().unwrap();
+        let own = folder.path().join("scenario");
+        copy(&scenarios().join("tigerplace"), &own, &as_it_is);
+        let shelf = Shelf { scenario: own, entry: "scenario.json".into(), runs: folder.path().join("runs") };
+        let mut act = StagedRun::new(&shelf, &shelf.entry, Start::default()).unwrap();
+        let live = |act: &mut StagedRun, until: Micros| {
+            while act.now() < until {
+                act.advance(until.min(act.now() + HOUR), &shelf).unwrap();
+            }
+        };
+        live(&mut act, 12 * DAY + 5 * HOUR);
+        for &to in back {
+            assert!(act.go_back(to));
+            assert!(act.now() <= to && act.now() >= to - 5 * DAY, "{} is far from {to}", act.now());
+            live(&mut act, to);
+        }
+        live(&mut act, stop);
+        let frame = act.frame(State::Paused, None);
+        let growth = act.growth().lock().unwrap().view();
+        act.finish().unwrap();
+        let runs: Vec<PathBuf> = fs::read_dir(&shelf.runs).unwrap().map(|run| run.unwrap().path()).collect();
+        assert_eq!(runs.len(), 1, "it leaves one folder");
+        let rows = |file: &str, select: &str| -> Vec<String> {
+            let database = Connection::open(runs[0].join(file)).unwrap();
+            let mut select = database.prepare(select).unwrap();
+            let columns = select.column_count();
+            let row = |row: &rusqlite::Row| {
+                (0..columns).map(|column| row.get::<_, rusqlite::types::Value>(column)).collect::<Result<Vec<_>, _>>()
+            };
+            select.query_map([], row).unwrap().map(|row| format!("{:?}", row.unwrap())).collect()
+        };
+        let log = rows("log.db", "SELECT * FROM event ORDER BY seq");
+        let truth = ["movement", "room", "activity", "act", "cause"]
+            .map(|table| rows("truth.db", &format!("SELECT * FROM {table} ORDER BY rowid")));
+        let recording = fs::read_to_string(runs[0].join("recording.json")).unwrap();
+        ((log, truth, recording), frame, growth)
+    };
+    let undisturbed = stored(&[], 15 * DAY);
+    assert!(undisturbed.0.0.len() > 1000 && undisturbed.0.1.iter().all(|rows| rows.len() > 100));
+    let back = stored(&[3 * DAY, 11 * DAY, HOUR, 6 * DAY + 7], 15 * DAY);
+    assert_eq!(back.1.now_us, undisturbed.1.now_us);
+    assert_eq!(
+        (&back.1.counts, &back.1.on, back.1.told),
+        (&undisturbed.1.counts, &undisturbed.1.on, undisturbed.1.told)
+    );
+    assert_eq!(format!("{:?}{:?}", back.1.bodies, back.2), format!("{:?}{:?}", undisturbed.1.bodies, undisturbed.2));
+    assert!(back.0 == undisturbed.0, "log, truth or recording differ");
+    // Who stops where they look leaves all that was lived.
+    let (stopped, frame, _) = stored(&[3 * DAY], 4 * DAY);
+    assert_eq!(frame.now_us, 4 * DAY);
+    assert!(stopped == stored(&[], 0).0, "who stops leaves something else");
+    // The control: one that was lived further is another.
+    assert!(stopped != stored(&[], 13 * DAY).0 && stopped != undisturbed.0);
+}
+
+/// Who is driven lives anew from the start, for from then on all may go another way.
+#[test]
+fn who_is_driven_does_not_go_back_to_a_moment() {
+    let folder = TempDir::new().unwrap();
+    let own = folder.path().join("scenario");
+    copy(&scenarios().join("by-hand"), &own, &as_it_is);
+    let shelf = Shelf { scenario: own, entry: "scenario.json".into(), runs: folder.path().join("runs") };
+    let start = Start { driven: Some(0), ..Start::default() };
+    let mut act = StagedRun::new(&shelf, &shelf.entry, start).unwrap();
+    act.advance(10 * SECOND, &shelf).unwrap();
+    assert!(!act.go_back(SECOND));
+    assert_eq!((act.now(), act.anew(SECOND).unwrap().now()), (10 * SECOND, 0));
 }

@@ -1,6 +1,8 @@
-//! The page's types are the server's.
+//! The page's types are the server's, and its kinds of sensors are the core's.
 
 use homebody_core::activity::{ACTIVITIES, ActivityKind, KIND_WORDS};
+use homebody_core::sensors::form::{KindRow, Mount};
+use homebody_core::sensors::kinds::KINDS;
 use homebody_web::wire;
 use std::fmt::Write;
 use std::fs;
@@ -70,15 +72,46 @@ fn declarations() -> Vec<String> {
     )
 }
 
-/// `HOMEBODY_REWRITE=1` writes the file anew.
 #[test]
 fn the_page_knows_our_types() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web/src/wire.ts");
-    let text = format!(
-        "// Made from crates/homebody-web/src/wire.rs and what is below it, which say what each means.\n\n{}\n",
-        declarations().join("\n\n")
+    is_written(
+        "wire.ts",
+        &format!(
+            "// Made from crates/homebody-web/src/wire.rs and what is below it, which say what each means.\n\n{}\n",
+            declarations().join("\n\n")
+        ),
     );
-    assert_is_in(&path, &text);
+}
+
+#[test]
+fn the_page_knows_our_sensors() {
+    let row = |kind: &&KindRow| {
+        let word = |variant: &dyn std::fmt::Debug| format!("{variant:?}").to_lowercase();
+        let list = |texts: Vec<String>| serde_json::to_string(&texts).unwrap().replace(',', ", ");
+        let (mount, bearers) = match kind.mount {
+            Mount::Thing(bearers) => ("thing".to_owned(), bearers),
+            other => (word(&other), &[][..]),
+        };
+        format!(
+            "  {}: {{ label: {:?}, mount: {mount:?}, bearers: {}, unit: {}, values: {}, shape: {:?}, colour: {:?}, casas: {:?} }},\n",
+            kind.key,
+            kind.label,
+            list(bearers.iter().map(|bearer| word(bearer)).collect()),
+            kind.unit.map_or("null".into(), |unit| format!("{:?}", unit.symbol)),
+            list(kind.values.iter().map(ToString::to_string).collect()),
+            word(&kind.shape),
+            word(&kind.colour),
+            kind.casas,
+        )
+    };
+    let rows: String = KINDS.iter().map(row).collect();
+    is_written(
+        "sensors.ts",
+        &format!(
+            "// Made from crates/homebody-core/src/sensors/kinds.rs and the rows that it lists; form.rs says what each means.\n\n\
+         export const SENSOR_KINDS = {{\n{rows}}} as const;\n"
+        ),
+    );
 }
 
 /// A kind as the page writes it: `"sleep"`.
@@ -86,10 +119,8 @@ fn quoted(kind: ActivityKind) -> String {
     serde_json::to_string(&kind).unwrap()
 }
 
-/// `HOMEBODY_REWRITE=1` writes the file anew.
 #[test]
 fn the_page_knows_our_activities() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web/src/activities.ts");
     let kinds = ActivityKind::ALL;
     let all: Vec<String> = kinds.map(quoted).into();
     let mut text =
@@ -110,13 +141,14 @@ fn the_page_knows_our_activities() {
         writeln!(text, "  [{}, {words:?}],", quoted(kind)).unwrap();
     }
     text += "];\n";
-    assert_is_in(&path, &text);
+    is_written("activities.ts", &text);
 }
 
-#[track_caller]
-fn assert_is_in(path: &Path, text: &str) {
+/// That a file of the page is this text; `HOMEBODY_REWRITE=1` writes it anew.
+fn is_written(name: &str, text: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web/src").join(name);
     if std::env::var_os("HOMEBODY_REWRITE").is_some() {
-        fs::write(path, text).unwrap();
+        fs::write(&path, text).unwrap();
     }
-    assert_eq!(fs::read_to_string(path).unwrap_or_default(), text, "HOMEBODY_REWRITE=1 writes it anew");
+    assert_eq!(fs::read_to_string(&path).unwrap_or_default(), text, "HOMEBODY_REWRITE=1 writes it anew");
 }

@@ -1,4 +1,4 @@
-//! DriverProvider: what the whole model costs beside the bare kernel, what a year of a life into SQLite costs beside a bare loop of
+//! Lives: what the whole model costs beside the bare kernel, what a year of a life into SQLite costs beside a bare loop of
 //! inserts, and what a cohort costs beside as many programs of one life each.
 //!
 //! Both sides of a ratio take turns in one run, so that a noisy machine disturbs both.
@@ -11,13 +11,18 @@ mod measure;
 
 use homebody_core::drivers::MotionSegment;
 use homebody_core::event::Events;
+use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::home::{Build, Home};
+use homebody_core::ids::ResidentId;
+use homebody_core::recording::Recording;
 use homebody_core::run::Run;
+use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::link::{LinkFile, Network};
 use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use homebody_core::world::World;
-use homebody_log::{Logger, RunInfo, Url};
+use homebody_log::logger::destinations;
+use homebody_log::{How, Logger, RunInfo, Url};
 use homebody_routine::household::Household;
 use measure::{Spread, insert, rows};
 use std::fs;
@@ -33,6 +38,8 @@ const STEP: Micros = 6 * 3600 * SECOND;
 /// Members of the cohort, and how long each lives.
 const MEMBERS: usize = 16;
 const MEMBERS_DAYS: usize = 60;
+/// Why a run is lived to its end.
+const SOUND: &str = "drivers whose answers bodies can follow";
 
 /// Measures what the figure of a name says.
 type Figure<'a> = &'a dyn Fn(&str) -> String;
@@ -56,9 +63,7 @@ fn main() {
 /// A scenario that comes with the program, and who lives there.
 fn scenario(name: &str) -> (Scenario, Household) {
     let folder = Folder(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios").join(name));
-    let mut scenario = Scenario::load(&folder, "scenario.json").expect("a scenario without problems");
-    let household = Household::read(&mut scenario, &folder, &[]).expect("routines without problems");
-    (scenario, household)
+    Household::load(&folder, "scenario.json", &[]).expect("a scenario without problems")
 }
 
 struct Folder(PathBuf);
@@ -74,13 +79,13 @@ impl Files for Folder {
 fn against_kernel(name: &str, link: Option<LinkFile>, length: Micros) -> String {
     let (mut scenario, household) = scenario("tigerplace");
     scenario.link = link;
-    let moves = Run::new(&scenario, &household, scenario.file.seed, length).moves();
-    let mut bare = scenario.home.clone();
+    let moves = Run::new(&scenario, &household, scenario.file.seed, length).moves().expect(SOUND);
+    let mut bare = HomeFile::clone(&scenario.home);
     bare.sensors.retain(|sensor| sensor.on().is_none());
     let builds: Vec<Build> = (0..moves.len())
         .map(|body| scenario.residents.get(body).map_or(Build::adult(), |resident| Build::of(&resident.file)))
         .collect();
-    let home = Arc::new(Home::bake(&bare, &builds));
+    let home = Arc::new(Home::bake(&ResolvedHome::new(bare).expect("a home"), &builds));
     let mut ratios = Vec::new();
     for _ in 0..ROUNDS {
         let life_s = live(&scenario, &household, length);
@@ -92,13 +97,13 @@ fn against_kernel(name: &str, link: Option<LinkFile>, length: Micros) -> String 
     Spread::of(&ratios).line(name, 3)
 }
 
-/// DriverProvider the scenario and forgets what happens; seconds, with the making of the run.
+/// Lives the scenario and forgets what happens; seconds, with the making of the run.
 fn live(scenario: &Scenario, household: &Household, length: Micros) -> f64 {
     let start = Instant::now();
     let mut run = Run::new(scenario, household, scenario.file.seed, length);
     let mut events = Events::default();
     while run.now() < length {
-        run.advance(run.now() + STEP, &mut events);
+        run.advance(run.now() + STEP, &mut events).expect(SOUND);
         events.clear();
     }
     start.elapsed().as_secs_f64()
@@ -114,7 +119,7 @@ fn kernel(home: &Arc<Home>, moves: &[Vec<MotionSegment>], length: Micros) -> f64
         let mut until = length;
         for (body, moves) in moves.iter().enumerate() {
             if let Some(due) = moves.get(next[body]).filter(|due| due.begin <= world.now()) {
-                world.begin(body, due);
+                world.begin(ResidentId::of(body), due);
                 next[body] += 1;
             }
             until = until.min(moves.get(next[body]).map_or(length, |due| due.begin));
@@ -156,18 +161,18 @@ fn decline(name: &str) -> String {
     format!("{name} seconds {median:.2}, {:.2} of a bare loop's rate", bare_s / median)
 }
 
-/// DriverProvider the scenario into a database; seconds.
+/// Lives the scenario into a database; seconds.
 fn live_into(path: &Path, scenario: &Scenario, household: &Household, length: Micros) -> f64 {
     let url: Url = format!("sqlite:{}", path.display()).parse().expect("a URL");
-    let info = RunInfo { id: 1, scenario: "bench".into(), seed: 1, version: "bench".into() };
     let start = Instant::now();
     let mut run = Run::new(scenario, household, scenario.file.seed, length);
-    let sensors: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
-    let file = Default::default();
-    let mut logger = Logger::open(&[url], &file, &sensors, &scenario.calendar, &info, true).expect("an open database");
+    let recording = Recording::of(scenario, "bench", "scenario.json", scenario.file.seed, length);
+    let info = Arc::new(RunInfo::of(scenario, &run, &recording));
+    let places = destinations(&[url], How::Replace).expect("a place that can be written");
+    let mut logger = Logger::open(places, &Default::default(), &info, How::Replace).expect("an open database");
     let mut events = Events::default();
     while run.now() < length {
-        run.advance(run.now() + STEP, &mut events);
+        run.advance(run.now() + STEP, &mut events).expect(SOUND);
         logger.store(&events.firings, run.now()).expect("stored firings");
         events.clear();
     }

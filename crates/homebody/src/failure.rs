@@ -1,11 +1,11 @@
 //! How a command fails: what people read, and the exit code that scripts read.
 
-use crate::print::tell;
-use homebody_core::problem::{Problems, counted};
+use homebody_core::drivers::error::DriverError;
+use homebody_core::problem::Problems;
+use homebody_kit::Error;
 use homebody_log::LogError;
 use std::fmt::Display;
 use std::path::Path;
-use std::process::ExitCode;
 
 /// Why a command ended early.
 pub enum Failure {
@@ -26,29 +26,17 @@ impl Failure {
     pub fn usage(what: impl Display) -> Failure {
         Failure::Usage(what.to_string())
     }
-
-    /// Tells people on standard error, and scripts by the exit code.
-    pub fn report(&self) -> ExitCode {
-        match self {
-            Failure::Problems(problems) => {
-                tell(format_args!("{}\n{}", problems.render(), counted(problems.0.len(), "problem", "problems")));
-                ExitCode::from(2)
-            }
-            Failure::Usage(what) => {
-                tell(format_args!("error: {what}"));
-                ExitCode::from(2)
-            }
-            Failure::Io(what) => {
-                tell(format_args!("error: {what}"));
-                ExitCode::from(1)
-            }
-        }
-    }
 }
 
 impl From<Problems> for Failure {
     fn from(problems: Problems) -> Failure {
         Failure::Problems(problems)
+    }
+}
+
+impl From<DriverError> for Failure {
+    fn from(error: DriverError) -> Failure {
+        Failure::Usage(error.to_string())
     }
 }
 
@@ -59,10 +47,27 @@ impl From<LogError> for Failure {
             | LogError::SameName { .. }
             | LogError::SameSensor { .. }
             | LogError::SameFile { .. }
-            | LogError::Url(_)
+            | LogError::NoPlace(_)
             | LogError::Zone(_) => Failure::Usage(error.to_string()),
             LogError::Unmade { .. } => Failure::Io(format!("{error}; --out writes elsewhere")),
+            LogError::Exists { place } => Failure::Io(format!("{place} exists already\n  hint: --force replaces it")),
             error => Failure::Io(error.to_string()),
+        }
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Failure {
+        match error {
+            Error::Problems(problems) => Failure::Problems(problems),
+            Error::Log(error) => match error.downcast::<LogError>() {
+                Ok(error) => (*error).into(),
+                Err(error) => Failure::Io(error.to_string()),
+            },
+            Error::File { .. } | Error::NoLog { .. } | Error::NoRecording { .. } | Error::Threads(_) => {
+                Failure::Io(error.to_string())
+            }
+            error => Failure::usage(error),
         }
     }
 }

@@ -3,15 +3,15 @@
 mod beginning;
 mod commands;
 mod failure;
-mod folder;
-mod given;
 mod length;
 mod pace;
 mod print;
-mod profiles;
 
-use clap::Parser;
+use clap::{CommandFactory, Parser};
 use commands::Command;
+use failure::Failure;
+use homebody_core::problem::counted;
+use print::tell;
 use std::process::ExitCode;
 
 /// Simulates homes wired with sensors and the people who live in them.
@@ -32,8 +32,26 @@ Examples:
 Exit codes: 0 done, 1 a file could not be read or written, 2 what was asked or written is wrong.";
 
 fn main() -> ExitCode {
-    match Arguments::parse().command.run() {
+    match Arguments::parse().command.run(Arguments::command) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report(),
+        Err(failure) => report(&failure),
+    }
+}
+
+/// Tells people on standard error, and scripts by the exit code.
+fn report(failure: &Failure) -> ExitCode {
+    match failure {
+        Failure::Problems(problems) => {
+            tell(format_args!("{}\n{}", problems.render(), counted(problems.0.len(), "problem", "problems")));
+            ExitCode::from(2)
+        }
+        Failure::Usage(what) => {
+            tell(format_args!("error: {what}"));
+            ExitCode::from(2)
+        }
+        Failure::Io(what) => {
+            tell(format_args!("error: {what}"));
+            ExitCode::from(1)
+        }
     }
 }

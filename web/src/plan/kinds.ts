@@ -1,29 +1,24 @@
 // Kinds of sensors: each has a shape, a colour and a word, so that none of them stands alone.
 
 import { okabeIto } from './palette';
+import { SENSOR_KINDS } from '../sensors';
 import type { At } from './geometry';
 import { spoken } from './words';
 
 export type Kind = { word: string; shape: Shape; colour: string };
 
-type Shape = 'arrow' | 'ring' | 'pill' | 'gap' | 'hexagon' | 'bolt' | 'flame' | 'drop' | 'star' | 'cross' | 'square';
+type Row = (typeof SENSOR_KINDS)[keyof typeof SENSOR_KINDS];
+type Shape = Row['shape'] | 'square';
 
-const KINDS: Record<string, Kind> = {
-  motion: { word: 'motion, on a wall', shape: 'arrow', colour: okabeIto.blue },
-  ceiling_motion: { word: 'motion, from the ceiling', shape: 'ring', colour: okabeIto.sky },
-  bed: { word: 'bed', shape: 'pill', colour: okabeIto.purple },
-  contact: { word: 'contact', shape: 'gap', colour: okabeIto.orange },
-  pressure: { word: 'pressure', shape: 'hexagon', colour: okabeIto.green },
-  power: { word: 'power', shape: 'bolt', colour: okabeIto.yellow },
-  stove_temperature: { word: 'stove temperature', shape: 'flame', colour: okabeIto.vermillion },
-  flow: { word: 'flow', shape: 'drop', colour: okabeIto.sky },
-  light: { word: 'light', shape: 'star', colour: okabeIto.yellow },
-  temperature: { word: 'temperature', shape: 'cross', colour: okabeIto.vermillion },
-};
+/** What the core says of a kind; nothing of one that this page has not met yet. */
+export function rowOf(kind: string): Row | null {
+  return Object.hasOwn(SENSOR_KINDS, kind) ? SENSOR_KINDS[kind as keyof typeof SENSOR_KINDS] : null;
+}
 
 /** A kind that this page has not met yet is drawn as a grey square under its own word. */
 export function kindOf(kind: string): Kind {
-  return Object.hasOwn(KINDS, kind) ? KINDS[kind]! : { word: spoken(kind), shape: 'square', colour: '#8a949f' };
+  const row = rowOf(kind);
+  return row ? { word: row.label, shape: row.shape, colour: okabeIto[row.colour] } : { word: spoken(kind), shape: 'square', colour: '#8a949f' };
 }
 
 /** Outlines in a square from -1 to 1, x to where it faces, y to its left: canvas and SVG draw the same. */

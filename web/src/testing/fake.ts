@@ -1,6 +1,7 @@
 // A server that is none: it lives a made-up run in the page and speaks as the real one does. What it makes sensors do is only
 // roughly so; the real models are in the program.
 
+import { rowOf } from '../plan/kinds';
 import { encode } from '@msgpack/msgpack';
 import { type At, distance, inside } from '../plan/geometry';
 import type { Wire } from '../socket';
@@ -212,7 +213,7 @@ class FakeServer implements Wire {
 
   private fire(index: number, at_us: number): FiringView {
     const sensor = this.run.home.sensors[index]!;
-    const value = sensor.kind === 'bed' ? 'IN' : sensor.kind === 'contact' ? 'OPEN' : 'ON';
+    const value = rowOf(sensor.kind)?.values[0] ?? 'ON';
     const time = clock(at_us);
     return { seq: 0, at_us, sensor: index, value, row: sensor.kind === 'light' ? null : [time, sensor.name, value] };
   }

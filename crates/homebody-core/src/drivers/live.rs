@@ -15,13 +15,14 @@
 
 mod obstacles;
 
-use super::{Body, MotionSegment, Next};
+use super::{Driver, MotionSegment, Next, Surroundings};
 use crate::event::{MotionState, ThingUse};
 use crate::geometry::Point;
 use crate::home::plan::Plan;
+use crate::ids::ThingId;
 use crate::scenario::input::{InputFile, Key, KeysFile, UseFile};
 use crate::scenario::path::Posture;
-use crate::time::{Micros, SECOND, micros, seconds};
+use crate::time::{Micros, NEVER, SECOND, micros, seconds};
 use obstacles::Obstacles;
 use std::collections::VecDeque;
 
@@ -46,43 +47,27 @@ impl LiveDriver {
     pub fn new(plan: &Plan, start: Point, radius_m: f64, pace_mps: f64, keys: KeyTrack) -> LiveDriver {
         LiveDriver { keys, pace_mps, at: start, obstacles: Obstacles::new(plan, radius_m) }
     }
+}
 
-    /// After what is known already, more input may come.
-    pub fn open(&mut self) {
-        self.keys.open = true;
-    }
-
-    /// From `at` on the input is this, whatever else was to come. For input that is open: who rests until the next line of a
-    /// file is not asked before.
-    pub fn input(&mut self, at: Micros, input: Input) {
-        self.keys.input(at, input);
-    }
-
-    /// What the resident does from `now` on; `others` are the bodies to run into, and `on` says which things of the plan are
-    /// on, or open.
-    pub fn next(&mut self, now: Micros, others: &[Body], on: &[bool]) -> Next {
+impl Driver for LiveDriver {
+    fn next(&mut self, around: &Surroundings) -> Next {
+        let now = around.now();
         let Input { held, posture, .. } = *self.keys.at(now);
         if let Some(act) = self.keys.uses.pop_front() {
             return Next::Use(act);
         }
         let velocity =
             if posture == Posture::Standing { held.direction() * (self.pace_mps * held.haste()) } else { Point::ZERO };
-        let step_end = step_from(now.saturating_add(1));
         let end = if velocity != Point::ZERO || self.keys.open {
-            step_end
+            step_from(now.saturating_add(1))
         } else {
-            match self.keys.next_change() {
-                Some(change) => step_from(change),
-                None => return Next::Done,
-            }
+            self.keys.next_change().map_or(NEVER, step_from)
         };
-        if end <= now {
-            return Next::Done;
-        }
         let mut doing = MotionState::Rest { at: self.at };
         if velocity != Point::ZERO {
-            self.obstacles.set_doors(self.at, on);
-            let (from, to) = (self.at, self.obstacles.slide(self.at, velocity * seconds(end - now), others));
+            self.obstacles.set_doors(self.at, |door| around.is_on(door));
+            let way = velocity * seconds(end - now);
+            let (from, to) = (self.at, self.obstacles.slide(self.at, way, around.others()));
             if from.distance(to) >= STILL_M {
                 self.at = to;
                 doing = MotionState::Stride { from, to };
@@ -91,9 +76,18 @@ impl LiveDriver {
         Next::Segment(MotionSegment { begin: now, end, doing, posture })
     }
 
-    /// Where the body is, and how, at the end of the spans handed out so far.
-    pub fn pose(&self) -> (Point, Posture) {
-        (self.at, self.keys.now.posture)
+    fn copy(&self) -> Box<dyn Driver> {
+        Box::new(self.clone())
+    }
+
+    fn open_input(&mut self) -> bool {
+        self.keys.open = true;
+        true
+    }
+
+    /// Whatever else was to come is forgotten. Who rests until the next line of a file is not asked before.
+    fn input(&mut self, at: Micros, input: Input) {
+        self.keys.input(at, input);
     }
 }
 
@@ -116,7 +110,7 @@ pub struct Input {
 impl Input {
     /// The input that a line of a file describes, which has passed its checks.
     pub fn written(line: &KeysFile, plan: &Plan) -> Input {
-        let act = |used: &UseFile| Some(ThingUse { thing: plan.thing(&used.thing)? as u32, on: used.on });
+        let act = |used: &UseFile| Some(ThingUse { thing: ThingId::of(plan.thing(&used.thing)?), on: used.on });
         Input {
             held: line.held.iter().copied().collect(),
             posture: line.posture,
@@ -204,47 +198,73 @@ impl Held {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::drivers::Occupant;
     use crate::geometry::{self, point};
+    use crate::home::Build;
+    use crate::ids::ResidentId;
     use rand_chacha::ChaCha8Rng;
     use rand_core::{Rng, SeedableRng};
     use serde_json::json;
     use std::collections::BTreeSet;
+    use std::sync::LazyLock;
 
     const RADIUS_M: f64 = 0.22;
     const PACE_MPS: f64 = 0.6;
 
     /// Two rooms south of a hall. The doors to the hall are open, as is the one that leads out;
     /// the one between the rooms is closed.
-    fn plan() -> Plan {
-        let home = json!({
-            "name": "three rooms",
-            "rooms": [
-                { "name": "living room", "outline": [[0, 0], [5, 0], [5, 4], [0, 4]] },
-                { "name": "bedroom", "outline": [[5, 0], [8, 0], [8, 4], [5, 4]] },
-                { "name": "hall", "outline": [[0, 4], [8, 4], [8, 6], [0, 6]] },
-            ],
-            "walls": [
-                { "from": [0, 0], "to": [8, 0] }, { "from": [8, 0], "to": [8, 6] }, { "from": [8, 6], "to": [0, 6] },
-                { "from": [0, 6], "to": [0, 0] }, { "from": [0, 4], "to": [8, 4] }, { "from": [5, 0], "to": [5, 4] },
-            ],
-            "doors": [
-                { "name": "living room door", "from": [2, 4], "to": [2.9, 4] },
-                { "name": "bedroom door", "from": [6, 4], "to": [6.9, 4] },
-                { "name": "front door", "from": [0, 4.6], "to": [0, 5.5], "outside": true },
-                { "name": "closed door", "from": [5, 1.5], "to": [5, 2.4], "open": false },
-            ],
-            "furniture": [
-                { "name": "table", "at": [2.3, 1.8], "size_m": [1.2, 0.8], "turn_deg": 30, "height_m": 0.75 },
-                { "name": "shelf", "at": [4.75, 3.4], "size_m": [0.3, 1], "height_m": 1.8 },
-                { "name": "stool", "outline": [[4, 5], [4.3, 5.2], [4.1, 5.5]], "height_m": 0.5 },
-                { "name": "bed", "at": [7, 1], "size_m": [1.4, 2], "height_m": 0.5, "enterable": true },
-            ],
+    fn plan() -> &'static Plan {
+        static PLAN: LazyLock<Plan> = LazyLock::new(|| {
+            let home = json!({
+                "name": "three rooms",
+                "rooms": [
+                    { "name": "living room", "outline": [[0, 0], [5, 0], [5, 4], [0, 4]] },
+                    { "name": "bedroom", "outline": [[5, 0], [8, 0], [8, 4], [5, 4]] },
+                    { "name": "hall", "outline": [[0, 4], [8, 4], [8, 6], [0, 6]] },
+                ],
+                "walls": [
+                    { "from": [0, 0], "to": [8, 0] }, { "from": [8, 0], "to": [8, 6] }, { "from": [8, 6], "to": [0, 6] },
+                    { "from": [0, 6], "to": [0, 0] }, { "from": [0, 4], "to": [8, 4] }, { "from": [5, 0], "to": [5, 4] },
+                ],
+                "doors": [
+                    { "name": "living room door", "from": [2, 4], "to": [2.9, 4] },
+                    { "name": "bedroom door", "from": [6, 4], "to": [6.9, 4] },
+                    { "name": "front door", "from": [0, 4.6], "to": [0, 5.5], "outside": true },
+                    { "name": "closed door", "from": [5, 1.5], "to": [5, 2.4], "open": false },
+                ],
+                "furniture": [
+                    { "name": "table", "at": [2.3, 1.8], "size_m": [1.2, 0.8], "turn_deg": 30, "height_m": 0.75 },
+                    { "name": "shelf", "at": [4.75, 3.4], "size_m": [0.3, 1], "height_m": 1.8 },
+                    { "name": "stool", "outline": [[4, 5], [4.3, 5.2], [4.1, 5.5]], "height_m": 0.5 },
+                    { "name": "bed", "at": [7, 1], "size_m": [1.4, 2], "height_m": 0.5, "enterable": true },
+                ],
+            });
+            Plan::new(&serde_json::from_value(home).unwrap())
         });
-        Plan::new(&serde_json::from_value(home).unwrap())
+        &PLAN
+    }
+
+    /// The bodies that a driver is asked with: its own, which it knows, and the others.
+    fn bodies(others: &[(Point, f64)]) -> Vec<Occupant> {
+        let occupant = |&(at, radius_m): &(Point, f64)| {
+            let doing = MotionState::Rest { at };
+            let segment = MotionSegment { begin: 0, end: NEVER, doing, posture: Posture::Standing };
+            Occupant { build: Build { radius_m, ..Build::adult() }, segment }
+        };
+        [Occupant::new(Build::adult())].into_iter().chain(others.iter().map(occupant)).collect()
+    }
+
+    fn doors_as_planned() -> Vec<bool> {
+        plan().things.iter().map(|thing| thing.on).collect()
+    }
+
+    /// What the driver does next.
+    fn ask(driver: &mut LiveDriver, now: Micros, others: &[(Point, f64)], on: &[bool]) -> Next {
+        driver.next(&Surroundings::new(now, ResidentId(0), plan(), &bodies(others), on))
     }
 
     fn standing_at(x: f64, y: f64) -> LiveDriver {
-        LiveDriver::new(&plan(), Point::new(x, y), RADIUS_M, PACE_MPS, KeyTrack::live())
+        LiveDriver::new(plan(), Point::new(x, y), RADIUS_M, PACE_MPS, KeyTrack::live())
     }
 
     fn holding(keys: &[Key]) -> Input {
@@ -252,11 +272,19 @@ mod tests {
     }
 
     /// Holds the keys for a time, and returns what the body did.
-    fn walk(driver: &mut LiveDriver, keys: &[Key], from: Micros, to: Micros, others: &[Body]) -> Vec<MotionSegment> {
+    fn walk(
+        driver: &mut LiveDriver,
+        keys: &[Key],
+        from: Micros,
+        to: Micros,
+        others: &[(Point, f64)],
+    ) -> Vec<MotionSegment> {
         driver.input(from, holding(keys));
         let (mut now, mut spans) = (from, Vec::new());
         while now < to {
-            let Next::Segment(span) = driver.next(now, others, &[]) else { panic!("live movement has ended") };
+            let Next::Segment(span) = ask(driver, now, others, &doors_as_planned()) else {
+                panic!("live movement has ended")
+            };
             assert!(span.begin == now && span.end > now);
             now = span.end;
             spans.push(span);
@@ -275,7 +303,9 @@ mod tests {
                 let held = keys.into_iter().filter(|&key| bits >> key as u32 & 1 == 1).collect();
                 driver.input(now, Input { held, ..Input::default() });
             }
-            let Next::Segment(span) = driver.next(now, &[], &[]) else { panic!("live movement has ended") };
+            let Next::Segment(span) = ask(driver, now, &[], &doors_as_planned()) else {
+                panic!("live movement has ended")
+            };
             now = span.end;
             each(&span);
         }
@@ -296,7 +326,7 @@ mod tests {
         let moved_in_a_second = |keys: &[Key]| {
             let mut driver = standing_at(1.0, 2.0);
             walk(&mut driver, keys, 0, SECOND, &[]);
-            driver.pose().0 - point([1.0, 2.0])
+            driver.at - point([1.0, 2.0])
         };
         let close = |keys: &[Key], x: f64, y: f64| assert!(moved_in_a_second(keys).distance(Point::new(x, y)) < 1e-5);
         close(&[Key::Up], 0.0, 0.6);
@@ -314,10 +344,12 @@ mod tests {
             { "at_s": 0.51, "held": ["right"] }, { "at_s": 0.56, "held": [] }, { "at_s": 3600, "held": ["up"] },
             { "at_s": 3600.1, "held": ["up", "down"] },
         ] });
-        let keys = KeyTrack::written(&serde_json::from_value(input).unwrap(), &plan());
-        let mut driver = LiveDriver::new(&plan(), point([1.0, 1.0]), RADIUS_M, PACE_MPS, keys);
+        let keys = KeyTrack::written(&serde_json::from_value(input).unwrap(), plan());
+        let mut driver = LiveDriver::new(plan(), point([1.0, 1.0]), RADIUS_M, PACE_MPS, keys);
         let (mut now, mut rests, mut strides) = (0, Vec::new(), 0);
-        while let Next::Segment(span) = driver.next(now, &[], &[]) {
+        while let Next::Segment(span) = ask(&mut driver, now, &[], &doors_as_planned())
+            && span.end < NEVER
+        {
             now = span.end;
             match span.doing {
                 MotionState::Rest { .. } => rests.push((span.begin, span.end)),
@@ -333,7 +365,7 @@ mod tests {
     fn a_body_stays_clear_of_what_stops_it() {
         let plan = plan();
         let mut driver = standing_at(1.0, 1.0);
-        let (mut rooms, mut at) = (BTreeSet::new(), driver.pose().0);
+        let (mut rooms, mut at) = (BTreeSet::new(), driver.at);
         wander(&mut driver, 1, 100_000, |span| {
             if let MotionState::Stride { from, to } = span.doing {
                 assert_eq!(from, at);
@@ -352,7 +384,7 @@ mod tests {
     fn a_body_slides_along_a_wall() {
         let mut driver = standing_at(1.0, 0.4);
         walk(&mut driver, &[Key::Down, Key::Right], 0, 2 * SECOND, &[]);
-        let (at, _) = driver.pose();
+        let at = driver.at;
         assert!((at.y - (0.05 + RADIUS_M)).abs() < 0.01);
         assert!((at.x - (1.0 + 2.0 * PACE_MPS / 2_f64.sqrt())).abs() < 0.01, "{at}");
     }
@@ -372,22 +404,22 @@ mod tests {
     fn closed_doors_stop_a_body_and_open_ones_do_not() {
         let mut at_closed = standing_at(4.5, 1.95);
         walk(&mut at_closed, &[Key::Right], 0, 5 * SECOND, &[]);
-        assert!((at_closed.pose().0.x - (4.95 - RADIUS_M)).abs() < 0.01);
+        assert!((at_closed.at.x - (4.95 - RADIUS_M)).abs() < 0.01);
 
         let mut at_open = standing_at(2.45, 3.5);
         walk(&mut at_open, &[Key::Up], 0, 3 * SECOND, &[]);
-        assert!((at_open.pose().0.y - 5.3).abs() < 0.01);
+        assert!((at_open.at.y - 5.3).abs() < 0.01);
 
         let mut at_front = standing_at(1.0, 5.05);
         walk(&mut at_front, &[Key::Left], 0, 5 * SECOND, &[]);
-        assert!((at_front.pose().0.x - (0.05 + RADIUS_M)).abs() < 0.01, "an open door that leads out stops it too");
+        assert!((at_front.at.x - (0.05 + RADIUS_M)).abs() < 0.01, "an open door that leads out stops it too");
     }
 
     #[test]
     fn doors_are_as_they_have_been_left() {
         let door = |name: &str| plan().thing(name).unwrap();
         let set = |name: &str, open: bool| {
-            let mut on: Vec<bool> = plan().things.iter().map(|thing| thing.on).collect();
+            let mut on = doors_as_planned();
             on[door(name)] = open;
             on
         };
@@ -395,10 +427,10 @@ mod tests {
             driver.input(0, holding(&[key]));
             let mut now = 0;
             while now < 3 * SECOND {
-                let Next::Segment(span) = driver.next(now, &[], on) else { panic!("live movement has ended") };
+                let Next::Segment(span) = ask(&mut driver, now, &[], on) else { panic!("live movement has ended") };
                 now = span.end;
             }
-            driver.pose().0
+            driver.at
         };
         let opened = end(standing_at(4.5, 1.95), Key::Right, &set("closed door", true));
         assert!(opened.x > 6.0, "{opened}");
@@ -415,24 +447,24 @@ mod tests {
 
     #[test]
     fn others_are_run_into_and_slid_round() {
-        let other = Body { at: point([2.0, 5.0]), radius_m: 0.25 };
+        let other = (point([2.0, 5.0]), 0.25);
         let mut head_on = standing_at(1.0, 5.0);
         walk(&mut head_on, &[Key::Right], 0, 5 * SECOND, &[other]);
-        let gap = head_on.pose().0.distance(other.at) - RADIUS_M - other.radius_m;
+        let gap = head_on.at.distance(other.0) - RADIUS_M - other.1;
         assert!((0.0..0.01).contains(&gap), "{gap}");
 
         let mut aside = standing_at(1.0, 5.1);
         let spans = walk(&mut aside, &[Key::Right], 0, 5 * SECOND, &[other]);
         let nearest = spans.iter().filter_map(|span| match span.doing {
-            MotionState::Stride { to, .. } => Some(to.distance(other.at)),
+            MotionState::Stride { to, .. } => Some(to.distance(other.0)),
             _ => None,
         });
-        assert!(nearest.fold(f64::INFINITY, f64::min) > RADIUS_M + other.radius_m - 0.001);
-        assert!(aside.pose().0.x > 2.6, "{}", aside.pose().0);
+        assert!(nearest.fold(f64::INFINITY, f64::min) > RADIUS_M + other.1 - 0.001);
+        assert!(aside.at.x > 2.6, "{}", aside.at);
 
         let mut alone = head_on.clone();
         walk(&mut alone, &[Key::Right], 5 * SECOND, 6 * SECOND, &[]);
-        assert!(alone.pose().0.x > head_on.pose().0.x + 0.5, "who has left is in nobody's way");
+        assert!(alone.at.x > head_on.at.x + 0.5, "who has left is in nobody's way");
     }
 
     #[test]
@@ -472,13 +504,14 @@ mod tests {
     #[test]
     fn who_sits_does_not_walk_and_uses_things() {
         let mut driver = standing_at(1.0, 1.0);
-        let lamp = ThingUse { thing: plan().thing("hall").unwrap() as u32, on: true };
+        let lamp = ThingUse { thing: ThingId::of(plan().thing("hall").unwrap()), on: true };
         driver.input(0, Input { posture: Posture::Sitting, uses: vec![lamp, lamp], ..holding(&[Key::Right]) });
-        assert_eq!([driver.next(0, &[], &[]), driver.next(0, &[], &[])], [Next::Use(lamp), Next::Use(lamp)]);
-        let Next::Segment(sat) = driver.next(0, &[], &[]) else { panic!("no move") };
+        let mut asked = |now| ask(&mut driver, now, &[], &doors_as_planned());
+        assert_eq!([asked(0), asked(0)], [Next::Use(lamp), Next::Use(lamp)]);
+        let Next::Segment(sat) = asked(0) else { panic!("no move") };
         assert_eq!((sat.doing, sat.posture), (MotionState::Rest { at: Point::new(1.0, 1.0) }, Posture::Sitting));
         driver.input(sat.end, holding(&[Key::Right]));
-        let Next::Segment(walked) = driver.next(sat.end, &[], &[]) else { panic!("no move") };
+        let Next::Segment(walked) = ask(&mut driver, sat.end, &[], &doors_as_planned()) else { panic!("no move") };
         assert!(matches!(walked.doing, MotionState::Stride { .. }) && walked.posture == Posture::Standing);
     }
 }

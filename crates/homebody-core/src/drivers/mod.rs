@@ -1,20 +1,24 @@
 //! Drivers: who decides what a resident's body does next.
 //!
-//! A driver is asked at the instant its last span ends, and answers with the next one. It knows the
-//! plan and its own resident; of the other residents it sees only where their bodies are, and of
+//! A driver is asked at the instant its last segment ends, with its [`Surroundings`], and answers with the next one. Of
 //! sensors it knows nothing. A copy of a driver decides as the original.
+//!
+//! A driver may be written elsewhere. What is wrong with its answers, [`error`] says.
 
+pub mod absent;
+pub mod error;
 pub mod live;
 pub mod path;
+pub mod surroundings;
 
 use crate::event::{MotionState, Need, ThingUse, Vitals};
 use crate::geometry::Point;
 use crate::scenario::path::Posture;
 use crate::stride::Stride;
-use crate::time::{Micros, NEVER};
-use live::LiveDriver;
-use path::PathDriver;
+use crate::time::Micros;
+use live::Input;
 use std::fmt;
+pub use surroundings::{Body, Occupant, Surroundings};
 
 /// What a body does over a span; the spans of one resident follow each other without gaps.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,11 +44,37 @@ impl MotionSegment {
         };
         MotionSegment { end, doing, ..*self }
     }
+
+    /// Whether the body, which was doing `before` until this segment begins, just stays on as it is.
+    pub fn goes_on(&self, before: &MotionSegment) -> bool {
+        let walks = matches!(self.doing, MotionState::Stride { .. });
+        !walks && before.end == self.begin && before.doing == self.doing && before.posture == self.posture
+    }
+
+    /// Where the body is at an instant of the segment, its end included; `None` while away.
+    pub fn position(&self, at: Micros) -> Option<Point> {
+        match self.doing {
+            MotionState::Stride { from, to } => Some(Stride::new(from, to, self.begin, self.end).position(at)),
+            MotionState::InPlace { at, .. } | MotionState::Rest { at } => Some(at),
+            MotionState::Away => None,
+        }
+    }
+
+    /// Where the body is at the end of the segment; `None` while away.
+    pub fn to(&self) -> Option<Point> {
+        match self.doing {
+            MotionState::Stride { to, .. } => Some(to),
+            MotionState::InPlace { at, .. } | MotionState::Rest { at } => Some(at),
+            MotionState::Away => None,
+        }
+    }
 }
 
 /// A driver's answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Next {
+    /// What the body does from now on. It begins now and where the last one ended; who rests for ever does so until
+    /// [`NEVER`](crate::time::NEVER).
     Segment(MotionSegment),
     /// From this instant on the resident does this, or nothing that has a name. It takes no time: ask again.
     Activity(Option<String>),
@@ -56,72 +86,29 @@ pub enum Next {
     Need(Need, f64),
     /// For the truth: from this instant on a condition is this severe. It takes no time: ask again.
     Condition(String, f64),
-    /// The resident rests where it is for ever.
-    Done,
-}
-
-/// The body of another resident, as something to run into.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Body {
-    pub at: Point,
-    pub radius_m: f64,
 }
 
 /// Who decides what a resident does.
-#[derive(Clone, Debug)]
-pub enum Driver {
-    Path(PathDriver),
-    Live(Box<LiveDriver>),
-    /// One that this crate does not know, such as a routine.
-    Other(Box<dyn Decide>),
-    /// Nobody: the resident is out for the whole run.
-    Absent,
-}
+pub trait Driver: fmt::Debug + Send + Sync {
+    /// What the resident does from now on. It is asked at 0 and whenever a segment ends, and again after each answer that
+    /// takes no time. The first segment says where the body is; each later one begins where the last one ended, but after a
+    /// time away. An answer that no body can follow ends the run: see [`error::DriverFault`].
+    fn next(&mut self, around: &Surroundings) -> Next;
 
-/// What every driver does that is written elsewhere; see [`Driver`] for what each answer means.
-pub trait Decide: fmt::Debug + Send + Sync {
-    fn next(&mut self, now: Micros) -> Next;
-    fn pose(&self) -> (Point, Posture);
     /// A copy that decides as the original.
-    fn copy(&self) -> Box<dyn Decide>;
+    fn copy(&self) -> Box<dyn Driver>;
+
+    /// From now on input may come while the run goes on, besides what the driver knows already. False if it takes none.
+    fn open_input(&mut self) -> bool {
+        false
+    }
+
+    /// From `at` on the input is this. Only for a driver whose input is open.
+    fn input(&mut self, _at: Micros, _input: Input) {}
 }
 
-impl Clone for Box<dyn Decide> {
-    fn clone(&self) -> Box<dyn Decide> {
+impl Clone for Box<dyn Driver> {
+    fn clone(&self) -> Box<dyn Driver> {
         self.copy()
-    }
-}
-
-impl Driver {
-    /// What the resident does from `now` on. `now` is the end of the last span, or 0;
-    /// `others` are the bodies of the other residents who are at home, for those who mind them, and `on` says which things of
-    /// the plan are on, or open.
-    pub fn next(&mut self, now: Micros, others: &[Body], on: &[bool]) -> Next {
-        match self {
-            Driver::Path(driver) => driver.next(now),
-            Driver::Live(driver) => driver.next(now, others, on),
-            Driver::Other(driver) => driver.next(now),
-            Driver::Absent => Next::Segment(MotionSegment {
-                begin: now,
-                end: NEVER,
-                doing: MotionState::Away,
-                posture: Posture::Standing,
-            }),
-        }
-    }
-
-    /// Whether the resident runs into others.
-    pub fn minds_others(&self) -> bool {
-        matches!(self, Driver::Live(_))
-    }
-
-    /// Where the body is, and how, at the end of the spans handed out so far.
-    pub fn pose(&self) -> (Point, Posture) {
-        match self {
-            Driver::Path(driver) => driver.pose(),
-            Driver::Live(driver) => driver.pose(),
-            Driver::Other(driver) => driver.pose(),
-            Driver::Absent => (Point::ZERO, Posture::Standing),
-        }
     }
 }

@@ -12,13 +12,14 @@
 //!
 //! What is left out: walls and other people. A path goes where it says.
 
-use super::{MotionSegment, Next};
+use super::{Driver, MotionSegment, Next, Surroundings};
 use crate::event::MotionState;
 use crate::geometry::Point;
 use crate::home::plan::Plan;
 use crate::scenario::calendar::time_of_day;
 use crate::scenario::path::{self as file, PathFile, Posture};
-use crate::time::{DAY, Micros, micros, seconds};
+use crate::time::{DAY, Micros, NEVER, micros, seconds};
+use std::ops::Deref;
 use std::sync::Arc;
 
 /// Nobody walks faster (ours): whoever would have to comes too late.
@@ -41,7 +42,7 @@ pub struct PathDriver {
     posture: Posture,
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 enum Step {
     Go {
         to: Vec<Point>,
@@ -62,7 +63,7 @@ enum Step {
     },
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Tempo {
     /// Metres a second.
     Pace(f64),
@@ -70,14 +71,14 @@ enum Tempo {
     Within(Span),
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Span {
     For(Micros),
     /// Up to the next such time of day, in microseconds since midnight.
     Until(Micros),
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Pastime {
     Still(Posture),
     Stirring { posture: Posture, every: Micros, lasting: Micros, amplitude_m: f64 },
@@ -110,29 +111,51 @@ struct Pass {
     left: Option<u32>,
 }
 
+/// A path whose places and times of day are found. One of a [`Scenario`](crate::scenario::load::Scenario) has passed its checks
+/// besides.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ResolvedPath {
+    file: PathFile,
+    steps: Arc<[Step]>,
+    start: Point,
+}
+
+impl ResolvedPath {
+    /// Finds in a home what the file of somebody with this pace names; nothing if it names a place that the home does not
+    /// have, or a time of day that is none.
+    pub fn new(file: PathFile, plan: &Plan, pace_mps: f64) -> Option<ResolvedPath> {
+        let mut steps = Vec::new();
+        flatten(&file.steps, plan, pace_mps, &mut steps)?;
+        let start = plan.spot(&file.start)?;
+        Some(ResolvedPath { steps: steps.into(), start, file })
+    }
+}
+
+/// What its file says.
+impl Deref for ResolvedPath {
+    type Target = PathFile;
+
+    fn deref(&self) -> &PathFile {
+        &self.file
+    }
+}
+
 impl PathDriver {
     /// The driver of a path; `start_of_day` are the microseconds from local midnight to the scenario's start.
-    ///
-    /// # Panics
-    ///
-    /// If the path names a place that the home does not have, or a time of day that is none. The
-    /// checks of a scenario refuse both.
-    pub fn new(path: &PathFile, plan: &Plan, pace_mps: f64, start_of_day: Micros) -> PathDriver {
-        let mut steps = Vec::new();
-        flatten(&path.steps, plan, pace_mps, &mut steps);
+    pub fn new(path: &ResolvedPath, start_of_day: Micros) -> PathDriver {
         PathDriver {
-            steps: steps.into(),
+            steps: path.steps.clone(),
             start_of_day,
             step: 0,
             under_way: None,
             passes: Vec::new(),
-            at: place(plan, &path.start),
+            at: path.start,
             posture: path.posture,
         }
     }
 
-    /// What the resident does from `now` on.
-    pub fn next(&mut self, now: Micros) -> Next {
+    /// What the resident does from `now` on; once all is done, it rests for ever.
+    fn after(&mut self, now: Micros) -> Next {
         let steps = Arc::clone(&self.steps);
         while let Some(step) = steps.get(self.step) {
             let (under_way, waypoints) = match step {
@@ -168,12 +191,8 @@ impl PathDriver {
             self.under_way = None;
             self.step += 1;
         }
-        Next::Done
-    }
-
-    /// Where the body is, and how, at the end of the spans handed out so far.
-    pub fn pose(&self) -> (Point, Posture) {
-        (self.at, self.posture)
+        let doing = MotionState::Rest { at: self.at };
+        Next::Segment(MotionSegment { begin: now, end: NEVER, doing, posture: self.posture })
     }
 
     /// Begins a walk. One to where the resident already is takes no time, unless the file says when
@@ -278,16 +297,26 @@ impl PathDriver {
     }
 }
 
+impl Driver for PathDriver {
+    fn next(&mut self, around: &Surroundings) -> Next {
+        self.after(around.now())
+    }
+
+    fn copy(&self) -> Box<dyn Driver> {
+        Box::new(self.clone())
+    }
+}
+
 /// Appends the steps as a flat list, in which a repeat is bracketed by `Repeat` and `Again`.
-fn flatten(steps: &[file::Step], plan: &Plan, pace_mps: f64, flat: &mut Vec<Step>) {
+fn flatten(steps: &[file::Step], plan: &Plan, pace_mps: f64, flat: &mut Vec<Step>) -> Option<()> {
     for step in steps {
         match step {
             file::Step::Go(go) => {
-                let to = go.to.iter().map(|spot| place(plan, spot)).collect();
+                let to = go.to.iter().map(|spot| plan.spot(spot)).collect::<Option<_>>()?;
                 let tempo = match (go.pace_mps, go.in_s, &go.arrive_at) {
                     (Some(mps), _, _) => Tempo::Pace(mps),
                     (None, None, None) => Tempo::Pace(pace_mps),
-                    (None, in_s, arrive_at) => Tempo::Within(span(in_s, arrive_at)),
+                    (None, in_s, arrive_at) => Tempo::Within(span(in_s, arrive_at)?),
                 };
                 flat.push(Step::Go { to, tempo });
             }
@@ -302,32 +331,29 @@ fn flatten(steps: &[file::Step], plan: &Plan, pace_mps: f64, flat: &mut Vec<Step
                         amplitude_m: stir.amplitude_m,
                     },
                 };
-                flat.push(Step::Stay { span: span(wait.for_s, &wait.until), pastime });
+                flat.push(Step::Stay { span: span(wait.for_s, &wait.until)?, pastime });
             }
             file::Step::Repeat(repeat) => {
                 flat.push(Step::Repeat { times: repeat.times });
                 let first = flat.len();
-                flatten(&repeat.steps, plan, pace_mps, flat);
+                flatten(&repeat.steps, plan, pace_mps, flat)?;
                 flat.push(Step::Again { first });
             }
             file::Step::Activity(name) => flat.push(Step::Activity((!name.is_empty()).then(|| name.clone()))),
             file::Step::Away(away) => {
-                flat.push(Step::Stay { span: span(away.for_s, &away.until), pastime: Pastime::Away });
+                flat.push(Step::Stay { span: span(away.for_s, &away.until)?, pastime: Pastime::Away });
             }
         }
     }
+    Some(())
 }
 
-fn place(plan: &Plan, spot: &file::Spot) -> Point {
-    plan.spot(spot).unwrap_or_else(|| panic!("the home has no place {spot:?}"))
-}
-
-fn span(for_s: Option<f64>, until: &Option<String>) -> Span {
-    match (for_s, until) {
+fn span(for_s: Option<f64>, until: &Option<String>) -> Option<Span> {
+    Some(match (for_s, until) {
         (Some(for_s), _) => Span::For(micros(for_s)),
-        (None, Some(until)) => Span::Until(time_of_day(until).unwrap_or_else(|| panic!("{until:?} is no time of day"))),
+        (None, Some(until)) => Span::Until(time_of_day(until)?),
         (None, None) => Span::For(0),
-    }
+    })
 }
 
 /// The instant so many seconds after another.
@@ -352,14 +378,34 @@ mod tests {
         });
         let path = json!({ "start": [0, 0], "steps": steps });
         let home = serde_json::from_value(home).unwrap();
-        PathDriver::new(&serde_json::from_value(path).unwrap(), &Plan::new(&home), 0.5, 7 * HOUR)
+        let path = ResolvedPath::new(serde_json::from_value(path).unwrap(), &Plan::new(&home), 0.5);
+        PathDriver::new(&path.unwrap(), 7 * HOUR)
+    }
+
+    #[test]
+    fn what_the_home_does_not_have_is_no_path() {
+        let home = json!({ "name": "a room", "walls": [], "rooms": [{ "name": "room", "outline": [[0, 0], [9, 0], [9, 9]] }] });
+        let plan = Plan::new(&serde_json::from_value(home).unwrap());
+        let is_path = |start: Value, steps: Value| {
+            let file = serde_json::from_value(json!({ "start": start, "steps": steps })).unwrap();
+            ResolvedPath::new(file, &plan, 0.5).is_some()
+        };
+        let again = |step: Value| json!([{ "repeat": { "steps": [step] } }]);
+        assert!(is_path(json!("room"), again(json!({ "wait": { "until": "07:30" } }))));
+        assert!(!is_path(json!("sink"), json!([])));
+        assert!(!is_path(json!("room"), again(json!({ "go": { "to": ["room", "sink"] } }))));
+        assert!(!is_path(json!("room"), again(json!({ "away": { "until": "25:00" } }))));
     }
 
     /// What the driver does up to the first span that ends at `until` or later, checked to have no gaps.
     fn spans(driver: &mut PathDriver, until: Micros) -> Vec<MotionSegment> {
-        let (mut now, mut at, mut spans) = (0, driver.pose().0, Vec::new());
+        let (mut now, mut at, mut spans) = (0, driver.at, Vec::new());
         while now < until {
-            match driver.next(now) {
+            match driver.after(now) {
+                Next::Segment(span) if span.end == NEVER => {
+                    assert_eq!(span.doing, MotionState::Rest { at: driver.at });
+                    break;
+                }
                 Next::Segment(span) => {
                     assert_eq!(span.begin, now);
                     assert!(span.end > span.begin);
@@ -369,14 +415,19 @@ mod tests {
                         MotionState::Away => {}
                     }
                     now = span.end;
-                    at = driver.pose().0;
+                    at = driver.at;
                     spans.push(span);
                 }
-                Next::Done => break,
                 _ => {}
             }
         }
         spans
+    }
+
+    /// What follows all steps of a path that has gone nowhere.
+    fn done(begin: Micros) -> Next {
+        let doing = MotionState::Rest { at: Point::ZERO };
+        Next::Segment(MotionSegment { begin, end: NEVER, doing, posture: Posture::Standing })
     }
 
     fn ends(spans: &[MotionSegment]) -> Vec<Micros> {
@@ -415,13 +466,13 @@ mod tests {
     #[test]
     fn legs_without_length_are_no_strides() {
         let here = json!([{ "go": { "to": [[0, 0], [0, 0]] } }]);
-        assert_eq!(driver(here).next(0), Next::Done);
+        assert_eq!(driver(here).after(0), done(0));
         let with_stops = json!([{ "go": { "to": [[0, 0], [1, 0], [1, 0], [2, 0], [2, 0]] } }]);
         assert_eq!(ends(&spans(&mut driver(with_stops), HOUR)), [2 * SECOND, 4 * SECOND]);
         let with_specks = json!([{ "go": { "to": [[1e-9, 0], [1, 0], [1, 1e-9], [2, 0], [2, 1e-9]], "in_s": 4 } }]);
         let mut speck_driver = driver(with_specks);
         assert_eq!(ends(&spans(&mut speck_driver, HOUR)), [2 * SECOND, 4 * SECOND]);
-        assert_eq!(speck_driver.pose().0, point([2.0, 1e-9]));
+        assert_eq!(speck_driver.at, point([2.0, 1e-9]));
         let stand = json!([{ "go": { "to": [[0, 0]], "in_s": 5 } }]);
         let rest = MotionState::Rest { at: Point::ZERO };
         let only = MotionSegment { begin: 0, end: 5 * SECOND, doing: rest, posture: Posture::Standing };
@@ -455,7 +506,7 @@ mod tests {
         let (mut now, mut most_open) = (0, 0);
         let ten_years = 3_652 * DAY;
         while now < ten_years {
-            let Next::Segment(span) = driver.next(now) else { panic!("the path has ended at {now}") };
+            let Next::Segment(span) = driver.after(now) else { panic!("the path has ended at {now}") };
             assert!(span.begin == now && span.end > now);
             now = span.end;
             most_open = most_open.max(driver.passes.capacity());
@@ -495,19 +546,19 @@ mod tests {
     #[test]
     fn activities_take_no_time() {
         let mut driver = driver(json!([{ "activity": "tea" }, { "activity": "" }, { "wait": { "for_s": 1 } }]));
-        assert_eq!(driver.next(0), Next::Activity(Some("tea".into())));
-        assert_eq!(driver.next(0), Next::Activity(None));
-        assert!(matches!(driver.next(0), Next::Segment(_)));
-        assert_eq!(driver.next(SECOND), Next::Done);
-        assert_eq!(driver.next(SECOND), Next::Done);
+        assert_eq!(driver.after(0), Next::Activity(Some("tea".into())));
+        assert_eq!(driver.after(0), Next::Activity(None));
+        assert!(matches!(driver.after(0), Next::Segment(_)));
+        assert_eq!(driver.after(SECOND), done(SECOND));
+        assert_eq!(driver.after(SECOND), done(SECOND));
     }
 
     #[test]
     fn a_loop_that_takes_no_time_ends() {
         let steps = json!([{ "repeat": { "steps": [{ "activity": "x" }, { "go": { "to": [[0, 0]] } }] } }]);
         let mut endless = driver(steps);
-        assert_eq!(endless.next(0), Next::Activity(Some("x".into())));
-        assert_eq!(endless.next(0), Next::Done);
+        assert_eq!(endless.after(0), Next::Activity(Some("x".into())));
+        assert_eq!(endless.after(0), done(0));
 
         let steps = json!([
             { "repeat": { "times": u32::MAX, "steps": [{ "wait": { "until": "07:00" } }] } },
@@ -520,8 +571,7 @@ mod tests {
     fn times_without_end_saturate() {
         let steps = json!([{ "repeat": { "steps": [{ "wait": { "for_s": 1e300 } }] } }]);
         let mut driver = driver(steps);
-        assert!(matches!(driver.next(0), Next::Segment(MotionSegment { end: Micros::MAX, .. })));
-        assert_eq!(driver.next(Micros::MAX), Next::Done);
+        assert!(matches!(driver.after(0), Next::Segment(MotionSegment { end: Micros::MAX, .. })));
     }
 
     #[test]
@@ -532,8 +582,8 @@ mod tests {
         let mut now = 0;
         for _ in 0..100 {
             let mut copy = original.clone();
-            let next = original.next(now);
-            assert_eq!(copy.next(now), next);
+            let next = original.after(now);
+            assert_eq!(copy.after(now), next);
             let Next::Segment(span) = next else { panic!("the path has ended") };
             now = span.end;
         }

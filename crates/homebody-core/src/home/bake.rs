@@ -22,9 +22,13 @@ pub fn beams(sensor: &Sensor, plan: &Plan, body_m: f64) -> Vec<Beam> {
 fn blades(motion: &Motion, plan: &Plan, body_m: f64) -> Vec<Beam> {
     let (tall, low): (Vec<&Solid>, Vec<&Solid>) =
         plan.solids.iter().partition(|solid| solid.height_m >= motion.height_m);
+    let reached = |&(a, b): &(Point, Point)| {
+        geometry::distance_to_segment(motion.lens, a, b) <= motion.reach_m + ENGINE_TOLERANCE_M
+    };
     let walls: Vec<Segment> = tall
         .iter()
         .flat_map(|solid| geometry::sides(&solid.outline))
+        .filter(reached)
         .map(|(a, b)| Segment::new(vector(a), vector(b)))
         .collect();
     let mut beams = Vec::new();
@@ -57,6 +61,9 @@ fn blades(motion: &Motion, plan: &Plan, body_m: f64) -> Vec<Beam> {
     }
     beams
 }
+
+/// The physics engine reckons in single precision: it is less far off than this.
+const ENGINE_TOLERANCE_M: f64 = 0.01;
 
 /// How far a ray of the physics engine gets from `from` before it meets a wall, at most `reach`.
 fn cast(walls: &[Segment], from: Point, direction: Point, reach: f64) -> f64 {

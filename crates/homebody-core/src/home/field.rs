@@ -2,29 +2,17 @@
 //!
 //! Each cell holds the sensors that *may* see a body whose centre is in it and those that *surely* do,
 //! and for the unsure ones the few beams to test. A movement through the home then costs two
-//! masks a cell; beams are looked at only where the masks do not decide.
+//! masks a cell; beams are looked at only where the masks do not decide. A mask holds a block of
+//! [`BLOCK`] sensors; a home with more has a layer of cells for each block.
 
 use super::bake;
 use super::plan::Plan;
 use crate::geometry::{self, Point};
+use crate::ids::SensorId;
+use crate::sensor_set::{BLOCK, Mask, SensorSet, bit, bits, blocks};
 use crate::sensors::{Kind, Sensor};
 use crate::stride::{self, Beam, Stride};
 use crate::time::Micros;
-
-/// One bit a sensor. A home has at most [`MAX_SENSORS`].
-pub type Mask = u128;
-
-/// How many sensors a home may have: the bits of a [`Mask`].
-pub const MAX_SENSORS: usize = 128;
-
-/// The numbers of the bits that are set, least first.
-pub fn bits(mut mask: Mask) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let bit = (mask != 0).then(|| mask.trailing_zeros() as usize)?;
-        mask &= mask - 1;
-        Some(bit)
-    })
-}
 
 /// A body as sensors see it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,15 +34,16 @@ pub struct Field {
     corner: Point,
     columns: i32,
     rows: i32,
+    /// Row by row from the south-west, one layer of `rows` rows after the other for each block of sensors.
     cells: Vec<Cell>,
     unsure: Vec<Beams>,
     /// The cell of whoever is outside the grid: nobody sees them.
     nowhere: Cell,
 }
 
-/// What is known of a cell before any beam is looked at.
+/// What is known of a cell and a block of sensors before any beam is looked at.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Cell {
+pub(crate) struct Cell {
     /// Sensors that may see a body here.
     pub may: Mask,
     /// Sensors that see a body wherever it is in here; a part of `may`.
@@ -107,16 +96,32 @@ impl Field {
             unsure: Vec::new(),
             nowhere: Cell::default(),
         };
-        for row in 0..field.rows {
-            for column in 0..field.columns {
-                let cell = field.bake_cell(column, row);
-                field.cells.push(cell);
+        let reaches: Vec<_> = (0..sensors.len()).map(|sensor| field.reach(sensor)).collect();
+        for block in 0..blocks(sensors.len()) {
+            for row in 0..field.rows {
+                for column in 0..field.columns {
+                    let cell = field.bake_cell(block, column, row, &reaches);
+                    field.cells.push(cell);
+                }
             }
         }
         field
     }
 
-    fn bake_cell(&mut self, column: i32, row: i32) -> Cell {
+    /// How near the middle of a cell is to what touches a body in it.
+    fn nearness(&self) -> f64 {
+        self.size.radius_m + SLACK_M + (CELL_M / 2.0 + SLACK_M) * std::f64::consts::SQRT_2
+    }
+
+    /// The least and the greatest point between which the middles of the cells lie in which a sensor may see.
+    fn reach(&self, sensor: usize) -> (Point, Point) {
+        let beams = self.beams[self.range(sensor)].iter().flat_map(|beam| [beam.start, beam.end()]);
+        let (least, most) = geometry::bounds(beams.chain(self.areas[sensor].iter().flatten().copied()));
+        let around = Point::splat(self.nearness() + SLACK_M);
+        (least - around, most + around)
+    }
+
+    fn bake_cell(&mut self, block: usize, column: i32, row: i32, reaches: &[(Point, Point)]) -> Cell {
         let least = self.corner + Point::new(f64::from(column), f64::from(row)) * CELL_M - Point::splat(SLACK_M);
         let most = least + Point::splat(CELL_M + 2.0 * SLACK_M);
         let corners = [least, Point::new(most.x, least.y), most, Point::new(least.x, most.y)];
@@ -124,7 +129,11 @@ impl Field {
         let around = middle.distance(most);
         let (near, inside) = (self.size.radius_m + SLACK_M, self.size.radius_m - SLACK_M);
         let mut cell = Cell { unsure: self.unsure.len() as u32, ..Cell::default() };
-        for sensor in 0..self.areas.len() {
+        let first = block * BLOCK;
+        for (sensor, &(from, to)) in reaches.iter().enumerate().skip(first).take(BLOCK) {
+            if middle.cmplt(from).any() || middle.cmpgt(to).any() {
+                continue;
+            }
             let beams = self.range(sensor);
             let may = |beam: &Beam| beam.distance(middle) <= near + around;
             let area = self.areas[sensor].as_deref();
@@ -133,14 +142,14 @@ impl Field {
             if first.is_none() && !over_area {
                 continue;
             }
-            cell.may |= 1 << sensor;
+            cell.may |= bit(sensor);
             let within = |beam: &Beam| corners.iter().all(|&corner| beam.distance(corner) <= inside);
             let sure = match area {
                 Some(outline) => corners.iter().all(|&corner| geometry::distance_to_area(outline, corner) <= inside),
                 None => self.beams[beams.clone()].iter().any(within),
             };
             if sure {
-                cell.sure |= 1 << sensor;
+                cell.sure |= bit(sensor);
                 continue;
             }
             let first = first.unwrap_or(beams.start);
@@ -156,18 +165,19 @@ impl Field {
         self.first_beam[sensor] as usize..self.first_beam[sensor + 1] as usize
     }
 
-    /// The cell of a point.
-    pub fn cell(&self, p: Point) -> &Cell {
+    /// What a block's cell of a point knows.
+    pub(crate) fn cell(&self, block: usize, p: Point) -> &Cell {
         let at = (p - self.corner) / CELL_M;
-        self.cell_at(floor(at.x), floor(at.y))
+        self.cell_at(self.layer(block), floor(at.x), floor(at.y))
     }
 
     /// The first instant, not before `now`, at which a body on this stride comes to a cell where a
-    /// sensor of `want` may see it; `until` if there is none before.
-    pub(crate) fn unseen_until(&self, stride: &Stride, want: Mask, now: Micros, until: Micros) -> Micros {
+    /// sensor of `want`, all of one block, may see it; `until` if there is none before.
+    pub(crate) fn unseen_until(&self, block: usize, stride: &Stride, want: Mask, now: Micros, until: Micros) -> Micros {
+        let layer = self.layer(block);
         let at = (stride.position(now) - self.corner) / CELL_M;
         let (mut column, mut row) = (floor(at.x), floor(at.y));
-        if self.cell_at(column, row).may & want != 0 {
+        if self.cell_at(layer, column, row).may & want != 0 {
             return now.min(until);
         }
         // Along each axis: the step to the next cell, and the microseconds until it and from one to the other.
@@ -195,15 +205,20 @@ impl Field {
             } else {
                 (row, next_row) = (row + row_step, next_row + per_row);
             }
-            if self.cell_at(column, row).may & want != 0 {
+            if self.cell_at(layer, column, row).may & want != 0 {
                 return now + entered as Micros;
             }
         }
     }
 
-    fn cell_at(&self, column: i32, row: i32) -> &Cell {
+    /// The cells of a block, and of those after it.
+    fn layer(&self, block: usize) -> &[Cell] {
+        &self.cells[block * (self.rows * self.columns) as usize..]
+    }
+
+    fn cell_at<'a>(&'a self, layer: &'a [Cell], column: i32, row: i32) -> &'a Cell {
         let on_grid = column >= 0 && row >= 0 && column < self.columns && row < self.rows;
-        if on_grid { &self.cells[(row * self.columns + column) as usize] } else { &self.nowhere }
+        if on_grid { &layer[(row * self.columns + column) as usize] } else { &self.nowhere }
     }
 
     /// The microseconds from being at `p` until a body on this stride leaves the cell of `p`; infinite if it
@@ -226,7 +241,7 @@ impl Field {
 
     /// The beams of `sensor`, one of the unsure ones of the cell, that a body in the cell may touch.
     pub(crate) fn to_test(&self, cell: &Cell, sensor: usize) -> &[Beam] {
-        let before = (cell.may & !cell.sure) & ((1 << sensor) - 1);
+        let before = (cell.may & !cell.sure) & (bit(sensor) - 1);
         let beams = self.unsure[cell.unsure as usize + before.count_ones() as usize];
         &self.beams[beams.first as usize..beams.end as usize]
     }
@@ -249,11 +264,13 @@ impl Field {
     }
 
     /// All sensors that see a body that moves at `p`.
-    pub fn seen_at(&self, p: Point) -> Mask {
-        let cell = self.cell(p);
-        bits(cell.may & !cell.sure)
-            .filter(|&sensor| self.sees_in(cell, sensor, p))
-            .fold(cell.sure, |mask, bit| mask | 1 << bit)
+    pub fn seen_at(&self, p: Point) -> SensorSet {
+        let of_block = |block: usize| {
+            let cell = self.cell(block, p);
+            let seeing = move |&sensor: &usize| cell.sure & bit(sensor) != 0 || self.sees_in(cell, sensor, p);
+            bits(cell.may).map(move |number| block * BLOCK + number).filter(seeing)
+        };
+        (0..blocks(self.areas.len())).flat_map(of_block).map(SensorId::of).collect()
     }
 }
 
@@ -282,7 +299,8 @@ mod tests {
         }));
         let home = home.expect("a home");
         let plan = Plan::new(&home);
-        let sensors: Vec<Sensor> = home.sensors.iter().map(|sensor| Sensor::new(sensor, &plan)).collect();
+        let sensors: Vec<Sensor> =
+            home.sensors.iter().map(|sensor| Sensor::new(sensor, &plan).expect("a place")).collect();
         Field::bake(&plan, &sensors, Size { radius_m: 0.2, top_m })
     }
 
@@ -341,7 +359,7 @@ mod tests {
     #[test]
     fn a_body_is_seen_over_an_area_and_a_radius_around_it() {
         let field = field(json!([]), json!([]), STANDING_M);
-        let seen = |x, y| field.seen_at(Point::new(x, y));
+        let seen = |x, y| field.seen_at(Point::new(x, y)).iter().fold(0, |mask, sensor| mask | bit(sensor.index()));
         assert_eq!(seen(4.5, 1.0), 0b10);
         assert_eq!([seen(3.81, 1.0), seen(3.79, 1.0)], [0b10, 0]);
         // Off the corner (4, 0.5) by 0.1 and 0.17, 0.197 m; by 0.15 and 0.15, 0.212 m.
@@ -352,19 +370,13 @@ mod tests {
     }
 
     #[test]
-    fn bits_come_least_first() {
-        assert!(bits(1 << 127 | 0b1010).eq([1, 3, 127]));
-        assert_eq!(bits(0).next(), None);
-    }
-
-    #[test]
     fn the_grid_begins_one_cell_outside_the_plan() {
         let field = field(json!([]), json!([]), STANDING_M);
         assert_eq!(field.corner, Point::new(-0.25, -0.25));
         // (6.25 / 0.25 + 1) by (4.25 / 0.25 + 1) cells.
         assert_eq!((field.columns, field.rows), (26, 18));
-        assert_eq!(field.cell(Point::new(100.0, 1.0)).may, 0);
-        assert_eq!(field.cell(Point::new(-100.0, 1.0)).may, 0);
+        assert_eq!(field.cell(0, Point::new(100.0, 1.0)).may, 0);
+        assert_eq!(field.cell(0, Point::new(-100.0, 1.0)).may, 0);
     }
 
     #[test]
@@ -391,17 +403,17 @@ mod tests {
         // Cells may be seen whose middle is at most 0.2 + 0.125 * sqrt(2) = 0.377 m from the area: along y = 0.9, in the
         // row from 0.75 to 1, those from x = 3.5 on, with middle 3.625.
         let along = stride((0.1, 0.9), (5.9, 0.9));
-        assert!((field.unseen_until(&along, ceiling, 0, until) - 3_400_000).abs() <= 1);
-        assert!((field.unseen_until(&along, ceiling, 1_000_000, until) - 3_400_000).abs() <= 1);
-        assert_eq!(field.unseen_until(&along, ceiling, 4_000_000, until), 4_000_000);
-        assert_eq!(field.unseen_until(&along, ceiling, 0, 3_000_000), 3_000_000);
+        assert!((field.unseen_until(0, &along, ceiling, 0, until) - 3_400_000).abs() <= 1);
+        assert!((field.unseen_until(0, &along, ceiling, 1_000_000, until) - 3_400_000).abs() <= 1);
+        assert_eq!(field.unseen_until(0, &along, ceiling, 4_000_000, until), 4_000_000);
+        assert_eq!(field.unseen_until(0, &along, ceiling, 0, 3_000_000), 3_000_000);
         // Never a sensor that is not asked for, nor one that is passed.
-        assert_eq!(field.unseen_until(&along, 0b01, 0, 5_000_000), 5_000_000);
+        assert_eq!(field.unseen_until(0, &along, 0b01, 0, 5_000_000), 5_000_000);
         let past = stride((0.1, 3.5), (5.9, 3.5));
-        assert_eq!(field.unseen_until(&past, 0b11, 0, 5_000_000), 5_000_000);
+        assert_eq!(field.unseen_until(0, &past, 0b11, 0, 5_000_000), 5_000_000);
         // From the other side: the last such cell ends at x = 5.5.
         let back = stride((5.9, 0.9), (0.1, 0.9));
-        assert!((field.unseen_until(&back, ceiling, 0, until) - 400_000).abs() <= 1);
+        assert!((field.unseen_until(0, &back, ceiling, 0, until) - 400_000).abs() <= 1);
     }
 
     #[test]

@@ -3,15 +3,16 @@
 pub mod bake;
 pub mod field;
 pub mod plan;
+pub mod resolved;
+pub mod sun;
 
-use crate::scenario::calendar::Calendar;
-use crate::scenario::home::HomeFile;
 use crate::scenario::path::Posture;
 use crate::scenario::resident::{self, ResidentFile};
-use crate::sensors::Sensor;
-use crate::time::{DAY, Micros, SECOND};
+use crate::sensors::{Sensor, SensorInfo};
 use field::{Field, Size};
 use plan::Plan;
+use resolved::ResolvedHome;
+use sun::Sun;
 
 /// A home and the bodies it was baked for.
 #[derive(Clone, Debug)]
@@ -23,53 +24,6 @@ pub struct Home {
     pub fields: Vec<Field>,
     /// The resident's field in each posture, by [`Posture`].
     postures: Vec<[usize; 3]>,
-}
-
-/// What there is to know of the sun at the home: where it stands as a run begins. Daylight saving does not move it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sun {
-    /// Days since the beginning of the year.
-    pub day_of_year: f64,
-    /// Since midnight by the clock of the home's zone in winter, which is taken for the sun's.
-    pub time_of_day: Micros,
-    pub latitude_deg: f64,
-}
-
-impl Sun {
-    pub fn of(calendar: &Calendar, latitude_deg: f64) -> Sun {
-        let start = calendar.local(0);
-        let shift = if start.time_zone().to_offset_info(start.timestamp()).dst().is_dst() { 3600 * SECOND } else { 0 };
-        Sun {
-            day_of_year: f64::from(start.day_of_year()) - 1.0,
-            time_of_day: calendar.start_of_day() - shift,
-            latitude_deg,
-        }
-    }
-
-    /// The sine of the sun's height above the horizon at an instant of the run; below 0 it is dark.
-    ///
-    /// The declination is Cooper's (1969): 23.45 degrees times the sine of the year's turn.
-    pub fn elevation_sine(&self, at: Micros) -> f64 {
-        let days = (at + self.time_of_day) as f64 / DAY as f64;
-        let turn = |days: f64| days * core::f64::consts::TAU;
-        let declination = 23.45_f64.to_radians() * libm::sin(turn((284.0 + 1.0 + self.day_of_year + days) / 365.25));
-        let latitude = self.latitude_deg.to_radians();
-        libm::sin(latitude) * libm::sin(declination)
-            + libm::cos(latitude) * libm::cos(declination) * self.hour_angle_cosine(at)
-    }
-
-    /// How near it is to noon: 1 at noon, -1 at midnight, in between the cosine of the sun's hour angle.
-    pub fn hour_angle_cosine(&self, at: Micros) -> f64 {
-        let days = (at + self.time_of_day) as f64 / DAY as f64;
-        libm::cos((days - 0.5) * core::f64::consts::TAU)
-    }
-}
-
-impl Default for Sun {
-    /// The first of March, from midnight, in Missouri.
-    fn default() -> Sun {
-        Sun { day_of_year: 59.0, time_of_day: 0, latitude_deg: crate::scenario::home::latitude() }
-    }
 }
 
 /// The build of a resident's body.
@@ -103,10 +57,9 @@ impl Build {
 }
 
 impl Home {
-    /// Bakes a home that has passed its checks for the bodies that live there.
-    pub fn bake(file: &HomeFile, residents: &[Build]) -> Home {
-        let plan = Plan::new(file);
-        let sensors: Vec<Sensor> = file.sensors.iter().map(|sensor| Sensor::new(sensor, &plan)).collect();
+    /// Bakes a home for the bodies that live there.
+    pub fn bake(home: &ResolvedHome, residents: &[Build]) -> Home {
+        let (plan, sensors) = (home.plan().clone(), home.placed_sensors().to_vec());
         let mut home = Home { plan, sensors, sun: Sun::default(), fields: Vec::new(), postures: Vec::new() };
         for build in residents {
             let fields = [Posture::Standing, Posture::Sitting, Posture::Lying].map(|posture| {
@@ -120,6 +73,11 @@ impl Home {
             home.postures.push(fields);
         }
         home
+    }
+
+    /// What there is to say of each sensor, in the order of [`Home::sensors`].
+    pub fn sensor_infos(&self) -> Vec<SensorInfo> {
+        self.sensors.iter().map(|sensor| sensor.info(&self.plan)).collect()
     }
 
     /// What the sensors see of a resident in a posture.

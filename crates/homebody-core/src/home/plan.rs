@@ -145,6 +145,13 @@ impl Plan {
         self.room_at(p).is_some() || self.openings.iter().any(|opening| geometry::contains(&opening.outline, p))
     }
 
+    /// How far a point is from the nearest room or door opening, in metres; 0 inside.
+    pub fn distance_outside(&self, p: Point) -> f64 {
+        let rooms = self.rooms.iter().map(|room| &room.outline);
+        let areas = rooms.chain(self.openings.iter().map(|opening| &opening.outline));
+        areas.map(|area| geometry::distance_to_area(area, p)).fold(f64::INFINITY, f64::min)
+    }
+
     /// Whether a door's rectangle leads out: on one side of it, a body's radius from the wall, there is no home any more.
     pub fn leads_out(&self, outline: &[Point], radius_m: f64) -> bool {
         let &[a, b, c, d] = outline else { return false };

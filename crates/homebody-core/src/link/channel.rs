@@ -3,6 +3,7 @@
 use super::clock::Clock;
 use super::message::{Chance, Draws, IDS};
 use crate::event::{Loss, Value};
+use crate::ids::SensorId;
 use crate::random::{Range, Stream};
 use crate::scenario::link::{FaultFile, LinkFile, Span, of_days};
 use crate::time::Micros;
@@ -23,7 +24,7 @@ pub struct Channel {
     pub said: Option<Value>,
     faults: Vec<(Span, Fault)>,
     /// From when on it hangs elsewhere, as which of the home's sensors; in order.
-    moves: Vec<(Micros, u32)>,
+    moves: Vec<(Micros, SensorId)>,
     stream: Stream,
 }
 
@@ -78,13 +79,13 @@ impl Channel {
     }
 
     /// From an instant on the sensor is another of the home's.
-    pub fn moves(&mut self, at: Micros, to: u32) {
+    pub fn moves(&mut self, at: Micros, to: SensorId) {
         self.moves.push((at, to));
         self.moves.sort_unstable();
     }
 
     /// Which of the home's sensors it is at an instant, if it has been moved by then.
-    pub fn place(&self, at: Micros) -> Option<u32> {
+    pub fn place(&self, at: Micros) -> Option<SensorId> {
         self.moves.iter().rev().find(|(from, _)| *from <= at).map(|&(_, place)| place)
     }
 

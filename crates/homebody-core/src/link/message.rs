@@ -1,6 +1,7 @@
 //! A message under way, and the chances that were drawn for it as it set out.
 
 use crate::event::{Band, Provenance, Value};
+use crate::ids::SensorId;
 use crate::random::{DrawnValue, Stream};
 use crate::time::Micros;
 
@@ -9,9 +10,9 @@ use crate::time::Micros;
 pub struct Message {
     pub sent_at: Micros,
     /// Who sent it.
-    pub sensor: u32,
+    pub sensor: SensorId,
     /// Whose id it bears.
-    pub id: u32,
+    pub id: SensorId,
     pub value: Value,
     pub provenance: Provenance,
     pub draws: Draws,

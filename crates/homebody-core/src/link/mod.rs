@@ -19,6 +19,7 @@ mod sources;
 mod channel;
 
 use crate::event::{Events, Fact, Firing, Loss, Provenance, Trigger, Value};
+use crate::ids::SensorId;
 use crate::scenario::home::{MotionFile, SensorFile};
 use crate::scenario::link::{FaultFile, LinkFile, MovedFile, Span, of_days};
 use crate::time::{Micros, NEVER};
@@ -35,7 +36,7 @@ use std::collections::BinaryHeap;
 pub struct Link {
     channels: Vec<Channel>,
     /// Whose other places the sensors after those of the home are.
-    places: Vec<u32>,
+    places: Vec<SensorId>,
     sources: Sources,
     radio: Option<Radio>,
     clocks: Clocks,
@@ -97,8 +98,8 @@ impl Link {
         let mut places = Vec::new();
         for moved in moves(file).filter(|moved| moved_sensor(moved, sensors).is_some()) {
             let Some(owner) = sensors.iter().position(|sensor| sensor.name() == moved.sensor) else { continue };
-            channels[owner].moves(of_days(moved.from_day), (sensors.len() + places.len()) as u32);
-            places.push(owner as u32);
+            channels[owner].moves(of_days(moved.from_day), SensorId::of(sensors.len() + places.len()));
+            places.push(SensorId::of(owner));
         }
         let rate = |sensor: &SensorFile| file.rates(sensor.name(), sensor.senses_motion()).false_fires_per_h;
         let rates: Vec<(&str, f64)> = sensors.iter().map(|sensor| (sensor.name(), rate(sensor))).collect();
@@ -172,9 +173,9 @@ impl Link {
     /// A device has something to say.
     fn says(&mut self, firing: Firing, provenance: Provenance, events: &mut Events) {
         let Firing { at, sensor: place, value, .. } = firing;
-        let own = self.channels.len() as u32;
-        let sensor = if place < own { place } else { self.places[(place - own) as usize] };
-        let channel = &mut self.channels[sensor as usize];
+        let own = self.channels.len();
+        let sensor = if place.index() < own { place } else { self.places[place.index() - own] };
+        let channel = &mut self.channels[sensor.index()];
         if channel.place(at).unwrap_or(sensor) != place {
             return;
         }
@@ -191,7 +192,7 @@ impl Link {
 
     fn says_for_no_reason(&mut self, told: &Told, events: &mut Events) {
         let Told { at, sensor, repeats, draws } = *told;
-        let channel = &self.channels[sensor as usize];
+        let channel = &self.channels[sensor.index()];
         let provenance = Provenance { resident: None, seen_at: at, trigger: Trigger::False };
         let value = if repeats { channel.said } else { Some(Value::Fire) };
         let Some(value) = value.filter(|_| repeats || !channel.is_numb(at)) else { return };
@@ -241,7 +242,7 @@ impl Link {
 
     /// A message has come through the air, if chance does not take it.
     fn receive(&mut self, at: Micros, mut message: Message, events: &mut Events) {
-        let channel = &self.channels[message.sensor as usize];
+        let channel = &self.channels[message.sensor.index()];
         let draws = message.draws;
         if channel.lost_on_the_way(message.sent_at, draws) {
             return lose(&message, Loss::Radio, events);
@@ -263,9 +264,9 @@ impl Link {
     fn garble(&self, message: &mut Message) -> bool {
         let damage = 2.0 * message.draws.of(Chance::Damage);
         if damage < 1.0 {
-            let id = garbled_id(self.channels[message.sensor as usize].id, damage);
+            let id = garbled_id(self.channels[message.sensor.index()].id, damage);
             let owner = self.channels.iter().position(|channel| channel.id == id);
-            message.id = owner.map_or(message.id, |owner| owner as u32);
+            message.id = owner.map_or(message.id, SensorId::of);
             return owner.is_some();
         }
         let value = garbled_value(message.value, damage - 1.0);
@@ -277,7 +278,7 @@ impl Link {
         if self.outages.iter().any(|outage| outage.contains(at)) {
             return lose(&message, Loss::Outage, events);
         }
-        let clock = self.channels[message.sensor as usize].clock;
+        let clock = self.channels[message.sensor.index()].clock;
         let stamp = clock.map_or(at, |clock| clock.shows(message.sent_at));
         if self.clocks.clocks.is_empty() {
             self.tell(stamp, &message, events);

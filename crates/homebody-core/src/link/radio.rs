@@ -13,6 +13,7 @@
 //! Left out: the stronger of two that is received all the same, neighbours on the same channel, and the echo of a
 //! message on the power line. Noise is the link's loss.
 
+use crate::ids::SensorId;
 use crate::scenario::link::RadioFile;
 use crate::time::{Micros, SECOND, micros};
 
@@ -29,7 +30,7 @@ pub struct Radio {
 /// A message on the air: whose, and since when.
 #[derive(Clone, Copy, Debug)]
 struct Sending {
-    sensor: u32,
+    sensor: SensorId,
     begin: Micros,
 }
 
@@ -43,7 +44,7 @@ impl Radio {
     }
 
     /// A sensor has something to say: when it begins to send it, if ever. What came before has been told before.
-    pub fn begin(&mut self, sensor: u32, at: Micros) -> Option<Micros> {
+    pub fn begin(&mut self, sensor: SensorId, at: Micros) -> Option<Micros> {
         let (whole, frame) = (self.period * Micros::from(self.copies), self.frame);
         self.on_air.retain(|sending| sending.begin + whole > at - frame);
         let own = self.on_air.iter().filter(|sending| sending.sensor == sensor);
@@ -61,7 +62,7 @@ impl Radio {
     }
 
     /// Whether no other sensor's copy was on the air in any part of this one, which has just ended.
-    pub fn is_clean(&self, sensor: u32, begin: Micros, copy: u32) -> bool {
+    pub fn is_clean(&self, sensor: SensorId, begin: Micros, copy: u32) -> bool {
         let frame = begin + Micros::from(copy) * self.period;
         !self.on_air.iter().any(|other| other.sensor != sensor && self.overlaps(frame, other.begin))
     }
@@ -90,8 +91,8 @@ mod tests {
     /// Which copies of two messages are clean, the second of which begins so much later.
     fn clean(later: Micros) -> [Vec<bool>; 2] {
         let mut radio = Radio::new(&RadioFile::default());
-        let begins = [(0, 0), (1, later)].map(|(sensor, at)| radio.begin(sensor, at).unwrap());
-        [0, 1].map(|sensor| (0..5).map(|copy| radio.is_clean(sensor as u32, begins[sensor], copy)).collect())
+        let begins = [(0, 0), (1, later)].map(|(sensor, at)| radio.begin(SensorId(sensor), at).unwrap());
+        [0, 1].map(|sensor| (0..5).map(|copy| radio.is_clean(SensorId(sensor as u32), begins[sensor], copy)).collect())
     }
 
     #[test]
@@ -112,11 +113,11 @@ mod tests {
     #[test]
     fn a_sensor_says_one_thing_after_the_other() {
         let mut radio = Radio::new(&RadioFile::default());
-        let begins: Vec<_> = (0..12).map(|_| radio.begin(3, 0)).collect();
+        let begins: Vec<_> = (0..12).map(|_| radio.begin(SensorId(3), 0)).collect();
         assert_eq!(begins[..3], [Some(0), Some(540 * MS), Some(1080 * MS)]);
         // Ten of them wait no longer than five seconds.
         assert_eq!(begins.iter().flatten().count(), 10);
-        assert!(radio.is_clean(3, 0, 4));
+        assert!(radio.is_clean(SensorId(3), 0, 4));
         assert_eq!((radio.end(540 * MS, 4), radio.end(540 * MS, 5)), (Some(1040 * MS), None));
     }
 }

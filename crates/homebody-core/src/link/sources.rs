@@ -1,6 +1,7 @@
 //! What sensors say for no reason: false firings by chance, and what a stuck one repeats.
 
 use super::message::Draws;
+use crate::ids::SensorId;
 use crate::random::Stream;
 use crate::scenario::calendar::time_of_day;
 use crate::scenario::link::{FaultFile, LinkFile, Span};
@@ -16,7 +17,7 @@ pub struct Sources {
 
 #[derive(Clone, Debug)]
 struct Source {
-    sensor: u32,
+    sensor: SensorId,
     kind: Kind,
     until: Micros,
     next: Micros,
@@ -47,7 +48,7 @@ struct Hours {
 #[derive(Clone, Copy, Debug)]
 pub struct Told {
     pub at: Micros,
-    pub sensor: u32,
+    pub sensor: SensorId,
     /// Whether it is stuck and repeats itself.
     pub repeats: bool,
     pub draws: Draws,
@@ -60,7 +61,8 @@ impl Sources {
         for (sensor, &(name, per_h)) in sensors.iter().enumerate() {
             let mut add = |kind, span: Span, stream: &str| {
                 let stream = Stream::named(seed, &format!("sensor/{name}/{stream}"));
-                let mut source = Source { sensor: sensor as u32, kind, until: span.end, next: span.begin, stream };
+                let mut source =
+                    Source { sensor: SensorId::of(sensor), kind, until: span.end, next: span.begin, stream };
                 source.begin();
                 sources.push(source);
             };
@@ -170,7 +172,7 @@ mod tests {
         let mean = waits.iter().sum::<f64>() / waits.len() as f64;
         let variance = waits.iter().map(|wait| (wait - mean) * (wait - mean)).sum::<f64>() / waits.len() as f64;
         assert!((variance - 1.0).abs() < 0.05, "{variance}");
-        assert!(said.iter().all(|told| told.sensor == 1 && !told.repeats));
+        assert!(said.iter().all(|told| told.sensor == SensorId(1) && !told.repeats));
     }
 
     #[test]

@@ -11,6 +11,7 @@ use crate::drivers::MotionSegment;
 use crate::event::{Firing, MotionState, Value};
 use crate::geometry::Point;
 use crate::home::Home;
+use crate::ids::SensorId;
 use crate::random::Stream;
 use crate::sensors::timing::Timing;
 use crate::time::{Micros, SECOND};
@@ -76,7 +77,7 @@ impl<E: Eye> Loop<E> {
         let first = self.update == 0;
         for (sensor, counter) in self.counters.iter_mut().enumerate() {
             counter.update(now, self.changed[sensor] && !first, self.remainder, |at| {
-                firings.push(Firing { seq: self.seq, at, sensor: sensor as u32, value: Value::Fire });
+                firings.push(Firing { seq: self.seq, at, sensor: SensorId::of(sensor), value: Value::Fire });
                 self.seq += 1;
             });
         }

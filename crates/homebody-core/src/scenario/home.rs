@@ -1,13 +1,11 @@
 //! `home.json`: rooms, walls, doors, furniture, places and sensors, in metres and degrees.
 
-use super::device::{
-    BedFile, ContactFile, FlowFile, LightFile, PowerFile, PressureFile, StoveTemperatureFile, TemperatureFile,
-};
+use crate::geometry::At;
+use crate::home::sun::COLUMBIA_DEG;
+use crate::sensors::form::{DeviceForm, KindRow, Moment, Wrong};
+use crate::sensors::kinds::{CEILING_MOTION, MOTION, devices};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-
-/// A point on the floor plan: x to the east, y to the north, in metres.
-pub type At = [f64; 2];
 
 /// No home reaches further from its first room: larger ones are a mistake of units (ours), since the smallest flat in
 /// centimetres is larger.
@@ -51,8 +49,54 @@ pub struct HomeFile {
     #[schemars(length(max = 1_000))]
     pub places: Vec<PlaceFile>,
     #[serde(default)]
-    #[schemars(length(max = 128))]
+    #[schemars(length(max = 1_024))]
     pub sensors: Vec<SensorFile>,
+}
+
+impl HomeFile {
+    /// A home with nothing in it.
+    pub fn new(name: &str) -> HomeFile {
+        HomeFile {
+            schema: None,
+            name: name.into(),
+            about: String::new(),
+            latitude_deg: latitude(),
+            rooms: Vec::new(),
+            walls: Vec::new(),
+            doors: Vec::new(),
+            furniture: Vec::new(),
+            places: Vec::new(),
+            sensors: Vec::new(),
+        }
+    }
+}
+
+impl WallFile {
+    /// A wall of the usual thickness.
+    pub fn new(from: At, to: At) -> WallFile {
+        WallFile { from, to, thickness_m: wall_thickness() }
+    }
+}
+
+impl MotionFile {
+    /// A sensor as it comes, at a point of a wall, that looks to where `facing_deg` says: 0 is east, 90 is north.
+    pub fn new(name: &str, at: At, facing_deg: f64) -> MotionFile {
+        MotionFile {
+            name: name.into(),
+            at,
+            height_m: mounting_height(),
+            facing_deg,
+            tilt_deg: tilt(),
+            field_deg: field(),
+            reach_m: reach(),
+            beams: beams(),
+            level: Level::default(),
+            preset: Preset::default(),
+            first_fire_s: None,
+            refire_s: None,
+            persist_s: None,
+        }
+    }
 }
 
 /// A room: a name and an outline.
@@ -144,75 +188,86 @@ pub struct PlaceFile {
     pub at: At,
 }
 
-/// A sensor, by kind.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(tag = "kind", rename_all = "snake_case")]
-#[schemars(title = "sensor")]
-pub enum SensorFile {
-    Motion(MotionFile),
-    CeilingMotion(CeilingMotionFile),
-    Contact(ContactFile),
-    Bed(BedFile),
-    StoveTemperature(StoveTemperatureFile),
-    Pressure(PressureFile),
-    Power(PowerFile),
-    Flow(FlowFile),
-    Light(LightFile),
-    Temperature(TemperatureFile),
+macro_rules! sensor_file {
+    ($($kind:ident($module:ident, $form:ident))*) => {
+        /// A sensor, by kind.
+        #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+        #[serde(tag = "kind", rename_all = "snake_case")]
+        #[schemars(title = "sensor")]
+        pub enum SensorFile {
+            Motion(MotionFile),
+            CeilingMotion(CeilingMotionFile),
+            $($kind(crate::sensors::$module::$form)),*
+        }
+
+        impl SensorFile {
+            /// Its name, which no other sensor of the home has.
+            pub fn name(&self) -> &str {
+                match self {
+                    SensorFile::Motion(sensor) => &sensor.name,
+                    SensorFile::CeilingMotion(sensor) => &sensor.name,
+                    $(SensorFile::$kind(sensor) => &sensor.name),*
+                }
+            }
+
+            pub fn name_mut(&mut self) -> &mut String {
+                match self {
+                    SensorFile::Motion(sensor) => &mut sensor.name,
+                    SensorFile::CeilingMotion(sensor) => &mut sensor.name,
+                    $(SensorFile::$kind(sensor) => &mut sensor.name),*
+                }
+            }
+
+            /// The form of a sensor that is told what happens.
+            fn device(&self) -> Option<&dyn DeviceForm> {
+                match self {
+                    SensorFile::Motion(_) | SensorFile::CeilingMotion(_) => None,
+                    $(SensorFile::$kind(sensor) => Some(sensor)),*
+                }
+            }
+        }
+    };
 }
+devices!(sensor_file);
 
 impl SensorFile {
-    pub fn name(&self) -> &str {
+    /// What there is to know of its kind.
+    pub fn row(&self) -> &'static KindRow {
         match self {
-            SensorFile::Motion(sensor) => &sensor.name,
-            SensorFile::CeilingMotion(sensor) => &sensor.name,
-            SensorFile::Contact(sensor) => &sensor.name,
-            SensorFile::Bed(sensor) => &sensor.name,
-            SensorFile::StoveTemperature(sensor) => &sensor.name,
-            SensorFile::Pressure(sensor) => &sensor.name,
-            SensorFile::Power(sensor) => &sensor.name,
-            SensorFile::Flow(sensor) => &sensor.name,
-            SensorFile::Light(sensor) => &sensor.name,
-            SensorFile::Temperature(sensor) => &sensor.name,
-        }
-    }
-
-    pub fn name_mut(&mut self) -> &mut String {
-        match self {
-            SensorFile::Motion(sensor) => &mut sensor.name,
-            SensorFile::CeilingMotion(sensor) => &mut sensor.name,
-            SensorFile::Contact(sensor) => &mut sensor.name,
-            SensorFile::Bed(sensor) => &mut sensor.name,
-            SensorFile::StoveTemperature(sensor) => &mut sensor.name,
-            SensorFile::Pressure(sensor) => &mut sensor.name,
-            SensorFile::Power(sensor) => &mut sensor.name,
-            SensorFile::Flow(sensor) => &mut sensor.name,
-            SensorFile::Light(sensor) => &mut sensor.name,
-            SensorFile::Temperature(sensor) => &mut sensor.name,
+            SensorFile::Motion(_) => &MOTION,
+            SensorFile::CeilingMotion(_) => &CEILING_MOTION,
+            _ => self.device().expect("all others are told what happens").row(),
         }
     }
 
     /// The thing that it hangs on, where it hangs on one.
     pub fn on(&self) -> Option<&str> {
-        match self {
-            SensorFile::Motion(_) | SensorFile::CeilingMotion(_) => None,
-            SensorFile::Light(_) | SensorFile::Temperature(_) => None,
-            SensorFile::Contact(sensor) => Some(&sensor.on),
-            SensorFile::Bed(sensor) => Some(&sensor.on),
-            SensorFile::StoveTemperature(sensor) => Some(&sensor.on),
-            SensorFile::Pressure(sensor) => sensor.on.as_deref(),
-            SensorFile::Power(sensor) => Some(&sensor.on),
-            SensorFile::Flow(sensor) => Some(&sensor.on),
-        }
+        self.device().and_then(DeviceForm::on)
     }
 
     /// The room whose light or warmth it measures, where it measures either.
     pub fn room(&self) -> Option<&str> {
-        match self {
-            SensorFile::Light(sensor) => Some(&sensor.room),
-            SensorFile::Temperature(sensor) => Some(&sensor.room),
-            _ => None,
-        }
+        self.device().and_then(DeviceForm::room)
+    }
+
+    /// The corners of the floor that it covers, where it lies on the floor.
+    pub fn area(&self) -> Option<&[At]> {
+        self.device().and_then(DeviceForm::area)
+    }
+
+    /// What is wrong with it whatever the home is like, as far as its kind alone knows.
+    pub fn wrong(&self) -> Vec<Wrong> {
+        self.device().map(DeviceForm::wrong).unwrap_or_default()
+    }
+
+    /// What it tells the very instant of.
+    pub fn moment(&self) -> Option<Moment<'_>> {
+        self.device().and_then(DeviceForm::moment)
+    }
+
+    /// Whether it says readings, where its kind has a unit.
+    pub fn gives_readings(&self) -> bool {
+        self.device().is_some_and(DeviceForm::gives_readings)
     }
 
     /// Whether it looks for movement, rather than being told what happens.
@@ -419,9 +474,9 @@ impl Preset {
     }
 }
 
-/// Columbia, Missouri, where TigerPlace is.
+/// Where TigerPlace is.
 pub fn latitude() -> f64 {
-    38.95
+    COLUMBIA_DEG
 }
 fn is_missouri(value: &f64) -> bool {
     *value == latitude()

@@ -1,7 +1,7 @@
 //! `link.json`: the way from the sensors to the logger, and the faults of both.
 
 use super::calendar::time_of_day;
-use super::home::At;
+use crate::geometry::At;
 use crate::time::{DAY, Micros, NEVER};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -12,8 +12,10 @@ use super::resident::{DriverFile, ResidentFile};
 use super::schema::FileKind;
 use super::shape::{self, Misshape};
 use super::source::{Source, Value};
+use crate::drivers::path::ResolvedPath;
 use crate::geometry::{Point, point};
 use crate::home::plan::Plan;
+use crate::home::resolved::ResolvedHome;
 use crate::problem::{Problem, Problems};
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
@@ -33,11 +35,25 @@ impl Files for BTreeMap<String, String> {
     }
 }
 
+/// Texts laid over other files: each stands in the place of the file of its name.
+pub struct Overlay<'a> {
+    pub texts: BTreeMap<String, String>,
+    pub others: &'a dyn Files,
+}
+
+impl Files for Overlay<'_> {
+    fn read(&self, name: &str) -> Result<String, String> {
+        self.texts.get(name).map_or_else(|| self.others.read(name), |text| Ok(text.clone()))
+    }
+}
+
 /// A scenario that has passed every check.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scenario {
+    /// The name of its own file among the sources.
+    pub entry: String,
     pub file: ScenarioFile,
-    pub home: HomeFile,
+    pub home: ResolvedHome,
     /// Nothing where all that sensors say reaches the logger at once.
     pub link: Option<LinkFile>,
     /// The defaults where the scenario links none.
@@ -59,7 +75,7 @@ pub struct Resident {
 /// What decides for a resident, read from the file that the resident links.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Driver {
-    Path(PathFile),
+    Path(ResolvedPath),
     Live {
         input: InputFile,
         start: Point,
@@ -73,12 +89,15 @@ pub enum Driver {
 
 /// Who knows the language of routines: this crate reads them as text.
 pub trait Language {
-    /// What is wrong with a resident's routine in a home that is sound.
-    fn problems(&self, said: &RoutineText, home: &HomeFile, plan: &Plan, files: &dyn Files) -> Vec<Problem>;
+    /// Reads a resident's routine in a home that is sound, and says what is wrong with it. What is understood, the reader
+    /// keeps: a text is read once. A resident with a routine is not asked about where the home is not sound.
+    fn read(&mut self, said: &RoutineText, home: &HomeFile, plan: &Plan, files: &dyn Files) -> Vec<Problem>;
 }
 
 /// A routine as it stands in its file.
 pub struct RoutineText<'a> {
+    /// Index of the resident who lives by it.
+    pub of: usize,
     pub file: &'a str,
     pub text: &'a str,
     /// The resident's name, where their own file can be understood.
@@ -89,7 +108,7 @@ pub struct RoutineText<'a> {
 
 /// Nobody who knows it.
 impl Language for () {
-    fn problems(&self, _said: &RoutineText, _home: &HomeFile, _plan: &Plan, _files: &dyn Files) -> Vec<Problem> {
+    fn read(&mut self, _said: &RoutineText, _home: &HomeFile, _plan: &Plan, _files: &dyn Files) -> Vec<Problem> {
         Vec::new()
     }
 }
@@ -97,14 +116,14 @@ impl Language for () {
 impl Scenario {
     /// As [`Scenario::load_in`], without a look into routines.
     pub fn load(files: &dyn Files, entry: &str) -> Result<Scenario, Problems> {
-        Scenario::load_in(&(), files, entry)
+        Scenario::load_in(&mut (), files, entry)
     }
 
     /// Reads the entry file and whatever it links, and checks all of it.
     ///
     /// All problems of all files come at once, in the order in which the files are linked. The
     /// meaning of one file is checked even where the shape of another is wrong, also of the one that links it.
-    pub fn load_in(language: &dyn Language, files: &dyn Files, entry: &str) -> Result<Scenario, Problems> {
+    pub fn load_in(language: &mut dyn Language, files: &dyn Files, entry: &str) -> Result<Scenario, Problems> {
         let mut loader = Loader { files, language, problems: Vec::new(), sources: BTreeMap::new(), order: Vec::new() };
         let scenario = loader.scenario(entry);
         let problems = loader.all_problems();
@@ -120,7 +139,7 @@ pub const WHERE: &str = "name a file relative to the scenario's folder, with / b
 
 struct Loader<'a> {
     files: &'a dyn Files,
-    language: &'a dyn Language,
+    language: &'a mut dyn Language,
     problems: Vec<Problem>,
     sources: BTreeMap<String, String>,
     /// The files in the order in which they are linked, with what each of them is.
@@ -183,13 +202,14 @@ impl Loader<'_> {
                 if let Some(file) = &resident.data {
                     names.check(&resident.source, file, &mut self.problems);
                 }
-                self.resident(resident, &surroundings, calendar.as_ref())
+                self.resident(index, resident, &surroundings, calendar.as_ref())
             })
             .collect();
 
         Some(Scenario {
+            entry: entry.into(),
             calendar: calendar?,
-            home: home?,
+            home: ResolvedHome::with_plan(home?, plan?).ok()?,
             link: link?,
             logger: logger?,
             residents: residents.into_iter().collect::<Option<_>>()?,
@@ -200,6 +220,7 @@ impl Loader<'_> {
 
     fn resident(
         &mut self,
+        index: usize,
         resident: Read<ResidentFile>,
         surroundings: &check::Surroundings,
         calendar: Option<&Calendar>,
@@ -213,13 +234,13 @@ impl Loader<'_> {
             let somebody = || ResidentFile::somebody(DriverFile::Path(path.source.file.clone()));
             let walker = file.clone().unwrap_or_else(somebody);
             check::path::check(&path.source, &data, &walker, surroundings, &mut self.problems);
-            Driver::Path(data)
+            Driver::Path(ResolvedPath::new(data, surroundings.plan?, walker.pace_mps)?)
         } else if let Some(name) = root.pointer("/driver/routine").and_then(serde_json::Value::as_str) {
             let text = self.text(&source, "/driver/routine", name)?;
             if let Some((home, plan)) = surroundings.home.zip(surroundings.plan) {
                 let resident = file.as_ref().map(|file| file.name.as_str());
-                let said = RoutineText { file: name, text: &text, resident, calendar };
-                self.problems.extend(self.language.problems(&said, home, plan, self.files));
+                let said = RoutineText { of: index, file: name, text: &text, resident, calendar };
+                self.problems.extend(self.language.read(&said, home, plan, self.files));
             }
             Driver::Routine { file: name.into(), text }
         } else {

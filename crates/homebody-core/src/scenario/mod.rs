@@ -1,14 +1,14 @@
 //! The scenario as its author wrote it: the JSON files of a scenario folder, as plain data.
 //!
 //! `scenario.json` links the home, the link, the logger and the residents; a resident links a driver.
-//! Reading order: this file, [`home`], [`device`], [`resident`], [`path`], [`input`], [`link`], [`logger`], then how the
+//! Reading order: this file, [`home`], [`resident`], [`path`], [`input`], [`link`], [`logger`], then how the
 //! text becomes data ([`load`]): places in the text ([`source`]), the right shape (`shape`, by the
 //! [`schema`]), the right meaning (`check`), and what is right but hardly
-//! meant ([`remarks`]).
+//! meant ([`remarks`]). What code makes or changes of it is in [`edit`].
 
 pub mod calendar;
 mod check;
-pub mod device;
+pub mod edit;
 pub mod home;
 pub mod input;
 pub mod link;
@@ -19,6 +19,7 @@ pub mod path;
 pub mod remarks;
 pub mod resident;
 pub mod schema;
+pub mod scheme;
 mod shape;
 pub mod source;
 
@@ -62,6 +63,25 @@ pub struct ScenarioFile {
     /// The files that describe who lives there.
     #[schemars(length(max = 1_000))]
     pub residents: Vec<String>,
+}
+
+impl ScenarioFile {
+    /// A scenario of nobody in a home in `home.json`, in UTC: `start` is such as `2009-03-02T00:00:00`.
+    pub fn new(name: &str, start: &str, days: f64) -> ScenarioFile {
+        ScenarioFile {
+            schema: None,
+            name: name.into(),
+            about: String::new(),
+            start: start.into(),
+            time_zone: utc(),
+            days,
+            seed: 0,
+            home: "home.json".into(),
+            link: None,
+            logger: None,
+            residents: Vec::new(),
+        }
+    }
 }
 
 /// Whole numbers up to this are kept exactly by every JSON reader.

@@ -1,6 +1,6 @@
 //! A path description: where to walk, how fast, where to wait, and what to repeat.
 
-use super::home::At;
+use crate::geometry::At;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

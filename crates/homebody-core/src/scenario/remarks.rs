@@ -6,7 +6,8 @@ use super::link::{FaultFile, LinkFile};
 use super::load::Scenario;
 use super::source::Source;
 use crate::problem::Problem;
-use crate::time::{Micros, micros};
+use crate::sensors::form::Moment;
+use crate::time::Micros;
 use std::collections::BTreeMap;
 
 /// What is to be said of a scenario whose run is so long. Nothing of it keeps anybody from running it.
@@ -35,15 +36,6 @@ fn too_late(source: &Source, link: &LinkFile, scenario: &Scenario, length: Micro
     faults.map(remark).collect()
 }
 
-/// What sensors tell the instant of, if they tell it as it happens.
-#[derive(PartialEq, Eq, PartialOrd, Ord)]
-enum Moment<'a> {
-    /// Somebody has come into a piece of furniture, or left it, so long ago.
-    Pressed(&'a str, Micros),
-    /// A thing is used.
-    Used(&'a str),
-}
-
 /// Sensors of one thing that always have something to say at the same instant, on a channel on which nobody waits.
 fn at_once(source: &Source, link: &LinkFile, sensors: &[SensorFile]) -> Vec<Problem> {
     if link.channel().is_none() {
@@ -51,15 +43,7 @@ fn at_once(source: &Source, link: &LinkFile, sensors: &[SensorFile]) -> Vec<Prob
     }
     let mut speakers: BTreeMap<Moment, Vec<&str>> = BTreeMap::new();
     for sensor in sensors {
-        let instant = match sensor {
-            SensorFile::Bed(bed) => Some(Moment::Pressed(&bed.on, 0)),
-            SensorFile::Pressure(pad) => pad.on.as_deref().map(|on| Moment::Pressed(on, micros(pad.delay_s))),
-            SensorFile::Contact(contact) => Some(Moment::Used(&contact.on)),
-            SensorFile::Power(power) => Some(Moment::Used(&power.on)),
-            SensorFile::Flow(flow) => Some(Moment::Used(&flow.on)),
-            _ => None,
-        };
-        if let Some(instant) = instant {
+        if let Some(instant) = sensor.moment() {
             speakers.entry(instant).or_default().push(sensor.name());
         }
     }

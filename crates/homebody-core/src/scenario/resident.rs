@@ -1,6 +1,6 @@
 //! A resident's file: body, pace and who decides what the resident does.
 
-use super::home::At;
+use crate::geometry::At;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

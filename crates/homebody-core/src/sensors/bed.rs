@@ -18,13 +18,107 @@
 //! Left out: who lies beside the strip, pets, how strong a movement is, what breathing does to the pulse's signal, drift of
 //! the pressure.
 
-use super::device::{Change, Outbox, no_stream};
+use super::form::{Bearer, Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site, Wrong};
+use super::outbox::{Change, DeviceModel, Outbox};
 use crate::event::{Band, MotionState, Trigger, Value, Vitals};
 use crate::geometry::{self, Point};
-use crate::random::Stream;
-use crate::scenario::device::BedFile;
+use crate::home::sun::Sun;
+use crate::ids::ResidentId;
+use crate::random::{Stream, no_stream};
 use crate::scenario::path::Posture;
 use crate::time::{Micros, NEVER, micros};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What there is to know of the kind.
+pub static ROW: KindRow = KindRow {
+    key: "bed",
+    label: "bed",
+    mount: Mount::Thing(&[Bearer::Enterable]),
+    unit: None,
+    values: &[
+        Value::In,
+        Value::Out,
+        Value::Restless(1),
+        Value::Restless(2),
+        Value::Restless(3),
+        Value::Restless(4),
+        Value::Pulse(Band::Low),
+        Value::Pulse(Band::Normal),
+        Value::Pulse(Band::High),
+        Value::Respiration(Band::Low),
+        Value::Respiration(Band::Normal),
+        Value::Respiration(Band::High),
+    ],
+    shape: Shape::Pill,
+    colour: Colour::Purple,
+    casas: "I",
+};
+
+/// A pneumatic strip in a bed: says `IN` and `OUT`, `RESTLESS_1` to `RESTLESS_4`, and of pulse and respiration whether they
+/// are low, normal or high.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "bed sensor")]
+pub struct BedFile {
+    #[schemars(length(min = 1, max = 100))]
+    pub name: String,
+    /// The enterable piece of furniture that it lies in.
+    pub on: String,
+    /// How long a movement has lasted when it reaches each level of restlessness.
+    #[serde(default = "levels")]
+    #[schemars(length(min = 1, max = 4), inner(range(min = 0, max = 3_600)))]
+    pub levels_s: Vec<f64>,
+    /// How often it says pulse and respiration of somebody who keeps still.
+    #[serde(default = "vitals_every")]
+    #[schemars(range(min = 1, max = 86_400))]
+    pub vitals_every_s: f64,
+    /// Beats a minute: less is low, more is high.
+    #[serde(default = "pulse")]
+    #[schemars(inner(range(min = 1, max = 300)))]
+    pub pulse_bpm: [f64; 2],
+    /// Breaths a minute: less is low, more is high.
+    #[serde(default = "respiration")]
+    #[schemars(inner(range(min = 1, max = 100)))]
+    pub respiration_pm: [f64; 2],
+    /// How long somebody has lain still before it can tell pulse and respiration.
+    #[serde(default = "still")]
+    #[schemars(range(min = 0, max = 3_600))]
+    pub still_s: f64,
+}
+
+impl DeviceForm for BedFile {
+    fn row(&self) -> &'static KindRow {
+        &ROW
+    }
+
+    fn on(&self) -> Option<&str> {
+        Some(&self.on)
+    }
+
+    fn wrong(&self) -> Vec<Wrong> {
+        let mut wrong = Vec::new();
+        if let Some(index) = self.levels_s.windows(2).position(|pair| pair[0] >= pair[1]) {
+            let (level, before) = (self.levels_s[index + 1], self.levels_s[index]);
+            let what =
+                format!("each of \"levels_s\" must be more than the one before, but {level} comes after {before}");
+            wrong.push(Wrong::new(format!("/levels_s/{}", index + 1), what));
+        }
+        for (key, [least, most]) in [("pulse_bpm", self.pulse_bpm), ("respiration_pm", self.respiration_pm)] {
+            if least >= most {
+                let what = format!(
+                    "what is low by {key:?} ends at {least}, and what is high must begin above that, not at {most}"
+                );
+                wrong.push(Wrong::new(format!("/{key}"), what));
+            }
+        }
+        wrong
+    }
+
+    fn moment(&self) -> Option<Moment<'_>> {
+        Some(Moment::Pressed(&self.on, 0))
+    }
+}
 
 /// Of whom the truth says nothing (ours).
 const ORDINARY: Vitals = Vitals { pulse: 62.0, respiration: 15.0 };
@@ -76,10 +170,10 @@ struct Movement {
 }
 
 impl Bed {
-    /// A sensor in the bed of this convex outline.
-    pub fn new(file: &BedFile, outline: Vec<Point>) -> Bed {
+    /// A sensor in the bed of this site.
+    pub fn new(file: &BedFile, site: &Site) -> Bed {
         Bed {
-            outline,
+            outline: site.outline.clone(),
             levels: file.levels_s.iter().map(|&level| micros(level)).collect(),
             every: micros(file.vitals_every_s),
             still: micros(file.still_s),
@@ -93,14 +187,20 @@ impl Bed {
             read_at: None,
         }
     }
+}
 
-    pub fn begin(&self, stream: Stream) -> Bed {
+impl DeviceModel for Bed {
+    fn begin(&self, stream: Stream, _sun: Sun) -> Bed {
         Bed { stream, ..self.clone() }
     }
 
-    pub fn on_event(&mut self, at: Micros, change: &Change) {
+    fn feels_bodies(&self) -> bool {
+        true
+    }
+
+    fn on_event(&mut self, at: Micros, change: &Change, _outbox: &mut Outbox) {
         let (Change::Body { resident, .. } | Change::Vitals { resident, .. }) = *change else { return };
-        let resident = resident as usize;
+        let resident = resident.index();
         if resident >= self.sleepers.len() {
             let awake = Sleeper { since: None, lies: false, stirs: false, vitals: ORDINARY, news: None };
             self.sleepers.resize(resident + 1, awake);
@@ -132,23 +232,25 @@ impl Bed {
         }
     }
 
-    pub fn timer(&self) -> Micros {
+    fn timer(&self) -> Micros {
         self.timer
     }
 
-    pub fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
+    fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
         self.settle_presence(at, outbox);
         let next_level = self.settle_movement(at, outbox);
         let next_reading = self.settle_vitals(at, outbox);
         self.timer = next_level.min(next_reading);
     }
+}
 
+impl Bed {
     fn settle_presence(&mut self, at: Micros, outbox: &mut Outbox) {
         let inside = self.sleepers.iter().enumerate().filter_map(|(who, sleeper)| Some((sleeper.since?, who)));
         let first = inside.min().map(|(_, who)| who);
         match (self.first, first) {
-            (None, Some(who)) => outbox.say(Value::In, Some(who as u32), at, Trigger::Movement),
-            (Some(who), None) => outbox.say(Value::Out, Some(who as u32), at, Trigger::Movement),
+            (None, Some(who)) => outbox.say(Value::In, Some(ResidentId::of(who)), at, Trigger::Movement),
+            (Some(who), None) => outbox.say(Value::Out, Some(ResidentId::of(who)), at, Trigger::Movement),
             _ => {}
         }
         if self.first != first {
@@ -168,7 +270,12 @@ impl Bed {
         let mut next = levels.next();
         while next.is_some_and(|next| next <= at) {
             movement.said += 1;
-            outbox.say(Value::Restless(movement.said as u8), Some(who as u32), movement.onset, Trigger::Movement);
+            outbox.say(
+                Value::Restless(movement.said as u8),
+                Some(ResidentId::of(who)),
+                movement.onset,
+                Trigger::Movement,
+            );
             next = levels.next();
         }
         next.unwrap_or(NEVER)
@@ -196,8 +303,8 @@ impl Bed {
             respiration: self.stream.normal(respiration, NOISE.respiration),
         };
         let (pulse, respiration) = self.limits.bands(felt);
-        outbox.say(Value::Pulse(pulse), Some(who as u32), at, Trigger::Reading);
-        outbox.say(Value::Respiration(respiration), Some(who as u32), at, Trigger::Reading);
+        outbox.say(Value::Pulse(pulse), Some(ResidentId::of(who)), at, Trigger::Reading);
+        outbox.say(Value::Respiration(respiration), Some(ResidentId::of(who)), at, Trigger::Reading);
         (self.read_at, self.sleepers[who].news) = (Some(at), None);
         at + self.every
     }
@@ -212,4 +319,26 @@ impl Limits {
         };
         (band(vitals.pulse, self.pulse), band(vitals.respiration, self.respiration))
     }
+}
+
+/// Ours. That the bed sensors at TigerPlace report restlessness by the persistence of movement is said in the patent of
+/// Skubic et al., paragraphs 137 to 142; that it has four levels, on the page of the University of Virginia on ALARM-NET.
+fn levels() -> Vec<f64> {
+    vec![0.0, 3.0, 6.0, 9.0]
+}
+/// Ours.
+fn vitals_every() -> f64 {
+    900.0
+}
+/// Ours.
+fn pulse() -> [f64; 2] {
+    [30.0, 100.0]
+}
+/// Ours.
+fn respiration() -> [f64; 2] {
+    [6.0, 30.0]
+}
+/// Ours.
+fn still() -> f64 {
+    60.0
 }

@@ -8,24 +8,68 @@
 //!
 //! Left out: bouncing, doors that stand ajar, magnets out of line.
 
-use super::device::{Change, Outbox};
+use super::form::{Bearer, Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site};
+use super::outbox::{Change, DeviceModel, Outbox};
 use crate::event::{Trigger, Value};
-use crate::time::{Micros, NEVER};
+use crate::ids::ThingId;
+use crate::time::Micros;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What there is to know of the kind.
+pub static ROW: KindRow = KindRow {
+    key: "contact",
+    label: "contact",
+    mount: Mount::Thing(&[Bearer::Door, Bearer::Furniture]),
+    unit: None,
+    values: &[Value::Open, Value::Close],
+    shape: Shape::Gap,
+    colour: Colour::Orange,
+    casas: "D",
+};
+
+/// A contact on a door or a piece of furniture: says `OPEN` and `CLOSE`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "contact sensor")]
+pub struct ContactFile {
+    #[schemars(length(min = 1, max = 100))]
+    pub name: String,
+    /// The door or piece of furniture that it hangs on.
+    pub on: String,
+}
+
+impl DeviceForm for ContactFile {
+    fn row(&self) -> &'static KindRow {
+        &ROW
+    }
+
+    fn on(&self) -> Option<&str> {
+        Some(&self.on)
+    }
+
+    fn moment(&self) -> Option<Moment<'_>> {
+        Some(Moment::Used(&self.on))
+    }
+}
 
 /// A contact sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact {
     /// Index into the home's things.
-    thing: u32,
+    thing: ThingId,
     open: bool,
 }
 
 impl Contact {
-    pub fn new(thing: u32, open: bool) -> Contact {
-        Contact { thing, open }
+    /// A sensor on the thing of this site.
+    pub fn new(_file: &ContactFile, site: &Site) -> Contact {
+        Contact { thing: site.thing, open: site.is_open }
     }
+}
 
-    pub fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
+impl DeviceModel for Contact {
+    fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
         if let Change::Use { resident, thing, on } = *change
             && thing == self.thing
             && on != self.open
@@ -34,24 +78,19 @@ impl Contact {
             outbox.say(if on { Value::Open } else { Value::Close }, Some(resident), at, Trigger::Use(thing));
         }
     }
-
-    pub fn timer(&self) -> Micros {
-        NEVER
-    }
-
-    pub fn on_timer(&mut self, _at: Micros, _outbox: &mut Outbox) {}
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ids::ResidentId;
 
     #[test]
     fn only_a_change_is_a_message() {
-        let mut contact = Contact::new(3, false);
+        let mut contact = Contact { thing: ThingId(3), open: false };
         let mut outbox = Outbox::default();
         for (at, thing, on) in [(1, 3, false), (2, 3, true), (3, 4, true), (4, 3, true), (5, 3, false)] {
-            contact.on_event(at, &Change::Use { resident: 0, thing, on }, &mut outbox);
+            contact.on_event(at, &Change::Use { resident: ResidentId(0), thing: ThingId(thing), on }, &mut outbox);
         }
         let values: Vec<Value> = outbox.0.iter().map(|(value, _)| *value).collect();
         assert_eq!(values, [Value::Open, Value::Close]);

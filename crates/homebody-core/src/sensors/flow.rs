@@ -10,31 +10,85 @@
 //!
 //! Left out: how much flows, whether it is warm, other taps on the same pipe.
 
-use super::device::{Change, Outbox};
+use super::form::{Bearer, Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site};
+use super::outbox::{Change, DeviceModel, Outbox};
 use crate::event::{Trigger, Value};
-use crate::scenario::device::FlowFile;
+use crate::ids::{ResidentId, ThingId};
 use crate::time::{Micros, NEVER, micros};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What there is to know of the kind.
+pub static ROW: KindRow = KindRow {
+    key: "flow",
+    label: "flow",
+    mount: Mount::Thing(&[Bearer::Furniture]),
+    unit: None,
+    values: &[Value::On, Value::Off],
+    shape: Shape::Drop,
+    colour: Colour::Sky,
+    casas: "I",
+};
+
+/// A flow sensor in a water pipe: says `ON` and `OFF`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "flow sensor")]
+pub struct FlowFile {
+    #[schemars(length(min = 1, max = 100))]
+    pub name: String,
+    /// The piece of furniture that the pipe leads to.
+    pub on: String,
+    /// How long water runs each time by itself, as into a cistern (about 60 s); without it, until it is turned off.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 0.001, max = 86_400))]
+    pub runs_s: Option<f64>,
+}
+
+impl DeviceForm for FlowFile {
+    fn row(&self) -> &'static KindRow {
+        &ROW
+    }
+
+    fn on(&self) -> Option<&str> {
+        Some(&self.on)
+    }
+
+    fn moment(&self) -> Option<Moment<'_>> {
+        Some(Moment::Used(&self.on))
+    }
+}
 
 /// A flow sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flow {
     /// Index into the home's things.
-    thing: u32,
+    thing: ThingId,
     runs: Option<Micros>,
     flows: bool,
     /// When it ceases by itself.
     ceases: Micros,
     /// Who flushed last, and when.
-    by: u32,
+    by: ResidentId,
     since: Micros,
 }
 
 impl Flow {
-    pub fn new(file: &FlowFile, thing: u32) -> Flow {
-        Flow { thing, runs: file.runs_s.map(micros), flows: false, ceases: NEVER, by: 0, since: 0 }
+    /// A sensor in the pipe to the thing of this site.
+    pub fn new(file: &FlowFile, site: &Site) -> Flow {
+        Flow {
+            thing: site.thing,
+            runs: file.runs_s.map(micros),
+            flows: false,
+            ceases: NEVER,
+            by: ResidentId(0),
+            since: 0,
+        }
     }
+}
 
-    pub fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
+impl DeviceModel for Flow {
+    fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
         let Change::Use { resident, thing, on } = *change else { return };
         if thing != self.thing || (self.runs.is_some() && !on) {
             return;
@@ -50,11 +104,11 @@ impl Flow {
         }
     }
 
-    pub fn timer(&self) -> Micros {
+    fn timer(&self) -> Micros {
         self.ceases
     }
 
-    pub fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
+    fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
         if self.ceases <= at {
             (self.flows, self.ceases) = (false, NEVER);
             outbox.say(Value::Off, Some(self.by), self.since, Trigger::Use(self.thing));
@@ -68,7 +122,8 @@ mod tests {
     use crate::time::SECOND;
 
     fn outbox(json: serde_json::Value, acts: &[(Micros, bool)]) -> Vec<(Micros, Value)> {
-        let mut flow = Flow::new(&serde_json::from_value(json).unwrap(), 7);
+        let mut flow =
+            Flow::new(&serde_json::from_value(json).unwrap(), &Site { thing: ThingId(7), ..Site::default() });
         let (mut outbox, mut messages) = (Outbox::default(), Vec::new());
         for &(at, on) in acts.iter().chain(&[(3600 * SECOND, false)]) {
             if flow.timer() < at {
@@ -76,7 +131,7 @@ mod tests {
                 flow.on_timer(due, &mut outbox);
                 messages.extend(outbox.0.drain(..).map(|(value, _)| (due, value)));
             }
-            flow.on_event(at, &Change::Use { resident: 0, thing: 7, on }, &mut outbox);
+            flow.on_event(at, &Change::Use { resident: ResidentId(0), thing: ThingId(7), on }, &mut outbox);
             messages.extend(outbox.0.drain(..).map(|(value, _)| (at, value)));
         }
         messages

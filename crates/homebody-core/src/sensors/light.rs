@@ -11,12 +11,70 @@
 //!
 //! Left out: clouds, curtains, which way the windows look, light from the next room, twilight, noise.
 
-use super::device::{Change, Outbox, Rounds, reading};
+use super::form::{Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site, Unit};
+use super::outbox::{Change, DeviceModel, Outbox, reading};
+use super::rounds::Rounds;
 use crate::event::Trigger;
-use crate::home::Sun;
+use crate::home::sun::Sun;
+use crate::ids::{ResidentId, ThingId};
 use crate::random::Stream;
-use crate::scenario::device::LightFile;
 use crate::time::{Micros, micros};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What there is to know of the kind.
+pub static ROW: KindRow = KindRow {
+    key: "light",
+    label: "light",
+    mount: Mount::Room,
+    unit: Some(Unit::LUX),
+    values: &[],
+    shape: Shape::Star,
+    colour: Colour::Yellow,
+    casas: "LS",
+};
+
+/// A light meter in a room: says lux.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "light sensor")]
+pub struct LightFile {
+    #[schemars(length(min = 1, max = 100))]
+    pub name: String,
+    /// The room that it is in.
+    pub room: String,
+    /// What a sun right overhead would give through the windows; 0 without a window.
+    #[serde(default = "daylight")]
+    #[schemars(range(min = 0, max = 100_000))]
+    pub daylight_lux: f64,
+    /// What the room's lamp gives.
+    #[serde(default = "lamp")]
+    #[schemars(range(min = 0, max = 100_000))]
+    pub lamp_lux: f64,
+    /// It says what has changed by more than this since it last spoke.
+    #[serde(default = "change")]
+    #[schemars(range(min = 0.1, max = 1_000))]
+    pub change_percent: f64,
+    /// How often it measures.
+    #[serde(default = "light_every")]
+    #[schemars(range(min = 1, max = 86_400))]
+    pub every_s: f64,
+}
+
+impl DeviceForm for LightFile {
+    fn row(&self) -> &'static KindRow {
+        &ROW
+    }
+
+    fn room(&self) -> Option<&str> {
+        Some(&self.room)
+    }
+
+    /// It waits for its next measurement.
+    fn moment(&self) -> Option<Moment<'_>> {
+        None
+    }
+}
 
 /// The power of the sine of the sun's height (ours).
 const POWER: f64 = 1.2;
@@ -27,10 +85,10 @@ const STEP_LUX: f64 = 1.0;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Light {
     /// The room's lamp: index into the home's things.
-    lamp: u32,
+    lamp: ThingId,
     lamp_on: bool,
     /// Who turned the lamp since it last measured.
-    by: Option<u32>,
+    by: Option<ResidentId>,
     daylight_lux: f64,
     lamp_lux: f64,
     change: f64,
@@ -41,9 +99,10 @@ pub struct Light {
 }
 
 impl Light {
-    pub fn new(file: &LightFile, lamp: u32) -> Light {
+    /// A sensor in the room whose lamp is that of this site.
+    pub fn new(file: &LightFile, site: &Site) -> Light {
         Light {
-            lamp,
+            lamp: site.thing,
             lamp_on: false,
             by: None,
             daylight_lux: file.daylight_lux,
@@ -55,13 +114,15 @@ impl Light {
             measures: 0,
         }
     }
+}
 
-    pub fn begin(&self, mut stream: Stream, sun: Sun) -> Light {
+impl DeviceModel for Light {
+    fn begin(&self, mut stream: Stream, sun: Sun) -> Light {
         let rounds = self.rounds.begin(&mut stream);
         Light { sun, rounds, measures: rounds.first(), ..self.clone() }
     }
 
-    pub fn on_event(&mut self, at: Micros, change: &Change) {
+    fn on_event(&mut self, at: Micros, change: &Change, _outbox: &mut Outbox) {
         if let Change::Use { resident, thing, on } = *change
             && thing == self.lamp
             && on != self.lamp_on
@@ -70,11 +131,11 @@ impl Light {
         }
     }
 
-    pub fn timer(&self) -> Micros {
+    fn timer(&self) -> Micros {
         self.measures
     }
 
-    pub fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
+    fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
         let now = self.lux(at);
         let by = self.by.take();
         if self.said_lux.is_none_or(|before| (now - before).abs() > (self.change * before).max(STEP_LUX)) {
@@ -84,11 +145,30 @@ impl Light {
         }
         self.measures = self.rounds.after(at);
     }
+}
 
+impl Light {
     fn lux(&self, at: Micros) -> f64 {
         let daylight = self.daylight_lux * libm::pow(self.sun.elevation_sine(at).max(0.0), POWER);
         daylight + if self.lamp_on { self.lamp_lux } else { 0.0 }
     }
+}
+
+/// Ours.
+fn daylight() -> f64 {
+    400.0
+}
+/// Ours.
+fn lamp() -> f64 {
+    150.0
+}
+/// Ours.
+fn change() -> f64 {
+    20.0
+}
+/// Half of the light sensors' messages in a CASAS home (hh111) come 600 s after the one before.
+fn light_every() -> f64 {
+    600.0
 }
 
 #[cfg(test)]
@@ -101,7 +181,7 @@ mod tests {
 
     fn light() -> Light {
         let file = serde_json::json!({ "name": "l", "room": "kitchen" });
-        let light = Light::new(&serde_json::from_value(file).unwrap(), 3);
+        let light = Light::new(&serde_json::from_value(file).unwrap(), &Site { thing: ThingId(3), ..Site::default() });
         // The equinox on the equator: the sun goes straight up and down, from 6 to 18 o'clock.
         let sun = Sun { day_of_year: 80.0, time_of_day: 0, latitude_deg: 0.0 };
         Light { sun, ..light }
@@ -126,9 +206,14 @@ mod tests {
                 let due = light.timer();
                 light.on_timer(due, &mut outbox);
                 assert!(light.timer() > due);
-                messages.extend(outbox.0.drain(..).map(|(value, provenance)| (due, value, provenance.resident)));
+                messages.extend(
+                    outbox
+                        .0
+                        .drain(..)
+                        .map(|(value, provenance)| (due, value, provenance.resident.map(|resident| resident.0))),
+                );
             }
-            light.on_event(at, &Change::Use { resident: 4, thing: 3, on });
+            light.on_event(at, &Change::Use { resident: ResidentId(4), thing: ThingId(3), on }, &mut outbox);
         }
         let at_night = [(0, 0, None), (HOUR + 7, 150_000, Some(4)), (2 * HOUR, 0, Some(4))];
         assert_eq!(messages[..3], at_night.map(|(at, lux, by)| (at, Value::Reading(lux), by)));

@@ -1,33 +1,32 @@
-//! The sensors: one file per kind, all in the same shape, and the timing they share.
+//! The sensors: one file per kind, all in the same shape, and the timing they share. [`kinds`] lists them.
 
 pub mod bed;
 pub mod ceiling_motion;
 pub mod contact;
 pub mod device;
 pub mod flow;
+pub mod form;
+pub mod kinds;
 pub mod light;
 pub mod motion;
+pub mod outbox;
 pub mod power;
 pub mod pressure;
+pub mod rounds;
 pub mod stove_temperature;
 pub mod temperature;
 pub mod timing;
 pub mod zones;
 
+use crate::event::Value;
 use crate::geometry::{self, Point};
 use crate::home::plan::Plan;
+use crate::ids::{RoomId, ThingId};
 use crate::scenario::home::SensorFile;
-use bed::Bed;
 use ceiling_motion::CeilingMotion;
-use contact::Contact;
 use device::Device;
-use flow::Flow;
-use light::Light;
+use form::{KindRow, Site, Unit};
 use motion::Motion;
-use power::Power;
-use pressure::Pressure;
-use stove_temperature::StoveTemperature;
-use temperature::Temperature;
 use timing::Timing;
 
 /// A sensor as a run uses it.
@@ -38,6 +37,28 @@ pub struct Sensor {
     pub timing: Timing,
     pub kind: Kind,
     /// Where it is, seen from above.
+    pub at: Point,
+    /// What there is to know of its kind.
+    pub row: &'static KindRow,
+    /// The room that it is in; nothing between rooms, as on a door.
+    pub room: Option<RoomId>,
+    /// Of its readings; nothing for one that gives none.
+    pub unit: Option<Unit>,
+}
+
+/// What there is to say of a sensor before it has said anything: what the destinations of a log are told as it begins.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SensorInfo {
+    /// As the home's file has it; a log may know the sensor by an id besides.
+    pub name: String,
+    pub kind: &'static KindRow,
+    /// The name of the room that it is in; nothing between rooms, as on a door.
+    pub room: Option<String>,
+    /// Of its readings; nothing for one that gives none.
+    pub unit: Option<Unit>,
+    /// What it can say besides readings; the text of each is that of logs that are stored as sent.
+    pub values: &'static [Value],
+    /// Where it is on the floor plan, in metres.
     pub at: Point,
 }
 
@@ -51,10 +72,8 @@ pub enum Kind {
 }
 
 impl Sensor {
-    /// The sensor that a file that has passed its checks describes.
-    pub fn new(file: &SensorFile, plan: &Plan) -> Sensor {
-        let site = Site::of(file, plan);
-        let device = |device| (Kind::Device(Box::new(device)), site.at);
+    /// The sensor that a file describes; nothing where the plan does not have what it is on, or the room that it is in.
+    pub fn new(file: &SensorFile, plan: &Plan) -> Option<Sensor> {
         let (kind, at) = match file {
             SensorFile::Motion(file) => {
                 let motion = Motion::new(file);
@@ -66,28 +85,33 @@ impl Sensor {
                 let middle = geometry::inner_point(&area.outline);
                 (Kind::CeilingMotion(area), middle)
             }
-            SensorFile::Contact(_) => device(Device::Contact(Contact::new(site.thing, site.is_open))),
-            SensorFile::Bed(file) => device(Device::Bed(Bed::new(file, site.outline))),
-            SensorFile::StoveTemperature(file) => {
-                device(Device::StoveTemperature(StoveTemperature::new(file, site.thing)))
+            told => {
+                let site = site(told, plan)?;
+                let device = Device::new(told, &site).expect("all that does not look for movement is told");
+                (Kind::Device(Box::new(device)), site.at)
             }
-            SensorFile::Pressure(file) => match &file.area {
-                Some(area) => {
-                    let area: Vec<Point> = area.iter().map(|&at| geometry::point(at)).collect();
-                    let middle = geometry::inner_point(&area);
-                    (Kind::Device(Box::new(Device::Pressure(Pressure::new(file, area, true)))), middle)
-                }
-                None => {
-                    let is_mat = site.height_m <= pressure::MAT_HEIGHT_M;
-                    device(Device::Pressure(Pressure::new(file, site.outline, is_mat)))
-                }
-            },
-            SensorFile::Power(file) => device(Device::Power(Power::new(file, site.thing))),
-            SensorFile::Flow(file) => device(Device::Flow(Flow::new(file, site.thing))),
-            SensorFile::Light(file) => device(Device::Light(Light::new(file, site.thing))),
-            SensorFile::Temperature(file) => device(Device::Temperature(Temperature::new(file))),
         };
-        Sensor { name: file.name().to_owned(), timing: Timing::new(file.timing()), kind, at }
+        Some(Sensor {
+            name: file.name().to_owned(),
+            timing: Timing::new(file.timing()),
+            kind,
+            at,
+            row: file.row(),
+            room: plan.room_at(at).map(RoomId::of),
+            unit: file.row().unit.filter(|_| file.gives_readings()),
+        })
+    }
+
+    /// What there is to say of it; the plan is that of its home.
+    pub fn info(&self, plan: &Plan) -> SensorInfo {
+        SensorInfo {
+            name: self.name.clone(),
+            kind: self.row,
+            room: self.room.map(|room| plan.rooms[room.index()].name.clone()),
+            unit: self.unit,
+            values: self.row.values,
+            at: self.at,
+        }
     }
 
     /// Whether it has a fan of beams, rather than an area below it.
@@ -101,31 +125,24 @@ impl Sensor {
     }
 }
 
-/// What a sensor is on: a thing, or the lamp of the room that it is in.
-struct Site {
-    thing: u32,
-    is_open: bool,
-    at: Point,
-    outline: Vec<Point>,
-    height_m: f64,
-}
-
-impl Site {
-    /// What a home that was not checked lacks is at the origin, has no outline, and is never used.
-    fn of(file: &SensorFile, plan: &Plan) -> Site {
-        let thing = match (file.on(), file.room()) {
-            (Some(on), _) => plan.thing(on),
-            (None, Some(room)) => plan.lamp(room),
-            (None, None) => None,
-        };
-        let found = thing.map(|thing| &plan.things[thing]);
-        let piece = file.on().and_then(|on| plan.piece(on));
-        Site {
-            thing: thing.unwrap_or(plan.things.len()) as u32,
-            is_open: found.is_some_and(|thing| thing.on),
-            at: found.map_or(Point::ZERO, |thing| thing.at),
-            outline: piece.map(|piece| piece.outline.clone()).unwrap_or_default(),
-            height_m: piece.map_or(f64::INFINITY, |piece| piece.height_m),
-        }
+/// Where a device is; nothing where the plan does not have what it is on, or the room that it is in.
+fn site(file: &SensorFile, plan: &Plan) -> Option<Site> {
+    if let Some(area) = file.area() {
+        let outline: Vec<Point> = area.iter().map(|&at| geometry::point(at)).collect();
+        let at = geometry::inner_point(&outline);
+        return Some(Site { thing: ThingId::of(plan.things.len()), is_open: false, at, outline, height_m: 0.0 });
     }
+    let thing = match (file.on(), file.room()) {
+        (Some(on), _) => plan.thing(on)?,
+        (None, room) => plan.lamp(room?)?,
+    };
+    let found = &plan.things[thing];
+    let piece = file.on().and_then(|on| plan.piece(on));
+    Some(Site {
+        thing: ThingId::of(thing),
+        is_open: found.on,
+        at: found.at,
+        outline: piece.map(|piece| piece.outline.clone()).unwrap_or_default(),
+        height_m: piece.map_or(f64::INFINITY, |piece| piece.height_m),
+    })
 }

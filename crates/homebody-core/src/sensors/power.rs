@@ -10,11 +10,85 @@
 //!
 //! Left out: the rush of current at first, things that draw more and less by themselves, such as refrigerators.
 
-use super::device::{Change, Outbox, no_stream, reading};
+use super::form::{Bearer, Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site, Unit, Wrong, is_zero};
+use super::outbox::{Change, DeviceModel, Outbox, reading};
 use crate::event::{Trigger, Value};
-use crate::random::Stream;
-use crate::scenario::device::PowerFile;
+use crate::home::sun::Sun;
+use crate::ids::{ResidentId, ThingId};
+use crate::random::{Stream, no_stream};
 use crate::time::{Micros, NEVER, micros};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What there is to know of the kind.
+pub static ROW: KindRow = KindRow {
+    key: "power",
+    label: "power",
+    mount: Mount::Thing(&[Bearer::Furniture, Bearer::Lamp]),
+    unit: Some(Unit::WATTS),
+    values: &[Value::On, Value::Off],
+    shape: Shape::Bolt,
+    colour: Colour::Yellow,
+    casas: "P",
+};
+
+/// A power meter on what draws electricity: says `ON` and `OFF`, and watts if told how many.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "power sensor")]
+pub struct PowerFile {
+    #[schemars(length(min = 1, max = 100))]
+    pub name: String,
+    /// The piece of furniture that it feeds, or the room whose lamp it feeds.
+    pub on: String,
+    /// What that draws while it is on; without it, there are no readings.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 0.1, max = 100_000))]
+    pub watts: Option<f64>,
+    /// What it draws while it is off.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    #[schemars(range(min = 0, max = 100_000))]
+    pub standby_watts: f64,
+    /// How often it says the watts while it is on; without it, only as it is turned on or off.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1, max = 86_400))]
+    pub readings_every_s: Option<f64>,
+}
+
+impl DeviceForm for PowerFile {
+    fn row(&self) -> &'static KindRow {
+        &ROW
+    }
+
+    fn on(&self) -> Option<&str> {
+        Some(&self.on)
+    }
+
+    fn gives_readings(&self) -> bool {
+        self.watts.is_some()
+    }
+
+    fn wrong(&self) -> Vec<Wrong> {
+        let Some(watts) = self.watts else {
+            let given =
+                [("standby_watts", self.standby_watts > 0.0), ("readings_every_s", self.readings_every_s.is_some())];
+            let wrong = |(key, _)| {
+                Wrong::new(format!("/{key}"), format!("{key:?} says nothing without \"watts\""))
+                    .hint("give what it draws while it is on as \"watts\"")
+            };
+            return given.into_iter().filter(|(_, given)| *given).map(wrong).collect();
+        };
+        if self.standby_watts > watts {
+            let what = format!("\"standby_watts\", {}, is more than \"watts\", {watts}", self.standby_watts);
+            return vec![Wrong::new("/standby_watts", what)];
+        }
+        Vec::new()
+    }
+
+    fn moment(&self) -> Option<Moment<'_>> {
+        Some(Moment::Used(&self.on))
+    }
+}
 
 /// How far readings are off, as a share (ours).
 const NOISE: f64 = 0.02;
@@ -23,9 +97,9 @@ const NOISE: f64 = 0.02;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Power {
     /// Index into the home's things.
-    thing: u32,
+    thing: ThingId,
     on: bool,
-    by: Option<u32>,
+    by: Option<ResidentId>,
     watts: Option<f64>,
     standby_watts: f64,
     every: Option<Micros>,
@@ -34,9 +108,10 @@ pub struct Power {
 }
 
 impl Power {
-    pub fn new(file: &PowerFile, thing: u32) -> Power {
+    /// A sensor that feeds the thing of this site.
+    pub fn new(file: &PowerFile, site: &Site) -> Power {
         Power {
-            thing,
+            thing: site.thing,
             on: false,
             by: None,
             watts: file.watts,
@@ -46,12 +121,14 @@ impl Power {
             measures: NEVER,
         }
     }
+}
 
-    pub fn begin(&self, stream: Stream) -> Power {
+impl DeviceModel for Power {
+    fn begin(&self, stream: Stream, _sun: Sun) -> Power {
         Power { stream, ..self.clone() }
     }
 
-    pub fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
+    fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
         let Change::Use { resident, thing, on } = *change else { return };
         if thing != self.thing || on == self.on {
             return;
@@ -63,16 +140,18 @@ impl Power {
         self.measure(at, outbox);
     }
 
-    pub fn timer(&self) -> Micros {
+    fn timer(&self) -> Micros {
         self.measures
     }
 
-    pub fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
+    fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
         if self.measures <= at {
             self.measure(at, outbox);
         }
     }
+}
 
+impl Power {
     fn measure(&mut self, at: Micros, outbox: &mut Outbox) {
         let Some(watts) = self.watts else { return };
         let drawn = if self.on { self.stream.normal(watts, NOISE * watts) } else { self.standby_watts };
@@ -87,11 +166,12 @@ mod tests {
     use crate::time::SECOND;
 
     fn power(json: serde_json::Value) -> Power {
-        Power::new(&serde_json::from_value(json).unwrap(), 1).begin(Stream::named(1, "power"))
+        Power::new(&serde_json::from_value(json).unwrap(), &Site { thing: ThingId(1), ..Site::default() })
+            .begin(Stream::named(1, "power"), Sun::default())
     }
 
     fn act(on: bool) -> Change {
-        Change::Use { resident: 0, thing: 1, on }
+        Change::Use { resident: ResidentId(0), thing: ThingId(1), on }
     }
 
     #[test]

@@ -13,12 +13,79 @@
 //!
 //! Left out: weight, feet and their pace, pets, things that are put down.
 
-use super::device::{Change, Outbox};
+use super::form::{Bearer, Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site, Wrong, is_zero};
+use super::outbox::{Change, DeviceModel, Outbox};
 use crate::event::{MotionState, Trigger, Value};
-use crate::geometry::{self, Point};
-use crate::scenario::device::PressureFile;
+use crate::geometry::{self, At, Point};
+use crate::ids::ResidentId;
 use crate::scenario::path::Posture;
 use crate::time::{Micros, NEVER, micros};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What there is to know of the kind.
+pub static ROW: KindRow = KindRow {
+    key: "pressure",
+    label: "pressure",
+    mount: Mount::Thing(&[Bearer::Enterable]),
+    unit: None,
+    values: &[Value::On, Value::Off],
+    shape: Shape::Hexagon,
+    colour: Colour::Green,
+    casas: "I",
+};
+
+/// A pressure pad in a chair or a mat on the floor: says `ON` and `OFF`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "pressure sensor")]
+pub struct PressureFile {
+    #[schemars(length(min = 1, max = 100))]
+    pub name: String,
+    /// The enterable piece of furniture that it lies in; in one at most 5 cm high, it is a mat.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub on: Option<String>,
+    /// The convex area of a mat on the floor, instead of `on`: its corners in order.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(length(min = 3, max = 64), inner(inner(range(min = -10_000, max = 10_000))))]
+    pub area: Option<Vec<At>>,
+    /// How long it is pressed, or free, before it says so.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    #[schemars(range(min = 0, max = 3_600))]
+    pub delay_s: f64,
+}
+
+impl DeviceForm for PressureFile {
+    fn row(&self) -> &'static KindRow {
+        &ROW
+    }
+
+    fn on(&self) -> Option<&str> {
+        self.on.as_deref()
+    }
+
+    fn area(&self) -> Option<&[At]> {
+        self.area.as_deref()
+    }
+
+    fn wrong(&self) -> Vec<Wrong> {
+        match (&self.on, &self.area) {
+            (Some(_), Some(_)) => {
+                vec![Wrong::new("/area", "this sensor is given in two places").hint("give either \"on\" or \"area\"")]
+            }
+            (None, None) => {
+                let hint =
+                    format!("give \"on\", a piece of furniture (a mat if at most {MAT_HEIGHT_M} m high), or \"area\"");
+                vec![Wrong::new("", format!("{:?} is nowhere", self.name)).hint(hint)]
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    fn moment(&self) -> Option<Moment<'_>> {
+        Some(Moment::Pressed(self.on.as_deref()?, micros(self.delay_s)))
+    }
+}
 
 /// Furniture up to this height is a mat (ours).
 pub const MAT_HEIGHT_M: f64 = 0.05;
@@ -35,29 +102,35 @@ pub struct Pressure {
     /// Whether it is pressed, since when it is so, and by whom it was last.
     pressed: bool,
     since: Micros,
-    by: u32,
+    by: ResidentId,
     says_on: bool,
 }
 
 impl Pressure {
-    /// A sensor of this convex outline.
-    pub fn new(file: &PressureFile, outline: Vec<Point>, is_mat: bool) -> Pressure {
+    /// A sensor of the outline of this site.
+    pub fn new(file: &PressureFile, site: &Site) -> Pressure {
         Pressure {
-            outline,
-            is_mat,
+            outline: site.outline.clone(),
+            is_mat: site.height_m <= MAT_HEIGHT_M,
             delay: micros(file.delay_s),
             timer: NEVER,
             spans: Vec::new(),
             pressed: false,
             since: 0,
-            by: 0,
+            by: ResidentId(0),
             says_on: false,
         }
     }
+}
 
-    pub fn on_event(&mut self, at: Micros, change: &Change) {
+impl DeviceModel for Pressure {
+    fn feels_bodies(&self) -> bool {
+        true
+    }
+
+    fn on_event(&mut self, at: Micros, change: &Change, _outbox: &mut Outbox) {
         let Change::Body { resident, begin, end, doing, posture } = *change else { return };
-        let resident = resident as usize;
+        let resident = resident.index();
         if resident >= self.spans.len() {
             self.spans.resize(resident + 1, NOT);
         }
@@ -76,15 +149,15 @@ impl Pressure {
         }
     }
 
-    pub fn timer(&self) -> Micros {
+    fn timer(&self) -> Micros {
         self.timer
     }
 
-    pub fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
+    fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
         let presses = |&(from, to): &(Micros, Micros)| from <= at && at < to;
         let by = self.spans.iter().position(presses);
         if let Some(by) = by {
-            self.by = by as u32;
+            self.by = ResidentId::of(by);
         }
         if by.is_some() != self.pressed {
             (self.pressed, self.since) = (by.is_some(), at);
@@ -98,7 +171,9 @@ impl Pressure {
         let says_at = if says_at > at { says_at } else { NEVER };
         self.timer = changes.fold(says_at, Micros::min);
     }
+}
 
+impl Pressure {
     /// From when until when a stride presses a mat: until it is told what follows, if it ends there.
     fn crossing(&self, from: Point, to: Point, begin: Micros, end: Micros) -> (Micros, Micros) {
         let Some((enter, leave)) = geometry::segment_inside_convex(&self.outline, from, to) else { return NOT };

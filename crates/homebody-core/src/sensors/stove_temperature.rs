@@ -14,11 +14,93 @@
 //!
 //! Left out: several burners, pots, the oven, noise, the room's own temperature.
 
-use super::device::{Change, Outbox, Rounds, reading};
+use super::form::{Bearer, Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site, Unit, Wrong};
+use super::outbox::{Change, DeviceModel, Outbox, reading};
+use super::rounds::Rounds;
 use crate::event::{Trigger, Value};
+use crate::home::sun::Sun;
+use crate::ids::{ResidentId, ThingId};
 use crate::random::Stream;
-use crate::scenario::device::StoveTemperatureFile;
 use crate::time::{Micros, NEVER, micros, seconds};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What there is to know of the kind.
+pub static ROW: KindRow = KindRow {
+    key: "stove_temperature",
+    label: "stove temperature",
+    mount: Mount::Thing(&[Bearer::Furniture]),
+    unit: Some(Unit::CELSIUS),
+    values: &[Value::On, Value::Off],
+    shape: Shape::Flame,
+    colour: Colour::Vermillion,
+    casas: "T",
+};
+
+/// A temperature sensor on a stove: says `ON` and `OFF` as its heat crosses two limits, and readings if asked to.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "stove temperature sensor")]
+pub struct StoveTemperatureFile {
+    #[schemars(length(min = 1, max = 100))]
+    pub name: String,
+    /// The piece of furniture whose heat it takes.
+    pub on: String,
+    /// How hot it gets where the sensor is, in the long run.
+    #[serde(default = "hot")]
+    #[schemars(range(min = 25, max = 1_000))]
+    pub hot_c: f64,
+    /// Heating up past this, it says `ON`.
+    #[serde(default = "on_above")]
+    #[schemars(range(min = 23, max = 1_000))]
+    pub on_above_c: f64,
+    /// Cooling down past this, it says `OFF`.
+    #[serde(default = "off_below")]
+    #[schemars(range(min = 22.1, max = 1_000))]
+    pub off_below_c: f64,
+    /// How often it says its temperature too, when that has changed by a degree; without it, never.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1, max = 86_400))]
+    pub readings_every_s: Option<f64>,
+}
+
+impl DeviceForm for StoveTemperatureFile {
+    fn row(&self) -> &'static KindRow {
+        &ROW
+    }
+
+    fn on(&self) -> Option<&str> {
+        Some(&self.on)
+    }
+
+    fn gives_readings(&self) -> bool {
+        self.readings_every_s.is_some()
+    }
+
+    /// Each of the temperatures must be above the one before.
+    fn wrong(&self) -> Vec<Wrong> {
+        let mut wrong = Vec::new();
+        let limits = [("off_below_c", self.off_below_c), ("on_above_c", self.on_above_c), ("hot_c", self.hot_c)];
+        if self.off_below_c <= ROOM_C {
+            let what =
+                format!("\"off_below_c\" must be above the room's {ROOM_C}, or a stove never cools down past it");
+            wrong.push(Wrong::new("/off_below_c", what));
+        }
+        for pair in limits.windows(2) {
+            let [(lower, low), (upper, high)] = [pair[0], pair[1]];
+            if low >= high {
+                let what = format!("{upper:?} must be more than {lower:?}, but {high} is not more than {low}");
+                wrong.push(Wrong::new(format!("/{upper}"), what));
+            }
+        }
+        wrong
+    }
+
+    /// Heat takes its time.
+    fn moment(&self) -> Option<Moment<'_>> {
+        None
+    }
+}
 
 /// Ours.
 pub const ROOM_C: f64 = 22.0;
@@ -33,7 +115,7 @@ const CHANGE_C: f64 = 1.0;
 #[derive(Clone, Debug, PartialEq)]
 pub struct StoveTemperature {
     /// Index into the home's things.
-    thing: u32,
+    thing: ThingId,
     hot_c: f64,
     on_above_c: f64,
     off_below_c: f64,
@@ -41,7 +123,7 @@ pub struct StoveTemperature {
     /// How the stove is, since when, by whose doing, and how warm it was then.
     on: bool,
     since: Micros,
-    by: Option<u32>,
+    by: Option<ResidentId>,
     start_c: f64,
     says_on: bool,
     crossing: Micros,
@@ -50,9 +132,10 @@ pub struct StoveTemperature {
 }
 
 impl StoveTemperature {
-    pub fn new(file: &StoveTemperatureFile, thing: u32) -> StoveTemperature {
+    /// A sensor on the thing of this site.
+    pub fn new(file: &StoveTemperatureFile, site: &Site) -> StoveTemperature {
         StoveTemperature {
-            thing,
+            thing: site.thing,
             hot_c: file.hot_c,
             on_above_c: file.on_above_c,
             off_below_c: file.off_below_c,
@@ -67,12 +150,14 @@ impl StoveTemperature {
             measures: NEVER,
         }
     }
+}
 
-    pub fn begin(&self, mut stream: Stream) -> StoveTemperature {
+impl DeviceModel for StoveTemperature {
+    fn begin(&self, mut stream: Stream, _sun: Sun) -> StoveTemperature {
         StoveTemperature { rounds: self.rounds.map(|rounds| rounds.begin(&mut stream)), ..self.clone() }
     }
 
-    pub fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
+    fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
         let Change::Use { resident, thing, on } = *change else { return };
         if thing != self.thing || on == self.on {
             return;
@@ -84,11 +169,11 @@ impl StoveTemperature {
         self.measures = self.next_measurement(at);
     }
 
-    pub fn timer(&self) -> Micros {
+    fn timer(&self) -> Micros {
         self.crossing.min(self.measures)
     }
 
-    pub fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
+    fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
         if self.crossing <= at {
             self.says_on = self.on;
             self.crossing = NEVER;
@@ -103,7 +188,9 @@ impl StoveTemperature {
             self.measures = self.next_measurement(at);
         }
     }
+}
 
+impl StoveTemperature {
     fn target(&self) -> (f64, f64) {
         if self.on { (self.hot_c, HEATING_S) } else { (ROOM_C, COOLING_S) }
     }
@@ -135,6 +222,19 @@ impl StoveTemperature {
     }
 }
 
+/// Ours: of a sensor beside the burners.
+fn hot() -> f64 {
+    180.0
+}
+/// Ours: above what a summer or the sun gives.
+fn on_above() -> f64 {
+    45.0
+}
+/// Ours: so far below that the air over a pot does not make it speak twice.
+fn off_below() -> f64 {
+    38.0
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -143,7 +243,7 @@ mod tests {
     fn stove(json: serde_json::Value) -> StoveTemperature {
         let mut file = serde_json::json!({ "name": "stove heat", "on": "stove" });
         file.as_object_mut().unwrap().extend(json.as_object().unwrap().clone());
-        StoveTemperature::new(&serde_json::from_value(file).unwrap(), 2)
+        StoveTemperature::new(&serde_json::from_value(file).unwrap(), &Site { thing: ThingId(2), ..Site::default() })
     }
 
     /// What it says, and when, if the stove is turned on and off at these instants.
@@ -157,7 +257,7 @@ mod tests {
                 assert!(stove.timer() > due);
                 messages.extend(outbox.0.drain(..).map(|(value, _)| (due, value)));
             }
-            stove.on_event(at, &Change::Use { resident: 0, thing: 2, on }, &mut outbox);
+            stove.on_event(at, &Change::Use { resident: ResidentId(0), thing: ThingId(2), on }, &mut outbox);
             messages.extend(outbox.0.drain(..).map(|(value, _)| (at, value)));
         }
         messages
@@ -186,7 +286,7 @@ mod tests {
         let mut told_first = stove(serde_json::json!({}));
         let mut due_first = told_first.clone();
         let (mut a, mut b) = (Outbox::default(), Outbox::default());
-        let act = |on| Change::Use { resident: 0, thing: 2, on };
+        let act = |on| Change::Use { resident: ResidentId(0), thing: ThingId(2), on };
         told_first.on_event(0, &act(true), &mut a);
         due_first.on_event(0, &act(true), &mut b);
         due_first.on_timer(crossing, &mut b);

@@ -12,12 +12,67 @@
 //!
 //! Left out: seasons, heating and its thermostat, cooking, open windows, other rooms.
 
-use super::device::{Outbox, Rounds, no_stream, reading};
+use super::form::{Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site, Unit};
+use super::outbox::{DeviceModel, Outbox, reading};
+use super::rounds::Rounds;
 use crate::event::Trigger;
-use crate::home::Sun;
-use crate::random::Stream;
-use crate::scenario::device::TemperatureFile;
+use crate::home::sun::Sun;
+use crate::random::{Stream, no_stream};
 use crate::time::{Micros, SECOND, micros, seconds};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What there is to know of the kind.
+pub static ROW: KindRow = KindRow {
+    key: "temperature",
+    label: "temperature",
+    mount: Mount::Room,
+    unit: Some(Unit::CELSIUS),
+    values: &[],
+    shape: Shape::Cross,
+    colour: Colour::Vermillion,
+    casas: "T",
+};
+
+/// A thermometer in a room: says degrees Celsius.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "temperature sensor")]
+pub struct TemperatureFile {
+    #[schemars(length(min = 1, max = 100))]
+    pub name: String,
+    /// The room that it is in.
+    pub room: String,
+    #[serde(default = "mean")]
+    #[schemars(range(min = -40, max = 60))]
+    pub mean_c: f64,
+    /// How far the day takes it up, and the night down.
+    #[serde(default = "swing")]
+    #[schemars(range(min = 0, max = 20))]
+    pub swing_c: f64,
+    /// The steps in which it tells temperatures; it says what has changed by one.
+    #[serde(default = "step")]
+    #[schemars(range(min = 0.01, max = 10))]
+    pub step_c: f64,
+    /// How often it measures.
+    #[serde(default = "temperature_every")]
+    #[schemars(range(min = 1, max = 86_400))]
+    pub every_s: f64,
+}
+
+impl DeviceForm for TemperatureFile {
+    fn row(&self) -> &'static KindRow {
+        &ROW
+    }
+
+    fn room(&self) -> Option<&str> {
+        Some(&self.room)
+    }
+
+    fn moment(&self) -> Option<Moment<'_>> {
+        None
+    }
+}
 
 /// Ours.
 const LAG: Micros = 3 * 3600 * SECOND;
@@ -41,7 +96,8 @@ pub struct Temperature {
 }
 
 impl Temperature {
-    pub fn new(file: &TemperatureFile) -> Temperature {
+    /// A sensor in a room.
+    pub fn new(file: &TemperatureFile, _site: &Site) -> Temperature {
         Temperature {
             mean_c: file.mean_c,
             swing_c: file.swing_c,
@@ -54,18 +110,20 @@ impl Temperature {
             measures: 0,
         }
     }
+}
 
-    pub fn begin(&self, mut stream: Stream, sun: Sun) -> Temperature {
+impl DeviceModel for Temperature {
+    fn begin(&self, mut stream: Stream, sun: Sun) -> Temperature {
         let rounds = self.rounds.begin(&mut stream);
         let wander_c = stream.normal(0.0, WANDER_C);
         Temperature { sun, rounds, wander_c, stream, measures: rounds.first(), ..self.clone() }
     }
 
-    pub fn timer(&self) -> Micros {
+    fn timer(&self) -> Micros {
         self.measures
     }
 
-    pub fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
+    fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
         let now = self.mean_c + self.swing_c * self.sun.hour_angle_cosine(at - LAG) + self.wander_c;
         if self.said_c.is_none_or(|before| (now - before).abs() >= self.step_c) {
             let told = libm::round(now / self.step_c) * self.step_c;
@@ -78,6 +136,23 @@ impl Temperature {
     }
 }
 
+/// Ours.
+fn mean() -> f64 {
+    22.0
+}
+/// Ours. Those of a CASAS home (hh111) swing by 2 to 3 degrees in a week of June.
+fn swing() -> f64 {
+    1.0
+}
+/// Ours. Those of a CASAS home (hh111) tell whole degrees.
+fn step() -> f64 {
+    0.5
+}
+/// Ours.
+fn temperature_every() -> f64 {
+    900.0
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -88,7 +163,7 @@ mod tests {
         let mut file = serde_json::json!({ "name": "t", "room": "kitchen" });
         file.as_object_mut().unwrap().extend(json.as_object().unwrap().clone());
         let sun = Sun { day_of_year: 80.0, time_of_day: 0, latitude_deg: 40.0 };
-        Temperature::new(&serde_json::from_value(file).unwrap()).begin(Stream::named(2, "t"), sun)
+        Temperature::new(&serde_json::from_value(file).unwrap(), &Site::default()).begin(Stream::named(2, "t"), sun)
     }
 
     fn readings(mut device: Temperature, days: Micros) -> Vec<(Micros, f64)> {

@@ -14,6 +14,7 @@
 //! Left out: warming up after power is switched on, waits that depend on temperature or battery, and what
 //! becomes of a message on its way to the logger.
 
+use crate::ids::ResidentId;
 use crate::random::{Range, Stream};
 use crate::scenario::home::Timing as TimingFile;
 use crate::time::{Micros, NEVER, micros};
@@ -49,7 +50,7 @@ pub struct Machine {
 /// Whose movement a sensor saw, and when.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Seen {
-    pub resident: u32,
+    pub resident: ResidentId,
     pub at: Micros,
 }
 
@@ -84,7 +85,7 @@ pub enum TimerOutcome {
 
 impl Machine {
     pub fn new(timing: Timing, stream: Stream) -> Machine {
-        Machine { state: State::Idle, timing, stream, seen: Seen { resident: 0, at: 0 } }
+        Machine { state: State::Idle, timing, stream, seen: Seen { resident: ResidentId(0), at: 0 } }
     }
 
     /// Whether movement matters to the machine now.

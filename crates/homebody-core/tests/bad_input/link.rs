@@ -144,6 +144,12 @@ fn what_is_no_motion_sensor_does_not_fire_for_no_reason() {
 fn places_that_sensors_are_moved_to_count_as_sensors() {
     let with = |moves: usize| {
         let mut files = linked();
+        let sensor = |index: usize| {
+            format!(r#"{{ "name": "s{index}", "kind": "motion", "at": [1, 1], "facing_deg": 0, "beams": 1 }},"#)
+        };
+        let more: String = (0..900).map(sensor).collect();
+        let home = files["home.json"].replace(r#""sensors": ["#, &format!(r#""sensors": [{more}"#));
+        files.insert("home.json".into(), home);
         let moved = |index: usize| {
             format!(
                 r#"{{ "sensor": "bedroom motion", "kind": "moved", "from_day": {index}, "at": [4.1, 2.5], "facing_deg": 0 }}"#
@@ -153,6 +159,6 @@ fn places_that_sensors_are_moved_to_count_as_sensors() {
         files.insert("link.json".into(), format!("{{ \"faults\": [\n{}\n] }}\n", moves.join(",\n")));
         said(&files)
     };
-    assert_eq!(with(125), "");
-    assert_eq!(with(126), "link.json:127:1: the sensors and the places they are moved to are more than 128");
+    assert_eq!(with(121), "");
+    assert_eq!(with(122), "link.json:123:1: the sensors and the places they are moved to are more than 1024");
 }

@@ -15,7 +15,7 @@ use homebody_core::scenario::load::Scenario;
 use std::collections::BTreeMap;
 
 /// A file of the good scenario, a part of its text, what stands there instead, and what is said of it.
-type Case = (&'static str, &'static str, &'static str, &'static str);
+type Case<'a> = (&'a str, &'a str, &'a str, &'a str);
 
 fn check(cases: &[Case]) {
     for (file, old, new, expected) in cases {

@@ -329,7 +329,7 @@ fn nothing_wrong() {
 }
 
 #[test]
-fn a_home_has_at_most_128_sensors_and_4096_beams() {
+fn a_home_has_at_most_1024_sensors_and_32768_beams() {
     let sensor = |index: usize, beams: usize| {
         format!(r#"{{ "name": "s{index}", "kind": "motion", "at": [1, 1], "facing_deg": 0, "beams": {beams} }}"#)
     };
@@ -343,9 +343,9 @@ fn a_home_has_at_most_128_sensors_and_4096_beams() {
         files.insert("logger.json".into(), "{}".into());
         said(&files)
     };
-    assert_eq!(with(128, 32), "");
-    assert_eq!(with(129, 1), r#"home.json:26:14: "sensors" must have at most 128 items, but has 129"#);
-    assert_eq!(with(17, 256), "home.json:43:1: the sensors up to this one have more than 4096 beams together");
+    assert_eq!(with(1024, 32), "");
+    assert_eq!(with(1025, 1), r#"home.json:26:14: "sensors" must have at most 1024 items, but has 1025"#);
+    assert_eq!(with(129, 256), "home.json:155:1: the sensors up to this one have more than 32768 beams together");
 }
 
 #[test]

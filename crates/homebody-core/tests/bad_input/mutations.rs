@@ -20,7 +20,7 @@ fn no_mutation_of_a_scenario_makes_the_loader_or_a_run_panic() {
                 accepted += 1;
                 let mut run = Run::new(&scenario, &(), 1, DAY);
                 while run.now() < DAY {
-                    run.advance(run.now() + DAY / 24, &mut Events::default());
+                    run.advance(run.now() + DAY / 24, &mut Events::default()).unwrap();
                 }
             }
             Err(problems) => {

@@ -1,6 +1,12 @@
 //! Files that do not have the shape of their schema.
 
 use crate::*;
+use homebody_core::sensors::kinds::KINDS;
+
+/// The kinds of sensors as messages list them.
+fn kinds() -> String {
+    KINDS.iter().map(|kind| format!("{:?}", kind.key)).collect::<Vec<_>>().join(", ")
+}
 
 #[test]
 #[rustfmt::skip] // A case is read line by line: the change, then what is said of it.
@@ -19,7 +25,7 @@ fn keys() {
         ("home.json", r#", "facing_deg": 0"#, "",
             r#"home.json:27:5: a motion sensor needs the key "facing_deg"; Where the lens looks: 0 is east, 90 is north"#),
         ("home.json", r#""kind": "motion", "at": [0.05"#, r#""at": [0.05"#,
-            r#"home.json:27:5: a sensor needs the key "kind"; it is one of "motion", "ceiling_motion", "contact", "bed", "stove_temperature", "pressure", "power", "flow", "light", "temperature""#),
+            &format!(r#"home.json:27:5: a sensor needs the key "kind"; it is one of {}"#, kinds())),
         ("home.json", r#""height_m": 2.1"#, r#""height_m": 2.1, "height_m": 2"#,
             r#"home.json:28:86: "height_m" is given twice; it is already given on line 28"#),
         ("scenario.json", r#""days": 2,"#, "\"days\": 2,\n  \"name\": \"again\",",
@@ -140,7 +146,7 @@ fn names_of_a_list() {
         ("home.json", r#""ceiling_motion""#, r#""celing_motion""#,
             r#"home.json:30:30: "celing_motion" is no kind of sensor; did you mean "ceiling_motion"?"#),
         ("home.json", r#""ceiling_motion""#, "3",
-            r#"home.json:30:30: "kind" must be a text, but is the number 3; it is one of "motion", "ceiling_motion", "contact", "bed", "stove_temperature", "pressure", "power", "flow", "light", "temperature""#),
+            &format!(r#"home.json:30:30: "kind" must be a text, but is the number 3; it is one of {}"#, kinds())),
         ("home.json", r#""level": { "sensitivity": { "threshold_deg": 2 } }"#, r#""level": "zones""#,
             r#"home.json:29:33: "zones" needs more than its name; write { "zones": ... }"#),
         ("home.json", r#""level": { "sensitivity": { "threshold_deg": 2 } }"#, r#""level": "papr""#,

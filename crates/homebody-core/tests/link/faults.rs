@@ -1,6 +1,7 @@
 //! What each fault does to the messages of its sensor, and to no other's.
 
 use crate::*;
+use homebody_core::ids::SensorId;
 
 const DAY: Micros = 86_400 * SECOND;
 
@@ -12,7 +13,7 @@ fn ten_days(fault: serde_json::Value) -> Events {
     let mut messages: Vec<_> = regular(0, 600 * SECOND, 1439).into_iter().chain(second).collect();
     messages.sort_unstable_by_key(|&(at, sensor, _)| (at, sensor));
     let events = carried(json!({ "faults": [fault] }), &sensors, &messages, 11 * DAY);
-    let of_other = events.firings.iter().filter(|firing| firing.sensor == 1).count();
+    let of_other = events.firings.iter().filter(|firing| firing.sensor == SensorId(1)).count();
     assert_eq!(of_other, 1439, "the other sensor is affected");
     events
 }
@@ -32,7 +33,8 @@ fn a_battery_fades_and_is_empty_until_it_is_replaced() {
     assert!(first >= 2.0 && (7.99..8.0).contains(&last), "from {first} to {last}");
     // Half of those while it fades, all of those while it is empty.
     assert!((288 + 288 - 40..288 + 288 + 40).contains(&count), "{count}");
-    let empty = events.firings.iter().filter(|firing| firing.sensor == 0 && (6 * DAY..8 * DAY).contains(&firing.at));
+    let empty =
+        events.firings.iter().filter(|firing| firing.sensor == SensorId(0) && (6 * DAY..8 * DAY).contains(&firing.at));
     assert_eq!(empty.count(), 0);
 }
 
@@ -108,7 +110,7 @@ fn a_clock_of_its_own_gives_its_own_times_in_order() {
     let clock = |offset: f64| json!({ "faults": [{ "kind": "drift", "sensor": "hall", "offset_s": offset }] });
     let told = |offset: f64, until: Micros| {
         let firings = carried(clock(offset), &sensors, &messages, until * SECOND).firings;
-        firings.into_iter().map(|firing| (firing.at / SECOND, firing.sensor)).collect::<Vec<_>>()
+        firings.into_iter().map(|firing| (firing.at / SECOND, firing.sensor.0)).collect::<Vec<_>>()
     };
     // The hall fires in even seconds; what its clock shows is two and a half seconds less, and more.
     assert_eq!(told(-2.5, 9), [(0, 0), (1, 1), (1, 0), (3, 1), (3, 0), (5, 1), (5, 0)]);

@@ -7,6 +7,7 @@ mod random_home;
 mod statistics;
 
 use homebody_core::event::{Events, Fact, Firing, Loss, Provenance, Trigger, Value};
+use homebody_core::ids::{ResidentId, SensorId};
 use homebody_core::link::Link;
 use homebody_core::scenario::home::SensorFile;
 use homebody_core::scenario::link::LinkFile;
@@ -26,9 +27,14 @@ fn motion_sensors(names: &[&str]) -> Vec<SensorFile> {
 
 /// What devices say: when, which of them, and what.
 fn said(messages: &[(Micros, u32, Value)]) -> Events {
-    let firing = |(seq, &(at, sensor, value)): (usize, &_)| Firing { seq: seq as u64, at, sensor, value };
+    let firing = |(seq, &(at, sensor, value)): (usize, &(Micros, u32, Value))| Firing {
+        seq: seq as u64,
+        at,
+        sensor: SensorId(sensor),
+        value,
+    };
     let provenance = |(seq, &(at, ..)): (usize, &(Micros, u32, Value))| {
-        let provenance = Provenance { resident: Some(0), seen_at: at - 1, trigger: Trigger::Movement };
+        let provenance = Provenance { resident: Some(ResidentId(0)), seen_at: at - 1, trigger: Trigger::Movement };
         Fact::Provenance { seq: seq as u64, provenance }
     };
     Events {
@@ -58,7 +64,7 @@ fn regular(sensor: u32, every: Micros, count: i64) -> Vec<(Micros, u32, Value)> 
 /// The messages that were lost: when they were sent, of which sensor, and why.
 fn lost(events: &Events) -> Vec<(Micros, u32, Loss)> {
     let lost = |fact: &Fact| match *fact {
-        Fact::Lost { at, sensor, loss, .. } => Some((at, sensor, loss)),
+        Fact::Lost { at, sensor, loss, .. } => Some((at, sensor.0, loss)),
         _ => None,
     };
     events.facts.iter().filter_map(lost).collect()

@@ -1,6 +1,7 @@
 //! How often things happen on the way, held against what was asked for and against what is known.
 
 use crate::*;
+use homebody_core::ids::SensorId;
 use homebody_core::random::{Range, Stream};
 
 const DAY: Micros = 86_400 * SECOND;
@@ -133,7 +134,7 @@ fn a_damaged_id_is_rarely_somebody_elses() {
     let sensors = motion_sensors(&names.iter().map(String::as_str).collect::<Vec<_>>());
     let messages = regular(5, 10 * SECOND, 50_000);
     let events = carried(json!({ "corruption": 1 }), &sensors, &messages, 20 * DAY);
-    let others = events.firings.iter().filter(|firing| firing.sensor != 5).count();
+    let others = events.firings.iter().filter(|firing| firing.sensor != SensorId(5)).count();
     assert_eq!(others, events.firings.len());
     // Half of them have a damaged id; as many as there are ids of other sensors out of 255 reach one.
     assert!((4_000..7_000).contains(&others), "{others}");

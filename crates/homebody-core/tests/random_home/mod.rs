@@ -4,6 +4,7 @@ use homebody_core::drivers::MotionSegment;
 use homebody_core::event::{MotionState, ThingUse, Vitals};
 use homebody_core::geometry::Point;
 use homebody_core::home::{Build, Home};
+use homebody_core::ids::ThingId;
 use homebody_core::random::{Range, Stream};
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::path::Posture;
@@ -43,8 +44,15 @@ pub enum Model {
     Whole,
 }
 
-/// A rectangle cut into rooms, with furniture and sensors.
+/// A rectangle cut into rooms, with furniture and sensors; of whole models one in fifty has more sensors than a mask has bits.
+#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 pub fn home(case: u64, model: Model) -> HomeFile {
+    let is_crowded = model == Model::Whole && case % 50 == 7;
+    crowded(case, model, if is_crowded { 130 + Dice::new(case, "how crowded").below(100) } else { 0 })
+}
+
+/// Such a home with so many sensors more, which look for movement. They come after the others that do.
+pub fn crowded(case: u64, model: Model, more: i64) -> HomeFile {
     let dice = &mut Dice::new(case, "home");
     let (width, depth) = (dice.between(4.0, 12.0), dice.between(3.0, 9.0));
     let cut = dice.between(0.3, 0.7) * width;
@@ -71,6 +79,8 @@ pub fn home(case: u64, model: Model) -> HomeFile {
         .collect();
     let mut sensors: Vec<Value> =
         (0..1 + dice.below(6)).map(|index| sensor(dice, index, width, depth, model)).collect();
+    let crowd = &mut Dice::new(case, "crowd");
+    sensors.extend((0..more).map(|index| sensor(crowd, 1000 + index, width, depth, model)));
     if model == Model::Whole {
         let dice = &mut Dice::new(case, "devices");
         let (x, y) = (dice.between(1.0, width - 1.0), dice.between(1.0, depth - 1.0));
@@ -126,7 +136,8 @@ pub fn device(dice: &mut Dice, index: i64, width: f64, depth: f64) -> Value {
         0 => json!({ "kind": "contact", "on": thing }),
         1 | 2 => json!({ "kind": "bed", "on": "bed", "levels_s": [delay, 1, 1.5, 4], "vitals_every_s": often,
             "still_s": delay }),
-        3 => json!({ "kind": "stove_temperature", "on": thing, "hot_c": 500, "readings_every_s": often }),
+        3 => json!({ "kind": "stove_temperature", "on": thing, "hot_c": 1000, "on_above_c": 150,
+            "off_below_c": 149, "readings_every_s": often }),
         4 => json!({ "kind": "pressure", "on": (["bed", "rug"][dice.below(2) as usize]), "delay_s": delay }),
         5 => {
             let (x, y) = (dice.between(0.0, width - 2.0), dice.between(0.0, depth - 2.0));
@@ -155,7 +166,7 @@ pub fn doings(case: u64, resident: usize, home: &Home, length: Micros) -> Vec<(M
         } else {
             // Of all things those that sensors are on, as a rule.
             let name = ["door", "bed", "rug", "west", "piece 0"][dice.below(5) as usize];
-            Done::Use(ThingUse { thing: home.plan.thing(name).unwrap_or(0) as u32, on: dice.one_in(2) })
+            Done::Use(ThingUse { thing: ThingId::of(home.plan.thing(name).unwrap_or(0)), on: dice.one_in(2) })
         };
         doings.push((at, done));
     }

@@ -108,7 +108,7 @@ impl Home {
         let files: BTreeMap<String, String> = files.map(|(name, text)| (name.to_owned(), text.to_owned())).into();
         let scenario = Scenario::load(&files, "scenario.json");
         let file = scenario.unwrap_or_else(|problems| panic!("{}\n{home_json}", problems.render())).home;
-        Home { plan: FloorPlan::new(&file), file, text: home_json, remarks }
+        Home { plan: file.plan().clone(), file: HomeFile::clone(&file), text: home_json, remarks }
     }
 
     pub fn rooms(&self) -> Vec<&str> {

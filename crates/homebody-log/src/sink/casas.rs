@@ -1,75 +1,113 @@
-//! The text of the CASAS smart homes: `2009-03-02 07:12:03.250000<TAB>BedroomMotion<TAB>ON`.
+//! The text of the CASAS smart homes: `2009-03-02 07:12:03.250000<TAB>BedroomMotion<TAB>ON`, with the activity behind it
+//! where rows have labels.
 //!
 //! Always local time. A sensor's name is one word there: `bedroom motion` becomes `BedroomMotion`.
 
-use super::Opening;
+use super::text::TextFile;
+use super::{Begin, Sink, Watermark};
 use crate::clock::Clock;
-use crate::error::LogError;
-use crate::fresh::FreshFile;
-use crate::mapping::{Shown, apart};
-use crate::messages::Row;
-use crate::writer::Sink;
+use crate::error::{LogError, place_of};
+use crate::mapping::apart;
+use crate::table::{Batch, Cell, TextId, thousandths};
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::Micros;
-use std::path::Path;
+use std::path::PathBuf;
 
 /// A text file of a row a line.
 pub(crate) struct Casas {
-    file: FreshFile,
+    path: PathBuf,
+    open: Option<Open>,
+}
+
+struct Open {
+    file: TextFile,
     clock: Clock,
-    sensors: Vec<String>,
-    shown: Shown,
-    value: String,
+    /// Texts as single words.
+    texts: Vec<String>,
+    /// The columns that are written, in their order.
+    columns: Vec<usize>,
     line: Vec<u8>,
+    number: String,
+    rows: u64,
 }
 
 impl Casas {
-    pub fn open(path: &Path, opening: &Opening) -> Result<Casas, LogError> {
-        let shown = opening.shown;
-        let sensors = shown.sensors.iter().map(|name| one_word(name)).collect();
-        apart(&shown.sensors, &sensors)?;
-        let clock = Clock::new(opening.calendar, TimeFormat::Local);
-        // Values are one word, too.
-        let mut shown = shown.clone();
-        shown.texts.iter_mut().for_each(|text| *text = one_word(text));
-        Ok(Casas {
-            file: FreshFile::create(path, opening.force)?,
-            clock,
-            sensors,
-            shown: shown.clone(),
-            value: String::new(),
-            line: Vec::new(),
-        })
+    pub fn new(path: PathBuf) -> Casas {
+        Casas { path, open: None }
     }
 }
 
-impl Sink for Casas {
-    type Row = Row;
+/// What a line is made of, by the columns of a log and, behind them, the label.
+const PARTS: [usize; 3] = [1, 2, 3];
+const LABEL: &str = "activity";
 
-    fn path(&self) -> &Path {
-        self.file.path()
+impl Sink for Casas {
+    fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
+        let [table] = begin.tables else {
+            let hint = "write it into sqlite: or csv:";
+            return Err(LogError::CannotHold { place: place_of(&self.path), what: "the truth".into(), hint });
+        };
+        let ids: Vec<String> = begin.run.sensors.iter().map(|sensor| sensor.id.clone()).collect();
+        let words = ids.iter().map(|id| one_word(id)).collect();
+        apart(&ids, &words)?;
+        let columns = PARTS.into_iter().chain(table.column(LABEL)).collect();
+        self.open = Some(Open {
+            file: TextFile::begin(&self.path, begin)?,
+            clock: Clock::new(&begin.run.calendar, TimeFormat::Local),
+            texts: Vec::new(),
+            columns,
+            line: Vec::new(),
+            number: String::new(),
+            rows: 0,
+        });
+        Ok(Watermark::none())
     }
 
-    fn write(&mut self, rows: &[Row]) -> Result<(), LogError> {
-        for row in rows {
-            self.line.clear();
-            self.line.extend_from_slice(self.clock.text(row.at).as_bytes());
-            self.line.push(b'\t');
-            self.line.extend_from_slice(self.sensors[row.sensor as usize].as_bytes());
-            self.line.push(b'\t');
-            self.line.extend_from_slice(self.shown.value(row.value, &mut self.value).as_bytes());
-            self.line.push(b'\n');
-            self.file.write(&self.line)?;
+    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
+        let stopped = || LogError::Stopped { place: place_of(&self.path) };
+        let Open { file, clock, texts, columns, line, number, rows } = self.open.as_mut().ok_or_else(stopped)?;
+        texts.extend(batch.texts_from(texts.len()).map(|text| one_word(&text)));
+        for row in batch.rows() {
+            line.clear();
+            for &column in columns.iter() {
+                let part = match row.cells[column] {
+                    // A row without a label ends before it.
+                    Cell::Null => continue,
+                    Cell::Instant(at) => clock.text(at),
+                    Cell::Text(TextId(id)) => &texts[id as usize],
+                    Cell::Thousandths(value) => {
+                        thousandths(value, number);
+                        number.as_str()
+                    }
+                    Cell::Integer(value) => {
+                        *number = value.to_string();
+                        number.as_str()
+                    }
+                    Cell::Real(value) => {
+                        *number = value.to_string();
+                        number.as_str()
+                    }
+                };
+                if !line.is_empty() {
+                    line.push(b'\t');
+                }
+                line.extend_from_slice(part.as_bytes());
+            }
+            line.push(b'\n');
+            file.line(line)?;
+            *rows += 1;
         }
         Ok(())
     }
 
-    fn settle(&mut self) -> Result<(), LogError> {
-        self.file.flush()
+    fn settle(&mut self) -> Result<Watermark, LogError> {
+        let Some(open) = &mut self.open else { return Ok(Watermark::none()) };
+        open.file.settle()?;
+        Ok(Watermark(vec![open.rows]))
     }
 
-    fn finish(self: Box<Self>, _end: Micros) -> Result<(), LogError> {
-        self.file.finish()
+    fn finish(&mut self, _end: Micros) -> Result<(), LogError> {
+        self.open.take().map_or(Ok(()), |open| open.file.finish())
     }
 }
 

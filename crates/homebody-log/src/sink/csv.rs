@@ -1,79 +1,112 @@
-//! Comma-separated values with a header line, quoted as RFC 4180 says; lines end in a line feed alone.
+//! Comma-separated values with a header line, quoted as RFC 4180 says; lines end in a line feed alone. Of several tables,
+//! each has a file of its own: `truth.csv` becomes `truth.room.csv` and so on.
 
-use super::Opening;
+use super::text::TextFile;
+use super::{Begin, Sink, Watermark};
 use crate::clock::Clock;
-use crate::error::LogError;
-use crate::fresh::FreshFile;
-use crate::mapping::Shown;
-use crate::messages::Row;
-use crate::writer::Sink;
+use crate::error::{LogError, place_of};
+use crate::table::{Batch, Cell, TextId, thousandths};
+use ::csv::{QuoteStyle, Terminator, WriterBuilder};
 use homebody_core::time::Micros;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-/// A text file of a row a line.
+/// Text files of a row a line, one for each table.
 pub(crate) struct Csv {
-    file: FreshFile,
+    path: PathBuf,
+    open: Option<Open>,
+}
+
+struct Open {
+    files: Vec<TextFile>,
     clock: Clock,
-    /// Quoted where they need it, as texts are.
-    sensors: Vec<String>,
-    shown: Shown,
-    value: String,
+    /// Texts with quotes where they need them.
+    texts: Vec<String>,
     line: Vec<u8>,
+    number: String,
+    rows: Vec<u64>,
 }
 
 impl Csv {
-    pub fn open(path: &Path, opening: &Opening) -> Result<Csv, LogError> {
-        let (columns, mut shown) = (opening.columns, opening.shown.clone());
-        shown.texts.iter_mut().for_each(|text| *text = quoted(text));
-        let mut file = FreshFile::create(path, opening.force)?;
-        let header = [&columns.seq, &columns.time, &columns.sensor, &columns.value].map(|name| quoted(name));
-        file.write(format!("{}\n", header.join(",")).as_bytes())?;
-        Ok(Csv {
-            file,
-            clock: opening.clock(),
-            sensors: shown.sensors.iter().map(|name| quoted(name)).collect(),
-            shown,
-            value: String::new(),
-            line: Vec::new(),
-        })
+    pub fn new(path: PathBuf) -> Csv {
+        Csv { path, open: None }
     }
 }
 
 impl Sink for Csv {
-    type Row = Row;
-
-    fn path(&self) -> &Path {
-        self.file.path()
+    fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
+        let mut files = Vec::new();
+        for table in begin.tables {
+            let path = if begin.tables.len() == 1 { self.path.clone() } else { path_of(&self.path, &table.name) };
+            let mut file = TextFile::begin(&path, begin)?;
+            let header: Vec<String> = table.columns.iter().map(|column| quoted(&column.name)).collect();
+            file.line(format!("{}\n", header.join(",")).as_bytes())?;
+            files.push(file);
+        }
+        let rows = vec![0; files.len()];
+        let (line, number, texts) = (Vec::new(), String::new(), Vec::new());
+        self.open = Some(Open { files, clock: begin.clock(), texts, line, number, rows });
+        Ok(Watermark::none())
     }
 
-    fn write(&mut self, rows: &[Row]) -> Result<(), LogError> {
-        for row in rows {
-            self.line.clear();
-            self.line.extend_from_slice(row.seq.to_string().as_bytes());
-            self.line.push(b',');
-            self.line.extend_from_slice(self.clock.text(row.at).as_bytes());
-            self.line.push(b',');
-            self.line.extend_from_slice(self.sensors[row.sensor as usize].as_bytes());
-            self.line.push(b',');
-            self.line.extend_from_slice(self.shown.value(row.value, &mut self.value).as_bytes());
-            self.line.push(b'\n');
-            self.file.write(&self.line)?;
+    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
+        let stopped = || LogError::Stopped { place: place_of(&self.path) };
+        let Open { files, clock, texts, line, number, rows } = self.open.as_mut().ok_or_else(stopped)?;
+        texts.extend(batch.texts_from(texts.len()).map(|text| quoted(&text)));
+        for row in batch.rows() {
+            line.clear();
+            for (column, cell) in row.cells.iter().enumerate() {
+                if column > 0 {
+                    line.push(b',');
+                }
+                match *cell {
+                    Cell::Null => {}
+                    Cell::Instant(at) => line.extend_from_slice(clock.text(at).as_bytes()),
+                    Cell::Integer(number) => line.extend_from_slice(number.to_string().as_bytes()),
+                    Cell::Real(number) => line.extend_from_slice(number.to_string().as_bytes()),
+                    Cell::Text(TextId(id)) => line.extend_from_slice(texts[id as usize].as_bytes()),
+                    Cell::Thousandths(value) => {
+                        thousandths(value, number);
+                        line.extend_from_slice(number.as_bytes());
+                    }
+                }
+            }
+            line.push(b'\n');
+            files[row.table].line(line)?;
+            rows[row.table] += 1;
         }
         Ok(())
     }
 
-    fn settle(&mut self) -> Result<(), LogError> {
-        self.file.flush()
+    fn settle(&mut self) -> Result<Watermark, LogError> {
+        let Some(open) = &mut self.open else { return Ok(Watermark::none()) };
+        open.files.iter_mut().try_for_each(TextFile::settle)?;
+        Ok(Watermark(open.rows.clone()))
     }
 
-    fn finish(self: Box<Self>, _end: Micros) -> Result<(), LogError> {
-        self.file.finish()
+    fn finish(&mut self, _end: Micros) -> Result<(), LogError> {
+        self.open.take().into_iter().flat_map(|open| open.files).try_for_each(TextFile::finish)
     }
+}
+
+/// The file of one table of several.
+fn path_of(path: &Path, table: &str) -> PathBuf {
+    let ending = path.extension().map_or("csv".into(), |ending| ending.to_string_lossy().into_owned());
+    path.with_extension(format!("{table}.{ending}"))
 }
 
 /// A field, in quotes where it needs them.
 fn quoted(field: &str) -> String {
-    if field.contains([',', '"', '\n', '\r']) { format!("\"{}\"", field.replace('"', "\"\"")) } else { field.into() }
+    let mut writer = WriterBuilder::new()
+        .quote_style(QuoteStyle::Necessary)
+        .terminator(Terminator::Any(b'\n'))
+        .flexible(true)
+        .from_writer(Vec::new());
+    // A field of its own that is empty would be quoted, as a line with nothing in it is no record.
+    if field.is_empty() || writer.write_record([field]).is_err() {
+        return String::new();
+    }
+    let written = writer.into_inner().unwrap_or_default();
+    String::from_utf8_lossy(&written).trim_end_matches('\n').to_owned()
 }
 
 #[cfg(test)]
@@ -86,5 +119,12 @@ mod tests {
         assert_eq!(quoted("a,b"), "\"a,b\"");
         assert_eq!(quoted("the \"old\" one"), "\"the \"\"old\"\" one\"");
         assert_eq!(quoted("two\nlines"), "\"two\nlines\"");
+        assert_eq!(quoted(""), "");
+    }
+
+    #[test]
+    fn tables_have_files_of_their_own() {
+        assert_eq!(path_of(Path::new("a/truth.csv"), "room"), Path::new("a/truth.room.csv"));
+        assert_eq!(path_of(Path::new("truth"), "room"), Path::new("truth.room.csv"));
     }
 }

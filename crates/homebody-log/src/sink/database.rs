@@ -7,8 +7,8 @@
 //! trickle in, as those of a live run, go through a write-ahead log: it lets others read for as long as they like.
 //! After the run the database is one file.
 
-use crate::error::LogError;
-use crate::fresh::Place;
+use crate::error::{LogError, place_of};
+use crate::fresh::Found;
 use rusqlite::{CachedStatement, Connection, OpenFlags, ToSql};
 use std::fs::{self, OpenOptions};
 use std::io::{Seek, SeekFrom, Write};
@@ -69,10 +69,10 @@ impl Database {
         tables: &[&str],
         begin: impl FnOnce(&Connection) -> rusqlite::Result<()>,
     ) -> Result<Database, LogError> {
-        let replaced = match Place::at(path, force)? {
-            Place::Free => None,
-            Place::Replaced => Some(put_aside(path)?),
-            Place::Device => return Err(LogError::NoFile { path: path.into() }),
+        let replaced = match Found::at(path, force)? {
+            Found::Free => None,
+            Found::Replaced => Some(put_aside(path)?),
+            Found::Device => return Err(LogError::NoFile { place: place_of(path) }),
         };
         let mut database = Database {
             path: path.into(),
@@ -102,8 +102,52 @@ impl Database {
         Ok(database)
     }
 
+    /// Opens a database that a run has left unfinished, to go on with it; None where the run was not begun in it: then
+    /// nothing is left there.
+    pub fn reopen(path: &Path) -> Result<Option<Database>, LogError> {
+        if fs::metadata(path).map_or(0, |found| found.len()) == 0 {
+            let _ = fs::remove_file(path);
+            remove_companions(path);
+            return Ok(None);
+        }
+        let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
+        let opened = Connection::open_with_flags(path, flags).and_then(|connection| {
+            connection.busy_timeout(BUSY)?;
+            // What was under way as the program died is undone or brought in first.
+            let begun = "SELECT count(*) FROM sqlite_schema WHERE name = 'run'";
+            let is_begun: bool = connection.query_row(begun, [], |row| row.get(0))?;
+            connection.execute_batch(Flow::Pouring.journal())?;
+            connection.execute_batch("PRAGMA synchronous = FULL; PRAGMA cache_size = -1024")?;
+            Ok((connection, is_begun))
+        });
+        let (connection, is_begun) = opened.map_err(|error| LogError::database(path, error))?;
+        if !is_begun {
+            drop(connection);
+            fs::remove_file(path).map_err(|error| LogError::file(path, error))?;
+            remove_companions(path);
+            return Ok(None);
+        }
+        Ok(Some(Database {
+            path: path.into(),
+            connection: Some(connection),
+            unsettled: 0,
+            has_rows: true,
+            flow: Flow::Pouring,
+            replaced: None,
+        }))
+    }
+
     pub fn path(&self) -> &Path {
         &self.path
+    }
+
+    /// Asks for what is there.
+    pub fn ask<T>(&self, ask: impl FnOnce(&Connection) -> rusqlite::Result<T>) -> Result<T, LogError> {
+        ask(self.connection()).map_err(|error| LogError::database(&self.path, error))
+    }
+
+    fn connection(&self) -> &Connection {
+        self.connection.as_ref().expect("open until it is closed")
     }
 
     /// Changes rows within the transaction that the next [`Database::settle`] ends.
@@ -112,7 +156,7 @@ impl Database {
         rows: usize,
         change: impl FnOnce(&Connection) -> rusqlite::Result<()>,
     ) -> Result<(), LogError> {
-        let connection = self.connection.as_ref().expect("open until it is closed");
+        let connection = self.connection();
         let begun = if connection.is_autocommit() { connection.execute_batch("BEGIN IMMEDIATE") } else { Ok(()) };
         begun.and_then(|()| change(connection)).map_err(|error| LogError::database(&self.path, error))?;
         self.unsettled += rows;
@@ -155,7 +199,7 @@ impl Database {
 
     /// Ends the transaction if there is one.
     fn commit(&mut self) -> Result<bool, LogError> {
-        let connection = self.connection.as_ref().expect("open until it is closed");
+        let connection = self.connection();
         if connection.is_autocommit() {
             return Ok(false);
         }
@@ -175,7 +219,7 @@ impl Database {
 
     /// Changes the journal, unless somebody is reading at this moment; whether it did.
     fn without_waiting(&self, pragma: &str) -> bool {
-        let connection = self.connection.as_ref().expect("open until it is closed");
+        let connection = self.connection();
         let _ = connection.busy_timeout(Duration::ZERO);
         let changed = connection.execute_batch(pragma).is_ok();
         let _ = connection.busy_timeout(BUSY);
@@ -196,22 +240,18 @@ impl Drop for Database {
     }
 }
 
-/// A statement that inserts rows into a table, all of one run.
+/// The statements that insert rows into a table, one or several at a time.
 pub(crate) struct Insert {
     one: String,
     many: String,
 }
 
-/// The row being bound, value by value in the order of the columns.
-pub(crate) struct Binding<'a, 'c> {
-    statement: &'a mut CachedStatement<'c>,
-    next: usize,
-}
-
 impl Insert {
-    /// Rows of `columns` and, before them, the column `run`.
-    pub fn new(table: &str, run: (&str, i64), columns: &[&str]) -> Insert {
-        let (run, id) = run;
+    /// How many rows the statement for several takes.
+    pub const AT_ONCE: usize = ROWS_AT_ONCE;
+
+    /// Rows of `columns` and, before them, the column `run` with the run's id.
+    pub fn new(table: &str, (run, id): (&str, i64), columns: &[&str]) -> Insert {
         let names: String = columns.iter().map(|name| format!(", \"{name}\"")).collect();
         let row = format!("({id}{})", ", ?".repeat(columns.len()));
         let rows = |count: usize| {
@@ -220,28 +260,23 @@ impl Insert {
         Insert { one: rows(1), many: rows(ROWS_AT_ONCE) }
     }
 
-    pub fn rows<Row>(
+    /// Inserts as many rows as one of the two statements takes; `bind` is given each value's place and puts it there.
+    pub fn insert(
         &self,
         connection: &Connection,
-        rows: &[Row],
-        mut bind: impl FnMut(&Row, &mut Binding) -> rusqlite::Result<()>,
+        many: bool,
+        bind: impl FnOnce(&mut Binding) -> rusqlite::Result<()>,
     ) -> rusqlite::Result<()> {
-        let whole = rows.len() - rows.len() % ROWS_AT_ONCE;
-        for (sql, rows, at_once) in [(&self.many, &rows[..whole], ROWS_AT_ONCE), (&self.one, &rows[whole..], 1)] {
-            if rows.is_empty() {
-                continue;
-            }
-            let mut statement = connection.prepare_cached(sql)?;
-            for rows in rows.chunks(at_once) {
-                let mut binding = Binding { statement: &mut statement, next: 1 };
-                for row in rows {
-                    bind(row, &mut binding)?;
-                }
-                statement.raw_execute()?;
-            }
-        }
-        Ok(())
+        let mut statement = connection.prepare_cached(if many { &self.many } else { &self.one })?;
+        bind(&mut Binding { statement: &mut statement, next: 1 })?;
+        statement.raw_execute().map(|_| ())
     }
+}
+
+/// Rows being bound, value by value in the order of the columns.
+pub(crate) struct Binding<'a, 'c> {
+    statement: &'a mut CachedStatement<'c>,
+    next: usize,
 }
 
 impl Binding<'_, '_> {
@@ -293,9 +328,11 @@ mod tests {
             Database::create(&path, true, &["CREATE TABLE line (run INTEGER, text TEXT)"], |_| Ok(())).unwrap();
         database.change(0, |connection| connection.pragma_update(None, "max_page_count", 50)).unwrap();
         let insert = Insert::new("line", ("run", 1), &["text"]);
-        let lines = vec!["some words to fill pages with"; 100];
         let mut store = || {
-            database.change(lines.len(), |connection| insert.rows(connection, &lines, |line, row| row.put(line)))?;
+            database.change(100, |connection| {
+                (0..100)
+                    .try_for_each(|_| insert.insert(connection, false, |row| row.put("some words to fill pages with")))
+            })?;
             database.settle()
         };
         let mut stored = 0;

@@ -1,40 +1,101 @@
-//! Where rows end up: one file each kind of place, all in the shape of [`Sink`](crate::writer::Sink).
+//! Where rows end up: one file each kind of place, all in the shape of [`Sink`].
 
 pub(crate) mod casas;
 pub(crate) mod csv;
 pub(crate) mod database;
-pub(crate) mod run;
 pub(crate) mod sqlite;
+mod text;
 
 use crate::clock::Clock;
 use crate::error::LogError;
-use crate::logger::RunInfo;
-use crate::mapping::{Columns, Shown};
-use crate::messages::Row;
+use crate::run_info::RunInfo;
+use crate::table::{Batch, Table};
 use crate::url::Url;
-use crate::writer::Sink;
-use homebody_core::scenario::calendar::Calendar;
+use homebody_core::scenario::logger::TimeFormat;
+use homebody_core::scenario::scheme::Scheme;
+use homebody_core::time::Micros;
 
-/// What every sink of a log is opened with.
-pub(crate) struct Opening<'a> {
-    pub columns: &'a Columns,
-    pub shown: &'a Shown,
-    pub calendar: &'a Calendar,
-    pub run: &'a RunInfo,
-    pub force: bool,
+/// A destination of rows: a file, a database, a broker, or whatever a caller brings.
+///
+/// Its life: [`begin`](Sink::begin) once, then any number of [`write`](Sink::write) and [`settle`](Sink::settle), then
+/// [`finish`](Sink::finish), or drop where the run is given up. All calls come from one thread, which is the destination's own:
+/// a slow one makes the run wait, or lets it go on, as its [`Policy`](crate::Policy) says.
+///
+/// Rows come in the order in which they were made, without gaps. After an error that [`passes`](LogError::passes) the same
+/// call is made again, if the policy says so: what a destination has kept of it must not be kept twice. After any other
+/// error nothing more is called but drop.
+pub trait Sink: Send {
+    /// Begins a run, or goes on with it where `begin.how` says so. Returns how far the destination holds this run already:
+    /// rows before that are not given again. A destination that would rather see them, to compare them, returns the
+    /// beginning.
+    fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError>;
+
+    /// Takes rows. They may be lost until the next `settle`.
+    fn write(&mut self, batch: &Batch) -> Result<(), LogError>;
+
+    /// Makes sure of the rows taken, as far as it can by now. Returns up to where all rows are durable: they survive the
+    /// death of this program, and that of the machine where the destination can promise it.
+    fn settle(&mut self) -> Result<Watermark, LogError>;
+
+    /// Makes sure of everything, and marks the run as ended at an instant.
+    fn finish(&mut self, end: Micros) -> Result<(), LogError>;
 }
 
-impl Opening<'_> {
-    /// Opens the sink of a place.
-    pub fn open(&self, url: &Url) -> Result<Box<dyn Sink<Row = Row>>, LogError> {
-        Ok(match url {
-            Url::Sqlite(path) => Box::new(sqlite::Sqlite::open(path, self)?),
-            Url::Csv(path) => Box::new(csv::Csv::open(path, self)?),
-            Url::Casas(path) => Box::new(casas::Casas::open(path, self)?),
-        })
+/// What a destination is begun with.
+#[derive(Clone, Copy, Debug)]
+pub struct Begin<'a> {
+    /// What the run is, with its sensors.
+    pub run: &'a RunInfo,
+    /// The tables that rows will be of: one of a log, several of the truth.
+    pub tables: &'a [Table],
+    /// How instants are to be written, by the run's mapping.
+    pub time: TimeFormat,
+    /// The name of the column of the run's id, by the run's mapping.
+    pub run_column: &'a str,
+    pub how: How,
+}
+
+/// What becomes of what is there already.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum How {
+    /// Nothing may be there.
+    #[default]
+    New,
+    /// It is replaced, once there is something to replace it.
+    Replace,
+    /// It is the beginning of this very run, which is gone on with.
+    GoOn,
+}
+
+/// How far a destination holds a run: by table, how many of its rows. They are the first ones, without gaps.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Watermark(pub Vec<u64>);
+
+impl Watermark {
+    /// The beginning: no rows.
+    pub fn none() -> Watermark {
+        Watermark::default()
     }
 
-    fn clock(&self) -> Clock {
-        Clock::new(self.calendar, self.shown.time)
+    /// How many rows of a table are durable.
+    pub fn of(&self, table: usize) -> u64 {
+        self.0.get(table).copied().unwrap_or(0)
+    }
+}
+
+impl Begin<'_> {
+    /// A clock that writes instants as the run's mapping wants them.
+    pub(crate) fn clock(&self) -> Clock {
+        Clock::new(&self.run.calendar, self.time)
+    }
+}
+
+/// The sink of a place. Nothing is touched before it is begun.
+pub fn open(url: &Url) -> Box<dyn Sink> {
+    let at = url.file().map(Into::into).unwrap_or_default();
+    match url.scheme() {
+        Scheme::Sqlite => Box::new(sqlite::Sqlite::new(at)),
+        Scheme::Csv => Box::new(csv::Csv::new(at)),
+        Scheme::Casas => Box::new(casas::Casas::new(at)),
     }
 }

@@ -1,82 +1,361 @@
-//! A database file: the rows in a table as the network has it, and the table `run` beside it.
+//! A database file: the run's tables, and the table `run` beside them.
+//!
+//! Rows are inserted in an order that follows from their own alone, in however many batches they come: so the same run
+//! gives the same bytes. Going on, rows that are there already are compared with those that are lived again.
 
-use super::Opening;
-use super::database::{Database, Insert};
-use super::run;
-use crate::clock::Clock;
-use crate::error::LogError;
-use crate::mapping::Shown;
-use crate::messages::Row;
-use crate::writer::Sink;
+use super::database::{Binding, Database, Insert};
+use super::{Begin, How, Sink, Watermark};
+use crate::clock::{Clock, Stamp};
+use crate::error::{LogError, place_of};
+use crate::run_info::RunInfo;
+use crate::table::{Batch, Cell, Column, ColumnKind, Table, TextId, thousandths};
+use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::Micros;
-use std::path::Path;
+use rusqlite::types::{Null, ToSqlOutput, ValueRef};
+use rusqlite::{Connection, ToSql, params};
+use std::path::PathBuf;
+use std::sync::Arc;
 
 /// A database file of a row a row.
 pub(crate) struct Sqlite {
-    database: Database,
-    insert: Insert,
-    clock: Clock,
-    shown: Shown,
-    value: String,
-    run: i64,
+    path: PathBuf,
+    /// Once it is begun.
+    open: Option<Open>,
 }
 
+struct Open {
+    database: Database,
+    tables: Vec<InTable>,
+    clock: Clock,
+    buffer: String,
+    run: i64,
+    texts: Vec<Arc<str>>,
+}
+
+/// A table, and how far it has come.
+struct InTable {
+    name: String,
+    columns: Vec<Column>,
+    is_numbered: bool,
+    run_column: String,
+    insert: Insert,
+    /// Rows that wait for others, so that several go in at once: a fixed number of them, whatever the batches.
+    waiting: Vec<Cell>,
+    /// How many rows the database holds; those before that are compared.
+    there: u64,
+    /// How many have come by now.
+    come: u64,
+    at_once: usize,
+}
+
+/// How many rows of a log, which has but one table, are bound before they are inserted (ours).
+const ALONE: usize = 64 * Insert::AT_ONCE;
+
 impl Sqlite {
-    pub fn open(path: &Path, opening: &Opening) -> Result<Sqlite, LogError> {
-        let (columns, shown) = (opening.columns, opening.shown);
-        // Without a rowid the key is the table itself rather than an index beside it: smaller and faster.
-        let tables = format!(
-            "CREATE TABLE \"{}\" (\"{}\" INTEGER, \"{}\" INTEGER, \"{}\" {}, \"{}\" TEXT, \"{}\" TEXT, \
-             PRIMARY KEY (\"{}\", \"{}\")) WITHOUT ROWID",
-            columns.table,
-            columns.run,
-            columns.seq,
-            columns.time,
-            run::time_type(shown.time),
-            columns.sensor,
-            columns.value,
-            columns.run,
-            columns.seq,
-        );
-        let mut clock = opening.clock();
-        let begin = run::begin(opening.run, shown.time, &mut clock);
-        let database = Database::create(path, opening.force, &[&tables], begin)?;
-        let names = [&columns.seq, &columns.time, &columns.sensor, &columns.value].map(String::as_str);
-        Ok(Sqlite {
-            database,
-            insert: Insert::new(&columns.table, (&columns.run, opening.run.id), &names),
-            clock,
-            shown: shown.clone(),
-            value: String::new(),
-            run: opening.run.id,
-        })
+    pub fn new(path: PathBuf) -> Sqlite {
+        Sqlite { path, open: None }
+    }
+
+    fn begun(&mut self) -> Result<&mut Open, LogError> {
+        let stopped = || LogError::Stopped { place: place_of(&self.path) };
+        self.open.as_mut().ok_or_else(stopped)
     }
 }
 
 impl Sink for Sqlite {
-    type Row = Row;
-
-    fn path(&self) -> &Path {
-        self.database.path()
+    fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
+        let mut tables: Vec<InTable> = begin.tables.iter().map(|table| InTable::new(table, begin)).collect();
+        let mut clock = begin.clock();
+        let left = if begin.how == How::GoOn { Database::reopen(&self.path)? } else { None };
+        let database = match left {
+            Some(database) => {
+                can_go_on(&database, begin.run)?;
+                for table in &mut tables {
+                    table.there = database.ask(|connection| table.count(connection))?;
+                }
+                database
+            }
+            None => {
+                let created: Vec<String> = begin.tables.iter().map(|table| create(table, begin)).collect();
+                let created: Vec<&str> = created.iter().map(String::as_str).collect();
+                let run = tell_run(begin.run, begin.time, &mut clock);
+                Database::create(&self.path, begin.how == How::Replace, &created, run)?
+            }
+        };
+        let run = begin.run.id;
+        self.open = Some(Open { database, tables, clock, buffer: String::new(), run, texts: Vec::new() });
+        Ok(Watermark::none())
     }
 
-    fn write(&mut self, rows: &[Row]) -> Result<(), LogError> {
-        self.database.change(rows.len(), |connection| {
-            self.insert.rows(connection, rows, |row, binding| {
-                binding.put(row.seq as i64)?;
-                binding.put(self.clock.stamp(row.at))?;
-                binding.put(&self.shown.sensors[row.sensor as usize])?;
-                binding.put(self.shown.value(row.value, &mut self.value))
+    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
+        self.begun()?.write(batch)
+    }
+
+    fn settle(&mut self) -> Result<Watermark, LogError> {
+        let open = self.begun()?;
+        open.database.settle()?;
+        Ok(Watermark(open.tables.iter().map(InTable::durable).collect()))
+    }
+
+    fn finish(&mut self, end: Micros) -> Result<(), LogError> {
+        let Some(mut open) = self.open.take() else { return Ok(()) };
+        if let Some(table) = open.tables.iter().find(|table| table.come < table.there) {
+            let what = format!("{:?} has {} rows, and the run makes {}", table.name, table.there, table.come);
+            return Err(LogError::Changed { place: place_of(&self.path), what });
+        }
+        for index in 0..open.tables.len() {
+            open.insert_waiting(index)?;
+        }
+        let (run, end) = (open.run, open.clock.stamp(end));
+        open.database.change(0, |connection| {
+            connection.execute("UPDATE run SET ended_at = ? WHERE run_id = ?", params![end, run]).map(|_| ())
+        })?;
+        open.database.close()
+    }
+}
+
+impl Open {
+    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
+        self.texts.extend(batch.texts_from(self.texts.len()));
+        let mut known: Vec<Vec<&[Cell]>> = vec![Vec::new(); self.tables.len()];
+        let mut new = 0;
+        for row in batch.rows() {
+            let table = &mut self.tables[row.table];
+            table.come += 1;
+            if table.come <= table.there {
+                known[row.table].push(row.cells);
+                continue;
+            }
+            new += 1;
+            table.waiting.extend_from_slice(row.cells);
+            if table.waiting.len() == table.at_once * table.columns.len() {
+                self.insert_waiting(row.table)?;
+            }
+        }
+        if self.tables.len() == 1 && new > 0 {
+            // Of one table, how many rows go in at once changes nothing.
+            self.insert_waiting(0)?;
+        }
+        for (table, rows) in known.iter().enumerate().filter(|(_, rows)| !rows.is_empty()) {
+            self.compare(table, rows)?;
+        }
+        Ok(())
+    }
+
+    /// Inserts what waits in a table.
+    fn insert_waiting(&mut self, index: usize) -> Result<(), LogError> {
+        let Open { database, tables, clock, buffer, texts, .. } = self;
+        let table = &mut tables[index];
+        let width = table.columns.len();
+        let rows = std::mem::take(&mut table.waiting);
+        let mut put = |cells: &[Cell], binding: &mut Binding| {
+            cells.iter().try_for_each(|&cell| match cell {
+                Cell::Null => binding.put(Null),
+                Cell::Instant(at) => binding.put(clock.stamp(at)),
+                Cell::Integer(number) => binding.put(number),
+                Cell::Real(number) => binding.put(number),
+                Cell::Text(TextId(id)) => binding.put(&*texts[id as usize]),
+                Cell::Thousandths(number) => {
+                    thousandths(number, buffer);
+                    binding.put(&*buffer)
+                }
             })
-        })
+        };
+        database.change(rows.len() / width, |connection| {
+            let many = rows.chunks_exact(Insert::AT_ONCE * width);
+            let rest = many.remainder();
+            for rows in many {
+                table.insert.insert(connection, true, |binding| put(rows, binding))?;
+            }
+            rest.chunks_exact(width)
+                .try_for_each(|row| table.insert.insert(connection, false, |binding| put(row, binding)))
+        })?;
+        table.waiting = rows;
+        table.waiting.clear();
+        Ok(())
     }
 
-    fn settle(&mut self) -> Result<(), LogError> {
-        self.database.settle()
+    /// Makes sure that the next rows of a table, which are there already, are these.
+    fn compare(&mut self, index: usize, rows: &[&[Cell]]) -> Result<(), LogError> {
+        let Open { database, tables, clock, buffer, texts, run, .. } = self;
+        let table = &tables[index];
+        let last = table.come.min(table.there);
+        let first = last - rows.len() as u64;
+        let sql = table.select();
+        let differs = database.ask(|connection| {
+            let mut select = connection.prepare_cached(&sql)?;
+            let mut found = match table.is_numbered {
+                true => select.query(params![first as i64, last as i64, *run])?,
+                false => select.query(params![first as i64 + 1, last as i64 + 1])?,
+            };
+            for (number, cells) in (first..).zip(rows) {
+                let Some(row) = found.next()? else { return Ok(Some(number)) };
+                for (column, &cell) in cells.iter().enumerate() {
+                    if !is_same(row.get_ref(column)?, cell, clock, texts, buffer) {
+                        return Ok(Some(number));
+                    }
+                }
+            }
+            Ok(None)
+        })?;
+        match differs {
+            None => Ok(()),
+            Some(number) => {
+                let what = format!("row {number} of {:?} is another", table.name);
+                Err(LogError::Changed { place: place_of(database.path()), what })
+            }
+        }
+    }
+}
+
+impl InTable {
+    fn new(table: &Table, begin: &Begin) -> InTable {
+        let names: Vec<&str> = table.columns.iter().map(|column| column.name.as_str()).collect();
+        InTable {
+            name: table.name.clone(),
+            columns: table.columns.clone(),
+            is_numbered: table.is_numbered,
+            run_column: begin.run_column.to_owned(),
+            insert: Insert::new(&table.name, (begin.run_column, begin.run.id), &names),
+            waiting: Vec::new(),
+            there: 0,
+            come: 0,
+            // Which table has which page of the file depends on the order of insertions: it must follow from the rows alone,
+            // not from how they come in batches. What comes rarely does not wait.
+            at_once: match (begin.tables.len(), table.is_frequent) {
+                (1, _) => ALONE,
+                (_, true) => Insert::AT_ONCE,
+                (_, false) => 1,
+            },
+        }
     }
 
-    fn finish(mut self: Box<Self>, end: Micros) -> Result<(), LogError> {
-        run::end(&mut self.database, self.run, self.clock.stamp(end))?;
-        self.database.close()
+    /// How many of its rows are in the database once it has settled.
+    fn durable(&self) -> u64 {
+        self.there.max(self.come - (self.waiting.len() / self.columns.len()) as u64)
+    }
+
+    /// How many rows are there.
+    fn count(&self, connection: &Connection) -> rusqlite::Result<u64> {
+        let sql = match self.is_numbered {
+            true => format!("SELECT coalesce(max(\"{}\") + 1, 0) FROM \"{}\"", self.columns[0].name, self.name),
+            false => format!("SELECT coalesce(max(rowid), 0) FROM \"{}\"", self.name),
+        };
+        connection.query_row(&sql, [], |row| row.get::<_, i64>(0)).map(|rows| rows as u64)
+    }
+
+    /// Rows from one number on and before another.
+    fn select(&self) -> String {
+        let names: Vec<String> = self.columns.iter().map(|column| format!("\"{}\"", column.name)).collect();
+        let names = names.join(", ");
+        match self.is_numbered {
+            true => format!(
+                "SELECT {names} FROM \"{}\" WHERE \"{key}\" >= ?1 AND \"{key}\" < ?2 AND \"{run}\" = ?3 ORDER BY \"{key}\"",
+                self.name,
+                key = self.columns[0].name,
+                run = self.run_column,
+            ),
+            false => format!("SELECT {names} FROM \"{}\" WHERE rowid >= ?1 AND rowid < ?2 ORDER BY rowid", self.name),
+        }
+    }
+}
+
+/// The statement that creates a table.
+fn create(table: &Table, begin: &Begin) -> String {
+    let run = begin.run_column;
+    let mut columns = format!("\"{run}\" INTEGER");
+    for column in &table.columns {
+        columns += &format!(", \"{}\" {}", column.name, column_type(column.kind, begin.time));
+    }
+    match table.is_numbered {
+        // Without a rowid the key is the table itself rather than an index beside it: smaller and faster.
+        true => format!(
+            "CREATE TABLE \"{}\" ({columns}, PRIMARY KEY (\"{run}\", \"{}\")) WITHOUT ROWID",
+            table.name, table.columns[0].name
+        ),
+        false => format!("CREATE TABLE \"{}\" ({columns})", table.name),
+    }
+}
+
+fn column_type(kind: ColumnKind, time: TimeFormat) -> &'static str {
+    match kind {
+        ColumnKind::Instant => time_type(time),
+        ColumnKind::Integer => "INTEGER",
+        ColumnKind::Real => "REAL",
+        ColumnKind::Text => "TEXT",
+    }
+}
+
+/// The type of a column of instants.
+fn time_type(time: TimeFormat) -> &'static str {
+    match time {
+        TimeFormat::Local | TimeFormat::LocalOffset | TimeFormat::Utc => "TEXT",
+        TimeFormat::EpochS => "REAL",
+        TimeFormat::EpochMs => "INTEGER",
+    }
+}
+
+/// Creates the table `run`, which tells about the run in each database that holds one.
+///
+/// Its times are simulated ones: a log does not depend on when it was made. `ended_at` stays empty until the run is
+/// complete.
+fn tell_run<'a>(
+    run: &'a RunInfo,
+    time: TimeFormat,
+    clock: &'a mut Clock,
+) -> impl FnOnce(&Connection) -> rusqlite::Result<()> + 'a {
+    move |connection| {
+        let time = time_type(time);
+        connection.execute_batch(&format!(
+            "CREATE TABLE run (run_id INTEGER PRIMARY KEY, home TEXT, scenario TEXT, seed TEXT, started_at {time}, \
+             ended_at {time}, version TEXT)"
+        ))?;
+        // A seed can be larger than a database's integers.
+        let values = params![run.id, run.home, run.scenario, run.seed.to_string(), clock.stamp(0), run.version];
+        let sql = "INSERT INTO run (run_id, home, scenario, seed, started_at, version) VALUES (?, ?, ?, ?, ?, ?)";
+        connection.execute(sql, values).map(|_| ())
+    }
+}
+
+/// Refuses a database that another run has left.
+fn can_go_on(database: &Database, run: &RunInfo) -> Result<(), LogError> {
+    let found: Option<i64> = database.ask(|connection| {
+        use rusqlite::OptionalExtension;
+        connection.query_row("SELECT run_id FROM run", [], |row| row.get(0)).optional()
+    })?;
+    match found {
+        Some(id) if id == run.id => Ok(()),
+        _ => Err(LogError::Changed { place: place_of(database.path()), what: "it holds another run".into() }),
+    }
+}
+
+/// Whether a value of the database is a cell.
+fn is_same(found: ValueRef, cell: Cell, clock: &mut Clock, texts: &[Arc<str>], buffer: &mut String) -> bool {
+    match (found, cell) {
+        (ValueRef::Null, Cell::Null) => true,
+        (ValueRef::Integer(found), Cell::Integer(number)) => found == number,
+        (ValueRef::Real(found), Cell::Real(number)) => found == number,
+        (ValueRef::Text(found), Cell::Text(TextId(id))) => found == texts[id as usize].as_bytes(),
+        (ValueRef::Text(found), Cell::Thousandths(number)) => {
+            thousandths(number, buffer);
+            found == buffer.as_bytes()
+        }
+        (found, Cell::Instant(at)) => match (found, clock.stamp(at)) {
+            (ValueRef::Text(found), Stamp::Text(text)) => found == text.as_bytes(),
+            (ValueRef::Real(found), Stamp::Seconds(seconds)) => found == seconds,
+            (ValueRef::Integer(found), Stamp::Milliseconds(milliseconds)) => found == milliseconds,
+            _ => false,
+        },
+        _ => false,
+    }
+}
+
+impl ToSql for Stamp<'_> {
+    fn to_sql(&self) -> rusqlite::Result<ToSqlOutput<'_>> {
+        Ok(ToSqlOutput::Borrowed(match self {
+            Stamp::Text(text) => ValueRef::Text(text.as_bytes()),
+            Stamp::Seconds(seconds) => ValueRef::Real(*seconds),
+            Stamp::Milliseconds(milliseconds) => ValueRef::Integer(*milliseconds),
+        }))
     }
 }

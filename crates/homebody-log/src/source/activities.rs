@@ -63,6 +63,54 @@ pub fn lives(truth: &Path) -> Result<Vec<Life>, LogError> {
     Ok(lives.into_iter().map(|(resident, life)| Life { resident, ..life }).collect())
 }
 
+/// Why each row of a log is there: what the truth tells of the firings behind it, those of ONs first.
+pub(crate) fn told_causes(truth: &Path) -> Result<Vec<Cause>, LogError> {
+    // Firings are numbered from 0 and rows of a table from 1.
+    let sql = "SELECT row, resident, seen_at, sensor, why, thing FROM cause WHERE row IS NOT NULL
+               UNION ALL
+               SELECT off.row, cause.resident, cause.seen_at, cause.sensor, cause.why, cause.thing
+               FROM off JOIN cause ON cause.rowid = off.firing + 1 AND cause.firing = off.firing";
+    let database = |error| LogError::database(truth, error);
+    let connection = connect(truth).map_err(database)?;
+    let mut statement = connection.prepare(sql).map_err(database)?;
+    let mut rows = statement.query([]).map_err(database)?;
+    let mut instants = Instants::default();
+    let mut causes = Vec::new();
+    while let Some(row) = rows.next().map_err(database)? {
+        let said = |column| {
+            let said = text(row.get_ref(column).map_err(database)?).into_owned();
+            Ok::<_, LogError>(Some(said).filter(|said| !said.is_empty()))
+        };
+        let seen_at = match row.get_ref(2).map_err(database)? {
+            ValueRef::Integer(number) => since_1970(number as f64),
+            ValueRef::Real(number) => since_1970(number),
+            other => instants.read(&text(other)),
+        };
+        causes.push(Cause {
+            row: row.get::<_, i64>(0).map_err(database)? as u64,
+            resident: said(1)?,
+            seen_at: seen_at.map(|(Instant::Local(at) | Instant::Utc(at))| at),
+            sensor: said(3)?,
+            why: said(4)?.unwrap_or_default(),
+            thing: said(5)?,
+        });
+    }
+    Ok(causes)
+}
+
+/// Why a row of a log is there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Cause {
+    /// The row that tells of it.
+    pub row: u64,
+    pub resident: Option<String>,
+    pub seen_at: Option<Micros>,
+    /// The sensor's id in the log.
+    pub sensor: Option<String>,
+    pub why: String,
+    pub thing: Option<String>,
+}
+
 /// A row of the truth.
 struct Told {
     at: [Option<Micros>; 2],

@@ -2,7 +2,7 @@
 //! and files whose header line is unknown or missing, in which sensor and value come right after the time.
 
 use super::{Places, Reading, open};
-use crate::error::LogError;
+use crate::error::{LogError, place_of};
 use ::csv::{ByteRecord, ReaderBuilder};
 use homebody_core::scenario::logger::LoggerFile;
 use std::io::BufReader;
@@ -44,7 +44,7 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading) -> Res
     match unknown_header {
         Some(names) if places.is_none() => {
             let why = format!("no columns of time, sensor and value are among {names}");
-            Err(LogError::NoLog { path: path.into(), why })
+            Err(LogError::NoLog { place: place_of(path), why })
         }
         _ => Ok(()),
     }

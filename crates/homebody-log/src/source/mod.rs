@@ -10,12 +10,14 @@ mod movements;
 mod run_clock;
 mod sqlite;
 
-use crate::error::LogError;
+use crate::error::{LogError, place_of};
 use crate::sink::casas::one_word;
 use crate::url::Url;
 use activities::Notes;
 pub use activities::{Activity, Life, activities, lives};
+pub(crate) use activities::{Cause, told_causes};
 use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::{DAY, Micros};
 use instant::{Instant, Instants};
 use jiff::Timestamp;
@@ -93,16 +95,16 @@ impl Log {
 /// Reads a log; `file` tells the names of a database's table and columns, or of a CSV file's columns, where they are
 /// neither ours nor to be guessed.
 pub fn read(url: &Url, file: &LoggerFile) -> Result<Log, LogError> {
-    let path = url.path();
+    let path = url.file().unwrap_or(Path::new(""));
     let mut reading = Reading::default();
-    match url {
-        Url::Sqlite(_) => sqlite::read(path, file, &mut reading)?,
-        Url::Csv(_) => csv::read(path, file, &mut reading)?,
-        Url::Casas(_) => casas::read(path, &mut reading)?,
+    match url.scheme() {
+        Scheme::Sqlite => sqlite::read(path, file, &mut reading)?,
+        Scheme::Csv => csv::read(path, file, &mut reading)?,
+        Scheme::Casas => casas::read(path, &mut reading)?,
     }
     match reading.log.problems.first() {
         Some(first) if reading.log.events.is_empty() => {
-            Err(LogError::NoLog { path: path.into(), why: format!("line {}: {}", first.line, first.why) })
+            Err(LogError::NoLog { place: place_of(path), why: format!("line {}: {}", first.line, first.why) })
         }
         _ => Ok(reading.log),
     }
@@ -111,9 +113,9 @@ pub fn read(url: &Url, file: &LoggerFile) -> Result<Log, LogError> {
 /// What a run's log in this place calls sensors of these names.
 pub fn ids(url: &Url, file: &LoggerFile, sensors: &[String]) -> Vec<String> {
     let ids = sensors.iter().map(|name| file.ids.get(name).unwrap_or(name));
-    match url {
-        Url::Casas(_) => ids.map(|id| one_word(id)).collect(),
-        Url::Sqlite(_) | Url::Csv(_) => ids.cloned().collect(),
+    match url.scheme() {
+        Scheme::Casas => ids.map(|id| one_word(id)).collect(),
+        Scheme::Sqlite | Scheme::Csv => ids.cloned().collect(),
     }
 }
 
@@ -122,11 +124,11 @@ pub fn recognise(path: &Path) -> Result<Url, LogError> {
     let mut start = Vec::new();
     open(path)?.take(4096).read_to_end(&mut start).map_err(|error| LogError::file(path, error))?;
     if start.starts_with(b"SQLite format 3\0") {
-        return Ok(Url::Sqlite(path.into()));
+        return Ok(Url::new(Scheme::Sqlite, path));
     }
     let first = start.split(|&byte| byte == b'\n').find(|line| !line.trim_ascii().is_empty()).unwrap_or_default();
     let commas = first.iter().filter(|&&byte| byte == b',').count();
-    Ok(if commas >= 2 { Url::Csv(path.into()) } else { Url::Casas(path.into()) })
+    Ok(Url::new(if commas >= 2 { Scheme::Csv } else { Scheme::Casas }, path))
 }
 
 fn open(path: &Path) -> Result<File, LogError> {
@@ -135,7 +137,7 @@ fn open(path: &Path) -> Result<File, LogError> {
         false => Ok(file),
     });
     opened.map_err(|error| match error.kind() {
-        std::io::ErrorKind::NotFound => LogError::Missing { path: path.into() },
+        std::io::ErrorKind::NotFound => LogError::Missing { place: place_of(path) },
         _ => LogError::file(path, error),
     })
 }

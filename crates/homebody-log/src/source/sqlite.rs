@@ -2,7 +2,7 @@
 
 use super::instant::since_1970;
 use super::{Places, Reading, open};
-use crate::error::LogError;
+use crate::error::{LogError, place_of};
 use homebody_core::scenario::logger::LoggerFile;
 use rusqlite::types::ValueRef;
 use rusqlite::{Connection, OpenFlags};
@@ -23,12 +23,12 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading) -> Res
     let connection = connect(path).map_err(database)?;
     let table = find(&connection, file, reading).map_err(|error| match error.sqlite_error_code() {
         Some(rusqlite::ErrorCode::NotADatabase) => {
-            LogError::NoLog { path: path.into(), why: "it is no database".into() }
+            LogError::NoLog { place: place_of(path), why: "it is no database".into() }
         }
         _ => LogError::database(path, error),
     })?;
     let why = || "no table in it has columns of time, sensor and value".to_string();
-    let table = table.ok_or_else(|| LogError::NoLog { path: path.into(), why: why() })?;
+    let table = table.ok_or_else(|| LogError::NoLog { place: place_of(path), why: why() })?;
     read_table(&connection, file, &table, reading).map_err(database)
 }
 
@@ -77,17 +77,22 @@ fn columns(connection: &Connection, table: &str) -> rusqlite::Result<Vec<String>
 }
 
 /// The first instant, as text or as a number since 1970, is the time; the next two texts are sensor and value. Neither of these is an
-/// instant: what has a beginning and an end is no log.
+/// instant: what has a beginning and an end is no log. Numbers of a key, and the ids of our own runs, are no instants either.
 fn by_first_row(connection: &Connection, table: &str, reading: &mut Reading) -> rusqlite::Result<Option<Places>> {
+    let key: Vec<bool> = connection
+        .prepare("SELECT pk > 0 OR name = 'run_id' FROM pragma_table_info(?) ORDER BY cid")?
+        .query_map([table], |row| row.get(0))?
+        .collect::<rusqlite::Result<_>>()?;
     let mut statement = connection.prepare(&format!("SELECT * FROM {} LIMIT 1", quoted(table)))?;
     let columns = statement.column_count();
     let mut rows = statement.query([])?;
     let Some(row) = rows.next()? else { return Ok(None) };
     let (mut time, mut texts) = (None, Vec::new());
     for column in 0..columns {
+        let is_key = key.get(column).is_some_and(|&is_key| is_key);
         let (is_text, is_instant) = match row.get_ref(column)? {
-            ValueRef::Integer(number) => (false, since_1970(number as f64).is_some()),
-            ValueRef::Real(number) => (false, since_1970(number).is_some()),
+            ValueRef::Integer(number) => (false, !is_key && since_1970(number as f64).is_some()),
+            ValueRef::Real(number) => (false, !is_key && since_1970(number).is_some()),
             value => (true, reading.instants.read(&text(value)).is_some()),
         };
         match time {

@@ -2,11 +2,15 @@
 #![allow(dead_code, reason = "each test file uses a part of it")]
 
 use homebody_core::event::{Firing, Value};
+use homebody_core::ids::SensorId;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::{Micros, SECOND};
-use homebody_log::{LogError, Logger, RunInfo, Stored, Url};
+use homebody_log::logger::destinations;
+use homebody_log::{How, LogError, Logger, RunInfo, Stored, TruthLog, Url};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// A folder that vanishes with the test.
 pub struct Folder(PathBuf);
@@ -55,7 +59,18 @@ pub fn calendar() -> Calendar {
 }
 
 pub fn run() -> RunInfo {
-    RunInfo { id: 1, scenario: "a quiet night".into(), seed: u64::MAX, version: "0.1.0".into() }
+    run_of(&sensors())
+}
+
+/// The run of a home with these sensors.
+pub fn run_of(sensors: &[String]) -> RunInfo {
+    RunInfo {
+        seed: u64::MAX,
+        residents: vec!["margaret".into(), "walter".into()],
+        rooms: vec!["bedroom".into(), "kitchen".into()],
+        things: vec!["stove".into()],
+        ..RunInfo::plain("a quiet night", calendar(), sensors)
+    }
 }
 
 /// Firings some seconds apart, over the change to daylight saving time and, if there are many, far beyond.
@@ -64,14 +79,24 @@ pub fn firings(count: u64) -> Vec<Firing> {
     (0..count)
         .map(|seq| {
             at += 1 + (seq * 7_919_993 % 31) as Micros * SECOND / 4 + (seq % 1000) as Micros;
-            Firing { seq, at, sensor: (seq * 31 % 3) as u32, value: Value::Fire }
+            Firing { seq, at, sensor: SensorId((seq * 31 % 3) as u32), value: Value::Fire }
         })
         .collect()
 }
 
 /// Opens a logger of this stage's run.
 pub fn open(urls: &[Url], file: &LoggerFile, force: bool) -> Result<Logger, LogError> {
-    Logger::open(urls, file, &sensors(), &calendar(), &run(), force)
+    open_of(urls, file, &sensors(), if force { How::Replace } else { How::New })
+}
+
+/// Opens a logger of a run with these sensors.
+pub fn open_of(urls: &[Url], file: &LoggerFile, sensors: &[String], how: How) -> Result<Logger, LogError> {
+    Logger::open(destinations(urls, how)?, file, &Arc::new(run_of(sensors)), how)
+}
+
+/// Opens the truth of this stage's run.
+pub fn open_truth(path: &Path, places: &[Url], file: &LoggerFile) -> Result<TruthLog, LogError> {
+    TruthLog::open(&Url::new(Scheme::Sqlite, path), places, file, &Arc::new(run()), How::New)
 }
 
 /// Stores the firings in advances of `step` firings, as a run of a certain speed does.

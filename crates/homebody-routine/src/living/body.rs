@@ -1,7 +1,6 @@
 //! The body of somebody who lives by a routine: where it is, how it gets from place to place.
 
 use super::places::Spot;
-use crate::walk::{Gait, Mesh, Routes, Wandering, rise, sit, walk, wander};
 use homebody_core::drivers::MotionSegment;
 use homebody_core::event::MotionState;
 use homebody_core::geometry::Point;
@@ -9,6 +8,7 @@ use homebody_core::home::Home;
 use homebody_core::random::Stream;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, micros};
+use homebody_walk::{Gait, Mesh, Routes, Wandering, rise, sit, walk, wander};
 use std::sync::Arc;
 
 /// Where a body is, and what it walks by.

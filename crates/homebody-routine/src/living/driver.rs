@@ -1,4 +1,4 @@
-//! DriverProvider a routine: carries out the day's plan, interrupts it for needs and rules, walks the body from place to place.
+//! Lives a routine: carries out the day's plan, interrupts it for needs and rules, walks the body from place to place.
 //!
 //! Three layers decide, the higher over the lower (Brooks 1986): needs that press, rules and what happens to one
 //! interrupt; the plan of the day says what is next; and where it says nothing, the time is filled. What is interrupted
@@ -14,10 +14,10 @@ use super::script::{Interruptible, Setting, Stay, Step, script};
 use super::watch::Watches;
 use crate::routine::{Activity, Response};
 use homebody_core::activity::UsualLength;
-use homebody_core::drivers::{Decide, MotionSegment, Next};
+use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::{MotionState, Need, ThingUse};
-use homebody_core::geometry::Point;
 use homebody_core::home::Home;
+use homebody_core::ids::ThingId;
 use homebody_core::random::Stream;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros, SECOND, micros};
@@ -273,7 +273,7 @@ impl RoutineDriver {
 
     pub(super) fn act(&mut self, thing: u32, on: bool, at: Micros) {
         self.watches.turn(thing, on, at, &self.life, &self.places);
-        self.ready.push_back(Next::Use(ThingUse { thing, on }));
+        self.ready.push_back(Next::Use(ThingUse { thing: ThingId(thing), on }));
     }
 
     fn away(&mut self, lasts: Micros, until: Option<Micros>, now: Micros) {
@@ -553,16 +553,12 @@ impl Item {
     }
 }
 
-impl Decide for RoutineDriver {
-    fn next(&mut self, now: Micros) -> Next {
-        self.step(now)
+impl Driver for RoutineDriver {
+    fn next(&mut self, around: &Surroundings) -> Next {
+        self.step(around.now())
     }
 
-    fn pose(&self) -> (Point, Posture) {
-        (self.body.at(), self.body.posture())
-    }
-
-    fn copy(&self) -> Box<dyn Decide> {
+    fn copy(&self) -> Box<dyn Driver> {
         Box::new(self.clone())
     }
 }

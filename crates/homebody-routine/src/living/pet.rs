@@ -15,14 +15,13 @@ use super::body::Body;
 use super::life::Life;
 use super::manner::Manner;
 use super::places::{Places, Role, Spot};
-use crate::walk::Wandering;
 use homebody_core::activity;
-use homebody_core::drivers::{Decide, MotionSegment, Next};
+use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::MotionState;
-use homebody_core::geometry::Point;
 use homebody_core::random::Stream;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros, SECOND, micros};
+use homebody_walk::Wandering;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -139,16 +138,12 @@ impl PetDriver {
     }
 }
 
-impl Decide for PetDriver {
-    fn next(&mut self, now: Micros) -> Next {
-        self.step(now)
+impl Driver for PetDriver {
+    fn next(&mut self, around: &Surroundings) -> Next {
+        self.step(around.now())
     }
 
-    fn pose(&self) -> (Point, Posture) {
-        (self.body.at(), self.body.posture())
-    }
-
-    fn copy(&self) -> Box<dyn Decide> {
+    fn copy(&self) -> Box<dyn Driver> {
         Box::new(self.clone())
     }
 }

@@ -1,10 +1,10 @@
 //! Where things are done in this home: the places, seats and things that it names after them.
 
-use crate::walk::Mesh;
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::{Origin, Plan};
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::path::Posture;
+use homebody_walk::Mesh;
 
 /// A place to be, and how the body is there.
 #[derive(Clone, Debug, PartialEq)]

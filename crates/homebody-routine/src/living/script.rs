@@ -4,13 +4,13 @@ use super::life::DayParameters;
 use super::manner::Manner;
 use super::places::{Places, Role, Spot};
 use crate::routine::{Activity, Meal};
-use crate::walk::Wandering;
 use homebody_core::activity::LEAVING_HOME;
 use homebody_core::event::Need;
 use homebody_core::geometry::Point;
 use homebody_core::random::Stream;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, micros, seconds};
+use homebody_walk::Wandering;
 use std::collections::VecDeque;
 
 /// One step of a script.
@@ -410,10 +410,10 @@ impl Steps<'_, '_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::household::USUAL;
-    use crate::walk::Mesh;
+    use crate::routine::USUAL;
     use homebody_core::home::plan::Plan;
     use homebody_core::scenario::home::HomeFile;
+    use homebody_walk::Mesh;
     use std::collections::BTreeSet;
 
     /// Where an activity leads in the example's apartment, over many days, by name.

@@ -1,6 +1,7 @@
 //! The apartment of the example, lived in by whatever routine a test writes.
 
 use homebody_core::event::{Events, Fact};
+use homebody_core::ids::ResidentId;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{DAY, Micros, SECOND};
@@ -26,10 +27,8 @@ pub fn files(routine: &str, others: &[(&str, &str)]) -> BTreeMap<String, String>
 
 /// A household of these files, or what is wrong with it.
 pub fn household(files: &BTreeMap<String, String>, without: &[&str]) -> Result<(Scenario, Household), String> {
-    let mut scenario = Scenario::load(files, "scenario.json").map_err(|problems| problems.to_string())?;
     let without: Vec<String> = without.iter().map(|name| name.to_string()).collect();
-    let household = Household::read(&mut scenario, files, &without).map_err(|problems| problems.to_string())?;
-    Ok((scenario, household))
+    Household::load(files, "scenario.json", &without).map_err(|problems| problems.to_string())
 }
 
 /// A run of a routine in the apartment.
@@ -44,7 +43,7 @@ pub fn run(routine: &str, days: i64) -> Run {
 pub fn events(mut run: Run, step: Micros) -> Events {
     let mut events = Events::default();
     while run.now() < run.length() {
-        run.advance(run.now() + step, &mut events);
+        run.advance(run.now() + step, &mut events).unwrap();
     }
     events
 }
@@ -55,7 +54,7 @@ pub fn activities(events: &Events, resident: u32, end: Micros) -> Vec<(Micros, M
     let mut spans: Vec<(Micros, Micros, String)> = Vec::new();
     for fact in &events.facts {
         if let Fact::Activity { resident: who, at, name } = fact
-            && *who == resident
+            && *who == ResidentId(resident)
         {
             if let Some(last) = spans.last_mut() {
                 last.1 = *at;

@@ -1,16 +1,13 @@
 //! Routines that are being written: how they are understood, and some days of the life that they come to.
 
+use super::lived_draft::LivedDraft;
 use super::{Desk, problems};
 use crate::dates;
-use crate::growth::Growth;
 use crate::wire::{
     ConditionView, Explain, ExplainView, Month, MonthView, ProblemView, SentenceView, WordKind, WordView,
 };
-use homebody_core::event::{Events, Fact};
 use homebody_core::problem::Problem;
-use homebody_core::run::Run;
 use homebody_core::scenario::load::{Driver, Scenario};
-use homebody_core::time::{DAY, Micros};
 use homebody_routine::completion;
 use homebody_routine::explain::{self, Kind, Spread, explain};
 use homebody_routine::household::{Household, Understood};
@@ -59,115 +56,20 @@ impl Desk {
             Ok(lives) => lives,
             Err(wrong) => return MonthView { problems: problems(&wrong), ..MonthView::default() },
         };
-        let _living = self.living.lock().unwrap_or_else(PoisonError::into_inner);
-        lived(&scenario, &household, from, days.clamp(1, LONGEST))
+        let mut living = self.living.lock().unwrap_or_else(PoisonError::into_inner);
+        let same = living.take().filter(|last| last.is(&scenario, &without));
+        let mut draft = same.unwrap_or_else(|| LivedDraft::new(&scenario, without));
+        let month = draft.month(&scenario, &household, from, days.clamp(1, LONGEST));
+        *living = Some(draft);
+        month.unwrap_or_else(|error| {
+            let unlived = Problem::of_file(&self.shelf.entry, error.to_string(), None);
+            MonthView { problems: problems(&[unlived]), ..MonthView::default() }
+        })
     }
 }
 
 fn not_understood(problems: Vec<ProblemView>) -> ExplainView {
     ExplainView { problems, ..ExplainView::default() }
-}
-
-fn lived(scenario: &Scenario, household: &Household, from: u32, days: u32) -> MonthView {
-    let calendar = &scenario.calendar;
-    let length = calendar.span_of_days(scenario.file.days);
-    let last = dates::last(calendar, length);
-    let from = from.min(last);
-    let days = dates::some(calendar, length, from..(from + days).min(last + 1));
-    let (begin, end) = (days.first().map_or(0, |day| day.begin_us), days.last().map_or(0, |day| day.end_us));
-    let mut run = Run::new(scenario, household, scenario.file.seed, end);
-    let is_motion: Vec<bool> = run.sensors().iter().map(homebody_core::sensors::Sensor::senses_motion).collect();
-    let mut view = MonthView {
-        residents: scenario.residents.iter().map(|resident| resident.file.name.clone()).collect(),
-        rooms: run.home().plan.rooms.iter().map(|room| room.name.clone()).collect(),
-        spans: vec![Vec::new(); scenario.residents.len()],
-        stays: vec![Vec::new(); scenario.residents.len()],
-        days,
-        ..MonthView::default()
-    };
-    let mut known = Known::of(view.residents.len());
-    let mut growth = Growth::new(calendar, end, is_motion);
-    let mut events = Events::default();
-    // What was before the first day is only lived to come to it.
-    while run.now() < begin {
-        run.advance(begin.min(run.now() + DAY), &mut events);
-        known.learn(&events, &mut view);
-        growth.add(&events.firings, run.now());
-        view.spans.iter_mut().chain(&mut view.stays).for_each(Vec::clear);
-        events.clear();
-    }
-    for day in 0..view.days.len() {
-        run.advance(view.days[day].end_us, &mut events);
-        known.learn(&events, &mut view);
-        growth.add(&events.firings, run.now());
-        events.clear();
-    }
-    known.end(end, &mut view);
-    view.hours = growth.view().hours.split_off(from as usize);
-    view
-}
-
-/// What each resident does, and where they are, since when.
-struct Known {
-    doing: Vec<(Micros, Option<u32>)>,
-    being: Vec<(Micros, Option<u32>)>,
-}
-
-impl Known {
-    /// Of so many residents; of others nothing is told.
-    fn of(residents: usize) -> Known {
-        Known { doing: vec![(0, None); residents], being: vec![(0, None); residents] }
-    }
-
-    /// Adds what has ended to the view.
-    fn learn(&mut self, events: &Events, view: &mut MonthView) {
-        for fact in &events.facts {
-            match fact {
-                Fact::Activity { resident, at, name } => {
-                    let resident = *resident as usize;
-                    let Some(doing) = self.doing.get_mut(resident) else { continue };
-                    let name = name.as_ref().map(|name| numbered(&mut view.activities, name));
-                    change(doing, *at, name, &mut view.spans[resident]);
-                }
-                Fact::Room { resident, at, room } => {
-                    let resident = *resident as usize;
-                    let Some(being) = self.being.get_mut(resident) else { continue };
-                    change(being, *at, *room, &mut view.stays[resident]);
-                }
-                _ => {}
-            }
-        }
-    }
-
-    /// What goes on at the end ends there.
-    fn end(&mut self, end: Micros, view: &mut MonthView) {
-        for (doing, spans) in self.doing.iter_mut().zip(&mut view.spans) {
-            change(doing, end, None, spans);
-        }
-        for (being, stays) in self.being.iter_mut().zip(&mut view.stays) {
-            change(being, end, None, stays);
-        }
-    }
-}
-
-/// Ends what was, and begins what is.
-fn change(was: &mut (Micros, Option<u32>), at: Micros, is: Option<u32>, spans: &mut Vec<(Micros, Micros, u32)>) {
-    if let (since, Some(what)) = *was
-        && since < at
-    {
-        spans.push((since, at, what));
-    }
-    *was = (at, is);
-}
-
-/// The number of a name among those that are known.
-fn numbered(names: &mut Vec<String>, name: &str) -> u32 {
-    let known = names.iter().position(|known| known == name);
-    let number = known.unwrap_or_else(|| {
-        names.push(name.to_owned());
-        names.len() - 1
-    });
-    number as u32
 }
 
 fn sentences(routine: &Routine) -> Vec<SentenceView> {

@@ -4,15 +4,17 @@ use super::{Desk, problems};
 use crate::wire::{Connect, ConnectView, Draft, PlaceRowsView, RowsView};
 use homebody_core::event::Events;
 use homebody_core::problem::Problem;
+use homebody_core::recording::Recording;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::scheme::{self, NoPlace, SCHEMES};
 use homebody_core::time::{DAY, SECOND};
+use homebody_log::logger::destinations;
 use homebody_log::preview::{preview, try_place};
-use homebody_log::url::UrlError;
-use homebody_log::{LogError, Logger, RunInfo, Url};
+use homebody_log::{How, LogError, Logger, RunInfo, Url};
 use homebody_routine::household::Household;
 use std::path::Path;
-use std::sync::PoisonError;
+use std::sync::{Arc, PoisonError};
 
 /// How many rows are shown (ours).
 const ROWS: usize = 40;
@@ -20,17 +22,10 @@ const ROWS: usize = 40;
 /// Who makes no rows in so long has none to show.
 const LONGEST: i64 = 3 * DAY;
 
-/// What logs can be written, as URLs begin.
-const KINDS: [(&str, &str); 3] = [
-    ("sqlite:", "a database file, with a table as the network has it"),
-    ("csv:", "comma-separated values with a header line"),
-    ("casas:", "the text of the CASAS homes: time, sensor and message, parted by tabs"),
-];
-
 impl Desk {
     /// The first rows of a draft's log, written where nobody else looks and read back.
     pub fn rows(&self, draft: Draft) -> RowsView {
-        let kinds = KINDS.map(|(begins, what)| (begins.to_owned(), what.to_owned())).to_vec();
+        let kinds = SCHEMES.map(|row| (format!("{}:", row.name), row.what.to_owned())).to_vec();
         let (problems, places) = match self.lives(&self.with(draft), &[]) {
             Err(wrong) => (problems(&wrong), Vec::new()),
             Ok((scenario, household)) => {
@@ -49,7 +44,7 @@ impl Desk {
 
     /// Whether a log can be begun at a place.
     pub fn connect(&self, Connect { url }: Connect) -> ConnectView {
-        let tried = url.parse().map_err(LogError::Url).and_then(|url: Url| self.try_url(&url));
+        let tried = url.parse().map_err(LogError::NoPlace).and_then(|url: Url| self.try_url(&url));
         match tried {
             Ok(said) => ConnectView { works: true, said },
             Err(error) => ConnectView { works: false, said: error.to_string() },
@@ -57,47 +52,46 @@ impl Desk {
     }
 
     fn try_url(&self, url: &Url) -> Result<String, LogError> {
-        if url.path().is_absolute() {
+        let Some(file) = url.file() else { return try_place(url).map(|()| format!("{url} can be written.")) };
+        if file.is_absolute() {
             try_place(url)?;
-            return Ok(format!(
-                "{} can be written. It is new: a log that is there is not replaced.",
-                url.path().display()
-            ));
+            return Ok(format!("{} can be written. It is new: a log that is there is not replaced.", file.display()));
         }
         // Each run has a folder of its own; what matters is whether it can be made.
         let there = self.shelf.runs.ancestors().find(|folder| folder.is_dir() || folder.as_os_str().is_empty());
         let base = there.filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         try_place(&url.at(base.join(format!(".homebody-{}", std::process::id()))))?;
         let folder = self.shelf.runs.display();
-        Ok(format!(
-            "Each run writes its own {}, in a new folder in {folder}, which can be written.",
-            url.path().display()
-        ))
+        Ok(format!("Each run writes its own {}, in a new folder in {folder}, which can be written.", file.display()))
     }
 }
 
 fn first_rows(scenario: &Scenario, household: &Household) -> Result<Vec<PlaceRowsView>, LogError> {
-    let unmade = |source| LogError::Unmade { path: std::env::temp_dir(), source };
+    let unmade = |source| LogError::Unmade { place: std::env::temp_dir().display().to_string(), source };
     let folder = tempfile::tempdir().map_err(unmade)?;
-    let usual = [String::from("sqlite:log.db")];
+    let usual = [String::from(scheme::USUAL)];
     let to = if scenario.logger.to.is_empty() { &usual[..] } else { &scenario.logger.to };
-    let urls: Vec<Url> = to.iter().map(|to| to.parse()).collect::<Result<_, UrlError>>()?;
+    let urls: Vec<Url> = to.iter().map(|to| to.parse()).collect::<Result<_, NoPlace>>()?;
     let hidden = urls.iter().enumerate().map(|(number, url)| url.at(folder.path().join(number.to_string())));
     let hidden: Vec<Url> = hidden.collect();
 
     let seed = scenario.file.seed;
     let length = scenario.calendar.span_of_days(scenario.file.days).min(LONGEST);
     let mut run = Run::new(scenario, household, seed, length);
-    let sensors: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
-    let info = RunInfo { id: 1, scenario: scenario.file.name.clone(), seed, version: env!("CARGO_PKG_VERSION").into() };
-    let mut logger = Logger::open(&hidden, &scenario.logger, &sensors, &scenario.calendar, &info, false)?;
+    let recording = Recording::of(scenario, env!("CARGO_PKG_VERSION"), "", seed, length);
+    let info = Arc::new(RunInfo::of(scenario, &run, &recording));
+    let mut logger = Logger::open(destinations(&hidden, How::New)?, &scenario.logger, &info, How::New)?;
     let (mut events, mut count) = (Events::default(), 0);
     // Of messages that a link delays, and of OFFs that are held, some rows come later than their firings.
     while count < 2 * ROWS && run.now() < run.length() {
-        run.advance(run.now() + 600 * SECOND, &mut events);
+        let lived = run.advance(run.now() + 600 * SECOND, &mut events);
         logger.store(&events.firings, run.settled())?;
         count += events.firings.len();
         events.clear();
+        // What came before it stopped is shown.
+        if lived.is_err() {
+            break;
+        }
     }
     logger.finish()?;
 

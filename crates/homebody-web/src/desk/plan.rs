@@ -2,16 +2,15 @@
 
 use super::{Desk, problems};
 use crate::draw;
-use crate::wire::{CoverageView, DeadZoneView, Draft, FloorView, HomeView, ImportView, PlanView, SeenView};
+use crate::wire::{CoverageView, DeadZoneView, Draft, FloorView, ImportView, PlanView, SeenView};
+use homebody_analysis::coverage::{self, Coverage, Floor, STEP_M, Seen};
 use homebody_core::home::Build;
 use homebody_core::home::plan::Plan;
+use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::problem::Problem;
-use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::scenario::resident::ResidentFile;
-use homebody_core::sensors::Sensor;
 use homebody_import::{Imported, NotImported, SCHEMA, sweet_home};
-use homebody_study::coverage::{self, Coverage, Floor, STEP_M, Seen};
 use serde_json::json;
 use std::collections::BTreeMap;
 
@@ -27,9 +26,9 @@ impl Desk {
         let files = self.with(draft);
         match home(&files, &self.shelf.entry) {
             Ok(home) => {
-                let plan = Plan::new(&home);
-                let seen = coverage::of_home(&home, build(&files, &self.shelf.entry), step_m(&plan));
-                PlanView { problems: Vec::new(), home: Some(view(&home, &plan)), coverage: Some(covered(&seen)) }
+                let seen = coverage::of_home(&home, build(&files, &self.shelf.entry), step_m(home.plan()));
+                let view = draw::home(&home, home.plan(), home.placed_sensors());
+                PlanView { problems: Vec::new(), home: Some(view), coverage: Some(covered(&seen)) }
             }
             Err(wrong) => PlanView { problems: problems(&wrong), home: None, coverage: None },
         }
@@ -51,7 +50,7 @@ impl Desk {
 }
 
 /// A scenario's home by itself: what is wrong with other files is not asked.
-fn home(files: &dyn Files, entry: &str) -> Result<HomeFile, Vec<Problem>> {
+fn home(files: &dyn Files, entry: &str) -> Result<ResolvedHome, Vec<Problem>> {
     let of_entry = |what: String| vec![Problem::of_file(entry, what, None)];
     let text = files.read(entry).map_err(|why| of_entry(format!("cannot be read: {why}")))?;
     let root: serde_json::Value = serde_json::from_str(&text).map_err(|error| of_entry(error.to_string()))?;
@@ -74,11 +73,6 @@ fn build(files: &dyn Files, entry: &str) -> Build {
     first().map_or_else(Build::adult, |file| Build::of(&file))
 }
 
-fn view(home: &HomeFile, plan: &Plan) -> HomeView {
-    let sensors: Vec<Sensor> = home.sensors.iter().map(|sensor| Sensor::new(sensor, plan)).collect();
-    draw::home(home, plan, &sensors)
-}
-
 /// The side of a cell: as the command has it, but in a very large home, which is told while it is being drawn.
 fn step_m(plan: &Plan) -> f64 {
     let (least, most) = plan.bounds();
@@ -89,7 +83,8 @@ fn step_m(plan: &Plan) -> f64 {
 
 fn covered(Seen { coverage, .. }: &Seen) -> CoverageView {
     let Coverage { step_m, whole, rooms, doorways, sensors, overlaps, dead_zones, grid, .. } = coverage;
-    let cell = |cell: usize| grid.watchers(cell).map_or(NO_FLOOR, |watchers| watchers as u8);
+    let cell =
+        |cell: usize| grid.watchers(cell).map_or(NO_FLOOR, |watchers| watchers.min(usize::from(NO_FLOOR) - 1) as u8);
     let half = step_m / 2.0;
     let corner = if grid.cells.is_empty() { [0.0; 2] } else { draw::at(grid.middle(0)).map(|middle| middle - half) };
     let zone = |zone: &coverage::DeadZone| DeadZoneView {

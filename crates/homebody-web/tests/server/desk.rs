@@ -2,6 +2,7 @@
 
 use super::served::{Answer, Served};
 use homebody_core::event::Events;
+use homebody_core::ids::SensorId;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_routine::household::{Household, RoutineLanguage};
@@ -217,7 +218,7 @@ fn a_draft_is_checked_as_the_files_would_be_and_touches_none() {
         })
         .chain([("margaret.routine".into(), routine), ("home.json".into(), home)])
         .collect();
-    let wrong = Scenario::load_in(&RoutineLanguage, &files, &shelf.entry).unwrap_err();
+    let wrong = Scenario::load_in(&mut RoutineLanguage::default(), &files, &shelf.entry).unwrap_err();
     let problems = told["problems"].as_array().unwrap();
     assert_eq!(problems.len(), wrong.0.len());
     assert!(problems.len() >= 2 || wrong.0.len() == 1);
@@ -286,9 +287,7 @@ struct Floor {
 
 fn scenario(served: &Served, name: &str) -> (Scenario, Household) {
     let shelf = Shelf { scenario: served.file(name, ""), entry: "scenario.json".into(), runs: "runs".into() };
-    let mut scenario = Scenario::load_in(&RoutineLanguage, &shelf, &shelf.entry).unwrap();
-    let household = Household::read(&mut scenario, &shelf, &[]).unwrap();
-    (scenario, household)
+    Household::load(&shelf, &shelf.entry, &[]).unwrap()
 }
 
 #[test]
@@ -324,9 +323,9 @@ fn a_month_is_what_a_run_would_be() {
     let end = month["days"][9]["end_us"].as_i64().unwrap();
     let mut run = Run::new(&scenario, &household, scenario.file.seed, end);
     let mut events = Events::default();
-    run.advance(end, &mut events);
+    run.advance(end, &mut events).unwrap();
     let begin = month["days"][0]["begin_us"].as_i64().unwrap();
-    let motion = |sensor: u32| run.sensors()[sensor as usize].senses_motion();
+    let motion = |sensor: SensorId| run.sensors()[sensor.index()].senses_motion();
     let fired = events.firings.iter().filter(|firing| motion(firing.sensor) && firing.at >= begin).count() as u64;
     let hours = |month: &Value| -> u64 {
         month["hours"]
@@ -414,6 +413,30 @@ fn the_first_rows_are_those_of_a_run_and_its_growth_is_its_logs() {
 }
 
 #[test]
+fn a_month_is_the_same_whatever_was_looked_at_before() {
+    let asked = |from: u32| json!({ "draft": { "texts": {} }, "from": from, "days": 3, "without": [] });
+    let fresh = |from: u32| Served::scenario("tigerplace-depression").told("/api/month", &asked(from));
+    let served = Served::scenario("tigerplace-depression");
+    let kept = |from: u32| served.told("/api/month", &asked(from));
+    kept(100);
+    for from in [62, 0, 37, 62, 117] {
+        let (kept, fresh) = (kept(from), fresh(from));
+        assert_eq!(kept["problems"], json!([]));
+        assert_eq!(kept, fresh, "from day {from}");
+    }
+    // The control: another routine is another life, and the one before is the same as ever.
+    let text = fs::read_to_string(served.file("tigerplace-depression", "margaret.routine")).unwrap();
+    let other = text + "She takes a shower every day at 3 pm.\n";
+    let changed = served.told(
+        "/api/month",
+        &json!({ "draft": draft("margaret.routine", &other), "from": 62, "days": 3, "without": [] }),
+    );
+    assert_eq!(changed["problems"], json!([]));
+    assert_ne!(changed["spans"], fresh(62)["spans"]);
+    assert_eq!(kept(62), fresh(62));
+}
+
+#[test]
 fn to_try_the_place_of_a_log_that_is_being_written_harms_it_not() {
     let served = Served::scenario("studio");
     let log = served.folder.path().join("out.txt");
@@ -476,8 +499,8 @@ fn a_place_for_a_log_is_tried_without_a_trace() {
         (format!("csv:{folder}/none/new.csv"), "does not exist"),
         (format!("sqlite:{folder}/studio/home.json"), "exists already"),
         (format!("sqlite:{folder}"), "is a folder"),
-        ("mysql:log".into(), "the known ones are"),
-        ("log.db".into(), "does not say what to write"),
+        ("mysql:log".into(), "is nowhere a log can go"),
+        ("log.db".into(), "write sqlite:FILE, csv:FILE or casas:FILE"),
     ] {
         let told = tried(&url);
         assert!(told["works"] == false && told["said"].as_str().unwrap().contains(said), "{url}: {told}");

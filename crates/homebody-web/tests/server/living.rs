@@ -4,7 +4,6 @@ use super::served::{Page, Seen, Served};
 use homebody_core::event::Events;
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::Run;
-use homebody_core::scenario::load::Scenario;
 use homebody_core::time::SECOND;
 use homebody_routine::household::Household;
 use rusqlite::Connection;
@@ -64,7 +63,7 @@ fn who_is_driven_makes_sensors_fire_and_the_page_sees_what_the_log_gets() {
     let scenario = recording.scenario().unwrap();
     let mut run = recording.run(&scenario, &());
     let (mut events, mut digest) = (Events::default(), RunDigest::default());
-    run.advance(recording.length_us, &mut events);
+    run.advance(recording.length_us, &mut events).unwrap();
     digest.add(&events.firings);
     assert_eq!((digest.firings(), digest.hex()), (recording.firings, recording.sha256));
 }
@@ -86,8 +85,7 @@ fn a_recording_is_replayed_to_the_same_firings() {
 #[test]
 fn a_page_that_looks_changes_nothing() {
     let files = texts(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/tigerplace"));
-    let mut scenario = Scenario::load(&files, "scenario.json").unwrap();
-    let household = Household::read(&mut scenario, &files, &[]).unwrap();
+    let (scenario, household) = Household::load(&files, "scenario.json", &[]).unwrap();
     for (speeds, hours) in [(&["null"][..], 30.0), (&["1000", "0.1", "300"], 9.0)] {
         let mut served = Served::scenario("tigerplace");
         let mut page = served.page();
@@ -112,7 +110,7 @@ fn a_page_that_looks_changes_nothing() {
             Run::new(&scenario, &household, recording.seed, scenario.calendar.span_of_days(scenario.file.days));
         let (mut events, mut digest) = (Events::default(), RunDigest::default());
         while alone.now() < recording.length_us {
-            alone.advance(recording.length_us.min(alone.now() + 3600 * SECOND), &mut events);
+            alone.advance(recording.length_us.min(alone.now() + 3600 * SECOND), &mut events).unwrap();
             digest.add(&events.firings);
             events.clear();
         }

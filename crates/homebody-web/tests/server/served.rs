@@ -1,5 +1,6 @@
 //! A server with a scenario, and those who ask it: as browsers do, and as nobody should.
 
+use homebody_kit::Cancel;
 use homebody_web::server::SOCKET;
 use homebody_web::shelf::Shelf;
 use homebody_web::{Options, serve};
@@ -7,8 +8,6 @@ use std::fs;
 use std::io::{Read, Write};
 use std::net::{SocketAddr, TcpStream};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::channel;
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
@@ -21,7 +20,7 @@ pub struct Served {
     pub folder: TempDir,
     pub address: SocketAddr,
     pub token: String,
-    stop: Arc<AtomicBool>,
+    cancel: Cancel,
     thread: Option<JoinHandle<()>>,
 }
 
@@ -47,22 +46,22 @@ impl Served {
             fs::copy(entry.path(), scenario.join(entry.file_name())).unwrap();
         }
         let shelf = Shelf { scenario, entry: "scenario.json".into(), runs: folder.path().join("runs") };
-        let stop = Arc::new(AtomicBool::new(false));
+        let cancel = Cancel::new();
         let (ready, is_ready) = channel();
         let options = Options { port: Some(0), ..Options::new(shelf) };
-        let set = stop.clone();
+        let handle = cancel.clone();
         let thread = thread::spawn(move || {
-            serve(options, &set, |address| ready.send(address.to_owned()).unwrap()).unwrap();
+            serve(options, &handle, |address| ready.send(address.to_owned()).unwrap()).unwrap();
         });
         let address = is_ready.recv_timeout(Duration::from_secs(60)).expect("a server");
         let (address, token) = address.strip_prefix("http://").unwrap().split_once("/#token=").unwrap();
         let (address, token) = (address.parse().unwrap(), token.to_owned());
-        Served { folder, address, token, stop, thread: Some(thread) }
+        Served { folder, address, token, cancel, thread: Some(thread) }
     }
 
     /// Ends the server, as Ctrl-C does.
     pub fn close(&mut self) {
-        self.stop.store(true, Ordering::Relaxed);
+        self.cancel.cancel();
         if let Some(thread) = self.thread.take() {
             thread.join().unwrap();
         }

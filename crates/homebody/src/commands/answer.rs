@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::print::{json_text, print_json, print_text, tell, write_file};
 use homebody_log::places::can_be_written;
-use homebody_study::picture::{PngError, png};
+use homebody_picture::{PngError, png};
 use serde::Serialize;
 use std::fmt::Display;
 use std::path::{Path, PathBuf};

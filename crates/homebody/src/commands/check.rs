@@ -1,13 +1,12 @@
 //! `homebody check`: everything that is wrong with a scenario, at once.
 
 use crate::failure::Failure;
-use crate::folder;
 use crate::length::Length;
 use crate::print::{print_json, tell};
 use homebody_core::problem::{Problem, Problems, counted};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::remarks;
-use homebody_routine::household::Household;
+use homebody_kit::{Error, OpenScenario, open};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
@@ -27,7 +26,8 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let remarks =
             |scenario: &Scenario| remarks::of(scenario, Length::Days(scenario.file.days).by(&scenario.calendar));
-        let (scenario, _) = load_and_say(&self.scenario, self.json, remarks)?;
+        let opened = load_and_say(&self.scenario, self.json, remarks)?;
+        let scenario = opened.scenario();
         let home = &scenario.home;
         tell(format_args!(
             "{}: nothing is wrong. {}, {}, {}, {}; {}.",
@@ -48,20 +48,20 @@ pub fn load_and_say(
     path: &Path,
     json: bool,
     remarks: impl Fn(&Scenario) -> Vec<Problem>,
-) -> Result<(Scenario, Household), Failure> {
-    let loaded = folder::load_lives(path, &[]);
-    let remarks = loaded.as_ref().map_or_else(|_| Vec::new(), |(scenario, _, _)| remarks(scenario));
+) -> Result<OpenScenario, Failure> {
+    let opened = open(path);
+    let remarks = opened.as_ref().map_or_else(|_| Vec::new(), |opened| remarks(opened.scenario()));
     let none = Problems::default();
-    let problems = match &loaded {
+    let problems = match &opened {
         Ok(_) => Some(&none),
-        Err(Failure::Problems(problems)) => Some(problems),
+        Err(Error::Problems(problems)) => Some(problems),
         Err(_) => None,
     };
     if let Some(problems) = problems.filter(|_| json) {
         print_json(&json!({ "problems": problems, "warnings": remarks }))?;
     }
     remarks.iter().for_each(tell_remark);
-    loaded.map(|(scenario, _, household)| (scenario, household))
+    Ok(opened?)
 }
 
 /// Tells people what is hardly meant.

@@ -1,11 +1,12 @@
 //! `homebody compare`: how alike two logs are.
 
-use super::convert::{place, tell_remarks};
+use super::convert::tell_remarks;
 use crate::failure::Failure;
 use crate::print::{print_json, print_text, tell};
+use homebody_analysis::compare::{MEASURES, begins, compare};
 use homebody_core::scenario::logger::LoggerFile;
+use homebody_kit::place_of_log;
 use homebody_log::{Log, activities, read};
-use homebody_study::compare::{MEASURES, begins, compare};
 
 /// Compares the firings of two logs: by sensor and in all, the agreement of their numbers, and how their times between
 /// firings are spread. The second is the reference. Where activities are known, from a truth.db beside the log or from
@@ -36,9 +37,9 @@ impl Arguments {
 
 /// The log, with the activities that the truth of its run tells.
 fn log(text: &str) -> Result<Log, Failure> {
-    let place = place(text)?;
+    let place = place_of_log(text)?;
     let mut log = read(&place, &LoggerFile::default())?;
-    let truth = place.path().with_file_name("truth.db");
+    let truth = place.file().unwrap_or(std::path::Path::new("")).with_file_name("truth.db");
     if truth.is_file() {
         log.activities = activities(&truth)?;
     }

@@ -2,7 +2,6 @@
 
 use crate::failure::Failure;
 use crate::print::print_text;
-use clap::CommandFactory;
 use clap_complete::{Shell, generate};
 
 /// Prints a script that makes a shell complete the command line.
@@ -16,9 +15,9 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    pub fn run(self) -> Result<(), Failure> {
+    pub fn run(self, mut whole: clap::Command) -> Result<(), Failure> {
         let mut script = Vec::new();
-        generate(self.shell, &mut crate::Arguments::command(), "homebody", &mut script);
+        generate(self.shell, &mut whole, "homebody", &mut script);
         print_text(&String::from_utf8_lossy(&script))
     }
 }

@@ -2,11 +2,11 @@
 
 use super::answer::Answer;
 use crate::failure::Failure;
-use crate::folder;
+use homebody_analysis::coverage::{self, STEP_M, Seen};
 use homebody_core::geometry::Point;
 use homebody_core::home::Build;
-use homebody_study::coverage::{self, STEP_M, Seen};
-use homebody_study::picture;
+use homebody_kit::Source;
+use homebody_picture::coverage_map;
 use std::path::PathBuf;
 
 /// Says which share of the floor is seen by no, one, two, three or more sensors, where the dead zones are, and how
@@ -24,11 +24,12 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let (scenario, _) = folder::load(&self.scenario)?;
-        let answer = self.answer.check([""], &folder::files(&self.scenario, &scenario))?;
+        let source = Source::at(&self.scenario)?;
+        let scenario = source.scenario()?;
+        let answer = self.answer.check([""], &source.paths(&scenario))?;
         let build = scenario.residents.first().map_or_else(Build::adult, |resident| Build::of(&resident.file));
         let seen = coverage::of_home(&scenario.home, build, STEP_M);
-        let map = || picture::coverage_map(&seen.home, &seen.coverage, &beams(&seen));
+        let map = || coverage_map(&seen.home, &seen.coverage, &beams(&seen));
         answer.give(&seen.coverage, [&map])
     }
 }

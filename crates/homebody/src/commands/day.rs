@@ -1,11 +1,11 @@
 //! `homebody day`: one day of a log.
 
 use super::answer::Answer;
+use super::given::given;
 use crate::failure::Failure;
-use crate::given::Given;
-use homebody_study::dates::Asked;
-use homebody_study::day::Day;
-use homebody_study::picture::day_chart;
+use homebody_analysis::dates::Asked;
+use homebody_analysis::day::Day;
+use homebody_picture::{DayChart, day_chart};
 
 /// Says and draws one day of a log: what each sensor said when, and, where a run's truth or the log's own notes tell it,
 /// what residents did and in which room.
@@ -28,7 +28,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let given = Given::read(&self.log, self.time_zone.as_deref())?;
+        let given = given(&self.log, self.time_zone.as_deref())?;
         let answer = self.answer.check([""], &given.sources)?;
         let no_rows = || Failure::usage(format!("{}: it has no rows, so no day", self.log));
         let there = given.dates().ok_or_else(no_rows)?;
@@ -40,6 +40,6 @@ impl Arguments {
         };
         let date = self.date.within(there).ok_or_else(no_day)?;
         let day = Day::of(&given.name, &given.log, &given.lives, date);
-        answer.give(&day, [&|| day_chart(&day.chart())])
+        answer.give(&day, [&|| day_chart(&DayChart::of(&day))])
     }
 }

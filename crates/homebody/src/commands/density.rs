@@ -1,14 +1,16 @@
 //! `homebody density`: how much somebody moves in each hour of each day.
 
 use super::answer::Answer;
+use super::given::given;
 use crate::failure::Failure;
-use crate::given::Given;
 use crate::length::span;
+use crate::print::tell;
+use homebody_analysis::dates;
+use homebody_analysis::density::{Asked, Chosen, Measured, NoMap, density};
 use homebody_core::scenario::nearest::nearest;
 use homebody_core::time::Micros;
-use homebody_study::dates;
-use homebody_study::density::{Asked, density};
-use homebody_study::picture::density_map;
+use homebody_kit::Given;
+use homebody_picture::density_map;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
@@ -53,8 +55,8 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let zone = self.time_zone.as_deref();
-        let log = Given::read(&self.log, zone)?;
-        let other = self.against.as_deref().map(|other| Given::read(other, zone)).transpose()?;
+        let log = given(&self.log, zone)?;
+        let other = self.against.as_deref().map(|other| given(other, zone)).transpose()?;
         let sources: Vec<PathBuf> =
             [Some(&log), other.as_ref()].into_iter().flatten().flat_map(|log| log.sources.clone()).collect();
         let csv = self.csv.as_deref();
@@ -78,9 +80,19 @@ impl Arguments {
         };
         let against = other.as_ref().map(|other| (other, asked_of(other)));
         let against = against.as_ref().map(|(other, asked)| (other.name.as_str(), &other.log, asked));
-        let density = density((&log.name, &log.log, &asked), against)
-            .map_err(|why| Failure::usage(format!("{}: {why}", self.log)))?;
+        let density = density((&log.name, &log.log, &asked), against).map_err(|why| self.no_map(&why))?;
+        if [Some(&density.of), density.against.as_ref().map(|other| &other.of)].into_iter().flatten().any(is_by_name) {
+            tell("The entrance is told by names; --door SENSOR names others");
+        }
         answer.give_beside(&density, [&|| density_map(&density)], &|| density.of.map.csv())
+    }
+
+    fn no_map(&self, why: &NoMap) -> Failure {
+        let hint = match why {
+            NoMap::TooLong(_) => "\n  hint: choose a part with --from and --days",
+            NoMap::NoMotion | NoMap::NoDay(..) => "",
+        };
+        Failure::usage(format!("{}: {why}{hint}", self.log))
     }
 
     /// Of the doors that are asked for those that a log has.
@@ -112,4 +124,9 @@ impl Arguments {
         };
         asked.within(there).is_none().then(problem)
     }
+}
+
+/// Whether nobody has said which sensors are at the entrance.
+fn is_by_name(of: &Measured) -> bool {
+    of.map.entrance.chosen != Chosen::Asked
 }

@@ -8,7 +8,7 @@ use homebody_core::home::plan::Plan;
 use homebody_core::problem::{Problems, counted};
 use homebody_core::scenario::load::Scenario;
 use homebody_import::{MOST_BYTES, sweet_home};
-use homebody_routine::household::{Household, RoutineLanguage};
+use homebody_routine::household::Household;
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -95,7 +95,7 @@ fn furnish(name: &str, home: String) -> Result<(Texts, Scenario, Vec<String>), F
     let lack = lack.collect();
     let empty = inhabited("", Vec::new());
     let scenario = load(&empty)?;
-    let path = path(roomiest(&Plan::new(&scenario.home)));
+    let path = path(roomiest(scenario.home.plan()));
     let standing = inhabited("\"anna.json\"", resident("path", "anna.path.json", path));
     // Where furniture leaves no place to stand, nobody does.
     Ok(match load(&standing) {
@@ -157,9 +157,7 @@ fn path(at: Point) -> String {
 }
 
 fn load(texts: &Texts) -> Result<Scenario, Problems> {
-    let mut scenario = Scenario::load_in(&RoutineLanguage, texts, "scenario.json")?;
-    Household::read(&mut scenario, texts, &[])?;
-    Ok(scenario)
+    Ok(Household::load(texts, "scenario.json", &[])?.0)
 }
 
 /// The place of a home that has the most room around it.

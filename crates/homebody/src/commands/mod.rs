@@ -10,7 +10,9 @@ mod coverage;
 mod day;
 mod density;
 mod experiment;
+mod given;
 mod import;
+mod label;
 mod live;
 mod new;
 mod plan;
@@ -22,9 +24,6 @@ mod serve;
 
 use crate::failure::Failure;
 use clap::Subcommand;
-
-pub use cohort::LIST;
-pub use convert::{place, tell_remarks};
 
 #[derive(Subcommand)]
 pub enum Command {
@@ -52,6 +51,8 @@ pub enum Command {
     Experiment(experiment::Arguments),
     /// Carry a log from one form into another
     Convert(convert::Arguments),
+    /// Join a log with the truth of its run, for recognisers to be trained on
+    Label(label::Arguments),
     /// Write the JSON Schemas of the scenario files into a folder
     Schema(schema::Arguments),
     /// Begin a scenario of your own from a template
@@ -63,7 +64,8 @@ pub enum Command {
 }
 
 impl Command {
-    pub fn run(self) -> Result<(), Failure> {
+    /// Runs it; `whole` is the command line that all of them belong to.
+    pub fn run(self, whole: fn() -> clap::Command) -> Result<(), Failure> {
         match self {
             Command::Run(arguments) => arguments.run(),
             Command::Replay(arguments) => arguments.run(),
@@ -77,10 +79,11 @@ impl Command {
             Command::Day(arguments) => arguments.run(),
             Command::Experiment(arguments) => arguments.run(),
             Command::Convert(arguments) => arguments.run(),
+            Command::Label(arguments) => arguments.run(),
             Command::Schema(arguments) => arguments.run(),
             Command::New(arguments) => arguments.run(),
             Command::Import(arguments) => arguments.run(),
-            Command::Completions(arguments) => arguments.run(),
+            Command::Completions(arguments) => arguments.run(whole()),
         }
     }
 }

@@ -2,9 +2,8 @@
 
 use crate::beginning::begin;
 use crate::failure::Failure;
-use crate::folder::OWN;
 use crate::print::{tell, write_file};
-use include_dir::Dir;
+use homebody_kit::Template;
 use serde_json::json;
 use std::path::PathBuf;
 
@@ -19,27 +18,26 @@ pub struct Arguments {
     folder: PathBuf,
     /// The scenario to start from
     #[arg(long, default_value = "tigerplace", value_parser = template)]
-    template: &'static Dir<'static>,
+    template: Template,
 }
 
 /// A template by its name.
-fn template(name: &str) -> Result<&'static Dir<'static>, String> {
-    OWN.get_dir(name).ok_or_else(|| {
-        let names: Vec<_> = OWN.dirs().map(|dir| dir.path().display().to_string()).collect();
+fn template(name: &str) -> Result<Template, String> {
+    Template::named(name).map_err(|_| {
+        let names: Vec<_> = Template::all().map(Template::name).collect();
         format!("there is none of that name; there are: {}", names.join(", "))
     })
 }
 
 /// A line for each template, of what its scenario says about itself.
 fn templates() -> String {
-    let name = |template: &Dir| template.path().display().to_string();
-    let width = OWN.dirs().map(|template| name(template).len()).max().unwrap_or(0);
-    let line = |template: &Dir| {
-        let text = template.get_file(template.path().join("scenario.json")).and_then(|file| file.contents_utf8());
-        let scenario: serde_json::Value = text.and_then(|text| serde_json::from_str(text).ok()).unwrap_or_default();
-        format!("  {:width$}  {}\n", name(template), first_words(scenario["about"].as_str().unwrap_or_default()))
+    let width = Template::all().map(|template| template.name().len()).max().unwrap_or(0);
+    let line = |template: Template| {
+        let text = template.files().find(|(name, _)| name == "scenario.json").map(|(_, text)| text);
+        let scenario: serde_json::Value = text.and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default();
+        format!("  {:width$}  {}\n", template.name(), first_words(scenario["about"].as_str().unwrap_or_default()))
     };
-    OWN.dirs().map(line).collect()
+    Template::all().map(line).collect()
 }
 
 /// As much of the first sentence as fits in a line.
@@ -67,14 +65,13 @@ impl Arguments {
     }
 
     fn write(&self, name: &str) -> Result<(), Failure> {
-        let (name, template) = (json!(name), json!(self.template.path().display().to_string()));
-        for file in self.template.files() {
+        let (name, template) = (json!(name), json!(self.template.name()));
+        for (file, text) in self.template.files() {
             // The schemas of the repository are two folders up, ours are right here; and it has a name of its own.
-            let text = String::from_utf8_lossy(file.contents())
+            let text = text
                 .replace("\"../../schemas/", "\"./schemas/")
                 .replace(&format!("\"name\": {template}"), &format!("\"name\": {name}"));
-            let name = file.path().file_name().unwrap_or_default();
-            write_file(&self.folder.join(name), text.as_bytes(), false)?;
+            write_file(&self.folder.join(file), text.as_bytes(), false)?;
         }
         Ok(())
     }
@@ -98,6 +95,6 @@ mod tests {
             let words = line.split_whitespace().count();
             assert!(words > 4 && line.chars().count() < 140, "{line}");
         }
-        assert_eq!(templates().lines().count(), OWN.dirs().count());
+        assert_eq!(templates().lines().count(), Template::all().count());
     }
 }

@@ -2,8 +2,8 @@
 
 use super::answer::Pictures;
 use crate::failure::Failure;
-use crate::folder;
-use homebody_study::picture::floor_plan;
+use homebody_kit::Source;
+use homebody_picture::floor_plan;
 use std::path::PathBuf;
 
 /// Draws the floor plan: rooms, walls, doors, furniture and sensors, with their names. Furniture and ways in go without
@@ -24,8 +24,9 @@ impl Arguments {
         if self.pictures.is_empty() {
             return Err(Failure::usage("there is no file to draw into\n  hint: name one with --svg or --png"));
         }
-        let (scenario, _) = folder::load(&self.scenario)?;
-        let pictures = self.pictures.check([""], &folder::files(&self.scenario, &scenario))?;
+        let source = Source::at(&self.scenario)?;
+        let scenario = source.scenario()?;
+        let pictures = self.pictures.check([""], &source.paths(&scenario))?;
         pictures.draw([&|| floor_plan(&scenario.home)])
     }
 }

@@ -1,19 +1,16 @@
 //! `homebody run`: live a scenario.
 
 use super::check::tell_remark;
-use super::cohort::{Cohort, Members};
-use super::live::{Live, Output};
+use super::cohort;
+use super::live::{Output, cancel_on_signal, live, report, show};
 use crate::failure::Failure;
-use crate::folder;
 use crate::length::{Length, length};
 use crate::pace::Asked;
-use crate::profiles::{self, Base};
-use homebody_core::recording::Recording;
-use homebody_core::run::Run;
-use homebody_core::scenario::remarks;
-use std::path::PathBuf;
+use homebody_core::time::Micros;
+use homebody_kit::{OpenScenario, Unfinished, open};
+use std::path::{Path, PathBuf};
 
-/// DriverProvider a scenario and stores what its sensors say.
+/// Lives a scenario and stores what its sensors say.
 ///
 /// Without --out, everything goes into a new folder under runs/: the log as the scenario's logger.json
 /// says, the ground truth apart from it, and the recording that replays the run.
@@ -25,6 +22,7 @@ use std::path::PathBuf;
   homebody run scenarios/tigerplace --residents 100 --for 28d
   homebody run scenarios/tigerplace --profiles people.csv --for 28d
   homebody run my-home --out sqlite:log.db --out csv:log.csv --truth truth.db --force
+  homebody run --resume runs/tigerplace-1
   printf 'step 60\\nstop\\n' | homebody run my-home --control --paused
 
 Columns of --profiles:
@@ -41,7 +39,8 @@ Columns of --profiles:
   resident    whom the row is about, where several live by routines")]
 pub struct Arguments {
     /// The scenario's folder, or its scenario.json
-    scenario: PathBuf,
+    #[arg(required_unless_present = "resume")]
+    scenario: Option<PathBuf>,
     /// How long to live: 90s, 15m, 2h, 7d or 52w; the scenario's days without it
     ///
     /// Days and weeks are those of the calendar: a run of 7d ends at the hour at which it began, also where clocks change.
@@ -60,6 +59,13 @@ pub struct Arguments {
     #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..=100_000),
           conflicts_with_all = ["out", "truth", "record", "force", "control", "speed", "paused"])]
     residents: Option<u32>,
+    /// Go on with the run in this folder, which was killed or stopped
+    ///
+    /// It is lived again from its beginning: what is there is compared, what is missing is written. In the end log and truth have
+    /// the bytes of a run that nothing has disturbed.
+    #[arg(long, value_name = "FOLDER",
+          conflicts_with_all = ["scenario", "length", "seed", "without", "residents", "profiles", "out", "truth", "record", "force"])]
+    resume: Option<PathBuf>,
     /// Live the members of this list side by side: a CSV file with a row for each
     ///
     /// Its first line names the columns, of which only the name is needed; what a row leaves empty is as in the scenario. All
@@ -78,37 +84,47 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        // Who shows a condition that is left out, only the list knows.
-        let without = if self.profiles.is_some() { &[][..] } else { &self.without };
-        let (scenario, entry, household) = folder::load_lives(&self.scenario, without)?;
+        if let Some(folder) = &self.resume {
+            return self.go_on(folder);
+        }
+        let opened = open(self.scenario.as_deref().unwrap_or(Path::new("")))?;
+        let scenario = opened.scenario();
         let seed = self.seed.unwrap_or(scenario.file.seed);
         let length = self.length.unwrap_or(Length::Days(scenario.file.days)).by(&scenario.calendar);
-        let files = folder::files_beside(&self.scenario);
-        let base = Base { scenario: &scenario, household: &household, files: &files };
-        let members = match (&self.profiles, self.residents) {
-            (Some(file), _) => Some(Members::Listed(profiles::read(file, &base, &self.without)?)),
-            (None, residents) => residents.map(Members::Many),
+        let cohort = match (&self.profiles, self.residents) {
+            // Who shows a condition that is left out, only the list knows.
+            (Some(file), _) => Some(opened.cohort_of(opened.profiles(file, &self.without)?)),
+            (None, residents) => residents.map(|count| opened.cohort(count)),
         };
+        let cancel = cancel_on_signal();
+        if let Some(cohort) = cohort {
+            let cohort = cohort.seed(seed).length(length).without(&self.without).cancel(&cancel).start()?;
+            self.remark(&opened, length);
+            let progress = self.output.progress(cohort.progress().length);
+            let lived = cohort.store(|lived| show(&progress, lived));
+            progress.finish_and_clear();
+            return cohort::report(&self.output, &lived?);
+        }
+        let run = opened.run().seed(seed).length(length).without(&self.without);
+        let run = run.pace(self.pace.pace()).commands(self.pace.commands()).cancel(&cancel).start()?;
+        self.remark(&opened, length);
+        live(run, self.record, &self.output)
+    }
+
+    /// Goes on with a run that was killed or stopped.
+    fn go_on(&self, folder: &Path) -> Result<(), Failure> {
+        let run = Unfinished::open(folder)?.paced(self.pace.pace(), self.pace.commands(), &cancel_on_signal());
+        let name = run.scenario().file.name.clone();
+        let progress = self.output.progress(run.progress().length);
+        let lived = run.go_on(|lived| show(&progress, lived));
+        progress.finish_and_clear();
+        report(&name, &lived?, &self.output)
+    }
+
+    /// Warns of what is hardly meant.
+    fn remark(&self, opened: &OpenScenario, length: Micros) {
         if !self.output.quiet {
-            remarks::of(&scenario, length).iter().for_each(tell_remark);
+            opened.remarks(length).iter().for_each(tell_remark);
         }
-        let recording = Recording {
-            version: env!("CARGO_PKG_VERSION").into(),
-            entry,
-            files: scenario.sources.clone(),
-            seed,
-            length_us: length,
-            without: self.without,
-            one_of_many: false,
-            firings: 0,
-            sha256: String::new(),
-        };
-        let sources = folder::files(&self.scenario, &scenario);
-        if let Some(members) = members {
-            return Cohort { base, recording, sources, output: self.output }.live(&members);
-        }
-        let run = Run::new(&scenario, &household, seed, length);
-        let live = Live { scenario: &scenario, recording, record: self.record, output: self.output, sources };
-        live.live(run, &self.pace)
     }
 }

@@ -1,9 +1,9 @@
 //! `homebody serve`: the web app, on this machine.
 
-use super::live::stop_on_signal;
+use super::live::cancel_on_signal;
 use crate::failure::Failure;
-use crate::folder;
 use crate::print::{print_text, tell};
+use homebody_kit::Source;
 use homebody_log::places::RUNS;
 use homebody_web::shelf::Shelf;
 use homebody_web::{Options, ServeError};
@@ -35,9 +35,10 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let (_, entry, _) = folder::load_lives(&self.scenario, &[])?;
-        let scenario = folder::folder_of(&self.scenario).to_owned();
-        let shelf = Shelf { scenario, entry, runs: Path::new(RUNS).into() };
+        let source = Source::at(&self.scenario)?;
+        let scenario = source.folder().unwrap_or(Path::new("")).to_owned();
+        let shelf = Shelf { scenario, entry: source.entry().to_owned(), runs: Path::new(RUNS).into() };
+        source.open()?;
         let ip = self.bind.unwrap_or(Ipv4Addr::LOCALHOST.into());
         if ip.is_unspecified() {
             return Err(Failure::Usage(format!(
@@ -58,7 +59,7 @@ impl Arguments {
                 open(address);
             }
         };
-        Ok(homebody_web::serve(options, &stop_on_signal(), ready)?)
+        Ok(homebody_web::serve(options, &cancel_on_signal(), ready)?)
     }
 }
 

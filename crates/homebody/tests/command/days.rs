@@ -201,6 +201,6 @@ fn a_cohort_is_no_log_and_its_members_are() {
         folder.run(&format!("{command} runs/flat-1")).fails(2, hint);
     }
     folder.run("day runs/flat-1 first").fails(2, "runs/flat-1 is a cohort");
-    folder.run("day flat first").fails(1, "flat is a folder without a log.db\n  hint: name the log itself");
+    folder.run("day flat first").fails(1, "flat is a folder without a log\n  hint: name the log itself");
     folder.run("compare runs/flat-1/0001 runs/flat-1/0002").ok();
 }

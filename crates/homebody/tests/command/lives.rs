@@ -2,7 +2,7 @@
 
 use crate::folder::{Folder, ROOT};
 
-/// DriverProvider a scenario of the repository for a while, into `log.db` and `truth.db`.
+/// Lives a scenario of the repository for a while, into `log.db` and `truth.db`.
 fn lived(scenario: &str, span: &str) -> Folder {
     let folder = Folder::new();
     let out = "--out sqlite:log.db --truth truth.db --quiet";

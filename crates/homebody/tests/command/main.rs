@@ -12,6 +12,7 @@ mod replays;
 mod outputs;
 mod trouble;
 mod stops;
+mod resumed;
 mod bad_input;
 mod logs;
 mod days;

@@ -17,7 +17,7 @@ fn without_an_output_each_run_gets_a_folder_of_its_own() {
     {
         assert!(said.contains(place), "{said}");
     }
-    let in_first = ["log.db", "recording.json", "truth.db"].map(|name| format!("runs/flat-1/{name}"));
+    let in_first = ["log.db", "recording.json", "sensors.csv", "truth.db"].map(|name| format!("runs/flat-1/{name}"));
     let runs = |folder: &Folder| folder.files().into_iter().filter(|name| name.starts_with("runs")).collect::<Vec<_>>();
     assert_eq!(runs(&folder), in_first);
     let before = in_first.each_ref().map(|name| fs::read(folder.path(name)).unwrap());
@@ -27,7 +27,7 @@ fn without_an_output_each_run_gets_a_folder_of_its_own() {
     for running in at_once {
         running.finish().ok();
     }
-    assert_eq!(runs(&folder).len(), 6 * 3, "{:?}", runs(&folder));
+    assert_eq!(runs(&folder).len(), 6 * 4, "{:?}", runs(&folder));
     assert_eq!(in_first.each_ref().map(|name| fs::read(folder.path(name)).unwrap()), before);
     assert_eq!(folder.sha256("runs/flat-2/log.db"), folder.sha256("runs/flat-1/log.db"));
     for number in 3..=6 {

@@ -118,9 +118,9 @@ fn where_no_room_is_left_nothing_is_half_written() {
         let schema: serde_json::Value = serde_json::from_str(&folder.read(&name)).unwrap();
         assert!(schema["$schema"].is_string(), "{name}");
     }
-    // A log that is whole stays, though the recording found no room.
+    // Where the recording finds no room, nothing is begun.
     cramped(&folder, 1, "run flat --for 1s --out casas:log.txt --record r.json").fails(1, "r.json: ");
-    assert_eq!(folder.read("log.txt").lines().last().unwrap().split('\t').count(), 3);
+    assert!(!folder.path("log.txt").exists());
     assert!(!folder.files().iter().any(|name| name.starts_with("r.json")), "{:?}", folder.files());
     // Given room, all of it can be done.
     cramped(&folder, 100_000, "run flat --for 1h --out sqlite:log.db --truth truth.db --record r.json --quiet").ok();

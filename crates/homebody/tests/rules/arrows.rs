@@ -5,22 +5,41 @@ use std::fs;
 use toml::{Table, Value};
 
 /// On which of our crates each of them may depend.
-const ARROWS: [(&str, &[&str]); 7] = [
+const ARROWS: [(&str, &[&str]); 11] = [
     ("homebody-core", &[]),
     ("homebody-import", &["homebody-core"]),
+    ("homebody-walk", &["homebody-core"]),
     ("homebody-log", &["homebody-core"]),
-    ("homebody-routine", &["homebody-core"]),
-    ("homebody-study", &["homebody-core", "homebody-log"]),
-    ("homebody-web", &["homebody-core", "homebody-import", "homebody-log", "homebody-routine", "homebody-study"]),
+    ("homebody-routine", &["homebody-core", "homebody-walk"]),
+    ("homebody-analysis", &["homebody-core", "homebody-log"]),
+    ("homebody-picture", &["homebody-analysis", "homebody-core"]),
+    ("homebody-experiment", &["homebody-core", "homebody-picture", "homebody-walk"]),
+    ("homebody-kit", &["homebody-analysis", "homebody-core", "homebody-log", "homebody-routine"]),
+    (
+        "homebody-web",
+        &["homebody-analysis", "homebody-core", "homebody-import", "homebody-kit", "homebody-log", "homebody-routine"],
+    ),
     (
         "homebody",
-        &["homebody-core", "homebody-import", "homebody-log", "homebody-routine", "homebody-study", "homebody-web"],
+        &[
+            "homebody-analysis",
+            "homebody-core",
+            "homebody-experiment",
+            "homebody-import",
+            "homebody-kit",
+            "homebody-log",
+            "homebody-picture",
+            "homebody-routine",
+            "homebody-web",
+        ],
     ),
 ];
 
-/// Dev-dependencies that point the other way, and why.
-const BACKWARD: [(&str, &str, &str); 1] =
-    [("homebody-core", "homebody-log", "the benchmarks hold the kernel beside the database that stores its firings")];
+/// Dev-dependencies besides, and why.
+const BACKWARD: [(&str, &str, &str); 2] = [
+    ("homebody-core", "homebody-log", "the benchmarks hold the kernel beside the database that stores its firings"),
+    ("homebody-picture", "homebody-log", "the tests draw what was analysed of logs"),
+];
 
 #[test]
 fn crate_arrows_point_toward_the_core() {
@@ -34,9 +53,9 @@ fn an_arrow_away_from_the_core_is_found() {
     assert_eq!(wrong(core), 0);
     assert_eq!(wrong(&format!("{core}[dependencies]\nhomebody-log.workspace = true\nserde = '1'")), 1);
     assert_eq!(wrong(&format!("{core}[dependencies]\nlog = {{ package = 'homebody-log', path = '' }}")), 1);
-    assert_eq!(wrong(&format!("{core}[target.'cfg(unix)'.build-dependencies]\nhomebody-study = '1'")), 1);
+    assert_eq!(wrong(&format!("{core}[target.'cfg(unix)'.build-dependencies]\nhomebody-picture = '1'")), 1);
     assert_eq!(wrong(&format!("{core}[dev-dependencies]\nhomebody-log = '1'")), 0);
-    assert_eq!(wrong(&format!("{core}[dev-dependencies]\nhomebody-study = '1'")), 1);
+    assert_eq!(wrong(&format!("{core}[dev-dependencies]\nhomebody-picture = '1'")), 1);
     assert_eq!(wrong("[package]\nname = 'homebody-new'"), 1);
 }
 

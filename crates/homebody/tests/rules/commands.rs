@@ -33,7 +33,7 @@ const QUICK: [&str; 13] = [
 const MAKERS: [&str; 2] = ["new", "schema"];
 
 /// Flags that make a quick command last, or wait for somebody.
-const SLOW: [&str; 4] = ["--for", "--speed", "--control", "--paused"];
+const SLOW: [&str; 5] = ["--for", "--speed", "--control", "--paused", "--resume"];
 
 /// What a document gives to the program.
 struct Shown {

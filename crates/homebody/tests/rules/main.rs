@@ -4,10 +4,12 @@
 //! nothing; another, the negative control, gives it a piece that breaks the rule and expects that to be found.
 
 mod arrows;
+mod circles;
 mod commands;
 mod documents;
 mod markdown;
 mod purity;
+mod rust;
 mod scenarios;
 mod source;
 mod words;

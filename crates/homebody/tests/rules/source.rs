@@ -145,7 +145,7 @@ fn is_code(path: &str) -> bool {
 }
 
 /// Whether the module that a file belongs to has it for its tests only.
-fn is_for_tests(path: &str, files: &[File]) -> bool {
+pub fn is_for_tests(path: &str, files: &[File]) -> bool {
     let Some((folder, name)) = path.trim_end_matches(".rs").rsplit_once('/') else { return false };
     let parents = [format!("{folder}.rs"), format!("{folder}/mod.rs"), format!("{folder}/lib.rs")];
     let declaration = format!("#[cfg(test)]\nmod {name};");

@@ -2,6 +2,7 @@
 // here, and the check says what is wrong with it.
 
 import { isObject } from '../../json';
+import { rowOf } from '../../plan/kinds';
 
 export type Logger = {
   to: string[];
@@ -112,8 +113,6 @@ export function another(places: string[], kinds: [string, string][]): string {
   return all.find((one) => !places.includes(one)) ?? PLACE.replace('log', `log-${places.length + 1}`);
 }
 
-const CASAS: Record<string, string> = { motion: 'M', ceiling_motion: 'M', contact: 'D', temperature: 'T', stove_temperature: 'T', light: 'LS', power: 'P' };
-
 export type Numbering = 'casas' | 'x10' | 'prefix';
 
 /** Ids for sensors in their order, none of which is taken. */
@@ -123,7 +122,7 @@ export function numbered(sensors: Sensor[], how: Numbering, prefix: string, take
   const counts = new Map<string, number>();
   return new Map(
     sensors.map(({ name, kind }) => {
-      const begin = how === 'casas' ? (Object.hasOwn(CASAS, kind) ? CASAS[kind]! : 'I') : prefix;
+      const begin = how === 'casas' ? (rowOf(kind)?.casas ?? 'I') : prefix;
       for (;;) {
         const number = (counts.get(begin) ?? 0) + 1;
         counts.set(begin, number);

@@ -1,7 +1,9 @@
 // What can be put into a home: furniture of usual sizes, and sensors of all kinds. The sizes are typical ones, ours.
 
 import { type At, inside } from '../../plan/geometry';
+import { rowOf } from '../../plan/kinds';
 import { spoken } from '../../plan/words';
+import { SENSOR_KINDS } from '../../sensors';
 import { type Element, type Home, type List, type Value, formOf, of, spanOf } from './model';
 import { exact, toSegment, turnedBox, wrapped } from './shape';
 import { type Targets, mount } from './snap';
@@ -58,23 +60,12 @@ export const FURNITURE: { title: string; pieces: Piece[] }[] = [
 
 export const PIECES = FURNITURE.flatMap(({ pieces }) => pieces);
 
-/** Where a kind of sensor belongs: on a wall, over an area, on a thing, in a room. */
-export type Mount = 'wall' | 'area' | 'thing' | 'room';
+export type SensorKind = keyof typeof SENSOR_KINDS;
 
-export const SENSORS = {
-  motion: 'wall',
-  ceiling_motion: 'area',
-  contact: 'thing',
-  bed: 'thing',
-  pressure: 'thing',
-  stove_temperature: 'thing',
-  power: 'thing',
-  flow: 'thing',
-  light: 'room',
-  temperature: 'room',
-} as const satisfies Record<string, Mount>;
+/** Where a kind of sensor belongs: on a wall, on the ceiling over an area, on a thing, in a room. */
+export type Mount = (typeof SENSOR_KINDS)[SensorKind]['mount'];
 
-export type SensorKind = keyof typeof SENSORS;
+export const SENSORS = Object.fromEntries(Object.entries(SENSOR_KINDS).map(([kind, { mount }]) => [kind, mount])) as Record<SensorKind, Mount>;
 
 export const DOOR_WIDTH_M = 0.9;
 
@@ -110,7 +101,7 @@ export function newSensor(home: Home, kind: SensorKind, at: At, targets: Targets
       const mounted = mount(at, targets, grid_m, 3) ?? { at: exact(at), normal_deg: 0 };
       return { kind, name: named(roomAt(home, mounted.at)?.name ?? ''), at: mounted.at, height_m: 2.1, facing_deg: wrapped(mounted.normal_deg) };
     }
-    case 'area': {
+    case 'ceiling': {
       const area = turnedBox(at, [AREA_M, AREA_M], 0).map(exact);
       return { kind, name: named(room?.name ?? ''), area };
     }
@@ -118,25 +109,31 @@ export function newSensor(home: Home, kind: SensorKind, at: At, targets: Targets
       return room ? { kind, name: named(room.name), room: room.name } : `Click into the room that the ${word} sensor measures.`;
     case 'thing': {
       const thing = thingAt(home, kind, at);
-      return thing ? { kind, name: named(thing.name), on: thing.name } : `Click ${BEARERS[kind] ?? 'a piece of furniture'} for the ${word} sensor.`;
+      return thing ? { kind, name: named(thing.name), on: thing.name } : `Click ${SENSOR_KINDS[kind].bearers.map((bearer) => BEARERS[bearer]).join(' or ')} for the ${word} sensor.`;
     }
   }
 }
 
-const BEARERS: Partial<Record<SensorKind, string>> = {
-  contact: 'a door or a piece of furniture',
-  bed: 'a piece of furniture in which people can be',
-  pressure: 'a piece of furniture in which people can be',
-  power: 'a piece of furniture, or the floor of a room for its lamp,',
+type Bearer = (typeof SENSOR_KINDS)[SensorKind]['bearers'][number];
+
+const BEARERS: Record<Bearer, string> = {
+  door: 'a door',
+  furniture: 'a piece of furniture',
+  enterable: 'a piece of furniture in which people can be',
+  lamp: 'the floor of a room for its lamp',
 };
 
 /** What a sensor can hang on, in the order in which it is looked for. */
 export function bearersOf(home: Home, kind: unknown): Element[] {
   const furniture = of(home, 'furniture');
-  if (kind === 'contact') return [...of(home, 'doors'), ...furniture];
-  if (kind === 'bed' || kind === 'pressure') return furniture.filter(({ value }) => value.enterable === true);
-  if (kind === 'power') return [...furniture, ...of(home, 'rooms')];
-  return furniture;
+  const borne: Record<Bearer, () => Element[]> = {
+    door: () => of(home, 'doors'),
+    furniture: () => furniture,
+    enterable: () => furniture.filter(({ value }) => value.enterable === true),
+    lamp: () => of(home, 'rooms'),
+  };
+  const bearers = rowOf(String(kind))?.bearers ?? [];
+  return bearers.length > 0 ? bearers.flatMap((bearer) => borne[bearer]()) : furniture;
 }
 
 function thingAt(home: Home, kind: SensorKind, at: At): Element | undefined {

@@ -74,7 +74,7 @@ test('the enclosed space around a point is found, whatever meets there', () => {
 
 test('all kinds of sensors and all furniture can be put into the home, under names of their own', () => {
   const targets = targetsOf(flat, new Set());
-  const spots: Record<(typeof SENSORS)[SensorKind], [number, number]> = { wall: [0.3, 1], area: [2, 1], thing: [1, 2], room: [5, 2] };
+  const spots: Record<(typeof SENSORS)[SensorKind], [number, number]> = { wall: [0.3, 1], ceiling: [2, 1], thing: [1, 2], room: [5, 2] };
   for (const kind of Object.keys(SENSORS) as SensorKind[]) {
     const value = newSensor(flat, kind, spots[SENSORS[kind]], targets, 0.05);
     expect(typeof value, kind).toBe('object');

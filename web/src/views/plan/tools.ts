@@ -22,7 +22,7 @@ const PROMPTS: Record<Tool['tool'], string> = {
 
 const MOUNTS: Record<Mount, string> = {
   wall: 'Click near a wall: the sensor is put up there and looks into the room.',
-  area: 'Click the middle of the area that the sensor sees from the ceiling.',
+  ceiling: 'Click the middle of the area that the sensor sees from the ceiling.',
   thing: 'Click what the sensor hangs on or lies in.',
   room: 'Click into the room that the sensor measures.',
 };
@@ -70,7 +70,7 @@ export function preview(editor: Editor, home: Home, at: At, snapping: Snapping |
       return { forms: [turnedBox(add(at, shift), tool.piece.size_m, 0)], line: [], at: add(at, shift), guides };
     }
     case 'sensor': {
-      if (SENSORS[tool.kind] === 'area') {
+      if (SENSORS[tool.kind] === 'ceiling') {
         const { shift, guides } = stand(home, [AREA_M, AREA_M], at, snapping);
         return { forms: [turnedBox(add(at, shift), [AREA_M, AREA_M], 0)], line: [], at: add(at, shift), guides };
       }
@@ -140,7 +140,7 @@ export function click(editor: Editor, home: Home, at: At, snapping: Snapping | n
       return release(editor);
     }
     case 'sensor': {
-      const to = SENSORS[tool.kind] === 'area' ? add(at, stand(home, [AREA_M, AREA_M], at, snapping).shift) : at;
+      const to = SENSORS[tool.kind] === 'ceiling' ? add(at, stand(home, [AREA_M, AREA_M], at, snapping).shift) : at;
       const value = newSensor(home, tool.kind, to, targetsOf(home, new Set()), grid);
       if (typeof value === 'string') {
         editor.said = value;

@@ -11,6 +11,7 @@
 use crate::drivers::Body;
 use crate::geometry::{self, Point};
 use crate::home::plan::{Origin, Plan, Solid};
+use crate::ids::ThingId;
 use rapier2d::dynamics::RigidBodySet;
 use rapier2d::geometry::{Aabb, Ball, Bvh, ColliderBuilder, ColliderHandle, ColliderSet, SharedShape};
 use rapier2d::math::{Pose, Vector};
@@ -54,8 +55,7 @@ pub struct Obstacles {
 /// A door within the home, where it is in a wall.
 #[derive(Clone, Copy, Debug)]
 struct Door {
-    /// Index into the home's things.
-    thing: usize,
+    thing: ThingId,
     collider: ColliderHandle,
     is_shut: bool,
 }
@@ -92,7 +92,7 @@ impl Obstacles {
             if within.is_none_or(|(_, is_shut)| is_shut) {
                 all.take_part(collider);
             }
-            all.doors.extend(within.map(|(thing, is_shut)| Door { thing, collider, is_shut }));
+            all.doors.extend(within.map(|(door, is_shut)| Door { thing: ThingId::of(door), collider, is_shut }));
         }
         all
     }
@@ -101,13 +101,14 @@ impl Obstacles {
         self.tree.insert(self.colliders[collider].compute_aabb(), leaf(collider));
     }
 
-    /// Doors are as they have been left, by thing of the plan; none is shut on a body that stands in it.
-    pub fn set_doors(&mut self, at: Point, is_open: &[bool]) {
+    /// Doors are as they have been left; none is shut on a body that stands in it.
+    pub fn set_doors(&mut self, at: Point, is_open: impl Fn(ThingId) -> bool) {
         for index in 0..self.doors.len() {
             let Door { thing, collider, is_shut } = self.doors[index];
-            let Some(shall_be_shut) = is_open.get(thing).map(|open| !open).filter(|shut| *shut != is_shut) else {
+            let shall_be_shut = !is_open(thing);
+            if shall_be_shut == is_shut {
                 continue;
-            };
+            }
             let outline = &self.fixed[leaf(collider) as usize];
             if !shall_be_shut {
                 self.tree.remove(leaf(collider));
@@ -122,7 +123,7 @@ impl Obstacles {
 
     /// Where a body at `from` gets that wants to move by `way`: it goes until it touches something,
     /// and then along that; where two things leave no way, it stops.
-    pub fn slide(&mut self, from: Point, way: Point, others: &[Body]) -> Point {
+    pub fn slide(&mut self, from: Point, way: Point, others: impl Iterator<Item = Body>) -> Point {
         self.place_others(from, way.length(), others);
         let bodies = RigidBodySet::new();
         let queries = QueryPipeline {
@@ -163,13 +164,13 @@ impl Obstacles {
     }
 
     /// Puts balls where the others are whom the body could touch within `reach_m`.
-    fn place_others(&mut self, from: Point, reach_m: f64, others: &[Body]) {
+    fn place_others(&mut self, from: Point, reach_m: f64, others: impl Iterator<Item = Body>) {
         for &ball in &self.others[..self.near_count] {
             self.tree.remove(leaf(ball));
         }
         self.near_count = 0;
         for other in others {
-            let touching_m = self.radius_m + other.radius_m + 2.0 * f64::from(CLEARANCE_M);
+            let touching_m = self.radius_m + other.build.radius_m + 2.0 * f64::from(CLEARANCE_M);
             if from.distance(other.at) > reach_m + touching_m {
                 continue;
             }
@@ -179,7 +180,7 @@ impl Obstacles {
             let handle = self.others[self.near_count];
             let ball = &mut self.colliders[handle];
             ball.set_translation(other.at.as_vec2());
-            ball.set_shape(SharedShape::ball(other.radius_m as f32));
+            ball.set_shape(SharedShape::ball(other.build.radius_m as f32));
             self.tree.insert(ball.compute_aabb(), leaf(handle));
             self.near_count += 1;
         }

@@ -2,13 +2,13 @@
 
 use super::home::check_mounting;
 use super::{Report, Surroundings, did_you_mean};
-use crate::home::field::MAX_SENSORS;
 use crate::link::moved_sensor;
 use crate::problem::Problem;
 use crate::scenario::calendar::time_of_day;
 use crate::scenario::home::{HomeFile, SensorFile};
 use crate::scenario::link::{FaultFile, LinkFile, MovedFile};
 use crate::scenario::source::{Source, pointer_part};
+use crate::sensor_set::MAX_SENSORS;
 use crate::time::{DAY, Micros, NEVER};
 
 pub fn check(source: &Source, file: &LinkFile, surroundings: &Surroundings, problems: &mut Vec<Problem>) {

@@ -3,11 +3,9 @@
 use super::{Report, Surroundings, did_you_mean, folded};
 use crate::problem::Problem;
 use crate::scenario::logger::LoggerFile;
+use crate::scenario::scheme::{NoPlace, Scheme};
 use crate::scenario::source::{Source, pointer_part};
 use std::collections::BTreeMap;
-
-/// Where a log can go.
-const SCHEMES: [&str; 3] = ["sqlite", "csv", "casas"];
 
 pub fn check(source: &Source, file: &LoggerFile, surroundings: &Surroundings, problems: &mut Vec<Problem>) {
     let report = &mut Report { source, problems };
@@ -19,17 +17,14 @@ pub fn check(source: &Source, file: &LoggerFile, surroundings: &Surroundings, pr
 fn check_targets(report: &mut Report, targets: &[String]) {
     for (index, target) in targets.iter().enumerate() {
         let pointer = format!("/to/{index}");
-        let (scheme, path) = target.split_once(':').unwrap_or((target, ""));
-        if !SCHEMES.contains(&scheme) {
-            let what = format!("{target:?} is nowhere a log can go");
-            let hint = match super::nearest(scheme, SCHEMES) {
-                Some(near) => format!("did you mean \"{near}:{path}\"?"),
-                None => "write sqlite:FILE, csv:FILE or casas:FILE".into(),
-            };
-            report.hinted(&pointer, what, hint);
-        } else if path.trim().is_empty() {
-            report.hinted(&pointer, format!("{target:?} names no file"), format!("write {scheme}:FILE"));
-        } else if path.chars().any(char::is_control) {
+        let (_, path) = match Scheme::split(target) {
+            Ok(parts) => parts,
+            Err(NoPlace { what, hint }) => {
+                report.hinted(&pointer, what, hint);
+                continue;
+            }
+        };
+        if path.chars().any(char::is_control) {
             report.add(&pointer, "a file name must not hold control characters");
         } else if targets[..index].iter().any(|other| other.split_once(':').is_some_and(|(_, other)| other == path)) {
             report.add(&pointer, format!("two logs cannot go to the one file {path:?}"));

@@ -110,12 +110,3 @@ fn is_within(solid: &Solid, p: Point) -> bool {
 fn blocking(plan: &Plan, p: Point) -> Option<&Solid> {
     plan.solids.iter().find(|solid| solid.stops_bodies && is_within(solid, p))
 }
-
-/// How far the point is from the nearest room or door opening; zero inside.
-fn distance_outside(plan: &Plan, p: Point) -> f64 {
-    let rooms = plan.rooms.iter().map(|room| &room.outline);
-    rooms
-        .chain(plan.openings.iter().map(|opening| &opening.outline))
-        .map(|area| geometry::distance_to_area(area, p))
-        .fold(f64::INFINITY, f64::min)
-}

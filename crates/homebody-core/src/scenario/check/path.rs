@@ -1,6 +1,6 @@
 //! A path: spots that exist, ways that are free, times that can be kept.
 
-use super::{Report, Surroundings, at, blocking, did_you_mean, distance_outside, is_within, solid_name};
+use super::{Report, Surroundings, at, blocking, did_you_mean, is_within, solid_name};
 use crate::drivers::path::GREATEST_SPEED_MPS;
 use crate::geometry::{self, Point};
 use crate::home::plan::{Plan, Solid};
@@ -227,7 +227,7 @@ impl Walk<'_> {
         let (plan, to) = (self.surroundings.plan?, self.find(spot)?);
         // A place that nobody can be at is a problem of the home, not of every path that goes there.
         let blamed = matches!(spot, Spot::Place(name) if home.places.iter().any(|place| place.name == *name));
-        if distance_outside(plan, to) > super::TOLERANCE_M {
+        if plan.distance_outside(to) > super::TOLERANCE_M {
             if !blamed {
                 self.report.add(pointer, format!("{subject} at {}, outside the home", at(to)));
             }

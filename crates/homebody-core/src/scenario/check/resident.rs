@@ -1,6 +1,6 @@
 //! A resident's file: a name of their own, and a place to stand for a body that is driven live.
 
-use super::{Report, Surroundings, at, blocking, distance_outside, folded, solid_name};
+use super::{Report, Surroundings, at, blocking, folded, solid_name};
 use crate::geometry::{self, point};
 use crate::problem::Problem;
 use crate::scenario::resident::{LiveFile, ResidentFile};
@@ -32,7 +32,7 @@ pub fn check_start(
     let report = &mut Report { source, problems };
     let (Some(home), Some(plan)) = (surroundings.home, surroundings.plan) else { return };
     let (start, pointer) = (point(live.start), "/driver/live/start");
-    if distance_outside(plan, start) > super::TOLERANCE_M {
+    if plan.distance_outside(start) > super::TOLERANCE_M {
         report.add(pointer, format!("{} starts at {}, outside the home", file.name, at(start)));
         return;
     }

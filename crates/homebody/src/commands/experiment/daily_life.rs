@@ -2,16 +2,17 @@
 
 use crate::commands::answer::Answer;
 use crate::failure::Failure;
-use crate::folder;
+use homebody_core::drivers::error::DriverError;
 use homebody_core::event::Events;
+use homebody_core::ids::{ResidentId, RoomId};
 use homebody_core::random::Stream;
 use homebody_core::run::Run;
 use homebody_core::scenario::home::SensorFile;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::MessagesFile;
 use homebody_core::time::{DAY, micros};
+use homebody_experiment::daily_life::{Experiment, Lived, Person};
 use homebody_routine::household::Household;
-use homebody_study::daily_life::{Experiment, Lived, Person};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
@@ -42,20 +43,21 @@ const SCENARIO: &str = "older-adult";
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let answer = self.answer.check(["", "hours"], &[])?;
-        let (scenario, household) = folder::load_own_lives(SCENARIO)?;
-        let household = household.one_of_many();
+        let opened = homebody_kit::template(SCENARIO)?;
+        let (scenario, household) = (opened.scenario(), opened.household().one_of_many());
         let progress = ProgressBar::new(u64::from(self.people));
         let style = ProgressStyle::with_template("{bar:40} {pos} of {len} people  {eta} left");
         progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         let live = |number: u32| {
             let seed = seed_of(self.seed, number);
-            let person = live(&scenario, &household, seed, self.days);
+            let person = live(scenario, &household, seed, self.days)?;
             progress.inc(1);
-            person
+            Ok(person)
         };
         // In order of their numbers, whichever is done first.
-        let persons: Vec<Person> = (0..self.people).into_par_iter().map(live).collect();
+        let persons: Result<Vec<Person>, DriverError> = (0..self.people).into_par_iter().map(live).collect();
         progress.finish_and_clear();
+        let persons = persons?;
         let experiment = Experiment::of(persons, self.seed);
         answer.give(&experiment, [&|| experiment.chart(), &|| experiment.hours()])
     }
@@ -68,11 +70,11 @@ fn seed_of(seed: u64, number: u32) -> u64 {
 }
 
 /// One person's days, measured.
-fn live(scenario: &Scenario, household: &Household, seed: u64, days: u32) -> Person {
+fn live(scenario: &Scenario, household: &Household, seed: u64, days: u32) -> Result<Person, DriverError> {
     let length = i64::from(days) * DAY;
     let mut run = Run::new(scenario, household, seed, length);
     let mut events = Events::default();
-    run.advance(length, &mut events);
+    run.advance(length, &mut events)?;
     let is_motion: Vec<bool> = scenario.home.sensors.iter().map(SensorFile::senses_motion).collect();
     let hold = match &scenario.logger.messages {
         // Each firing is an ON of its own.
@@ -81,14 +83,14 @@ fn live(scenario: &Scenario, household: &Household, seed: u64, days: u32) -> Per
         MessagesFile::Occupancy(occupancy) => micros(occupancy.timeout_s),
     };
     let rooms = &run.home().plan.rooms;
-    let hall = rooms.iter().position(|room| room.name == "hall").map(|index| index as u32);
-    Person::of(&Lived {
+    let hall = rooms.iter().position(|room| room.name == "hall").map(RoomId::of);
+    Ok(Person::of(&Lived {
         events: &events,
-        resident: 0,
+        resident: ResidentId(0),
         calendar: &scenario.calendar,
         days: 1..days as i32,
         hall,
         is_motion: &is_motion,
         hold,
-    })
+    }))
 }

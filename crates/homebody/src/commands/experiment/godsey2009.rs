@@ -2,8 +2,8 @@
 
 use crate::commands::answer::Answer;
 use crate::failure::Failure;
-use homebody_study::godsey2009::{Experiment, LENGTH_S};
-use homebody_study::picture::{Activity, Reference, TotalsLine, firing_chart, totals_chart};
+use homebody_experiment::godsey2009::{Experiment, LENGTH_S};
+use homebody_picture::{Activity, Reference, TotalsLine, firing_chart, totals_chart};
 
 /// One sensor, one person, three paces, two distances: the paper's own experiment.
 #[derive(clap::Args)]

@@ -2,10 +2,10 @@
 
 use crate::commands::answer::Answer;
 use crate::failure::Failure;
-use crate::folder;
 use crate::print::tell;
-use homebody_study::picture::{Lane, Panel, span_chart};
-use homebody_study::sphere::{AnnotatedRun, Experiment, Interval, Recording, Texts, Undone, parse};
+use homebody_experiment::sphere::{AnnotatedRun, Experiment, Interval, Recording, Texts, parse};
+use homebody_kit::{Source, Template};
+use homebody_picture::{Lane, Panel, span_chart};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -33,15 +33,13 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let answer = self.answer.check([""], &[])?;
-        let (house, entry) = match &self.house {
-            Some(path) => folder::load(path)?,
-            None => folder::load_own("sphere-house")?,
+        let source = match &self.house {
+            Some(path) => Source::at(path)?,
+            None => Template::named("sphere-house")?.source(),
         };
+        let house = source.scenario()?;
         let recordings = recordings(&self.data)?;
-        let experiment = Experiment::run(&recordings, &house, &entry, self.seed).map_err(|undone| match undone {
-            Undone::Problems(problems) => Failure::Problems(problems),
-            undone => Failure::usage(undone),
-        })?;
+        let experiment = Experiment::run(&recordings, &house, self.seed).map_err(Failure::usage)?;
         answer.give(&experiment, [&|| picture(&experiment)])
     }
 }

@@ -22,7 +22,8 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let (scenario, household) = load_and_say(&self.scenario, self.json, |_| Vec::new())?;
+        let opened = load_and_say(&self.scenario, self.json, |_| Vec::new())?;
+        let (scenario, household) = (opened.scenario(), opened.household());
         let mut routines = 0;
         for (index, resident) in scenario.residents.iter().enumerate() {
             let Some(routine) = household.routine(index) else { continue };

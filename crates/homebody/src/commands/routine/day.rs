@@ -2,17 +2,16 @@
 
 use crate::commands::answer::Answer;
 use crate::failure::Failure;
-use crate::folder;
-use homebody_core::event::{Events, Fact};
-use homebody_core::run::Run;
-use homebody_core::time::{Micros, SECOND};
+use homebody_analysis::dates::{date_of, on_wall};
+use homebody_analysis::day::Day;
+use homebody_core::event::Fact;
+use homebody_core::time::Micros;
+use homebody_kit::LiveRun;
 use homebody_log::{Activity, Life, Log};
-use homebody_study::dates::{date_of, on_wall};
-use homebody_study::day::Day;
-use homebody_study::picture::day_chart;
+use homebody_picture::{DayChart, day_chart};
 use std::path::PathBuf;
 
-/// DriverProvider a scenario as far as a day and says what was done on it, and in which rooms.
+/// Lives a scenario as far as a day and says what was done on it, and in which rooms.
 ///
 /// It is the very day that a run of the scenario has: another seed is another day.
 #[derive(clap::Args)]
@@ -38,24 +37,26 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let (scenario, _, household) = folder::load_lives(&self.scenario, &self.without)?;
-        let answer = self.answer.check([""], &folder::files(&self.scenario, &scenario))?;
+        let opened = homebody_kit::open(&self.scenario)?;
+        let scenario = opened.scenario();
+        let answer = self.answer.check([""], &opened.paths())?;
         let zone = scenario.calendar.local(0).time_zone().clone();
         let wall = |at: Micros| on_wall(scenario.calendar.timestamp(at).as_microsecond(), &zone);
         let first = date_of(wall(0));
         let date = self.date.unwrap_or_else(|| first.saturating_add(jiff::Span::new().days(1)));
         let day = (date - first).get_days();
-        if !(0..=36_525).contains(&day) {
+        if !(0..36_525).contains(&day) {
             let what = format!("{} begins on {first} and has no {date}", scenario.file.name);
             return Err(Failure::usage(format!("{what}\n  hint: name a day within a hundred years of its beginning")));
         }
         let (begin, end) = (scenario.calendar.instant(day, 0), scenario.calendar.instant(day + 1, 0));
-        let run = Run::new(&scenario, &household, self.seed.unwrap_or(scenario.file.seed), end);
+        let run = opened.run().seed(self.seed.unwrap_or(scenario.file.seed)).length(end).without(&self.without);
+        let run = run.start()?;
         let mut lives = Lived::new(&run);
-        lives.live(run, begin, wall);
+        lives.live(run, begin, wall)?;
         let name = format!("{}, lived", scenario.file.name);
         let day = Day::of(&name, &Log::default(), &lives.lives, date);
-        answer.give(&day, [&|| day_chart(&day.chart())])
+        answer.give(&day, [&|| day_chart(&DayChart::of(&day))])
     }
 }
 
@@ -66,32 +67,29 @@ struct Lived {
 }
 
 impl Lived {
-    fn new(run: &Run) -> Lived {
+    fn new(run: &LiveRun) -> Lived {
         let life = |resident| Life { resident, ..Life::default() };
         let rooms = run.home().plan.rooms.iter().map(|room| room.name.clone()).collect();
-        Lived { lives: run.names().into_iter().map(life).collect(), rooms }
+        Lived { lives: run.residents().into_iter().map(life).collect(), rooms }
     }
 
-    /// DriverProvider the run to its end, and keeps what goes on from an instant on.
-    fn live(&mut self, mut run: Run, from: Micros, wall: impl Fn(Micros) -> Micros) {
-        let mut events = Events::default();
-        while run.now() < run.length() {
-            run.advance(run.now() + 6 * 3600 * SECOND, &mut events);
-            for fact in events.facts.drain(..) {
+    /// Lives the run to its end, and keeps what goes on from an instant on.
+    fn live(&mut self, mut run: LiveRun, from: Micros, wall: impl Fn(Micros) -> Micros) -> Result<(), Failure> {
+        while let Some(batch) = run.next_batch()? {
+            for fact in batch.facts {
                 match fact {
                     Fact::Activity { resident, at, name } => {
-                        turn(&mut self.lives[resident as usize].activities, wall(at), name);
+                        turn(&mut self.lives[resident.index()].activities, wall(*at), name.clone());
                     }
                     Fact::Room { resident, at, room } => {
-                        let name = room.map(|room| self.rooms[room as usize].clone());
-                        turn(&mut self.lives[resident as usize].rooms, wall(at), name);
+                        let name = room.map(|room| self.rooms[room.index()].clone());
+                        turn(&mut self.lives[resident.index()].rooms, wall(*at), name);
                     }
                     _ => {}
                 }
             }
-            events.clear();
         }
-        let end = wall(run.length());
+        let end = wall(run.progress().length);
         for life in &mut self.lives {
             turn(&mut life.activities, end, None);
             turn(&mut life.rooms, end, None);
@@ -99,6 +97,7 @@ impl Lived {
             life.rooms.retain(|room| room.end > wall(from));
         }
         self.lives.retain(|life| !life.activities.is_empty() || !life.rooms.is_empty());
+        Ok(())
     }
 }
 

@@ -1,7 +1,6 @@
 //! `homebody routine explain`: how routines were understood.
 
 use crate::failure::Failure;
-use crate::folder;
 use crate::print::{print_json, print_text};
 use homebody_routine::explain::explain;
 use serde_json::json;
@@ -27,7 +26,8 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let (scenario, _, household) = folder::load_lives(&self.scenario, &[])?;
+        let opened = homebody_kit::open(&self.scenario)?;
+        let (scenario, household) = (opened.scenario(), opened.household());
         let routines = (0..scenario.residents.len()).filter_map(|resident| household.routine(resident).cloned());
         let unsaid =
             (0..scenario.residents.len()).filter(|_| self.unsaid).filter_map(|resident| household.unsaid(resident));

@@ -1,6 +1,7 @@
 //! Furniture: one form each, convex, in the home.
 
-use super::{Report, check_convex, keeps_within};
+use super::Report;
+use super::areas::{check_convex, keeps_within};
 use crate::home::plan::{Plan, furniture_outline};
 use crate::scenario::home::HomeFile;
 

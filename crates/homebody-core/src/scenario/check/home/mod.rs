@@ -1,5 +1,6 @@
 //! `home.json`: names, then the building, then what hangs in it.
 
+mod areas;
 mod devices;
 mod furniture;
 mod names;
@@ -9,15 +10,12 @@ mod walls;
 
 pub(in crate::scenario::check) use sensors::check_mounting;
 
-use super::{Report, TOLERANCE_M, at, blocking, distance_outside, is_within, solid_name};
-use crate::geometry::{self, Point, point};
+use super::{Report, TOLERANCE_M, at, blocking, is_within, solid_name};
+use crate::geometry::{At, point};
 use crate::home::plan::Plan;
 use crate::problem::Problem;
-use crate::scenario::home::{At, GREATEST_SIZE_M, HomeFile, REACH_OUT_M};
+use crate::scenario::home::{GREATEST_SIZE_M, HomeFile};
 use crate::scenario::source::Source;
-
-/// Smaller areas are none.
-const LEAST_AREA_M2: f64 = 1e-6;
 
 /// Checks the file; gives the plan if the building is sound.
 pub fn check(source: &Source, home: &HomeFile, problems: &mut Vec<Problem>) -> Option<Plan> {
@@ -60,40 +58,11 @@ fn check_size(report: &mut Report, home: &HomeFile) {
 fn check_places(report: &mut Report, home: &HomeFile, plan: &Plan) {
     for (index, place) in home.places.iter().enumerate() {
         let (pointer, name, p) = (format!("/places/{index}/at"), &place.name, point(place.at));
-        if distance_outside(plan, p) > TOLERANCE_M {
+        if plan.distance_outside(p) > TOLERANCE_M {
             report.add(&pointer, format!("the place {name:?} at {} is outside the home", at(p)));
         } else if let Some(solid) = blocking(plan, p) {
             let hint = "put it beside, where a person can stand";
             report.hinted(&pointer, format!("the place {name:?} is inside {}", solid_name(home, solid)), hint);
         }
     }
-}
-
-/// Whether the outline is a convex area; says what is wrong with it if not.
-fn check_convex(report: &mut Report, pointer: &str, outline: &[Point], subject: &str) -> bool {
-    let what = if is_flat(outline) {
-        "has no area"
-    } else if geometry::crosses_itself(outline) {
-        "crosses itself"
-    } else if !geometry::is_convex(outline) {
-        "must be convex"
-    } else {
-        return true;
-    };
-    let hint = (what == "must be convex").then(|| "make it of several convex pieces".to_string());
-    report.problems.push(report.source.problem(pointer, format!("{subject} {what}"), hint));
-    false
-}
-
-/// Whether all corners lie on one line.
-fn is_flat(outline: &[Point]) -> bool {
-    let from_first = |corner: Point| corner - outline[0];
-    let fan = geometry::sides(outline).map(|(a, b)| from_first(a).perp_dot(from_first(b)).abs());
-    fan.sum::<f64>() / 2.0 < LEAST_AREA_M2
-}
-
-/// Whether an area keeps to the home, up to the thickness of its walls.
-fn keeps_within(plan: &Plan, outline: &[Point]) -> bool {
-    let corners = outline.iter().all(|&corner| distance_outside(plan, corner) <= REACH_OUT_M);
-    corners && distance_outside(plan, geometry::inner_point(outline)) <= TOLERANCE_M
 }

@@ -1,6 +1,7 @@
 //! Rooms: outlines that enclose an area, each its own.
 
-use super::{Report, is_flat};
+use super::Report;
+use super::areas::is_flat;
 use crate::geometry::{self, Point, overlap, point};
 use crate::scenario::home::HomeFile;
 

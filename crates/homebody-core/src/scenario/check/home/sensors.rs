@@ -1,15 +1,14 @@
 //! Sensors: timing that can be, and a place from which they can see.
 
-use super::{
-    Report, TOLERANCE_M, at, check_convex, devices, distance_outside, is_flat, is_within, keeps_within, solid_name,
-};
+use super::areas::{check_convex, is_flat, keeps_within};
+use super::{Report, TOLERANCE_M, at, devices, is_within, solid_name};
 use crate::geometry::{self, Point, point};
 use crate::home::plan::{Plan, Solid};
 use crate::scenario::home::{HomeFile, Level, MotionFile, SensorFile};
 use crate::sensors::motion::LENS_OFF_WALL_M;
 
-/// The beams of all sensors together that a run can follow.
-const MOST_BEAMS: u32 = 4096;
+/// The beams of all sensors together that a run can follow (ours): as many as the most sensors have by default.
+const MOST_BEAMS: u32 = 32_768;
 
 /// An area that goes so far beyond a wall, along so much of it, reaches through it (ours).
 const REACH_THROUGH_M: f64 = 0.05;
@@ -136,7 +135,7 @@ pub(in crate::scenario::check) fn check_mounting(
     if let Some(solid) = tall().find(|solid| is_within(solid, lens)) {
         let what = format!("the sensor {name:?} is inside {}", solid_name(home, solid));
         report.hinted(&format!("{place}/at"), what, hint);
-    } else if distance_outside(plan, lens) > TOLERANCE_M {
+    } else if plan.distance_outside(lens) > TOLERANCE_M {
         let what = format!("the sensor {name:?} at {} is outside the home", at(lens));
         report.hinted(&format!("{place}/at"), what, hint);
     } else {

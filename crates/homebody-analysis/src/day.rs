@@ -1,0 +1,252 @@
+//! One day of a log: what each sensor said, and, where it is known, what residents did and where they were.
+//!
+//! A day is 24 hours on the clock on the wall. A firing is a row by which a sensor says that something begins: `ON`,
+//! `OPEN`, `FIRE`; it counts on the day on which it begins. Sensors that tell readings, such as temperatures, are left out.
+
+use homebody_core::activity::ActivityKind;
+use homebody_core::time::{DAY, Micros, seconds};
+use homebody_log::{Activity, Life, Log};
+use jiff::civil::Date;
+use serde::Serialize;
+use std::fmt;
+
+use crate::dates::{clock, clock_s, midnight};
+use crate::signs::{Kind, kinds, spans};
+
+/// What was so on one day.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Day {
+    pub name: String,
+    pub date: Date,
+    pub firings: u64,
+    /// Times of day and sensors, where there were firings.
+    pub first: Option<Firing>,
+    pub last: Option<Firing>,
+    /// Those whose truth is known; one without a name where the log itself notes activities.
+    pub residents: Vec<Resident>,
+    /// In the order of the log.
+    pub sensors: Vec<Sensor>,
+    /// How many sensors tell readings, and are left out.
+    pub readings: usize,
+}
+
+/// When which sensor fired.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Firing {
+    pub at: String,
+    pub sensor: String,
+}
+
+/// What a resident did on the day, and where.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Resident {
+    pub name: Option<String>,
+    pub activities: Vec<Stretch>,
+    pub rooms: Vec<Stretch>,
+}
+
+/// A part of the day, in seconds since midnight.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Stretch {
+    pub begin_s: f64,
+    pub end_s: f64,
+    pub what: String,
+}
+
+/// What a sensor said on the day.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Sensor {
+    pub sensor: String,
+    pub kind: Kind,
+    pub firings: u64,
+    pub by_hour: [u64; 24],
+    /// In seconds since midnight: from when to when something went on.
+    pub spans_s: Vec<(f64, f64)>,
+}
+
+impl Day {
+    /// A day of a log in local time; `lives` is what is known of its residents, if anything.
+    pub fn of(name: &str, log: &Log, lives: &[Life], date: Date) -> Day {
+        let begin = midnight(date);
+        let within = begin..begin + DAY;
+        let mut sensors = Vec::new();
+        let mut readings = 0;
+        // By instant, and the sensor's place.
+        let mut ends: Vec<(Micros, usize)> = Vec::new();
+        for ((sensor, kind), spans) in log.sensors.iter().zip(kinds(log)).zip(spans(log)) {
+            if kind == Kind::Reading {
+                readings += 1;
+                continue;
+            }
+            let mut by_hour = [0; 24];
+            for &(at, _) in spans.iter().filter(|(at, _)| within.contains(at)) {
+                by_hour[((at - begin) * 24 / DAY) as usize] += 1;
+                ends.push((at, sensors.len()));
+            }
+            // What ends as the day begins is not of it; what begins then is.
+            let shown = spans.iter().filter(|&&(from, to)| from < within.end && (to > begin || from == begin));
+            let spans_s = shown.map(|&(from, to)| part(from, to, begin)).collect();
+            sensors.push(Sensor { sensor: sensor.clone(), kind, firings: by_hour.iter().sum(), by_hour, spans_s });
+        }
+        let firing =
+            |(at, sensor): &(Micros, usize)| Firing { at: clock_s(*at), sensor: sensors[*sensor].sensor.clone() };
+        let resident = |name: Option<&str>, activities: &[Activity], rooms: &[Activity]| Resident {
+            name: name.map(String::from),
+            activities: stretches(activities, begin),
+            rooms: stretches(rooms, begin),
+        };
+        let known = lives.iter().map(|life| resident(Some(&life.resident), &life.activities, &life.rooms));
+        let mut residents: Vec<Resident> = known.collect();
+        if residents.is_empty() && !log.activities.is_empty() {
+            residents.push(resident(None, &log.activities, &[]));
+        }
+        Day {
+            name: name.into(),
+            date,
+            firings: ends.len() as u64,
+            first: ends.iter().min().map(firing),
+            last: ends.iter().max().map(firing),
+            residents,
+            sensors,
+            readings,
+        }
+    }
+}
+
+/// The part of a span that is in the day which begins at `begin`, in seconds since then.
+fn part(from: Micros, to: Micros, begin: Micros) -> (f64, f64) {
+    (seconds(from.max(begin) - begin), seconds(to.min(begin + DAY) - begin))
+}
+
+fn stretches(all: &[Activity], begin: Micros) -> Vec<Stretch> {
+    let shown = all.iter().filter(|one| one.begin < begin + DAY && one.end > begin);
+    let stretch = |one: &Activity| {
+        let (begin_s, end_s) = part(one.begin, one.end, begin);
+        Stretch { begin_s, end_s, what: one.name.clone() }
+    };
+    shown.map(stretch).collect()
+}
+
+/// A day in words and tables.
+impl fmt::Display for Day {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}: {}", self.name, self.date.strftime("%A %F"))?;
+        match self.sensors.len() {
+            // Lived, without a log.
+            0 => writeln!(f)?,
+            1 => writeln!(f, ", {} firings of 1 sensor", self.firings)?,
+            sensors => writeln!(f, ", {} firings of {sensors} sensors", self.firings)?,
+        }
+        for (what, firing) in [("First", &self.first), ("Last", &self.last)] {
+            if let Some(Firing { at, sensor }) = firing {
+                writeln!(f, "{:7} {at}  {sensor}", format!("{what}:"))?;
+            }
+        }
+        for resident in &self.residents {
+            writeln!(f, "\n{}", resident.name.as_deref().unwrap_or("Activities that the log notes"))?;
+            if resident.activities.is_empty() {
+                writeln!(f, "  no activity is known of this day")?;
+            }
+            for Stretch { begin_s, end_s, what } in &resident.activities {
+                let time = |at_s: f64| clock((at_s * 1e6) as Micros);
+                let kind = ActivityKind::of(what).in_words();
+                writeln!(f, "  {}-{}  {:24}  {kind}", time(*begin_s), time(*end_s), what.replace('_', " "))?;
+            }
+        }
+        if self.sensors.is_empty() && self.readings == 0 {
+            return Ok(());
+        }
+        let names = self.sensors.iter().map(|sensor| sensor.sensor.chars().count());
+        let width = names.max().unwrap_or(0).max(6);
+        let most = self.sensors.iter().map(|sensor| sensor.firings).max().unwrap_or(0).max(1);
+        writeln!(f)?;
+        for Sensor { sensor, firings, .. } in &self.sensors {
+            let line =
+                format!("  {sensor:width$} {firings:>8}  {}", "█".repeat((firings * 30).div_ceil(most) as usize));
+            writeln!(f, "{}", line.trim_end())?;
+        }
+        writeln!(f, "  {:width$} {:>8}", "all", self.firings)?;
+        self.by_hour(f, width)?;
+        match self.readings {
+            0 => Ok(()),
+            1 => writeln!(f, "\nLeft out: 1 sensor that tells readings."),
+            more => writeln!(f, "\nLeft out: {more} sensors that tell readings."),
+        }
+    }
+}
+
+impl Day {
+    /// The firings by hour of all sensors that fired.
+    fn by_hour(&self, f: &mut fmt::Formatter, width: usize) -> fmt::Result {
+        let fired: Vec<&Sensor> = self.sensors.iter().filter(|sensor| sensor.firings > 0).collect();
+        if fired.is_empty() {
+            return Ok(());
+        }
+        let most = fired.iter().flat_map(|sensor| sensor.by_hour).max().unwrap_or(0);
+        let wide = most.to_string().len().max(2) + 1;
+        let hours: String = (0..24).map(|hour| format!("{hour:>wide$}")).collect();
+        writeln!(f, "\n  {:width$} {hours}", "hour")?;
+        for sensor in fired {
+            let cell = |count: &u64| if *count == 0 { format!("{:>wide$}", ".") } else { format!("{count:>wide$}") };
+            let cells: String = sensor.by_hour.iter().map(cell).collect();
+            writeln!(f, "  {:width$} {cells}", sensor.sensor)?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample::log;
+    use jiff::civil::date;
+
+    const H: Micros = 3600;
+
+    fn told() -> Day {
+        let mut log = log(&[
+            (23 * H, "hall", "ON"),
+            (25 * H, "hall", "OFF"),
+            (26 * H, "T1", "21.5"),
+            (30 * H, "door", "OPEN"),
+            (47 * H, "hall", "ON"),
+            (49 * H, "hall", "OFF"),
+            (20 * H, "door", "OPEN"),
+            (24 * H, "door", "CLOSE"),
+            (30 * H + 5, "door", "CLOSE"),
+        ]);
+        let second = homebody_core::time::SECOND;
+        let activity = |from: i64, to: i64| Activity { name: "Cook".into(), begin: from * second, end: to * second };
+        log.activities = vec![activity(0, 24 * H), activity(24 * H + 60, 25 * H), activity(40 * H, 50 * H)];
+        Day::of("log", &log, &[], date(1970, 1, 2))
+    }
+
+    #[test]
+    fn a_day_is_cut_out_of_its_log() {
+        let day = told();
+        let at = |firing: &Option<Firing>| firing.as_ref().map(|it| (it.at.clone(), it.sensor.clone()));
+        assert_eq!((day.firings, day.readings), (2, 1));
+        assert_eq!(at(&day.first), Some(("06:00:00".into(), "door".into())));
+        assert_eq!(at(&day.last), Some(("23:00:00".into(), "hall".into())));
+        // What goes on at midnight is shown on both days, and counts on the first.
+        assert_eq!(day.sensors[0].spans_s, [(0.0, 3600.0), (82_800.0, 86_400.0)]);
+        assert_eq!((day.sensors[0].firings, day.sensors[0].by_hour[23]), (1, 1));
+        assert_eq!(day.sensors[1].spans_s, [(21_600.0, 21_605.0)]);
+        let spans: Vec<_> = day.residents[0].activities.iter().map(|part| (part.begin_s, part.end_s)).collect();
+        assert_eq!(spans, [(60.0, 3600.0), (57_600.0, 86_400.0)]);
+    }
+
+    #[test]
+    fn a_day_is_told() {
+        let day = told();
+        let words = day.to_string();
+        for part in [
+            "Friday 1970-01-02, 2 firings of 2 sensors",
+            "First:  06:00:00  door",
+            "16:00-24:00  Cook",
+            "Left out: 1 sensor",
+        ] {
+            assert!(words.contains(part), "{words}");
+        }
+    }
+}

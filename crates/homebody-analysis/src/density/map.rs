@@ -1,0 +1,263 @@
+//! A log as a map: its hours, day by day.
+
+use homebody_core::time::{DAY, Micros, SECOND, seconds};
+use homebody_log::Log;
+use jiff::civil::Date;
+use serde::Serialize;
+use std::ops::Range;
+
+use super::{Absence, Cell, Entrance, LEAST, Sign, State, Sum, absences, is_seat};
+use crate::dates::{date_of, midnight};
+use crate::signs::{Kind, Says, kinds, says, spans};
+
+const HOUR: Micros = 3600 * SECOND;
+/// A longer silence of all sensors is no recording.
+const SILENCE: Micros = DAY;
+/// The longest map: ten years.
+const MOST_DAYS: usize = 3660;
+
+/// What somebody wants to know of a log.
+#[derive(Clone, Debug)]
+pub struct Asked {
+    /// The sensors at the entrance; none to have them found by their names.
+    pub doors: Vec<String>,
+    /// The least absence.
+    pub away_after: Micros,
+    /// From when to when the log was recorded, if that is known.
+    pub recorded: Option<Range<Micros>>,
+    /// The first day, and how many; all days without them.
+    pub from: Option<Date>,
+    pub days: Option<usize>,
+}
+
+impl Default for Asked {
+    fn default() -> Asked {
+        Asked { doors: Vec::new(), away_after: LEAST, recorded: None, from: None, days: None }
+    }
+}
+
+/// Why there is no map.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NoMap {
+    #[error("no sensor in it tells of motion\n  hint: motion sensors say ON, FIRE, true or 1 when they see somebody")]
+    NoMotion,
+    #[error("a map of {0} days is longer than ten years")]
+    TooLong(usize),
+    #[error("{0} is no day of it\n  hint: it goes from {1} to {2}")]
+    NoDay(Date, Date, Date),
+}
+
+/// The hours of some days.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Map {
+    pub name: String,
+    pub from: Date,
+    pub events: u64,
+    pub motion_sensors: usize,
+    pub entrance: Entrance,
+    pub recorded_h: f64,
+    pub away_h: f64,
+    /// Firings an hour at home, if anybody ever was.
+    pub density_per_h: Option<f64>,
+    pub away_h_per_day: f64,
+    pub days: Vec<Day>,
+    /// The 24 hours of the day over all days.
+    pub hours: Vec<Hour>,
+    /// All of which at least a part lies in these days.
+    pub absences: Vec<Absence>,
+    /// By day and hour.
+    #[serde(skip)]
+    pub cells: Vec<[Cell; 24]>,
+}
+
+/// One day of a map.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Day {
+    pub date: Date,
+    #[serde(flatten)]
+    pub sum: Sum,
+}
+
+/// One hour of the day over all days of a map.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Hour {
+    pub hour: usize,
+    #[serde(flatten)]
+    pub sum: Sum,
+}
+
+impl Map {
+    /// The map of the days that are asked for.
+    pub fn of(name: &str, log: &Log, asked: &Asked) -> Result<Map, NoMap> {
+        let kinds = kinds(log);
+        let sensors: Vec<(&str, Kind)> = log.sensors.iter().map(String::as_str).zip(kinds.iter().copied()).collect();
+        let entrance = Entrance::find(&sensors, &asked.doors);
+        let Heard { rows, events, signs } = Heard::of(log, &kinds, &entrance);
+        let (&[first, ..], &[.., last]) = (&rows[..], &rows[..]) else { return Err(NoMap::NoMotion) };
+        if events.is_empty() {
+            return Err(NoMap::NoMotion);
+        }
+        let seats = spans(log).into_iter().zip(&log.sensors).filter(|(_, name)| is_seat(name));
+        let taken: Vec<(Micros, Micros)> = seats.flat_map(|(spans, _)| spans).collect();
+        let absences = absences(&signs, &taken, asked.away_after);
+        let recorded: Vec<Range<Micros>> = match &asked.recorded {
+            Some(span) => std::iter::once(span.start.min(first)..span.end.max(last + 1)).collect(),
+            None => without_silences(&rows, &absences),
+        };
+        let days = days(asked, first.min(recorded[0].start), recorded[recorded.len() - 1].end)?;
+
+        let mut cells = vec![[Cell::default(); 24]; days.count];
+        for &at in &events {
+            if let Some(cell) = days.cell(&mut cells, at) {
+                cell.events += 1;
+            }
+        }
+        for span in &recorded {
+            days.add(&mut cells, span.clone(), |cell, hours| cell.recorded_h += hours);
+        }
+        for absence in &absences {
+            days.add(&mut cells, absence.begin..absence.end, |cell, hours| cell.away_h += hours);
+        }
+        let shown = |absence: &&Absence| absence.begin < days.span().end && absence.end > days.span().start;
+        let motion_sensors = kinds.iter().filter(|kind| **kind == Kind::Motion).count();
+        let absences = absences.iter().filter(shown).copied().collect();
+        Ok(Map::sum(name, days.first, cells, Found { motion_sensors, entrance, absences }))
+    }
+
+    /// Sums the cells up.
+    fn sum(name: &str, from: Date, cells: Vec<[Cell; 24]>, found: Found) -> Map {
+        let first = midnight(from);
+        let days = cells.iter().zip(0..);
+        let days = days.map(|(day, number)| Day { date: date_of(first + number * DAY), sum: Sum::of(day) });
+        let hours = (0..24).map(|hour| Hour { hour, sum: Sum::of(cells.iter().map(|day| &day[hour])) });
+        let all = Sum::of(cells.iter().flatten());
+        let recorded_days = all.recorded_h / 24.0;
+        Map {
+            name: name.into(),
+            from,
+            events: all.events,
+            motion_sensors: found.motion_sensors,
+            entrance: found.entrance,
+            recorded_h: all.recorded_h,
+            away_h: all.away_h,
+            density_per_h: all.density_per_h,
+            away_h_per_day: if recorded_days > 0.0 { all.away_h / recorded_days } else { 0.0 },
+            days: days.collect(),
+            hours: hours.collect(),
+            absences: found.absences,
+            cells,
+        }
+    }
+
+    /// The cells as rows of a table: `date,hour,events,athome_h,density`; without a density where nobody was at home, and
+    /// without hours at home where nothing is known.
+    pub fn csv(&self) -> String {
+        let mut text = String::from("date,hour,events,athome_h,density\n");
+        for (day, cells) in self.days.iter().zip(&self.cells) {
+            for (hour, cell) in cells.iter().enumerate() {
+                let [at_home, density] = match cell.state() {
+                    State::NoData => [String::new(), String::new()],
+                    State::Away => [format!("{:.4}", cell.at_home_h()), String::new()],
+                    State::Density(density) => [format!("{:.4}", cell.at_home_h()), format!("{density:.4}")],
+                };
+                text += &format!("{},{hour},{},{at_home},{density}\n", day.date, cell.events);
+            }
+        }
+        text
+    }
+}
+
+/// The rows of a log, in order: when there were any, events of motion, and signs of somebody.
+struct Heard {
+    rows: Vec<Micros>,
+    events: Vec<Micros>,
+    signs: Vec<Sign>,
+}
+
+impl Heard {
+    fn of(log: &Log, kinds: &[Kind], entrance: &Entrance) -> Heard {
+        let values: Vec<Says> = log.values.iter().map(|value| says(value)).collect();
+        let is_entrance: Vec<bool> = log.sensors.iter().map(|name| entrance.sensors.contains(name)).collect();
+        let mut heard = Heard { rows: Vec::with_capacity(log.events.len()), events: Vec::new(), signs: Vec::new() };
+        for event in &log.events {
+            let (at, sensor, says) = (event.at, event.sensor as usize, values[event.value as usize]);
+            let begins = matches!(says, Says::Begins | Says::Opens);
+            let is_motion = kinds[sensor] == Kind::Motion && says == Says::Begins;
+            if is_motion || begins && (kinds[sensor] == Kind::Contact || is_entrance[sensor]) {
+                heard.signs.push(Sign { at, at_entrance: is_entrance[sensor] });
+            }
+            heard.events.extend(is_motion.then_some(at));
+            heard.rows.push(at);
+        }
+        heard.rows.sort_unstable();
+        heard.events.sort_unstable();
+        heard.signs.sort_by_key(|sign| sign.at);
+        heard
+    }
+}
+
+/// What of a log is no matter of its cells.
+struct Found {
+    motion_sensors: usize,
+    entrance: Entrance,
+    absences: Vec<Absence>,
+}
+
+/// The days of a map.
+struct Days {
+    first: Date,
+    count: usize,
+}
+
+fn days(asked: &Asked, begin: Micros, end: Micros) -> Result<Days, NoMap> {
+    let (first, last) = (date_of(begin), date_of(end - 1));
+    let from = asked.from.unwrap_or(first);
+    if !(first..=last).contains(&from) {
+        return Err(NoMap::NoDay(from, first, last));
+    }
+    let there = ((midnight(last) - midnight(from)) / DAY + 1) as usize;
+    let count = asked.days.unwrap_or(there).min(there);
+    if count > MOST_DAYS { Err(NoMap::TooLong(count)) } else { Ok(Days { first: from, count }) }
+}
+
+impl Days {
+    fn span(&self) -> Range<Micros> {
+        let begin = midnight(self.first);
+        begin..begin + self.count as Micros * DAY
+    }
+
+    fn cell<'c>(&self, cells: &'c mut [[Cell; 24]], at: Micros) -> Option<&'c mut Cell> {
+        let hours = (at - self.span().start).div_euclid(HOUR);
+        let hour = usize::try_from(hours).ok()?;
+        cells.get_mut(hour / 24).map(|day| &mut day[hour % 24])
+    }
+
+    /// Gives each hour its part of a span, in hours.
+    fn add(&self, cells: &mut [[Cell; 24]], span: Range<Micros>, add: impl Fn(&mut Cell, f64)) {
+        let all = self.span();
+        let mut at = span.start.max(all.start);
+        let end = span.end.min(all.end);
+        while at < end {
+            let next = ((at.div_euclid(HOUR) + 1) * HOUR).min(end);
+            if let Some(cell) = self.cell(cells, at) {
+                add(cell, seconds(next - at) / 3600.0);
+            }
+            at = next;
+        }
+    }
+}
+
+/// From the first row to the last, but for silences that no absence explains.
+fn without_silences(rows: &[Micros], absences: &[Absence]) -> Vec<Range<Micros>> {
+    let mut recorded = Vec::new();
+    let mut begin = rows[0];
+    for pair in rows.windows(2) {
+        let is_away = || absences.iter().any(|absence| absence.begin <= pair[0] && pair[1] <= absence.end);
+        if pair[1] - pair[0] > SILENCE && !is_away() {
+            recorded.push(begin..pair[0] + 1);
+            begin = pair[1];
+        }
+    }
+    recorded.push(begin..rows[rows.len() - 1] + 1);
+    recorded
+}

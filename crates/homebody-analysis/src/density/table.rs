@@ -1,0 +1,135 @@
+//! Density as words and tables that people read.
+
+use std::fmt;
+
+use super::{Absence, Chosen, Day, Density, LEVELS, Map, Measured, Sum, Texture};
+use crate::dates::{clock, date_of};
+use homebody_core::problem::counted;
+use homebody_core::time::DAY;
+
+/// So many days are told one by one; of more, weeks are told.
+const MOST_DAYS: usize = 31;
+const MOST_ABSENCES: usize = 40;
+
+impl fmt::Display for Density {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let maps: Vec<&Measured> =
+            [&self.of].into_iter().chain(self.against.iter().map(|against| &against.of)).collect();
+        for (index, measured) in maps.iter().enumerate() {
+            if index > 0 {
+                writeln!(f, "\n")?;
+            }
+            tell(f, &measured.map)?;
+            by_hour(f, &measured.map)?;
+        }
+        writeln!(
+            f,
+            "\nTexture: how alike neighbouring hours are, in {LEVELS} levels of {} firings/h",
+            self.step_per_h
+        )?;
+        let width = maps.iter().map(|measured| measured.map.name.chars().count()).max().unwrap_or(0).max(3);
+        writeln!(f, "{:width$}  {:>11}  {:>8}  {:>7}", "log", "homogeneity", "contrast", "entropy")?;
+        for Measured { map, texture } in maps {
+            let features = texture.as_ref().map(|of: &Texture| [of.homogeneity, of.contrast, of.entropy]);
+            let features = features.map(|features| features.map(|feature| format!("{feature:.3}")));
+            let [homogeneity, contrast, entropy] = features.unwrap_or_else(|| ["-"; 3].map(String::from));
+            writeln!(f, "{:width$}  {homogeneity:>11}  {contrast:>8}  {entropy:>7}", map.name)?;
+        }
+        let Some(against) = &self.against else { return Ok(()) };
+        match against.distance {
+            None => writeln!(f, "\nThere is too little at home in one of the logs to say how far apart they are.")?,
+            Some(distance) => {
+                writeln!(f, "\nThe two maps are {distance:.3} apart: 0 is alike, 2.24 the most there can be.")?
+            }
+        }
+        match against.weeks_apart {
+            Some([median, most]) => writeln!(
+                f,
+                "To judge it: the weeks of {} are {median:.3} apart from each other, {most:.3} at most.",
+                against.of.map.name
+            ),
+            None => Ok(()),
+        }
+    }
+}
+
+fn tell(f: &mut fmt::Formatter, map: &Map) -> fmt::Result {
+    let last = map.days.last().map_or(map.from, |day| day.date);
+    let days = counted(map.days.len(), "day", "days");
+    let sensors = counted(map.motion_sensors, "motion sensor", "motion sensors");
+    writeln!(f, "{}: {days}, {} to {last}; {} firings of {sensors}", map.name, map.from, map.events)?;
+    match map.density_per_h {
+        Some(density) => writeln!(f, "At home:  {density:.1} firings an hour")?,
+        None => writeln!(f, "At home:  never")?,
+    }
+    writeln!(f, "Away:     {} a day; {:.1} h in all", hours_and_minutes(map.away_h_per_day), map.away_h)?;
+    let names = map.entrance.sensors.join(", ");
+    match map.entrance.chosen {
+        Chosen::Asked => writeln!(f, "Entrance: {names}, as asked")?,
+        Chosen::Known => writeln!(f, "Entrance: {names}, by name or as a door's contact")?,
+        Chosen::Guessed => writeln!(f, "Entrance: {names}, a guess by name")?,
+        Chosen::None => {
+            writeln!(f, "Entrance: no sensor's name speaks of one, so nobody is ever away")?;
+        }
+    }
+    absences(f, &map.absences)?;
+
+    let is_long = map.days.len() > MOST_DAYS;
+    let what = if is_long { "week from" } else { "day" };
+    writeln!(f, "\n{what:10}  {:>8}  {:>10}  {:>6}  {:>18}", "firings", "recorded h", "away h", "firings/h at home")?;
+    for (days, cells) in map.days.chunks(if is_long { 7 } else { 1 }).zip(map.cells.chunks(if is_long { 7 } else { 1 }))
+    {
+        let Some(Day { date, .. }) = days.first() else { continue };
+        row(f, &date.to_string(), 10, &Sum::of(cells.iter().flatten()))?;
+    }
+    Ok(())
+}
+
+fn absences(f: &mut fmt::Formatter, absences: &[Absence]) -> fmt::Result {
+    if absences.is_empty() {
+        return Ok(());
+    }
+    writeln!(f, "\n{:16}  {:16}  {:>6}  {:>14}", "away from", "to", "h", "stray firings")?;
+    let told = |at| format!("{} {}", date_of(at), clock(at.rem_euclid(DAY)));
+    for absence in absences.iter().take(MOST_ABSENCES) {
+        let (begin, end) = (told(absence.begin), told(absence.end));
+        writeln!(f, "{begin:16}  {end:16}  {:>6.1}  {:>14}", absence.hours(), absence.stray)?;
+    }
+    match absences.len().saturating_sub(MOST_ABSENCES) {
+        0 => Ok(()),
+        more => writeln!(f, "and {more} more"),
+    }
+}
+
+fn by_hour(f: &mut fmt::Formatter, map: &Map) -> fmt::Result {
+    writeln!(
+        f,
+        "\n{:10}  {:>8}  {:>10}  {:>6}  {:>18}",
+        "hour", "firings", "recorded h", "away h", "firings/h at home"
+    )?;
+    let densities = || map.hours.iter().filter_map(|hour| hour.sum.density_per_h);
+    let most = densities().fold(0.0, f64::max);
+    for hour in &map.hours {
+        let bar =
+            hour.sum.density_per_h.filter(|_| most > 0.0).map_or(0, |density| (density / most * 24.0).ceil() as usize);
+        let name = format!("{:02}-{:02}", hour.hour, hour.hour + 1);
+        let density = hour.sum.density_per_h.map_or("-".into(), |density| format!("{density:.1}"));
+        let Sum { events, recorded_h, away_h, .. } = hour.sum;
+        let line =
+            format!("{name:10}  {events:>8}  {recorded_h:>10.1}  {away_h:>6.1}  {density:>18}  {}", "█".repeat(bar));
+        writeln!(f, "{}", line.trim_end())?;
+    }
+    Ok(())
+}
+
+fn row(f: &mut fmt::Formatter, name: &str, width: usize, sum: &Sum) -> fmt::Result {
+    let density = sum.density_per_h.map_or("-".into(), |density| format!("{density:.1}"));
+    let Sum { events, recorded_h, away_h, .. } = sum;
+    writeln!(f, "{name:width$}  {events:>8}  {recorded_h:>10.1}  {away_h:>6.1}  {density:>18}")
+}
+
+/// Hours as people say them.
+fn hours_and_minutes(hours: f64) -> String {
+    let minutes = (hours * 60.0).round() as u64;
+    format!("{} h {:02} min", minutes / 60, minutes % 60)
+}

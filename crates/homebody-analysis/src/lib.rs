@@ -1,0 +1,22 @@
+//! What homes and logs tell: figures and tables for people and programs.
+//!
+//! Nothing here reads or writes a file: texts and logs come in, plain data goes out. Nothing here draws. In reading order:
+
+/// Where in a home the sensors see, from the very fields that make the data.
+pub mod coverage;
+
+/// Dates on the clock on the wall, and which rows of a log are signs of somebody.
+pub mod dates;
+pub mod signs;
+
+/// How alike two logs are.
+pub mod compare;
+
+/// How much somebody moved in each hour of each day, and when nobody was at home.
+pub mod density;
+
+/// One day: what sensors said, and what residents did.
+pub mod day;
+
+#[cfg(test)]
+mod sample;

@@ -1,0 +1,107 @@
+//! What a driver sees when it is asked: handed over with each question, never fetched.
+//!
+//! It is a view of the run at one instant. Nothing is computed before it is asked for, so a driver that does not look
+//! costs nothing.
+
+use super::MotionSegment;
+use crate::event::MotionState;
+use crate::geometry::Point;
+use crate::home::Build;
+use crate::home::plan::Plan;
+use crate::ids::{ResidentId, RoomId, ThingId};
+use crate::scenario::path::Posture;
+use crate::time::Micros;
+
+/// The surroundings of a resident at the instant at which its driver is asked what comes next.
+#[derive(Clone, Copy, Debug)]
+pub struct Surroundings<'a> {
+    now: Micros,
+    resident: ResidentId,
+    plan: &'a Plan,
+    occupants: &'a [Occupant],
+    on: &'a [bool],
+}
+
+/// Somebody as a run knows them: their build, and what their body is doing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Occupant {
+    pub build: Build,
+    /// Of who has not been placed yet, one of no length.
+    pub segment: MotionSegment,
+}
+
+/// A body in the home at an instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Body {
+    pub resident: ResidentId,
+    /// Metres, in the plan's coordinates.
+    pub at: Point,
+    pub posture: Posture,
+    pub build: Build,
+}
+
+impl<'a> Surroundings<'a> {
+    /// What `resident` sees at `now`. `occupants` are all who have a body, by [`ResidentId`]; `on` says of each of the
+    /// plan's things, by [`ThingId`], whether it is on, or open. A run makes its own; this is for tests of drivers.
+    pub fn new(
+        now: Micros,
+        resident: ResidentId,
+        plan: &'a Plan,
+        occupants: &'a [Occupant],
+        on: &'a [bool],
+    ) -> Surroundings<'a> {
+        Surroundings { now, resident, plan, occupants, on }
+    }
+
+    /// The instant: the end of the last segment, or 0; microseconds since the start of the run.
+    pub fn now(&self) -> Micros {
+        self.now
+    }
+
+    /// Who is asked.
+    pub fn resident(&self) -> ResidentId {
+        self.resident
+    }
+
+    /// The plan of the home.
+    pub fn plan(&self) -> &'a Plan {
+        self.plan
+    }
+
+    /// The resident's own body where its last segment has left it; `None` while it is away, or before its first segment.
+    pub fn body(&self) -> Option<Body> {
+        self.body_of(self.resident)
+    }
+
+    /// The bodies of the others who are at home, in the order of their ids.
+    pub fn others(&self) -> impl Iterator<Item = Body> + use<'a> {
+        let Surroundings { resident, occupants, .. } = *self;
+        let around = *self;
+        let all = (0..occupants.len()).map(ResidentId::of);
+        all.filter(move |&other| other != resident).filter_map(move |other| around.body_of(other))
+    }
+
+    /// The room that a point is in; `None` between rooms and outside.
+    pub fn room_at(&self, at: Point) -> Option<RoomId> {
+        self.plan.room_at(at).map(RoomId::of)
+    }
+
+    /// Whether a thing is on, or open, now.
+    pub fn is_on(&self, thing: ThingId) -> bool {
+        self.on.get(thing.index()).is_some_and(|&on| on)
+    }
+
+    fn body_of(&self, resident: ResidentId) -> Option<Body> {
+        let Occupant { build, segment } = self.occupants.get(resident.index())?;
+        let at = segment.position(self.now)?;
+        Some(Body { resident, at, posture: segment.posture, build: *build })
+    }
+}
+
+impl Occupant {
+    /// Somebody who has not been placed yet.
+    pub fn new(build: Build) -> Occupant {
+        let segment = MotionSegment { begin: 0, end: 0, doing: MotionState::Away, posture: Posture::Standing };
+        Occupant { build, segment }
+    }
+}

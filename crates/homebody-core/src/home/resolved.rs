@@ -1,0 +1,99 @@
+//! A home in which every name leads to what it names: its plan and its sensors, made once from its file.
+
+use super::plan::Plan;
+use crate::scenario::home::{HomeFile, SensorFile};
+use crate::sensors::Sensor;
+use std::fmt;
+use std::ops::Deref;
+
+/// A home's file with the plan that follows from it. One of a [`Scenario`](crate::scenario::load::Scenario) has passed its
+/// checks besides.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ResolvedHome {
+    file: HomeFile,
+    plan: Plan,
+    sensors: Vec<Sensor>,
+}
+
+/// A sensor that is on something, or in a room, that its home does not have.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unresolved {
+    /// The sensor's name.
+    pub sensor: String,
+}
+
+impl ResolvedHome {
+    /// Finds what the file names.
+    pub fn new(file: HomeFile) -> Result<ResolvedHome, Unresolved> {
+        let plan = Plan::new(&file);
+        ResolvedHome::with_plan(file, plan)
+    }
+
+    /// The same with the plan that was made of the file already.
+    pub(crate) fn with_plan(file: HomeFile, plan: Plan) -> Result<ResolvedHome, Unresolved> {
+        let sensor = |sensor: &SensorFile| {
+            Sensor::new(sensor, &plan).ok_or_else(|| Unresolved { sensor: sensor.name().to_owned() })
+        };
+        let sensors = file.sensors.iter().map(sensor).collect::<Result<_, _>>()?;
+        Ok(ResolvedHome { file, plan, sensors })
+    }
+
+    /// The same home with more sensors, as far as it has what they are on.
+    pub(crate) fn with_sensors(&self, more: Vec<SensorFile>) -> ResolvedHome {
+        let mut home = self.clone();
+        home.sensors.extend(more.iter().filter_map(|sensor| Sensor::new(sensor, &self.plan)));
+        home.file.sensors.extend(more);
+        home
+    }
+
+    /// Its floor plan.
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// Its sensors as a run uses them, in the order of the file.
+    pub fn placed_sensors(&self) -> &[Sensor] {
+        &self.sensors
+    }
+}
+
+/// What its file says.
+impl Deref for ResolvedHome {
+    type Target = HomeFile;
+
+    fn deref(&self) -> &HomeFile {
+        &self.file
+    }
+}
+
+impl fmt::Display for Unresolved {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "the home does not have what the sensor {:?} is on", self.sensor)
+    }
+}
+
+impl std::error::Error for Unresolved {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn home(on: &str) -> HomeFile {
+        let sensor = json!({ "kind": "contact", "name": "it", "on": on });
+        let rooms = json!([{ "name": "room", "outline": [[0, 0], [4, 0], [4, 4], [0, 4]] }]);
+        let fridge = json!({ "name": "fridge", "at": [1, 1], "size_m": [0.6, 0.6], "height_m": 1.8 });
+        serde_json::from_value(json!({ "name": "home", "rooms": rooms, "walls": [], "furniture": [fridge],
+            "sensors": [sensor] }))
+        .unwrap()
+    }
+
+    #[test]
+    fn a_sensor_is_where_its_thing_is_or_the_home_is_refused() {
+        let resolved = ResolvedHome::new(home("fridge")).unwrap();
+        assert!(resolved.placed_sensors()[0].at.distance(crate::geometry::point([1.0, 1.0])) < 1e-9);
+        assert_eq!(resolved.plan(), &Plan::new(&resolved));
+        let refused = ResolvedHome::new(home("oven")).unwrap_err();
+        assert_eq!(refused.to_string(), "the home does not have what the sensor \"it\" is on");
+    }
+}

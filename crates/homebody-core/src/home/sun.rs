@@ -1,0 +1,54 @@
+//! Where the sun stands over the home.
+
+use crate::scenario::calendar::Calendar;
+use crate::time::{DAY, Micros, SECOND};
+
+/// How far north Columbia is, the town of TigerPlace in Missouri, in degrees.
+pub const COLUMBIA_DEG: f64 = 38.95;
+
+/// What there is to know of the sun at the home: where it stands as a run begins. Daylight saving does not move it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sun {
+    /// Days since the beginning of the year.
+    pub day_of_year: f64,
+    /// Since midnight by the clock of the home's zone in winter, which is taken for the sun's.
+    pub time_of_day: Micros,
+    pub latitude_deg: f64,
+}
+
+impl Sun {
+    pub fn of(calendar: &Calendar, latitude_deg: f64) -> Sun {
+        let start = calendar.local(0);
+        let shift = if start.time_zone().to_offset_info(start.timestamp()).dst().is_dst() { 3600 * SECOND } else { 0 };
+        Sun {
+            day_of_year: f64::from(start.day_of_year()) - 1.0,
+            time_of_day: calendar.start_of_day() - shift,
+            latitude_deg,
+        }
+    }
+
+    /// The sine of the sun's height above the horizon at an instant of the run; below 0 it is dark.
+    ///
+    /// The declination is Cooper's (1969): 23.45 degrees times the sine of the year's turn.
+    pub fn elevation_sine(&self, at: Micros) -> f64 {
+        let days = (at + self.time_of_day) as f64 / DAY as f64;
+        let turn = |days: f64| days * core::f64::consts::TAU;
+        let declination = 23.45_f64.to_radians() * libm::sin(turn((284.0 + 1.0 + self.day_of_year + days) / 365.25));
+        let latitude = self.latitude_deg.to_radians();
+        libm::sin(latitude) * libm::sin(declination)
+            + libm::cos(latitude) * libm::cos(declination) * self.hour_angle_cosine(at)
+    }
+
+    /// How near it is to noon: 1 at noon, -1 at midnight, in between the cosine of the sun's hour angle.
+    pub fn hour_angle_cosine(&self, at: Micros) -> f64 {
+        let days = (at + self.time_of_day) as f64 / DAY as f64;
+        libm::cos((days - 0.5) * core::f64::consts::TAU)
+    }
+}
+
+impl Default for Sun {
+    /// The first of March, from midnight, in Missouri.
+    fn default() -> Sun {
+        Sun { day_of_year: 59.0, time_of_day: 0, latitude_deg: COLUMBIA_DEG }
+    }
+}

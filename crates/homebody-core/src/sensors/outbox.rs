@@ -1,0 +1,77 @@
+//! What devices are told, and what they say.
+//!
+//! A device hears what happens to things and bodies, and hands its messages to the world.
+//!
+//! We assume that it is told of things as they happen, and of what began earlier in the same words as at first.
+//!
+//! A message says whose doing it was, when that was seen, and whether something happened or a timer ran out.
+//!
+//! Left out: what becomes of a message on its way to the logger.
+
+use crate::event::{MotionState, Provenance, Trigger, Value, Vitals};
+use crate::home::sun::Sun;
+use crate::ids::{ResidentId, ThingId};
+use crate::random::Stream;
+use crate::scenario::path::Posture;
+use crate::time::{Micros, NEVER};
+
+/// What a device is told.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Change {
+    /// A resident used a thing: index into the home's things.
+    Use { resident: ResidentId, thing: ThingId, on: bool },
+    /// From now until `end` a resident's body does this. What began earlier may be told again, with its own `begin`.
+    Body { resident: ResidentId, begin: Micros, end: Micros, doing: MotionState, posture: Posture },
+    /// From now on a resident's heart and lungs are like this.
+    Vitals { resident: ResidentId, vitals: Vitals },
+}
+
+/// How a device behaves. What does nothing by default, many do not need.
+pub trait DeviceModel: Clone {
+    /// The device at the beginning of a run, with random numbers of its own, under this sun.
+    fn begin(&self, _stream: Stream, _sun: Sun) -> Self {
+        self.clone()
+    }
+
+    /// Whether it wants to be told what bodies do, which they say far more often than what they use.
+    fn feels_bodies(&self) -> bool {
+        false
+    }
+
+    /// Something happens at `at`; timers that are due earlier have run out before, those that are due then have not. What
+    /// depends on all that happens at this instant waits for a timer that is due now.
+    fn on_event(&mut self, _at: Micros, _change: &Change, _outbox: &mut Outbox) {}
+
+    /// When its timer is due next: after it was told something, now at the earliest; after its timer ran out, later.
+    fn timer(&self) -> Micros {
+        NEVER
+    }
+
+    /// Its timer runs out.
+    fn on_timer(&mut self, _at: Micros, _outbox: &mut Outbox) {}
+}
+
+/// What devices say, for the world to send.
+#[derive(Clone, Debug, Default)]
+pub struct Outbox(pub Vec<(Value, Provenance)>);
+
+impl Outbox {
+    pub fn say(&mut self, value: Value, resident: Option<ResidentId>, seen_at: Micros, trigger: Trigger) {
+        self.0.push((value, Provenance { resident, seen_at, trigger }));
+    }
+}
+
+/// A number as a reading: in thousandths, of which there are no more than a reading holds.
+pub fn reading(number: f64) -> Value {
+    Value::Reading(libm::round(number * 1000.0) as i32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn readings_are_rounded_to_thousandths() {
+        assert_eq!([21.5, -0.0004, -3.25, 1e9].map(reading), [21_500, 0, -3_250, i32::MAX].map(Value::Reading));
+    }
+}

@@ -1,0 +1,104 @@
+//! Copies of what is being lived, kept as it goes, so that going back need not begin at the beginning.
+//!
+//! A copy of a [`Run`](crate::run::Run) continues exactly as the original, so going on from one gives what living from the
+//! beginning gives. It holds for as long as seed, scenario and the input before its instant are the same: whoever changes one
+//! of these begins with none, or forgets those after the change.
+
+use crate::time::Micros;
+
+/// So many copies at most (ours): with the ones thinned out, going back costs at most an eighth of the way.
+pub const MOST: usize = 16;
+
+/// Copies of a state at instants of a run, evenly spread over what has been lived.
+#[derive(Clone, Debug)]
+pub struct Snapshots<T> {
+    /// In order of their instants; never more than [`MOST`].
+    kept: Vec<(Micros, T)>,
+    /// At least so far apart, in microseconds; it doubles whenever there would be too many.
+    every: Micros,
+}
+
+impl<T> Snapshots<T> {
+    /// None yet; at first they are to be `every` microseconds apart.
+    pub fn new(every: Micros) -> Snapshots<T> {
+        Snapshots { kept: Vec::new(), every: every.max(1) }
+    }
+
+    /// Keeps a copy of the state that has come to `at`, if it is time for one: it is made only then.
+    pub fn keep(&mut self, at: Micros, copy: impl FnOnce() -> T) {
+        if self.kept.len() == MOST && self.is_time(at) {
+            self.every = self.every.saturating_mul(2);
+            let mut number = 0;
+            self.kept.retain(|_| {
+                number += 1;
+                number % 2 == 1
+            });
+        }
+        if self.is_time(at) {
+            self.kept.push((at, copy()));
+        }
+    }
+
+    fn is_time(&self, at: Micros) -> bool {
+        self.kept.last().is_none_or(|(last, _)| at >= last.saturating_add(self.every))
+    }
+
+    /// The latest copy that is not after an instant; `None` if all are.
+    pub fn nearest_before(&self, at: Micros) -> Option<&T> {
+        let later = self.kept.partition_point(|(kept, _)| *kept <= at);
+        self.kept[..later].last().map(|(_, state)| state)
+    }
+
+    /// Forgets the copies after an instant, from which on all goes another way.
+    pub fn forget_after(&mut self, at: Micros) {
+        self.kept.retain(|(kept, _)| *kept <= at);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn instants(snapshots: &Snapshots<Micros>) -> Vec<Micros> {
+        snapshots.kept.iter().map(|(at, _)| *at).collect()
+    }
+
+    #[test]
+    fn copies_are_few_and_evenly_spread_however_long_it_is() {
+        let mut snapshots = Snapshots::new(10);
+        let mut made = 0;
+        for now in 0..100_000 {
+            snapshots.keep(now, || {
+                made += 1;
+                now
+            });
+            let kept = instants(&snapshots);
+            assert!(kept.len() <= MOST && kept[0] == 0);
+            let gaps: Vec<Micros> = kept.windows(2).map(|pair| pair[1] - pair[0]).collect();
+            assert!(gaps.iter().all(|&gap| gap == gaps[0]), "{kept:?}");
+            let behind = now - snapshots.nearest_before(now).unwrap();
+            assert!(behind <= (now / 8).max(10), "{behind} at {now}");
+        }
+        assert!(made < 150, "{made} copies were made");
+    }
+
+    #[test]
+    fn the_nearest_before_is_never_after() {
+        let mut snapshots = Snapshots::new(10);
+        assert_eq!(snapshots.nearest_before(Micros::MAX), None);
+        for now in [5, 14, 15, 30] {
+            snapshots.keep(now, || now);
+        }
+        assert_eq!(instants(&snapshots), [5, 15, 30]);
+        for (at, nearest) in [(4, None), (5, Some(5)), (14, Some(5)), (15, Some(15)), (29, Some(15)), (999, Some(30))] {
+            assert_eq!(snapshots.nearest_before(at).copied(), nearest, "{at}");
+        }
+        // Who has gone back keeps nothing twice.
+        snapshots.keep(20, || 20);
+        assert_eq!(instants(&snapshots), [5, 15, 30]);
+        snapshots.forget_after(15);
+        snapshots.keep(25, || 26);
+        assert_eq!(instants(&snapshots), [5, 15, 25]);
+        assert_eq!(snapshots.nearest_before(25), Some(&26));
+    }
+}

@@ -1,0 +1,322 @@
+//! Drivers of anybody's: what they are shown, and what becomes of a run whose driver answers with nonsense.
+#![expect(clippy::disallowed_types, reason = "what a driver saw is told to the test by a lock")]
+
+use homebody_core::drivers::error::{DriverError, DriverFault, MOST_ANSWERS};
+use homebody_core::drivers::live::{Input, KeyTrack, LiveDriver};
+use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
+use homebody_core::event::{Events, Fact, MotionState, Need, ThingUse, Vitals};
+use homebody_core::geometry::Point;
+use homebody_core::home::resolved::ResolvedHome;
+use homebody_core::home::{Build, Home};
+use homebody_core::ids::{ResidentId, RoomId, ThingId};
+use homebody_core::run::Run;
+use homebody_core::scenario::input::Key;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, NEVER, SECOND};
+use serde_json::json;
+use std::collections::VecDeque;
+use std::sync::{Arc, LazyLock, Mutex};
+
+/// Two rooms with a door between them, and a motion sensor in the west room.
+static HOME: LazyLock<Arc<Home>> = LazyLock::new(|| {
+    let home = json!({
+        "name": "two rooms",
+        "rooms": [
+            { "name": "west room", "outline": [[0, 0], [4, 0], [4, 4], [0, 4]] },
+            { "name": "east room", "outline": [[4, 0], [8, 0], [8, 4], [4, 4]] },
+        ],
+        "walls": [
+            { "from": [0, 0], "to": [8, 0] }, { "from": [8, 0], "to": [8, 4] }, { "from": [8, 4], "to": [0, 4] },
+            { "from": [0, 4], "to": [0, 0] }, { "from": [4, 0], "to": [4, 4] },
+        ],
+        "doors": [{ "name": "door", "from": [4, 1.5], "to": [4, 2.5] }],
+        "sensors": [{ "kind": "motion", "name": "motion", "at": [0.05, 2], "facing_deg": 0 }],
+    });
+    Arc::new(Home::bake(&ResolvedHome::new(serde_json::from_value(home).unwrap()).unwrap(), &[Build::adult(); 3]))
+});
+
+/// Gives one answer after the other, and the last one again and again.
+#[derive(Clone, Debug)]
+struct Says {
+    answers: VecDeque<Next>,
+    last: Next,
+}
+
+impl Driver for Says {
+    fn next(&mut self, _around: &Surroundings) -> Next {
+        self.answers.pop_front().unwrap_or_else(|| self.last.clone())
+    }
+
+    fn copy(&self) -> Box<dyn Driver> {
+        Box::new(self.clone())
+    }
+}
+
+fn says(answers: Vec<Next>, last: Next) -> Box<dyn Driver> {
+    Box::new(Says { answers: answers.into(), last })
+}
+
+fn at(x: f64, y: f64) -> Point {
+    Point::new(x, y)
+}
+
+fn segment(begin: Micros, end: Micros, doing: MotionState) -> Next {
+    Next::Segment(MotionSegment { begin, end, doing, posture: Posture::Standing })
+}
+
+/// A walk in the west room in the first ten seconds, which the sensor sees.
+fn walk() -> Vec<Next> {
+    vec![segment(0, 10 * SECOND, MotionState::Stride { from: at(1.0, 1.0), to: at(3.0, 3.0) })]
+}
+
+/// A rest where the walk has ended, for ever.
+fn rest() -> Next {
+    segment(10 * SECOND, NEVER, MotionState::Rest { at: at(3.0, 3.0) })
+}
+
+const LENGTH: Micros = 60 * SECOND;
+
+fn run(drivers: Vec<Box<dyn Driver>>) -> Run {
+    let builds = vec![Build::adult(); drivers.len()];
+    Run::of(HOME.clone(), builds, drivers, 1, LENGTH)
+}
+
+/// What becomes of who walks for ten seconds and then says this.
+fn after_a_walk(last: Next) -> (Run, Events, Result<(), DriverError>) {
+    let mut run = run(vec![says(walk(), last)]);
+    let mut events = Events::default();
+    let lived = run.advance(LENGTH, &mut events);
+    (run, events, lived)
+}
+
+#[test]
+fn nonsense_ends_the_run_where_it_was_said() {
+    let (begin, end, here) = (10 * SECOND, 20 * SECOND, at(3.0, 3.0));
+    let (mut sound, mut before) = (run(vec![says(walk(), rest())]), Events::default());
+    sound.advance(begin, &mut before).unwrap();
+    assert!(!before.firings.is_empty(), "the walk is seen");
+    before.facts.extend(sound.under_way());
+    let resting = |here| MotionState::Rest { at: here };
+    let no_number = |what| DriverFault::NoNumber { what };
+    let vitals = Vitals { pulse: f64::NAN, respiration: 15.0 };
+    let nonsense = [
+        (segment(begin - 1, end, resting(here)), DriverFault::BeginsElsewhen { begin: begin - 1 }),
+        (segment(begin + 1, end, resting(here)), DriverFault::BeginsElsewhen { begin: begin + 1 }),
+        (segment(begin, begin, resting(here)), DriverFault::EndsTooSoon { end: begin }),
+        (segment(begin, begin - 1, resting(here)), DriverFault::EndsTooSoon { end: begin - 1 }),
+        (segment(begin, Micros::MIN, resting(here)), DriverFault::EndsTooSoon { end: Micros::MIN }),
+        (segment(begin, end, resting(at(f64::NAN, 3.0))), no_number("the place")),
+        (segment(begin, end, MotionState::Stride { from: here, to: at(3.0, f64::INFINITY) }), no_number("the place")),
+        (segment(begin, end, MotionState::InPlace { at: here, amplitude_m: -0.1 }), no_number("the amplitude")),
+        (segment(begin, end, MotionState::InPlace { at: here, amplitude_m: f64::NAN }), no_number("the amplitude")),
+        (Next::Vitals(vitals), no_number("the vitals")),
+        (Next::Need(Need::Thirst, f64::INFINITY), no_number("the level of a need")),
+        (Next::Condition("flu".into(), f64::NAN), no_number("the severity of a condition")),
+        (segment(begin, end, resting(at(1.0, 1.0))), DriverFault::Jump { from: here, to: at(1.0, 1.0) }),
+        (
+            segment(begin, end, MotionState::Stride { from: at(3.02, 3.0), to: here }),
+            DriverFault::Jump { from: here, to: at(3.02, 3.0) },
+        ),
+        (
+            segment(begin, end, MotionState::Stride { from: here, to: at(3.0, 30.0) }),
+            DriverFault::Outside { at: at(3.0, 30.0) },
+        ),
+        (
+            Next::Use(ThingUse { thing: ThingId(3), on: true }),
+            DriverFault::NoSuchThing { thing: ThingId(3), things: 3 },
+        ),
+        (Next::Activity(None), DriverFault::NoEnd { answers: MOST_ANSWERS }),
+    ];
+    for (answer, fault) in nonsense {
+        let (mut run, mut events, lived) = after_a_walk(answer.clone());
+        let error = lived.expect_err(&format!("{answer:?}"));
+        assert_eq!(error, DriverError { resident: "resident 1".into(), at: begin, fault }, "{answer:?}");
+        let text = error.to_string();
+        for said in ["\"resident 1\"", "at 10 s", "\n  hint: "] {
+            assert!(text.contains(said), "{text}");
+        }
+        // It stands at that instant, with all that was before, and goes no further.
+        events.facts.retain(|fact| !matches!(fact, Fact::Activity { .. }));
+        assert_eq!((run.now(), &events), (begin, &before), "{answer:?}");
+        assert_eq!((run.advance(LENGTH, &mut events), run.failure()), (Err(error.clone()), Some(&error)));
+        assert_eq!((run.now(), &events), (begin, &before), "{answer:?}");
+        assert_eq!(run.clone().moves(), Err(error));
+    }
+}
+
+#[test]
+fn who_fails_at_once_has_done_nothing() {
+    let mut run = run(vec![says(Vec::new(), segment(0, 0, MotionState::Away))]);
+    let mut events = Events::default();
+    let error = run.advance(LENGTH, &mut events).unwrap_err();
+    assert_eq!((error.at, error.fault), (0, DriverFault::EndsTooSoon { end: 0 }));
+    assert_eq!((run.now(), events), (0, Events::default()));
+}
+
+#[test]
+fn what_bodies_can_do_is_taken() {
+    let (begin, end, here) = (10 * SECOND, NEVER, at(3.0, 3.0));
+    // Rounding is no jump; who stands in a wall or a door is inside.
+    let close = at(3.005, 3.0);
+    let away = segment(begin, 20 * SECOND, MotionState::Away);
+    let elsewhere = segment(20 * SECOND, end, MotionState::Rest { at: at(7.0, 1.0) });
+    let sound = [
+        vec![rest()],
+        vec![segment(begin, end, MotionState::Rest { at: close })],
+        vec![segment(begin, end, MotionState::Stride { from: here, to: at(3.0, 4.04) })],
+        vec![segment(begin, end, MotionState::Stride { from: here, to: at(4.0, 2.0) })],
+        vec![away, elsewhere],
+    ];
+    for mut answers in sound {
+        let last = answers.pop().unwrap();
+        let mut run = run(vec![says(walk().into_iter().chain(answers).collect(), last.clone())]);
+        run.advance(LENGTH, &mut Events::default()).unwrap_or_else(|error| panic!("{last:?}: {error}"));
+        assert_eq!((run.now(), run.failure()), (LENGTH, None));
+    }
+}
+
+/// What a driver has seen at an instant.
+#[derive(Clone, Debug, PartialEq)]
+struct Seen {
+    now: Micros,
+    own: Option<(Point, Posture)>,
+    others: Vec<(ResidentId, Point, Posture, Option<RoomId>)>,
+    door: bool,
+}
+
+/// Stands for a second, sits for a second, and writes down what it sees.
+#[derive(Clone, Debug)]
+struct Watcher(Arc<Mutex<Vec<Seen>>>);
+
+impl Driver for Watcher {
+    fn next(&mut self, around: &Surroundings) -> Next {
+        let begin = around.now();
+        let others = around.others().map(|body| (body.resident, body.at, body.posture, around.room_at(body.at)));
+        self.0.lock().unwrap().push(Seen {
+            now: begin,
+            own: around.body().map(|body| (body.at, body.posture)),
+            others: others.collect(),
+            door: around.is_on(ThingId::of(around.plan().thing("door").unwrap())),
+        });
+        assert!(!around.is_on(ThingId(100)), "what does not exist is not on");
+        let posture = if begin / SECOND % 2 == 0 { Posture::Standing } else { Posture::Sitting };
+        let doing = MotionState::Rest { at: at(1.0, 3.0) };
+        Next::Segment(MotionSegment { begin, end: begin + SECOND, doing, posture })
+    }
+
+    fn copy(&self) -> Box<dyn Driver> {
+        Box::new(self.clone())
+    }
+}
+
+#[test]
+fn who_decides_sees_what_is_so() {
+    let door = |on| Next::Use(ThingUse { thing: ThingId(0), on });
+    // From room to room, the door shut behind, and out.
+    let others = vec![
+        segment(0, 12_345_678, MotionState::Stride { from: at(1.0, 2.0), to: at(7.0, 2.0) }),
+        door(false),
+        segment(12_345_678, 30 * SECOND, MotionState::InPlace { at: at(7.0, 2.0), amplitude_m: 0.1 }),
+    ];
+    let away = segment(30 * SECOND, NEVER, MotionState::Away);
+    let seen = Arc::new(Mutex::new(Vec::new()));
+    let mut run = run(vec![Box::new(Watcher(seen.clone())), says(others, away)]);
+    let mut scenes = Vec::new();
+    for second in 0..60 {
+        run.advance(second * SECOND, &mut Events::default()).unwrap();
+        let scene = run.scene();
+        let body = |resident: usize| scene.bodies[resident].map(|body| (body.at, body.posture));
+        scenes.push(Seen {
+            now: scene.now,
+            own: body(0),
+            others: body(1).into_iter().map(|(at, posture)| (ResidentId(1), at, posture, None)).collect(),
+            door: scene.on.contains(&ThingId(0)),
+        });
+    }
+    run.advance(LENGTH, &mut Events::default()).unwrap();
+    let mut seen = seen.lock().unwrap().clone();
+    let rooms: Vec<_> = seen.iter_mut().map(|seen| seen.others.first_mut().and_then(|other| other.3.take())).collect();
+    assert_eq!(seen, scenes);
+    let in_the_west = rooms.iter().filter(|&&room| room == Some(RoomId(0))).count();
+    let in_the_east = rooms.iter().filter(|&&room| room == Some(RoomId(1))).count();
+    assert_eq!((in_the_west, in_the_east), (6, 24), "{rooms:?}");
+    assert!(seen[12].door && !seen[13].door);
+    assert!(seen[29].others.len() == 1 && seen[31].others.is_empty());
+    assert_eq!((seen[0].own, seen[1].own), (None, Some((at(1.0, 3.0), Posture::Standing))));
+    // The control: a second later it is not the same any more.
+    assert!(seen[1..13].iter().zip(&scenes[2..]).all(|(seen, scene)| seen.others != scene.others));
+}
+
+/// A room in which somebody stands who is moved by keys.
+fn by_keys() -> Run {
+    let keys = LiveDriver::new(&HOME.plan, at(1.0, 2.0), 0.22, 0.6, KeyTrack::live());
+    let length = 3600 * SECOND;
+    let mut run = Run::of(HOME.clone(), vec![Build::adult()], vec![Box::new(keys)], 1, length);
+    assert!(run.open_input(ResidentId(0)));
+    run
+}
+
+fn movements(facts: impl IntoIterator<Item = Fact>) -> Vec<MotionSegment> {
+    let movement = |fact| match fact {
+        Fact::Movement { begin, end, doing, posture, .. } => Some(MotionSegment { begin, end, doing, posture }),
+        _ => None,
+    };
+    facts.into_iter().filter_map(movement).collect()
+}
+
+#[test]
+fn who_stands_still_at_the_keys_fills_no_truth() {
+    let mut run = by_keys();
+    let mut events = Events::default();
+    let (stands, walks) = (10 * 60 * SECOND + 12_345, SECOND / 2);
+    while run.now() < stands {
+        // As a page does it, 60 times a second.
+        run.advance(stands.min(run.now() + SECOND / 60), &mut events).unwrap();
+    }
+    let key = |key: Option<Key>| Input { held: key.into_iter().collect(), ..Input::default() };
+    run.input(ResidentId(0), key(Some(Key::Right)));
+    run.advance(stands + walks, &mut events).unwrap();
+    run.input(ResidentId(0), key(None));
+    run.advance(2 * stands, &mut events).unwrap();
+    let mut told = movements(events.facts);
+    let all_told = told.len();
+    told.extend(movements(run.under_way()));
+    // The first step of 1/60 s that begins after the key was pressed moves the body, to the microsecond.
+    assert_eq!((told[0].begin, told[0].end), (0, 600_016_666));
+    assert!(matches!(told[0].doing, MotionState::Rest { .. }));
+    let strides = told.iter().filter(|next| matches!(next.doing, MotionState::Stride { .. })).count();
+    assert_eq!((strides, told.len(), all_told), (30, 32, 31));
+    assert!(told.windows(2).all(|pair| pair[0].end == pair[1].begin));
+    assert_eq!(told.last().map(|last| last.end), Some(run.now()), "what is under way is told up to now");
+    run.advance(run.length(), &mut Events::default()).unwrap();
+    assert_eq!(run.under_way().count(), 0);
+}
+
+#[test]
+fn staying_is_one_movement_however_often_it_is_said() {
+    let lying = |begin, end| MotionSegment {
+        begin,
+        end,
+        doing: MotionState::InPlace { at: at(3.0, 3.0), amplitude_m: 0.1 },
+        posture: Posture::Lying,
+    };
+    let life = |cuts: &[Micros], postures: fn(usize) -> Posture| {
+        let mut answers = walk();
+        for (index, cut) in cuts.windows(2).enumerate() {
+            answers.push(Next::Segment(MotionSegment { posture: postures(index), ..lying(cut[0], cut[1]) }));
+        }
+        let last = segment(*cuts.last().unwrap(), NEVER, MotionState::Away);
+        let mut run = run(vec![says(answers, last)]);
+        let mut events = Events::default();
+        run.advance(LENGTH, &mut events).unwrap();
+        events
+    };
+    let second = |second: Micros| second * SECOND;
+    let cuts: Vec<Micros> = (10..=40).map(second).collect();
+    let whole = life(&[second(10), second(40)], |_| Posture::Lying);
+    assert_eq!(life(&cuts, |_| Posture::Lying), whole);
+    assert_eq!(movements(whole.facts).len(), 3);
+    // The control: who turns from one posture to another does not stay as they are.
+    let turning = |index: usize| if index.is_multiple_of(2) { Posture::Lying } else { Posture::Sitting };
+    assert_eq!(movements(life(&cuts, turning).facts).len(), 2 + 30);
+}

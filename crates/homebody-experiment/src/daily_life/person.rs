@@ -1,0 +1,27 @@
+//! One generated person, measured from the truth of their run and from what their sensors say.
+
+use super::nights::nights;
+use super::{Days, Lived, Nights, Sensing};
+use serde::Serialize;
+
+/// One person, measured.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Person {
+    pub nights: Nights,
+    pub days: Days,
+    pub sensing: Sensing,
+}
+
+impl Person {
+    /// Measures a life.
+    pub fn of(lived: &Lived) -> Person {
+        let activities = lived.activities();
+        let moves = lived.moves();
+        let nights = nights(lived, &activities, &moves);
+        Person {
+            nights: Nights::of(&nights, &activities),
+            days: Days::of(lived, &activities, &moves),
+            sensing: Sensing::of(lived),
+        }
+    }
+}

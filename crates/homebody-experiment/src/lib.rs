@@ -1,0 +1,12 @@
+//! What was measured in the real world, done again with simulated homes and lives.
+//!
+//! Nothing here reads or writes a file: scenarios and the texts of recordings come in, figures and pictures go out.
+
+/// The walks of Godsey & Skubic (2009) past a motion sensor.
+pub mod godsey2009;
+
+/// The recordings of the SPHERE challenge, acted out again.
+pub mod sphere;
+
+/// Generated lives beside what was measured of real ones.
+pub mod daily_life;

@@ -1,0 +1,331 @@
+//! Cohorts: many lives of one scenario side by side, on all processors.
+
+use crate::cancel::Cancel;
+use crate::error::Error;
+use crate::pace::{Pace, Paced};
+use crate::profiles::Profile;
+use crate::run::{Length, LiveRun, Progress};
+use crate::scenario::OpenScenario;
+use homebody_core::recording::Recording;
+use homebody_core::run::Run;
+use homebody_core::scenario::load::Scenario;
+use homebody_core::time::Micros;
+use homebody_log::How;
+use homebody_log::Places;
+use homebody_log::fresh::FreshFile;
+use homebody_routine::household::Household;
+use rayon::prelude::*;
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicI64, Ordering};
+use std::time::{Duration, Instant};
+
+/// The file beside the members' folders that lists them.
+pub const LIST: &str = "cohort.json";
+
+/// Threads for each processor (ours).
+const THREADS_EACH: usize = 4;
+
+/// Who is to live: so many of whom nothing else is known, or those of a list.
+#[derive(Clone, Debug)]
+pub(crate) enum Members {
+    Many(u32),
+    Listed(Vec<Profile>),
+}
+
+/// What a cohort is to be; made by [`OpenScenario::cohort`] or [`OpenScenario::cohort_of`]. What is not asked for is as the
+/// scenario says.
+///
+/// ```
+/// let scenario = homebody_kit::template("older-adult")?;
+/// let firings = scenario.cohort(3).seed(7).days(1).start()?.live(|member, mut run| {
+///     let mut firings = 0;
+///     while let Some(batch) = run.next_batch()? {
+///         firings += batch.firings.len();
+///     }
+///     Ok::<_, homebody_kit::Error>((member.name.clone(), firings))
+/// })?;
+/// assert_eq!(firings.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), ["0001", "0002", "0003"]);
+/// # Ok::<(), homebody_kit::Error>(())
+/// ```
+pub struct CohortSetup {
+    scenario: OpenScenario,
+    members: Members,
+    seed: Option<u64>,
+    length: Length,
+    without: Vec<String>,
+    cancel: Cancel,
+}
+
+/// A member of a cohort.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Member {
+    /// Of one who is listed, the name in the list; else a number from 1 on, such as `0001`.
+    pub name: String,
+    /// The number all randomness of this life comes from.
+    pub seed: u64,
+    /// What the list says of the member, by column.
+    pub row: Option<BTreeMap<String, String>>,
+}
+
+/// A cohort that was lived into a folder.
+#[derive(Clone, Debug)]
+pub struct LivedCohort {
+    /// The folder that holds a folder for each member.
+    pub folder: PathBuf,
+    /// What is in the file [`LIST`] in there.
+    pub list: CohortList,
+    /// How many members there were to be: more than are listed if it was cancelled.
+    pub asked: usize,
+    /// How much was lived in all, in microseconds.
+    pub lived: Micros,
+    /// How long that took.
+    pub took: Duration,
+}
+
+/// The list of a cohort's members, as it is written into the file [`LIST`].
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CohortList {
+    /// The scenario's name.
+    pub scenario: String,
+    /// The seed of the cohort, from which those of its members follow.
+    pub seed: u64,
+    /// How many days each was to live.
+    pub days: f64,
+    /// Those who were lived, in order of their numbers or as they are listed.
+    pub members: Vec<ListedMember>,
+}
+
+/// What has become of one member.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ListedMember {
+    /// The name of the member's folder.
+    pub name: String,
+    /// The number all randomness of this life comes from.
+    pub seed: u64,
+    /// How many firings there were.
+    pub firings: u64,
+    /// How many rows are in each place of the log.
+    pub rows: u64,
+    /// How many days were lived.
+    pub days: f64,
+    /// What the list said of the member, by column.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub profile: Option<BTreeMap<String, String>>,
+}
+
+impl CohortSetup {
+    pub(crate) fn new(scenario: OpenScenario, members: Members) -> CohortSetup {
+        let (seed, length, without, cancel) = (None, Length::Own, Vec::new(), Cancel::new());
+        CohortSetup { scenario, members, seed, length, without, cancel }
+    }
+
+    /// The number all randomness comes from.
+    pub fn seed(mut self, seed: u64) -> CohortSetup {
+        self.seed = Some(seed);
+        self
+    }
+
+    /// How many days of the home's own time each lives.
+    pub fn days(mut self, days: impl Into<f64>) -> CohortSetup {
+        self.length = Length::Days(days.into());
+        self
+    }
+
+    /// How long each lives, in microseconds.
+    pub fn length(mut self, length: Micros) -> CohortSetup {
+        self.length = Length::Span(length);
+        self
+    }
+
+    /// Conditions that the routines show and nobody of this cohort does; of members of a list, the list knows that.
+    pub fn without(mut self, conditions: impl IntoIterator<Item = impl Into<String>>) -> CohortSetup {
+        self.without.extend(conditions.into_iter().map(Into::into));
+        self
+    }
+
+    /// Nobody else is begun, and those who are lived end early, once this handle says so.
+    pub fn cancel(mut self, cancel: &Cancel) -> CohortSetup {
+        self.cancel = cancel.clone();
+        self
+    }
+
+    /// The cohort, of which nobody has been lived yet.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Problems`] if nobody shows a condition that is to be left out, [`Error::Length`] if a life can not be this long.
+    pub fn start(self) -> Result<Cohort, Error> {
+        let OpenScenario { scenario, source, .. } = &self.scenario;
+        let household = match self.members {
+            Members::Many(_) => self.scenario.household_without(&self.without)?,
+            Members::Listed(_) => self.scenario.household.clone(),
+        };
+        let (seed, length) = (self.seed.unwrap_or(scenario.file.seed), self.length.of(scenario)?);
+        let recording = Recording::of(scenario, env!("CARGO_PKG_VERSION"), source.entry(), seed, length);
+        let recording = Recording { without: self.without, one_of_many: true, ..recording };
+        let household = household.one_of_many();
+        Ok(Cohort { scenario: self.scenario, household, members: self.members, recording, cancel: self.cancel })
+    }
+}
+
+/// Many lives of one scenario, to be lived side by side. A member's life depends on the cohort's seed and on their own number or
+/// name, and not on who else is in it.
+pub struct Cohort {
+    scenario: OpenScenario,
+    household: Household,
+    members: Members,
+    /// What is recorded of each member, but for what is their own.
+    recording: Recording,
+    cancel: Cancel,
+}
+
+impl Cohort {
+    /// How many members there are.
+    pub fn count(&self) -> usize {
+        match &self.members {
+            Members::Many(count) => *count as usize,
+            Members::Listed(profiles) => profiles.len(),
+        }
+    }
+
+    /// How far it has come before anybody has lived: the length is that of all lives together.
+    pub fn progress(&self) -> Progress {
+        Progress { lived: 0, length: self.recording.length_us.saturating_mul(self.count() as Micros) }
+    }
+
+    /// Gives the run of each member to a function, on all processors, and returns what it makes of them in the order of
+    /// members; of those who were begun, if the cohort is cancelled.
+    ///
+    /// # Errors
+    ///
+    /// The first error of the function or of making a member's run.
+    pub fn live<T: Send, E: From<Error> + Send>(
+        &self,
+        live: impl Fn(&Member, LiveRun) -> Result<T, E> + Sync,
+    ) -> Result<Vec<T>, E> {
+        // More threads than processors: who waits for the disk lets others go on.
+        let threads = std::thread::available_parallelism().map_or(1, usize::from) * THREADS_EACH;
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        let pool = pool.map_err(|error| Error::Threads(error.to_string()))?;
+        let one = |index| {
+            if self.cancel.is_cancelled() {
+                return Ok(None);
+            }
+            let member = self.members.who(self.recording.seed, index);
+            let run = self.run(&member, index)?;
+            live(&member, run).map(Some)
+        };
+        let lived: Result<Vec<Option<T>>, E> = pool.install(|| (0..self.count()).into_par_iter().map(one).collect());
+        Ok(lived?.into_iter().flatten().collect())
+    }
+
+    /// Lives all members into a new folder under `runs/`: each in a folder of its own, with a list of them beside. `progress` is
+    /// called after each batch of anybody's, from several threads.
+    ///
+    /// # Errors
+    ///
+    /// As [`Cohort::live`], and [`Error::Log`] if a file cannot be written.
+    pub fn store(&self, progress: impl Fn(Progress) + Sync) -> Result<LivedCohort, Error> {
+        self.store_in(Places::cohort(&self.scenario.scenario)?, progress)
+    }
+
+    /// As [`Cohort::store`], into this folder, which is made if it is not there.
+    ///
+    /// # Errors
+    ///
+    /// As [`Cohort::store`].
+    pub fn store_in(
+        &self,
+        folder: impl Into<PathBuf>,
+        progress: impl Fn(Progress) + Sync,
+    ) -> Result<LivedCohort, Error> {
+        let (folder, started) = (folder.into(), Instant::now());
+        let Progress { length, .. } = self.progress();
+        let in_all = AtomicI64::new(0);
+        let calendar = &self.scenario.scenario.calendar;
+        let members = self.live(|member, run| {
+            let places = Places::member(&folder, &member.name, &run.scenario)?;
+            let mut before = 0;
+            let lived = run.store_at(&places, How::New, |Progress { lived, .. }| {
+                let more = lived - std::mem::replace(&mut before, lived);
+                let lived = in_all.fetch_add(more, Ordering::Relaxed) + more;
+                progress(Progress { lived, length });
+            })?;
+            Ok::<_, Error>(ListedMember {
+                name: member.name.clone(),
+                seed: member.seed,
+                firings: lived.recording.firings,
+                rows: lived.stored.rows,
+                days: calendar.days_lived(lived.progress.lived),
+                profile: member.row.clone(),
+            })
+        })?;
+        let list = CohortList {
+            scenario: self.scenario.name().to_owned(),
+            seed: self.recording.seed,
+            days: calendar.days_lived(self.recording.length_us),
+            members,
+        };
+        write(&folder.join(LIST), &list)?;
+        Ok(LivedCohort { folder, list, asked: self.count(), lived: in_all.into_inner(), took: started.elapsed() })
+    }
+
+    /// A member's run at its beginning.
+    fn run(&self, member: &Member, index: usize) -> Result<LiveRun, Error> {
+        let home = Some(member.name.clone());
+        let recording = Recording { seed: member.seed, home, ..self.recording.clone() };
+        match &self.members {
+            Members::Many(_) => Ok(self.live_run(self.scenario.scenario.clone(), &self.household, recording)),
+            Members::Listed(profiles) => {
+                let (scenario, household) = self.scenario.base().lived(&profiles[index])?;
+                let (files, without) = (scenario.sources.clone(), profiles[index].without.clone());
+                let recording = Recording { files, without, ..recording };
+                Ok(self.live_run(Arc::new(scenario), &household, recording))
+            }
+        }
+    }
+
+    fn live_run(&self, scenario: Arc<Scenario>, household: &Household, recording: Recording) -> LiveRun {
+        let run = Run::new(&scenario, household, recording.seed, recording.length_us);
+        let paced = Paced::new(Pace::default(), self.cancel.clone(), None);
+        LiveRun { paced, ..LiveRun::of(scenario, run, recording, self.scenario.paths()) }
+    }
+}
+
+/// Writes the list of the members, as text with a line for each value.
+fn write(path: &Path, list: &CohortList) -> Result<(), Error> {
+    let text = serde_json::to_string_pretty(list).map_err(|error| Error::file(path, error.to_string()))?;
+    let mut file = FreshFile::create(path, false)?;
+    file.write(text.as_bytes())?;
+    file.write(b"\n")?;
+    Ok(file.finish()?)
+}
+
+impl Members {
+    /// The name and the seed of a member, and what is said of them in the list. Neither depends on who else is one.
+    fn who(&self, seed: u64, index: usize) -> Member {
+        match self {
+            Members::Many(count) => {
+                let (number, width) = (index as u32 + 1, count.to_string().len().max(4));
+                let seed = seed_of(seed, "member/", &number.to_le_bytes());
+                Member { name: format!("{number:0width$}"), seed, row: None }
+            }
+            Members::Listed(profiles) => {
+                let Profile { name, seed: own, row, .. } = &profiles[index];
+                let seed = own.unwrap_or_else(|| seed_of(seed, "profile/", name.as_bytes()));
+                Member { name: name.clone(), seed, row: Some(row.clone()) }
+            }
+        }
+    }
+}
+
+/// A seed for each member; at most what every JSON reader keeps exactly.
+fn seed_of(seed: u64, kind: &str, member: &[u8]) -> u64 {
+    let hash = Sha256::new().chain_update(seed.to_le_bytes()).chain_update(kind).chain_update(member).finalize();
+    let bytes: [u8; 8] = std::array::from_fn(|index| hash[index]);
+    u64::from_le_bytes(bytes) >> 11
+}

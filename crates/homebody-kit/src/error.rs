@@ -1,0 +1,154 @@
+//! What can go wrong with a scenario, a run or a log, in this crate's own words.
+
+use homebody_core::drivers::error::DriverError;
+use homebody_core::problem::{Problem, Problems};
+use homebody_core::time::Micros;
+use homebody_log::LogError;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// An error of any kind, as callers' own code brings it.
+pub type BoxError = Box<dyn std::error::Error + Send + Sync>;
+
+/// Why something could not be done. Its text says to people what is wrong and, after `hint:`, what to do.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// What was written is wrong: all problems of all files, each with its place and a hint.
+    #[error(transparent)]
+    Problems(#[from] Problems),
+    /// A file or folder could not be read or written.
+    #[error("{}: {why}", path.display())]
+    File {
+        /// The file or folder.
+        path: PathBuf,
+        /// What is wrong with it.
+        why: String,
+        /// What the system says, where it was asked.
+        #[source]
+        source: Option<io::Error>,
+    },
+    /// No scenario of this name came with the program.
+    #[error("there is no template {name:?}\n  hint: there are {}", known.join(", "))]
+    Template {
+        /// What was asked for.
+        name: String,
+        /// The names that there are.
+        known: Vec<String>,
+    },
+    /// There is no recording at this path.
+    #[error("{}: there is no such recording", path.display())]
+    NoRecording {
+        /// Where it was looked for.
+        path: PathBuf,
+    },
+    /// A file is no recording of a run.
+    #[error("{} is no recording: {why}", path.display())]
+    Recording {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        why: String,
+    },
+    /// A run was lived to its end: nothing of it is left to do.
+    #[error("the run in {} is complete: there is nothing to go on with", folder.display())]
+    Complete {
+        /// The run's folder.
+        folder: PathBuf,
+    },
+    /// A run was begun by another version of the program, which may live it otherwise.
+    #[error("the run in {} was begun by version {version}\n  hint: go on with that version, or begin it anew", folder.display())]
+    OtherVersion {
+        /// The run's folder.
+        folder: PathBuf,
+        /// What began it.
+        version: String,
+    },
+    /// A folder has no log in it.
+    #[error("{} is a folder without a log\n  hint: name the log itself, or the folder of a run that has one", folder.display())]
+    NoLog {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// A folder is a cohort's, in which each member has a log of their own.
+    #[error("{} is a cohort: each member has a log of their own\n  hint: {}", folder.display(), first_of(member.as_deref()))]
+    IsCohort {
+        /// The cohort's folder.
+        folder: PathBuf,
+        /// The first member who was lived.
+        member: Option<PathBuf>,
+    },
+    /// No time zone has this name.
+    #[error("{0}")]
+    TimeZone(String),
+    /// A run can not be this long.
+    #[error("a run of {days} days is none\n  hint: it lasts longer than nothing, and at most a hundred years")]
+    Length {
+        /// How long it was to be, in days.
+        days: f64,
+    },
+    /// Nobody of this name lives in the scenario.
+    #[error("nobody called {name:?} lives there\n  hint: there are {}", known.join(", "))]
+    Resident {
+        /// Who was meant.
+        name: String,
+        /// Who lives there.
+        known: Vec<String>,
+    },
+    /// A driver that a caller has brought decided what nobody can do.
+    #[error("{why}")]
+    Driver {
+        /// Whom it moves.
+        resident: String,
+        /// What it did, when, and a hint.
+        why: String,
+        /// When, in microseconds since the run's start.
+        at_us: Micros,
+    },
+    /// A log, the truth or a recording could not be written or read.
+    #[error("{0}")]
+    Log(#[source] BoxError),
+    /// A caller's own sink failed.
+    #[error("a sink failed: {0}")]
+    Sink(#[source] BoxError),
+    /// There are no threads to live on.
+    #[error("there are no threads: {0}")]
+    Threads(String),
+}
+
+fn first_of(member: Option<&Path>) -> String {
+    match member {
+        Some(member) => format!("name one of them, such as {}", member.display()),
+        None => "nobody of it has been lived".into(),
+    }
+}
+
+impl Error {
+    /// A file about which more can be said than the system says.
+    pub(crate) fn file(path: &Path, why: impl Into<String>) -> Error {
+        Error::File { path: path.into(), why: why.into(), source: None }
+    }
+
+    /// A file of which the system says what is wrong.
+    pub(crate) fn io(path: &Path, error: io::Error) -> Error {
+        Error::File { path: path.into(), why: error.to_string(), source: Some(error) }
+    }
+}
+
+impl From<DriverError> for Error {
+    fn from(error: DriverError) -> Error {
+        Error::Driver { resident: error.resident.clone(), why: error.to_string(), at_us: error.at }
+    }
+}
+
+impl From<LogError> for Error {
+    fn from(error: LogError) -> Error {
+        Error::Log(Box::new(error))
+    }
+}
+
+impl From<Problem> for Error {
+    fn from(problem: Problem) -> Error {
+        Error::Problems(Problems(vec![problem]))
+    }
+}

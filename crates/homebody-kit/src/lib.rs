@@ -1,0 +1,52 @@
+//! The whole program as a library: open a scenario, live it, and take what happens as it comes or have it stored.
+//!
+//! ```no_run
+//! fn main() -> Result<(), homebody_kit::Error> {
+//!     let scenario = homebody_kit::open("scenarios/tigerplace-depression")?;
+//!     let mut run = scenario.run().seed(7).days(7).without(["depression"]).start()?;
+//!     let mut firings = 0;
+//!     while let Some(batch) = run.next_batch()? {
+//!         firings += batch.firings.len();
+//!     }
+//!     println!("{firings}");
+//!     Ok(())
+//! }
+//! ```
+//!
+//! The same run goes into files with [`LiveRun::store`], and many lives side by side are a [`Cohort`]. A resident can be
+//! moved by a driver of the caller's own ([`RunSetup::driver`]), and a sink of the caller's own can take what happens
+//! ([`LiveRun::give_to`]). Instants and spans are whole microseconds since the run's start, lengths are metres.
+//!
+//! This crate does not know the command line, nor who looks at a run: progress is a callback, a [`Cancel`] ends runs from
+//! elsewhere, and a [`Pace`](pace::Pace) says how fast they go. Reading order:
+
+#![warn(missing_docs)]
+
+mod error;
+
+mod source;
+mod scenario;
+
+pub mod pace;
+mod cancel;
+mod own_driver;
+mod run;
+mod store;
+mod recorded;
+
+mod profiles;
+mod cohort;
+
+mod given;
+
+pub use cancel::Cancel;
+pub use cohort::{Cohort, CohortList, CohortSetup, LIST, ListedMember, LivedCohort, Member};
+pub use error::{BoxError, Error};
+pub use given::{Given, place_of_log};
+pub use homebody_log::Url;
+pub use profiles::Profile;
+pub use recorded::{Recorded, Unfinished};
+pub use run::{Batch, BatchSink, LiveRun, Progress, RunSetup};
+pub use scenario::{OpenScenario, open, template};
+pub use source::{Source, Template};
+pub use store::{Destinations, Lived};

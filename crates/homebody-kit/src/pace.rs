@@ -1,0 +1,295 @@
+//! Pace: how fast a run goes by the clock on the wall. It decides when a run is advanced, never how: the run knows nothing of
+//! it, so the log has the same bytes at any pace.
+
+use crate::cancel::Cancel;
+use homebody_core::time::{Micros, SECOND, micros};
+use std::str::FromStr;
+use std::sync::mpsc::{Receiver, RecvTimeoutError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// How many seconds of the run go by in a second.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Speed {
+    /// So many times as fast as life, from 0.1 to 1000.
+    Times(f64),
+    /// As fast as it goes.
+    Max,
+}
+
+/// Why a text is no speed, or no command.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct NotUnderstood(String);
+
+impl Speed {
+    /// A number of times as fast as life; nothing where it is not from 0.1 to 1000.
+    pub fn times(times: f64) -> Option<Speed> {
+        (0.1..=1000.0).contains(&times).then_some(Speed::Times(times))
+    }
+}
+
+impl FromStr for Speed {
+    type Err = NotUnderstood;
+
+    fn from_str(text: &str) -> Result<Speed, NotUnderstood> {
+        if text == "max" {
+            return Ok(Speed::Max);
+        }
+        let speed = text.parse().ok().and_then(Speed::times);
+        speed.ok_or_else(|| NotUnderstood("a speed is a number from 0.1 to 1000, or max".into()))
+    }
+}
+
+/// What somebody who watches a run may ask of it. As text: `pause`, `resume`, `step [SECONDS]`, `speed X`, `stop`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Command {
+    /// Go no further.
+    Pause,
+    /// Go on.
+    Resume,
+    /// Go on by so many microseconds, then pause.
+    Step(Micros),
+    /// Go on at this speed.
+    Speed(Speed),
+    /// End the run here.
+    Stop,
+}
+
+impl FromStr for Command {
+    type Err = NotUnderstood;
+
+    fn from_str(line: &str) -> Result<Command, NotUnderstood> {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        match words[..] {
+            ["pause"] => Ok(Command::Pause),
+            ["resume"] => Ok(Command::Resume),
+            ["stop"] => Ok(Command::Stop),
+            ["step"] => Ok(Command::Step(SECOND)),
+            ["step", span] => match span.parse::<f64>() {
+                Ok(span) if span > 0.0 && span < 1e9 => Ok(Command::Step(micros(span))),
+                _ => Err(NotUnderstood(format!("{span:?} is no number of seconds"))),
+            },
+            ["speed", speed] => speed.parse().map(Command::Speed),
+            _ => Err(NotUnderstood(format!("{line:?} is none of: pause, resume, step [SECONDS], speed X, stop"))),
+        }
+    }
+}
+
+/// How far a run may go by now. All instants are microseconds since the run's start.
+#[derive(Clone, Debug)]
+pub struct Pace {
+    speed: Speed,
+    /// Where the run was, and when, at the last change of pace.
+    from: (Micros, Instant),
+    /// It goes no further than this.
+    holds_at: Option<Micros>,
+    /// Up to here it goes as fast as it can, whatever its speed.
+    hurries_to: Option<Micros>,
+}
+
+impl Default for Pace {
+    /// As fast as it goes.
+    fn default() -> Pace {
+        Pace::new(Speed::Max)
+    }
+}
+
+impl Pace {
+    /// From the run's start at this speed.
+    pub fn new(speed: Speed) -> Pace {
+        Pace { speed, from: (0, Instant::now()), holds_at: None, hurries_to: None }
+    }
+
+    /// At this speed, once somebody says so.
+    pub fn paused(speed: Speed) -> Pace {
+        Pace { holds_at: Some(0), ..Pace::new(speed) }
+    }
+
+    /// The speed at which the run goes while it is not paused.
+    pub fn speed(&self) -> Speed {
+        self.speed
+    }
+
+    /// How far the run may go by now: [`Micros::MAX`] where nothing holds it.
+    pub fn due(&self) -> Micros {
+        let (begin, since) = self.from;
+        let due = match (self.hurries_to, self.speed) {
+            (Some(to), _) => to,
+            (None, Speed::Max) => Micros::MAX,
+            (None, Speed::Times(times)) => {
+                begin.saturating_add((since.elapsed().as_secs_f64() * times * SECOND as f64) as Micros)
+            }
+        };
+        due.min(self.holds_at.unwrap_or(Micros::MAX))
+    }
+
+    /// Whether a run that has come to `now` goes no further until somebody says so.
+    pub fn is_paused(&self, now: Micros) -> bool {
+        self.holds_at.is_some_and(|at| now >= at)
+    }
+
+    /// Whether a run that has come to `now` goes as fast as it can.
+    pub fn hurries(&self, now: Micros) -> bool {
+        self.speed == Speed::Max || self.is_jumping(now)
+    }
+
+    /// Whether a run that has come to `now` is on its way to where a jump ends.
+    pub fn is_jumping(&self, now: Micros) -> bool {
+        self.hurries_to.is_some_and(|to| now < to)
+    }
+
+    /// Whether a run that has come to `now` is on its way to where it is going to pause.
+    fn is_stepping(&self, now: Micros) -> bool {
+        self.holds_at.is_some_and(|at| now < at)
+    }
+
+    /// The clock counts from here, where the run is `now`.
+    pub fn count_from(&mut self, now: Micros) {
+        self.from = (now, Instant::now());
+    }
+
+    /// The run, which is at `now`, goes no further.
+    pub fn pause(&mut self, now: Micros) {
+        self.count_from(now);
+        (self.holds_at, self.hurries_to) = (Some(now), None);
+    }
+
+    /// The run, which is at `now`, goes on.
+    pub fn resume(&mut self, now: Micros) {
+        self.count_from(now);
+        self.holds_at = None;
+    }
+
+    /// The run, which is at `now`, goes on by `span` at its speed, then pauses.
+    pub fn step(&mut self, now: Micros, span: Micros) {
+        self.count_from(now);
+        self.holds_at = Some(now.saturating_add(span));
+    }
+
+    /// The run, which is at `now`, goes to an instant as fast as it can; there it pauses, or goes on at its speed.
+    pub fn jump(&mut self, now: Micros, to: Micros, pauses_there: bool) {
+        self.hurries_to = (to > now).then_some(to);
+        self.holds_at = pauses_there.then_some(to);
+    }
+
+    /// The run has come to `now`: where a jump ends, the clock begins to count again.
+    pub fn arrive(&mut self, now: Micros) {
+        if self.hurries_to.is_some_and(|to| now >= to) {
+            self.hurries_to = None;
+            self.count_from(now);
+        }
+    }
+
+    /// The run, which is at `now`, goes at this speed.
+    pub fn set_speed(&mut self, now: Micros, speed: Speed) {
+        self.count_from(now);
+        self.speed = speed;
+    }
+}
+
+/// The most of a run that is advanced at once, so that its events need little memory.
+const STEP: Micros = 3600 * SECOND;
+
+/// How often a paced run is advanced.
+const FRAME: Duration = Duration::from_millis(16);
+
+/// Keeps a run at its pace: waits, and does what is said meanwhile.
+pub(crate) struct Paced {
+    pace: Pace,
+    cancel: Cancel,
+    commands: Option<Receiver<Command>>,
+}
+
+impl Paced {
+    pub fn new(pace: Pace, cancel: Cancel, commands: Option<Receiver<Command>>) -> Paced {
+        Paced { pace, cancel, commands }
+    }
+
+    /// Waits a moment, and says until when the run may go on: until `now` if it is paused. Nothing if it shall stop.
+    pub fn next(&mut self, now: Micros) -> Option<Micros> {
+        while !self.cancel.is_cancelled() {
+            let until = self.pace.due().min(now.saturating_add(STEP));
+            let wait = if until > now && self.pace.speed == Speed::Max { Duration::ZERO } else { FRAME };
+            match self.heard(wait, now) {
+                Some(Command::Stop) => break,
+                Some(command) => self.obey(command, now),
+                None => return Some(until.max(now)),
+            }
+        }
+        None
+    }
+
+    fn heard(&mut self, wait: Duration, now: Micros) -> Option<Command> {
+        let Some(commands) = self.commands.as_ref().filter(|_| !self.pace.is_stepping(now)) else {
+            thread::sleep(wait);
+            return None;
+        };
+        match commands.recv_timeout(wait) {
+            Ok(command) => Some(command),
+            Err(RecvTimeoutError::Timeout) => None,
+            Err(RecvTimeoutError::Disconnected) => {
+                // Nobody is left to say resume.
+                self.commands = None;
+                Some(Command::Resume)
+            }
+        }
+    }
+
+    fn obey(&mut self, command: Command, now: Micros) {
+        match command {
+            Command::Pause => self.pace.pause(now),
+            Command::Resume => self.pace.resume(now),
+            Command::Step(span) => self.pace.step(now, span),
+            Command::Speed(speed) => self.pace.set_speed(now, speed),
+            Command::Stop => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::mpsc::channel;
+
+    #[test]
+    fn a_step_ends_where_it_was_asked_to_and_a_jump_hurries_there() {
+        let mut pace = Pace::paused(Speed::Times(0.1));
+        assert_eq!((pace.due(), pace.is_paused(0)), (0, true));
+        pace.jump(0, 90 * SECOND, true);
+        assert_eq!((pace.due(), pace.is_paused(0), pace.hurries(0)), (90 * SECOND, false, true));
+        pace.arrive(90 * SECOND);
+        assert!(pace.is_paused(90 * SECOND) && !pace.hurries(90 * SECOND));
+        pace.step(90 * SECOND, SECOND);
+        assert!(!pace.is_paused(90 * SECOND) && pace.due() < 91 * SECOND, "a step goes at its speed");
+        pace.set_speed(90 * SECOND, Speed::Max);
+        assert_eq!(pace.due(), 91 * SECOND);
+        pace.jump(91 * SECOND, 91 * SECOND, true);
+        assert!(pace.is_paused(91 * SECOND), "a jump to where it is takes no time");
+        pace.resume(91 * SECOND);
+        assert_eq!(pace.due(), Micros::MAX);
+    }
+
+    #[test]
+    fn commands_are_done_in_order_and_a_run_goes_on_when_nobody_is_left_to_say_so() {
+        let (say, commands) = channel();
+        let mut paced = Paced::new(Pace::paused(Speed::Max), Cancel::new(), Some(commands));
+        assert_eq!(paced.next(0), Some(0));
+        say.send(Command::Step(60 * SECOND)).unwrap();
+        assert_eq!(paced.next(0), Some(60 * SECOND));
+        drop(say);
+        assert_eq!(paced.next(60 * SECOND), Some(60 * SECOND + STEP));
+        paced.cancel.cancel();
+        assert_eq!(paced.next(60 * SECOND), None);
+    }
+
+    #[test]
+    fn a_command_is_understood_as_it_is_written() {
+        assert_eq!("step".parse(), Ok(Command::Step(SECOND)));
+        assert_eq!("step 1.5".parse(), Ok(Command::Step(1_500_000)));
+        assert_eq!("speed max".parse(), Ok(Command::Speed(Speed::Max)));
+        for wrong in ["", "steps", "step -1", "step x", "speed 0", "speed 1001", "pause now"] {
+            assert!(wrong.parse::<Command>().is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,423 @@
+//! The rows of a table as profiles: each cell with what may stand there.
+
+use super::sentences::OwnSentences;
+use super::table::{Cell, Table};
+use super::{Base, Other, Profile};
+use crate::cohort::LIST;
+use homebody_core::problem::Problem;
+use homebody_core::scenario::GREATEST_SEED;
+use homebody_core::scenario::load::{WHERE, outside_folder};
+use homebody_core::scenario::nearest::nearest;
+use homebody_routine::household::CONDITIONS;
+use homebody_routine::language::{self, Known};
+use homebody_routine::routine::{Effect, Routine};
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+/// What may be said of a member.
+const COLUMNS: [&str; 11] =
+    ["name", "seed", "age", "pace_mps", "conditions", "severity", "onset", "over", "until", "routine", "resident"];
+
+/// What goes before the name of a condition.
+const SHOWS: &str = "the person shows ";
+
+/// More members than this are refused.
+const MOST: usize = 100_000;
+
+/// The profiles of all rows, and all that is wrong with them.
+pub(crate) fn read(table: &Table, base: &Base, without: &[String]) -> (Vec<Profile>, Vec<Problem>) {
+    let mut reader = Reader { table, base, problems: Vec::new(), routines: BTreeMap::new() };
+    let profiles = reader.profiles(without);
+    (profiles, reader.problems)
+}
+
+/// Reads the rows of a table.
+struct Reader<'a> {
+    table: &'a Table<'a>,
+    base: &'a Base<'a>,
+    problems: Vec<Problem>,
+    /// The other routines of residents; nothing for those that are not sound.
+    routines: BTreeMap<(Option<usize>, String), Option<Arc<Other>>>,
+}
+
+/// A part of a sentence, with the cell that it is from.
+type Piece<'a> = (&'a str, Option<&'a Cell>);
+
+/// A row's cells by column; those that are empty are missing.
+type Row<'a> = BTreeMap<&'static str, &'a Cell>;
+
+impl<'a> Reader<'a> {
+    fn fault(&mut self, cell: &Cell, what: impl Into<String>, hint: impl Into<String>) {
+        self.problems.push(self.table.problem(cell, what, Some(hint.into())));
+    }
+
+    fn profiles(&mut self, without: &[String]) -> Vec<Profile> {
+        let columns = self.columns();
+        if self.table.rows.is_empty() {
+            let hint = "write a row for each member below the names of the columns".to_owned();
+            self.problems.push(self.table.problem_of_file("there is nobody in it", Some(hint)));
+        }
+        if self.table.rows.len() > MOST {
+            let what = format!("{} members are more than {MOST}", self.table.rows.len());
+            self.problems.push(self.table.problem_of_file(what, None));
+            return Vec::new();
+        }
+        let mut names = BTreeSet::new();
+        let mut seen: BTreeMap<(Option<usize>, Option<String>, OwnSentences), Vec<String>> = BTreeMap::new();
+        let mut profiles = Vec::new();
+        for cells in &self.table.rows {
+            let before = self.problems.len();
+            let row = self.row(&columns, cells);
+            let name = self.name(&row, cells, &mut names);
+            let mut profile = self.profile(name, &row);
+            if self.problems.len() > before {
+                continue;
+            }
+            // Who differs in the same way from the scenario is sound in the same way.
+            let routine = profile.routine.as_ref().map(|other| other.routine.file.clone());
+            let key = (profile.resident, routine, profile.said.clone());
+            if !seen.contains_key(&key) {
+                match self.base.with(&profile, &[]) {
+                    Ok((_, household)) => {
+                        seen.insert(key.clone(), household.conditions().keys().cloned().collect());
+                    }
+                    Err(problems) => {
+                        for problem in problems.0 {
+                            let what = format!("with this row, there is a problem at {}", place(&problem));
+                            let hint =
+                                problem.hint.map_or(problem.what.clone(), |hint| format!("{}; {hint}", problem.what));
+                            self.fault(row["name"], what, hint);
+                        }
+                        continue;
+                    }
+                }
+            }
+            let shown = seen.get(&key).map_or(&[][..], Vec::as_slice);
+            profile.without = without.iter().filter(|name| shown.contains(name)).cloned().collect();
+            profiles.push(profile);
+        }
+        let shown: BTreeSet<&str> = seen.values().flatten().map(String::as_str).collect();
+        let nobodys = without.iter().filter(|name| self.problems.is_empty() && !shown.contains(name.as_str()));
+        let nobodys = nobodys.map(|name| {
+            let hint = match nearest(name, shown.iter().copied()) {
+                Some(near) => format!("did you mean {near:?}?"),
+                None if shown.is_empty() => "nobody in it shows a condition".to_owned(),
+                None => format!("they show {}", Vec::from_iter(shown.iter().copied()).join(", ")),
+            };
+            self.table.problem_of_file(format!("nobody in it shows {name:?}"), Some(hint))
+        });
+        let nobodys: Vec<Problem> = nobodys.collect();
+        self.problems.extend(nobodys);
+        profiles
+    }
+
+    /// Which column each cell of a row is in.
+    fn columns(&mut self) -> Vec<Option<&'static str>> {
+        let table = self.table;
+        let mut columns: Vec<Option<&'static str>> = Vec::new();
+        for cell in &table.header {
+            let name = cell.text.to_lowercase();
+            let known = COLUMNS.into_iter().find(|known| *known == name);
+            if let Some(known) = known.filter(|known| columns.contains(&Some(known))) {
+                self.fault(cell, format!("there are two columns {known:?}"), "leave one of the two out");
+            } else if known.is_none() && !name.is_empty() {
+                let hint = match nearest(&name, COLUMNS) {
+                    Some(near) => format!("did you mean {near:?}?"),
+                    None => format!("there are {}", COLUMNS.join(", ")),
+                };
+                self.fault(cell, format!("{:?} is no column that is known", cell.text), hint);
+            }
+            columns.push(known);
+        }
+        if !columns.contains(&Some("name")) {
+            let hint =
+                format!("its first line names the columns: name, and of {} what is needed", COLUMNS[1..].join(", "));
+            self.problems.push(table.problem_of_file("no column is called \"name\"", Some(hint)));
+        }
+        columns
+    }
+
+    fn row(&mut self, columns: &[Option<&'static str>], cells: &'a [Cell]) -> Row<'a> {
+        let mut row = Row::new();
+        for (index, cell) in cells.iter().enumerate().filter(|(_, cell)| !cell.text.is_empty()) {
+            match columns.get(index) {
+                Some(Some(column)) => drop(row.insert(column, cell)),
+                // A column of a name that is not known is a problem once.
+                Some(None) if !self.table.header[index].text.is_empty() => {}
+                _ => self.fault(cell, "no column stands above this", "name its column in the first line"),
+            }
+        }
+        row
+    }
+
+    /// A name that is a folder's, too.
+    fn name(&mut self, row: &Row, cells: &[Cell], names: &mut BTreeSet<String>) -> String {
+        let Some(cell) = row.get("name") else {
+            if let Some(first) = cells.iter().find(|cell| !cell.text.is_empty()) {
+                self.fault(first, "this member has no name", "say one in the column name: the member's folder gets it");
+            }
+            return String::new();
+        };
+        let name = &cell.text;
+        let is_odd = |c: char| c.is_control() || "/\\:*?\"<>|".contains(c);
+        if name.contains(is_odd) || name.starts_with('.') || name.ends_with('.') || name.len() > 100 {
+            let hint = "at most 100 letters, digits, blanks, - and _ will do";
+            self.fault(cell, format!("no folder can be called {name:?}"), hint);
+        } else if name.to_lowercase() == LIST {
+            self.fault(cell, format!("{name:?} is the list of the members"), "choose another name");
+        } else if !names.insert(name.to_lowercase()) {
+            self.fault(cell, format!("two members are called {name:?}"), "give each a name of their own");
+        }
+        name.clone()
+    }
+
+    fn profile(&mut self, name: String, row: &Row) -> Profile {
+        let seed = row.get("seed").and_then(|cell| {
+            let seed = cell.text.parse().ok().filter(|&seed: &u64| seed <= GREATEST_SEED);
+            if seed.is_none() {
+                let what = format!("{:?} is no seed", cell.text);
+                self.fault(cell, what, format!("write a whole number from 0 to {GREATEST_SEED}, or nothing"));
+            }
+            seed
+        });
+        let told = row.iter().filter(|(column, _)| !["name", "seed"].contains(column));
+        let told = told.map(|(column, cell)| ((*column).to_owned(), cell.text.clone())).collect();
+        let mut profile = Profile {
+            name,
+            seed,
+            row: told,
+            resident: None,
+            routine: None,
+            said: OwnSentences::default(),
+            without: Vec::new(),
+        };
+        if !profile.row.is_empty() {
+            profile.resident = self.resident(row);
+            profile.routine = row.get("routine").and_then(|cell| self.routine(profile.resident, cell));
+            profile.said = self.said(row);
+        }
+        profile
+    }
+
+    /// Whom a row is about.
+    fn resident(&mut self, row: &Row) -> Option<usize> {
+        let residents = &self.base.scenario.residents;
+        let people = self.base.people();
+        let names: Vec<&str> = people.iter().map(|&person| residents[person].file.name.as_str()).collect();
+        let Some(cell) = row.get("resident") else {
+            if people.len() != 1 {
+                let (what, hint) = match people.is_empty() {
+                    true => ("nobody in this scenario lives by a routine, in which this could be said", String::new()),
+                    false => {
+                        ("it is not said whom this is about", format!("add a column resident: {}", names.join(" or ")))
+                    }
+                };
+                let told = row.iter().find(|(column, _)| !["name", "seed"].contains(column));
+                let problem = |(_, cell)| self.table.problem(cell, what, Some(hint).filter(|hint| !hint.is_empty()));
+                self.problems.extend(told.map(|(column, cell)| (column, *cell)).map(problem));
+            }
+            return people.first().copied().filter(|_| people.len() == 1);
+        };
+        let found =
+            people.iter().find(|&&person| residents[person].file.name.to_lowercase() == cell.text.to_lowercase());
+        if found.is_none() {
+            let hint = match nearest(&cell.text, names.iter().copied()) {
+                Some(near) => format!("did you mean {near:?}?"),
+                None => format!("there are {}", names.join(", ")),
+            };
+            self.fault(cell, format!("nobody called {:?} lives there by a routine", cell.text), hint);
+        }
+        found.copied()
+    }
+
+    /// Another routine, if there is such a one and it is sound; each is looked at once.
+    fn routine(&mut self, resident: Option<usize>, cell: &Cell) -> Option<Arc<Other>> {
+        let key = (resident, cell.text.clone());
+        if !self.routines.contains_key(&key) {
+            let other = self.read_routine(resident, cell).map(Arc::new);
+            self.routines.insert(key.clone(), other);
+        }
+        self.routines[&key].clone()
+    }
+
+    fn read_routine(&mut self, resident: Option<usize>, cell: &Cell) -> Option<Other> {
+        if let Some(what) = outside_folder(&cell.text) {
+            self.fault(cell, what, WHERE);
+            return None;
+        }
+        let text = match self.base.files.read(&cell.text) {
+            Ok(text) => text,
+            Err(why) => {
+                let what = format!("{:?} cannot be read: {why}", cell.text);
+                self.fault(cell, what, "name a routine in the scenario's folder");
+                return None;
+            }
+        };
+        let other = self.base.other(resident?, &cell.text, text);
+        other.map_err(|wrong| self.problems.extend(wrong.0)).ok()
+    }
+
+    /// What is to stand in the routine.
+    fn said(&mut self, row: &Row) -> OwnSentences {
+        let fact = |reader: &mut Reader, column: &str, words: [&str; 2], what: &str| {
+            let cell = row.get(column)?;
+            if !cell.text.parse::<f64>().is_ok_and(|number| number.is_finite() && number > 0.0) {
+                reader.fault(cell, format!("{:?} is no {what}", cell.text), "write a number, with a point for a comma");
+                return None;
+            }
+            let pieces = [(words[0], None), (cell.text.as_str(), Some(*cell)), (words[1], None)];
+            reader.sentence(&pieces, cell, None).map(|(text, _)| text)
+        };
+        OwnSentences {
+            age: fact(self, "age", ["The person is ", ""], "age in years"),
+            pace: fact(self, "pace_mps", ["The person walks at ", " m/s"], "pace in metres a second"),
+            conditions: self.conditions(row),
+        }
+    }
+
+    fn conditions(&mut self, row: &Row) -> Option<Vec<String>> {
+        const OF_CONDITIONS: [&str; 4] = ["severity", "onset", "over", "until"];
+        let named = row.get("conditions").filter(|cell| cell.text.to_lowercase() != "none");
+        let Some(cell) = named else {
+            for cell in OF_CONDITIONS.iter().filter_map(|column| row.get(column)) {
+                let hint = "name one in the column conditions, or leave this empty";
+                self.fault(cell, "this row names no condition of which this could be said", hint);
+            }
+            return row.contains_key("conditions").then(Vec::new);
+        };
+        let conditions = cell.parts();
+        let mut of_each: BTreeMap<&str, Vec<Cell>> = BTreeMap::new();
+        for (column, cell) in OF_CONDITIONS.into_iter().filter_map(|column| Some((column, *row.get(column)?))) {
+            let parts = cell.parts();
+            if parts.len() != 1 && parts.len() != conditions.len() {
+                let what = format!("{} values for {} conditions", parts.len(), conditions.len());
+                self.fault(cell, what, "write one for all of them, or one for each with + between");
+            }
+            of_each.insert(column, parts);
+        }
+        let (mut said, mut shown) = (Vec::new(), BTreeSet::new());
+        for (index, condition) in conditions.iter().enumerate() {
+            let of = |column| of_each.get(column).map(|parts: &Vec<Cell>| parts.get(index).unwrap_or(&parts[0]));
+            let own = condition.text.to_lowercase().split_whitespace().collect::<Vec<_>>().join("-");
+            let is_name = own.chars().all(|c| c.is_alphanumeric() || c == '-');
+            let is_own = is_name && self.base.files.read(&format!("conditions/{own}.routine")).is_ok();
+            let own = is_own.then_some(own.as_str());
+            let alone = self.sentence(&[(SHOWS, None), (&condition.text, Some(condition))], condition, own);
+            let name = alone.as_ref().and_then(|(_, routine)| shown_by(routine));
+            if name.is_some_and(|name| !shown.insert(name.to_owned())) {
+                self.fault(condition, format!("{:?} is named twice", condition.text), "leave one of the two out");
+            }
+            let together = self.condition(condition, own, alone.is_some(), of);
+            said.extend(together.map(|(text, _)| text));
+        }
+        Some(said)
+    }
+
+    /// What is said of one condition. Each cell is looked at by itself before all of them are together.
+    fn condition<'c>(
+        &mut self,
+        condition: &'c Cell,
+        own: Option<&str>,
+        is_known: bool,
+        of: impl Fn(&'static str) -> Option<&'c Cell>,
+    ) -> Option<(String, Routine)> {
+        let before = self.problems.len();
+        let of = |column| of(column).filter(|cell| !cell.text.is_empty());
+        let (severity, mut known) = (of("severity"), language::severities());
+        if let Some(cell) = severity.filter(|cell| !known.any(|known| known == cell.text.to_lowercase())) {
+            let hint = match nearest(&cell.text, language::severities()) {
+                Some(near) => format!("did you mean {near:?}?"),
+                None => format!("there are {}", Vec::from_iter(language::severities()).join(", ")),
+            };
+            self.fault(cell, format!("{:?} is no severity", cell.text), hint);
+        }
+        let phases = [("from ", "onset"), ("over ", "over"), ("until ", "until")];
+        let phases: Vec<(&str, &Cell)> =
+            phases.into_iter().filter_map(|(words, of_it)| Some((words, of(of_it)?))).collect();
+        for &(words, cell) in &phases {
+            let from = if words == "over " { "from day 1, " } else { "" };
+            let any = [(", ", None), (SHOWS, None), (CONDITIONS[0].0, None)];
+            let pieces = [(from, None), (words, None), (cell.text.as_str(), Some(cell))];
+            let so_far = self.problems.len();
+            self.sentence(&[pieces, any].concat(), cell, None);
+            let hint = match words {
+                "over " => "write how long it takes to come, such as 10 days or 4 weeks",
+                _ => "write a week, a day or a date, such as week 6, day 40 or 2009-04-13",
+            };
+            self.problems[so_far..].iter_mut().for_each(|problem| problem.hint = Some(hint.into()));
+        }
+        if !is_known || self.problems.len() > before {
+            return None;
+        }
+        let mut pieces: Vec<Piece> = Vec::new();
+        for (words, cell) in phases {
+            pieces.extend([(words, None), (cell.text.as_str(), Some(cell)), (", ", None)]);
+        }
+        pieces.push((SHOWS, None));
+        pieces.extend(severity.into_iter().flat_map(|cell| [(cell.text.as_str(), Some(cell)), (" ", None)]));
+        pieces.push((&condition.text, Some(condition)));
+        self.sentence(&pieces, condition, own)
+    }
+
+    /// A sentence of pieces with what is understood of it, if it says one thing; a problem with it is one with the cell at
+    /// its place. `own` is a condition of the scenario's own.
+    fn sentence(&mut self, pieces: &[Piece], main: &Cell, own: Option<&str>) -> Option<(String, Routine)> {
+        let before = self.problems.len();
+        for cell in pieces.iter().filter_map(|(_, cell)| *cell) {
+            let is_odd = |c: char| !c.is_alphanumeric() && !" -.%".contains(c);
+            if cell.text.is_empty() || cell.text.contains(is_odd) || cell.text.contains(". ") {
+                self.fault(
+                    cell,
+                    format!("{:?} is not understood", cell.text),
+                    "write plain words, with + between several",
+                );
+            }
+        }
+        if self.problems.len() > before {
+            return None;
+        }
+        let text: String = pieces.iter().map(|(text, _)| *text).collect();
+        let text = text[..1].to_uppercase() + &text[1..];
+        let conditions = CONDITIONS.iter().map(|(name, _)| *name).chain(own).map(String::from).collect();
+        let first_date = Some(self.base.scenario.calendar.date(0));
+        let (routine, problems) = language::routine("", &text, &Known { conditions, first_date, ..Known::default() });
+        for problem in problems {
+            let mut end = 0;
+            let at_or_after = |(text, cell): &Piece| {
+                end += text.chars().count() as u32;
+                cell.is_some() && end >= problem.column
+            };
+            let cell = pieces.iter().cloned().find(at_or_after).and_then(|(_, cell)| cell).unwrap_or(main);
+            self.problems.push(self.table.problem(cell, problem.what, problem.hint));
+        }
+        let is_one = match &routine.changes[..] {
+            [_] => shown_by(&routine).is_some() && routine.person.is_none(),
+            [] => routine.person.is_some(),
+            _ => false,
+        };
+        if self.problems.len() == before && !(is_one && routine.habits.is_empty() && routine.rules.is_empty()) {
+            self.fault(
+                main,
+                format!("{:?} says something else", text.trim()),
+                "write plain words, with + between several",
+            );
+        }
+        (self.problems.len() == before).then_some((text, routine))
+    }
+}
+
+/// The condition that a sentence is about.
+fn shown_by(sentence: &Routine) -> Option<&str> {
+    sentence.changes.iter().find_map(|change| match &change.effect {
+        Effect::Shows { condition, .. } => Some(condition.as_str()),
+        _ => None,
+    })
+}
+
+/// Where a problem is.
+fn place(problem: &Problem) -> String {
+    match problem.line {
+        0 => problem.file.clone(),
+        line => format!("{}:{line}:{}", problem.file, problem.column),
+    }
+}

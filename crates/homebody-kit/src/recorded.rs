@@ -1,0 +1,158 @@
+//! Runs that were recorded, to be lived again.
+
+use crate::cancel::Cancel;
+use crate::error::Error;
+use crate::pace::{Command, Pace, Paced};
+use crate::run::{LiveRun, Progress};
+use crate::store::Lived;
+use homebody_core::recording::{LONGEST, Recording};
+use homebody_core::scenario::load::Scenario;
+use homebody_log::places::RECORDING;
+use homebody_log::{How, Places};
+use homebody_routine::household::Household;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::mpsc::Receiver;
+
+/// A recorded run, checked: all that it depends on is in its recording.
+///
+/// ```no_run
+/// let run = homebody_kit::Recorded::open("runs/tigerplace-1/recording.json")?.start();
+/// let lived = run.store(&homebody_kit::Destinations::default(), |_| ())?;
+/// assert_eq!(lived.agrees, Some(true), "firing by firing");
+/// # Ok::<(), homebody_kit::Error>(())
+/// ```
+pub struct Recorded {
+    recording: Recording,
+    scenario: Arc<Scenario>,
+    household: Household,
+    /// The file that it was read from, which nothing replaces.
+    path: PathBuf,
+    paced: Paced,
+}
+
+impl Recorded {
+    /// Reads a recording, as a run leaves it.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NoRecording`], [`Error::File`] or [`Error::Recording`] if there is none in this file, [`Error::Problems`] if
+    /// something is wrong with the scenario in it.
+    pub fn open(path: impl AsRef<Path>) -> Result<Recorded, Error> {
+        let path = path.as_ref();
+        let recording = read(path)?;
+        if !recording.is_complete() {
+            let why = "the SHA-256 of its firings is missing: the run was not completed".into();
+            return Err(Error::Recording { path: path.into(), why });
+        }
+        let (scenario, household) = Household::recorded(&recording)?;
+        let paced = Paced::new(Pace::default(), Cancel::new(), None);
+        Ok(Recorded { recording, scenario: Arc::new(scenario), household, path: path.into(), paced })
+    }
+
+    /// What was recorded.
+    pub fn recording(&self) -> &Recording {
+        &self.recording
+    }
+
+    /// The scenario that was recorded.
+    pub fn scenario(&self) -> &Scenario {
+        &self.scenario
+    }
+
+    /// At which pace it is lived again, what is said to it meanwhile, and who may end it.
+    pub fn paced(mut self, pace: Pace, commands: Option<Receiver<Command>>, cancel: &Cancel) -> Recorded {
+        self.paced = Paced::new(pace, cancel.clone(), commands);
+        self
+    }
+
+    /// The recorded run at its beginning. Stored into destinations, it says whether every firing is the same.
+    pub fn start(self) -> LiveRun {
+        let run = self.recording.run(&self.scenario, &self.household);
+        LiveRun { paced: self.paced, ..LiveRun::of(self.scenario, run, self.recording, vec![self.path]) }
+    }
+}
+
+/// A run that was killed or stopped, to be gone on with in the folder that it left.
+///
+/// It is lived again from its beginning: what is there is compared with it, what is missing is written. In the end the log
+/// and the truth have the bytes of a run that nothing has disturbed.
+///
+/// ```no_run
+/// let lived = homebody_kit::Unfinished::open("runs/tigerplace-1")?.go_on(|_| ())?;
+/// println!("{} firings", lived.recording.firings);
+/// # Ok::<(), homebody_kit::Error>(())
+/// ```
+pub struct Unfinished {
+    run: LiveRun,
+    places: Places,
+}
+
+impl Unfinished {
+    /// Finds out what is left to do in a run's folder.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NoRecording`], [`Error::File`] or [`Error::Recording`] if the folder has no recording, [`Error::Complete`] if the
+    /// run was lived to its end, [`Error::OtherVersion`] if another version of the program began it, [`Error::Problems`] if
+    /// something is wrong with the scenario in it.
+    pub fn open(folder: impl AsRef<Path>) -> Result<Unfinished, Error> {
+        let folder = folder.as_ref();
+        let path = folder.join(RECORDING);
+        let recording = read(&path)?;
+        let Some(recording) = recording.unfinished() else { return Err(Error::Complete { folder: folder.into() }) };
+        if recording.version != env!("CARGO_PKG_VERSION") {
+            return Err(Error::OtherVersion { folder: folder.into(), version: recording.version });
+        }
+        let (scenario, household) = Household::recorded(&recording)?;
+        let places = Places::of_folder(folder, &scenario)?;
+        let run = recording.run(&scenario, &household);
+        Ok(Unfinished { run: LiveRun::of(Arc::new(scenario), run, recording, Vec::new()), places })
+    }
+
+    /// At which pace it is lived, what is said to it meanwhile, and who may end it.
+    pub fn paced(mut self, pace: Pace, commands: Option<Receiver<Command>>, cancel: &Cancel) -> Unfinished {
+        self.run.paced = Paced::new(pace, cancel.clone(), commands);
+        self
+    }
+
+    /// The scenario that the run is of.
+    pub fn scenario(&self) -> &Scenario {
+        &self.run.scenario
+    }
+
+    /// How long it is to be.
+    pub fn progress(&self) -> Progress {
+        self.run.progress()
+    }
+
+    /// Lives it to its end, or until it is cancelled; `progress` is called after each batch.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Log`] if what is there is not the beginning of this run, or cannot be written: then it stays as it was.
+    pub fn go_on(self, progress: impl FnMut(Progress)) -> Result<Lived, Error> {
+        self.run.store_at(&self.places, How::GoOn, progress)
+    }
+}
+
+/// Reads a recording, be it of a run that is complete or not.
+fn read(path: &Path) -> Result<Recording, Error> {
+    let text = fs::read_to_string(path).map_err(|error| match error.kind() {
+        ErrorKind::NotFound => Error::NoRecording { path: path.into() },
+        ErrorKind::IsADirectory => {
+            let why = "it is a folder\n  hint: name the recording.json in it".into();
+            Error::File { path: path.into(), why, source: Some(error) }
+        }
+        _ => Error::io(path, error),
+    })?;
+    let wrong = |why: String| Error::Recording { path: path.into(), why };
+    let recording: Recording = serde_json::from_str(&text).map_err(|error| wrong(error.to_string()))?;
+    let lengths = [Some(recording.length_us), recording.stopped_of_us];
+    if !lengths.into_iter().flatten().all(|length| (0..=LONGEST).contains(&length)) {
+        return Err(wrong("a run is at most 100 years long".into()));
+    }
+    Ok(recording)
+}

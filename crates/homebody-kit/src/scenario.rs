@@ -1,0 +1,146 @@
+//! A scenario that was opened: checked, its routines understood, ready to be lived any number of times.
+
+use crate::cohort::{CohortSetup, Members};
+use crate::error::Error;
+use crate::profiles::{self, Base, Profile};
+use crate::run::RunSetup;
+use crate::source::{Source, Template};
+use homebody_core::problem::Problem;
+use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::remarks;
+use homebody_core::time::Micros;
+use homebody_routine::household::Household;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Opens a scenario by its folder or its `scenario.json`.
+///
+/// ```
+/// let scenario = homebody_kit::open("../../scenarios/tigerplace")?;
+/// assert_eq!(scenario.name(), "tigerplace");
+/// # Ok::<(), homebody_kit::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// [`Error::File`] if there is none, [`Error::Problems`] with everything that is wrong with its files.
+pub fn open(path: impl AsRef<Path>) -> Result<OpenScenario, Error> {
+    Source::at(path)?.open()
+}
+
+/// Opens a scenario that came with the program.
+///
+/// ```
+/// let scenario = homebody_kit::template("older-adult")?;
+/// assert!(homebody_kit::template("older adult").is_err());
+/// # Ok::<(), homebody_kit::Error>(())
+/// ```
+///
+/// # Errors
+///
+/// [`Error::Template`] if there is none of this name.
+pub fn template(name: &str) -> Result<OpenScenario, Error> {
+    Template::named(name)?.source().open()
+}
+
+/// A scenario that has passed every check, with the routines of those who live there understood. A clone is cheap.
+#[derive(Clone)]
+pub struct OpenScenario {
+    pub(crate) scenario: Arc<Scenario>,
+    pub(crate) household: Arc<Household>,
+    pub(crate) source: Source,
+}
+
+impl OpenScenario {
+    pub(crate) fn read(source: Source) -> Result<OpenScenario, Error> {
+        let (scenario, household) = Household::load(source.files(), source.entry(), &[])?;
+        Ok(OpenScenario { scenario: Arc::new(scenario), household: Arc::new(household), source })
+    }
+
+    /// What the scenario is called.
+    pub fn name(&self) -> &str {
+        &self.scenario.file.name
+    }
+
+    /// What its files say.
+    pub fn scenario(&self) -> &Scenario {
+        &self.scenario
+    }
+
+    /// Who lives by routines there, and whom they show.
+    pub fn household(&self) -> &Household {
+        &self.household
+    }
+
+    /// Its files as they were opened.
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// The files on disk that it was opened from: a run never replaces one of them.
+    pub fn paths(&self) -> Vec<PathBuf> {
+        self.source.paths(&self.scenario)
+    }
+
+    /// What is right in it but hardly meant, in a run of `length` microseconds.
+    pub fn remarks(&self, length: Micros) -> Vec<Problem> {
+        remarks::of(&self.scenario, length)
+    }
+
+    /// A run of it, as its files say unless something else is asked for.
+    pub fn run(&self) -> RunSetup {
+        RunSetup::new(self.clone())
+    }
+
+    /// So many lives of it side by side, each of which differs from the routines as people differ.
+    pub fn cohort(&self, members: u32) -> CohortSetup {
+        CohortSetup::new(self.clone(), Members::Many(members))
+    }
+
+    /// The lives of the members of a list side by side.
+    pub fn cohort_of(&self, profiles: Vec<Profile>) -> CohortSetup {
+        CohortSetup::new(self.clone(), Members::Listed(profiles))
+    }
+
+    /// The members of a list: a CSV file with a row for each. The conditions in `without` are left out of the lives of those
+    /// who would show them.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::File`] if it cannot be read, [`Error::Problems`] with everything that is wrong in it.
+    pub fn profiles(&self, path: impl AsRef<Path>, without: &[String]) -> Result<Vec<Profile>, Error> {
+        profiles::read(path.as_ref(), &self.base(), without)
+    }
+
+    /// The members of a list in memory: a table in CSV, whose first line names the columns; problems name it `name`.
+    ///
+    /// ```
+    /// let scenario = homebody_kit::template("older-adult")?;
+    /// let profiles = scenario.profiles_of("people.csv", "name,age\nanna,75\nbea,88\n", &[])?;
+    /// assert_eq!(profiles.len(), 2);
+    /// # Ok::<(), homebody_kit::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Problems`] with everything that is wrong in it.
+    pub fn profiles_of(&self, name: &str, table: &str, without: &[String]) -> Result<Vec<Profile>, Error> {
+        profiles::of(name, table, &self.base(), without)
+    }
+
+    /// The same scenario without these conditions, which its routines show.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Problems`] if nobody shows one of them.
+    pub(crate) fn household_without(&self, conditions: &[String]) -> Result<Arc<Household>, Error> {
+        if conditions.is_empty() {
+            return Ok(self.household.clone());
+        }
+        Ok(Arc::new(self.household.without(conditions)?))
+    }
+
+    pub(crate) fn base(&self) -> Base<'_> {
+        Base { scenario: &self.scenario, household: &self.household, files: self.source.files() }
+    }
+}

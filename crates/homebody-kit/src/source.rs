@@ -1,0 +1,157 @@
+//! Where a scenario comes from: a folder on disk, a template that came with the program, or texts in memory.
+
+use crate::error::Error;
+use crate::scenario::OpenScenario;
+use homebody_core::scenario::load::{Files, Scenario};
+use homebody_routine::household::RoutineLanguage;
+use include_dir::{Dir, include_dir};
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// The scenarios that came with the program.
+static OWN: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../scenarios");
+
+/// What a scenario's own file is called where nothing else is said.
+const ENTRY: &str = "scenario.json";
+
+/// The files of a scenario, which nobody has checked yet.
+#[derive(Clone)]
+pub struct Source {
+    files: Arc<dyn Files + Send + Sync>,
+    entry: String,
+    /// The folder that it is in, if it is on disk.
+    folder: Option<PathBuf>,
+}
+
+impl Source {
+    /// A scenario on disk, named by its folder or by its `scenario.json`.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::File`] if there is no such folder or file.
+    pub fn at(path: impl AsRef<Path>) -> Result<Source, Error> {
+        let path = path.as_ref();
+        let meta = fs::metadata(path).map_err(|error| match error.kind() {
+            ErrorKind::NotFound => {
+                let why = "there is no such scenario\n  hint: name its folder, or its scenario.json".into();
+                Error::File { path: path.into(), why, source: Some(error) }
+            }
+            _ => Error::io(path, error),
+        })?;
+        let entry = match meta.is_dir() {
+            true => ENTRY.to_owned(),
+            false => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        };
+        let folder = if meta.is_dir() { path } else { path.parent().unwrap_or(Path::new("")) };
+        let file = folder.join(&entry);
+        if !file.is_file() {
+            let why = "there is no such file\n  hint: a scenario folder holds a scenario.json";
+            return Err(Error::file(&file, why));
+        }
+        Ok(Source { files: Arc::new(Folder(folder.to_owned())), entry, folder: Some(folder.to_owned()) })
+    }
+
+    /// A scenario whose files are these texts, by name; `entry` is the name of its own file among them.
+    pub fn of_texts(texts: BTreeMap<String, String>, entry: impl Into<String>) -> Source {
+        Source { files: Arc::new(texts), entry: entry.into(), folder: None }
+    }
+
+    /// The name of the scenario's own file.
+    pub fn entry(&self) -> &str {
+        &self.entry
+    }
+
+    /// The folder that it is in; nothing where it is not on disk.
+    pub fn folder(&self) -> Option<&Path> {
+        self.folder.as_deref()
+    }
+
+    /// Its files.
+    pub fn files(&self) -> &(dyn Files + Send + Sync) {
+        &*self.files
+    }
+
+    /// The files on disk that a scenario from here was loaded from.
+    pub fn paths(&self, scenario: &Scenario) -> Vec<PathBuf> {
+        let folder = self.folder.iter();
+        folder.flat_map(|folder| scenario.sources.keys().map(|name| folder.join(name))).collect()
+    }
+
+    /// The scenario checked, without asking whether its residents could live their routines in its home.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Problems`]: everything that is wrong with its files.
+    pub fn scenario(&self) -> Result<Scenario, Error> {
+        Ok(Scenario::load_in(&mut RoutineLanguage::default(), &*self.files, &self.entry)?)
+    }
+
+    /// The scenario checked and its routines understood, to be lived.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Problems`]: everything that is wrong with its files.
+    pub fn open(self) -> Result<OpenScenario, Error> {
+        OpenScenario::read(self)
+    }
+}
+
+/// A scenario that came with the program, to begin one's own from.
+#[derive(Clone, Copy, Debug)]
+pub struct Template(&'static Dir<'static>);
+
+impl Template {
+    /// All of them, in the order of their names.
+    pub fn all() -> impl Iterator<Item = Template> {
+        OWN.dirs().map(Template)
+    }
+
+    /// The one of a name.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Template`] if there is none of it.
+    pub fn named(name: &str) -> Result<Template, Error> {
+        OWN.get_dir(name).map(Template).ok_or_else(|| Error::Template {
+            name: name.to_owned(),
+            known: Template::all().map(|template| template.name()).collect(),
+        })
+    }
+
+    /// What it is called.
+    pub fn name(self) -> String {
+        self.0.path().display().to_string()
+    }
+
+    /// Its files: the name of each and its text.
+    pub fn files(self) -> impl Iterator<Item = (String, String)> {
+        self.0.files().map(|file| {
+            let name = file.path().file_name().unwrap_or_default().to_string_lossy().into_owned();
+            (name, String::from_utf8_lossy(file.contents()).into_owned())
+        })
+    }
+
+    /// Its files as those of a scenario.
+    pub fn source(self) -> Source {
+        Source::of_texts(self.files().collect(), ENTRY)
+    }
+}
+
+/// The files of a folder.
+struct Folder(PathBuf);
+
+impl Files for Folder {
+    fn read(&self, name: &str) -> Result<String, String> {
+        let bytes = fs::read(self.0.join(name)).map_err(|error| match error.kind() {
+            ErrorKind::NotFound => "there is no such file".to_owned(),
+            ErrorKind::IsADirectory => "it is a folder".to_owned(),
+            _ => error.to_string(),
+        })?;
+        let text = String::from_utf8(bytes).map_err(|_| "it is not text in UTF-8")?;
+        // A byte order mark says nothing.
+        Ok(text.strip_prefix('\u{feff}').map_or(text.clone(), str::to_owned))
+    }
+}

@@ -1,0 +1,176 @@
+//! Living a run into destinations: logs, the truth apart from them, and the recording that lives it again.
+
+use crate::error::Error;
+use crate::run::{LiveRun, Progress};
+use homebody_core::recording::Recording;
+use homebody_log::places::{RUNS, can_be_written};
+use homebody_log::{How, Places, RunLog, Stored, Url};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// Where a run goes. Where no log is named, all of it goes into a new folder.
+#[derive(Clone, Debug)]
+pub struct Destinations {
+    /// The places of its log.
+    pub log: Vec<Url>,
+    /// The place of its ground truth; none where a log is named and this is not.
+    pub truth: Option<Url>,
+    /// The file of its recording; none where a log is named and this is not.
+    pub recording: Option<PathBuf>,
+    /// The folder in which the new folder of a run is made, where no log is named: `runs` unless something else is said.
+    pub runs: PathBuf,
+    /// Whether files that exist are replaced.
+    pub replace: bool,
+}
+
+impl Default for Destinations {
+    fn default() -> Destinations {
+        Destinations { log: Vec::new(), truth: None, recording: None, runs: RUNS.into(), replace: false }
+    }
+}
+
+impl Destinations {
+    /// A new folder in this one, which is made if it is not there.
+    pub fn new_folder_in(runs: impl Into<PathBuf>) -> Destinations {
+        Destinations { runs: runs.into(), ..Destinations::default() }
+    }
+
+    /// One place for the log, and nothing beside it.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Log`] if the text names no place: it is such as `sqlite:log.db`, `csv:log.csv` or `casas:log.txt`.
+    pub fn log(place: &str) -> Result<Destinations, Error> {
+        let place = place.parse().map_err(homebody_log::LogError::NoPlace)?;
+        Ok(Destinations { log: vec![place], ..Destinations::default() })
+    }
+
+    fn places(&self, run: &LiveRun) -> Result<Places, Error> {
+        let mut places = self.found(run)?;
+        if run.has_own_driver {
+            // A driver of the caller's own is in no file.
+            places.recording = None;
+        }
+        Ok(places)
+    }
+
+    fn found(&self, run: &LiveRun) -> Result<Places, Error> {
+        let Destinations { log, truth, recording, runs, replace } = self;
+        if !log.is_empty() || runs == Path::new(RUNS) {
+            let (log, truth, recording) = (log.clone(), truth.clone(), recording.clone());
+            return Ok(Places::find(log, truth, recording, &run.scenario, &run.sources, *replace)?);
+        }
+        let mut places = Places::run(runs, &run.scenario)?;
+        places.truth = truth.clone().or(places.truth);
+        places.recording = recording.clone().or(places.recording);
+        let named: Vec<&Path> = truth.iter().filter_map(Url::file).chain(recording.as_deref()).collect();
+        match can_be_written(&named, &run.sources, *replace) {
+            Ok(()) => Ok(places),
+            Err(error) => {
+                places.give_up();
+                Err(error.into())
+            }
+        }
+    }
+}
+
+/// What has become of a run that was stored.
+#[derive(Debug)]
+pub struct Lived {
+    /// As it was lived: its length is where it ended.
+    pub recording: Recording,
+    /// What the log has got.
+    pub stored: Stored,
+    /// The names of its sensors, in the order of `stored.by_sensor`.
+    pub sensors: Vec<String>,
+    /// The place of the truth, if there is one.
+    pub truth: Option<Url>,
+    /// The file of the recording, if there is one.
+    pub recorded: Option<PathBuf>,
+    /// How far it has come: less than its length if it was cancelled.
+    pub progress: Progress,
+    /// Of a recording that was lived again to its end: whether every firing is the same.
+    pub agrees: Option<bool>,
+    /// What the recording was, that was lived again.
+    pub before: Option<Recording>,
+    /// How long that took.
+    pub took: Duration,
+}
+
+impl Lived {
+    /// Whether it was ended early.
+    pub fn is_stopped(&self) -> bool {
+        self.progress.lived < self.progress.length
+    }
+
+    /// How many rows each sensor has in each of the places, by name.
+    pub fn rows_by_sensor(&self) -> impl Iterator<Item = (&str, u64)> {
+        self.sensors.iter().map(String::as_str).zip(self.stored.by_sensor.iter().copied())
+    }
+}
+
+impl LiveRun {
+    /// Lives the run to its end, or until it is cancelled, and stores all of it; `progress` is called after each batch.
+    ///
+    /// ```
+    /// # let folder = std::env::temp_dir().join(format!("kit-store-{}", std::process::id()));
+    /// use homebody_kit::Destinations;
+    /// let run = homebody_kit::template("tigerplace")?.run().days(0.5).start()?;
+    /// let lived = run.store(&Destinations::new_folder_in(&folder), |_| ())?;
+    /// assert_eq!(lived.stored.rows, lived.recording.firings);
+    /// # let _ = std::fs::remove_dir_all(folder);
+    /// # Ok::<(), homebody_kit::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Log`] if a destination cannot be written: nothing is lived then. If one fails on the way, what was stored
+    /// before stays as far as its form allows.
+    pub fn store(self, to: &Destinations, progress: impl FnMut(Progress)) -> Result<Lived, Error> {
+        let places = to.places(&self)?;
+        let lived = self.store_at(&places, if to.replace { How::Replace } else { How::New }, progress);
+        if lived.is_err() {
+            // What was stored before the failure stays.
+            places.give_up();
+        }
+        lived
+    }
+
+    pub(crate) fn store_at(
+        mut self,
+        places: &Places,
+        how: How,
+        mut progress: impl FnMut(Progress),
+    ) -> Result<Lived, Error> {
+        let started = Instant::now();
+        let version = env!("CARGO_PKG_VERSION").into();
+        let recording = Recording { version, ..self.recording.clone() };
+        let mut log = RunLog::open(places, &self.scenario, &self.run, &recording, how)?;
+        let ended = loop {
+            let lived_on = self.live_on();
+            // What happened before a driver went wrong is stored, too.
+            log.store(&self.run, &self.events)?;
+            match lived_on {
+                Ok(true) => progress(self.progress()),
+                Ok(false) => break Ok(()),
+                Err(error) => break Err(error),
+            }
+        };
+        let (stored, recording) = log.finish(&self.run, recording)?;
+        ended?;
+        let before = Some(self.recording.clone()).filter(|before| !before.sha256.is_empty());
+        let is_same = |before: &Recording| (&before.sha256, before.firings) == (&recording.sha256, recording.firings);
+        let is_whole = self.run.now() == self.run.length();
+        Ok(Lived {
+            agrees: before.as_ref().filter(|_| is_whole).map(is_same),
+            before,
+            sensors: self.sensors().map(str::to_owned).collect(),
+            truth: places.truth.clone(),
+            recorded: places.recording.clone(),
+            progress: self.progress(),
+            recording,
+            stored,
+            took: started.elapsed(),
+        })
+    }
+}

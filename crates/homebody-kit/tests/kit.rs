@@ -1,0 +1,264 @@
+//! Scenarios opened, runs lived and stored, cohorts, and what is refused.
+
+use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
+use homebody_core::event::{Events, Fact, Firing, MotionState, ThingUse};
+use homebody_core::geometry::Point;
+use homebody_core::home::Home;
+use homebody_core::ids::ThingId;
+use homebody_core::run::Run;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{DAY, Micros, NEVER, SECOND};
+use homebody_kit::pace::{Command, Pace, Speed};
+use homebody_kit::{BoxError, Cancel, Destinations, Error, LiveRun, OpenScenario, Recorded, template};
+use std::fs;
+use std::path::Path;
+use std::sync::mpsc::channel;
+
+fn tigerplace() -> OpenScenario {
+    template("tigerplace").unwrap()
+}
+
+fn firings(mut run: LiveRun) -> Vec<Firing> {
+    let mut firings = Vec::new();
+    while let Some(batch) = run.next_batch().unwrap() {
+        assert!(batch.begin < batch.end && batch.settled <= batch.end);
+        firings.extend_from_slice(batch.firings);
+    }
+    firings
+}
+
+#[test]
+fn batches_are_the_run_cut_into_pieces() {
+    let opened = tigerplace();
+    let mut run = Run::new(opened.scenario(), opened.household(), 3, DAY);
+    let mut events = Events::default();
+    run.advance(DAY, &mut events).unwrap();
+    assert_eq!(firings(opened.run().seed(3).length(DAY).start().unwrap()), events.firings);
+    assert_ne!(firings(opened.run().seed(4).length(DAY).start().unwrap()), events.firings);
+}
+
+#[test]
+fn a_scenario_is_opened_by_its_folder_and_by_its_own_file() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/tigerplace");
+    let (opened, by_file) =
+        (homebody_kit::open(&folder).unwrap(), homebody_kit::open(folder.join("scenario.json")).unwrap());
+    assert_eq!((opened.scenario(), opened.paths()), (by_file.scenario(), by_file.paths()));
+    assert_eq!(opened.scenario(), tigerplace().scenario());
+    assert!(opened.paths().contains(&folder.join("home.json")) && tigerplace().paths().is_empty());
+    assert!(matches!(homebody_kit::open(folder.join("nothing")), Err(Error::File { .. })));
+    assert!(matches!(homebody_kit::open(folder.join("home.json")), Err(Error::Problems(_))));
+}
+
+#[test]
+fn what_makes_no_sense_is_refused_before_anything_is_lived() {
+    let opened = tigerplace();
+    for days in [0.0, -1.0, f64::NAN, f64::INFINITY, 36_526.0, 1e-12] {
+        assert!(matches!(opened.run().days(days).start(), Err(Error::Length { .. })), "{days}");
+    }
+    let wrong = opened.run().without(["grief"]).start().err().unwrap();
+    assert!(matches!(&wrong, Error::Problems(_)) && wrong.to_string().contains("nobody shows \"grief\""), "{wrong}");
+    let nobody = opened.run().driver("Margaret", |_, _| Odd(|_| Next::Activity(None))).start().err().unwrap();
+    assert_eq!(nobody.to_string(), "nobody called \"Margaret\" lives there\n  hint: there are margaret");
+    let folder = tempfile::tempdir().unwrap();
+    let place = format!("sqlite:{}", folder.path().join("none/log.db").display());
+    let run = opened.run().days(1).start().unwrap();
+    assert!(matches!(run.store(&Destinations::log(&place).unwrap(), |_| ()), Err(Error::Log(_))));
+    assert!(matches!(Destinations::log("mysql:log"), Err(Error::Log(_))));
+}
+
+#[test]
+fn a_stored_run_is_lived_again_and_a_changed_recording_is_found() {
+    let folder = tempfile::tempdir().unwrap();
+    let to = Destinations::new_folder_in(folder.path().join("runs"));
+    let mut progress = Vec::new();
+    let run = tigerplace().run().seed(5).days(1.5).start().unwrap();
+    let lived = run.store(&to, |now| progress.push(now)).unwrap();
+    assert_eq!(progress.last(), Some(&lived.progress));
+    assert!(progress.is_sorted_by_key(|now| now.lived) && progress.len() == 36);
+    assert_eq!((lived.agrees, lived.is_stopped()), (None, false));
+    assert_eq!(lived.rows_by_sensor().map(|(_, rows)| rows).sum::<u64>(), lived.stored.rows);
+    let path = lived.recorded.clone().unwrap();
+    let again = |path: &Path| {
+        let to = Destinations::log(&format!("csv:{}", folder.path().join("again.csv").display())).unwrap();
+        Recorded::open(path).unwrap().start().store(&Destinations { replace: true, ..to }, |_| ()).unwrap()
+    };
+    assert_eq!(again(&path).agrees, Some(true));
+    let other = folder.path().join("other.json");
+    fs::write(&other, fs::read_to_string(&path).unwrap().replace("\"seed\": 5", "\"seed\": 6")).unwrap();
+    assert_eq!(again(&other).agrees, Some(false));
+    assert!(matches!(Recorded::open(folder.path().join("none.json")), Err(Error::NoRecording { .. })));
+    fs::write(&other, "{}").unwrap();
+    assert!(matches!(Recorded::open(&other), Err(Error::Recording { .. })));
+}
+
+#[test]
+fn a_run_stops_between_batches_and_what_it_stored_is_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let cancel = Cancel::new();
+    let run = tigerplace().run().days(30).cancel(&cancel).start().unwrap();
+    let lived = run.store(&Destinations::new_folder_in(folder.path()), |now| {
+        if now.lived >= DAY {
+            cancel.cancel();
+        }
+    });
+    let lived = lived.unwrap();
+    assert!(lived.is_stopped() && lived.recording.length_us == DAY);
+    assert_eq!(lived.recording.firings, firings(tigerplace().run().days(1).start().unwrap()).len() as u64);
+}
+
+#[test]
+fn what_is_said_to_a_run_changes_when_it_is_lived_and_not_how() {
+    let (say, commands) = channel();
+    for command in [Command::Step(90 * SECOND), Command::Speed(Speed::Max), Command::Resume] {
+        say.send(command).unwrap();
+    }
+    let setup = || tigerplace().run().length(DAY / 2);
+    let paused = setup().pace(Pace::paused(Speed::times(1000.0).unwrap())).commands(commands).start().unwrap();
+    let mut firings_of_paused = Vec::new();
+    let sink = &mut |_: &LiveRun, batch: homebody_kit::Batch| {
+        firings_of_paused.extend_from_slice(batch.firings);
+        Ok::<(), BoxError>(())
+    };
+    paused.give_to(sink, |_| ()).unwrap();
+    assert_eq!(firings_of_paused, firings(setup().start().unwrap()));
+}
+
+#[test]
+fn a_sink_that_fails_ends_the_run() {
+    let mut taken = 0;
+    let sink = &mut |_: &LiveRun, _: homebody_kit::Batch| {
+        taken += 1;
+        if taken == 3 { Err("the third is too many".into()) } else { Ok::<(), BoxError>(()) }
+    };
+    let error = tigerplace().run().days(1).start().unwrap().give_to(sink, |_| ()).unwrap_err();
+    assert_eq!((taken, error.to_string().as_str()), (3, "a sink failed: the third is too many"));
+}
+
+/// A driver that answers as it is told.
+#[derive(Clone, Debug)]
+struct Odd(fn(Micros) -> Next);
+
+impl Driver for Odd {
+    fn next(&mut self, around: &Surroundings) -> Next {
+        self.0(around.now())
+    }
+
+    fn copy(&self) -> Box<dyn Driver> {
+        Box::new(self.clone())
+    }
+}
+
+fn segment(begin: Micros, end: Micros, doing: MotionState) -> Next {
+    Next::Segment(MotionSegment { begin, end, doing, posture: Posture::Standing })
+}
+
+#[test]
+fn a_driver_that_decides_what_nobody_can_do_is_named() {
+    assert!(
+        lived_by(move |_: &Home| Odd(|now| segment(now, now + SECOND, MotionState::Rest { at: Point::new(6.0, 4.0) })))
+            .is_ok()
+    );
+    type Answer = fn(Micros) -> Next;
+    let odd: [(Answer, &str); 8] = [
+        (|now| segment(now, now, MotionState::Away), "a segment that ends at 0 s"),
+        (|now| segment(now, now - SECOND, MotionState::Away), "a segment that ends at -1 s"),
+        (|now| segment(now + 1, now + SECOND, MotionState::Away), "a segment that begins at"),
+        (|now| segment(now, now + SECOND, MotionState::Rest { at: Point::new(60.0, 4.0) }), "outside the home"),
+        (
+            |now| segment(now, now + SECOND, MotionState::Rest { at: Point::new(f64::NAN, 4.0) }),
+            "a number that is none, for the place",
+        ),
+        (
+            |now| segment(now, now + SECOND, MotionState::InPlace { at: Point::new(6.0, 4.0), amplitude_m: -1.0 }),
+            "a number that is none, for the amplitude",
+        ),
+        (|_| Next::Use(ThingUse { thing: ThingId(1000), on: true }), "the use of thing 1000"),
+        (|_| Next::Activity(None), "answers that take no time"),
+    ];
+    for (answer, told) in odd {
+        let error = lived_by(move |_: &Home| Odd(answer)).unwrap_err().to_string();
+        assert!(error.starts_with("the driver of \"margaret\"") && error.contains(told), "{error}");
+    }
+}
+
+fn lived_by(driver: impl Fn(&Home) -> Odd + Send + Sync + 'static) -> Result<Micros, Error> {
+    let run = tigerplace().run().length(DAY / 4).driver("margaret", move |home, _| driver(home)).start()?;
+    let sink = &mut |_: &LiveRun, _: homebody_kit::Batch| Ok::<(), BoxError>(());
+    Ok(run.give_to(sink, |_| ())?.lived)
+}
+
+#[test]
+fn what_happened_before_a_driver_went_wrong_is_handed_on() {
+    let odd = |now: Micros| match now {
+        0 => segment(0, 90 * 60 * SECOND, MotionState::InPlace { at: Point::new(6.0, 4.0), amplitude_m: 0.3 }),
+        _ => segment(now, now, MotionState::Away),
+    };
+    let run = tigerplace().run().days(1).driver("margaret", move |_, _| Odd(odd));
+    let mut run = run.start().unwrap();
+    let (mut firings, mut movements, mut end) = (0, 0, 0);
+    let error = loop {
+        match run.next_batch() {
+            Ok(Some(batch)) => {
+                firings += batch.firings.iter().filter(|firing| firing.at >= 60 * 60 * SECOND).count();
+                movements += batch.facts.iter().filter(|fact| matches!(fact, Fact::Movement { .. })).count();
+                end = batch.end;
+            }
+            Ok(None) => panic!("it has ended without an error"),
+            Err(error) => break error,
+        }
+    };
+    assert!(error.to_string().contains("asked at 5400 s"), "{error}");
+    assert!(firings > 100 && movements == 2, "{firings} firings, {movements} movements");
+    assert_eq!(end, 5400 * SECOND);
+}
+
+#[test]
+fn a_run_with_a_driver_of_ones_own_leaves_no_recording_that_could_not_be_lived_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let still = |_: &_, _| Odd(|now| segment(now, NEVER, MotionState::Rest { at: Point::new(6.0, 4.0) }));
+    let run = tigerplace().run().days(0.25).driver("margaret", still).start().unwrap();
+    let lived = run.store(&Destinations::new_folder_in(folder.path()), |_| ()).unwrap();
+    assert!(lived.recorded.is_none() && lived.truth.unwrap().file().unwrap().is_file());
+}
+
+#[test]
+fn members_in_memory_are_those_that_are_stored() {
+    let folder = tempfile::tempdir().unwrap();
+    let cohort = tigerplace().cohort(5).seed(11).days(1).start().unwrap();
+    let stored = cohort.store_in(folder.path().join("cohort"), |_| ()).unwrap();
+    let in_memory: Vec<(String, u64)> =
+        cohort.live(|member, run| Ok::<_, Error>((member.name.clone(), firings(run).len() as u64))).unwrap();
+    let listed: Vec<(String, u64)> = stored.list.members.iter().map(|one| (one.name.clone(), one.firings)).collect();
+    assert_eq!(listed, in_memory);
+    assert_eq!((stored.asked, stored.lived), (5, 5 * DAY));
+    assert!(stored.folder.join("cohort.json").is_file() && stored.folder.join("0005/log.db").is_file());
+    let alone = tigerplace().cohort(2).seed(11).days(1).start().unwrap();
+    assert_eq!(alone.live(|_, run| Ok::<_, Error>(firings(run).len() as u64)).unwrap(), [listed[0].1, listed[1].1]);
+    assert!(listed.iter().any(|(_, firings)| *firings != listed[0].1), "members differ");
+}
+
+#[test]
+fn members_of_a_list_live_as_it_says() {
+    let opened = template("tigerplace-depression").unwrap();
+    let table = "name,seed,pace_mps,conditions\nslow,1,0.4,none\nas she is,1,,\n";
+    let profiles = opened.profiles_of("people.csv", table, &[]).unwrap();
+    let cohort = opened.cohort_of(profiles).days(1).start().unwrap();
+    let lived = cohort.live(|member, run| Ok::<_, Error>((member.clone(), firings(run)))).unwrap();
+    assert_eq!(lived[0].0.row.as_ref().unwrap()["pace_mps"], "0.4");
+    assert_eq!((lived[0].0.seed, lived[1].0.seed), (1, 1));
+    assert_ne!(lived[0].1, lived[1].1);
+    let own = opened.run().seed(1).days(1).one_of_many().start().unwrap();
+    assert_eq!(lived[1].1, firings(own));
+    let wrong = opened.profiles_of("people.csv", "name,pace\nanna,1\nanna,2\n", &[]).unwrap_err();
+    assert!(matches!(&wrong, Error::Problems(problems) if problems.0.len() == 2), "{wrong}");
+}
+
+#[test]
+fn a_cohort_that_is_cancelled_lists_whom_it_lived() {
+    let folder = tempfile::tempdir().unwrap();
+    let cancel = Cancel::new();
+    let cohort = tigerplace().cohort(40).days(1).cancel(&cancel).start().unwrap();
+    let lived = cohort.store_in(folder.path(), |_| assert!(cancel.cancel() || cancel.is_cancelled())).unwrap();
+    assert!(lived.list.members.len() < 40 && lived.lived < 40 * DAY);
+    assert!(lived.folder.join("cohort.json").is_file());
+}

@@ -1,0 +1,84 @@
+//! What becomes of a run when one of its destinations fails, hangs or is slow.
+
+use crate::error::LogError;
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// How a destination is treated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Policy {
+    /// Whether its error ends the run. One that is not required is left behind: the others go on, and its error is told at
+    /// the end.
+    pub required: bool,
+    /// For how long a call is made again after an error that passes; zero for not at all.
+    pub retry_for: Duration,
+    /// How long to wait before the first time again; each further wait is twice as long, up to a minute.
+    pub retry_after: Duration,
+    /// How many batches of at most 4,096 rows may wait for it. When they are that many, the run waits.
+    pub batches_waiting: usize,
+    /// A destination that takes nothing for so long hangs: that is an error, and nobody waits for it any more. Retries count:
+    /// this should be longer than they may take.
+    pub answers_within: Duration,
+}
+
+impl Default for Policy {
+    /// Required, without retries, with little waiting; it must answer within two minutes (ours).
+    fn default() -> Policy {
+        Policy {
+            required: true,
+            retry_for: Duration::ZERO,
+            retry_after: Duration::from_millis(100),
+            batches_waiting: 4,
+            answers_within: Duration::from_secs(120),
+        }
+    }
+}
+
+/// The longest wait between two tries.
+const LONGEST_WAIT: Duration = Duration::from_secs(60);
+
+impl Policy {
+    /// A destination that the run can do without.
+    pub fn optional() -> Policy {
+        Policy { required: false, ..Policy::default() }
+    }
+
+    /// Makes a call, and makes it again while its error passes and there is time.
+    pub(crate) fn with_retries<T>(&self, mut call: impl FnMut() -> Result<T, LogError>) -> Result<T, LogError> {
+        let begun = Instant::now();
+        let mut wait = self.retry_after;
+        loop {
+            match call() {
+                Err(error) if error.passes() && begun.elapsed() + wait <= self.retry_for => {
+                    thread::sleep(wait);
+                    wait = (2 * wait).min(LONGEST_WAIT);
+                }
+                done => return done,
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_passes_is_tried_again_and_nothing_else() {
+        let policy =
+            Policy { retry_for: Duration::from_secs(5), retry_after: Duration::from_millis(1), ..Policy::default() };
+        let mut calls = 0;
+        let done = policy.with_retries(|| {
+            calls += 1;
+            if calls < 4 { Err(LogError::destination("there", "it is away").passing()) } else { Ok(calls) }
+        });
+        assert_eq!(done.unwrap(), 4);
+        let mut calls = 0;
+        let failed = policy.with_retries(|| -> Result<(), LogError> {
+            calls += 1;
+            Err(LogError::destination("there", "it is gone"))
+        });
+        assert!(failed.is_err() && calls == 1);
+        assert!(Policy::default().with_retries(|| Err::<(), _>(LogError::destination("", "").passing())).is_err());
+    }
+}

@@ -1,0 +1,115 @@
+//! What a run is: what destinations are told before the first row.
+
+use homebody_core::recording::Recording;
+use homebody_core::run::Run;
+use homebody_core::scenario::calendar::Calendar;
+use homebody_core::scenario::load::Scenario;
+use homebody_core::sensors::Sensor;
+
+/// What tells a run from others, and what its rows speak of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RunInfo {
+    /// The same for the same run, another for another: see [`Recording::run_id`].
+    pub id: i64,
+    /// Which home of several it is: the name of a member of a cohort. None for a run of its own.
+    pub home: Option<String>,
+    /// The scenario's name.
+    pub scenario: String,
+    pub seed: u64,
+    /// The program's version.
+    pub version: String,
+    /// From when on, by which clock.
+    pub calendar: Calendar,
+    /// In the order of [`SensorId`](homebody_core::ids::SensorId).
+    pub sensors: Vec<SensorInfo>,
+    /// The names of residents and visitors, in the order of [`ResidentId`](homebody_core::ids::ResidentId).
+    pub residents: Vec<String>,
+    /// In the order of [`RoomId`](homebody_core::ids::RoomId).
+    pub rooms: Vec<String>,
+    /// In the order of [`ThingId`](homebody_core::ids::ThingId).
+    pub things: Vec<String>,
+}
+
+/// What there is to know of a sensor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SensorInfo {
+    /// Its name in the home.
+    pub name: String,
+    /// What the log calls it.
+    pub id: String,
+    /// Whether it senses motion, so that its messages may be held ON.
+    pub is_motion: bool,
+    /// What kind of sensor it is, as `home.json` writes it.
+    pub kind: String,
+    /// Of its readings, such as `°C`. None for one that gives no readings.
+    pub unit: Option<String>,
+    /// What it says besides readings, such as `OPEN` and `CLOSE`; the logger may translate it.
+    pub values: Vec<String>,
+    /// The room that it is in. None between rooms, as on a door.
+    pub room: Option<String>,
+    /// Where it is on the plan, in metres to the east and to the north.
+    pub at_m: [f64; 2],
+}
+
+impl RunInfo {
+    /// What is known of a run before it is lived.
+    pub fn of(scenario: &Scenario, run: &Run, recording: &Recording) -> RunInfo {
+        let plan = &run.home().plan;
+        let sensor = |sensor: &Sensor| {
+            let info = sensor.info(plan);
+            SensorInfo {
+                id: scenario.logger.ids.get(&info.name).unwrap_or(&info.name).clone(),
+                name: info.name,
+                is_motion: info.kind.senses_motion(),
+                kind: info.kind.key.to_owned(),
+                unit: info.unit.map(|unit| unit.symbol.to_owned()),
+                values: info.values.iter().map(ToString::to_string).collect(),
+                room: info.room,
+                at_m: [info.at.x, info.at.y],
+            }
+        };
+        RunInfo {
+            id: recording.run_id(),
+            home: recording.home.clone(),
+            scenario: scenario.file.name.clone(),
+            seed: recording.seed,
+            version: recording.version.clone(),
+            calendar: scenario.calendar.clone(),
+            sensors: run.sensors().iter().map(sensor).collect(),
+            residents: run.names(),
+            rooms: plan.rooms.iter().map(|room| room.name.clone()).collect(),
+            things: plan.things.iter().map(|thing| thing.name.clone()).collect(),
+        }
+    }
+
+    /// A run of which no more is known than its name, its clock and its sensors' names, which are their ids.
+    pub fn plain(name: &str, calendar: Calendar, sensors: &[String]) -> RunInfo {
+        let sensor = |name: &String| SensorInfo {
+            name: name.clone(),
+            id: name.clone(),
+            is_motion: false,
+            kind: String::new(),
+            unit: None,
+            values: Vec::new(),
+            room: None,
+            at_m: [0.0; 2],
+        };
+        RunInfo {
+            id: 1,
+            home: None,
+            scenario: name.to_owned(),
+            seed: 0,
+            version: env!("CARGO_PKG_VERSION").into(),
+            calendar,
+            sensors: sensors.iter().map(sensor).collect(),
+            residents: Vec::new(),
+            rooms: Vec::new(),
+            things: Vec::new(),
+        }
+    }
+
+    /// The names of the sensors in the home.
+    pub fn sensor_names(&self) -> Vec<String> {
+        self.sensors.iter().map(|sensor| sensor.name.clone()).collect()
+    }
+}

@@ -1,0 +1,304 @@
+//! Keeps a run's ground truth, in a place of its own: no file of firings ever holds it.
+//!
+//! [`tables`] are its tables, the same for all kinds of places. Instants are written as in the log, sensors under the ids
+//! that they have there. No table looks like a log to whoever reads logs: where there are sensors, two instants stand
+//! side by side.
+//!
+//! The order of rows follows from what was lived alone, however it was advanced: so the same run gives the same bytes.
+
+mod names;
+mod tables;
+
+use crate::error::LogError;
+use crate::fresh::{all_can_be_written, same_file};
+use crate::logger::{Destination, RowsOfFirings};
+use crate::mapping::Shown;
+use crate::run_info::RunInfo;
+use crate::sink::{How, Watermark};
+use crate::table::{Batch, Cell, TextId, Texts};
+use crate::url::Url;
+use crate::writer::{BATCH, BATCH_WAITS, Beginning, Writer};
+use homebody_core::drivers::MotionSegment;
+use homebody_core::event::{Events, Fact, MotionState, Provenance, Trigger};
+use homebody_core::geometry::Point;
+use homebody_core::ids::{ResidentId, RoomId, SensorId, ThingId};
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::time::Micros;
+use names::{loss_name, need_name, posture_name};
+use std::collections::VecDeque;
+use std::sync::Arc;
+use std::time::Instant;
+pub use tables::{Truth, tables};
+
+/// Stores facts; it is used as a [`Logger`](crate::Logger) is.
+pub struct TruthLog {
+    writer: Writer,
+    texts: Texts,
+    shown: Shown,
+    sensors: Vec<TextId>,
+    residents: Vec<TextId>,
+    rooms: Vec<TextId>,
+    things: Vec<TextId>,
+    /// What each resident is doing, and since when.
+    doing: Vec<Option<(Micros, TextId)>>,
+    /// The rooms that a stride under way is going to come through: who, when, and which.
+    coming: Vec<(ResidentId, Micros, Option<RoomId>)>,
+    /// The rows that end a hold and are not told yet: each comes before the cause of the next row.
+    offs: VecDeque<(u64, u64)>,
+    batch: Batch,
+    sent_at: Instant,
+}
+
+impl TruthLog {
+    /// Opens the place of the truth, which is none of the log's own `places`.
+    pub fn open(
+        url: &Url,
+        places: &[Url],
+        file: &LoggerFile,
+        run: &Arc<RunInfo>,
+        how: How,
+    ) -> Result<TruthLog, LogError> {
+        let is_same = |place: &Url| place.file().zip(url.file()).is_some_and(|(one, other)| same_file(one, other));
+        if places.iter().any(is_same) {
+            return Err(LogError::SameFile { place: url.to_string() });
+        }
+        if how != How::GoOn {
+            all_can_be_written(&url.file().into_iter().collect::<Vec<_>>(), how == How::Replace)?;
+        }
+        TruthLog::into(Destination::of(url), file, run, how)
+    }
+
+    /// Stores the truth in a destination.
+    pub fn into(
+        destination: Destination,
+        file: &LoggerFile,
+        run: &Arc<RunInfo>,
+        how: How,
+    ) -> Result<TruthLog, LogError> {
+        let shown = Shown::new(file, &run.sensor_names())?;
+        let beginning = Beginning {
+            run: run.clone(),
+            tables: Arc::new(tables()),
+            time: file.time,
+            run_column: RUN_COLUMN.into(),
+            how,
+        };
+        let Destination { place, sink, policy } = destination;
+        let writer = Writer::spawn(place, sink, policy, &beginning)?;
+        let mut texts = Texts::default();
+        let mut log = TruthLog {
+            writer,
+            sensors: texts.ids(&shown.sensors),
+            residents: texts.ids(&run.residents),
+            rooms: texts.ids(&run.rooms),
+            things: texts.ids(&run.things),
+            doing: vec![None; run.residents.len()],
+            coming: Vec::new(),
+            offs: VecDeque::new(),
+            batch: Batch::default(),
+            sent_at: Instant::now(),
+            shown,
+            texts,
+        };
+        let home = run.home.as_deref().unwrap_or(&run.scenario);
+        for (index, name) in run.residents.iter().enumerate() {
+            let person = Cell::Text(log.texts.id(&format!("{home}/{name}")));
+            log.batch.push(Truth::Resident as usize, [Cell::Text(log.residents[index]), person]);
+        }
+        Ok(log)
+    }
+
+    /// Stores the facts of an advance of the run; `joined` says which rows of the log tell of its firings.
+    pub fn store(&mut self, events: &Events, joined: &RowsOfFirings) -> Result<(), LogError> {
+        self.offs.extend(&joined.offs);
+        for fact in &events.facts {
+            self.take(fact, events, joined);
+            if self.batch.len() >= BATCH {
+                self.send()?;
+            }
+        }
+        if self.sent_at.elapsed() >= BATCH_WAITS { self.send() } else { Ok(()) }
+    }
+
+    /// How far the truth is durable, by table.
+    pub fn durable(&self) -> Watermark {
+        self.writer.durable()
+    }
+
+    /// Makes sure of all facts; what residents are doing ends with the run.
+    pub fn finish(mut self, end: Micros) -> Result<(), LogError> {
+        for resident in (0..self.residents.len()).map(ResidentId::of) {
+            self.turn(resident, end, None);
+        }
+        for (resident, at, room) in std::mem::take(&mut self.coming) {
+            if at < end {
+                self.push_room(resident, at, room);
+            }
+        }
+        self.tell_offs_before(u64::MAX);
+        self.send()?;
+        self.writer.finish(end)
+    }
+
+    fn send(&mut self) -> Result<(), LogError> {
+        self.sent_at = Instant::now();
+        if self.batch.is_empty() {
+            return self.writer.check();
+        }
+        let batch = std::mem::replace(&mut self.batch, Batch::with_capacity(BATCH, COLUMNS)).with(&self.texts);
+        self.writer.send(Arc::new(batch))
+    }
+
+    fn take(&mut self, fact: &Fact, events: &Events, joined: &RowsOfFirings) {
+        match *fact {
+            Fact::Provenance { seq, provenance } => self.take_cause(seq, provenance, events, joined),
+            Fact::Movement { resident, begin, end, doing, posture } => {
+                // What begins at its end belongs to the next.
+                self.enter_rooms(resident, end - 1);
+                self.push_movement(resident, &MotionSegment { begin, end, doing, posture });
+            }
+            Fact::Room { resident, at, room } => self.coming.push((resident, at, room)),
+            Fact::Activity { resident, at, ref name } => {
+                let name = name.as_ref().map(|name| self.texts.id(name));
+                self.turn(resident, at, name);
+            }
+            Fact::Lost { at, sensor, value, provenance, loss } => {
+                let value = self.shown.cell(value, &mut self.texts);
+                let loss = Cell::Text(self.texts.id(loss_name(loss)));
+                let [who, why, thing] = self.reason(provenance);
+                let seen_at = Cell::Instant(provenance.seen_at);
+                let cells = [self.sensor(sensor), value, Cell::Instant(at), seen_at, loss, who, why, thing];
+                self.batch.push(Truth::Lost as usize, cells);
+            }
+            Fact::Use { resident, at, act } => {
+                let cells =
+                    [self.who(resident), Cell::Instant(at), self.thing(act.thing), Cell::Integer(act.on.into())];
+                self.batch.push(Truth::Act as usize, cells);
+            }
+            Fact::Need { resident, at, need, level } => {
+                let need = Cell::Text(self.texts.id(need_name(need)));
+                self.batch.push(Truth::Need as usize, [self.who(resident), Cell::Instant(at), need, Cell::Real(level)]);
+            }
+            Fact::Condition { resident, at, ref name, severity } => {
+                let name = Cell::Text(self.texts.id(name));
+                let cells = [self.who(resident), Cell::Instant(at), name, Cell::Real(severity)];
+                self.batch.push(Truth::Condition as usize, cells);
+            }
+        }
+    }
+
+    fn take_cause(&mut self, seq: u64, provenance: Provenance, events: &Events, joined: &RowsOfFirings) {
+        // Firings are numbered without gaps.
+        let place = events.firings.first().and_then(|first| seq.checked_sub(first.seq)).map(|place| place as usize);
+        let firing = place.and_then(|place| events.firings.get(place)).filter(|firing| firing.seq == seq);
+        let row = place.filter(|_| firing.is_some()).and_then(|place| joined.rows.get(place)).copied();
+        self.tell_offs_before(row.unwrap_or(0));
+        let [who, why, thing] = self.reason(provenance);
+        let cells = [
+            Cell::Integer(seq as i64),
+            row.map_or(Cell::Null, |row| Cell::Integer(row as i64)),
+            who,
+            Cell::Instant(provenance.seen_at),
+            firing.map_or(Cell::Null, |firing| Cell::Instant(firing.at)),
+            firing.map_or(Cell::Null, |firing| self.sensor(firing.sensor)),
+            why,
+            thing,
+        ];
+        self.batch.push(Truth::Cause as usize, cells);
+    }
+
+    fn tell_offs_before(&mut self, next: u64) {
+        while let Some(&(row, firing)) = self.offs.front().filter(|(row, _)| *row < next) {
+            self.offs.pop_front();
+            self.batch.push(Truth::Off as usize, [Cell::Integer(row as i64), Cell::Integer(firing as i64)]);
+        }
+    }
+
+    /// Ends what a resident was doing and begins what is next.
+    fn turn(&mut self, resident: ResidentId, at: Micros, next: Option<TextId>) {
+        let next = next.map(|name| (at, name));
+        if let Some((begin, name)) = std::mem::replace(&mut self.doing[resident.index()], next) {
+            let cells = [self.who(resident), Cell::Instant(begin), Cell::Instant(at), Cell::Text(name)];
+            self.batch.push(Truth::Activity as usize, cells);
+        }
+    }
+
+    /// The rooms that a resident has come to by an instant.
+    fn enter_rooms(&mut self, resident: ResidentId, by: Micros) {
+        let mut index = 0;
+        while index < self.coming.len() {
+            let (who, at, room) = self.coming[index];
+            if who == resident && at <= by {
+                self.coming.remove(index);
+                self.push_room(who, at, room);
+            } else {
+                index += 1;
+            }
+        }
+    }
+
+    fn push_room(&mut self, resident: ResidentId, at: Micros, room: Option<RoomId>) {
+        let room = room.map_or(Cell::Null, |room| Cell::Text(self.rooms[room.index()]));
+        self.batch.push(Truth::Room as usize, [self.who(resident), Cell::Instant(at), room]);
+    }
+
+    fn push_movement(&mut self, resident: ResidentId, segment: &MotionSegment) {
+        let (kind, from, to, amplitude) = told(&segment.doing);
+        let x = |point: Option<Point>| point.map_or(Cell::Null, |point| Cell::Real(point.x));
+        let y = |point: Option<Point>| point.map_or(Cell::Null, |point| Cell::Real(point.y));
+        let cells = [
+            self.who(resident),
+            Cell::Instant(segment.begin),
+            Cell::Instant(segment.end),
+            Cell::Text(self.texts.id(kind)),
+            x(from),
+            y(from),
+            x(to),
+            y(to),
+            amplitude.map_or(Cell::Null, Cell::Real),
+            Cell::Text(self.texts.id(posture_name(segment.posture))),
+        ];
+        self.batch.push(Truth::Movement as usize, cells);
+    }
+
+    /// Whose doing it was, what kind of cause, and the thing that was used.
+    fn reason(&mut self, provenance: Provenance) -> [Cell; 3] {
+        let (why, thing) = match provenance.trigger {
+            Trigger::Movement => ("movement", None),
+            Trigger::Use(thing) => ("act", Some(thing)),
+            Trigger::Reading => ("reading", None),
+            Trigger::Duplicate => ("duplicate", None),
+            Trigger::False => ("false", None),
+        };
+        let who = provenance.resident.map_or(Cell::Null, |resident| self.who(resident));
+        [who, Cell::Text(self.texts.id(why)), thing.map_or(Cell::Null, |thing| self.thing(thing))]
+    }
+
+    fn who(&self, resident: ResidentId) -> Cell {
+        Cell::Text(self.residents[resident.index()])
+    }
+
+    fn sensor(&self, sensor: SensorId) -> Cell {
+        Cell::Text(self.sensors[sensor.index()])
+    }
+
+    fn thing(&self, thing: ThingId) -> Cell {
+        Cell::Text(self.things[thing.index()])
+    }
+}
+
+/// The column of the run's id in each table of the truth.
+const RUN_COLUMN: &str = "run_id";
+
+/// Most tables have fewer columns (ours): what a batch has room for at first.
+const COLUMNS: usize = 10;
+
+/// What a body does, where from, where to, and how far what moves moves.
+fn told(doing: &MotionState) -> (&'static str, Option<Point>, Option<Point>, Option<f64>) {
+    match *doing {
+        MotionState::Stride { from, to } => ("stride", Some(from), Some(to), None),
+        MotionState::InPlace { at, amplitude_m } => ("in_place", Some(at), Some(at), Some(amplitude_m)),
+        MotionState::Rest { at } => ("rest", Some(at), Some(at), None),
+        MotionState::Away => ("away", None, None, None),
+    }
+}

@@ -1,0 +1,181 @@
+//! The tables of the truth: one schema, for whoever writes it and whoever reads it.
+
+use crate::table::{Column, ColumnKind, Table};
+
+/// A table of the truth, by its place among [`tables`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Truth {
+    Cause,
+    Off,
+    Movement,
+    Room,
+    Activity,
+    Act,
+    Need,
+    Condition,
+    Lost,
+    Resident,
+}
+
+/// All tables of the truth, in the order of [`Truth`].
+pub fn tables() -> Vec<Table> {
+    use ColumnKind::{Instant, Integer, Real, Text};
+    const WHO: (&str, ColumnKind, &str, &str) = ("resident", Text, "", "whose: the name of a resident or a visitor");
+    const WHOSE: (&str, ColumnKind, &str, &str) =
+        ("resident", Text, "", "whose doing it was; empty where it was nobody's");
+    const WHY: (&str, ColumnKind, &str, &str) =
+        ("why", Text, "", "movement, act, reading, duplicate or false: what kind of cause it was");
+    const USED: (&str, ColumnKind, &str, &str) = ("thing", Text, "", "what was used, of an act");
+    const FROM: (&str, ColumnKind, &str, &str) = ("at", Instant, "", "from when on");
+    vec![
+        table(
+            "cause",
+            "why a sensor fired, a row for each firing",
+            true,
+            &[
+                ("firing", Integer, "", "the number of the firing in its run, from 0"),
+                ("row", Integer, "", "the row of the log that tells of it: its own, or the ON that it prolonged"),
+                WHOSE,
+                ("seen_at", Instant, "", "when what it was began to be noticed"),
+                ("fired_at", Instant, "", "when the logger says that it fired"),
+                ("sensor", Text, "", "the sensor's id in the log"),
+                WHY,
+                USED,
+            ],
+        ),
+        table(
+            "off",
+            "a row of the log that says that a hold is over",
+            true,
+            &[("row", Integer, "", "the row of the log"), ("firing", Integer, "", "the last firing that was held")],
+        ),
+        table(
+            "movement",
+            "what a body did over a span; the spans of a resident follow each other without gaps",
+            true,
+            &[
+                WHO,
+                ("begin_at", Instant, "", "from when"),
+                ("end_at", Instant, "", "until when"),
+                ("kind", Text, "", "stride, in_place, rest or away"),
+                ("from_x", Real, "m", "where it began, to the east; empty while away, as the next four"),
+                ("from_y", Real, "m", "to the north"),
+                ("to_x", Real, "m", "where it ended, to the east"),
+                ("to_y", Real, "m", "to the north"),
+                ("amplitude_m", Real, "m", "of in-place motion: how far what moves moves"),
+                ("posture", Text, "", "standing, sitting or lying"),
+            ],
+        ),
+        table(
+            "room",
+            "the room that a resident is in from an instant on",
+            false,
+            &[WHO, FROM, ("room", Text, "", "the room's name; empty between rooms and away")],
+        ),
+        table(
+            "activity",
+            "what a resident did over a span",
+            false,
+            &[
+                WHO,
+                ("begin_at", Instant, "", "from when"),
+                ("end_at", Instant, "", "until when"),
+                ("name", Text, "", "what it was, such as sleeping"),
+            ],
+        ),
+        table(
+            "act",
+            "a thing that somebody used",
+            false,
+            &[
+                WHO,
+                ("at", Instant, "", "when"),
+                ("thing", Text, "", "what was used"),
+                ("is_on", Integer, "", "1 where it is on or open afterwards, else 0"),
+            ],
+        ),
+        table(
+            "need",
+            "how strong a need was",
+            false,
+            &[
+                WHO,
+                ("at", Instant, "", "when"),
+                ("need", Text, "", "toilet, thirst, hunger or tiredness"),
+                ("level", Real, "", "from 0, met, to 1, pressing"),
+            ],
+        ),
+        table(
+            "condition",
+            "how severe a condition is from an instant on",
+            false,
+            &[WHO, FROM, ("name", Text, "", "the condition"), ("severity", Real, "", "1 is a moderate case, 0 none")],
+        ),
+        table(
+            "lost",
+            "what a sensor said, or should have said, that never reached the logger",
+            true,
+            &[
+                ("sensor", Text, "", "the sensor's id in the log"),
+                ("value", Text, "", "what it said"),
+                ("sent_at", Instant, "", "when it was said"),
+                ("seen_at", Instant, "", "when what it was began to be noticed"),
+                ("loss", Text, "", "radio, collision, miss, battery, place, stuck, garbled or outage"),
+                WHOSE,
+                WHY,
+                USED,
+            ],
+        ),
+        table(
+            "resident",
+            "who lives in the home or comes to visit",
+            false,
+            &[WHO, ("person", Text, "", "which person of all runs: the home's name, a stroke and the resident's")],
+        ),
+    ]
+}
+
+fn table(
+    name: &str,
+    about: &'static str,
+    is_frequent: bool,
+    columns: &[(&str, ColumnKind, &'static str, &'static str)],
+) -> Table {
+    let column = |&(name, kind, unit, about): &(&str, ColumnKind, &'static str, &'static str)| Column {
+        name: name.to_owned(),
+        kind,
+        unit,
+        about,
+    };
+    Table {
+        name: name.to_owned(),
+        about,
+        columns: columns.iter().map(column).collect(),
+        is_numbered: false,
+        is_frequent,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_table_is_in_its_place() {
+        let tables = tables();
+        for (table, name) in [
+            (Truth::Cause, "cause"),
+            (Truth::Off, "off"),
+            (Truth::Movement, "movement"),
+            (Truth::Room, "room"),
+            (Truth::Activity, "activity"),
+            (Truth::Act, "act"),
+            (Truth::Need, "need"),
+            (Truth::Condition, "condition"),
+            (Truth::Lost, "lost"),
+            (Truth::Resident, "resident"),
+        ] {
+            assert_eq!(tables[table as usize].name, name);
+        }
+    }
+}

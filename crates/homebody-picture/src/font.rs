@@ -1,0 +1,57 @@
+//! The fonts that pictures are drawn and measured with.
+
+use std::sync::{Arc, LazyLock};
+
+use resvg::usvg::{self, fontdb};
+
+use super::svg::{Svg, Type};
+
+static FONTS: LazyLock<Arc<fontdb::Database>> = LazyLock::new(|| {
+    let mut fonts = fontdb::Database::new();
+    // The first is the text's; the second stands in for characters that the first lacks.
+    for font in [epaint_default_fonts::UBUNTU_LIGHT, epaint_default_fonts::HACK_REGULAR] {
+        fonts.load_font_source(fontdb::Source::Binary(Arc::new(font)));
+    }
+    let family = fonts.faces().next().and_then(|face| face.families.first()).map(|(name, _)| name.clone());
+    if let Some(family) = family {
+        fonts.set_sans_serif_family(&family);
+        // Where the names of fonts lead nowhere, the reader of SVG falls back on the serif.
+        fonts.set_serif_family(family);
+    }
+    Arc::new(fonts)
+});
+
+/// How an SVG is read: with our fonts only.
+pub fn options() -> usvg::Options<'static> {
+    let sans_serif = FONTS.family_name(&fontdb::Family::SansSerif).to_owned();
+    usvg::Options { fontdb: FONTS.clone(), font_family: sans_serif, ..usvg::Options::default() }
+}
+
+/// How wide a line of text is at a font size, in the same unit.
+pub fn width(text: &str, size: f64) -> f64 {
+    let mut svg = Svg::new("", "");
+    // Measured large, where hinting and rounding do not count.
+    svg.text(text, homebody_core::geometry::Point::ZERO, &Type::new(100.0, "#000"));
+    let tree = usvg::Tree::from_str(&svg.finish(1.0, 1.0), &options());
+    let texts = tree.map(|tree| {
+        let root = tree.root().children();
+        let texts = root.iter().filter(|node| matches!(node, usvg::Node::Text(_)));
+        texts.map(|text| f64::from(text.abs_bounding_box().width())).fold(0.0, f64::max)
+    });
+    texts.unwrap_or(0.0) * size / 100.0
+}
+
+/// The words, or as much of their beginning and end as is no wider than `room`: names of things in one
+/// home often differ in their ends only.
+pub fn shortened(words: &str, size: f64, room: f64) -> String {
+    let letters: Vec<char> = words.chars().collect();
+    let mut kept = letters.len();
+    let mut short = words.to_owned();
+    while width(&short, size) > room && kept > 2 {
+        kept -= 1;
+        let (head, tail) = (&letters[..kept.div_ceil(2)], &letters[letters.len() - kept / 2..]);
+        let (head, tail): (String, String) = (head.iter().collect(), tail.iter().collect());
+        short = format!("{}…{}", head.trim_end(), tail.trim_start());
+    }
+    short
+}

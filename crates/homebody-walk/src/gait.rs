@@ -1,0 +1,331 @@
+//! How a body walks along a path: its speed, how it sets off, turns and stops, and how it gets up and sits down.
+//!
+//! A walk sets off, goes at one speed, slows down before sharp turns and its end, and turns sharply on the spot. Getting
+//! up and sitting down take seconds in which the body moves on the spot.
+//!
+//! We assume the speeds of people of 86 years in their homes: on average a person's own pace, from walk to walk with the
+//! spread that Kaye et al. (2012) saw between persons, faster in the morning, slower in the evening. Who is frail or has
+//! a walking aid is slower, varies more, and takes longer to set off, turn, get up and sit down.
+//!
+//! The speed of a walk is lognormal. Speeding up evenly from nothing over a stretch takes as long as going through it at
+//! half the speed, so it is one stride at half the speed, and slowing down likewise. All times are counted from the
+//! beginning of the walk, so rounding to microseconds never adds up.
+//!
+//! Left out: the sway of the trunk, 2 to 5 cm to each side at every other step, which is smaller than what a motion sensor
+//! tells apart; single steps; slower walking in gentle bends; the turn before the first step.
+
+use homebody_core::drivers::MotionSegment;
+use homebody_core::event::MotionState;
+use homebody_core::geometry::Point;
+use homebody_core::random::Stream;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, micros};
+use std::f64::consts::PI;
+
+/// Of the speeds at home (mean 0.65 m/s, standard deviation 0.15, after Kaye et al. 2012), as the standard deviation of
+/// their logarithms: sqrt(ln(1 + (0.15 / 0.65)^2)).
+const SPREAD: f64 = 0.227_8;
+
+/// Nobody walks slower (ours, after Kaye et al. 2012).
+const LEAST_MPS: f64 = 0.2;
+
+/// Nobody whose pace is 0.65 m/s walks faster at home; other paces in proportion (ours, after Kaye et al. 2012).
+const MOST_MPS: f64 = 1.2;
+const MOST_OF_PACE: f64 = MOST_MPS / 0.65;
+
+/// What mornings add and evenings take, of a speed (ours; the direction is that of Kaye et al. 2012).
+const MORNING: f64 = 1.05;
+const EVENING: f64 = 0.95;
+
+/// What frailty takes of the speed at most (ours: from 0.65 m/s to household ambulation, 0.4 m/s and less, with the spread).
+const FRAIL_SLOWER: f64 = 0.35;
+
+/// How much frailty adds to the spread at most (ours; Kaye et al. 2012: more variable with a walking aid).
+const FRAIL_SPREAD: f64 = 0.5;
+
+/// The usual speed is reached within two steps (ours: 0.5 to 1 m/s2; a social force with tau = 0.5 s gives the same).
+const ACCELERATION_MPS2: [f64; 2] = [1.0, 0.5];
+
+/// A turn by 180 degrees takes 2 to 3 s (ours); here without frailty, and with.
+const HALF_TURN_S: [f64; 2] = [2.0, 3.0];
+
+/// Getting up and sitting down take 2 to 3 s from 65 years on, 3 to 5 s if frail (ours).
+const TRANSFER_S: [[f64; 2]; 2] = [[2.0, 3.0], [3.0, 5.0]];
+
+/// The trunk moves forward by about this when it rises or is let down (ours).
+const TRANSFER_AMPLITUDE_M: f64 = 0.4;
+
+/// What moves when a body turns on the spot: shoulders and arms (ours).
+const TURN_AMPLITUDE_M: f64 = 0.3;
+
+/// Turns sharper than this are made on the spot (ours).
+const SHARP_TURN: f64 = PI / 3.0;
+
+/// Legs shorter than this have no direction of their own to turn to, and speed changes this near to a corner happen at it
+/// (ours).
+const SHORT_M: f64 = 0.05;
+
+/// How somebody walks, this time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gait {
+    /// The speed once it is reached, in metres a second. Above 0, as the others.
+    pub speed_mps: f64,
+    /// How fast it is reached, and lost again, in metres a second, each second.
+    pub acceleration_mps2: f64,
+    /// What a turn by 180 degrees on the spot takes, in seconds.
+    pub half_turn_s: f64,
+}
+
+impl Gait {
+    /// The gait of one walk of a person of this pace in metres a second, at this hour of the day (0 to 24), who is not frail
+    /// (0), frail (1) or something in between. Draws two values.
+    pub fn of_walk(pace_mps: f64, hour_of_day: f64, frailty: f64, stream: &mut Stream) -> Gait {
+        let frailty = frailty.clamp(0.0, 1.0);
+        let time_of_day = match hour_of_day {
+            hour if (5.0..12.0).contains(&hour) => MORNING,
+            hour if (12.0..18.0).contains(&hour) => 1.0,
+            _ => EVENING,
+        };
+        let spread = SPREAD * (1.0 + FRAIL_SPREAD * frailty);
+        let mean_mps = pace_mps * time_of_day * (1.0 - FRAIL_SLOWER * frailty);
+        let speed_mps = stream.lognormal(mean_mps * libm::exp(-spread * spread / 2.0), spread);
+        Gait {
+            speed_mps: speed_mps.min(MOST_MPS.max(pace_mps * MOST_OF_PACE)).max(LEAST_MPS),
+            acceleration_mps2: between(ACCELERATION_MPS2, frailty),
+            half_turn_s: between(HALF_TURN_S, frailty),
+        }
+    }
+}
+
+/// The strides of a walk along a path, and its turns, from an instant on. The path is the corners after `from`, as
+/// [`Mesh::path`](crate::Mesh::path) gives them, in metres; one that leads nowhere takes no time.
+pub fn walk(path: &[Point], from: Point, begin: Micros, gait: &Gait) -> Vec<MotionSegment> {
+    let mut legs = Vec::new();
+    let mut at = from;
+    for &to in path.iter().filter(|to| to.is_finite()) {
+        if to != at {
+            legs.push((at, to));
+            at = to;
+        }
+    }
+    let mut walk = Walk { moves: Vec::new(), begin, now: begin, passed_s: 0.0 };
+    let mut first = 0;
+    for last in 0..legs.len() {
+        let turn = legs.get(last + 1).map_or(0.0, |next| turn(legs[last], *next));
+        if last + 1 == legs.len() || turn > SHARP_TURN {
+            walk.stretch(&legs[first..=last], gait);
+            first = last + 1;
+        }
+        if turn > SHARP_TURN {
+            let doing = MotionState::InPlace { at: legs[last].1, amplitude_m: TURN_AMPLITUDE_M };
+            walk.add(doing, gait.half_turn_s * turn / PI);
+        }
+    }
+    walk.moves
+}
+
+/// Getting up from an instant on, at the place where one sat or lay: 2 to 3 s, or up to 5 s for a frailty of 1. Draws one value.
+pub fn rise(at: Point, begin: Micros, frailty: f64, stream: &mut Stream) -> MotionSegment {
+    transfer(at, begin, frailty, Posture::Standing, stream)
+}
+
+/// Sitting or lying down from an instant on, at the place where one will sit or lie: as long as getting up. Draws one value.
+pub fn sit(at: Point, begin: Micros, frailty: f64, posture: Posture, stream: &mut Stream) -> MotionSegment {
+    transfer(at, begin, frailty, posture, stream)
+}
+
+fn transfer(at: Point, begin: Micros, frailty: f64, posture: Posture, stream: &mut Stream) -> MotionSegment {
+    let [hale, frail] = TRANSFER_S;
+    let frailty = frailty.clamp(0.0, 1.0);
+    let span_s = stream.between(between([hale[0], frail[0]], frailty), between([hale[1], frail[1]], frailty));
+    let doing = MotionState::InPlace { at, amplitude_m: TRANSFER_AMPLITUDE_M };
+    MotionSegment { begin, end: begin.saturating_add(micros(span_s)), doing, posture }
+}
+
+/// A walk in the making.
+struct Walk {
+    moves: Vec<MotionSegment>,
+    begin: Micros,
+    now: Micros,
+    /// Since the beginning, not rounded.
+    passed_s: f64,
+}
+
+impl Walk {
+    /// Goes along legs from standing to standing.
+    fn stretch(&mut self, legs: &[(Point, Point)], gait: &Gait) {
+        let length: f64 = legs.iter().map(|(a, b)| a.distance(*b)).sum();
+        let starting_m = gait.speed_mps * gait.speed_mps / (2.0 * gait.acceleration_mps2);
+        // Too short to reach the speed: up and down again, whose mean is half the greatest speed reached.
+        if length <= 2.0 * starting_m + SHORT_M {
+            let speed = gait.speed_mps.min((gait.acceleration_mps2 * length).sqrt()) / 2.0;
+            for &(from, to) in legs {
+                self.add(MotionState::Stride { from, to }, from.distance(to) / speed);
+            }
+            return;
+        }
+        let mut covered = 0.0;
+        for &(from, to) in legs {
+            let leg = from.distance(to);
+            let mut at = 0.0;
+            for (until, speed) in [
+                (starting_m, gait.speed_mps / 2.0),
+                (length - starting_m, gait.speed_mps),
+                (f64::INFINITY, gait.speed_mps / 2.0),
+            ] {
+                let mut to_cut = (until - covered).min(leg);
+                if leg - to_cut < SHORT_M {
+                    to_cut = leg;
+                }
+                if to_cut - at < SHORT_M.min(leg - at) {
+                    continue;
+                }
+                let point = |along: f64| if along < leg { from + (to - from) * (along / leg) } else { to };
+                self.add(MotionState::Stride { from: point(at), to: point(to_cut) }, (to_cut - at) / speed);
+                at = to_cut;
+                if at >= leg {
+                    break;
+                }
+            }
+            covered += leg;
+        }
+    }
+
+    fn add(&mut self, doing: MotionState, span_s: f64) {
+        self.passed_s += span_s;
+        let end = self.begin.saturating_add(micros(self.passed_s)).max(self.now + 1);
+        self.moves.push(MotionSegment { begin: self.now, end, doing, posture: Posture::Standing });
+        self.now = end;
+    }
+}
+
+/// By how much one turns from a leg to the next, in radians.
+fn turn(leg: (Point, Point), next: (Point, Point)) -> f64 {
+    let (before, after) = (leg.1 - leg.0, next.1 - next.0);
+    if before.length() < SHORT_M || after.length() < SHORT_M {
+        return 0.0;
+    }
+    libm::atan2(before.perp_dot(after), before.dot(after)).abs()
+}
+
+/// What lies between two values, for frailties from 0 to 1.
+fn between([hale, frail]: [f64; 2], frailty: f64) -> f64 {
+    hale + (frail - hale) * frailty
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homebody_core::time::{SECOND, seconds};
+
+    const GAIT: Gait = Gait { speed_mps: 1.0, acceleration_mps2: 1.0, half_turn_s: 2.0 };
+
+    fn p(x: f64, y: f64) -> Point {
+        Point::new(x, y)
+    }
+
+    /// The moves, checked to follow each other in time and place.
+    fn walked(path: &[Point], begin: Micros, gait: &Gait) -> Vec<MotionSegment> {
+        let moves = walk(path, Point::ZERO, begin, gait);
+        let (mut now, mut at) = (begin, Point::ZERO);
+        for step in &moves {
+            assert!(step.begin == now && step.end > now && step.posture == Posture::Standing);
+            now = step.end;
+            match step.doing {
+                MotionState::Stride { from, to } => {
+                    assert_eq!(from, at);
+                    at = to;
+                }
+                MotionState::InPlace { at: here, .. } => assert_eq!(here, at),
+                _ => panic!("neither stride nor stir: {step:?}"),
+            }
+        }
+        assert_eq!(at, path.last().copied().unwrap_or_default());
+        moves
+    }
+
+    fn spans(moves: &[MotionSegment]) -> Vec<f64> {
+        moves.iter().map(|step| seconds(step.end - step.begin)).collect()
+    }
+
+    #[test]
+    fn a_walk_sets_off_goes_and_stops() {
+        // 1 / 2 = 0.5 m of setting off and of stopping, each in 1 s, and 3 m at 1 m/s.
+        let moves = walked(&[p(4.0, 0.0)], 5 * SECOND, &GAIT);
+        assert_eq!(spans(&moves), [1.0, 3.0, 1.0]);
+        assert_eq!(moves[0].doing, MotionState::Stride { from: Point::ZERO, to: p(0.5, 0.0) });
+    }
+
+    #[test]
+    fn a_short_walk_does_not_reach_the_speed() {
+        // Up to sqrt(0.25) = 0.5 m/s.
+        assert_eq!(spans(&walked(&[p(0.25, 0.0)], 0, &GAIT)), [1.0]);
+        assert_eq!(walked(&[], 0, &GAIT).len(), 0);
+        assert_eq!(walked(&[Point::ZERO], 0, &GAIT).len(), 0);
+        assert_eq!(walked(&[p(1e-9, 0.0)], 0, &GAIT).len(), 1);
+    }
+
+    #[test]
+    fn gentle_bends_cost_one_stride_each_and_sharp_turns_a_stop() {
+        let gentle = walked(&[p(2.0, 0.0), p(4.0, 1.0), p(6.0, 1.0)], 0, &GAIT);
+        assert_eq!(gentle.len(), 5);
+        let sharp = walked(&[p(2.0, 0.0), p(2.0, 2.0)], 0, &GAIT);
+        // 1 m at 1 m/s between setting off and stopping, and a quarter turn.
+        assert_eq!(spans(&sharp), [1.0; 7]);
+        assert!(matches!(sharp[3].doing, MotionState::InPlace { .. }));
+    }
+
+    #[test]
+    fn no_stride_is_needlessly_short_and_none_is_lost() {
+        let mut stream = Stream::named(1, "paths");
+        for _ in 0..500 {
+            let path: Vec<Point> =
+                (0..1 + stream.poisson(4.0)).map(|_| p(stream.between(-5.0, 5.0), stream.between(-5.0, 5.0))).collect();
+            let gait = Gait::of_walk(0.65, stream.between(0.0, 24.0), stream.unit(), &mut stream);
+            let moves = walked(&path, 77, &gait);
+            let stops = moves.iter().filter(|step| matches!(step.doing, MotionState::InPlace { .. })).count();
+            assert!(moves.len() <= path.len() + 2 + 3 * stops, "{} moves for {}", moves.len(), path.len());
+            let length: f64 = [Point::ZERO].iter().chain(&path).zip(&path).map(|(a, b)| a.distance(*b)).sum();
+            let strides = moves.iter().map(|step| match step.doing {
+                MotionState::Stride { from, to } => from.distance(to),
+                _ => 0.0,
+            });
+            assert!((strides.sum::<f64>() - length).abs() < 1e-9);
+            let fastest = moves.iter().map(|step| match step.doing {
+                MotionState::Stride { from, to } => from.distance(to) / seconds(step.end - step.begin),
+                _ => 0.0,
+            });
+            assert!(fastest.fold(0.0, f64::max) <= gait.speed_mps * 1.001);
+        }
+    }
+
+    #[test]
+    fn speeds_are_those_of_old_people_at_home() {
+        let mut stream = Stream::named(1, "speeds");
+        let mut speeds = |pace, hour, frailty| -> (f64, f64) {
+            let drawn: Vec<f64> =
+                (0..20_000).map(|_| Gait::of_walk(pace, hour, frailty, &mut stream).speed_mps).collect();
+            assert!(drawn.iter().all(|speed| (0.2..=1.2).contains(speed)));
+            let mean = drawn.iter().sum::<f64>() / drawn.len() as f64;
+            let variance = drawn.iter().map(|speed| (speed - mean) * (speed - mean)).sum::<f64>() / drawn.len() as f64;
+            (mean, variance.sqrt())
+        };
+        let (mean, sd) = speeds(0.65, 15.0, 0.0);
+        assert!((mean - 0.65).abs() < 0.005 && (sd - 0.15).abs() < 0.005, "{mean} {sd}");
+        let (morning, evening) = (speeds(0.65, 8.0, 0.0).0, speeds(0.65, 20.0, 0.0).0);
+        assert!((morning / evening - 1.05 / 0.95).abs() < 0.01, "{morning} {evening}");
+        let (frail, frail_sd) = speeds(0.65, 15.0, 1.0);
+        assert!(frail < 0.66 * 0.66 && frail_sd / frail > sd / mean, "{frail} {frail_sd}");
+    }
+
+    #[test]
+    fn getting_up_takes_seconds_and_longer_if_frail() {
+        let mut stream = Stream::named(1, "chair");
+        for _ in 0..200 {
+            let hale = rise(p(1.0, 2.0), SECOND, 0.0, &mut stream);
+            let frail = sit(p(1.0, 2.0), SECOND, 1.0, Posture::Sitting, &mut stream);
+            assert!((2.0..=3.0).contains(&seconds(hale.end - hale.begin)) && hale.posture == Posture::Standing);
+            assert!((3.0..=5.0).contains(&seconds(frail.end - frail.begin)) && frail.posture == Posture::Sitting);
+        }
+    }
+}

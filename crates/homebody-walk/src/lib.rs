@@ -1,0 +1,58 @@
+//! How a body gets from place to place in a home.
+//!
+//! [`Mesh`] knows where a body of one radius can be and the shortest ways, [`Routes`] remembers those that were found;
+//! [`walk`] makes a way into strides and turns of a [`Gait`], [`rise`] and [`sit`] lead out of seats and into them. [`wander`]
+//! needs no goal. What comes out is [`MotionSegment`]s that follow each other in time and place, which a driver hands on.
+//!
+//! Lengths are metres in the plane of the home, instants whole microseconds since the start of the run. Nothing here fails:
+//! where no way leads, there is `None`. It is as pure as the core: the same home, ends and stream give the same walk on every
+//! machine. It does not know who walks, why, or what sees it.
+//!
+//! ```
+//! use homebody_core::geometry::Point;
+//! use homebody_core::home::plan::Plan;
+//! use homebody_core::random::Stream;
+//! use homebody_walk::{Gait, Mesh, walk};
+//!
+//! let home = r#"{
+//!     "name": "one room",
+//!     "rooms": [{ "name": "room", "outline": [[0, 0], [4, 0], [4, 3], [0, 3]] }],
+//!     "walls": [],
+//!     "furniture": [{ "name": "table", "at": [2, 1], "size_m": [0.8, 1.8], "height_m": 0.7 }]
+//! }"#;
+//! let mesh = Mesh::new(&Plan::new(&serde_json::from_str(home)?), 0.22);
+//! let (from, to) = (Point::new(0.5, 0.5), Point::new(3.5, 0.5));
+//! let path = mesh.path(from, to).expect("the table leaves a way");
+//! assert!(path.len() > 1, "around the table");
+//!
+//! let gait = Gait::of_walk(0.65, 9.0, 0.0, &mut Stream::named(1, "gait"));
+//! let segments = walk(&path, from, 0, &gait);
+//! assert!(segments.windows(2).all(|pair| pair[0].end == pair[1].begin));
+//!
+//! assert_eq!(mesh.path(from, Point::new(9.0, 9.0)), None, "out of doors");
+//! # Ok::<(), serde_json::Error>(())
+//! ```
+//!
+//! [`MotionSegment`]: homebody_core::drivers::MotionSegment
+
+#![warn(missing_docs)]
+
+// Where a body can walk, the shortest ways, and those found before.
+mod mesh;
+mod routes;
+
+// What a way becomes when somebody walks it, or wanders without one.
+mod gait;
+mod schemas;
+
+// What kind of travel it is.
+mod pattern;
+
+#[cfg(test)]
+mod homes;
+
+pub use gait::{Gait, rise, sit, walk};
+pub use mesh::Mesh;
+pub use pattern::{Pattern, pattern_of};
+pub use routes::Routes;
+pub use schemas::{Wandering, wander};

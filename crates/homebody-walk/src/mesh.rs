@@ -1,0 +1,364 @@
+//! Where a body can walk in a home, and the shortest way from place to place.
+//!
+//! A mesh covers the floor that the middle of a body may be on. It is made once for a home and a radius; then a way costs
+//! some microseconds. Beds, chairs and toilets are walked around, and entered by one straight last step.
+//!
+//! We assume that nothing in the home moves: doors stay as the plan has them, chairs where they are. Who does not fit
+//! through a gap turns sideways, so where the whole radius leads nowhere, three quarters of it are tried, then half. A step
+//! into a seat may be 1.5 m long, any other step to a place too near to things half a metre (ours).
+//!
+//! Every solid is grown by the radius, its corners rounded from outside, so that a way that keeps to the mesh never comes
+//! nearer to a solid. The free ground is triangulated, and polyanya finds the any-angle shortest way (Cui, Harabor &
+//! Grastien 2017). Borders of the home without a wall are fences. Where a place is not on free ground, points of the
+//! ground around it are tried, the nearest first, until nothing stands between.
+//!
+//! Left out: other people, doors that are opened on the way, and that a body is not round.
+
+mod floor;
+mod ground;
+#[cfg(test)]
+mod tests;
+
+use ground::{Footing, Ground};
+use homebody_core::geometry::{self, Point};
+use homebody_core::home::plan::Plan;
+use homebody_core::random::Stream;
+
+/// Enterable things up to this height are walked over: rugs, mats, shower trays (ours).
+const RUG_M: f64 = 0.05;
+
+/// The parts of the radius that are tried one after the other (ours: the shoulders are twice as wide as the chest is deep).
+const NARROWER: [f64; 3] = [1.0, 0.75, 0.5];
+
+/// How long the step into a seat may be (ours: to the middle of a wide bed).
+const INTO_SEAT_M: f64 = 1.5;
+
+/// How long the step to another place may be that is too near to things (ours).
+const TO_PLACE_M: f64 = 0.5;
+
+/// How often a random point is drawn before the room's own point is taken (ours).
+const TRIES: u32 = 32;
+
+/// The floor of a home for a body of one radius. All points are metres in the plane of the home.
+#[derive(Clone, Debug)]
+pub struct Mesh {
+    plan: Plan,
+    obstacles: Vec<Obstacle>,
+    /// Pieces of the home's border: what is beyond is no home.
+    borders: Vec<(Point, Point)>,
+    /// For each of `NARROWER`, widest first.
+    grounds: Vec<Ground>,
+    /// For each room of the plan, a free point to go to, and the area it is of.
+    rooms: Vec<(Point, Option<usize>)>,
+}
+
+#[derive(Clone, Debug)]
+struct Obstacle {
+    outline: Vec<Point>,
+    is_seat: bool,
+    /// The corners of the box around it.
+    least: Point,
+    most: Point,
+}
+
+impl Obstacle {
+    /// Whether it may be nearer than that to a box: a look at the boxes spares most of the geometry.
+    fn may_be_near(&self, least: Point, most: Point, distance_m: f64) -> bool {
+        let reach = Point::splat(distance_m);
+        (self.least - reach).cmple(most).all() && (self.most + reach).cmpge(least).all()
+    }
+
+    /// A lower bound of its distance to a point.
+    fn away(&self, p: Point) -> f64 {
+        p.distance(p.clamp(self.least, self.most))
+    }
+
+    /// Whether it is a seat, and somebody at the point is in it.
+    fn holds(&self, p: Point) -> bool {
+        self.is_seat && geometry::contains(&self.outline, p)
+    }
+
+    /// Whether it is between two points, by more than a touch.
+    fn cuts(&self, a: Point, b: Point) -> bool {
+        geometry::segment_inside_convex(&self.outline, a, b).is_some_and(|(enter, leave)| leave - enter > 1e-9)
+    }
+}
+
+impl Mesh {
+    /// The mesh of a home for a body of this radius, which is above 0. It is some milliseconds of work.
+    pub fn new(plan: &Plan, radius_m: f64) -> Mesh {
+        let obstacles: Vec<Obstacle> = plan
+            .solids
+            .iter()
+            .filter(|solid| solid.stops_bodies || solid.height_m > RUG_M)
+            .map(|solid| {
+                let (least, most) = geometry::bounds(solid.outline.iter().copied());
+                Obstacle { outline: solid.outline.clone(), is_seat: !solid.stops_bodies, least, most }
+            })
+            .collect();
+        let borders = borders(plan);
+        let outlines: Vec<&[Point]> = obstacles.iter().map(|obstacle| &obstacle.outline[..]).collect();
+        let ground =
+            |part: f64| Ground::new(plan.bounds(), &outlines, &borders, radius_m * part, |p| plan.is_inside(p));
+        let grounds = NARROWER.map(ground).into();
+        let mut mesh = Mesh { plan: plan.clone(), obstacles, borders, grounds, rooms: Vec::new() };
+        mesh.rooms = plan.rooms.iter().map(|room| mesh.room_point(&room.outline)).collect();
+        mesh
+    }
+
+    /// Whether the body can stand there with its whole radius.
+    pub fn is_free(&self, p: Point) -> bool {
+        self.grounds.first().is_some_and(|ground| self.is_free_for(p, ground.clearance_m))
+    }
+
+    /// The free point from which one straight step leads to `to`: `to` itself where that is free, otherwise the
+    /// nearest, if possible one from which most of the home can be reached. `None`: there is none.
+    pub fn approach(&self, to: Point) -> Option<Point> {
+        if self.is_free(to) {
+            return Some(to);
+        }
+        let footings = self.grounds.iter().map(|ground| (ground, self.footings(ground, to)));
+        let (ground, footings) = footings.into_iter().find(|(_, footings)| !footings.is_empty())?;
+        let largest = footings.into_iter().reduce(|a, b| if ground.size(b.area) > ground.size(a.area) { b } else { a });
+        largest.map(|footing| footing.at)
+    }
+
+    /// The corners of the way after `from`, and `to`; `None` if no way leads there. Who is there already has no corners to go
+    /// to, and who stays in one seat moves straight.
+    pub fn path(&self, from: Point, to: Point) -> Option<Vec<Point>> {
+        if from == to {
+            return Some(Vec::new());
+        }
+        let shares_seat = self.obstacles.iter().any(|seat| seat.holds(from) && seat.holds(to));
+        if shares_seat && !self.blocks(from, to, |obstacle| !obstacle.is_seat) {
+            return Some(vec![to]);
+        }
+        self.grounds.iter().find_map(|ground| self.path_over(ground, from, to))
+    }
+
+    /// Whether there is a way.
+    pub fn can_reach(&self, from: Point, to: Point) -> bool {
+        self.path(from, to).is_some()
+    }
+
+    /// The free point just inside a door that leads out, open or closed: where who goes away is last seen.
+    ///
+    /// `door` is the middle of its opening. `None`: the body cannot stand within 1.5 m of it.
+    pub fn inside_of(&self, door: Point) -> Option<Point> {
+        let ground = self.grounds.first()?;
+        let stands_in_opening = |p| self.plan.openings.iter().any(|opening| geometry::contains(&opening.outline, p));
+        let step = |at: Point| {
+            let area = ground.area_at(at)?;
+            let is_room = self.plan.room_at(at).is_some() && !stands_in_opening(at);
+            let is_between =
+                |obstacle: &Obstacle| !geometry::contains(&obstacle.outline, door) && obstacle.cuts(door, at);
+            (is_room && !self.obstacles.iter().any(is_between)).then(|| (ground.size(area), self.room_around(at), at))
+        };
+        (1..=15).find_map(|tenths| {
+            let around =
+                (0..16).map(|part| door + geometry::direction(f64::from(part) * 22.5) * (f64::from(tenths) / 10.0));
+            let best = around.filter_map(step).reduce(|a, b| if (b.0, b.1) > (a.0, a.1) { b } else { a });
+            best.map(|(_, _, at)| at)
+        })
+    }
+
+    /// A random free point of a room, which is an index into the plan's, by at most 64 values of the stream: every one equally likely, of those from
+    /// which the room's own point can be reached. A room that is too full for the tries has its own point.
+    pub fn free_point(&self, room: usize, stream: &mut Stream) -> Point {
+        let (own, area) = self.rooms[room];
+        let room = &self.plan.rooms[room].outline;
+        let (least, most) = geometry::bounds(room.iter().copied());
+        for _ in 0..TRIES {
+            let p = Point::new(stream.between(least.x, most.x), stream.between(least.y, most.y));
+            let is_near = || self.grounds.first().is_some_and(|ground| ground.area_at(p) == area);
+            if area.is_some() && geometry::contains(room, p) && is_near() {
+                return p;
+            }
+        }
+        own
+    }
+
+    /// Whether a straight line keeps that far away from everything, and stays in the home.
+    fn is_clear(&self, from: Point, to: Point, clearance_m: f64) -> bool {
+        let (least, most) = (from.min(to), from.max(to));
+        let is_near = |obstacle: &Obstacle| {
+            obstacle.may_be_near(least, most, clearance_m)
+                && distance_of_segment(&obstacle.outline, from, to) < clearance_m
+        };
+        self.plan.is_inside(from)
+            && self.plan.is_inside(to)
+            && !self.obstacles.iter().any(is_near)
+            && !self.meets_border(from, to)
+    }
+
+    /// Whether the home ends somewhere on a straight line.
+    fn meets_border(&self, from: Point, to: Point) -> bool {
+        let (least, most) = (from.min(to), from.max(to));
+        self.borders.iter().any(|&(a, b)| {
+            let may_meet = a.min(b).cmple(most).all() && a.max(b).cmpge(least).all();
+            may_meet && geometry::segments_meet(from, to, a, b)
+        })
+    }
+
+    /// The sides of everything that stops the body, as far as they may be within reach.
+    pub(super) fn sides_near(&self, p: Point, reach_m: f64) -> Vec<(Point, Point)> {
+        let is_near = |&(a, b): &(Point, Point)| p.distance(p.clamp(a.min(b), a.max(b))) <= reach_m;
+        let obstacles = self.obstacles.iter().filter(|obstacle| obstacle.away(p) <= reach_m);
+        let sides = obstacles.flat_map(|obstacle| geometry::sides(&obstacle.outline));
+        sides.chain(self.borders.iter().copied()).filter(is_near).collect()
+    }
+
+    /// Whether the body can go straight from one free point to the other with its whole radius.
+    pub(super) fn is_clear_way(&self, from: Point, to: Point) -> bool {
+        self.grounds.first().is_some_and(|ground| self.is_clear(from, to, ground.clearance_m))
+    }
+
+    fn path_over(&self, ground: &Ground, from: Point, to: Point) -> Option<Vec<Point>> {
+        let (starts, ends) = (self.footings(ground, from), self.footings(ground, to));
+        let pairs = starts.iter().flat_map(|start| ends.iter().map(move |end| (start, end)));
+        let (start, end) = pairs
+            .filter(|(start, end)| start.area == end.area)
+            .min_by(|a, b| (a.0.away_m + a.1.away_m).total_cmp(&(b.0.away_m + b.1.away_m)))?;
+        let mut way = vec![start.at];
+        way.extend(ground.way(start.at, end.at)?);
+        self.straighten(&mut way, ground.clearance_m);
+        let mut path = vec![from];
+        path.extend(way);
+        path.push(to);
+        path.dedup();
+        path.remove(0);
+        Some(path)
+    }
+
+    /// Makes one corner of two where a way bends twice within a step, if there is room: who walks turns once.
+    fn straighten(&self, way: &mut Vec<Point>, clearance_m: f64) {
+        let mut first = 1;
+        while first + 2 < way.len() {
+            let (before, after) = (way[first - 1], way[first + 2]);
+            let corner = corner_of([before, way[first], way[first + 1], after]);
+            match corner.filter(|&corner| {
+                self.is_clear(before, corner, clearance_m) && self.is_clear(corner, after, clearance_m)
+            }) {
+                Some(corner) => {
+                    way[first] = corner;
+                    way.remove(first + 1);
+                }
+                None => first += 1,
+            }
+        }
+    }
+
+    /// Of each connected area, the point from which one straight step leads to `p`.
+    fn footings(&self, ground: &Ground, p: Point) -> Vec<Footing> {
+        if let Some(area) = ground.area_at(p) {
+            return vec![Footing { at: p, area, away_m: 0.0 }];
+        }
+        let is_seat = self.obstacles.iter().any(|obstacle| obstacle.holds(p));
+        let reach_m = if is_seat { INTO_SEAT_M } else { TO_PLACE_M };
+        // The step keeps off things as far as the place itself does, or as the narrowest way.
+        let narrowest_m = self.grounds.last().map_or(0.0, |ground| ground.clearance_m);
+        let keeps_m = if is_seat { 0.0 } else { narrowest_m.min(self.room_around(p) - 1e-6) };
+        let keeps_off = |at: Point| keeps_m <= 0.0 || self.is_clear(p, at, keeps_m);
+        let around = ground.around(p, reach_m);
+        let mut footings: Vec<Footing> = Vec::new();
+        // Nobody climbs over a chair to get into bed, unless there is no other way in.
+        for climbs in [false, true] {
+            for footing in &around {
+                let counts =
+                    |obstacle: &Obstacle| !obstacle.is_seat || !climbs && !geometry::contains(&obstacle.outline, p);
+                let is_new = footings.iter().all(|known| known.area != footing.area);
+                if is_new && !self.blocks(p, footing.at, counts) && keeps_off(footing.at) {
+                    footings.push(*footing);
+                }
+            }
+        }
+        footings
+    }
+
+    /// Whether an obstacle that counts, or the border of the home, is between two points.
+    fn blocks(&self, a: Point, b: Point, counts: impl Fn(&Obstacle) -> bool) -> bool {
+        self.obstacles.iter().any(|obstacle| counts(obstacle) && obstacle.cuts(a, b)) || self.meets_border(a, b)
+    }
+
+    /// A free point of the room to go to, and the area it is of; where the whole radius does not fit in, what is nearest to
+    /// the room's middle, or that.
+    fn room_point(&self, room: &[Point]) -> (Point, Option<usize>) {
+        let middle = geometry::inner_point(room);
+        let Some(ground) = self.grounds.first() else { return (middle, None) };
+        let (least, most) = geometry::bounds(room.iter().copied());
+        let around = ground.around(middle, least.distance(most)).into_iter();
+        let best = around
+            .filter(|footing| geometry::contains(room, footing.at))
+            .reduce(|a, b| if ground.size(b.area) > ground.size(a.area) { b } else { a });
+        match best {
+            Some(footing) => (footing.at, Some(footing.area)),
+            None => (self.approach(middle).unwrap_or(middle), None),
+        }
+    }
+
+    fn is_free_for(&self, p: Point, clearance_m: f64) -> bool {
+        self.plan.is_inside(p) && self.room_around(p) >= clearance_m
+    }
+
+    /// The distance to the nearest obstacle.
+    fn room_around(&self, p: Point) -> f64 {
+        self.obstacles.iter().fold(f64::INFINITY, |least, obstacle| match obstacle.away(p) <= least {
+            true => least.min(geometry::distance_to_area(&obstacle.outline, p)),
+            false => least,
+        })
+    }
+}
+
+/// How far beside a border we look for the home to go on.
+const BESIDE_M: f64 = 1e-3;
+
+/// The pieces of the rooms' and openings' sides that have the home on one side only.
+fn borders(plan: &Plan) -> Vec<(Point, Point)> {
+    let openings = || plan.openings.iter().map(|opening| &opening.outline);
+    let parts = || plan.rooms.iter().map(|room| &room.outline).chain(openings());
+    let mut borders = Vec::new();
+    for (a, b) in parts().flat_map(|outline| geometry::sides(outline)) {
+        let way = b - a;
+        let mut cuts = vec![0.0, 1.0];
+        for (c, d) in parts().flat_map(|outline| geometry::sides(outline)) {
+            let turn = way.perp_dot(d - c);
+            cuts.push((c - a).perp_dot(d - c) / turn);
+            // Sides in one line cut each other at their ends.
+            cuts.extend([c, d].map(|end| (end - a).dot(way) / way.length_squared()));
+        }
+        cuts.retain(|cut| (0.0..=1.0).contains(cut));
+        cuts.sort_by(f64::total_cmp);
+        let beside = way.normalize_or_zero().perp() * BESIDE_M;
+        for pair in cuts.windows(2).filter(|pair| (pair[1] - pair[0]) * way.length() > BESIDE_M) {
+            let middle = a + way * ((pair[0] + pair[1]) / 2.0);
+            if plan.is_inside(middle + beside) != plan.is_inside(middle - beside) {
+                borders.push((a + way * pair[0], a + way * pair[1]));
+            }
+        }
+    }
+    borders
+}
+
+/// Where the first and the last leg of a way with two corners would meet, if that is near to both corners.
+fn corner_of([before, first, second, after]: [Point; 4]) -> Option<Point> {
+    let (come, go) = (first - before, after - second);
+    let turn = come.perp_dot(go);
+    let further = (second - first).perp_dot(go) / turn;
+    let earlier = (second - first).perp_dot(come) / turn;
+    let corner = first + come * further;
+    let is_near = [first, second].iter().all(|bend| bend.distance(corner) <= ONE_CORNER_M);
+    (turn != 0.0 && further >= 0.0 && earlier <= 0.0 && is_near).then_some(corner)
+}
+
+/// Corners this near to each other's meeting point become one (ours).
+const ONE_CORNER_M: f64 = 0.25;
+
+/// The distance between a straight line and a convex area.
+fn distance_of_segment(outline: &[Point], from: Point, to: Point) -> f64 {
+    if geometry::segment_inside_convex(outline, from, to).is_some() {
+        return 0.0;
+    }
+    let corners = outline.iter().map(|&corner| geometry::distance_to_segment(corner, from, to));
+    let ends = [from, to].map(|end| geometry::distance_to_border(outline, end));
+    corners.chain(ends).fold(f64::INFINITY, f64::min)
+}

@@ -1,0 +1,76 @@
+//! Ways that were found before. A life walks the same few again and again.
+
+use crate::mesh::Mesh;
+use homebody_core::geometry::Point;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// So many ways are remembered (ours): a home of 60 places has 3,540, of which a life walks few.
+const MOST: usize = 4096;
+
+/// A mesh that remembers the ways it was asked for. What it answers does not depend on what it remembers.
+#[derive(Clone, Debug)]
+pub struct Routes {
+    mesh: Arc<Mesh>,
+    known: BTreeMap<[u64; 4], Option<Arc<[Point]>>>,
+}
+
+impl Routes {
+    /// A mesh of which no way is known yet.
+    pub fn new(mesh: Arc<Mesh>) -> Routes {
+        Routes { mesh, known: BTreeMap::new() }
+    }
+
+    /// The mesh that is asked.
+    pub fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+
+    /// As [`Mesh::path`].
+    pub fn path(&mut self, from: Point, to: Point) -> Option<Arc<[Point]>> {
+        let key = [from.x, from.y, to.x, to.y].map(f64::to_bits);
+        if let Some(known) = self.known.get(&key) {
+            return known.clone();
+        }
+        let path: Option<Arc<[Point]>> = self.mesh.path(from, to).map(Arc::from);
+        if self.known.len() >= MOST {
+            self.known.clear();
+        }
+        self.known.insert(key, path.clone());
+        path
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::homes::tigerplace;
+
+    #[test]
+    fn what_is_remembered_is_what_was_found_and_a_copy_answers_the_same() {
+        let plan = tigerplace();
+        let mesh = Arc::new(Mesh::new(&plan, 0.22));
+        let mut routes = Routes::new(mesh.clone());
+        let places: Vec<Point> = plan.places.iter().map(|(_, at)| *at).chain([Point::new(20.0, 0.0)]).collect();
+        for round in 0..2 {
+            let mut copy = routes.clone();
+            for (&from, &to) in places.iter().flat_map(|from| places.iter().map(move |to| (from, to))) {
+                let found = routes.path(from, to);
+                assert_eq!(found.as_deref(), mesh.path(from, to).as_deref(), "round {round}");
+                assert_eq!(found, copy.path(from, to));
+            }
+        }
+        assert_eq!(routes.known.len(), places.len() * places.len());
+    }
+
+    #[test]
+    fn it_remembers_no_more_than_so_many() {
+        let mut routes = Routes::new(Arc::new(Mesh::new(&tigerplace(), 0.22)));
+        let from = Point::new(4.65, 1.6);
+        for step in 0..MOST + 10 {
+            let to = from + Point::new(0.0, 1e-5 * step as f64);
+            assert!(routes.path(from, to).is_some());
+        }
+        assert!(routes.known.len() <= MOST);
+    }
+}

@@ -1,0 +1,321 @@
+//! Files that need each other in a circle: none of them can be read, tested or moved without the others.
+//!
+//! A file needs another of its crate if it names what is defined there: in a `use`, or in a path such as
+//! `crate::time::DAY` or `grid::Corner`. What a file only passes on by `pub use` is sought where it is defined, so a
+//! `mod.rs` that declares and passes on, and does nothing else, is in no circle. Code for tests is left out.
+
+use super::rust::{Import, parted, paths, words};
+use super::source::is_for_tests;
+use super::{File, expect_none, files};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The circles that there are, each by its files below `crates/`, in order. Take out the one that you open.
+const CIRCLES: [&[&str]; 5] = [
+    &[
+        "homebody-core/src/drivers/live.rs",
+        "homebody-core/src/drivers/live/obstacles.rs",
+        "homebody-core/src/drivers/mod.rs",
+        "homebody-core/src/drivers/surroundings.rs",
+    ],
+    &[
+        "homebody-kit/src/cohort.rs",
+        "homebody-kit/src/profiles/mod.rs",
+        "homebody-kit/src/profiles/rows.rs",
+        "homebody-kit/src/run.rs",
+        "homebody-kit/src/scenario.rs",
+        "homebody-kit/src/source.rs",
+    ],
+    &[
+        "homebody-log/src/sink/casas.rs",
+        "homebody-log/src/sink/csv.rs",
+        "homebody-log/src/sink/mod.rs",
+        "homebody-log/src/sink/sqlite.rs",
+        "homebody-log/src/sink/text.rs",
+    ],
+    &[
+        "homebody-log/src/source/activities.rs",
+        "homebody-log/src/source/casas.rs",
+        "homebody-log/src/source/csv.rs",
+        "homebody-log/src/source/mod.rs",
+        "homebody-log/src/source/sqlite.rs",
+    ],
+    &[
+        "homebody-routine/src/language/activities.rs",
+        "homebody-routine/src/language/adverbs.rs",
+        "homebody-routine/src/language/amounts.rs",
+        "homebody-routine/src/language/build.rs",
+        "homebody-routine/src/language/check.rs",
+        "homebody-routine/src/language/clock.rs",
+        "homebody-routine/src/language/meaning.rs",
+        "homebody-routine/src/language/measures.rs",
+        "homebody-routine/src/language/mod.rs",
+        "homebody-routine/src/language/often.rs",
+        "homebody-routine/src/language/predicates.rs",
+        "homebody-routine/src/language/reader.rs",
+        "homebody-routine/src/language/rules.rs",
+        "homebody-routine/src/language/sentence.rs",
+        "homebody-routine/src/language/times.rs",
+    ],
+];
+
+#[test]
+fn files_do_not_need_each_other_in_circles() {
+    let tree = Tree::new(&files());
+    let why = |circle: &[String]| tree.why(circle).join("; ");
+    expect_none(judged(&tree.circles(), &CIRCLES, why));
+}
+
+#[test]
+fn a_new_circle_is_found_and_so_is_one_that_is_gone() {
+    let circle = |files: &[&str]| files.iter().map(|file| (*file).to_owned()).collect::<Vec<_>>();
+    let (old, new) = (circle(&["a.rs", "b.rs"]), circle(&["a.rs", "c.rs"]));
+    let listed: &[&[&str]] = &[&["a.rs", "b.rs"]];
+    let wrong = |found: &[Vec<String>]| judged(found, listed, |_| String::new()).len();
+    assert_eq!(wrong(std::slice::from_ref(&old)), 0);
+    assert_eq!(wrong(&[old, new.clone()]), 1);
+    assert_eq!(wrong(&[new]), 2);
+    assert_eq!(wrong(&[]), 1);
+}
+
+#[test]
+fn a_circle_is_told_with_what_closes_it() {
+    let tree = Tree::new(&[
+        File::new("crates/a/src/one.rs", "pub struct One(Box<crate::two::Two>);"),
+        File::new("crates/a/src/two.rs", "use crate::one::One; pub struct Two(One);"),
+    ]);
+    let told = ["a/src/one.rs needs a/src/two.rs for Two", "a/src/two.rs needs a/src/one.rs for One"];
+    assert_eq!(tree.why(&tree.circles()[0]), told);
+}
+
+/// A crate in which `one.rs` needs the other files, and one of the others is as given.
+fn made_up(path: &str, text: &str) -> Vec<Vec<String>> {
+    let mut tree = vec![
+        File::new("crates/a/src/lib.rs", "//! A crate.\npub mod one;\nmod deep;\npub use deep::two::Two;\n"),
+        File::new(
+            "crates/a/src/one.rs",
+            "use crate::deep::{Two, three};\npub struct One(Two);\nfn f() { three::g() }\n",
+        ),
+        File::new(
+            "crates/a/src/deep/mod.rs",
+            "pub mod three;\npub mod two;\npub(crate) use two::{Two, Two as Other};\n",
+        ),
+        File::new("crates/a/src/deep/two.rs", "pub struct Two;\n"),
+        File::new("crates/a/src/deep/three.rs", "pub fn g() {}\n"),
+    ];
+    tree.retain(|file| file.path != format!("crates/a/src/{path}"));
+    tree.push(File::new(&format!("crates/a/src/{path}"), text));
+    Tree::new(&tree).circles()
+}
+
+#[test]
+fn every_way_of_naming_closes_a_circle() {
+    let (two, three) = ([["a/src/deep/two.rs", "a/src/one.rs"]], [["a/src/deep/three.rs", "a/src/one.rs"]]);
+    assert_eq!(made_up("deep/two.rs", "use crate::one::One;\npub struct Two(One);"), two);
+    assert_eq!(made_up("deep/two.rs", "pub struct Two(Box<super::super::one::One>);"), two);
+    assert_eq!(made_up("deep/two.rs", "use crate::one;\npub struct Two(one::One);"), two);
+    assert_eq!(made_up("deep/two.rs", "use crate::{one::{self as first, One}};\npub struct Two(first::One);"), two);
+    assert_eq!(made_up("deep/three.rs", "pub fn g() { crate::one::f() }"), three);
+    // Through what the module passes on, and through a module that does more than that.
+    let both = [["a/src/deep/three.rs", "a/src/deep/two.rs"]];
+    let tree = "use super::three::g;\npub struct Two; fn f() { g() }";
+    assert_eq!(made_up("deep/two.rs", tree), Vec::<Vec<String>>::new());
+    let tree = "pub mod three { use super::two::Two; }\npub mod two; pub use two::Two; fn h(_: Two) {}";
+    assert_eq!(made_up("deep/mod.rs", tree), Vec::<Vec<String>>::new());
+    let tree = [
+        File::new("crates/a/src/deep/mod.rs", "mod two; mod three; pub use two::Two;"),
+        File::new("crates/a/src/deep/two.rs", "pub struct Two(super::three::Three);"),
+        File::new("crates/a/src/deep/three.rs", "use super::Two; pub struct Three(Box<Two>);"),
+    ];
+    assert_eq!(Tree::new(&tree).circles(), both);
+    let tree = [
+        File::new("crates/a/src/deep/mod.rs", "mod two; pub use two::Two; pub struct Deep(Two);"),
+        File::new("crates/a/src/deep/two.rs", "pub struct Two(Box<super::Deep>);"),
+    ];
+    assert_eq!(Tree::new(&tree).circles(), [["a/src/deep/mod.rs", "a/src/deep/two.rs"]]);
+}
+
+#[test]
+fn what_names_nothing_closes_no_circle() {
+    let none = Vec::<Vec<String>>::new();
+    assert_eq!(made_up("deep/two.rs", "pub struct Two;"), none);
+    assert_eq!(made_up("deep/two.rs", "// use crate::one::One;\n/* crate::one::One */ pub struct Two;"), none);
+    assert_eq!(
+        made_up(
+            "deep/two.rs",
+            "pub struct Two<'a>(&'a str); const A: char = '\"'; const B: &str = \"crate::one::One\";"
+        ),
+        none
+    );
+    assert_eq!(made_up("deep/two.rs", "pub struct Two; const A: &str = r#\"\"crate::one::One\"#;"), none);
+    assert_eq!(
+        made_up("deep/two.rs", "pub struct Two;\n#[cfg(test)]\nmod tests { use crate::one::One; fn a() {} }"),
+        none
+    );
+    assert_eq!(made_up("deep/two.rs", "pub struct Two;\n#[cfg(test)]\nuse crate::one::One;"), none);
+    assert_eq!(made_up("deep/two.rs", "pub use crate::one::One; pub struct Two;"), none);
+    assert_eq!(made_up("deep/two.rs", "use other::one::One; pub struct Two(One);"), none);
+}
+
+/// What is wrong: circles that are not listed, and listed ones that are gone.
+fn judged(found: &[Vec<String>], listed: &[&[&str]], why: impl Fn(&[String]) -> String) -> Vec<String> {
+    let is_listed = |circle: &&Vec<String>| listed.iter().any(|other| circle == other);
+    let new = found.iter().filter(|circle| !is_listed(circle)).map(|circle| {
+        let (files, why) = (circle.join(", "), why(circle));
+        format!("these need each other: {files}; move what they share into a file below them ({why})")
+    });
+    let gone = listed.iter().filter(|circle| !found.iter().any(|other| other == *circle));
+    new.chain(gone.map(|circle| format!("CIRCLES names one that is gone: {}", circle.join(", ")))).collect()
+}
+
+/// For what a file needs each of the others.
+type Needs = BTreeMap<usize, BTreeSet<String>>;
+
+fn reached(needs: &[Needs], from: usize) -> BTreeSet<usize> {
+    let mut reached = BTreeSet::new();
+    let mut open = vec![from];
+    while let Some(source) = open.pop() {
+        open.extend(needs[source].keys().filter(|&&other| reached.insert(other)));
+    }
+    reached
+}
+
+/// The modules of all crates.
+struct Tree {
+    sources: Vec<Source>,
+    /// By crate and module, such as `a` and `deep`, `two`.
+    modules: BTreeMap<Vec<String>, usize>,
+}
+
+/// A file of a crate as it is read here.
+struct Source {
+    /// Below `crates/`.
+    path: String,
+    /// Its crate, then its module.
+    module: Vec<String>,
+    imports: Vec<Import>,
+    /// What it says besides imports and declarations of modules: the words and signs.
+    body: Vec<String>,
+}
+
+impl Tree {
+    fn new(files: &[File]) -> Tree {
+        let mut sources = Vec::new();
+        for file in files.iter().filter(|file| !is_for_tests(&file.path, files)) {
+            let Some((folder, below)) = file.path.strip_prefix("crates/").and_then(|path| path.split_once("/src/"))
+            else {
+                continue;
+            };
+            let Some(name) = below.strip_suffix(".rs") else { continue };
+            let parts = name.split('/').filter(|part| !["lib", "main", "mod"].contains(part));
+            let module = [folder].into_iter().chain(parts).map(String::from).collect();
+            let (imports, body) = parted(words(&file.text));
+            sources.push(Source { path: format!("{folder}/src/{below}"), module, imports, body });
+        }
+        let modules = sources.iter().enumerate().map(|(index, source)| (source.module.clone(), index)).collect();
+        Tree { sources, modules }
+    }
+
+    /// The circles of all crates, the files of each in order.
+    fn circles(&self) -> Vec<Vec<String>> {
+        let needs: Vec<Needs> = (0..self.sources.len()).map(|source| self.needs(source)).collect();
+        let reached: Vec<BTreeSet<usize>> = (0..needs.len()).map(|source| reached(&needs, source)).collect();
+        let mut circles = BTreeSet::new();
+        for source in 0..needs.len() {
+            let circle = reached[source].iter().filter(|&&other| reached[other].contains(&source));
+            let circle: BTreeSet<String> = circle.map(|&other| self.sources[other].path.clone()).collect();
+            if circle.len() > 1 {
+                circles.insert(circle.into_iter().collect());
+            }
+        }
+        circles.into_iter().collect()
+    }
+
+    /// What the files of a circle need each other for.
+    fn why(&self, circle: &[String]) -> Vec<String> {
+        let is_of = |source: &usize| circle.contains(&self.sources[*source].path);
+        let mut why = Vec::new();
+        for from in (0..self.sources.len()).filter(is_of) {
+            for (to, names) in self.needs(from).into_iter().filter(|(to, _)| is_of(to)) {
+                let names: Vec<String> = names.into_iter().collect();
+                why.push(format!(
+                    "{} needs {} for {}",
+                    self.sources[from].path,
+                    self.sources[to].path,
+                    names.join(", ")
+                ));
+            }
+        }
+        why
+    }
+
+    /// The other files that a file needs.
+    fn needs(&self, from: usize) -> Needs {
+        let source = &self.sources[from];
+        let is_said = |name: &String| source.body.contains(name);
+        // What is brought in as a module is needed where something of it is named.
+        let imports = source.imports.iter().filter(|import| !import.is_public || is_said(&import.name));
+        let mut named: Vec<Vec<String>> = imports.filter_map(|import| self.from(source, &import.path)).collect();
+        for path in paths(&source.body) {
+            let mut modules = source.imports.iter().filter(|import| import.name == path[0]);
+            let brought_in = modules.find_map(|import| self.from(source, &import.path));
+            named.extend(match brought_in {
+                Some(module) => Some([&module[..], &path[1..]].concat()),
+                None => self.from(source, &path),
+            });
+        }
+        let mut needs = Needs::new();
+        for path in named {
+            if let Some((file, name)) = self.item(&path, 0)
+                && file != from
+                && !self.sources[file].body.is_empty()
+            {
+                needs.entry(file).or_default().insert(name);
+            }
+        }
+        needs
+    }
+
+    /// A path as it is written in a file, from its crate on.
+    fn from(&self, source: &Source, path: &[String]) -> Option<Vec<String>> {
+        let up = path.iter().take_while(|part| *part == "super").count();
+        let (begin, rest) = match path.first()?.as_str() {
+            "crate" => (&source.module[..1], &path[1..]),
+            "self" => (&source.module[..], &path[1..]),
+            "super" => (source.module.get(..source.module.len().checked_sub(up)?)?, &path[up..]),
+            child => {
+                let module = [&source.module[..], &[child.to_owned()]].concat();
+                self.modules.contains_key(&module).then_some((&source.module[..], path))?
+            }
+        };
+        Some([begin, rest].concat())
+    }
+
+    /// The file that defines what a path from its crate on names, and the name; none if that is a module.
+    fn item(&self, path: &[String], depth: usize) -> Option<(usize, String)> {
+        let length = (1..=path.len()).rev().find(|&length| self.modules.contains_key(&path[..length]))?;
+        let index = self.modules[&path[..length]];
+        let source = &self.sources[index];
+        let [name, rest @ ..] = &path[length..] else { return None };
+        if depth > 8 || name == "*" || source.defines(name) {
+            return Some((index, name.clone()));
+        }
+        let whole = |import: &Import, rest: &[String]| Some([&self.from(source, &import.path)?[..], rest].concat());
+        if let Some(import) = source.imports.iter().find(|import| import.name == *name) {
+            return self.item(&whole(import, rest)?, depth + 1);
+        }
+        let mut all = source.imports.iter().filter(|import| import.name == "*").filter_map(|import| {
+            let mut path = whole(import, &[])?;
+            path.pop();
+            path.push(name.clone());
+            self.item(&path, depth + 1).filter(|(other, _)| self.sources[*other].defines(name))
+        });
+        all.next().or(Some((index, name.clone())))
+    }
+}
+
+impl Source {
+    fn defines(&self, name: &str) -> bool {
+        const KEYWORDS: [&str; 9] = ["struct", "enum", "fn", "const", "type", "trait", "static", "mod", "union"];
+        self.body.windows(2).any(|pair| KEYWORDS.contains(&pair[0].as_str()) && pair[1] == name)
+    }
+}
