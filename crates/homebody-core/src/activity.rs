@@ -4,6 +4,8 @@
 //! too, `Cook` or `Personal_Hygiene`: what is not in the table is of the kind whose words its own words begin with.
 
 use crate::names::words;
+use crate::role::Role;
+use crate::sensors::form::Colour;
 use serde::Serialize;
 
 /// A kind of activity of daily living, which has one colour in all pictures.
@@ -61,10 +63,14 @@ pub enum TimeUse {
 pub struct KnownActivity {
     /// What the truth calls it.
     pub label: &'static str,
+    /// What is done, in words that a sentence can begin with.
+    pub about: &'static str,
     pub kind: ActivityKind,
     pub time_use: TimeUse,
-    /// How long it usually takes where nothing is said; nothing for what lasts as long as something else does.
+    /// How long it usually takes where nothing is said; `None` for what lasts as long as something else does.
     pub usual: Option<UsualLength>,
+    /// Where it takes somebody; nothing for what is done anywhere.
+    pub roles: &'static [Role],
 }
 
 /// The lognormal distribution of a duration.
@@ -77,18 +83,20 @@ pub struct UsualLength {
 }
 
 macro_rules! activities {
-    ($($name:ident $label:literal $kind:ident $time_use:ident $usual:expr;)*) => {
+    ($($name:ident $label:literal: $about:literal, $kind:ident, $time_use:ident, $usual:expr, [$($role:ident),*];)*) => {
         $(
-            #[doc = concat!("The label `", $label, "`.")]
+            #[doc = concat!($about, ": the label `", $label, "`.")]
             pub const $name: &str = $label;
         )*
 
-        /// All that lives tell of.
+        /// All that lives tell of, in the order in which documents list them.
         pub const ACTIVITIES: &[KnownActivity] = &[$(KnownActivity {
             label: $name,
+            about: $about,
             kind: ActivityKind::$kind,
             time_use: TimeUse::$time_use,
             usual: $usual,
+            roles: &[$(Role::$role),*],
         }),*];
     };
 }
@@ -97,48 +105,61 @@ const fn around(median_min: f64, sigma: f64) -> Option<UsualLength> {
     Some(UsualLength { median_min, sigma })
 }
 
-// Label, kind, use of time, and the usual length: median in minutes, and sigma. Toilet by day and night, eating and preparing
-// are defaults of the field without a source; durations in smart homes have coefficients of variation of 0.4-0.8. All are ours.
+// Label, what is done, kind, use of time, the usual length as median in minutes and sigma, and the roles of furniture. Toilet by
+// day and night, eating and preparing are defaults of the field without a source; durations in smart homes have coefficients of
+// variation of 0.4-0.8. All are ours.
 activities! {
-    GETTING_UP "getting_up" Care Care around(2.0, 0.4);
-    USING_BATHROOM "using_bathroom" Care Care around(5.0, 0.6);
-    SHOWERING "showering" Care Care around(12.0, 0.35);
-    WASHING "washing" Care Care around(6.0, 0.4);
-    DRESSING "dressing" Care Care around(8.0, 0.4);
-    TAKING_MEDICINE "taking_medicine" Medicine Care around(2.0, 0.4);
-    PREPARING_BREAKFAST "preparing_breakfast" Food Household around(14.0, 0.35);
-    PREPARING_LUNCH "preparing_lunch" Food Household around(22.0, 0.4);
-    PREPARING_DINNER "preparing_dinner" Food Household around(25.0, 0.4);
-    EATING_BREAKFAST "eating_breakfast" Food Eating around(22.0, 0.3);
-    EATING_LUNCH "eating_lunch" Food Eating around(27.0, 0.3);
-    EATING_DINNER "eating_dinner" Food Eating around(27.0, 0.3);
-    WASHING_UP "washing_up" Food Household around(9.0, 0.4);
-    WATCHING_TELEVISION "watching_television" Leisure Television around(75.0, 0.5);
-    READING "reading" Leisure Reading around(35.0, 0.5);
-    TELEPHONING "telephoning" Leisure Company around(14.0, 0.7);
-    NAPPING "napping" Sleep Sleep around(40.0, 0.5);
-    LAUNDRY "laundry" Housework Household around(12.0, 0.4);
-    HOUSEWORK "housework" Housework Household around(35.0, 0.5);
-    LEAVING_HOME "leaving_home" Out Out None;
-    AWAY "away" Out Out around(110.0, 0.5);
-    COMING_HOME "coming_home" Out Out around(2.0, 0.3);
-    VISIT "visit" Other Company around(90.0, 0.4);
-    VISITING "visiting" Out Other None;
-    GOING_TO_BED "going_to_bed" Sleep Sleep around(5.0, 0.4);
-    SLEEPING "sleeping" Sleep Sleep None;
-    LYING_AWAKE "lying_awake" Other Sleep around(25.0, 0.5);
-    DRINKING "drinking" Food Eating around(4.0, 0.5);
-    HAVING_A_SNACK "having_a_snack" Food Eating around(7.0, 0.5);
-    EXERCISING "exercising" Other Other around(16.0, 0.4);
-    USING_COMPUTER "using_computer" Leisure Computer around(30.0, 0.5);
-    RELAXING "relaxing" Leisure Relaxing around(25.0, 0.5);
+    GETTING_UP "getting_up": "Getting up: sitting on the edge of the bed", Care, Care, around(2.0, 0.4), [Bed];
+    USING_BATHROOM "using_bathroom": "On the toilet, and washing hands after it",
+        Care, Care, around(5.0, 0.6), [Toilet, Washbasin];
+    SHOWERING "showering": "A shower or a bath, and drying after it",
+        Care, Care, around(12.0, 0.35), [Shower, Washbasin];
+    WASHING "washing": "Washing oneself, brushing teeth", Care, Care, around(6.0, 0.4), [Washbasin];
+    DRESSING "dressing": "Getting dressed", Care, Care, around(8.0, 0.4), [Wardrobe];
+    TAKING_MEDICINE "taking_medicine": "Taking medicine, with water",
+        Medicine, Care, around(2.0, 0.4), [Medicine, Sink];
+    PREPARING_BREAKFAST "preparing_breakfast": "Preparing breakfast",
+        Food, Household, around(14.0, 0.35), [Fridge, Drawers, Counter, Stove, Sink];
+    PREPARING_LUNCH "preparing_lunch": "Preparing lunch",
+        Food, Household, around(22.0, 0.4), [Fridge, Drawers, Counter, Stove, Sink];
+    PREPARING_DINNER "preparing_dinner": "Preparing dinner",
+        Food, Household, around(25.0, 0.4), [Fridge, Drawers, Counter, Stove, Sink];
+    EATING_BREAKFAST "eating_breakfast": "Eating breakfast", Food, Eating, around(22.0, 0.3), [DiningSeat];
+    EATING_LUNCH "eating_lunch": "Eating lunch", Food, Eating, around(27.0, 0.3), [DiningSeat];
+    EATING_DINNER "eating_dinner": "Eating dinner", Food, Eating, around(27.0, 0.3), [DiningSeat];
+    WASHING_UP "washing_up": "Doing the dishes", Food, Household, around(9.0, 0.4), [Sink];
+    WATCHING_TELEVISION "watching_television": "Watching television",
+        Leisure, Television, around(75.0, 0.5), [Armchair];
+    READING "reading": "Reading", Leisure, Reading, around(35.0, 0.5), [Armchair];
+    TELEPHONING "telephoning": "On the telephone", Leisure, Company, around(14.0, 0.7), [Telephone];
+    NAPPING "napping": "A nap by day, in bed or on a seat", Sleep, Sleep, around(40.0, 0.5), [Bed, Armchair];
+    LAUNDRY "laundry": "Washing and drying clothes", Housework, Household, around(12.0, 0.4), [WashingMachine, Dryer];
+    HOUSEWORK "housework": "A round through the home: tidying, dusting, small errands",
+        Housework, Household, around(35.0, 0.5), [];
+    LEAVING_HOME "leaving_home": "Putting on a coat and going to the door", Out, Out, None, [Coats, FrontDoor];
+    AWAY "away": "Out of the home", Out, Out, around(110.0, 0.5), [Coats, FrontDoor];
+    COMING_HOME "coming_home": "Coming home, and whatever that takes", Out, Out, around(2.0, 0.3), [];
+    VISIT "visit": "Somebody who does not live there is there: the host lets them in and talks to them",
+        Other, Company, around(90.0, 0.4), [FrontDoor, Armchair, GuestSeat];
+    VISITING "visiting": "Being that guest, from the door to the seat and back",
+        Out, Other, None, [FrontDoor, GuestSeat];
+    GOING_TO_BED "going_to_bed": "Lying down at night, and falling asleep", Sleep, Sleep, around(5.0, 0.4), [Bed];
+    SLEEPING "sleeping": "Asleep at night; of a pet, at any time", Sleep, Sleep, None, [Bed];
+    LYING_AWAKE "lying_awake": "Awake in bed at night", Other, Sleep, around(25.0, 0.5), [Bed];
+    DRINKING "drinking": "Making a drink and having it", Food, Eating, around(4.0, 0.5), [Stove, Sink, DiningSeat];
+    HAVING_A_SNACK "having_a_snack": "Something from the refrigerator, eaten at the table",
+        Food, Eating, around(7.0, 0.5), [Fridge, DiningSeat];
+    EXERCISING "exercising": "Exercises", Other, Other, around(16.0, 0.4), [Armchair];
+    USING_COMPUTER "using_computer": "At the computer", Leisure, Computer, around(30.0, 0.5), [Desk];
+    RELAXING "relaxing": "Sitting and doing nothing in particular", Leisure, Relaxing, around(25.0, 0.5), [Armchair];
     // 20.1 cycles and 43.9 minutes a day of residents who wander (Algase 1997): 2.2 minutes each.
-    WANDERING "wandering" Other Other around(1.7, 0.7);
-    PACING "pacing" Other Other around(1.7, 0.7);
-    LAPPING "lapping" Other Other around(1.7, 0.7);
-    FALLEN "fallen" Other Other around(20.0, 0.8);
-    RESTING "resting" Leisure Other None;
-    ROAMING "roaming" Other Other None;
+    WANDERING "wandering": "Walking without a goal", Other, Other, around(1.7, 0.7), [];
+    PACING "pacing": "Walking to and fro", Other, Other, around(1.7, 0.7), [];
+    LAPPING "lapping": "Walking round and round", Other, Other, around(1.7, 0.7), [];
+    FALLEN "fallen": "On the floor after a fall, and getting up from there", Other, Other, around(20.0, 0.8), [];
+    RESTING "resting": "Of a pet: sitting there and looking", Leisure, Other, None, [];
+    ROAMING "roaming": "Of a pet: short rounds through the home, to the bowl and to its places",
+        Other, Other, None, [FoodBowl];
 }
 
 /// How the words of other names begin, by kind; the first that fits counts. The lists are ours.
@@ -167,6 +188,11 @@ pub const KIND_WORDS: [(ActivityKind, &[&str]); 8] = [
         ],
     ),
 ];
+
+/// What the truth calls turning a thing on or opening it, or the opposite, because of a rule: `turning_off_stove`.
+pub fn turning(thing: &str, on: bool) -> String {
+    format!("turning_{}_{thing}", if on { "on" } else { "off" })
+}
 
 /// The row of a label, if the table has it.
 pub fn known(label: &str) -> Option<&'static KnownActivity> {
@@ -197,6 +223,20 @@ impl ActivityKind {
         let fits = |begin: &&str| name.contains(&format!(" {begin}"));
         let found = KIND_WORDS.iter().find(|(_, begins)| begins.iter().any(fits));
         found.map_or(ActivityKind::Other, |(kind, _)| *kind)
+    }
+
+    /// Its colour in all pictures; `None`: that of text.
+    pub fn colour(self) -> Option<Colour> {
+        match self {
+            ActivityKind::Sleep => Some(Colour::Blue),
+            ActivityKind::Care => Some(Colour::Sky),
+            ActivityKind::Food => Some(Colour::Orange),
+            ActivityKind::Housework => Some(Colour::Purple),
+            ActivityKind::Leisure => Some(Colour::Green),
+            ActivityKind::Medicine => Some(Colour::Vermillion),
+            ActivityKind::Out => None,
+            ActivityKind::Other => Some(Colour::Yellow),
+        }
     }
 
     /// For people.

@@ -5,6 +5,7 @@
 
 use crate::fuzzy::{Fuzzy, Quantifier};
 use homebody_core::activity::{self, UsualLength};
+use homebody_core::role::Role;
 use serde::Serialize;
 
 /// A routine file, or a condition file, which is about nobody in particular.
@@ -328,6 +329,15 @@ impl Activity {
         match self {
             Activity::Other(_) => OWN,
             _ => activity::known(self.label()).and_then(|known| known.usual).unwrap_or(OWN),
+        }
+    }
+
+    /// Where it takes somebody, but for rounds and walks that go anywhere.
+    pub fn roles(&self) -> &'static [Role] {
+        match self {
+            // Where it is said, else on a seat.
+            Activity::Other(_) => &[Role::Armchair],
+            _ => activity::known(self.label()).map_or(&[], |known| known.roles),
         }
     }
 }

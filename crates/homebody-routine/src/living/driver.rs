@@ -9,16 +9,17 @@ use super::body::Body;
 use super::life::{DayParameters, Life};
 use super::manner::Manner;
 use super::needs::Needs;
-use super::places::{Places, Role, Spot};
+use super::places::{Places, Spot};
 use super::script::{Interruptible, Setting, Stay, Step, script};
 use super::watch::Watches;
 use crate::routine::{Activity, Response};
-use homebody_core::activity::UsualLength;
+use homebody_core::activity::{self, UsualLength};
 use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::{MotionState, Need, ThingUse};
 use homebody_core::home::Home;
 use homebody_core::ids::ThingId;
 use homebody_core::random::Stream;
+use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros, SECOND, micros};
 use std::collections::{BTreeMap, VecDeque};
@@ -407,7 +408,7 @@ impl RoutineDriver {
             }
             Response::Turn { thing, on } => {
                 let Some(index) = self.places.thing_named(&thing) else { return };
-                let activity = Activity::Other(format!("turning_{}_{thing}", if on { "on" } else { "off" }));
+                let activity = Activity::Other(activity::turning(&thing, on));
                 self.begin(&Item::now("rule".into(), activity, 0));
                 let at = self.places.named(&thing).cloned();
                 if let Some(playing) = self.scripts.last_mut() {

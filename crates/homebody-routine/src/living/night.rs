@@ -3,12 +3,13 @@
 use super::agenda::{self, Agenda, Item};
 use super::driver::{MINUTE, RoutineDriver};
 use super::manner::Manner;
-use super::places::{Role, Spot};
+use super::places::Spot;
 use super::script::{Interruptible, Stay, Step};
 use crate::routine::Activity;
 use homebody_core::activity::SLEEPING;
 use homebody_core::drivers::Next;
 use homebody_core::event::Vitals;
+use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, micros};
 use std::collections::VecDeque;

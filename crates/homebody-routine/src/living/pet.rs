@@ -14,11 +14,12 @@
 use super::body::Body;
 use super::life::Life;
 use super::manner::Manner;
-use super::places::{Places, Role, Spot};
+use super::places::{Places, Spot};
 use homebody_core::activity;
 use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::MotionState;
 use homebody_core::random::Stream;
+use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros, SECOND, micros};
 use homebody_walk::Wandering;

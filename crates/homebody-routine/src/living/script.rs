@@ -2,12 +2,13 @@
 
 use super::life::DayParameters;
 use super::manner::Manner;
-use super::places::{Places, Role, Spot};
+use super::places::{Places, Spot};
 use crate::routine::{Activity, Meal};
 use homebody_core::activity::LEAVING_HOME;
 use homebody_core::event::Need;
 use homebody_core::geometry::Point;
 use homebody_core::random::Stream;
+use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, micros, seconds};
 use homebody_walk::Wandering;
@@ -80,35 +81,6 @@ pub struct Setting<'a> {
 struct Steps<'a, 'b> {
     steps: VecDeque<Step>,
     setting: &'b mut Setting<'a>,
-}
-
-/// Where an activity takes somebody, but for rounds and walks that go anywhere.
-pub fn roles(activity: &Activity) -> &'static [Role] {
-    use Role::*;
-    match activity {
-        Activity::GetUp | Activity::GoToBed | Activity::LieAwake => &[Bed],
-        Activity::UseBathroom => &[Toilet, Washbasin],
-        Activity::Shower => &[Shower, Washbasin],
-        Activity::Wash => &[Washbasin],
-        Activity::Dress => &[Wardrobe],
-        Activity::TakeMedicine => &[Medicine, Sink],
-        Activity::Prepare(_) => &[Fridge, Drawers, Counter, Stove, Sink],
-        Activity::Eat(_) => &[DiningSeat],
-        Activity::WashUp => &[Sink],
-        Activity::WatchTelevision | Activity::Read | Activity::Exercise | Activity::Relax => &[Armchair],
-        Activity::Phone => &[Telephone],
-        Activity::Nap => &[Bed, Armchair],
-        Activity::Laundry => &[WashingMachine, Dryer],
-        Activity::Leave => &[Coats, FrontDoor],
-        Activity::ComeHome | Activity::Housework => &[],
-        Activity::Visit => &[FrontDoor, Armchair, GuestSeat],
-        Activity::Drink => &[Stove, Sink, DiningSeat],
-        Activity::Snack => &[Fridge, DiningSeat],
-        Activity::UseComputer => &[Desk],
-        Activity::Wander | Activity::Pace | Activity::Lap | Activity::Fall => &[],
-        // Where it is said, else on a seat.
-        Activity::Other(_) => &[Armchair],
-    }
 }
 
 /// The steps of an activity that lasts so long in all, at a place that was said or where it is usually done.
@@ -454,7 +426,7 @@ mod tests {
             if matches!(activity, Activity::GetUp | Activity::GoToBed) {
                 continue;
             }
-            let names = roles(activity).iter().map(|&role| places.of(role).unwrap().name.clone());
+            let names = activity.roles().iter().map(|&role| places.of(role).unwrap().name.clone());
             assert_eq!(ways(activity, &places), names.collect(), "{activity:?}");
         }
         // The seat of who visits is none of the host's script.

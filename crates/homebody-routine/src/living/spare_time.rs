@@ -3,9 +3,9 @@
 use super::agenda::Item;
 use super::driver::{MINUTE, RoutineDriver};
 use super::manner::Manner;
-use super::places::Role;
 use super::script::{Interruptible, Stay, Step};
 use crate::routine::Activity;
+use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, micros};
 

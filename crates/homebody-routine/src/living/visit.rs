@@ -4,11 +4,11 @@
 use super::agenda::Agenda;
 use super::driver::{MINUTE, RoutineDriver};
 use super::manner::Manner;
-use super::places::Role;
 use super::script::{Interruptible, Stay, Step};
 use homebody_core::activity::VISITING;
 use homebody_core::drivers::{MotionSegment, Next};
 use homebody_core::event::MotionState;
+use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND};
 use std::collections::VecDeque;
