@@ -52,23 +52,23 @@ roles! {
     /// What is flushed.
     Toilet ["toilet", "wc", "lavatory", "loo", "bathroom"] or [], SITTING;
     /// Where somebody washes.
-    Washbasin ["washbasin", "basin", "bathroom sink", "bathroom"] or [Toilet], None;
+    Washbasin ["washbasin", "basin", "bathroom sink", "bathroom"] or [Toilet], STANDING;
     /// Where somebody takes a shower or a bath.
     Shower ["shower", "bathtub", "bath", "bath tub", "bathroom"] or [Washbasin], STANDING;
     /// Where somebody dresses.
-    Wardrobe ["wardrobe", "closet", "dresser", "chest of drawers", "bedside", "bedroom"] or [Bed], None;
+    Wardrobe ["wardrobe", "closet", "dresser", "chest of drawers", "bedside", "bedroom"] or [Bed], STANDING;
     /// Where food is kept cold.
-    Fridge ["fridge", "refrigerator", "freezer", "kitchen"] or [], None;
+    Fridge ["fridge", "refrigerator", "freezer", "kitchen"] or [], STANDING;
     /// What is cooked on.
-    Stove ["stove", "cooker", "oven", "hob", "kettle", "kitchen"] or [], None;
+    Stove ["stove", "cooker", "oven", "hob", "kettle", "kitchen"] or [], STANDING;
     /// Where food is cut and mixed.
-    Counter ["counter", "kitchen counter", "worktop", "kitchen table", "kitchen"] or [Stove], None;
+    Counter ["counter", "kitchen counter", "worktop", "kitchen table", "kitchen"] or [Stove], STANDING;
     /// Where dishes are done.
-    Sink ["sink", "kitchen sink", "kitchen"] or [Counter, Stove], None;
+    Sink ["sink", "kitchen sink", "kitchen"] or [Counter, Stove], STANDING;
     /// Where pots and plates are kept.
-    Drawers ["drawers", "drawer", "cupboard", "kitchen drawers", "cabinet", "kitchen"] or [Counter], None;
+    Drawers ["drawers", "drawer", "cupboard", "kitchen drawers", "cabinet", "kitchen"] or [Counter], STANDING;
     /// Where medicine is kept.
-    Medicine ["medicine cabinet", "medicine", "pill box"] or [Counter, Washbasin], None;
+    Medicine ["medicine cabinet", "medicine", "pill box"] or [Counter, Washbasin], STANDING;
     /// Where somebody sits at meals.
     DiningSeat ["dining chair", "kitchen chair", "chair", "dining table", "kitchen table", "dining room"] or [Armchair], SITTING;
     /// Where somebody sits to read, watch television and rest.
@@ -78,24 +78,24 @@ roles! {
     /// Where who visits sits.
     GuestSeat ["guest chair", "second armchair", "sofa", "couch", "settee"] or [DiningSeat, Armchair], SITTING;
     /// What is turned on to watch television.
-    Television ["tv", "television", "tv bench", "tv set", "tv stand"] or [], None;
+    Television ["tv", "television", "tv bench", "tv set", "tv stand"] or [], STANDING;
     /// Where somebody is on the telephone.
     Telephone ["telephone", "phone"] or [Sofa, Armchair, DiningSeat], None;
     /// Where somebody uses a computer.
     Desk ["desk chair", "computer chair", "desk", "computer", "study"] or [DiningSeat, Armchair], SITTING;
     /// What clothes are washed in.
-    WashingMachine ["washing machine", "washer", "laundry", "laundry closet"] or [Washbasin], None;
+    WashingMachine ["washing machine", "washer", "laundry", "laundry closet"] or [Washbasin], STANDING;
     /// Where clothes are dried.
-    Dryer ["dryer", "tumble dryer", "clothes line"] or [WashingMachine, Washbasin], None;
+    Dryer ["dryer", "tumble dryer", "clothes line"] or [WashingMachine, Washbasin], STANDING;
     /// Where coats hang.
-    Coats ["coats", "coat rack", "coat cupboard", "coat hooks"] or [FrontDoor], None;
+    Coats ["coats", "coat rack", "coat cupboard", "coat hooks"] or [FrontDoor], STANDING;
     /// Where books are kept.
-    Bookcase ["bookcase", "bookshelf", "shelf"] or [Armchair], None;
+    Bookcase ["bookcase", "bookshelf", "shelf"] or [Armchair], STANDING;
     /// The way out, which is a door or a place, and no piece of furniture.
     #[serde(skip)]
-    FrontDoor ["front door", "entrance", "apartment door", "door", "entrance door", "hall"] or [], None;
+    FrontDoor ["front door", "entrance", "apartment door", "door", "entrance door", "hall"] or [], STANDING;
     /// What a pet eats from.
-    FoodBowl ["food bowl", "bowl"] or [Fridge, Sink], None;
+    FoodBowl ["food bowl", "bowl"] or [Fridge, Sink], STANDING;
     /// Where a pet sleeps.
     Basket ["basket", "cat bed", "dog bed"] or [Sofa, Armchair, Bed], None;
 }

@@ -1,10 +1,9 @@
-//! The page's types are the server's, and its kinds of sensors are the core's.
+//! The page's types are the server's, and its kinds of sensors and of activities are the core's.
 
 use homebody_core::activity::{ACTIVITIES, ActivityKind, KIND_WORDS};
-use homebody_core::sensors::form::{KindRow, Mount};
+use homebody_core::sensors::form::{Colour, KindRow, Mount};
 use homebody_core::sensors::kinds::KINDS;
 use homebody_web::wire;
-use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 use ts_rs::{Config, TS};
@@ -114,31 +113,26 @@ fn the_page_knows_our_sensors() {
     );
 }
 
-/// A kind as the page writes it: `"sleep"`.
-fn quoted(kind: ActivityKind) -> String {
-    serde_json::to_string(&kind).unwrap()
-}
-
 #[test]
 fn the_page_knows_our_activities() {
-    let kinds = ActivityKind::ALL;
-    let all: Vec<String> = kinds.map(quoted).into();
+    let key = |kind: ActivityKind| serde_json::to_value(kind).unwrap().as_str().unwrap().to_owned();
+    let colour = |colour: Colour| format!("'{}'", format!("{colour:?}").to_lowercase());
     let mut text =
         "// Made from the table in crates/homebody-core/src/activity.rs, which says what each means.\n\n".to_owned();
-    writeln!(text, "export type ActivityKindId = {};\n", all.join(" | ")).unwrap();
-    text += "export const KIND_NAMES: Readonly<Record<ActivityKindId, string>> = {\n";
-    for kind in kinds {
-        writeln!(text, "  {}: {:?},", quoted(kind), kind.in_words()).unwrap();
+    text += "/** In the order of legends; no colour is that of text. */\nexport const KINDS = {\n";
+    for kind in ActivityKind::ALL {
+        let colour = kind.colour().map_or("null".into(), colour);
+        text += &format!("  {}: {{ name: '{}', colour: {colour} }},\n", key(kind), kind.in_words());
     }
-    text += "};\n\n/** What lives tell of, by the label of the truth. */\n";
-    text += "export const KNOWN_KINDS: ReadonlyMap<string, ActivityKindId> = new Map([\n";
+    text += "} as const;\n\n/** What lives tell of, by the label of the truth. */\n";
+    text += "export const KNOWN: ReadonlyMap<string, keyof typeof KINDS> = new Map([\n";
     for known in ACTIVITIES {
-        writeln!(text, "  [{:?}, {}],", known.label, quoted(known.kind)).unwrap();
+        text += &format!("  ['{}', '{}'],\n", known.label, key(known.kind));
     }
     text += "]);\n\n/** How the words of other names begin, by kind; the first that fits counts. */\n";
-    text += "export const KIND_WORDS: readonly (readonly [ActivityKindId, readonly string[]])[] = [\n";
+    text += "export const KIND_WORDS: readonly (readonly [keyof typeof KINDS, readonly string[]])[] = [\n";
     for (kind, words) in KIND_WORDS {
-        writeln!(text, "  [{}, {words:?}],", quoted(kind)).unwrap();
+        text += &format!("  ['{}', {}],\n", key(kind), format!("{words:?}").replace('"', "'"));
     }
     text += "];\n";
     is_written("activities.ts", &text);
