@@ -16,12 +16,11 @@ export const ACTIVITY_KINDS: readonly ActivityKind[] = Object.entries(KINDS).map
 }));
 
 export function activityKind(activity: string): ActivityKind {
-  const id = KNOWN.get(activity) ?? byWords(activity);
+  const words = activity.replace(/(\p{Ll})(\p{Lu})/gu, '$1 $2').toLowerCase().match(/\p{L}+|\p{N}+/gu) ?? [];
+  const id = KNOWN.get(words.join('_')) ?? byWords(` ${words.join(' ')}`);
   return ACTIVITY_KINDS.find((of) => of.id === id)!;
 }
 
-function byWords(activity: string): KindId {
-  const parts = activity.replace(/(\p{Ll})(\p{Lu})/gu, '$1 $2').toLowerCase().match(/\p{L}+|\p{N}+/gu) ?? [];
-  const name = ` ${parts.join(' ')}`;
+function byWords(name: string): KindId {
   return KIND_WORDS.find(([, begins]) => begins.some((begin) => name.includes(` ${begin}`)))?.[0] ?? 'other';
 }
