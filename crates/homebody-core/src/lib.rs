@@ -8,6 +8,11 @@ pub mod time;
 pub mod geometry;
 pub mod random;
 
+// What names are made of, what furniture is for, and what activities are called.
+pub mod names;
+pub mod role;
+pub mod activity;
+
 // What the user wrote, and what is wrong with it.
 pub mod scenario;
 pub mod problem;

@@ -14,10 +14,12 @@
 use super::body::Body;
 use super::life::Life;
 use super::manner::Manner;
-use super::places::{Places, Role, Spot};
+use super::places::{Places, Spot};
+use homebody_core::activity;
 use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::MotionState;
 use homebody_core::random::Stream;
+use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros, SECOND, micros};
 use homebody_walk::Wandering;
@@ -85,9 +87,9 @@ impl PetDriver {
         let rests = !sleeps && !self.asleep && self.stream.chance(0.6);
         self.asleep = sleeps;
         let name = match (sleeps, rests) {
-            (true, _) => "sleeping",
-            (false, true) => "resting",
-            (false, false) => "roaming",
+            (true, _) => activity::SLEEPING,
+            (false, true) => activity::RESTING,
+            (false, false) => activity::ROAMING,
         };
         self.ready.push_back(Next::Activity(Some(name.into())));
         let to = match (sleeps, self.stream.unit()) {

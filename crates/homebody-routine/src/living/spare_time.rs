@@ -3,9 +3,9 @@
 use super::agenda::Item;
 use super::driver::{MINUTE, RoutineDriver};
 use super::manner::Manner;
-use super::places::Role;
 use super::script::{Interruptible, Stay, Step};
 use crate::routine::Activity;
+use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, micros};
 
@@ -54,8 +54,8 @@ impl RoutineDriver {
                 until: Some(until.max(now + SECOND)),
                 may: Interruptible::Interrupt,
             };
-            let steps = [Step::Name(Activity::Relax.name()), Step::Stay(stay)];
-            return self.play(steps.into(), stream, Activity::Relax.name());
+            let steps = [Step::Name(Activity::Relax.label().into()), Step::Stay(stay)];
+            return self.play(steps.into(), stream, Activity::Relax.label());
         }
         let lasts =
             micros(self.parameters.lasting_s(activity, stream.lognormal(minutes * 60.0, 0.5)).max(20.0)).min(gap);
