@@ -10,7 +10,7 @@ use crate::sink::{self, How, Sink, Watermark};
 use crate::table::{Batch, Cell, TextId, Texts};
 use crate::url::Url;
 use crate::writer::{BATCH, BATCH_WAITS, Beginning, Writer};
-use homebody_core::event::Firing;
+use homebody_core::event::{Firing, Value};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Micros;
 use std::sync::Arc;
@@ -57,6 +57,8 @@ pub struct Logger {
     texts: Texts,
     /// The sensors' ids.
     ids: Vec<TextId>,
+    /// What nearly all rows say.
+    on: Cell,
     /// Rows that were made by the last call, and rows that do not fill a batch yet.
     made: Vec<LogRow>,
     batch: Batch,
@@ -126,6 +128,7 @@ impl Logger {
             writers,
             messages: Messages::new(&file.messages, sensors.len()),
             ids: texts.ids(&shown.sensors),
+            on: shown.cell(Value::On, &mut texts),
             shown,
             texts,
             made: Vec::new(),
@@ -185,12 +188,16 @@ impl Logger {
 
     /// Puts what was made into the batch; `own` is the row of the firing that was stored, the others end a hold.
     fn take_made(&mut self, own: u64) -> Result<(), LogError> {
-        for row in std::mem::take(&mut self.made) {
+        let mut made = std::mem::take(&mut self.made);
+        for row in made.drain(..) {
             if row.seq != own {
                 self.rows_of_firings.offs.push((row.seq, row.firing));
             }
             self.stored.by_sensor[row.sensor.index()] += 1;
-            let value = self.shown.cell(row.value, &mut self.texts);
+            let value = match row.value {
+                Value::Fire | Value::On => self.on,
+                value => self.shown.cell(value, &mut self.texts),
+            };
             let sensor = Cell::Text(self.ids[row.sensor.index()]);
             let cells: [Cell; COLUMNS] = [Cell::Integer(row.seq as i64), Cell::Instant(row.at), sensor, value];
             self.batch.push_of(row.firing, 0, cells);
@@ -198,6 +205,8 @@ impl Logger {
                 self.send()?;
             }
         }
+        // Nothing is in it any more, but it has room for the next rows.
+        self.made = made;
         Ok(())
     }
 

@@ -2,7 +2,7 @@
 
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::{Origin, Plan};
-use homebody_core::role::Role;
+use homebody_core::role::{ROLES, Role};
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::path::Posture;
 use homebody_walk::Mesh;
@@ -45,6 +45,8 @@ pub struct Places {
     lamps: usize,
     /// What to look at or dust on a round through the home.
     stations: Vec<Spot>,
+    /// By role, where it is filled and the thing that fills it: lives ask for them all day.
+    of_role: Vec<(Option<Spot>, Option<u32>)>,
 }
 
 impl Places {
@@ -107,12 +109,15 @@ impl Places {
             things,
             lamps: plan.things.len() - plan.rooms.len(),
             stations: Vec::new(),
+            of_role: Vec::new(),
         };
         places.door = places.find_door(home, plan);
         if let Some((spot, _)) = &mut places.door {
             spot.is_reachable = is_reachable(spot.at);
         }
         places.stations = places.find_stations(home);
+        places.of_role =
+            ROLES.iter().map(|row| (places.find(row.role).cloned(), places.find_thing(row.role))).collect();
         places
     }
 
@@ -124,6 +129,10 @@ impl Places {
 
     /// Where the role is filled, if anything in the home will do: the best that there is a way to, else the best.
     pub fn of(&self, role: Role) -> Option<&Spot> {
+        self.of_role[role as usize].0.as_ref()
+    }
+
+    fn find(&self, role: Role) -> Option<&Spot> {
         if role == Role::FrontDoor
             && let Some((spot, _)) = &self.door
         {
@@ -190,6 +199,10 @@ impl Places {
 
     /// The thing of a role, to turn on or open.
     pub fn thing(&self, role: Role) -> Option<u32> {
+        self.of_role[role as usize].1
+    }
+
+    fn find_thing(&self, role: Role) -> Option<u32> {
         if role == Role::FrontDoor
             && let Some((_, thing)) = &self.door
         {
