@@ -8,6 +8,9 @@ pub mod time;
 pub mod geometry;
 pub mod random;
 
+// The numbers that models are made of.
+pub mod numbers;
+
 // What the user wrote, and what is wrong with it.
 pub mod scenario;
 pub mod problem;
@@ -29,6 +32,7 @@ pub mod run;
 pub mod scene;
 pub mod recording;
 pub mod snapshots;
+pub mod models;
 
 // The naive way, as oracle and as baseline.
 pub mod naive;

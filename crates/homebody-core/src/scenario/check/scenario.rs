@@ -1,6 +1,7 @@
-//! `scenario.json`: its start and its time zone.
+//! `scenario.json`: its start, its time zone and the numbers that it sets.
 
 use super::{Report, folded, nearest};
+use crate::numbers::{Number, wrong};
 use crate::problem::Problem;
 use crate::scenario::ScenarioFile;
 use crate::scenario::calendar::Calendar;
@@ -40,6 +41,18 @@ pub fn check(source: &Source, file: &ScenarioFile, problems: &mut Vec<Problem>) 
     }
     let calendar = Calendar::new(&file.start, &file.time_zone);
     calendar.map_err(|why| report.add("/start", why)).ok()
+}
+
+/// Checks the numbers that the file sets by those that there are.
+pub fn check_numbers(source: &Source, file: &ScenarioFile, known: &[Number], problems: &mut Vec<Problem>) {
+    let report = &mut Report { source, problems };
+    for (name, &value) in &file.numbers {
+        if let Some((what, hint)) = wrong(known, name, value) {
+            // Slashes and tildes are written otherwise in a pointer.
+            let key = name.replace('~', "~0").replace('/', "~1");
+            report.hinted(&format!("/numbers/{key}"), what, hint);
+        }
+    }
 }
 
 /// The zone that was probably meant: a slip of the keys, or a city without its continent.
