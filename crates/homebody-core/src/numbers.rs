@@ -106,6 +106,11 @@ impl Numbers {
         Numbers { set: (!set.is_empty()).then(|| Arc::new(set.clone())) }
     }
 
+    /// Whether anything is set.
+    pub fn are_set(&self) -> bool {
+        self.set.is_some()
+    }
+
     /// What is set for a number, or else its own value.
     pub fn of(&self, number: &Number) -> f64 {
         let set = self.set.as_ref().and_then(|set| set.get(&*number.name));
