@@ -10,7 +10,7 @@ use homebody_core::numbers::{Number, Numbers};
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, micros};
 
-/// What fills the time, how often in comparison, and for how many minutes at a time. Both are ours, set so that the hours of
+/// What fills the time, how often in comparison, and for how many minutes at a time: set so that the hours of
 /// a day come near those of people of 75 and more (American Time Use Survey); housework stands for the small errands that
 /// nobody plans, from which people of that age rise from their seats 46-60 times a day.
 const FILLERS: [(Activity, f64, f64); 6] = [

@@ -8,6 +8,7 @@ mod circles;
 mod commands;
 mod documents;
 mod markdown;
+mod numbers;
 mod purity;
 mod rust;
 mod scenarios;
