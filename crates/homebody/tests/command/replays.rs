@@ -181,5 +181,5 @@ fn numbers_are_listed() {
         (&json!(0.2), &json!("m/s"), &json!("homebody-walk"))
     );
     assert!(rows.len() > 200, "{}", rows.len());
-    folder.run("numbers gate").fails(2, "did you mean \"gait\"?");
+    folder.run("numbers gaitt").fails(2, "did you mean \"gait\"?");
 }

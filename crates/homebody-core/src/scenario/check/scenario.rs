@@ -5,7 +5,7 @@ use crate::numbers::{Number, wrong};
 use crate::problem::Problem;
 use crate::scenario::ScenarioFile;
 use crate::scenario::calendar::Calendar;
-use crate::scenario::source::Source;
+use crate::scenario::source::{Source, pointer_part};
 use jiff::civil::DateTime;
 use jiff::tz::TimeZoneDatabase;
 
@@ -45,13 +45,13 @@ pub fn check(source: &Source, file: &ScenarioFile, problems: &mut Vec<Problem>) 
 
 /// Checks the numbers that the file sets by those that there are.
 pub fn check_numbers(source: &Source, file: &ScenarioFile, known: &[Number], problems: &mut Vec<Problem>) {
-    let report = &mut Report { source, problems };
     for (name, &value) in &file.numbers {
-        if let Some((what, hint)) = wrong(known, name, value) {
-            // Slashes and tildes are written otherwise in a pointer.
-            let key = name.replace('~', "~0").replace('/', "~1");
-            report.hinted(&format!("/numbers/{key}"), what, hint);
-        }
+        let Some((what, hint)) = wrong(known, name, value) else { continue };
+        let pointer = format!("/numbers/{}", pointer_part(name));
+        problems.push(match known.iter().any(|number| number.name == *name) {
+            true => source.problem(&pointer, what, Some(hint)),
+            false => source.problem_with_key(&pointer, what, Some(hint)),
+        });
     }
 }
 
