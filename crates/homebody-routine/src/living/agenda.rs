@@ -71,11 +71,13 @@ homebody_core::numbers! {
     static SOON_S = "day.soon": 3_600.0, "s", [0.0, 14_400.0];
     /// Outings shorter than this are left out.
     static LEAST_OUT_S = "day.least_out": 600.0, "s", [0.0, 7_200.0];
-    /// When one gets up where nothing is said: 06:44 of healthy older adults (Scientific Reports 2015, actigraphy).
+    /// When one gets up on a day of which no sentence says so: 06:44 of healthy older adults (Scientific
+    /// Reports 2015, actigraphy).
     static UP_H = "day.up": 6.73, "h", [2.0, 14.0];
     /// How much earlier or later than that one gets up at most.
     static UP_SPREAD_H = "day.up_spread": 0.5, "h", [0.0, 4.0];
-    /// When one goes to bed where nothing is said: 23:23 of healthy older adults (Scientific Reports 2015, actigraphy).
+    /// When one goes to bed on a day of which no sentence says so: 23:23 of healthy older adults
+    /// (Scientific Reports 2015, actigraphy).
     static BED_H = "day.bed": 23.38, "h", [17.0, 28.0];
     /// How much earlier than that one goes to bed at most.
     static BED_EARLIER_H = "day.bed_earlier": 0.48, "h", [0.0, 4.0];
