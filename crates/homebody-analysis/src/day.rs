@@ -3,13 +3,13 @@
 //! A day is 24 hours on the clock on the wall. A firing is a row by which a sensor says that something begins: `ON`,
 //! `OPEN`, `FIRE`; it counts on the day on which it begins. Sensors that tell readings, such as temperatures, are left out.
 
+use homebody_core::activity::ActivityKind;
 use homebody_core::time::{DAY, Micros, seconds};
 use homebody_log::{Activity, Life, Log};
 use jiff::civil::Date;
 use serde::Serialize;
 use std::fmt;
 
-use crate::activity_kind::ActivityKind;
 use crate::dates::{clock, clock_s, midnight};
 use crate::signs::{Kind, kinds, spans};
 

@@ -16,7 +16,6 @@ pub mod compare;
 pub mod density;
 
 /// One day: what sensors said, and what residents did.
-pub mod activity_kind;
 pub mod day;
 
 #[cfg(test)]

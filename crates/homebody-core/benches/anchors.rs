@@ -33,7 +33,7 @@ use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use homebody_core::world::World;
 use homebody_log::logger::destinations;
-use homebody_log::{How, Logger, RunInfo, Url};
+use homebody_log::{How, Log, Logger, RunInfo, Url};
 use measure::{Spread, insert, rows};
 use std::path::Path;
 use std::sync::Arc;
@@ -156,7 +156,8 @@ fn run_into(path: &Path, home: &Arc<Home>, schedule: &[MotionSegment]) -> f64 {
     let sensors: Vec<String> = home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
     let url: Url = format!("sqlite:{}", path.display()).parse().expect("a URL");
     let calendar = Calendar::new("2026-01-01T00:00:00", "America/Chicago").expect("a calendar");
-    let info = Arc::new(RunInfo::plain("bench", calendar, &sensors));
+    let log = Log { sensors, ..Log::default() };
+    let info = Arc::new(RunInfo::of_log("bench", calendar, &log));
     let start = Instant::now();
     let places = destinations(&[url], How::Replace).expect("a place that can be written");
     let mut logger = Logger::open(places, &LoggerFile::default(), &info, How::Replace).expect("an open database");

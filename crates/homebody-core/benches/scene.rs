@@ -99,6 +99,7 @@ fn piece(index: usize, at: [f64; 2], size_m: [f64; 2], height_m: f64) -> Furnitu
         outline: None,
         height_m,
         enterable: false,
+        role: None,
     }
 }
 

@@ -11,6 +11,11 @@ pub mod random;
 // The numbers that models are made of.
 pub mod numbers;
 
+// What names are made of, what furniture is for, and what activities are called.
+pub mod names;
+pub mod role;
+pub mod activity;
+
 // What the user wrote, and what is wrong with it.
 pub mod scenario;
 pub mod problem;

@@ -41,6 +41,9 @@ pub struct Recording {
     /// How long it was to be, where it was stopped before, in microseconds.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stopped_of_us: Option<Micros>,
+    /// How many rows each place of its log has got; None until the run is complete, and where nobody has counted them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rows: Option<u64>,
     /// How many firings it had, and the SHA-256 of them: empty until the run is complete.
     pub firings: u64,
     pub sha256: String,
@@ -65,6 +68,7 @@ impl Recording {
             home: None,
             run_id: None,
             stopped_of_us: None,
+            rows: None,
             firings: 0,
             sha256: String::new(),
         }
@@ -85,7 +89,7 @@ impl Recording {
     pub fn unfinished(&self) -> Option<Recording> {
         let length_us = if self.is_complete() { self.stopped_of_us? } else { self.length_us };
         let (firings, sha256) = (0, String::new());
-        Some(Recording { length_us, stopped_of_us: None, firings, sha256, ..self.clone() })
+        Some(Recording { length_us, stopped_of_us: None, rows: None, firings, sha256, ..self.clone() })
     }
 
     /// The id of the run: the same for the same texts, seed, conditions left out and home, whatever its length. It is a

@@ -6,7 +6,6 @@ use crate::drivers::live::{Input, KeyTrack, LiveDriver};
 use crate::drivers::path::PathDriver;
 use crate::drivers::{Driver, MotionSegment, Next, Occupant, Surroundings};
 use crate::event::{Events, Fact, MotionState, ThingUse};
-use crate::geometry;
 use crate::home::plan::Plan;
 use crate::home::sun::Sun;
 use crate::home::{Build, Home};
@@ -363,7 +362,7 @@ impl Run {
             MotionState::InPlace { at, .. } | MotionState::Rest { at } if before == Some(at) => return Ok(Vec::new()),
             MotionState::Stride { from, to } if before == Some(from) => {
                 let here = self.told[resident.index()].room.map(|room| &plan.rooms[room.index()]);
-                if here.is_some_and(|room| room.is_convex && geometry::contains(&room.outline, to)) {
+                if here.is_some_and(|room| room.surely_holds(from, to)) {
                     return Ok(Vec::new());
                 }
             }

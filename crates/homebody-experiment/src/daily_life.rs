@@ -18,12 +18,13 @@ mod statistics;
 #[cfg(test)]
 mod tests;
 
-pub use days::{Days, USES, Use};
+pub use days::{Days, USES};
 pub use life::Lived;
 pub use nights::Nights;
 pub use person::Person;
 pub use sensing::Sensing;
 
+use homebody_core::activity::TimeUse;
 use homebody_picture::{Hours, Measured, hour_chart, range_chart};
 use published::{LINES, Published};
 use serde::Serialize;
@@ -39,7 +40,7 @@ pub struct Experiment {
     pub lines: Vec<Line>,
     /// The share of each hour of the day that goes into each use of time, over all people.
     pub by_hour: Vec<Vec<f64>>,
-    pub uses: [Use; USES],
+    pub uses: [TimeUse; USES],
     pub persons: Vec<Person>,
 }
 
@@ -78,7 +79,7 @@ impl Experiment {
             seed,
             lines: LINES.iter().map(|published| Line::of(published, &persons)).collect(),
             by_hour: by_hour.collect(),
-            uses: Use::ALL,
+            uses: TimeUse::ALL,
             persons,
         }
     }
@@ -101,7 +102,7 @@ impl Experiment {
 
     /// What the hours of the day go into.
     pub fn hours(&self) -> String {
-        let names: Vec<String> = Use::ALL.iter().map(|of| of.in_words().into()).collect();
+        let names: Vec<String> = TimeUse::ALL.iter().map(|of| of.in_words().into()).collect();
         let title = format!("The day of {} generated older adults", self.people);
         hour_chart(&title, &Hours { names, shares: self.by_hour.clone() })
     }

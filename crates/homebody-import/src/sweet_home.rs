@@ -127,6 +127,7 @@ fn furniture_file(piece: Furniture, origin: Point) -> FurnitureFile {
         outline: None,
         height_m: piece.height_m,
         enterable: piece.is_enterable,
+        role: None,
     }
 }
 

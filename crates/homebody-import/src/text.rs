@@ -1,6 +1,7 @@
 //! The text of a home as people write it: a line for each room, wall, door and piece of furniture.
 
 use homebody_core::geometry::At;
+use homebody_core::role::Role;
 use homebody_core::scenario::home::{DoorFile, FurnitureFile, HomeFile, RoomFile, WallFile};
 use serde_json::Value;
 
@@ -77,6 +78,9 @@ fn furniture(piece: &FurnitureFile) -> String {
     text += &format!(", \"height_m\": {}", piece.height_m);
     if piece.enterable {
         text += ", \"enterable\": true";
+    }
+    if let Some(role) = piece.role.and_then(Role::key) {
+        text += &format!(", \"role\": {}", quoted(&role));
     }
     text
 }

@@ -3,21 +3,24 @@
 use crate::cancel::Cancel;
 use crate::error::Error;
 use crate::pace::{Pace, Paced};
-use crate::profiles::Profile;
+use crate::profiles::{self, Profile};
+use crate::recorded;
 use crate::run::{Length, LiveRun, Progress};
 use crate::scenario::OpenScenario;
+use crate::source::Source;
 use homebody_core::recording::Recording;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::Micros;
-use homebody_log::How;
-use homebody_log::Places;
-use homebody_log::fresh::FreshFile;
+use homebody_log::fresh::{FreshFile, remove_parts};
+use homebody_log::places::RECORDING;
+use homebody_log::{How, Places};
 use homebody_routine::household::Household;
 use rayon::prelude::*;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicI64, Ordering};
@@ -88,7 +91,7 @@ pub struct LivedCohort {
 }
 
 /// The list of a cohort's members, as it is written into the file [`LIST`].
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CohortList {
     /// The scenario's name.
     pub scenario: String,
@@ -96,12 +99,12 @@ pub struct CohortList {
     pub seed: u64,
     /// How many days each was to live.
     pub days: f64,
-    /// Those who were lived, in order of their numbers or as they are listed.
+    /// Those who were lived, in order of their numbers or as they are listed; nobody until the cohort is over.
     pub members: Vec<ListedMember>,
 }
 
 /// What has become of one member.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ListedMember {
     /// The name of the member's folder.
     pub name: String,
@@ -114,8 +117,29 @@ pub struct ListedMember {
     /// How many days were lived.
     pub days: f64,
     /// What the list said of the member, by column.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub profile: Option<BTreeMap<String, String>>,
+}
+
+/// The file [`LIST`]: the list, and all that the cohort is gone on with by, which stands from the first instant on.
+#[derive(Serialize, Deserialize)]
+struct CohortFile {
+    #[serde(flatten)]
+    list: CohortList,
+    /// Who is to live.
+    asked: Asked,
+    /// What is recorded of each member, but for what is their own; with all texts that any of them needs.
+    recording: Recording,
+}
+
+/// Who is to live, as it is written.
+#[derive(Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum Asked {
+    /// So many.
+    Residents(u32),
+    /// Those of this table of profiles.
+    Profiles(String),
 }
 
 impl CohortSetup {
@@ -253,35 +277,91 @@ impl Cohort {
         folder: impl Into<PathBuf>,
         progress: impl Fn(Progress) + Sync,
     ) -> Result<LivedCohort, Error> {
-        let (folder, started) = (folder.into(), Instant::now());
+        let folder = folder.into();
+        fs::create_dir_all(&folder).map_err(|error| Error::io(&folder, error))?;
+        self.write(&folder, Vec::new(), How::New)?;
+        self.live_into(folder, progress)
+    }
+
+    /// Lives into a folder what is not there yet of the members, and then completes their list.
+    fn live_into(&self, folder: PathBuf, progress: impl Fn(Progress) + Sync) -> Result<LivedCohort, Error> {
+        let started = Instant::now();
         let Progress { length, .. } = self.progress();
         let in_all = AtomicI64::new(0);
-        let calendar = &self.scenario.scenario.calendar;
         let members = self.live(|member, run| {
-            let places = Places::member(&folder, &member.name, &run.scenario)?;
             let mut before = 0;
-            let lived = run.store_at(&places, How::New, |Progress { lived, .. }| {
+            let lived_on = |lived| {
                 let more = lived - std::mem::replace(&mut before, lived);
                 let lived = in_all.fetch_add(more, Ordering::Relaxed) + more;
                 progress(Progress { lived, length });
-            })?;
-            Ok::<_, Error>(ListedMember {
-                name: member.name.clone(),
-                seed: member.seed,
-                firings: lived.recording.firings,
-                rows: lived.stored.rows,
-                days: calendar.days_lived(lived.progress.lived),
-                profile: member.row.clone(),
-            })
+            };
+            self.member_into(&folder, member, run, lived_on)
         })?;
+        let list = self.write(&folder, members, How::Replace)?;
+        Ok(LivedCohort { folder, list, asked: self.count(), lived: in_all.into_inner(), took: started.elapsed() })
+    }
+
+    /// Lives what is not there yet of one member; `lived_on` is told how far it has come.
+    fn member_into(
+        &self,
+        folder: &Path,
+        member: &Member,
+        run: LiveRun,
+        mut lived_on: impl FnMut(Micros),
+    ) -> Result<ListedMember, Error> {
+        let places = Places::member(folder, &member.name, &run.scenario)?;
+        let recorded = folder.join(&member.name).join(RECORDING);
+        let before = match recorded::read(&recorded) {
+            Err(Error::NoRecording { .. }) => {
+                // A program that died while it wrote it has left a part.
+                remove_parts(&recorded)?;
+                None
+            }
+            before => Some(before?),
+        };
+        if before.as_ref().is_some_and(|before| before.run_id() != run.recording.run_id()) {
+            return Err(Error::Recording { path: recorded, why: "it is of another cohort".into() });
+        }
+        let recording = match before {
+            Some(before) if before.unfinished().is_none() => {
+                lived_on(before.length_us);
+                before
+            }
+            before => {
+                let how = if before.is_some() { How::GoOn } else { How::New };
+                run.store_at(&places, how, |progress| lived_on(progress.lived))?.recording
+            }
+        };
+        Ok(ListedMember {
+            name: member.name.clone(),
+            seed: member.seed,
+            firings: recording.firings,
+            rows: recording.rows.unwrap_or(recording.firings),
+            days: self.scenario.scenario.calendar.days_lived(recording.length_us),
+            profile: member.row.clone(),
+        })
+    }
+
+    /// Writes the list of the members, as text with a line for each value, and returns it.
+    fn write(&self, folder: &Path, members: Vec<ListedMember>, how: How) -> Result<CohortList, Error> {
+        let (mut recording, asked) = (self.recording.clone(), self.members.asked());
+        if let Members::Listed(profiles) = &self.members {
+            let texts = profiles.iter().flat_map(|profile| profile.texts().clone());
+            recording.files.extend(texts);
+        }
         let list = CohortList {
             scenario: self.scenario.name().to_owned(),
             seed: self.recording.seed,
-            days: calendar.days_lived(self.recording.length_us),
+            days: self.scenario.scenario.calendar.days_lived(self.recording.length_us),
             members,
         };
-        write(&folder.join(LIST), &list)?;
-        Ok(LivedCohort { folder, list, asked: self.count(), lived: in_all.into_inner(), took: started.elapsed() })
+        let (path, file) = (folder.join(LIST), CohortFile { list, asked, recording });
+        let text = serde_json::to_string_pretty(&file).map_err(|error| Error::file(&path, error.to_string()))?;
+        let mut written = FreshFile::create(&path, how != How::New)?;
+        written.write(text.as_bytes())?;
+        written.write(b"\n")?;
+        written.finish()?;
+        Ok(file.list)
     }
 
     /// A member's run at its beginning.
@@ -306,16 +386,88 @@ impl Cohort {
     }
 }
 
-/// Writes the list of the members, as text with a line for each value.
-fn write(path: &Path, list: &CohortList) -> Result<(), Error> {
-    let text = serde_json::to_string_pretty(list).map_err(|error| Error::file(path, error.to_string()))?;
-    let mut file = FreshFile::create(path, false)?;
-    file.write(text.as_bytes())?;
-    file.write(b"\n")?;
-    Ok(file.finish()?)
+/// A cohort that was killed or stopped, to be gone on with in the folder that it left: who was lived to the end stays, all
+/// others are lived as [`Unfinished`](crate::Unfinished) runs are. In the end the folder has the bytes of a cohort that nothing
+/// has disturbed.
+///
+/// ```no_run
+/// let lived = homebody_kit::UnfinishedCohort::open("runs/tigerplace-1")?.go_on(|_| ())?;
+/// println!("{} lives", lived.list.members.len());
+/// # Ok::<(), homebody_kit::Error>(())
+/// ```
+pub struct UnfinishedCohort {
+    cohort: Cohort,
+    folder: PathBuf,
+}
+
+impl UnfinishedCohort {
+    /// Finds out who was to be lived in a cohort's folder.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NoRecording`], [`Error::File`] or [`Error::Recording`] if the folder has no list of a cohort, [`Error::Complete`]
+    /// if all were lived to their end, [`Error::OtherVersion`] if another version of the program began it, [`Error::Problems`]
+    /// if something is wrong with the scenario in it.
+    pub fn open(folder: impl AsRef<Path>) -> Result<UnfinishedCohort, Error> {
+        let folder = folder.as_ref();
+        let path = folder.join(LIST);
+        let text = recorded::text(&path)?;
+        let wrong = |error: serde_json::Error| Error::Recording { path: path.clone(), why: error.to_string() };
+        let CohortFile { asked, recording, .. } = serde_json::from_str(&text).map_err(wrong)?;
+        if recording.version != env!("CARGO_PKG_VERSION") {
+            return Err(Error::OtherVersion { folder: folder.into(), version: recording.version });
+        }
+        let scenario = Source::of_texts(recording.files, recording.entry).open()?;
+        let members = match asked {
+            Asked::Residents(count) => Members::Many(count),
+            Asked::Profiles(table) => Members::Listed(scenario.profiles_of(LIST, &table, &recording.without)?),
+        };
+        let setup = CohortSetup::new(scenario, members).seed(recording.seed).length(recording.length_us);
+        let cohort = setup.without(recording.without).start()?;
+        let whole = |index| {
+            let member = cohort.members.who(recording.seed, index);
+            let recording = recorded::read(&folder.join(member.name).join(RECORDING));
+            recording.is_ok_and(|recording| recording.unfinished().is_none())
+        };
+        if (0..cohort.count()).all(whole) {
+            return Err(Error::Complete { folder: folder.into() });
+        }
+        Ok(UnfinishedCohort { cohort, folder: folder.into() })
+    }
+
+    /// Nobody else is begun, and those who are lived end early, once this handle says so.
+    pub fn cancel(mut self, cancel: &Cancel) -> UnfinishedCohort {
+        self.cohort.cancel = cancel.clone();
+        self
+    }
+
+    /// How long all lives together are, those that are lived already among them.
+    pub fn progress(&self) -> Progress {
+        self.cohort.progress()
+    }
+
+    /// Lives all members to their ends, or until it is cancelled; `progress` is called after each batch of anybody's, from
+    /// several threads.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Log`] if what is there is not the beginning of these lives, or cannot be written.
+    pub fn go_on(self, progress: impl Fn(Progress) + Sync) -> Result<LivedCohort, Error> {
+        let list = self.folder.join(LIST);
+        // A program that died while it wrote the list has left a part.
+        remove_parts(&list)?;
+        self.cohort.live_into(self.folder, progress)
+    }
 }
 
 impl Members {
+    fn asked(&self) -> Asked {
+        match self {
+            Members::Many(count) => Asked::Residents(*count),
+            Members::Listed(profiles) => Asked::Profiles(profiles::table(profiles)),
+        }
+    }
+
     /// The name and the seed of a member, and what is said of them in the list. Neither depends on who else is one.
     fn who(&self, seed: u64, index: usize) -> Member {
         match self {

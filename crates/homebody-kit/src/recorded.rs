@@ -139,15 +139,8 @@ impl Unfinished {
 }
 
 /// Reads a recording, be it of a run that is complete or not.
-fn read(path: &Path) -> Result<Recording, Error> {
-    let text = fs::read_to_string(path).map_err(|error| match error.kind() {
-        ErrorKind::NotFound => Error::NoRecording { path: path.into() },
-        ErrorKind::IsADirectory => {
-            let why = "it is a folder\n  hint: name the recording.json in it".into();
-            Error::File { path: path.into(), why, source: Some(error) }
-        }
-        _ => Error::io(path, error),
-    })?;
+pub(crate) fn read(path: &Path) -> Result<Recording, Error> {
+    let text = text(path)?;
     let wrong = |why: String| Error::Recording { path: path.into(), why };
     let recording: Recording = serde_json::from_str(&text).map_err(|error| wrong(error.to_string()))?;
     let lengths = [Some(recording.length_us), recording.stopped_of_us];
@@ -155,4 +148,16 @@ fn read(path: &Path) -> Result<Recording, Error> {
         return Err(wrong("a run is at most 100 years long".into()));
     }
     Ok(recording)
+}
+
+/// The text of a recording, or of the list of a cohort.
+pub(crate) fn text(path: &Path) -> Result<String, Error> {
+    fs::read_to_string(path).map_err(|error| match error.kind() {
+        ErrorKind::NotFound => Error::NoRecording { path: path.into() },
+        ErrorKind::IsADirectory => {
+            let why = "it is a folder\n  hint: name the recording.json in it".into();
+            Error::File { path: path.into(), why, source: Some(error) }
+        }
+        _ => Error::io(path, error),
+    })
 }

@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::run::{LiveRun, Progress};
 use homebody_core::recording::Recording;
 use homebody_log::places::{RUNS, can_be_written};
-use homebody_log::{How, Places, RunLog, Stored, Url};
+use homebody_log::{Destination, How, Places, RunLog, Stored, Url};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -17,22 +17,28 @@ pub struct Destinations {
     pub truth: Option<Url>,
     /// The file of its recording; none where a log is named and this is not.
     pub recording: Option<PathBuf>,
-    /// The folder in which the new folder of a run is made, where no log is named: `runs` unless something else is said.
-    pub runs: PathBuf,
+    /// The folder in which the new folder of a run is made, where no log is named: `runs` unless something else is said. None
+    /// for no folder: then all goes where the caller's own destinations take it.
+    pub runs: Option<PathBuf>,
     /// Whether files that exist are replaced.
     pub replace: bool,
 }
 
 impl Default for Destinations {
     fn default() -> Destinations {
-        Destinations { log: Vec::new(), truth: None, recording: None, runs: RUNS.into(), replace: false }
+        Destinations { log: Vec::new(), truth: None, recording: None, runs: Some(RUNS.into()), replace: false }
     }
 }
 
 impl Destinations {
     /// A new folder in this one, which is made if it is not there.
     pub fn new_folder_in(runs: impl Into<PathBuf>) -> Destinations {
-        Destinations { runs: runs.into(), ..Destinations::default() }
+        Destinations { runs: Some(runs.into()), ..Destinations::default() }
+    }
+
+    /// None but the caller's own: see [`LiveRun::store_with`].
+    pub fn own() -> Destinations {
+        Destinations { runs: None, ..Destinations::default() }
     }
 
     /// One place for the log, and nothing beside it.
@@ -56,10 +62,13 @@ impl Destinations {
 
     fn found(&self, run: &LiveRun) -> Result<Places, Error> {
         let Destinations { log, truth, recording, runs, replace } = self;
-        if !log.is_empty() || runs == Path::new(RUNS) {
-            let (log, truth, recording) = (log.clone(), truth.clone(), recording.clone());
-            return Ok(Places::find(log, truth, recording, &run.scenario, &run.sources, *replace)?);
-        }
+        let runs = match runs {
+            Some(runs) if log.is_empty() => runs,
+            _ => {
+                let (log, truth, recording) = (log.clone(), truth.clone(), recording.clone());
+                return Ok(Places::of(log, truth, recording, &run.sources, *replace)?);
+            }
+        };
         let mut places = Places::run(runs, &run.scenario)?;
         places.truth = truth.clone().or(places.truth);
         places.recording = recording.clone().or(places.recording);
@@ -127,8 +136,37 @@ impl LiveRun {
     /// [`Error::Log`] if a destination cannot be written: nothing is lived then. If one fails on the way, what was stored
     /// before stays as far as its form allows.
     pub fn store(self, to: &Destinations, progress: impl FnMut(Progress)) -> Result<Lived, Error> {
+        self.store_with(to, Vec::new(), progress)
+    }
+
+    /// The same with destinations of the caller's own beside: any [`Sink`](homebody_log::Sink), each with what becomes of the
+    /// run if it fails. They get the rows of the log as the scenario's logger makes them, in batches.
+    ///
+    /// ```
+    /// use homebody_kit::{Destination, Destinations, Policy, Url};
+    /// # let folder = std::env::temp_dir().join(format!("kit-own-{}", std::process::id()));
+    /// # std::fs::create_dir_all(&folder).unwrap();
+    /// let url: Url = format!("csv:{}", folder.join("a.csv").display()).parse()?;
+    /// let copy = Destination { policy: Policy::optional(), ..Destination::of(&url) };
+    /// let run = homebody_kit::template("tigerplace")?.run().days(0.5).start()?;
+    /// let lived = run.store_with(&Destinations::own(), vec![copy], |_| ())?;
+    /// assert!(lived.stored.failed.is_empty() && lived.recorded.is_none());
+    /// # let _ = std::fs::remove_dir_all(folder);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As [`LiveRun::store`]; [`Error::Log`], too, if a destination that is required fails.
+    pub fn store_with(
+        self,
+        to: &Destinations,
+        own: Vec<Destination>,
+        progress: impl FnMut(Progress),
+    ) -> Result<Lived, Error> {
         let places = to.places(&self)?;
-        let lived = self.store_at(&places, if to.replace { How::Replace } else { How::New }, progress);
+        let how = if to.replace { How::Replace } else { How::New };
+        let lived = self.store_into(&places, own, how, progress);
         if lived.is_err() {
             // What was stored before the failure stays.
             places.give_up();
@@ -136,16 +174,21 @@ impl LiveRun {
         lived
     }
 
-    pub(crate) fn store_at(
+    pub(crate) fn store_at(self, places: &Places, how: How, progress: impl FnMut(Progress)) -> Result<Lived, Error> {
+        self.store_into(places, Vec::new(), how, progress)
+    }
+
+    fn store_into(
         mut self,
         places: &Places,
+        own: Vec<Destination>,
         how: How,
         mut progress: impl FnMut(Progress),
     ) -> Result<Lived, Error> {
         let started = Instant::now();
         let version = env!("CARGO_PKG_VERSION").into();
         let recording = Recording { version, ..self.recording.clone() };
-        let mut log = RunLog::open(places, &self.scenario, &self.run, &recording, how)?;
+        let mut log = RunLog::open_with(places, own, &self.scenario, &self.run, &recording, how)?;
         let ended = loop {
             let lived_on = self.live_on();
             // What happened before a driver went wrong is stored, too.

@@ -25,6 +25,8 @@ pub(crate) struct Clock {
     zone: TimeZone,
     /// The run's start, in microseconds since 1970.
     start: i64,
+    /// The instant that `text` shows, since 1970: rows that follow each other often tell of the same.
+    last: Option<i64>,
     /// What the zone adds to UTC within `steady`.
     offset: i64,
     /// Microseconds since 1970 for which `offset` holds.
@@ -58,6 +60,7 @@ impl Clock {
             format,
             zone,
             start: calendar.timestamp(0).as_microsecond(),
+            last: None,
             offset: 0,
             steady: 0..0,
             minute: i64::MIN,
@@ -82,10 +85,12 @@ impl Clock {
     /// The instant for a text file.
     pub fn text(&mut self, at: Micros) -> &str {
         let epoch = self.start + at;
-        match self.format {
-            TimeFormat::EpochS => self.number(epoch, SECOND),
-            TimeFormat::EpochMs => self.number(epoch.div_euclid(1000), 1),
-            TimeFormat::Local | TimeFormat::LocalOffset | TimeFormat::Utc => self.civil(epoch),
+        if self.last.replace(epoch) != Some(epoch) {
+            match self.format {
+                TimeFormat::EpochS => self.number(epoch, SECOND),
+                TimeFormat::EpochMs => self.number(epoch.div_euclid(1000), 1),
+                TimeFormat::Local | TimeFormat::LocalOffset | TimeFormat::Utc => self.civil(epoch),
+            }
         }
         str::from_utf8(&self.text[..self.length]).expect("only ASCII is written")
     }

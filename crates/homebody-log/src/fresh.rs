@@ -171,7 +171,7 @@ fn begin_part(path: &Path) -> io::Result<(PathBuf, File)> {
 }
 
 /// Removes the parts of a file that programs which died have left.
-pub(crate) fn remove_parts(path: &Path) -> Result<(), LogError> {
+pub fn remove_parts(path: &Path) -> Result<(), LogError> {
     let removed = largest_part(path).and_then(|part| part.map_or(Ok(()), fs::remove_file));
     removed.map_err(|error| LogError::file(path, error))
 }

@@ -36,9 +36,10 @@ pub mod rows;
 
 pub mod preview;
 
+pub mod source;
+pub mod transfer;
 pub mod convert;
 pub mod label;
-pub mod source;
 
 pub use convert::convert;
 pub use error::LogError;
@@ -51,7 +52,9 @@ pub use run_info::{RunInfo, SensorInfo};
 pub use run_log::RunLog;
 pub use sink::{Begin, How, Sink, Watermark};
 pub use source::{
-    Activity, Event, Life, Log, Movement, MovementKind, Movements, RunClock, activities, ids, lives, read,
+    Activity, Event, Life, Log, Movement, MovementKind, Movements, RunClock, activities, ids, lives, read, stream,
+    survey,
 };
+pub use transfer::Transfer;
 pub use truth::TruthLog;
 pub use url::Url;

@@ -31,24 +31,17 @@ pub struct Places {
 }
 
 impl Places {
-    /// The files that were asked for; a new folder's where no log was.
-    pub fn find(
+    /// The places that were asked for, of which all can be written.
+    pub fn of(
         log: Vec<Url>,
         truth: Option<Url>,
         recording: Option<PathBuf>,
-        scenario: &Scenario,
         sources: &[PathBuf],
         force: bool,
     ) -> Result<Places, LogError> {
-        let mut places = Places { log, truth, recording, sensors: None, made: Vec::new() };
-        let asked = if places.log.is_empty() { places.default_to_folder(Path::new(RUNS), scenario) } else { Ok(()) };
-        match asked.and_then(|()| can_be_written(&places.files(), sources, force)) {
-            Ok(()) => Ok(places),
-            Err(failure) => {
-                places.give_up();
-                Err(failure)
-            }
-        }
+        let places = Places { log, truth, recording, sensors: None, made: Vec::new() };
+        can_be_written(&places.files(), sources, force)?;
+        Ok(places)
     }
 
     /// Removes the folders that were made, as far as nothing is in them.

@@ -1,5 +1,7 @@
 //! What a run is: what destinations are told before the first row.
 
+use crate::sink::casas::one_word;
+use crate::source::Log;
 use homebody_core::recording::Recording;
 use homebody_core::run::Run;
 use homebody_core::scenario::calendar::Calendar;
@@ -51,6 +53,22 @@ pub struct SensorInfo {
     pub at_m: [f64; 2],
 }
 
+impl SensorInfo {
+    /// A sensor of which no more is known than what a log calls it.
+    fn named(id: &str) -> SensorInfo {
+        SensorInfo {
+            name: id.to_owned(),
+            id: id.to_owned(),
+            is_motion: false,
+            kind: String::new(),
+            unit: None,
+            values: Vec::new(),
+            room: None,
+            at_m: [0.0; 2],
+        }
+    }
+}
+
 impl RunInfo {
     /// What is known of a run before it is lived.
     pub fn of(scenario: &Scenario, run: &Run, recording: &Recording) -> RunInfo {
@@ -82,17 +100,11 @@ impl RunInfo {
         }
     }
 
-    /// A run of which no more is known than its name, its clock and its sensors' names, which are their ids.
-    pub fn plain(name: &str, calendar: Calendar, sensors: &[String]) -> RunInfo {
-        let sensor = |name: &String| SensorInfo {
-            name: name.clone(),
-            id: name.clone(),
-            is_motion: false,
-            kind: String::new(),
-            unit: None,
-            values: Vec::new(),
-            room: None,
-            at_m: [0.0; 2],
+    /// What is known of a run of which there is nothing but a log, or a survey of it.
+    pub fn of_log(name: &str, calendar: Calendar, log: &Log) -> RunInfo {
+        let sensor = |id: &String| {
+            let known = log.known.iter().find(|known| known.id == *id || one_word(&known.id) == *id);
+            known.cloned().map_or_else(|| SensorInfo::named(id), |known| SensorInfo { id: id.clone(), ..known })
         };
         RunInfo {
             id: 1,
@@ -101,7 +113,7 @@ impl RunInfo {
             seed: 0,
             version: env!("CARGO_PKG_VERSION").into(),
             calendar,
-            sensors: sensors.iter().map(sensor).collect(),
+            sensors: log.sensors.iter().map(sensor).collect(),
             residents: Vec::new(),
             rooms: Vec::new(),
             things: Vec::new(),

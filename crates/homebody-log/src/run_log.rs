@@ -116,7 +116,8 @@ impl RunLog {
         }
         let (firings, sha256) = (self.digest.firings(), self.digest.hex());
         let stopped_of_us = (run.now() < run.length()).then(|| run.length());
-        let recording = Recording { length_us: run.now(), stopped_of_us, firings, sha256, ..recording };
+        let (length_us, rows) = (run.now(), Some(stored.rows));
+        let recording = Recording { length_us, stopped_of_us, rows, firings, sha256, ..recording };
         if let Some(path) = &self.record {
             write_recording(path, &recording, How::Replace)?;
         }

@@ -4,8 +4,8 @@
 //! numbers; a text is a number, too, which [`Batch::text`] turns back. So a batch is cheap to hand to several
 //! destinations.
 
+use foldhash::HashMap;
 use homebody_core::time::Micros;
-use std::collections::HashMap;
 use std::sync::Arc;
 
 /// What rows of one kind are made of.

@@ -39,6 +39,8 @@ pub(crate) struct Writer {
     messages: Option<SyncSender<Message>>,
     thread: Option<JoinHandle<Result<(), LogError>>>,
     shared: Arc<Shared>,
+    /// Whether it was waited for in vain: nobody does so twice.
+    hangs: bool,
 }
 
 /// What the thread tells while it works.
@@ -85,7 +87,7 @@ impl Writer {
         *shared.durable.lock().unwrap_or_else(PoisonError::into_inner) = there.clone();
         let work = Work { sink, policy: policy.clone(), shared: shared.clone(), there: there.0 };
         let thread = thread::spawn(move || work.write(incoming));
-        Ok(Writer { place, policy, messages: Some(messages), thread: Some(thread), shared })
+        Ok(Writer { place, policy, messages: Some(messages), thread: Some(thread), shared, hangs: false })
     }
 
     /// What errors call the destination.
@@ -125,7 +127,7 @@ impl Writer {
     }
 
     fn pass(&mut self, message: Message) -> Result<(), LogError> {
-        let Some(messages) = &self.messages else { return self.join() };
+        let Some(messages) = self.messages.clone() else { return self.join() };
         let mut message = match messages.try_send(message) {
             Ok(()) => return Ok(()),
             Err(TrySendError::Full(message)) => message,
@@ -139,16 +141,22 @@ impl Writer {
                 Err(TrySendError::Full(message)) => message,
                 Err(TrySendError::Disconnected(_)) => return self.join(),
             };
-            patience.is_left(self)?;
+            if let Err(error) = patience.is_left(self) {
+                self.hangs = true;
+                return Err(error);
+            }
         }
     }
 
     /// Waits for the thread's end.
-    fn wait(&self) -> Result<(), LogError> {
+    fn wait(&mut self) -> Result<(), LogError> {
         let mut patience = Patience::new(self);
         while self.thread.as_ref().is_some_and(|thread| !thread.is_finished()) {
             thread::sleep(LOOK);
-            patience.is_left(self)?;
+            if let Err(error) = patience.is_left(self) {
+                self.hangs = true;
+                return Err(error);
+            }
         }
         Ok(())
     }
@@ -166,7 +174,8 @@ impl Drop for Writer {
     /// Waits for the thread, so that nothing writes on after the run has been given up; but not for one that hangs.
     fn drop(&mut self) {
         self.messages = None;
-        if self.wait().is_ok()
+        if !self.hangs
+            && self.wait().is_ok()
             && let Some(thread) = self.thread.take()
         {
             let _ = thread.join();

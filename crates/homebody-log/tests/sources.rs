@@ -5,7 +5,7 @@ mod stage;
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, OnOffFile, TimeFormat};
 use homebody_core::scenario::scheme::Scheme;
 use homebody_log::source::{Clock, recognise};
-use homebody_log::{How, Log, LogError, convert, read};
+use homebody_log::{How, Log, LogError, Transfer, Url, convert, read, stream, survey};
 use rusqlite::Connection;
 use stage::Folder;
 use std::fs;
@@ -18,6 +18,13 @@ fn from_text(folder: &Folder, url: &str, text: &str) -> Result<Log, LogError> {
     fs::write(url.file().unwrap(), text).unwrap();
     assert_eq!(recognise(url.file().unwrap()).unwrap(), url);
     read(&url, &LoggerFile::default())
+}
+
+/// Writes a log anew; how many rows it has.
+fn carry(from: &Url, to: &Url, zone: &str) -> Result<u64, LogError> {
+    let mapping = LoggerFile::default();
+    let about = survey(from, &mapping)?;
+    convert(&Transfer { from, mapping: &mapping, to, name: "a log", zone, how: How::New }, &about, |_| ())
 }
 
 /// Rows as time, sensor, value.
@@ -62,25 +69,91 @@ fn a_log_goes_from_form_to_form_and_comes_back_the_same() {
     for to in ["sqlite:second.db", "csv:third.csv", "sqlite:fourth.db", "casas:last.txt"] {
         let to = folder.url(to);
         let log = read(&from, &LoggerFile::default()).unwrap();
-        let rows = convert(&log, &to, "a log", "UTC", How::New).unwrap();
+        let rows = carry(&from, &to, "UTC").unwrap();
         assert_eq!(rows, log.events.len() as u64);
         from = to;
     }
     assert_eq!(folder.text("first.txt"), folder.text("last.txt"));
-    let again = convert(&Log::default(), &from, "a log", "UTC", How::New);
+    let again = carry(&folder.url("casas:first.txt"), &from, "UTC");
     assert!(matches!(again, Err(LogError::Exists { .. })));
+}
+
+#[test]
+fn a_log_is_streamed_in_parts() {
+    let folder = Folder::new("streamed");
+    let urls = ALL.map(|url| folder.url(url));
+    let logger = stage::open(&urls, &LoggerFile::default(), false).unwrap();
+    stage::store(logger, &stage::firings(50_000), 1000).unwrap();
+    for url in urls {
+        let whole = read(&url, &LoggerFile::default()).unwrap();
+        let (mut events, mut most) = (Vec::new(), 0);
+        let rest = stream(&url, &LoggerFile::default(), &mut |part| {
+            most = most.max(part.events.len());
+            assert!(part.events.iter().all(|event| (event.sensor as usize) < part.sensors.len()));
+            events.extend_from_slice(&part.events);
+            Ok(())
+        })
+        .unwrap();
+        assert!(most * 5 < events.len(), "{most} of {} rows at once", events.len());
+        assert_eq!((rest.rows, rest.events.len()), (50_000, 0));
+        assert_eq!(Log { events, ..rest }, whole);
+        assert_eq!(survey(&url, &LoggerFile::default()).unwrap().sensors, whole.sensors);
+        // Who takes the rows may have had enough.
+        let mut parts = 0;
+        let enough = stream(&url, &LoggerFile::default(), &mut |_| {
+            parts += 1;
+            Err(LogError::destination("there", "it is full"))
+        });
+        assert!(enough.is_err() && parts == 1);
+    }
+}
+
+#[test]
+fn what_is_known_of_sensors_comes_with_the_log() {
+    let folder = Folder::new("known");
+    let log = "fired_at,sensor,value\n2009-03-02T07:12:03,M_1,FIRE\n2009-03-02T07:12:04,X,FIRE\n";
+    let known = |table: &str| {
+        fs::write(folder.url("csv:sensors.csv").file().unwrap(), table).unwrap();
+        from_text(&folder, "csv:log.csv", log).unwrap().known
+    };
+    let head = "id,name,kind,room,x_m,y_m\n";
+    let told = known(&format!("{head}M 1,hall wall,motion,hall,1.5,2\nD1,front door,contact,,0,0.25\n"));
+    let told: Vec<_> =
+        told.iter().map(|one| (&*one.id, &*one.name, &*one.kind, one.is_motion, one.room.as_deref())).collect();
+    assert_eq!(
+        told,
+        [("M 1", "hall wall", "motion", true, Some("hall")), ("D1", "front door", "contact", false, None)]
+    );
+    assert_eq!(known("what,somebody,else\nwrote,of,theirs\n"), []);
+}
+
+#[test]
+fn lines_are_counted_as_people_count_them() {
+    let folder = Folder::new("lines");
+    for (name, text) in [
+        ("unix", "time,sensor,value\n2009-03-02T07:12:03,A,ON\nnever,A,ON\n\n2009-03-02T07:12:04,A,ON\nnever,A,ON\n"),
+        (
+            "windows",
+            "time,sensor,value\r\n2009-03-02T07:12:03,A,ON\r\nnever,A,ON\r\n\r\n2009-03-02T07:12:04,A,ON\r\nnever,A,ON\r\n",
+        ),
+    ] {
+        let log = from_text(&folder, &format!("csv:{name}.csv"), text).unwrap();
+        let lines: Vec<u64> = log.problems.iter().map(|skipped| skipped.line).collect();
+        assert_eq!(lines, [3, 6], "{name}");
+    }
 }
 
 #[test]
 fn a_log_in_utc_becomes_local_for_casas_alone() {
     let folder = Folder::new("utc");
     let text = "entity_id,state,last_changed\nbinary_sensor.hall,on,2009-03-02T13:12:03.250000Z\n";
-    let log = from_text(&folder, "csv:ha.csv", text).unwrap();
-    convert(&log, &folder.url("casas:log.txt"), "a log", "America/Chicago", How::New).unwrap();
-    convert(&log, &folder.url("csv:log.csv"), "a log", "America/Chicago", How::New).unwrap();
+    from_text(&folder, "csv:ha.csv", text).unwrap();
+    let from = folder.url("csv:ha.csv");
+    carry(&from, &folder.url("casas:log.txt"), "America/Chicago").unwrap();
+    carry(&from, &folder.url("csv:log.csv"), "America/Chicago").unwrap();
     assert_eq!(folder.text("log.txt"), "2009-03-02 07:12:03.250000\tbinary_sensor.hall\ton\n");
     assert_eq!(folder.text("log.csv").lines().last(), Some("0,2009-03-02T13:12:03.250000Z,binary_sensor.hall,on"));
-    let nowhere = convert(&log, &folder.url("csv:x.csv"), "a log", "Mars/Olympus", How::New);
+    let nowhere = carry(&from, &folder.url("csv:x.csv"), "Mars/Olympus");
     assert!(matches!(nowhere, Err(LogError::Zone(_))));
 }
 
@@ -262,13 +335,14 @@ fn real(name: &str) -> Option<PathBuf> {
 #[test]
 fn a_real_home_s_text_is_read_whole() {
     let Some(path) = real("casas_tm000/tm000.multiday_absence.txt") else { return };
-    let log = read(&recognise(&path).unwrap(), &LoggerFile::default()).unwrap();
+    let from = recognise(&path).unwrap();
+    let log = read(&from, &LoggerFile::default()).unwrap();
     assert_eq!((log.events.len(), log.sensors.len(), log.skipped), (21_968, 22, 0));
     let folder = Folder::new("real");
-    convert(&log, &folder.url("sqlite:log.db"), "a log", "UTC", How::New).unwrap();
-    let back = read(&folder.url("sqlite:log.db"), &LoggerFile::default()).unwrap();
-    assert_eq!(back, log);
-    convert(&back, &folder.url("casas:log.txt"), "a log", "UTC", How::New).unwrap();
+    let database = folder.url("sqlite:log.db");
+    carry(&from, &database, "UTC").unwrap();
+    assert_eq!(read(&database, &LoggerFile::default()).unwrap(), log);
+    carry(&database, &folder.url("casas:log.txt"), "UTC").unwrap();
     let ours = read(&folder.url("casas:log.txt"), &LoggerFile::default()).unwrap();
     assert_eq!(ours, log);
 }

@@ -3,14 +3,15 @@
 //! Its input is plain data, so that a day which is only planned can be drawn as well: bands without ticks.
 
 use homebody_analysis::day::{Day, Resident, Sensor};
+use homebody_core::activity::ActivityKind;
 use homebody_core::geometry::Point;
+use homebody_core::sensors::form::Colour;
 use std::fmt::Write;
 
 use super::chart::heading;
 use super::font;
 use super::paint::{FLOOR, HAIRLINE, INK, MUTED, Paint, WALL, WHITE};
 use super::svg::{Anchor, Px, Svg, Type};
-use homebody_analysis::activity_kind::ActivityKind;
 
 /// A day to be drawn. Times are seconds since its midnight; what lies outside the day is cut off.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -136,17 +137,17 @@ fn legend(svg: &mut Svg, day: &DayChart) {
     }
 }
 
-/// Okabe & Ito's colours for the kinds, and what is written on them.
+/// The colour of a kind, and what is written on it.
 fn colour(kind: ActivityKind) -> (&'static str, &'static str) {
-    match kind {
-        ActivityKind::Sleep => ("#0072b2", WHITE),
-        ActivityKind::Care => ("#56b4e9", INK),
-        ActivityKind::Food => ("#e69f00", INK),
-        ActivityKind::Housework => ("#cc79a7", INK),
-        ActivityKind::Leisure => ("#009e73", INK),
-        ActivityKind::Medicine => ("#d55e00", INK),
-        ActivityKind::Out => ("#000000", WHITE),
-        ActivityKind::Other => ("#f0e442", INK),
+    match kind.colour() {
+        Some(Colour::Blue) => ("#0072b2", WHITE),
+        Some(Colour::Sky) => ("#56b4e9", INK),
+        Some(Colour::Orange) => ("#e69f00", INK),
+        Some(Colour::Purple) => ("#cc79a7", INK),
+        Some(Colour::Green) => ("#009e73", INK),
+        Some(Colour::Vermillion) => ("#d55e00", INK),
+        Some(Colour::Yellow) => ("#f0e442", INK),
+        None => ("#000000", WHITE),
     }
 }
 

@@ -1,12 +1,12 @@
 //! What a routine needs of the home: somewhere to sleep and sit, a way out, and a way to all that its activities use.
 
-use crate::living::places::{Places, Role, Spot};
-use crate::living::script::roles;
+use crate::living::places::{Places, Spot};
 use crate::routine::{Activity, Kind, Quote, Response, Routine, USUAL, shows};
 use homebody_core::geometry;
 use homebody_core::home::plan::{self, Plan};
 use homebody_core::numbers::Numbers;
 use homebody_core::problem::Problem;
+use homebody_core::role::Role;
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::resident::ResidentFile;
@@ -73,7 +73,7 @@ impl Check<'_> {
     fn all(&mut self, places: &Places, texts: &[&Routine], is_person: bool) {
         let anybodys = || places.anybodys(Role::Bed).into_iter().next().filter(|_| !is_person);
         let Some(bed) = places.of(Role::Bed).or_else(anybodys) else {
-            let hint = "give it a piece of furniture \"bed\" that is enterable";
+            let hint = "give it a piece of furniture \"bed\" that is enterable, or one with the \"role\" \"bed\"";
             return self.say(None, "there is nowhere in this home to sleep", hint);
         };
         self.bed = bed.name.clone();
@@ -110,9 +110,21 @@ impl Check<'_> {
     /// What everybody needs and the home does not have.
     fn missing(&mut self, places: &Places) {
         for (role, what, hint) in [
-            (Role::Toilet, "there is no toilet in this home", "give it a piece of furniture or a place \"toilet\""),
-            (Role::Armchair, "there is nowhere to sit in this home", "give it an \"armchair\" that is enterable"),
-            (Role::Fridge, "there is no kitchen in this home", "give it a room \"kitchen\", or a place \"fridge\""),
+            (
+                Role::Toilet,
+                "there is no toilet in this home",
+                "give it a piece of furniture or a place \"toilet\", or a piece with the \"role\" \"toilet\"",
+            ),
+            (
+                Role::Armchair,
+                "there is nowhere to sit in this home",
+                "give it an \"armchair\" that is enterable, or another piece with the \"role\" \"armchair\"",
+            ),
+            (
+                Role::Fridge,
+                "there is no kitchen in this home",
+                "give it a room \"kitchen\", a place \"fridge\", or a piece of furniture with the \"role\" \"fridge\"",
+            ),
         ] {
             if places.of(role).is_none() {
                 self.say(None, what, hint);
@@ -212,7 +224,7 @@ fn used_roles<'t>(places: &Places, texts: &[&'t Routine]) -> Vec<(Role, Option<(
     }
     let mut all: Vec<(Role, Option<(&str, &Quote)>)> = Vec::new();
     for (activity, said) in used {
-        for &role in roles(&activity) {
+        for &role in activity.roles() {
             if all.iter().all(|(known, _)| *known != role) {
                 all.push((role, said));
             }

@@ -4,6 +4,8 @@
 //! nobody said, such as how long a breakfast takes, is for the living to fill in.
 
 use crate::fuzzy::{Fuzzy, Quantifier};
+use homebody_core::activity::{self, UsualLength};
+use homebody_core::role::Role;
 use serde::Serialize;
 
 /// A routine file, or a condition file, which is about nobody in particular.
@@ -281,45 +283,62 @@ pub enum Effect {
 
 impl Activity {
     /// What the truth calls it: `watching_television`; what the user named, as the user named it.
-    pub fn name(&self) -> String {
-        let meal = |meal: &Meal| match meal {
-            Meal::Breakfast => "breakfast",
-            Meal::Lunch => "lunch",
-            Meal::Dinner => "dinner",
-        };
+    pub fn label(&self) -> &str {
         match self {
-            Activity::GetUp => "getting_up",
-            Activity::UseBathroom => "using_bathroom",
-            Activity::Shower => "showering",
-            Activity::Wash => "washing",
-            Activity::Dress => "dressing",
-            Activity::TakeMedicine => "taking_medicine",
-            Activity::Prepare(of) => return format!("preparing_{}", meal(of)),
-            Activity::Eat(of) => return format!("eating_{}", meal(of)),
-            Activity::WashUp => "washing_up",
-            Activity::WatchTelevision => "watching_television",
-            Activity::Read => "reading",
-            Activity::Phone => "telephoning",
-            Activity::Nap => "napping",
-            Activity::Laundry => "laundry",
-            Activity::Housework => "housework",
-            Activity::Leave => "away",
-            Activity::ComeHome => "coming_home",
-            Activity::Visit => "visit",
-            Activity::GoToBed => "going_to_bed",
-            Activity::Drink => "drinking",
-            Activity::Snack => "having_a_snack",
-            Activity::Exercise => "exercising",
-            Activity::UseComputer => "using_computer",
-            Activity::Relax => "relaxing",
-            Activity::Wander => "wandering",
-            Activity::Pace => "pacing",
-            Activity::Lap => "lapping",
-            Activity::LieAwake => "lying_awake",
-            Activity::Fall => "fallen",
-            Activity::Other(words) => return words.clone(),
+            Activity::GetUp => activity::GETTING_UP,
+            Activity::UseBathroom => activity::USING_BATHROOM,
+            Activity::Shower => activity::SHOWERING,
+            Activity::Wash => activity::WASHING,
+            Activity::Dress => activity::DRESSING,
+            Activity::TakeMedicine => activity::TAKING_MEDICINE,
+            Activity::Prepare(Meal::Breakfast) => activity::PREPARING_BREAKFAST,
+            Activity::Prepare(Meal::Lunch) => activity::PREPARING_LUNCH,
+            Activity::Prepare(Meal::Dinner) => activity::PREPARING_DINNER,
+            Activity::Eat(Meal::Breakfast) => activity::EATING_BREAKFAST,
+            Activity::Eat(Meal::Lunch) => activity::EATING_LUNCH,
+            Activity::Eat(Meal::Dinner) => activity::EATING_DINNER,
+            Activity::WashUp => activity::WASHING_UP,
+            Activity::WatchTelevision => activity::WATCHING_TELEVISION,
+            Activity::Read => activity::READING,
+            Activity::Phone => activity::TELEPHONING,
+            Activity::Nap => activity::NAPPING,
+            Activity::Laundry => activity::LAUNDRY,
+            Activity::Housework => activity::HOUSEWORK,
+            Activity::Leave => activity::AWAY,
+            Activity::ComeHome => activity::COMING_HOME,
+            Activity::Visit => activity::VISIT,
+            Activity::GoToBed => activity::GOING_TO_BED,
+            Activity::Drink => activity::DRINKING,
+            Activity::Snack => activity::HAVING_A_SNACK,
+            Activity::Exercise => activity::EXERCISING,
+            Activity::UseComputer => activity::USING_COMPUTER,
+            Activity::Relax => activity::RELAXING,
+            Activity::Wander => activity::WANDERING,
+            Activity::Pace => activity::PACING,
+            Activity::Lap => activity::LAPPING,
+            Activity::LieAwake => activity::LYING_AWAKE,
+            Activity::Fall => activity::FALLEN,
+            Activity::Other(words) => words,
         }
-        .into()
+    }
+
+    /// How long it usually takes where nothing is said.
+    pub fn usual_length(&self) -> UsualLength {
+        /// Of what the user names (ours).
+        const OWN: UsualLength = UsualLength { median_min: 30.0, sigma: 0.4 };
+        match self {
+            Activity::Other(_) => OWN,
+            _ => activity::known(self.label()).and_then(|known| known.usual).unwrap_or(OWN),
+        }
+    }
+
+    /// Where it takes somebody, but for rounds and walks that go anywhere.
+    pub fn roles(&self) -> &'static [Role] {
+        match self {
+            // Where it is said, else on a seat.
+            Activity::Other(_) => &[Role::Armchair],
+            _ => activity::known(self.label()).map_or(&[], |known| known.roles),
+        }
     }
 }
 

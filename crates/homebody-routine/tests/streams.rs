@@ -155,7 +155,10 @@ fn what_says_the_same_is_told_apart_by_its_order() {
     let twice = format!("{one}On Monday she reads at about 3 pm for 10-60 minutes.\n");
     let reading = |routine: &str| -> Vec<(i32, Item)> {
         let plans = planned(routine);
-        items(&plans).filter(|(_, item)| item.activity.name() == "reading").map(|(d, item)| (d, item.clone())).collect()
+        items(&plans)
+            .filter(|(_, item)| item.activity.label() == "reading")
+            .map(|(d, item)| (d, item.clone()))
+            .collect()
     };
     let (one, two, twice) = (reading(one), reading(&two), reading(&twice));
     assert!(!one.is_empty() && two.len() > one.len() && twice.len() == 2 * one.len());
@@ -174,7 +177,7 @@ fn a_changed_sentence_changes_its_own_numbers() {
     assert_ne!(changed, ORDINARY);
     let (before, after) = (planned(ORDINARY), planned(&changed));
     let of = |plans: &[Agenda], name: &str| -> Vec<(i32, i64)> {
-        items(plans).filter(|(_, item)| item.activity.name() == name).map(|(day, item)| (day, item.start)).collect()
+        items(plans).filter(|(_, item)| item.activity.label() == name).map(|(day, item)| (day, item.start)).collect()
     };
     assert_ne!(of(&before, "reading"), of(&after, "reading"));
     assert_eq!(of(&before, "telephoning"), of(&after, "telephoning"));

@@ -1,6 +1,7 @@
-//! The page's types are the server's, and its kinds of sensors are the core's.
+//! The page's types are the server's, and its kinds of sensors and of activities are the core's.
 
-use homebody_core::sensors::form::{KindRow, Mount};
+use homebody_core::activity::{ACTIVITIES, ActivityKind, KIND_WORDS};
+use homebody_core::sensors::form::{Colour, KindRow, Mount};
 use homebody_core::sensors::kinds::KINDS;
 use homebody_web::wire;
 use std::fs;
@@ -110,6 +111,31 @@ fn the_page_knows_our_sensors() {
          export const SENSOR_KINDS = {{\n{rows}}} as const;\n"
         ),
     );
+}
+
+#[test]
+fn the_page_knows_our_activities() {
+    let key = |kind: ActivityKind| serde_json::to_value(kind).unwrap().as_str().unwrap().to_owned();
+    let colour = |colour: Colour| format!("'{}'", format!("{colour:?}").to_lowercase());
+    let mut text =
+        "// Made from the table in crates/homebody-core/src/activity.rs, which says what each means.\n\n".to_owned();
+    text += "/** In the order of legends; no colour is that of text. */\nexport const KINDS = {\n";
+    for kind in ActivityKind::ALL {
+        let colour = kind.colour().map_or("null".into(), colour);
+        text += &format!("  {}: {{ name: '{}', colour: {colour} }},\n", key(kind), kind.in_words());
+    }
+    text += "} as const;\n\n/** What lives tell of, by the label of the truth. */\n";
+    text += "export const KNOWN: ReadonlyMap<string, keyof typeof KINDS> = new Map([\n";
+    for known in ACTIVITIES {
+        text += &format!("  ['{}', '{}'],\n", known.label, key(known.kind));
+    }
+    text += "]);\n\n/** How the words of other names begin, by kind; the first that fits counts. */\n";
+    text += "export const KIND_WORDS: readonly (readonly [keyof typeof KINDS, readonly string[]])[] = [\n";
+    for (kind, words) in KIND_WORDS {
+        text += &format!("  ['{}', {}],\n", key(kind), format!("{words:?}").replace('"', "'"));
+    }
+    text += "];\n";
+    is_written("activities.ts", &text);
 }
 
 /// That a file of the page is this text; `HOMEBODY_REWRITE=1` writes it anew.

@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use crate::signs::{Kind, words};
+use crate::signs::Kind;
+use homebody_core::names::words;
 
 /// The sensors by which somebody leaves and comes home.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -14,6 +14,15 @@ pub struct Room {
     pub is_convex: bool,
 }
 
+impl Room {
+    /// Whether a straight way from a point in the room to `to` surely stays in it. False where that takes a search.
+    pub fn surely_holds(&self, from: Point, to: Point) -> bool {
+        let (least, most) = (from.min(to), from.max(to));
+        let is_near = |(a, b): (Point, Point)| a.min(b).cmple(most).all() && a.max(b).cmpge(least).all();
+        geometry::contains(&self.outline, to) && (self.is_convex || !geometry::sides(&self.outline).any(is_near))
+    }
+}
+
 /// What a solid was in the home's file: the index into that list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {

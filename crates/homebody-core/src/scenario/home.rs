@@ -2,6 +2,7 @@
 
 use crate::geometry::At;
 use crate::home::sun::COLUMBIA_DEG;
+use crate::role::Role;
 use crate::sensors::form::{DeviceForm, KindRow, Moment, Wrong};
 use crate::sensors::kinds::{CEILING_MOTION, MOTION, devices};
 use schemars::JsonSchema;
@@ -175,6 +176,9 @@ pub struct FurnitureFile {
     /// Whether a person can be where it stands: a bed, an armchair, a rug.
     #[serde(default)]
     pub enterable: bool,
+    /// What it is for, whatever its name is; without it, its name says so.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub role: Option<Role>,
 }
 
 /// A named point that a path can go to, such as `sink` or `armchair`.

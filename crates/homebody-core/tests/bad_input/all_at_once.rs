@@ -131,7 +131,7 @@ fn misspelt_keys_hide_no_mistake_of_meaning() {
     let expected = [
         r#"home.json:16:29: "form" is no key of a door; did you mean "from"?"#,
         r#"home.json:19:62: "heigth_m" is no key of a piece of furniture; did you mean "height_m"?"#,
-        r#"home.json:19:79: "colour" is no key of a piece of furniture; its keys are "name", "at", "size_m", "turn_deg", "outline", "height_m", "enterable""#,
+        r#"home.json:19:79: "colour" is no key of a piece of furniture; its keys are "name", "at", "size_m", "turn_deg", "outline", "height_m", "enterable", "role""#,
         r#"home.json:27:57: the sensor "kitchen motion" at (50, 1.5) is outside the home; mount it on the surface, on the side from which it should see"#,
     ];
     assert_eq!(said(&files), expected.join("\n"));

@@ -86,6 +86,8 @@ fn the_building() {
 #[rustfmt::skip] // A case is read line by line: the change, then what is said of it.
 fn furniture() {
     check(&[
+        ("home.json", r#""height_m": 0.7 }"#, r#""height_m": 0.7, "role": "bed" }"#,
+            r#"home.json:19:87: nobody can lie in "table"; say of it "enterable": true, or give the role to another piece"#),
         ("home.json", r#""at": [2, 2.2], "size_m": [1.2, 0.8]"#, r#""at": [2, 2.2]"#,
             r#"home.json:19:5: "table" has a place but no size; give either "at" and "size_m", or an "outline""#),
         ("home.json", r#""at": [2, 2.2], "size_m": [1.2, 0.8], "h"#, r#""size_m": [1.2, 0.8], "h"#,

@@ -1,91 +1,24 @@
 //! Days: what the time goes into, meals, naps, visits to the toilet, ways through the home.
 
 use super::life::{HALF_HOUR, Lived, Moved, Span, overlap_h, speed_mps};
-use super::nights::{IN_BED, TOILET};
+use super::nights::IN_BED;
 use super::statistics::{mean, sd};
+use homebody_core::activity::{
+    AWAY, DRINKING, EATING_BREAKFAST, EATING_DINNER, EATING_LUNCH, HAVING_A_SNACK, NAPPING, TimeUse, USING_BATHROOM,
+};
 use homebody_core::ids::RoomId;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::Micros;
 use serde::Serialize;
 use std::ops::Range;
 
-/// What time is used for, as time-use surveys group it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Use {
-    /// In bed at night, asleep or not, naps, and care of the body.
-    Sleep,
-    Care,
-    Eating,
-    Household,
-    Television,
-    Reading,
-    Relaxing,
-    /// Talking to somebody who visits or phones.
-    Company,
-    Computer,
-    Out,
-    Other,
-}
-
-impl Use {
-    pub const ALL: [Use; 11] = [
-        Use::Sleep,
-        Use::Care,
-        Use::Eating,
-        Use::Household,
-        Use::Television,
-        Use::Reading,
-        Use::Relaxing,
-        Use::Company,
-        Use::Computer,
-        Use::Out,
-        Use::Other,
-    ];
-
-    /// What an activity's time counts as.
-    pub fn of(activity: &str) -> Use {
-        match activity {
-            "sleeping" | "lying_awake" | "going_to_bed" | "napping" => Use::Sleep,
-            "using_bathroom" | "showering" | "washing" | "dressing" | "getting_up" | "taking_medicine" => Use::Care,
-            "drinking" | "having_a_snack" => Use::Eating,
-            "washing_up" | "laundry" | "housework" => Use::Household,
-            "watching_television" => Use::Television,
-            "reading" => Use::Reading,
-            "relaxing" => Use::Relaxing,
-            "telephoning" | "visit" => Use::Company,
-            "using_computer" => Use::Computer,
-            "away" | "leaving_home" | "coming_home" => Use::Out,
-            meal if meal.starts_with("eating_") => Use::Eating,
-            meal if meal.starts_with("preparing_") => Use::Household,
-            _ => Use::Other,
-        }
-    }
-
-    pub fn in_words(self) -> &'static str {
-        match self {
-            Use::Sleep => "sleep and bed",
-            Use::Care => "care of the body",
-            Use::Eating => "eating and drinking",
-            Use::Household => "household",
-            Use::Television => "television",
-            Use::Reading => "reading",
-            Use::Relaxing => "relaxing",
-            Use::Company => "company",
-            Use::Computer => "computer",
-            Use::Out => "out of the home",
-            Use::Other => "else",
-        }
-    }
-}
-
-pub const USES: usize = Use::ALL.len();
+pub const USES: usize = TimeUse::ALL.len();
 
 /// Days of one person; counts are means of a day. A visit to the toilet is by day unless it interrupts a night in bed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Days {
     pub days: usize,
-    /// Hours of a day, by [`Use::ALL`].
+    /// Hours of a day, by [`TimeUse::ALL`].
     pub hours: [f64; USES],
     /// The share of each hour of the day that goes into each use.
     pub by_hour: [[f64; USES]; 24],
@@ -109,7 +42,10 @@ pub struct Days {
     pub pace_sd_mps: Option<f64>,
 }
 
-const MEALS: [&str; 3] = ["eating_breakfast", "eating_lunch", "eating_dinner"];
+const MEALS: [&str; 3] = [EATING_BREAKFAST, EATING_LUNCH, EATING_DINNER];
+
+/// Meals, snacks and drinks.
+const OCCASIONS: [&str; 5] = [EATING_BREAKFAST, EATING_LUNCH, EATING_DINNER, HAVING_A_SNACK, DRINKING];
 
 impl Days {
     pub fn of(lived: &Lived, activities: &[Span], moves: &[Moved]) -> Days {
@@ -119,9 +55,10 @@ impl Days {
         let begun = |names: &[&str]| -> Vec<&Span> {
             activities.iter().filter(|one| names.contains(&one.name) && span.contains(&one.begin)).collect()
         };
-        let visits = activities.windows(2).filter(|pair| pair[1].name == TOILET && !IN_BED.contains(&pair[0].name));
+        let visits =
+            activities.windows(2).filter(|pair| pair[1].name == USING_BATHROOM && !IN_BED.contains(&pair[0].name));
         let toilet: Vec<&Span> = visits.map(|pair| &pair[1]).filter(|visit| span.contains(&visit.begin)).collect();
-        let naps: Vec<&Span> = begun(&["napping"]);
+        let naps: Vec<&Span> = begun(&[NAPPING]);
         let mut eaten = vec![[false; MEALS.len()]; days];
         for meal in begun(&MEALS) {
             if let (Some(day), Some(which)) =
@@ -144,15 +81,13 @@ impl Days {
             days,
             hours,
             by_hour: by_hour(lived, activities),
-            away_h: activities.iter().filter(|one| one.name == "away").map(|one| overlap_h(one, &span)).sum::<f64>()
+            away_h: activities.iter().filter(|one| one.name == AWAY).map(|one| overlap_h(one, &span)).sum::<f64>()
                 / days as f64,
             toilet: a_day(toilet.len()),
             toilet_min: mean(&toilet.iter().map(|visit| visit.minutes()).collect::<Vec<_>>()),
             meals: a_day(eaten.iter().map(count).sum()),
             three_meals: a_day(eaten.iter().filter(|day| count(day) == 3).count()),
-            occasions: a_day(
-                begun(&["eating_breakfast", "eating_lunch", "eating_dinner", "having_a_snack", "drinking"]).len(),
-            ),
+            occasions: a_day(begun(&OCCASIONS).len()),
             naps: a_day(napped.len()),
             nap_min: mean(&naps.iter().map(|nap| nap.minutes()).collect::<Vec<_>>()),
             nap_half_hours: half_hours(lived, &naps),
@@ -173,7 +108,7 @@ fn is_up(moved: &Moved) -> bool {
 fn hours(activities: &[Span], within: &Range<Micros>) -> [f64; USES] {
     let mut hours = [0.0; USES];
     for span in activities {
-        hours[Use::of(span.name) as usize] += overlap_h(span, within);
+        hours[TimeUse::of(span.name) as usize] += overlap_h(span, within);
     }
     hours
 }
@@ -189,7 +124,7 @@ fn by_hour(lived: &Lived, activities: &[Span]) -> [[f64; USES]; 24] {
         for span in today {
             for (index, shares) in (0..).zip(&mut shares) {
                 let within = midnight + hour * index..midnight + hour * (index + 1);
-                shares[Use::of(span.name) as usize] += overlap_h(span, &within) / days;
+                shares[TimeUse::of(span.name) as usize] += overlap_h(span, &within) / days;
             }
         }
     }

@@ -5,6 +5,7 @@
 
 use super::life::{Lived, Moved, Span};
 use super::statistics::{mean, sd, share};
+use homebody_core::activity::{GOING_TO_BED, LYING_AWAKE, SLEEPING, USING_BATHROOM};
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros, seconds};
 use serde::Serialize;
@@ -46,9 +47,7 @@ pub struct Nights {
 }
 
 /// What is done in bed at night.
-pub const IN_BED: [&str; 3] = ["going_to_bed", "sleeping", "lying_awake"];
-
-pub const TOILET: &str = "using_bathroom";
+pub const IN_BED: [&str; 3] = [GOING_TO_BED, SLEEPING, LYING_AWAKE];
 
 /// The nights that end in the days that count; the first begins on the evening before them.
 pub fn nights(lived: &Lived, activities: &[Span], moves: &[Moved]) -> Vec<Night> {
@@ -63,7 +62,7 @@ fn night(lived: &Lived, activities: &[Span], moves: &[Moved], day: i32) -> Optio
     let (first, begin) = in_bed.clone().find_map(|(index, span)| Some((index, lies_from(moves, span)?)))?;
     let of_night = &of_night[first..=in_bed.next_back()?.0];
     let end = of_night.last()?.end;
-    let asleep: Vec<&Span> = of_night.iter().filter(|span| span.name == "sleeping").collect();
+    let asleep: Vec<&Span> = of_night.iter().filter(|span| span.name == SLEEPING).collect();
     let asleep_h = asleep.iter().map(|span| span.hours()).sum();
     let fell_asleep = asleep.first()?.begin;
     Some(Night {
@@ -73,7 +72,7 @@ fn night(lived: &Lived, activities: &[Span], moves: &[Moved], day: i32) -> Optio
         asleep_h,
         latency_min: seconds(fell_asleep - begin) / 60.0,
         awake_min: seconds(end - fell_asleep) / 60.0 - asleep_h * 60.0,
-        trips: of_night.iter().filter(|span| span.name == TOILET).count() as u32,
+        trips: of_night.iter().filter(|span| span.name == USING_BATHROOM).count() as u32,
         begin,
         end,
     })
@@ -93,7 +92,7 @@ impl Nights {
             let night = nights.get(nights.partition_point(|night| night.end <= at));
             night.is_some_and(|night| night.begin <= at)
         };
-        let trips = activities.iter().filter(|span| span.name == TOILET && in_night(span.begin));
+        let trips = activities.iter().filter(|span| span.name == USING_BATHROOM && in_night(span.begin));
         let trip_min: Vec<f64> = trips.map(Span::minutes).collect();
         Nights {
             nights: nights.len(),

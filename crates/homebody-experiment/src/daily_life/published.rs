@@ -3,7 +3,8 @@
 //! A range is the source's own where it gives one. Else it is made by the rules of the module above: half a standard
 //! deviation to each side of a mean, 15 % of a number, half of a spread.
 
-use super::{Person, Use};
+use super::Person;
+use homebody_core::activity::TimeUse;
 
 /// One published figure.
 #[derive(Clone, Copy)]
@@ -253,13 +254,13 @@ pub const LINES: [Published; 52] = [
         "10.1",
         ATUS_2013,
         Some([8.6, 11.6]),
-        Mean(|p| Some(hours(p, Use::Sleep)? + hours(p, Use::Care)?)),
+        Mean(|p| Some(hours(p, TimeUse::Sleep)? + hours(p, TimeUse::Care)?)),
         "diaries have longer nights than actigraphs, which our nights follow",
     ),
-    line(DAY, "eating", "h", "1.5", ATUS_2013, Some([1.27, 1.73]), Mean(|p| hours(p, Use::Eating)), DIARY),
-    line(DAY, "household", "h", "2.2", ATUS_2013, Some([1.87, 2.53]), Mean(|p| hours(p, Use::Household)), DIARY),
-    line(DAY, "television", "h", "4.43", ATUS, Some([3.77, 5.1]), Mean(|p| hours(p, Use::Television)), DIARY),
-    line(DAY, "reading", "h", "0.62", ATUS, Some([0.53, 0.71]), Mean(|p| hours(p, Use::Reading)), DIARY),
+    line(DAY, "eating", "h", "1.5", ATUS_2013, Some([1.27, 1.73]), Mean(|p| hours(p, TimeUse::Eating)), DIARY),
+    line(DAY, "household", "h", "2.2", ATUS_2013, Some([1.87, 2.53]), Mean(|p| hours(p, TimeUse::Household)), DIARY),
+    line(DAY, "television", "h", "4.43", ATUS, Some([3.77, 5.1]), Mean(|p| hours(p, TimeUse::Television)), DIARY),
+    line(DAY, "reading", "h", "0.62", ATUS, Some([0.53, 0.71]), Mean(|p| hours(p, TimeUse::Reading)), DIARY),
     line(
         DAY,
         "relaxing, thinking",
@@ -267,7 +268,7 @@ pub const LINES: [Published; 52] = [
         "0.65",
         ATUS,
         Some([0.55, 0.75]),
-        Mean(|p| hours(p, Use::Relaxing)),
+        Mean(|p| hours(p, TimeUse::Relaxing)),
         "it also fills the minutes between one thing and the next, which diaries round away",
     ),
     line(
@@ -277,10 +278,10 @@ pub const LINES: [Published; 52] = [
         "0.56",
         ATUS,
         Some([0.48, 0.64]),
-        Mean(|p| hours(p, Use::Company)),
+        Mean(|p| hours(p, TimeUse::Company)),
         "much of it is done elsewhere, and who lives alone is visited as their routine says",
     ),
-    line(DAY, "games, computer", "h", "0.48", ATUS, Some([0.41, 0.55]), Mean(|p| hours(p, Use::Computer)), DIARY),
+    line(DAY, "games, computer", "h", "0.48", ATUS, Some([0.41, 0.55]), Mean(|p| hours(p, TimeUse::Computer)), DIARY),
     line(
         DAY,
         "out of the home",
@@ -474,7 +475,7 @@ fn percent(share: f64) -> Option<f64> {
     Some(share * 100.0)
 }
 
-fn hours(person: &Person, of: Use) -> Option<f64> {
+fn hours(person: &Person, of: TimeUse) -> Option<f64> {
     Some(person.days.hours[of as usize])
 }
 

@@ -133,16 +133,16 @@ fn days_are_measured_from_midnight_to_midnight() {
     close(days.nap_min, 60.0);
     assert_eq!(days.nap_half_hours.iter().position(|&hours| hours > 0.0), Some(25));
     close(Some(days.nap_half_hours.iter().sum()), 1.0);
-    let hours = |of: Use| Some(days.hours[of as usize]);
-    close(hours(Use::Company), 0.5);
-    close(hours(Use::Eating), (40.0 + 30.0 + 10.0 + 30.0 + 40.0 + 30.0) / 120.0);
+    let hours = |of: TimeUse| Some(days.hours[of as usize]);
+    close(hours(TimeUse::Company), 0.5);
+    close(hours(TimeUse::Eating), (40.0 + 30.0 + 10.0 + 30.0 + 40.0 + 30.0) / 120.0);
     // 13:40 to 18:00 on the first day.
-    close(hours(Use::Out), 13.0 / 6.0);
+    close(hours(TimeUse::Out), 13.0 / 6.0);
     close(Some(days.hours.iter().sum()), 24.0);
     for hour in days.by_hour {
         close(Some(hour.iter().sum()), 1.0);
     }
-    close(Some(days.by_hour[3][Use::Sleep as usize]), 1.0);
+    close(Some(days.by_hour[3][TimeUse::Sleep as usize]), 1.0);
 }
 
 #[test]

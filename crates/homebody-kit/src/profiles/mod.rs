@@ -14,7 +14,7 @@ use homebody_core::scenario::load::{Driver, Files, Scenario};
 use homebody_routine::household::Household;
 use homebody_routine::routine::{Kind, Routine};
 use sentences::OwnSentences;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
@@ -37,6 +37,8 @@ pub struct Profile {
     said: OwnSentences,
     /// Of the conditions that are asked to be left out, those that this member would show.
     pub without: Vec<String>,
+    /// The texts that this member needs, by name: the scenario's, and those that only the row names.
+    texts: Arc<BTreeMap<String, String>>,
 }
 
 /// A routine beside the scenario's, with its text.
@@ -51,6 +53,13 @@ pub(crate) struct Base<'a> {
     pub scenario: &'a Scenario,
     pub household: &'a Household,
     pub files: &'a (dyn Files + Sync),
+}
+
+impl Profile {
+    /// The texts that this member needs, by name, as they were read.
+    pub(crate) fn texts(&self) -> &BTreeMap<String, String> {
+        &self.texts
+    }
 }
 
 /// Reads a file of profiles: all of them, or all that is wrong.
@@ -75,6 +84,20 @@ pub(crate) fn of(file: &str, text: &str, base: &Base, without: &[String]) -> Res
     let table = Table::read(file, text)?;
     let (profiles, problems) = rows::read(&table, base, without);
     if problems.is_empty() { Ok(profiles) } else { Err(Error::Problems(in_order(problems, file))) }
+}
+
+/// Profiles as a table of which [`of`] makes the same ones again.
+pub(crate) fn table(profiles: &[Profile]) -> String {
+    let columns: BTreeSet<&str> = profiles.iter().flat_map(|profile| profile.row.keys().map(String::as_str)).collect();
+    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
+    let mut table = ["name", "seed"].into_iter().chain(columns.iter().copied()).collect::<Vec<_>>().join(",");
+    for Profile { name, seed, row, .. } in profiles {
+        table += &format!("\n{},{}", quoted(name), seed.map(|seed| seed.to_string()).unwrap_or_default());
+        for column in &columns {
+            table += &format!(",{}", row.get(*column).map(|text| quoted(text)).unwrap_or_default());
+        }
+    }
+    table + "\n"
 }
 
 /// Problems in the order of their places, those of other files than the list last.

@@ -40,6 +40,14 @@ struct Reader<'a> {
     routines: BTreeMap<(Option<usize>, String), Option<Arc<Other>>>,
 }
 
+/// What is known of those who differ in the same way from the scenario.
+struct Seen {
+    /// The conditions that they show.
+    conditions: Vec<String>,
+    /// The texts that they need, by name, as they were read.
+    texts: Arc<BTreeMap<String, String>>,
+}
+
 /// A part of a sentence, with the cell that it is from.
 type Piece<'a> = (&'a str, Option<&'a Cell>);
 
@@ -63,7 +71,7 @@ impl<'a> Reader<'a> {
             return Vec::new();
         }
         let mut names = BTreeSet::new();
-        let mut seen: BTreeMap<(Option<usize>, Option<String>, OwnSentences), Vec<String>> = BTreeMap::new();
+        let mut seen: BTreeMap<(Option<usize>, Option<String>, OwnSentences), Seen> = BTreeMap::new();
         let mut profiles = Vec::new();
         for cells in &self.table.rows {
             let before = self.problems.len();
@@ -78,8 +86,11 @@ impl<'a> Reader<'a> {
             let key = (profile.resident, routine, profile.said.clone());
             if !seen.contains_key(&key) {
                 match self.base.with(&profile, &[]) {
-                    Ok((_, household)) => {
-                        seen.insert(key.clone(), household.conditions().keys().cloned().collect());
+                    Ok((scenario, household)) => {
+                        let conditions = household.conditions().keys().cloned().collect();
+                        let read = |name: &str, text: &str| self.base.files.read(name).is_ok_and(|read| read == text);
+                        let texts = scenario.sources.into_iter().filter(|(name, text)| read(name, text)).collect();
+                        seen.insert(key.clone(), Seen { conditions, texts: Arc::new(texts) });
                     }
                     Err(problems) => {
                         for problem in problems.0 {
@@ -92,11 +103,12 @@ impl<'a> Reader<'a> {
                     }
                 }
             }
-            let shown = seen.get(&key).map_or(&[][..], Vec::as_slice);
-            profile.without = without.iter().filter(|name| shown.contains(name)).cloned().collect();
+            let Seen { conditions, texts } = &seen[&key];
+            profile.without = without.iter().filter(|name| conditions.contains(name)).cloned().collect();
+            profile.texts = texts.clone();
             profiles.push(profile);
         }
-        let shown: BTreeSet<&str> = seen.values().flatten().map(String::as_str).collect();
+        let shown: BTreeSet<&str> = seen.values().flat_map(|seen| &seen.conditions).map(String::as_str).collect();
         let nobodys = without.iter().filter(|name| self.problems.is_empty() && !shown.contains(name.as_str()));
         let nobodys = nobodys.map(|name| {
             let hint = match nearest(name, shown.iter().copied()) {
@@ -190,6 +202,7 @@ impl<'a> Reader<'a> {
             routine: None,
             said: OwnSentences::default(),
             without: Vec::new(),
+            texts: Arc::default(),
         };
         if !profile.row.is_empty() {
             profile.resident = self.resident(row);

@@ -13,6 +13,7 @@ use rusqlite::{CachedStatement, Connection, OpenFlags, ToSql};
 use std::fs::{self, OpenOptions};
 use std::io::{Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+use std::slice::ChunksExact;
 use std::time::Duration;
 
 /// How long another program may keep the database locked before that is an error. Ours.
@@ -260,16 +261,31 @@ impl Insert {
         Insert { one: rows(1), many: rows(ROWS_AT_ONCE) }
     }
 
-    /// Inserts as many rows as one of the two statements takes; `bind` is given each value's place and puts it there.
-    pub fn insert(
+    /// Inserts rows, each of so many values; `put` binds values in their order.
+    pub fn insert<T>(
         &self,
         connection: &Connection,
-        many: bool,
-        bind: impl FnOnce(&mut Binding) -> rusqlite::Result<()>,
+        values: &[T],
+        width: usize,
+        mut put: impl FnMut(&T, &mut Binding) -> rusqlite::Result<()>,
     ) -> rusqlite::Result<()> {
-        let mut statement = connection.prepare_cached(if many { &self.many } else { &self.one })?;
-        bind(&mut Binding { statement: &mut statement, next: 1 })?;
-        statement.raw_execute().map(|_| ())
+        let many = values.chunks_exact(ROWS_AT_ONCE * width);
+        let rest = many.remainder().chunks_exact(width);
+        let mut all = |sql: &str, chunks: ChunksExact<T>| {
+            if chunks.len() == 0 {
+                return Ok(());
+            }
+            // Asked for once: whenever it is given back, it forgets all that was bound, which takes as long as to bind it.
+            let mut statement = connection.prepare_cached(sql)?;
+            for values in chunks {
+                let mut binding = Binding { statement: &mut statement, next: 1 };
+                values.iter().try_for_each(|value| put(value, &mut binding))?;
+                statement.raw_execute()?;
+            }
+            Ok(())
+        };
+        all(&self.many, many)?;
+        all(&self.one, rest)
     }
 }
 
@@ -330,8 +346,7 @@ mod tests {
         let insert = Insert::new("line", ("run", 1), &["text"]);
         let mut store = || {
             database.change(100, |connection| {
-                (0..100)
-                    .try_for_each(|_| insert.insert(connection, false, |row| row.put("some words to fill pages with")))
+                insert.insert(connection, &["some words to fill pages with"; 100], 1, |text, row| row.put(text))
             })?;
             database.settle()
         };

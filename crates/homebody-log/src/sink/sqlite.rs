@@ -51,6 +51,9 @@ struct InTable {
 /// How many rows of a log, which has but one table, are bound before they are inserted (ours).
 const ALONE: usize = 64 * Insert::AT_ONCE;
 
+/// The same of a table among others that rows come to often (ours).
+const FREQUENT: usize = 4 * Insert::AT_ONCE;
+
 impl Sqlite {
     pub fn new(path: PathBuf) -> Sqlite {
         Sqlite { path, open: None }
@@ -148,28 +151,18 @@ impl Open {
         let table = &mut tables[index];
         let width = table.columns.len();
         let rows = std::mem::take(&mut table.waiting);
-        let mut put = |cells: &[Cell], binding: &mut Binding| {
-            cells.iter().try_for_each(|&cell| match cell {
-                Cell::Null => binding.put(Null),
-                Cell::Instant(at) => binding.put(clock.stamp(at)),
-                Cell::Integer(number) => binding.put(number),
-                Cell::Real(number) => binding.put(number),
-                Cell::Text(TextId(id)) => binding.put(&*texts[id as usize]),
-                Cell::Thousandths(number) => {
-                    thousandths(number, buffer);
-                    binding.put(&*buffer)
-                }
-            })
-        };
-        database.change(rows.len() / width, |connection| {
-            let many = rows.chunks_exact(Insert::AT_ONCE * width);
-            let rest = many.remainder();
-            for rows in many {
-                table.insert.insert(connection, true, |binding| put(rows, binding))?;
+        let put = |&cell: &Cell, binding: &mut Binding| match cell {
+            Cell::Null => binding.put(Null),
+            Cell::Instant(at) => binding.put(clock.stamp(at)),
+            Cell::Integer(number) => binding.put(number),
+            Cell::Real(number) => binding.put(number),
+            Cell::Text(TextId(id)) => binding.put(&*texts[id as usize]),
+            Cell::Thousandths(number) => {
+                thousandths(number, buffer);
+                binding.put(&*buffer)
             }
-            rest.chunks_exact(width)
-                .try_for_each(|row| table.insert.insert(connection, false, |binding| put(row, binding)))
-        })?;
+        };
+        database.change(rows.len() / width, |connection| table.insert.insert(connection, &rows, width, put))?;
         table.waiting = rows;
         table.waiting.clear();
         Ok(())
@@ -224,7 +217,7 @@ impl InTable {
             // not from how they come in batches. What comes rarely does not wait.
             at_once: match (begin.tables.len(), table.is_frequent) {
                 (1, _) => ALONE,
-                (_, true) => Insert::AT_ONCE,
+                (_, true) => FREQUENT,
                 (_, false) => 1,
             },
         }

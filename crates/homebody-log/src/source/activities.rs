@@ -4,8 +4,9 @@ use super::instant::{Instant, Instants, since_1970};
 use super::sqlite::{connect, text};
 use crate::error::LogError;
 use homebody_core::time::Micros;
+use rusqlite::Connection;
 use rusqlite::types::ValueRef;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::path::Path;
 
 /// What somebody did over a span, on the log's clock; the end is no part of it.
@@ -63,39 +64,106 @@ pub fn lives(truth: &Path) -> Result<Vec<Life>, LogError> {
     Ok(lives.into_iter().map(|(resident, life)| Life { resident, ..life }).collect())
 }
 
-/// Why each row of a log is there: what the truth tells of the firings behind it, those of ONs first.
-pub(crate) fn told_causes(truth: &Path) -> Result<Vec<Cause>, LogError> {
-    // Firings are numbered from 0 and rows of a table from 1.
-    let sql = "SELECT row, resident, seen_at, sensor, why, thing FROM cause WHERE row IS NOT NULL
-               UNION ALL
-               SELECT off.row, cause.resident, cause.seen_at, cause.sensor, cause.why, cause.thing
-               FROM off JOIN cause ON cause.rowid = off.firing + 1 AND cause.firing = off.firing";
-    let database = |error| LogError::database(truth, error);
-    let connection = connect(truth).map_err(database)?;
-    let mut statement = connection.prepare(sql).map_err(database)?;
-    let mut rows = statement.query([]).map_err(database)?;
-    let mut instants = Instants::default();
-    let mut causes = Vec::new();
-    while let Some(row) = rows.next().map_err(database)? {
-        let said = |column| {
-            let said = text(row.get_ref(column).map_err(database)?).into_owned();
-            Ok::<_, LogError>(Some(said).filter(|said| !said.is_empty()))
-        };
-        let seen_at = match row.get_ref(2).map_err(database)? {
-            ValueRef::Integer(number) => since_1970(number as f64),
-            ValueRef::Real(number) => since_1970(number),
-            other => instants.read(&text(other)),
-        };
-        causes.push(Cause {
-            row: row.get::<_, i64>(0).map_err(database)? as u64,
-            resident: said(1)?,
-            seen_at: seen_at.map(|(Instant::Local(at) | Instant::Utc(at))| at),
-            sensor: said(3)?,
-            why: said(4)?.unwrap_or_default(),
-            thing: said(5)?,
-        });
+/// The truth of a run, to be asked why each row of its log is there.
+pub(crate) struct Causes<'t> {
+    truth: &'t Path,
+    connection: Connection,
+    instants: Instants,
+    firings: Rows,
+    offs: Rows,
+}
+
+/// Rows of one of the truth's tables that name rows of the log, in their order, a part of them in memory.
+struct Rows {
+    /// Asks for those after a rowid, and how many.
+    sql: &'static str,
+    /// The last that was read.
+    rowid: i64,
+    is_over: bool,
+    read: VecDeque<Cause>,
+}
+
+/// How many of them are read at once.
+const AT_ONCE: usize = 4096;
+
+// A firing that only prolongs what an ON has begun names the same row as those before it. Firings are numbered from 0 and rows
+// of a table from 1.
+const FIRINGS: &str = "SELECT rowid, row, resident, seen_at, sensor, why, thing FROM cause
+                       WHERE rowid > ?1 AND row IS NOT NULL ORDER BY rowid LIMIT ?2";
+const OFFS: &str = "SELECT off.rowid, off.row, cause.resident, cause.seen_at, cause.sensor, cause.why, cause.thing
+                    FROM off JOIN cause ON cause.rowid = off.firing + 1 AND cause.firing = off.firing
+                    WHERE off.rowid > ?1 ORDER BY off.rowid LIMIT ?2";
+
+impl Rows {
+    fn of(sql: &'static str) -> Rows {
+        Rows { sql, rowid: 0, is_over: false, read: VecDeque::new() }
     }
-    Ok(causes)
+
+    /// What is told of a row, if anything is; rows are asked for in their order.
+    fn take(&mut self, row: u64, from: &Connection, instants: &mut Instants) -> rusqlite::Result<Option<Cause>> {
+        loop {
+            match self.read.front() {
+                Some(next) if next.row > row => return Ok(None),
+                Some(next) if next.row == row => return Ok(self.read.pop_front()),
+                Some(_) => drop(self.read.pop_front()),
+                None if self.is_over => return Ok(None),
+                None => self.read_on(from, instants)?,
+            }
+        }
+    }
+
+    fn read_on(&mut self, from: &Connection, instants: &mut Instants) -> rusqlite::Result<()> {
+        let mut statement = from.prepare_cached(self.sql)?;
+        let mut rows = statement.query((self.rowid, AT_ONCE as i64))?;
+        self.is_over = true;
+        while let Some(row) = rows.next()? {
+            let said = |column| {
+                let said = text(row.get_ref(column)?).into_owned();
+                Ok::<_, rusqlite::Error>(Some(said).filter(|said| !said.is_empty()))
+            };
+            let seen_at = match row.get_ref(3)? {
+                ValueRef::Integer(number) => since_1970(number as f64),
+                ValueRef::Real(number) => since_1970(number),
+                other => instants.read(&text(other)),
+            };
+            self.read.push_back(Cause {
+                row: row.get::<_, i64>(1)? as u64,
+                resident: said(2)?,
+                seen_at: seen_at.map(|(Instant::Local(at) | Instant::Utc(at))| at),
+                sensor: said(4)?,
+                why: said(5)?.unwrap_or_default(),
+                thing: said(6)?,
+            });
+            (self.rowid, self.is_over) = (row.get(0)?, false);
+        }
+        Ok(())
+    }
+}
+
+impl Causes<'_> {
+    pub fn open(truth: &Path) -> Result<Causes<'_>, LogError> {
+        let connection = connect(truth).map_err(|error| LogError::database(truth, error))?;
+        let (firings, offs) = (Rows::of(FIRINGS), Rows::of(OFFS));
+        Ok(Causes { truth, connection, instants: Instants::default(), firings, offs })
+    }
+
+    /// The last row of the log that it tells of, if it tells of any.
+    pub fn last_row(&self) -> Result<Option<u64>, LogError> {
+        let sql = "SELECT max(row) FROM (SELECT max(row) AS row FROM cause UNION ALL SELECT max(row) FROM off)";
+        let last = self.connection.query_row(sql, [], |row| row.get::<_, Option<i64>>(0));
+        Ok(last.map_err(|error| LogError::database(self.truth, error))?.map(|row| row as u64))
+    }
+
+    /// Why a row is there, if the truth tells; rows are asked for in their order. An ON tells of the firing that it began
+    /// with; those that prolong it come later.
+    pub fn of(&mut self, row: u64) -> Result<Option<Cause>, LogError> {
+        let Causes { truth, connection, instants, firings, offs } = self;
+        let mut take = || match firings.take(row, connection, instants)? {
+            Some(cause) => Ok(Some(cause)),
+            None => offs.take(row, connection, instants),
+        };
+        take().map_err(|error| LogError::database(truth, error))
+    }
 }
 
 /// Why a row of a log is there.

@@ -14,7 +14,7 @@ const LONGEST: u64 = 1 << 16;
 /// Before the kind of a sensor there is always its value.
 const KIND: &str = "Control4-";
 
-pub(crate) fn read(path: &Path, reading: &mut Reading) -> Result<(), LogError> {
+pub(crate) fn read(path: &Path, reading: &mut Reading<'_>) -> Result<(), LogError> {
     let mut file = BufReader::new(open(path)?);
     let mut line = Vec::new();
     for number in 1.. {
@@ -28,34 +28,36 @@ pub(crate) fn read(path: &Path, reading: &mut Reading) -> Result<(), LogError> {
             file.skip_until(b'\n').map_err(|error| LogError::file(path, error))?;
             continue;
         }
-        understand(number, &String::from_utf8_lossy(&line), reading);
+        understand(number, &String::from_utf8_lossy(&line), reading)?;
     }
     Ok(())
 }
 
-fn understand(number: u64, line: &str, reading: &mut Reading) {
+fn understand(number: u64, line: &str, reading: &mut Reading<'_>) -> Result<(), LogError> {
     let line = line.trim_start_matches('\u{feff}');
     let mut words = line.split_whitespace();
-    let Some(date) = words.next() else { return };
+    let Some(date) = words.next() else { return Ok(()) };
     // `2009-03-02T07:12:03` is one word, `2009-03-02 07:12:03` two.
     let time =
         if date.contains(':') { date.to_string() } else { format!("{date} {}", words.next().unwrap_or_default()) };
     let words: Vec<&str> = words.collect();
     let Some(&sensor) = words.first() else {
-        return reading.skip(number, "there are no date, time, sensor and value".into());
+        reading.skip(number, "there are no date, time, sensor and value".into());
+        return Ok(());
     };
     let value = match words.iter().position(|word| word.starts_with(KIND)) {
         Some(kind) if kind > 1 => words.get(kind - 1),
         _ if words.len() > 2 && words[1] == sensor => words.get(2),
         _ => words.get(1),
     };
-    let rows = reading.log.events.len();
-    reading.row(number, &time, sensor, value.copied().unwrap_or_default());
+    let rows = reading.log.rows;
+    reading.row(number, &time, sensor, value.copied().unwrap_or_default())?;
     if let [.., name, note @ ("begin" | "end")] = words[2.min(words.len())..]
-        && reading.log.events.len() > rows
+        && reading.log.rows > rows
     {
         reading.note(name, note == "begin");
     }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -64,8 +66,11 @@ mod tests {
     use crate::source::Log;
 
     fn read(text: &str) -> Log {
-        let mut reading = Reading::default();
-        text.lines().enumerate().for_each(|(index, line)| understand(index as u64 + 1, line, &mut reading));
+        let mut take = |_: &Log| Ok(());
+        let mut reading = Reading::new(&mut take);
+        for (index, line) in text.lines().enumerate() {
+            understand(index as u64 + 1, line, &mut reading).unwrap();
+        }
         reading.log
     }
 

@@ -3,7 +3,7 @@
 
 use super::{Places, Reading, open};
 use crate::error::{LogError, place_of};
-use ::csv::{ByteRecord, ReaderBuilder};
+use ::csv::{ByteRecord, ReaderBuilder, Terminator};
 use homebody_core::scenario::logger::LoggerFile;
 use std::io::BufReader;
 use std::path::Path;
@@ -11,15 +11,23 @@ use std::path::Path;
 /// What some programs begin a text with.
 const MARK: char = '\u{feff}';
 
-pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading) -> Result<(), LogError> {
+pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
     let source = BufReader::new(open(path)?);
-    let mut records = ReaderBuilder::new().has_headers(false).flexible(true).from_reader(source);
+    // Lines end as on Windows, too: what is before their end is blank. So they are counted as people count them.
+    let mut builder = ReaderBuilder::new();
+    builder.has_headers(false).flexible(true).terminator(Terminator::Any(b'\n'));
+    let mut records = builder.from_reader(source);
     let mut record = ByteRecord::new();
     let mut places = None;
     let mut unknown_header: Option<String> = None;
     while records.read_byte_record(&mut record).map_err(|error| LogError::file(path, error.into()))? {
         let line = record.position().map_or(0, |position| position.line());
-        let field = |place: usize| record.get(place).map(String::from_utf8_lossy).unwrap_or_default();
+        let field = |place: usize| {
+            record.get(place).map(|field| String::from_utf8_lossy(field.trim_ascii())).unwrap_or_default()
+        };
+        if record.len() == 1 && field(0).is_empty() {
+            continue;
+        }
         if places.is_none() {
             let fields: Vec<String> =
                 (0..record.len()).map(|place| field(place).trim_start_matches(MARK).into()).collect();
@@ -38,7 +46,8 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading) -> Res
         }
         if let Some(places) = places {
             let time = field(places.time);
-            reading.row(line, time.trim_start_matches(MARK), field(places.sensor).trim(), field(places.value).trim());
+            let (sensor, value) = (field(places.sensor), field(places.value));
+            reading.row(line, time.trim_start_matches(MARK), &sensor, &value)?;
         }
     }
     match unknown_header {
@@ -51,7 +60,7 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading) -> Res
 }
 
 /// The first text that is an instant, or a number since 1970, is the time.
-fn by_content(fields: &[String], reading: &mut Reading) -> Option<Places> {
+fn by_content(fields: &[String], reading: &mut Reading<'_>) -> Option<Places> {
     let time = fields.iter().position(|text| reading.instants.read(text).is_some())?;
     (time + 2 < fields.len()).then(|| after(time))
 }

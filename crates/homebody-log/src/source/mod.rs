@@ -1,5 +1,8 @@
 //! Reads logs back: ours, and what real homes recorded. One file for each kind, all in one shape.
 //!
+//! A log is read into memory, or streamed where it may be of any size. Beside a run's log lies a table of its sensors; what it
+//! tells comes with the log.
+//!
 //! Whatever is in a file, reading does not fail because of a line: what cannot be understood is skipped and told.
 
 mod activities;
@@ -8,14 +11,17 @@ mod csv;
 mod instant;
 mod movements;
 mod run_clock;
+mod sensors;
 mod sqlite;
 
 use crate::error::{LogError, place_of};
+use crate::run_info::SensorInfo;
 use crate::sink::casas::one_word;
 use crate::url::Url;
 use activities::Notes;
 pub use activities::{Activity, Life, activities, lives};
-pub(crate) use activities::{Cause, told_causes};
+pub(crate) use activities::{Cause, Causes};
+use foldhash::HashMap;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::{DAY, Micros};
@@ -25,18 +31,23 @@ pub use movements::{Movement, MovementKind, Movements};
 pub use run_clock::RunClock;
 use serde::Serialize;
 pub(crate) use sqlite::text;
-use std::collections::HashMap;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-/// A log in memory, its rows in the order in which they were stored.
+/// A log in memory, or a part of one that is streamed; its rows in the order in which they were stored.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Log {
+    /// The ids of the sensors, in the order in which they came.
     pub sensors: Vec<String>,
+    /// What is known of sensors beside their ids, in no particular order; nothing of most.
+    pub known: Vec<SensorInfo>,
     /// What sensors said, such as `ON`.
     pub values: Vec<String>,
+    /// The rows that are in memory.
     pub events: Vec<Event>,
+    /// How many rows have been read.
+    pub rows: u64,
     pub clock: Clock,
     /// What residents did, where the log notes it.
     pub activities: Vec<Activity>,
@@ -92,18 +103,40 @@ impl Log {
     }
 }
 
-/// Reads a log; `file` tells the names of a database's table and columns, or of a CSV file's columns, where they are
-/// neither ours nor to be guessed.
+/// Reads a log into memory; `file` tells the names of a database's table and columns, or of a CSV file's columns, where they
+/// are neither ours nor to be guessed.
 pub fn read(url: &Url, file: &LoggerFile) -> Result<Log, LogError> {
+    let mut events = Vec::new();
+    let log = stream(url, file, &mut |part| {
+        events.extend_from_slice(&part.events);
+        Ok(())
+    })?;
+    Ok(Log { events, ..log })
+}
+
+/// Reads a log through and keeps none of its rows: its sensors, values and clock, how many rows it has, and what was left out.
+pub fn survey(url: &Url, file: &LoggerFile) -> Result<Log, LogError> {
+    stream(url, file, &mut |_| Ok(()))
+}
+
+/// Reads a log of any size in little memory. `take` gets its rows in parts, in their order: each time a log with the rows of
+/// that part, and with the sensors and values that have come so far. What is returned has all but the rows.
+pub fn stream(
+    url: &Url,
+    file: &LoggerFile,
+    take: &mut dyn FnMut(&Log) -> Result<(), LogError>,
+) -> Result<Log, LogError> {
     let path = url.file().unwrap_or(Path::new(""));
-    let mut reading = Reading::default();
+    let mut reading = Reading::new(take);
+    reading.log.known = sensors::beside(path)?;
     match url.scheme() {
         Scheme::Sqlite => sqlite::read(path, file, &mut reading)?,
         Scheme::Csv => csv::read(path, file, &mut reading)?,
         Scheme::Casas => casas::read(path, &mut reading)?,
     }
+    reading.hand_over()?;
     match reading.log.problems.first() {
-        Some(first) if reading.log.events.is_empty() => {
+        Some(first) if reading.log.rows == 0 => {
             Err(LogError::NoLog { place: place_of(path), why: format!("line {}: {}", first.line, first.why) })
         }
         _ => Ok(reading.log),
@@ -142,51 +175,85 @@ fn open(path: &Path) -> Result<File, LogError> {
     })
 }
 
+/// Rows that are handed over together.
+const PART: usize = 8192;
+
 /// A log that is being read, row by row.
-#[derive(Default)]
-struct Reading {
+struct Reading<'t> {
+    /// With the rows that have not been handed over yet.
     log: Log,
+    take: &'t mut dyn FnMut(&Log) -> Result<(), LogError>,
     sensors: HashMap<String, u32>,
     values: HashMap<String, u32>,
     instants: Instants,
     notes: Notes,
+    /// The instant of the last row.
+    last: Micros,
 }
 
-impl Reading {
+impl<'t> Reading<'t> {
+    fn new(take: &'t mut dyn FnMut(&Log) -> Result<(), LogError>) -> Reading<'t> {
+        let (sensors, values) = (HashMap::default(), HashMap::default());
+        let (instants, notes) = (Instants::default(), Notes::default());
+        Reading { log: Log::default(), take, sensors, values, instants, notes, last: 0 }
+    }
+
     /// Takes a row as a file writes it.
-    fn row(&mut self, line: u64, time: &str, sensor: &str, value: &str) {
+    fn row(&mut self, line: u64, time: &str, sensor: &str, value: &str) -> Result<(), LogError> {
         match self.instants.read(time) {
-            Some(instant) => self.event(line, instant, sensor, value),
+            Some(instant) => self.event(line, instant, sensor, value)?,
             None => self.skip(line, format!("{time:?} is no date and time")),
         }
+        Ok(())
     }
 
     /// Takes a row whose instant is known.
-    fn event(&mut self, line: u64, instant: Instant, sensor: &str, value: &str) {
+    fn event(&mut self, line: u64, instant: Instant, sensor: &str, value: &str) -> Result<(), LogError> {
         let (at, clock) = match instant {
             Instant::Local(at) => (at, Clock::Local),
             Instant::Utc(at) => (at, Clock::Utc),
         };
-        if !is_on_any_clock(at) {
-            return self.skip(line, "the time is out of range".into());
+        let fault = if !is_on_any_clock(at) {
+            Some("the time is out of range")
+        } else if sensor.is_empty() {
+            Some("there is no sensor")
+        } else if value.is_empty() {
+            Some("there is no value")
+        } else if self.log.rows > 0 && self.log.clock != clock {
+            Some("some instants have a zone and some have none")
+        } else {
+            None
+        };
+        if let Some(fault) = fault {
+            self.skip(line, fault.into());
+            return Ok(());
         }
-        if sensor.is_empty() || value.is_empty() {
-            return self.skip(line, format!("there is no {}", if sensor.is_empty() { "sensor" } else { "value" }));
-        }
-        if self.log.events.is_empty() {
-            self.log.clock = clock;
-        } else if self.log.clock != clock {
-            return self.skip(line, "some instants have a zone and some have none".into());
-        }
+        self.log.clock = clock;
         let sensor = number(&mut self.sensors, &mut self.log.sensors, sensor);
         let value = number(&mut self.values, &mut self.log.values, value);
+        if self.log.events.len() == PART {
+            self.hand_over()?;
+        }
         self.log.events.push(Event { at, sensor, value });
+        self.log.rows += 1;
+        self.last = at;
+        Ok(())
+    }
+
+    /// Hands over the rows that have come since the last time.
+    fn hand_over(&mut self) -> Result<(), LogError> {
+        if !self.log.events.is_empty() {
+            (self.take)(&self.log)?;
+            self.log.events.clear();
+        }
+        Ok(())
     }
 
     /// Takes a note, at the last row, that an activity begins or ends.
     fn note(&mut self, name: &str, begins: bool) {
-        let Some(last) = self.log.events.last() else { return };
-        self.log.activities.extend(self.notes.take(name, begins, last.at));
+        if self.log.rows > 0 {
+            self.log.activities.extend(self.notes.take(name, begins, self.last));
+        }
     }
 
     fn skip(&mut self, line: u64, why: String) {

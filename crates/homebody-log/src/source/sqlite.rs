@@ -17,7 +17,7 @@ struct Table {
     places: Places,
 }
 
-pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading) -> Result<(), LogError> {
+pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
     open(path)?;
     let database = |error| LogError::database(path, error);
     let connection = connect(path).map_err(database)?;
@@ -29,7 +29,28 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading) -> Res
     })?;
     let why = || "no table in it has columns of time, sensor and value".to_string();
     let table = table.ok_or_else(|| LogError::NoLog { place: place_of(path), why: why() })?;
-    read_table(&connection, file, &table, reading).map_err(database)
+    let sql = rows_of(&connection, file, &table, reading).map_err(database)?;
+    let mut statement = connection.prepare(&sql).map_err(database)?;
+    let mut rows = statement.query([]).map_err(database)?;
+    let mut line = 0;
+    while let Some(row) = rows.next().map_err(database)? {
+        line += 1;
+        let said = |column| row.get_ref(column).map(text).map_err(database);
+        let (sensor, value) = (said(1)?, said(2)?);
+        let number = match row.get_ref(0).map_err(database)? {
+            ValueRef::Integer(number) => since_1970(number as f64),
+            ValueRef::Real(number) => since_1970(number),
+            other => {
+                reading.row(line, &text(other), &sensor, &value)?;
+                continue;
+            }
+        };
+        match number {
+            Some(instant) => reading.event(line, instant, &sensor, &value)?,
+            None => reading.skip(line, "the time is out of range".into()),
+        }
+    }
+    Ok(())
 }
 
 pub(crate) fn connect(path: &Path) -> rusqlite::Result<Connection> {
@@ -49,7 +70,7 @@ pub(crate) fn connect(path: &Path) -> rusqlite::Result<Connection> {
 }
 
 /// The table named by the mapping, ours, or the first that looks like a log.
-fn find(connection: &Connection, file: &LoggerFile, reading: &mut Reading) -> rusqlite::Result<Option<Table>> {
+fn find(connection: &Connection, file: &LoggerFile, reading: &mut Reading<'_>) -> rusqlite::Result<Option<Table>> {
     let mut names: Vec<String> = connection
         .prepare("SELECT name FROM sqlite_schema WHERE type IN ('table', 'view') ORDER BY rowid")?
         .query_map([], |row| row.get(0))?
@@ -78,7 +99,7 @@ fn columns(connection: &Connection, table: &str) -> rusqlite::Result<Vec<String>
 
 /// The first instant, as text or as a number since 1970, is the time; the next two texts are sensor and value. Neither of these is an
 /// instant: what has a beginning and an end is no log. Numbers of a key, and the ids of our own runs, are no instants either.
-fn by_first_row(connection: &Connection, table: &str, reading: &mut Reading) -> rusqlite::Result<Option<Places>> {
+fn by_first_row(connection: &Connection, table: &str, reading: &mut Reading<'_>) -> rusqlite::Result<Option<Places>> {
     let key: Vec<bool> = connection
         .prepare("SELECT pk > 0 OR name = 'run_id' FROM pragma_table_info(?) ORDER BY cid")?
         .query_map([table], |row| row.get(0))?
@@ -107,12 +128,13 @@ fn by_first_row(connection: &Connection, table: &str, reading: &mut Reading) -> 
     })
 }
 
-fn read_table(
+/// What asks for time, sensor and value of a log's rows, in their order.
+fn rows_of(
     connection: &Connection,
     file: &LoggerFile,
     table: &Table,
-    reading: &mut Reading,
-) -> rusqlite::Result<()> {
+    reading: &mut Reading<'_>,
+) -> rusqlite::Result<String> {
     let column = |place: usize| quoted(&table.columns[place]);
     let has = |name: &str| table.columns.iter().any(|column| column == name).then(|| quoted(name));
     let name = quoted(&table.name);
@@ -139,26 +161,7 @@ fn read_table(
         let order: Vec<String> = run.into_iter().chain([seq]).collect();
         sql += &format!(" ORDER BY {}", order.join(", "));
     }
-    let mut statement = connection.prepare(&sql)?;
-    let mut rows = statement.query([])?;
-    let mut line = 0;
-    while let Some(row) = rows.next()? {
-        line += 1;
-        let (sensor, value) = (text(row.get_ref(1)?), text(row.get_ref(2)?));
-        let number = match row.get_ref(0)? {
-            ValueRef::Integer(number) => since_1970(number as f64),
-            ValueRef::Real(number) => since_1970(number),
-            other => {
-                reading.row(line, &text(other), &sensor, &value);
-                continue;
-            }
-        };
-        match number {
-            Some(instant) => reading.event(line, instant, &sensor, &value),
-            None => reading.skip(line, "the time is out of range".into()),
-        }
-    }
-    Ok(())
+    Ok(sql)
 }
 
 pub(crate) fn text(value: ValueRef<'_>) -> Cow<'_, str> {

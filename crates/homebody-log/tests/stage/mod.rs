@@ -8,7 +8,7 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::{Micros, SECOND};
 use homebody_log::logger::destinations;
-use homebody_log::{How, LogError, Logger, RunInfo, Stored, TruthLog, Url};
+use homebody_log::{How, Log, LogError, Logger, RunInfo, Stored, TruthLog, Url};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -69,7 +69,7 @@ pub fn run_of(sensors: &[String]) -> RunInfo {
         residents: vec!["margaret".into(), "walter".into()],
         rooms: vec!["bedroom".into(), "kitchen".into()],
         things: vec!["stove".into()],
-        ..RunInfo::plain("a quiet night", calendar(), sensors)
+        ..RunInfo::of_log("a quiet night", calendar(), &Log { sensors: sensors.to_vec(), ..Log::default() })
     }
 }
 

@@ -354,6 +354,22 @@ mod tests {
     }
 
     #[test]
+    fn what_can_be_said_is_in_the_table_of_activities_and_all_else_there_has_a_reason() {
+        use homebody_core::activity::{ACTIVITIES, LEAVING_HOME, RESTING, ROAMING, SLEEPING, VISITING};
+        let said = PHRASES.iter().map(|(activity, _)| activity).chain([&Activity::Visit]);
+        let mut labels: Vec<&str> = said.map(Activity::label).collect();
+        // The night, parts of outings and visits, and pets.
+        labels.extend([SLEEPING, LEAVING_HOME, VISITING, RESTING, ROAMING]);
+        labels.sort();
+        let mut known: Vec<&str> = ACTIVITIES.iter().map(|known| known.label).collect();
+        known.sort();
+        assert_eq!(labels, known);
+        for (activity, _) in &PHRASES {
+            assert!(homebody_core::activity::known(activity.label()).unwrap().usual.is_some(), "{activity:?}");
+        }
+    }
+
+    #[test]
     fn phrases_are_spoken_in_the_third_person() {
         assert_eq!(phrase(&Activity::WatchTelevision), "watches television");
         assert_eq!(phrase(&Activity::Eat(Meal::Dinner)), "eats dinner");

@@ -7,6 +7,7 @@ use super::life::{DayParameters, InForce, Life};
 use super::usual;
 use crate::fuzzy::Fuzzy;
 use crate::routine::{Activity, Habit, Meal, PartOfDay, When};
+use homebody_core::activity::UsualLength;
 use homebody_core::numbers::Numbers;
 use homebody_core::time::{Micros, SECOND, micros, seconds};
 
@@ -231,7 +232,7 @@ impl Planner<'_> {
             Activity::Prepare(meal) => Activity::Eat(meal),
             ref activity => activity.clone(),
         };
-        let skip = self.life.stream_of_day(self.day, &format!("skip/{}", skipped.name())).unit();
+        let skip = self.life.stream_of_day(self.day, &format!("skip/{}", skipped.label())).unit();
         if let Some(days) = habit.chance.days_a_week
             && !self.is_one_of(habit, &key, days)
         {
@@ -267,7 +268,7 @@ impl Planner<'_> {
         let lasts_s = match &habit.lasts {
             Some(lasts) => varied(lasts, share("lasts"), parameters.irregular),
             None => {
-                let (median_min, sigma) = usual::minutes(&activity, &self.life.numbers);
+                let UsualLength { median_min, sigma } = usual::length(&activity, &self.life.numbers);
                 let mut stream = self.life.stream_of_day(self.day, &format!("{key}/lasts"));
                 stream.lognormal(median_min * MINUTE, sigma * parameters.irregular.min(2.0))
             }
@@ -429,54 +430,13 @@ impl Planner<'_> {
             _ => {
                 let usual = usual::clock(activity, &self.life.numbers).map_or(12.0 * HOUR, |clock| clock.mean());
                 let start = self.life.instant(self.day, usual);
-                Some((start, start + micros(usual::minutes(activity, &self.life.numbers).0 * MINUTE)))
+                Some((start, start + micros(usual::length(activity, &self.life.numbers).median_min * MINUTE)))
             }
         }
     }
 }
 
 impl Activity {
-    /// How long it usually takes: the median in minutes, and the spread of its logarithm.
-    ///
-    /// Toilet by day and night, eating and preparing are defaults of the field without a source; durations of smart
-    /// homes have coefficients of variation of 0.4-0.8. All are ours.
-    pub(crate) fn usual_minutes(&self) -> (f64, f64) {
-        match self {
-            Activity::GetUp => (2.0, 0.4),
-            Activity::UseBathroom => (5.0, 0.6),
-            Activity::Shower => (12.0, 0.35),
-            Activity::Wash => (6.0, 0.4),
-            Activity::Dress => (8.0, 0.4),
-            Activity::TakeMedicine => (2.0, 0.4),
-            Activity::Prepare(Meal::Breakfast) => (14.0, 0.35),
-            Activity::Prepare(Meal::Lunch) => (22.0, 0.4),
-            Activity::Prepare(Meal::Dinner) => (25.0, 0.4),
-            Activity::Eat(Meal::Breakfast) => (22.0, 0.3),
-            Activity::Eat(_) => (27.0, 0.3),
-            Activity::WashUp => (9.0, 0.4),
-            Activity::WatchTelevision => (75.0, 0.5),
-            Activity::Read => (35.0, 0.5),
-            Activity::Phone => (14.0, 0.7),
-            Activity::Nap => (40.0, 0.5),
-            Activity::Laundry => (12.0, 0.4),
-            Activity::Housework => (35.0, 0.5),
-            Activity::Leave => (110.0, 0.5),
-            Activity::ComeHome => (2.0, 0.3),
-            Activity::Visit => (90.0, 0.4),
-            Activity::GoToBed => (5.0, 0.4),
-            Activity::Drink => (4.0, 0.5),
-            Activity::Snack => (7.0, 0.5),
-            Activity::Exercise => (16.0, 0.4),
-            Activity::UseComputer => (30.0, 0.5),
-            Activity::Relax => (25.0, 0.5),
-            // 20.1 cycles and 43.9 minutes a day of residents who wander (Algase 1997): 2.2 minutes each.
-            Activity::Wander | Activity::Pace | Activity::Lap => (1.7, 0.7),
-            Activity::LieAwake => (25.0, 0.5),
-            Activity::Fall => (20.0, 0.8),
-            Activity::Other(_) => (30.0, 0.4),
-        }
-    }
-
     /// When it is usually done, where nothing is said. Meals: ours, as no norms were found.
     pub(crate) fn usual_clock(&self) -> Option<Fuzzy> {
         let around = |hours: f64, minutes: f64| Some(Fuzzy::around(hours * HOUR, minutes * MINUTE));

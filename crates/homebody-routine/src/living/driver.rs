@@ -9,16 +9,18 @@ use super::body::Body;
 use super::life::{DayParameters, Life};
 use super::manner::Manner;
 use super::needs::Needs;
-use super::places::{Places, Role, Spot};
+use super::places::{Places, Spot};
 use super::script::{Interruptible, Setting, Stay, Step, script};
 use super::usual;
 use super::watch::Watches;
 use crate::routine::{Activity, Response};
+use homebody_core::activity::{self, UsualLength};
 use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::{MotionState, Need, ThingUse};
 use homebody_core::home::Home;
 use homebody_core::ids::ThingId;
 use homebody_core::random::Stream;
+use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros, SECOND, micros};
 use std::collections::{BTreeMap, VecDeque};
@@ -206,7 +208,7 @@ impl RoutineDriver {
         self.lamps(from, spot.room, now, moves);
         self.watches.arrive(spot.room, &spot.name, &self.home.plan, arrival, &self.life);
         // Who comes by sees what was left on; on an errand only at the thing itself.
-        let is_errand = self.name == Activity::Housework.name();
+        let is_errand = self.name == Activity::Housework.label();
         for thing in self.watches.left_on() {
             if self.home.plan.room_at(self.home.plan.things[thing as usize].at) == spot.room
                 && (!is_errand || spot.name == self.places.thing_name(thing))
@@ -379,12 +381,12 @@ impl RoutineDriver {
             return;
         }
         if let Some(activity) = self.needs.pressing(now, self.hour(now)) {
-            let key = format!("need/{}/{}", activity.name(), self.times(&activity));
+            let key = format!("need/{}/{}", activity.label(), self.times(&activity));
             let mut stream = self.life.stream_of_day(self.agenda.day, &key);
-            let (median_min, sigma) = match activity {
+            let UsualLength { median_min, sigma } = match activity {
                 // By night visits are shorter.
-                Activity::UseBathroom if self.needs.asleep() => (4.0, 0.4),
-                ref activity => usual::minutes(activity, &self.life.numbers),
+                Activity::UseBathroom if self.needs.asleep() => UsualLength { median_min: 4.0, sigma: 0.4 },
+                ref activity => usual::length(activity, &self.life.numbers),
             };
             let lasts = self.parameters.lasting_s(&activity, stream.lognormal(median_min * 60.0, sigma));
             self.begin(&Item::now(key, activity, micros(lasts)));
@@ -407,7 +409,7 @@ impl RoutineDriver {
             }
             Response::Turn { thing, on } => {
                 let Some(index) = self.places.thing_named(&thing) else { return };
-                let activity = Activity::Other(format!("turning_{}_{thing}", if on { "on" } else { "off" }));
+                let activity = Activity::Other(activity::turning(&thing, on));
                 self.begin(&Item::now("rule".into(), activity, 0));
                 let at = self.places.named(&thing).cloned();
                 if let Some(playing) = self.scripts.last_mut() {
@@ -417,9 +419,9 @@ impl RoutineDriver {
                 }
             }
             Response::Do { activity, place, lasts } => {
-                let key = format!("rule/{}/{}", activity.name(), self.times(&activity));
+                let key = format!("rule/{}/{}", activity.label(), self.times(&activity));
                 let mut stream = self.life.stream_of_day(self.agenda.day, &key);
-                let (median_min, sigma) = usual::minutes(&activity, &self.life.numbers);
+                let UsualLength { median_min, sigma } = usual::length(&activity, &self.life.numbers);
                 let lasts_s = match lasts {
                     Some(lasts) => lasts.draw(&mut stream),
                     None => stream.lognormal(median_min * 60.0, sigma),
@@ -460,10 +462,10 @@ impl RoutineDriver {
             steps.push_front(Step::Go(first));
         }
         self.watches.forget(left);
-        self.play(steps, stream, activity.name());
+        self.play(steps, stream, activity.label());
     }
 
-    pub(super) fn play(&mut self, mut steps: VecDeque<Step>, stream: Stream, name: String) {
+    pub(super) fn play(&mut self, mut steps: VecDeque<Step>, stream: Stream, name: &str) {
         for step in steps.iter_mut().filter(|_| self.life.numbers.are_set()) {
             if let Step::Stay(stay) = step {
                 stay.manner = stay.manner.by(&self.life.numbers);
@@ -478,7 +480,7 @@ impl RoutineDriver {
         self.scripts.push(Playing {
             steps,
             stream,
-            name,
+            name: name.into(),
             spot,
             is_interrupted: false,
             is_response: false,

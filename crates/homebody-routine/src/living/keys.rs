@@ -62,7 +62,7 @@ fn of_habit(habit: &Habit) -> String {
     if let Some(visitor) = &habit.visitor {
         text += &format!("{}: ", visitor.to_lowercase());
     }
-    text += &habit.activity.name();
+    text += habit.activity.label();
     if let Some(place) = &habit.place {
         text += &format!(" at {}", place.to_lowercase());
     }
@@ -81,9 +81,9 @@ fn of_habit(habit: &Habit) -> String {
         When::AnyTime => String::new(),
         When::At(time) => format!(" from {}", of_fuzzy(time)),
         When::Within(part) => format!(" in {}", part.word()),
-        When::After(activity, gap) => format!(" after {}{}", activity.name(), of_gap(gap)),
-        When::Before(activity, gap) => format!(" before {}{}", activity.name(), of_gap(gap)),
-        When::With(activity) => format!(" with {}", activity.name()),
+        When::After(activity, gap) => format!(" after {}{}", activity.label(), of_gap(gap)),
+        When::Before(activity, gap) => format!(" before {}{}", activity.label(), of_gap(gap)),
+        When::With(activity) => format!(" with {}", activity.label()),
         When::Then => " then".to_owned(),
     };
     for (what, amount) in [(" for ", &habit.lasts), (" until ", &habit.until)] {
@@ -107,7 +107,7 @@ fn of_rule(rule: &Rule) -> String {
         Response::Do { activity, place, lasts } => {
             let place = place.as_ref().map(|place| format!(" at {}", place.to_lowercase())).unwrap_or_default();
             let lasts = lasts.as_ref().map(|lasts| format!(" for {}", of_fuzzy(lasts))).unwrap_or_default();
-            format!("{}{place}{lasts}", activity.name())
+            format!("{}{place}{lasts}", activity.label())
         }
     };
     let (after, phase) = (of_fuzzy(&rule.lasts), of_phase(&rule.phase));
@@ -120,13 +120,13 @@ fn of_change(change: &Change) -> String {
         Effect::Shows { condition, severity } => format!("shows {condition} {severity}"),
         Effect::Pace(by) => format!("pace {}", of_fuzzy(by)),
         Effect::PaceEachWeek(by) => format!("pace each week {}", of_fuzzy(by)),
-        Effect::Later { activity, by } => format!("later {} {}", activity.name(), of_fuzzy(by)),
-        Effect::Longer { activity, factor } => format!("longer {} {}", activity.name(), of_fuzzy(factor)),
-        Effect::LongerBy { activity, by } => format!("longer by {} {}", activity.name(), of_fuzzy(by)),
+        Effect::Later { activity, by } => format!("later {} {}", activity.label(), of_fuzzy(by)),
+        Effect::Longer { activity, factor } => format!("longer {} {}", activity.label(), of_fuzzy(factor)),
+        Effect::LongerBy { activity, by } => format!("longer by {} {}", activity.label(), of_fuzzy(by)),
         Effect::Oftener { activity, part: of, factor } => {
-            format!("oftener {}{} {}", activity.name(), part(of), of_fuzzy(factor))
+            format!("oftener {}{} {}", activity.label(), part(of), of_fuzzy(factor))
         }
-        Effect::Skips { activity, chance } => format!("skips {} {chance}", activity.name()),
+        Effect::Skips { activity, chance } => format!("skips {} {chance}", activity.label()),
         Effect::Irregular(by) => format!("irregular {}", of_fuzzy(by)),
         Effect::Active { part: of, factor } => format!("active{} {}", part(of), of_fuzzy(factor)),
         Effect::Restless(by) => format!("restless {}", of_fuzzy(by)),

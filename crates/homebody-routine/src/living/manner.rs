@@ -11,6 +11,7 @@
 //!
 //! Left out: which limb moves, and that movements of one kind come in clusters.
 
+use homebody_core::activity::{FALLEN, READING, WASHING};
 use homebody_core::numbers::{Number, Numbers};
 use homebody_core::random::Stream;
 use homebody_core::time::{Micros, SECOND, micros};
@@ -46,16 +47,16 @@ impl Manner {
     pub const TURNING: Manner = manner("turning", 4.0, 0.5, 4.0, 0.4);
     /// In front of a screen, or doing nothing.
     pub const STILL: Manner = manner("still", 300.0, 2.0, 2.0, 0.2);
-    pub const READING: Manner = manner("reading", 150.0, 2.0, 2.0, 0.25);
+    pub const READING: Manner = manner(READING, 150.0, 2.0, 2.0, 0.25);
     pub const TALKING: Manner = manner("talking", 25.0, 1.5, 3.0, 0.25);
     pub const EATING: Manner = manner("eating", 40.0, 1.8, 4.0, 0.3);
     pub const ON_TOILET: Manner = manner("on_toilet", 90.0, 1.5, 3.0, 0.25);
     /// Standing and using the hands: at the stove, the sink, the wardrobe.
     pub const BUSY: Manner = manner("busy", 50.0, 1.5, 6.0, 0.4);
     /// Washing oneself.
-    pub const WASHING: Manner = manner("washing", 35.0, 1.4, 6.0, 0.4);
+    pub const WASHING: Manner = manner(WASHING, 35.0, 1.4, 6.0, 0.4);
     /// On the floor, trying to get up.
-    pub const FALLEN: Manner = manner("fallen", 45.0, 1.1, 4.0, 0.4);
+    pub const FALLEN: Manner = manner(FALLEN, 45.0, 1.1, 4.0, 0.4);
     /// An animal asleep.
     pub const CURLED_UP: Manner = manner("curled_up", 400.0, 1.0, 2.0, 0.15);
 

@@ -3,12 +3,14 @@
 use super::agenda::{self, Agenda, Item};
 use super::driver::{MINUTE, RoutineDriver};
 use super::manner::Manner;
-use super::places::{Role, Spot};
+use super::places::Spot;
 use super::script::{Interruptible, Stay, Step};
 use super::usual;
 use crate::routine::Activity;
+use homebody_core::activity::SLEEPING;
 use homebody_core::drivers::Next;
 use homebody_core::event::Vitals;
+use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, micros};
 use std::collections::VecDeque;
@@ -25,8 +27,8 @@ homebody_core::numbers! {
 impl RoutineDriver {
     pub(super) fn go_to_bed(&mut self, now: Micros) {
         self.next_item = self.agenda.items.len();
-        let bathroom = usual::minutes(&Activity::UseBathroom, &self.life.numbers);
-        let lasts = self.life.stream_of_day(self.agenda.day, "before bed").lognormal(bathroom.0 * 60.0, 0.4);
+        let bathroom = usual::length(&Activity::UseBathroom, &self.life.numbers);
+        let lasts = self.life.stream_of_day(self.agenda.day, "before bed").lognormal(bathroom.median_min * 60.0, 0.4);
         self.begin(&Item::now("before bed".into(), Activity::UseBathroom, micros(lasts)));
         self.sleep(now, false);
         // The night comes after: it has not begun, so there is nowhere to go back to.
@@ -46,7 +48,7 @@ impl RoutineDriver {
         let mut steps = VecDeque::new();
         let mut asleep = now;
         if !already {
-            steps.push_back(Step::Name(Activity::GoToBed.name()));
+            steps.push_back(Step::Name(Activity::GoToBed.label().into()));
             // First on its edge.
             let edge = self.places.of(Role::Bed).map(|bed| Spot { posture: Posture::Sitting, ..bed.clone() });
             steps.extend(edge.map(Step::Go));
@@ -72,15 +74,15 @@ impl RoutineDriver {
         wakings.sort_by(f64::total_cmp);
         for share in wakings {
             let at = asleep + ((usual_up - asleep).max(0) as f64 * share) as Micros;
-            steps.push_back(Step::Name("sleeping".into()));
+            steps.push_back(Step::Name(SLEEPING.into()));
             steps.push_back(stay(Manner::ASLEEP, Micros::MAX / 4, Some(at)));
-            steps.push_back(Step::Name(Activity::LieAwake.name()));
+            steps.push_back(Step::Name(Activity::LieAwake.label().into()));
             steps.push_back(stay(Manner::AWAKE_IN_BED, micros(stream.gamma(2.0, bout_min * 60.0)), Some(up)));
         }
-        steps.push_back(Step::Name("sleeping".into()));
+        steps.push_back(Step::Name(SLEEPING.into()));
         steps.push_back(stay(Manner::ASLEEP, Micros::MAX / 4, Some(up)));
         steps.push_back(Step::Wake);
-        self.play(steps, stream, "sleeping".into());
+        self.play(steps, stream, SLEEPING);
     }
 
     pub(super) fn lie_down(&mut self, now: Micros) {

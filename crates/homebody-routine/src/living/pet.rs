@@ -14,11 +14,13 @@
 use super::body::Body;
 use super::life::Life;
 use super::manner::Manner;
-use super::places::{Places, Role, Spot};
+use super::places::{Places, Spot};
+use homebody_core::activity;
 use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::MotionState;
 use homebody_core::numbers::Numbers;
 use homebody_core::random::Stream;
+use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros, SECOND, micros};
 use homebody_walk::Wandering;
@@ -118,9 +120,9 @@ impl PetDriver {
         let rests = !sleeps && !self.asleep && self.stream.chance(of(&RESTS));
         self.asleep = sleeps;
         let name = match (sleeps, rests) {
-            (true, _) => "sleeping",
-            (false, true) => "resting",
-            (false, false) => "roaming",
+            (true, _) => activity::SLEEPING,
+            (false, true) => activity::RESTING,
+            (false, false) => activity::ROAMING,
         };
         self.ready.push_back(Next::Activity(Some(name.into())));
         let to = match (sleeps, self.stream.unit()) {

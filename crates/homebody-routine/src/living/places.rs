@@ -2,9 +2,11 @@
 
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::{Origin, Plan};
+use homebody_core::role::Role;
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::path::Posture;
 use homebody_walk::Mesh;
+use std::collections::BTreeMap;
 
 /// A place to be, and how the body is there.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,90 +19,16 @@ pub struct Spot {
     pub is_room: bool,
     /// Whether there is a way to it from most of the home.
     pub is_reachable: bool,
+    /// The role that the home says of it, which is then its only one.
+    pub said: Option<Role>,
 }
 
 impl Spot {
-    /// Whether it is called as what fills the role, whosever it is.
+    /// Whether it fills the role, whosever it is.
     pub fn is_of(&self, role: Role) -> bool {
         let is_whole = |of: &str| of.is_empty() || of.ends_with("'s ");
-        role.names().0.iter().any(|name| self.name.strip_suffix(name).is_some_and(is_whole))
-    }
-}
-
-/// What an activity needs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Role {
-    Bed,
-    Toilet,
-    Washbasin,
-    Shower,
-    Wardrobe,
-    Fridge,
-    Stove,
-    Counter,
-    Sink,
-    Drawers,
-    Medicine,
-    DiningSeat,
-    Armchair,
-    Sofa,
-    GuestSeat,
-    Television,
-    Telephone,
-    Desk,
-    WashingMachine,
-    Dryer,
-    Coats,
-    Bookcase,
-    FrontDoor,
-    FoodBowl,
-    Basket,
-}
-
-impl Role {
-    /// The names that homes have for it, the best first, and what will do where there is none of them.
-    fn names(self) -> (&'static [&'static str], &'static [Role]) {
-        match self {
-            Role::Bed => (&["bed", "double bed", "single bed"], &[Role::Sofa, Role::Armchair]),
-            Role::Toilet => (&["toilet", "wc", "lavatory", "loo", "bathroom"], &[]),
-            Role::Washbasin => (&["washbasin", "basin", "bathroom sink", "bathroom"], &[Role::Toilet]),
-            Role::Shower => (&["shower", "bathtub", "bath", "bath tub", "bathroom"], &[Role::Washbasin]),
-            Role::Wardrobe => {
-                (&["wardrobe", "closet", "dresser", "chest of drawers", "bedside", "bedroom"], &[Role::Bed])
-            }
-            Role::Fridge => (&["fridge", "refrigerator", "freezer", "kitchen"], &[]),
-            Role::Stove => (&["stove", "cooker", "oven", "hob", "kettle", "kitchen"], &[]),
-            Role::Counter => (&["counter", "kitchen counter", "worktop", "kitchen table", "kitchen"], &[Role::Stove]),
-            Role::Sink => (&["sink", "kitchen sink", "kitchen"], &[Role::Counter, Role::Stove]),
-            Role::Drawers => {
-                (&["drawers", "drawer", "cupboard", "kitchen drawers", "cabinet", "kitchen"], &[Role::Counter])
-            }
-            Role::Medicine => (&["medicine cabinet", "medicine", "pill box"], &[Role::Counter, Role::Washbasin]),
-            Role::DiningSeat => (
-                &["dining chair", "kitchen chair", "chair", "dining table", "kitchen table", "dining room"],
-                &[Role::Armchair],
-            ),
-            Role::Armchair => (
-                &["armchair", "recliner", "easy chair", "rocking chair", "living room"],
-                &[Role::Sofa, Role::DiningSeat],
-            ),
-            Role::Sofa => (&["sofa", "couch", "settee"], &[Role::Armchair, Role::DiningSeat]),
-            Role::GuestSeat => {
-                (&["guest chair", "second armchair", "sofa", "couch", "settee"], &[Role::DiningSeat, Role::Armchair])
-            }
-            Role::Television => (&["tv", "television", "tv bench", "tv set", "tv stand"], &[]),
-            Role::Telephone => (&["telephone", "phone"], &[Role::Sofa, Role::Armchair, Role::DiningSeat]),
-            Role::Desk => {
-                (&["desk chair", "computer chair", "desk", "computer", "study"], &[Role::DiningSeat, Role::Armchair])
-            }
-            Role::WashingMachine => (&["washing machine", "washer", "laundry", "laundry closet"], &[Role::Washbasin]),
-            Role::Dryer => (&["dryer", "tumble dryer", "clothes line"], &[Role::WashingMachine, Role::Washbasin]),
-            Role::Coats => (&["coats", "coat rack", "coat cupboard", "coat hooks"], &[Role::FrontDoor]),
-            Role::Bookcase => (&["bookcase", "bookshelf", "shelf"], &[Role::Armchair]),
-            Role::FrontDoor => (&["front door", "entrance", "apartment door", "door", "entrance door", "hall"], &[]),
-            Role::FoodBowl => (&["food bowl", "bowl"], &[Role::Fridge, Role::Sink]),
-            Role::Basket => (&["basket", "cat bed", "dog bed"], &[Role::Sofa, Role::Armchair, Role::Bed]),
-        }
+        let is_called_so = || role.row().names.iter().any(|name| self.name.strip_suffix(name).is_some_and(is_whole));
+        self.said.map_or_else(is_called_so, |said| said == role)
     }
 }
 
@@ -112,8 +40,8 @@ pub struct Places {
     whose: String,
     /// The way out, inside the door, and the door.
     door: Option<(Spot, Option<usize>)>,
-    /// The things of the plan, in small letters, and where the lamps begin among them.
-    things: Vec<String>,
+    /// The things of the plan, in small letters, with the roles that the home says of them, and where the lamps begin among them.
+    things: Vec<(String, Option<Role>)>,
     lamps: usize,
     /// What to look at or dust on a round through the home.
     stations: Vec<Spot>,
@@ -127,17 +55,22 @@ impl Places {
             _ => None,
         });
         let seats: Vec<&String> = seats.collect();
+        let said = home.furniture.iter().filter_map(|piece| Some((piece.name.to_lowercase(), piece.role?)));
+        let said: BTreeMap<String, Role> = said.collect();
         let spot = |name: &str, at, posture| {
             let name = name.to_lowercase();
             let is_room = home.rooms.iter().any(|room| room.name.to_lowercase() == name);
-            Spot { name, at, posture, room: plan.room_at(at), is_room, is_reachable: true }
+            let said = said.get(&name).copied().filter(|_| !is_room);
+            Spot { name, at, posture, room: plan.room_at(at), is_room, is_reachable: true, said }
         };
         let place = |(name, at): &(String, Point)| {
             let lower = name.to_lowercase();
-            let posture = match () {
-                () if !seats.contains(&name) || is_stood_in(&lower) => Posture::Standing,
-                () if words(&lower).any(|word| word.ends_with("bed")) => Posture::Lying,
-                () => Posture::Sitting,
+            let posture = match said.get(&lower).and_then(|role| role.row().posture) {
+                _ if !seats.contains(&name) => Posture::Standing,
+                Some(posture) => posture,
+                None if is_stood_in(&lower) => Posture::Standing,
+                None if words(&lower).any(|word| word.ends_with("bed")) => Posture::Lying,
+                None => Posture::Sitting,
             };
             spot(name, *at, posture)
         };
@@ -145,7 +78,8 @@ impl Places {
         // What nobody can be in, people stand beside, on any side that there is a way to.
         let mut sides: Vec<(usize, Vec<Point>)> = Vec::new();
         for (index, piece) in home.furniture.iter().enumerate() {
-            let known = spots.iter().any(|spot| spot.name == piece.name.to_lowercase());
+            let name = piece.name.to_lowercase();
+            let known = spots.iter().any(|spot| spot.name == name && (spot.said.is_some() || piece.role.is_none()));
             let solid = plan.solids.iter().find(|solid| solid.origin == Origin::Furniture(index));
             if let (false, Some(solid)) = (known, solid) {
                 let around = beside(plan, &solid.outline);
@@ -163,7 +97,9 @@ impl Places {
                 *spot = Spot { at, room: plan.room_at(at), is_reachable: true, ..spot.clone() };
             }
         }
-        let things = plan.things.iter().map(|thing| thing.name.to_lowercase()).collect();
+        let roles = home.doors.iter().map(|_| None).chain(home.furniture.iter().map(|piece| piece.role));
+        let roles = roles.chain(std::iter::repeat(None));
+        let things = plan.things.iter().map(|thing| thing.name.to_lowercase()).zip(roles).collect();
         let mut places = Places {
             spots,
             whose: format!("{}'s", resident.to_lowercase()),
@@ -197,16 +133,25 @@ impl Places {
         all().find(|spot| spot.is_reachable).or_else(|| all().next())
     }
 
-    /// What fills the role itself, the best first: what is called after the resident before what is anybody's.
+    /// What fills the role itself, the best first: what is called after the resident before what is anybody's, and of each
+    /// what the home says it of before what is only called so.
     fn own(&self, role: Role) -> impl Iterator<Item = &Spot> {
-        let (names, _) = role.names();
-        let own = names.iter().filter_map(|name| self.own_spot(name));
-        own.chain(names.iter().filter_map(|name| self.spot(name)))
+        let names = role.row().names;
+        let said = || self.spots.iter().filter(move |spot| spot.said == Some(role));
+        let own = said().filter(|spot| self.own_name(&spot.name).is_some());
+        let own = own.chain(names.iter().filter_map(|name| self.called(|spot| self.own_name(spot) == Some(name))));
+        own.chain(said().filter(|spot| !is_somebodys(&spot.name)))
+            .chain(names.iter().filter_map(|name| self.called(|spot| spot == *name)))
+    }
+
+    /// The first spot of a name by which its role is known.
+    fn called(&self, fits: impl Fn(&str) -> bool) -> Option<&Spot> {
+        self.spots.iter().find(|spot| spot.said.is_none() && fits(&spot.name))
     }
 
     /// What will do where nothing fills the role itself.
     fn instead(&self, role: Role) -> impl Iterator<Item = &Spot> {
-        role.names().1.iter().flat_map(|&role| self.own(role))
+        role.row().instead.iter().flat_map(|&role| self.own(role))
     }
 
     /// What would fill the role if there were a way to it: nothing where there is one to something as good. Standing is not as
@@ -230,11 +175,9 @@ impl Places {
 
     /// Of several toilets or washbasins that there is a way to the nearest as the crow flies, else as [`Places::of`].
     pub fn nearest(&self, role: Role, at: Point) -> Option<&Spot> {
-        let best = role.names().0[0];
-        let several = self
-            .spots
-            .iter()
-            .filter(|spot| spot.is_reachable && spot.name.ends_with(best) && !spot.name.contains('\''));
+        let best = role.row().names[0];
+        let is_of = |spot: &&Spot| spot.said.map_or_else(|| spot.name.ends_with(best), |said| said == role);
+        let several = self.spots.iter().filter(|spot| spot.is_reachable && !spot.name.contains('\'')).filter(is_of);
         let nearest = several.min_by(|a, b| a.at.distance(at).total_cmp(&b.at.distance(at)));
         let is_own = self.of(role).is_some_and(|spot| spot.name.starts_with(&self.whose));
         if is_own { self.of(role) } else { nearest.or_else(|| self.of(role)) }
@@ -252,17 +195,25 @@ impl Places {
         {
             return thing.map(|thing| thing as u32);
         }
-        let (names, _) = role.names();
+        let names = role.row().names;
         // The lamp of the kitchen is no stove.
         let things = &self.things[..self.lamps];
-        let own = names.iter().find_map(|name| things.iter().position(|thing| self.own_name(thing) == Some(name)));
-        let thing = own.or_else(|| names.iter().find_map(|name| things.iter().position(|thing| thing == name)));
+        let said =
+            |fits: &dyn Fn(&str) -> bool| things.iter().position(|(thing, said)| *said == Some(role) && fits(thing));
+        let called = |fits: &dyn Fn(&str, &str) -> bool| {
+            let thing = |name| things.iter().position(|(thing, said)| said.is_none() && fits(thing, name));
+            names.iter().find_map(|name| thing(name))
+        };
+        let thing = said(&|thing| self.own_name(thing).is_some())
+            .or_else(|| called(&|thing, name| self.own_name(thing) == Some(name)))
+            .or_else(|| said(&|thing| !is_somebodys(thing)))
+            .or_else(|| called(&|thing, name| thing == name));
         thing.map(|thing| thing as u32)
     }
 
     pub fn thing_named(&self, name: &str) -> Option<u32> {
         let name = name.to_lowercase();
-        self.things.iter().position(|thing| *thing == name).map(|index| index as u32)
+        self.things.iter().position(|(thing, _)| *thing == name).map(|index| index as u32)
     }
 
     /// The lamp of a room.
@@ -272,7 +223,7 @@ impl Places {
 
     /// The name of a thing, in small letters.
     pub fn thing_name(&self, thing: u32) -> &str {
-        &self.things[thing as usize]
+        &self.things[thing as usize].0
     }
 
     /// What to look at on a round through the home.
@@ -296,18 +247,18 @@ impl Places {
 
     /// The way out, and its door: the one that the home calls so, else where a place of that name is.
     fn find_door(&self, home: &HomeFile, plan: &Plan) -> Option<(Spot, Option<usize>)> {
-        let (names, _) = Role::FrontDoor.names();
+        let names = Role::FrontDoor.row().names;
         let outside = home.doors.iter().position(|door| door.outside);
         let is_place = |spot: &&Spot| home.places.iter().any(|place| place.name.to_lowercase() == spot.name);
         let place = names.iter().find_map(|name| self.spot(name).filter(is_place)).cloned();
-        let room = names.iter().find_map(|name| self.spot(name)).cloned();
+        let room = names.iter().find_map(|name| self.called(|spot| spot == *name)).cloned();
         let thing =
-            outside.or_else(|| names.iter().find_map(|name| self.things.iter().position(|thing| thing == name)));
+            outside.or_else(|| names.iter().find_map(|name| self.things.iter().position(|(thing, _)| thing == name)));
         let at_door = || {
             let door = &plan.things[outside?];
             let at = just_inside(plan, door.at);
             let (name, room) = (door.name.to_lowercase(), plan.room_at(at));
-            Some(Spot { name, at, posture: Posture::Standing, room, is_room: false, is_reachable: true })
+            Some(Spot { name, at, posture: Posture::Standing, room, is_room: false, is_reachable: true, said: None })
         };
         place.or_else(at_door).or(room).map(|spot| (spot, thing))
     }
@@ -365,6 +316,11 @@ fn hub(spots: &[Spot], mesh: &Mesh) -> Option<Point> {
         }
     }
     parts.into_iter().reduce(|a, b| if b.1 > a.1 { b } else { a }).map(|(of, _)| of)
+}
+
+/// Whether it is called after somebody, such as `ruth's bed`.
+fn is_somebodys(name: &str) -> bool {
+    name.contains("'s ")
 }
 
 /// What people stand in although they can enter it.

@@ -2,11 +2,13 @@
 
 use super::life::DayParameters;
 use super::manner::Manner;
-use super::places::{Places, Role, Spot};
+use super::places::{Places, Spot};
 use crate::routine::{Activity, Meal};
+use homebody_core::activity::LEAVING_HOME;
 use homebody_core::event::Need;
 use homebody_core::geometry::Point;
 use homebody_core::random::Stream;
+use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, micros, seconds};
 use homebody_walk::Wandering;
@@ -81,35 +83,6 @@ struct Steps<'a, 'b> {
     setting: &'b mut Setting<'a>,
 }
 
-/// Where an activity takes somebody, but for rounds and walks that go anywhere.
-pub fn roles(activity: &Activity) -> &'static [Role] {
-    use Role::*;
-    match activity {
-        Activity::GetUp | Activity::GoToBed | Activity::LieAwake => &[Bed],
-        Activity::UseBathroom => &[Toilet, Washbasin],
-        Activity::Shower => &[Shower, Washbasin],
-        Activity::Wash => &[Washbasin],
-        Activity::Dress => &[Wardrobe],
-        Activity::TakeMedicine => &[Medicine, Sink],
-        Activity::Prepare(_) => &[Fridge, Drawers, Counter, Stove, Sink],
-        Activity::Eat(_) => &[DiningSeat],
-        Activity::WashUp => &[Sink],
-        Activity::WatchTelevision | Activity::Read | Activity::Exercise | Activity::Relax => &[Armchair],
-        Activity::Phone => &[Telephone],
-        Activity::Nap => &[Bed, Armchair],
-        Activity::Laundry => &[WashingMachine, Dryer],
-        Activity::Leave => &[Coats, FrontDoor],
-        Activity::ComeHome | Activity::Housework => &[],
-        Activity::Visit => &[FrontDoor, Armchair, GuestSeat],
-        Activity::Drink => &[Stove, Sink, DiningSeat],
-        Activity::Snack => &[Fridge, DiningSeat],
-        Activity::UseComputer => &[Desk],
-        Activity::Wander | Activity::Pace | Activity::Lap | Activity::Fall => &[],
-        // Where it is said, else on a seat.
-        Activity::Other(_) => &[Armchair],
-    }
-}
-
 /// The steps of an activity that lasts so long in all, at a place that was said or where it is usually done.
 pub fn script(
     activity: &Activity,
@@ -119,7 +92,7 @@ pub fn script(
     setting: &mut Setting,
 ) -> VecDeque<Step> {
     let mut steps = Steps { steps: VecDeque::new(), setting };
-    steps.push(Step::Name(activity.name()));
+    steps.push(Step::Name(activity.label().into()));
     steps.act_out(activity, place, lasts, until);
     steps.steps
 }
@@ -352,13 +325,13 @@ impl Steps<'_, '_> {
     }
 
     fn leave(&mut self, lasts: Micros, until: Option<Micros>) {
-        self.push(Step::Name("leaving_home".into()));
+        self.push(Step::Name(LEAVING_HOME.into()));
         let dressing = self.around(80.0);
         self.at(Role::Coats, None, dressing, Manner::BUSY, Interruptible::Rules);
         self.through_the_door();
-        self.push(Step::Name(Activity::Leave.name()));
+        self.push(Step::Name(Activity::Leave.label().into()));
         self.push(Step::Away { lasts, until });
-        self.push(Step::Name(Activity::ComeHome.name()));
+        self.push(Step::Name(Activity::ComeHome.label().into()));
         self.act(Role::FrontDoor, true);
         let inside = self.around(6.0);
         self.stay(Posture::Standing, Manner::BUSY, inside, Interruptible::Rules);
@@ -453,7 +426,7 @@ mod tests {
             if matches!(activity, Activity::GetUp | Activity::GoToBed) {
                 continue;
             }
-            let names = roles(activity).iter().map(|&role| places.of(role).unwrap().name.clone());
+            let names = activity.roles().iter().map(|&role| places.of(role).unwrap().name.clone());
             assert_eq!(ways(activity, &places), names.collect(), "{activity:?}");
         }
         // The seat of who visits is none of the host's script.

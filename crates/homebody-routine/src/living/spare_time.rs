@@ -3,10 +3,10 @@
 use super::agenda::Item;
 use super::driver::{MINUTE, RoutineDriver};
 use super::manner::Manner;
-use super::places::Role;
 use super::script::{Interruptible, Stay, Step};
 use crate::routine::Activity;
 use homebody_core::numbers::{Number, Numbers};
+use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, micros};
 
@@ -35,9 +35,9 @@ homebody_core::numbers! {
 /// The numbers of what fills the time.
 pub(super) fn numbers() -> Vec<Number> {
     let of = |(activity, weight, minutes): &(Activity, f64, f64)| {
-        let row = activity.name();
+        let row = activity.label();
         let number = |column: &str, value, unit, range, what: String| {
-            Number::of_table([TABLE, &row, column], value, unit, range, what, file!())
+            Number::of_table([TABLE, row, column], value, unit, range, what, file!())
         };
         let often = format!("How often `{row}` fills the time, in comparison.");
         let long = format!("The median length of `{row}` where it fills the time.");
@@ -52,8 +52,8 @@ fn fillers(numbers: &Numbers) -> [(Activity, f64, f64); 6] {
         return FILLERS;
     }
     FILLERS.map(|(activity, weight, minutes)| {
-        let row = activity.name();
-        let of = |column: &str, value| numbers.of_table([TABLE, &row, column], value);
+        let row = activity.label();
+        let of = |column: &str, value| numbers.of_table([TABLE, row, column], value);
         let (weight, minutes) = (of("weight", weight), of("minutes", minutes));
         (activity, weight, minutes)
     })
@@ -89,8 +89,8 @@ impl RoutineDriver {
                 until: Some(until.max(now + SECOND)),
                 may: Interruptible::Interrupt,
             };
-            let steps = [Step::Name(Activity::Relax.name()), Step::Stay(stay)];
-            return self.play(steps.into(), stream, Activity::Relax.name());
+            let steps = [Step::Name(Activity::Relax.label().into()), Step::Stay(stay)];
+            return self.play(steps.into(), stream, Activity::Relax.label());
         }
         let lasts = micros(
             self.parameters

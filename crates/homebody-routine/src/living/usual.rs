@@ -1,7 +1,9 @@
-//! How long activities take and when they are done where nothing is said, as the scenario's numbers have it.
+//! How long activities take and when they are done where nothing is said, as the scenario's numbers have it: those of the
+//! table of activities, unless they are set.
 
 use crate::fuzzy::Fuzzy;
 use crate::routine::{Activity, Meal};
+use homebody_core::activity::UsualLength;
 use homebody_core::numbers::{Number, Numbers};
 
 /// The table that these numbers are of.
@@ -49,21 +51,21 @@ const ALL: [Activity; 34] = [
 ];
 
 /// What the numbers of an activity are called after.
-pub(super) fn row(activity: &Activity) -> String {
+fn row(activity: &Activity) -> &str {
     match activity {
-        Activity::Other(_) => "other".into(),
-        activity => activity.name(),
+        Activity::Other(_) => "other",
+        activity => activity.label(),
     }
 }
 
-/// How long an activity takes: the median in minutes, and the spread of its logarithm.
-pub(super) fn minutes(activity: &Activity, numbers: &Numbers) -> (f64, f64) {
-    let (median_min, sigma) = activity.usual_minutes();
-    if !numbers.are_set() {
-        return (median_min, sigma);
-    }
+/// How long an activity takes.
+pub(super) fn length(activity: &Activity, numbers: &Numbers) -> UsualLength {
+    let UsualLength { median_min, sigma } = activity.usual_length();
     let row = row(activity);
-    (numbers.of_table([TABLE, &row, "minutes"], median_min), numbers.of_table([TABLE, &row, "spread"], sigma))
+    UsualLength {
+        median_min: numbers.of_table([TABLE, row, "minutes"], median_min),
+        sigma: numbers.of_table([TABLE, row, "spread"], sigma),
+    }
 }
 
 /// When an activity is done, in seconds since midnight, where it has a time of its own.
@@ -74,8 +76,8 @@ pub(super) fn clock(activity: &Activity, numbers: &Numbers) -> Option<Fuzzy> {
     }
     let (around_h, spread_min) = parts(&own?);
     let row = row(activity);
-    let around_h = numbers.of_table([TABLE, &row, "clock"], around_h);
-    let spread_min = numbers.of_table([TABLE, &row, "clock_spread"], spread_min);
+    let around_h = numbers.of_table([TABLE, row, "clock"], around_h);
+    let spread_min = numbers.of_table([TABLE, row, "clock_spread"], spread_min);
     Some(Fuzzy::around(around_h * HOUR, spread_min * MINUTE))
 }
 
@@ -86,15 +88,14 @@ fn parts(clock: &Fuzzy) -> (f64, f64) {
 
 /// All of these numbers.
 pub(super) fn numbers() -> Vec<Number> {
-    let file = "crates/homebody-routine/src/living/agenda.rs";
     let mut numbers = Vec::new();
     for activity in &ALL {
         let row = row(activity);
         let mut add = |column: &str, value, unit, range, what: &str| {
             let what = format!("{what} `{row}`, where nothing is said.");
-            numbers.push(Number::of_table([TABLE, &row, column], value, unit, range, what, file));
+            numbers.push(Number::of_table([TABLE, row, column], value, unit, range, what, file!()));
         };
-        let (median_min, sigma) = activity.usual_minutes();
+        let UsualLength { median_min, sigma } = activity.usual_length();
         add("minutes", median_min, "min", [0.1, 600.0], "The median length of");
         add("spread", sigma, "1", [0.0, 2.0], "The standard deviation of the logarithm of the length of");
         if let Some(clock) = activity.usual_clock() {
@@ -117,12 +118,12 @@ mod tests {
             numbers().into_iter().map(|number| (number.name.into_owned(), number.value)).collect();
         let (set, none) = (Numbers::new(&own), Numbers::default());
         for activity in &ALL {
-            assert_eq!(minutes(activity, &set), minutes(activity, &none), "{activity:?}");
+            assert_eq!(length(activity, &set), length(activity, &none), "{activity:?}");
             assert_eq!(clock(activity, &set), clock(activity, &none), "{activity:?}");
         }
         let longer = Numbers::new(&[("activity.reading.minutes".to_owned(), 60.0)].into());
-        assert_eq!(minutes(&Activity::Read, &longer), (60.0, Activity::Read.usual_minutes().1));
-        assert_eq!(minutes(&Activity::Phone, &longer), Activity::Phone.usual_minutes());
+        assert_eq!(length(&Activity::Read, &longer), UsualLength { median_min: 60.0, ..Activity::Read.usual_length() });
+        assert_eq!(length(&Activity::Phone, &longer), Activity::Phone.usual_length());
         let later = Numbers::new(&[("activity.napping.clock".to_owned(), 15.0)].into());
         assert_eq!(clock(&Activity::Nap, &later), Some(Fuzzy::around(15.0 * HOUR, 45.0 * MINUTE)));
     }

@@ -4,10 +4,11 @@
 use super::agenda::Agenda;
 use super::driver::{MINUTE, RoutineDriver};
 use super::manner::Manner;
-use super::places::Role;
 use super::script::{Interruptible, Stay, Step};
+use homebody_core::activity::VISITING;
 use homebody_core::drivers::{MotionSegment, Next};
 use homebody_core::event::MotionState;
+use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND};
 use std::collections::VecDeque;
@@ -48,7 +49,7 @@ impl RoutineDriver {
             Step::Stay(Stay { posture, manner: Manner::TALKING, left, until: None, may: Interruptible::Nothing })
         };
         let mut steps = VecDeque::from([Step::Away { lasts: 0, until: Some(item.start + 20 * SECOND) }]);
-        steps.push_back(Step::Name("visiting".into()));
+        steps.push_back(Step::Name(VISITING.into()));
         steps.push_back(talk(Posture::Standing, 40 * SECOND));
         if let Some(seat) = self.places.of(Role::GuestSeat) {
             steps.push_back(Step::Go(seat.clone()));
@@ -58,6 +59,6 @@ impl RoutineDriver {
         steps.push_back(talk(Posture::Standing, 40 * SECOND));
         // Out of the home is no activity of theirs.
         steps.push_back(Step::Name(String::new()));
-        self.play(steps, stream, "visiting".into());
+        self.play(steps, stream, VISITING);
     }
 }

@@ -1,6 +1,6 @@
 //! `homebody label`: a log with what the truth says of each row.
 
-use super::convert::tell_remarks;
+use super::convert::{rows_bar, tell_remarks};
 use crate::failure::Failure;
 use crate::print::tell;
 use homebody_core::scenario::calendar::Calendar;
@@ -8,7 +8,7 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_kit::place_of_log;
 use homebody_log::fresh::same_file;
 use homebody_log::places::TRUTH;
-use homebody_log::{How, Labelled, Url, label, read};
+use homebody_log::{How, Labelled, Transfer, Url, label, survey};
 use std::path::{Path, PathBuf};
 
 /// Joins a log with the truth of its run: each row with whose doing it was, in which room they were, what they were doing,
@@ -48,11 +48,16 @@ impl Arguments {
         if sources.into_iter().flatten().zip(self.to.file()).any(|(one, other)| same_file(one, other)) {
             return Err(Failure::Io(format!("{} cannot become itself\n  hint: name another file", self.to)));
         }
-        let log = read(&from, &LoggerFile::default())?;
+        let mapping = LoggerFile::default();
+        let log = survey(&from, &mapping)?;
         tell_remarks(&self.log, &log);
         let how = if self.force { How::Replace } else { How::New };
-        let labelled = label(&log, &truth, &self.to, &self.log, &self.time_zone, how)?;
-        let Labelled { rows, somebodys, nobodys, unexplained } = labelled;
+        let (name, zone) = (&self.log, &self.time_zone);
+        let transfer = Transfer { from: &from, mapping: &mapping, to: &self.to, name, zone, how };
+        let progress = rows_bar(log.rows);
+        let labelled = label(&transfer, &log, &truth, |rows| progress.set_position(rows));
+        progress.finish_and_clear();
+        let Labelled { rows, somebodys, nobodys, unexplained } = labelled?;
         tell(format_args!("{}: {rows} rows, {somebodys} of somebody's doing, {nobodys} of nobody's", self.to));
         if unexplained > 0 {
             tell(format_args!("{unexplained} rows have no cause in the truth"));

@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::length::{Length, length};
 use crate::pace::Asked;
 use homebody_core::time::Micros;
-use homebody_kit::{OpenScenario, Unfinished, open};
+use homebody_kit::{LIST, OpenScenario, Unfinished, UnfinishedCohort, open};
 use std::path::{Path, PathBuf};
 
 /// Lives a scenario and stores what its sensors say.
@@ -65,10 +65,10 @@ pub struct Arguments {
     #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..=100_000),
           conflicts_with_all = ["out", "truth", "record", "force", "control", "speed", "paused"])]
     residents: Option<u32>,
-    /// Go on with the run in this folder, which was killed or stopped
+    /// Go on with the run or the cohort in this folder, which was killed or stopped
     ///
     /// It is lived again from its beginning: what is there is compared, what is missing is written. In the end log and truth have
-    /// the bytes of a run that nothing has disturbed.
+    /// the bytes of a run that nothing has disturbed. Of a cohort, those who were lived to the end stay, all others are gone on with.
     #[arg(long, value_name = "FOLDER",
           conflicts_with_all = ["scenario", "length", "seed", "without", "numbers", "residents", "profiles", "out", "truth", "record", "force"])]
     resume: Option<PathBuf>,
@@ -124,8 +124,15 @@ impl Arguments {
         live(run, self.record, &self.output)
     }
 
-    /// Goes on with a run that was killed or stopped.
+    /// Goes on with a run or a cohort that was killed or stopped.
     fn go_on(&self, folder: &Path) -> Result<(), Failure> {
+        if folder.join(LIST).is_file() {
+            let cohort = UnfinishedCohort::open(folder)?.cancel(&cancel_on_signal());
+            let progress = self.output.progress(cohort.progress().length);
+            let lived = cohort.go_on(|lived| show(&progress, lived));
+            progress.finish_and_clear();
+            return cohort::report(&self.output, &lived?);
+        }
         let run = Unfinished::open(folder)?.paced(self.pace.pace(), self.pace.commands(), &cancel_on_signal());
         let name = run.scenario().file.name.clone();
         let progress = self.output.progress(run.progress().length);

@@ -3,6 +3,8 @@
 use crate::flat::flat;
 use crate::folder::Folder;
 use rusqlite::Connection;
+use serde_json::Value;
+use std::collections::BTreeMap;
 use std::fs;
 use std::thread;
 use std::time::{Duration, Instant};
@@ -18,7 +20,7 @@ const SPAN: &str = "3d";
 /// A scenario whose log goes to one place, and how long a run of it takes that nothing disturbs: it is `runs/flat-1`.
 fn undisturbed(scheme: &str, log: &str) -> (Folder, Duration) {
     let folder = flat();
-    let mut logger: serde_json::Value = serde_json::from_str(&folder.read("flat/logger.json")).unwrap();
+    let mut logger: Value = serde_json::from_str(&folder.read("flat/logger.json")).unwrap();
     logger["to"] = serde_json::json!([format!("{scheme}:{log}")]);
     folder.write("flat/logger.json", logger.to_string());
     let begun = Instant::now();
@@ -89,6 +91,51 @@ fn a_run_that_was_stopped_is_gone_on_with() {
     }
 }
 
+/// Both kinds of cohorts, the listed one with texts that only its rows name.
+#[test]
+fn a_cohort_goes_on_with_the_members_that_are_missing() {
+    let folder = Folder::new();
+    folder.copy_scenario("tigerplace");
+    folder.write("tigerplace/late.routine", "The person gets up at 09:00.\n");
+    folder.write("tigerplace/conditions/low-mood.routine", "The person goes to bed 1 hour earlier.\n");
+    let list = "name;routine;conditions;seed\nbea;late.routine;;\ncarl, or c;;low mood;7\ndora;;;\nemil;;;\n";
+    folder.write("people.csv", list);
+    for who in ["--residents 4", "--profiles people.csv"] {
+        let live = format!("run tigerplace {who} --for 2d --quiet");
+        let begun = Instant::now();
+        folder.run(&live).ok();
+        let (whole, took) = (left(&folder, "tigerplace-1"), begun.elapsed());
+        assert!(whole.len() > 4 * 4);
+        folder.run("run --resume runs/tigerplace-1").fails(2, "is complete: there is nothing to go on with");
+        for share in [0.0, 0.3, 0.6, 0.9] {
+            let running = folder.start(&live);
+            folder.until("the cohort is begun", |folder| folder.path("runs/tigerplace-2/cohort.json").exists());
+            thread::sleep(took.mul_f64(share));
+            running.kill();
+            let members = serde_json::from_str::<Value>(&folder.read("runs/tigerplace-2/cohort.json")).unwrap();
+            let is_over = !members["members"].as_array().unwrap().is_empty();
+            assert!(share > 0.5 || !is_over, "it was killed on its way");
+            if !is_over {
+                folder.run("run --resume runs/tigerplace-2 --quiet").ok();
+            }
+            assert_eq!(differ(&folder, "tigerplace-2", &whole), Vec::<String>::new(), "{who}, killed after {share}");
+            fs::remove_dir_all(folder.path("runs/tigerplace-2")).unwrap();
+        }
+        // One who is lost is lived again; all others stay.
+        let one = whole.iter().find_map(|(name, _)| name.strip_suffix("/recording.json")).unwrap();
+        fs::remove_dir_all(folder.path(&format!("runs/tigerplace-1/{one}"))).unwrap();
+        folder.run("run --resume runs/tigerplace-1 --quiet").ok();
+        assert_eq!(differ(&folder, "tigerplace-1", &whole), Vec::<String>::new(), "{who}, without {one}");
+        // The control: a member of another cohort is not passed off as one of this.
+        let recording = folder.read(&format!("runs/tigerplace-1/{one}/recording.json"));
+        let mut other: Value = serde_json::from_str(&recording).unwrap();
+        (other["run_id"], other["sha256"]) = (7.into(), "".into());
+        folder.write(&format!("runs/tigerplace-1/{one}/recording.json"), other.to_string());
+        folder.run("run --resume runs/tigerplace-1").fails(2, "it is of another cohort");
+        fs::remove_dir_all(folder.path("runs/tigerplace-1")).unwrap();
+    }
+}
+
 /// The negative control: where what is there was changed, it is not passed off as the run.
 #[test]
 fn what_was_changed_is_not_gone_on_with() {
@@ -119,32 +166,98 @@ fn what_was_changed_is_not_gone_on_with() {
     folder.run("run flat --resume runs/flat-2").fails(2, "cannot be used with");
 }
 
+/// A row as SQL tells it, cut into its cells.
+fn cells(rows: Vec<String>) -> Vec<Vec<String>> {
+    rows.iter().map(|row| row.split('|').map(str::to_owned).collect()).collect()
+}
+
+/// What SQL tells of an empty cell.
+const NOTHING: &str = "NULL";
+
+/// What the spans of a table say of a resident at an instant, looked for from the first to the last.
+fn said_at(spans: &[Vec<String>], who: &str, at: &str) -> String {
+    let found = spans.iter().find(|span| span[0] == who && span[1].as_str() <= at && at < span[2].as_str());
+    found.map_or(NOTHING, |span| &span[3]).to_owned()
+}
+
+/// Labels a run and joins it by hand, row by row. How many rows there are, and how many the truth caused.
+fn labelled_by_hand(folder: &Folder, run: &str) -> (usize, usize) {
+    folder.run(&format!("label runs/{run} --to sqlite:{run}.db")).ok();
+    let truth = |sql: &str| cells(folder.query(&format!("runs/{run}/truth.db"), sql));
+    let labelled =
+        "SELECT seq, fired_at, sensor, value, resident, room, activity, cause, thing FROM labelled ORDER BY seq";
+    let labelled = cells(folder.query(&format!("{run}.db"), labelled));
+    let log = "SELECT seq, fired_at, sensor, value FROM firing ORDER BY seq";
+    let rows = cells(folder.query(&format!("runs/{run}/log.db"), log));
+    let mut causes: BTreeMap<String, Vec<Vec<String>>> = BTreeMap::new();
+    for cause in truth("SELECT sensor, fired_at, resident, why, thing, seen_at FROM cause ORDER BY firing") {
+        causes.entry(cause[0].clone()).or_default().push(cause);
+    }
+    let rooms = truth(
+        "SELECT resident, at, coalesce(lead(at) OVER (PARTITION BY resident ORDER BY at, rowid), '9'), room FROM room",
+    );
+    let activities = truth("SELECT resident, begin_at, end_at, name FROM activity WHERE name IS NOT NULL");
+    assert_eq!(rows.len(), labelled.len());
+    let mut caused = 0;
+    for (row, labelled) in rows.iter().zip(&labelled) {
+        assert_eq!(row[..], labelled[..4]);
+        // By hand: an ON is of the firing that was stored at its instant, an OFF of the sensor's last firing before it.
+        let of_sensor = &causes[&row[2]];
+        let cause = match row[3].as_str() {
+            "OFF" | "false" if row[2].ends_with("motion") => of_sensor.iter().rfind(|cause| cause[1] < row[1]),
+            _ => of_sensor.iter().find(|cause| cause[1] == row[1]),
+        };
+        let cause = cause.unwrap_or_else(|| panic!("{row:?} has a cause"));
+        let [who, why, thing, seen_at] = [&cause[2], &cause[3], &cause[4], &cause[5]];
+        let [room, activity] = match who.as_str() {
+            NOTHING => [NOTHING.to_owned(), NOTHING.to_owned()],
+            who => [said_at(&rooms, who, seen_at), said_at(&activities, who, seen_at)],
+        };
+        assert_eq!(labelled[4..], [who.clone(), room, activity, why.clone(), thing.clone()], "{row:?}");
+        caused += usize::from(who != NOTHING);
+    }
+    (rows.len(), caused)
+}
+
 #[test]
 fn labels_are_those_of_a_join_by_hand() {
-    for messages in [r#"{ "on_off": { "hold_s": 4 } }"#, r#""fire_only""#] {
-        let folder = flat();
-        let mut logger: serde_json::Value = serde_json::from_str(&folder.read("flat/logger.json")).unwrap();
+    let modes = [r#"{ "on_off": { "hold_s": 4 } }"#, r#"{ "occupancy": { "timeout_s": 90 } }"#, r#""fire_only""#];
+    // What is lost, delayed, doubled and invented on the way.
+    let link =
+        r#"{ "preset": "zigbee", "loss": 0.05, "delay_s": [0, 0.4], "duplicates": 0.05, "false_fires_per_h": 2 }"#;
+    for (messages, linked) in modes.into_iter().flat_map(|messages| [(messages, false), (messages, true)]) {
+        let folder = Folder::new();
+        folder.copy_scenario("tigerplace");
+        let mut logger: Value = serde_json::from_str(&folder.read("tigerplace/logger.json")).unwrap();
         logger["messages"] = serde_json::from_str(messages).unwrap();
-        folder.write("flat/logger.json", logger.to_string());
-        folder.run("run flat --for 30m --quiet").ok();
-        folder.run("label runs/flat-1 --to sqlite:labelled.db").ok();
-        let labelled =
-            folder.query("labelled.db", "SELECT seq, sensor, value, resident, cause FROM labelled ORDER BY seq");
-        // By hand: an ON is of the first firing since the last OFF of its sensor, an OFF of the last firing before it.
-        let rows = folder.query("runs/flat-1/log.db", "SELECT seq, fired_at, sensor, value FROM firing ORDER BY seq");
-        let causes =
-            folder.query("runs/flat-1/truth.db", "SELECT fired_at, sensor, resident, why FROM cause ORDER BY firing");
-        let parts = |row: &String| row.split('|').map(str::to_owned).collect::<Vec<_>>();
-        let causes: Vec<Vec<String>> = causes.iter().map(parts).collect();
-        assert!(rows.len() > 100 && labelled.len() == rows.len());
-        for (row, labelled) in rows.iter().map(parts).zip(labelled.iter().map(parts)) {
-            let of_sensor = || causes.iter().filter(|cause| cause[1] == row[2]);
-            let cause = match row[3].as_str() {
-                "OFF" => of_sensor().rfind(|cause| cause[0] < row[1]),
-                _ => of_sensor().find(|cause| cause[0] == row[1]),
-            };
-            let cause = cause.expect("each row has its cause");
-            assert_eq!(labelled[3..], cause[2..], "{row:?}");
+        // Under our own names, which are easier to ask for.
+        for own in ["table", "columns", "ids", "values"] {
+            logger.as_object_mut().unwrap().remove(own);
         }
+        folder.write("tigerplace/logger.json", logger.to_string());
+        if linked {
+            folder.write("tigerplace/link.json", link);
+            let mut scenario: Value = serde_json::from_str(&folder.read("tigerplace/scenario.json")).unwrap();
+            scenario["link"] = "link.json".into();
+            folder.write("tigerplace/scenario.json", scenario.to_string());
+        }
+        folder.run("run tigerplace --for 2d --quiet").ok();
+        let (rows, caused) = labelled_by_hand(&folder, "tigerplace-1");
+        println!("{messages}, {}: {rows} rows, {caused} caused", if linked { "a bad link" } else { "no link" });
+        assert!(rows > 1000 && caused * 2 > rows && (caused < rows || !linked));
     }
+}
+
+/// The control: the truth of another run is refused, before anything is written.
+#[test]
+fn labels_of_another_run_are_refused() {
+    let folder = flat();
+    folder.run("run flat --for 30m --quiet").ok();
+    folder.run("run flat --for 20m --quiet").ok();
+    folder.run("label runs/flat-2 runs/flat-1/truth.db --to csv:labelled.csv").fails(1, "it tells of row");
+    folder.edit("flat/home.json", "KitchenWall", "OtherWall");
+    folder.run("run flat --for 30m --quiet").ok();
+    folder.run("label runs/flat-1 runs/flat-3/truth.db --to csv:labelled.csv").fails(1, "is of another sensor");
+    folder.run("label runs/flat-1 --to sqlite:runs/flat-1/log.db").fails(1, "cannot become itself");
+    assert!(!folder.path("labelled.csv").exists());
 }

@@ -7,6 +7,7 @@ mod arrows;
 mod circles;
 mod commands;
 mod documents;
+mod labels;
 mod markdown;
 mod numbers;
 mod purity;

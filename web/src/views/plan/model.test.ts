@@ -99,6 +99,11 @@ test('fields come from the schema, with their bounds, units and what holds witho
   expect(fields.get('preset')).toMatchObject({ form: 'choice' });
   const level = fields.get('level')!;
   expect(level.form === 'way' && level.options.map(({ value, fields }) => [value, fields.length])).toEqual([['paper', 0], ['sensitivity', 1], ['zones', 3]]);
+  const role = fieldsOf(flat.byId.get('furniture/0')!).find(({ path }) => path.at(-1) === 'role')!;
+  expect(role).toMatchObject({ form: 'choice', label: 'Role', required: false, fallback: undefined });
+  expect(role.form === 'choice' && role.options.slice(0, 2).map(({ value, title, about }) => [value, title, about])).toEqual([
+    ['', 'as its name says', ''], ['bed', 'bed', 'Where somebody sleeps.'],
+  ]);
   expect(fieldsOf(flat.byId.get('rooms/0')!).map(({ form }) => form)).toEqual(['text', 'corners']);
   expect(fieldsOf(flat.byId.get('sensors/1')!).map(({ form }) => form)).toEqual(['text', 'bearer', 'list', 'number', 'numbers', 'numbers', 'number']);
   expect(homeFields().map(({ path }) => path)).toEqual([['name'], ['about'], ['latitude_deg']]);

@@ -14,6 +14,7 @@ type Schema = {
   items?: Schema;
   oneOf?: Schema[];
   allOf?: Schema[];
+  anyOf?: Schema[];
   const?: string;
   default?: unknown;
   description?: string;
@@ -76,11 +77,12 @@ const LABELS: Record<string, string> = {
 const CHOICES: Record<string, string> = {
   'level paper': 'any change in a beam', 'level sensitivity': 'large changes only', 'level zones': 'changes between zones',
   'preset paper': 'Godsey and Skubic 2009', 'preset x10_ms16a': 'X10 ActiveEye MS16A', 'preset casas_pulse': 'CASAS, a pulse of 4 s',
+  'role ': 'as its name says',
   'preset casas_follow': 'CASAS, while it lasts', 'preset aqara': 'Aqara RTCGQ11LM', 'preset hue': 'Philips Hue',
 };
 
 function resolved(of: Schema): Schema {
-  const ref = of.$ref ?? of.allOf?.[0]?.$ref;
+  const ref = of.$ref ?? of.allOf?.[0]?.$ref ?? of.anyOf?.find(({ $ref }) => $ref !== undefined)?.$ref;
   return ref === undefined ? of : { ...root.definitions[ref.split('/').at(-1)!]!, ...of };
 }
 
@@ -113,6 +115,9 @@ function field(key: string, raw: Schema, path: Path, required: boolean): Field |
       const nested = one.const === undefined ? resolved(one.properties?.[name] ?? {}) : undefined;
       return { value: name, title: CHOICES[`${key} ${name}`] ?? spoken(name), about: one.description ?? '', plain: nested === undefined, fields: nested ? fieldsOfObject(nested, [...path, key, name]) : [] };
     });
+    // What may be left out, and then is nothing in particular, can be chosen to be left out.
+    const silence = { value: '', title: CHOICES[`${key} `] ?? 'nothing', about: '', plain: true, fields: [] };
+    if (!required && of.default === undefined) options.unshift(silence);
     return options.every(({ plain }) => plain) ? { ...base, form: 'choice', options } : { ...base, form: 'way', options };
   }
   if (types.includes('string')) return { ...base, form: 'text', longest: of.maxLength ?? 4000, long: of.maxLength === undefined };

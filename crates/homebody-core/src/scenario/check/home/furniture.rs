@@ -4,6 +4,7 @@ use super::Report;
 use super::areas::{check_convex, keeps_within};
 use crate::home::plan::{Plan, furniture_outline};
 use crate::scenario::home::HomeFile;
+use crate::scenario::path::Posture;
 
 /// Checks each piece by itself; says whether all have an outline.
 pub fn check_shapes(report: &mut Report, home: &HomeFile) -> bool {
@@ -23,6 +24,17 @@ pub fn check_shapes(report: &mut Report, home: &HomeFile) -> bool {
         }
     }
     report.count() == before
+}
+
+/// What somebody lies in has to be enterable.
+pub fn check_roles(report: &mut Report, home: &HomeFile) {
+    for (index, piece) in home.furniture.iter().enumerate() {
+        let is_lain_in = piece.role.is_some_and(|role| role.row().posture == Some(Posture::Lying));
+        if is_lain_in && !piece.enterable {
+            let hint = "say of it \"enterable\": true, or give the role to another piece";
+            report.hinted(&format!("/furniture/{index}/role"), format!("nobody can lie in {:?}", piece.name), hint);
+        }
+    }
 }
 
 pub fn check_within(report: &mut Report, home: &HomeFile, plan: &Plan) {

@@ -21,6 +21,7 @@ use crate::scenario::source::Source;
 pub fn check(source: &Source, home: &HomeFile, problems: &mut Vec<Problem>) -> Option<Plan> {
     let report = &mut Report { source, problems };
     names::check(report, home);
+    furniture::check_roles(report, home);
     let before = report.count();
     check_size(report, home);
     rooms::check(report, home);

@@ -1,0 +1,343 @@
+//! What activities are called, and of which groups they are: the one table that lives, studies, pictures and the page go by.
+//!
+//! A label is what the truth says: once there are logs with it, it stays. Scenarios and real logs name activities as they like,
+//! too, `Cook` or `Personal_Hygiene`: what is not in the table is of the kind whose words its own words begin with.
+
+use crate::names::words;
+use crate::role::Role;
+use crate::sensors::form::Colour;
+use serde::Serialize;
+
+/// A kind of activity of daily living, which has one colour in all pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ActivityKind {
+    /// In bed at night, and naps.
+    Sleep,
+    /// Of the body: toilet, washing, dressing.
+    Care,
+    /// Meals and drinks, their preparation and the dishes.
+    Food,
+    /// Laundry and cleaning.
+    Housework,
+    /// What is done for pleasure, and work.
+    Leisure,
+    /// Taking medicine.
+    Medicine,
+    /// Out of the home, leaving and coming back, and being a guest.
+    Out,
+    /// All else.
+    Other,
+}
+
+/// What time is used for, as time-use surveys group it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum TimeUse {
+    /// In bed at night, asleep or not, and naps.
+    Sleep,
+    /// Of the body, with medicine.
+    Care,
+    /// Meals, snacks and drinks.
+    Eating,
+    /// Cooking, dishes, laundry, cleaning.
+    Household,
+    /// Watching television.
+    Television,
+    /// Reading.
+    Reading,
+    /// Doing nothing in particular.
+    Relaxing,
+    /// Talking to somebody who visits or phones.
+    Company,
+    /// At the computer.
+    Computer,
+    /// Out of the home, leaving and coming back.
+    Out,
+    /// All else.
+    Other,
+}
+
+/// An activity that lives tell of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct KnownActivity {
+    /// What the truth calls it.
+    pub label: &'static str,
+    /// What is done, in words that a sentence can begin with.
+    pub about: &'static str,
+    pub kind: ActivityKind,
+    pub time_use: TimeUse,
+    /// How long it usually takes where nothing is said; `None` for what lasts as long as something else does.
+    pub usual: Option<UsualLength>,
+    /// Where it takes somebody; nothing for what is done anywhere.
+    pub roles: &'static [Role],
+}
+
+/// The lognormal distribution of a duration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UsualLength {
+    /// In minutes.
+    pub median_min: f64,
+    /// The standard deviation of the logarithm.
+    pub sigma: f64,
+}
+
+macro_rules! activities {
+    ($($name:ident $label:literal: $about:literal, $kind:ident, $time_use:ident, $usual:expr, [$($role:ident),*];)*) => {
+        $(
+            #[doc = concat!($about, ": the label `", $label, "`.")]
+            pub const $name: &str = $label;
+        )*
+
+        /// All that lives tell of, in the order in which documents list them.
+        pub const ACTIVITIES: &[KnownActivity] = &[$(KnownActivity {
+            label: $name,
+            about: $about,
+            kind: ActivityKind::$kind,
+            time_use: TimeUse::$time_use,
+            usual: $usual,
+            roles: &[$(Role::$role),*],
+        }),*];
+    };
+}
+
+const fn around(median_min: f64, sigma: f64) -> Option<UsualLength> {
+    Some(UsualLength { median_min, sigma })
+}
+
+// Label, what is done, kind, use of time, the usual length as median in minutes and sigma, and the roles of furniture. Toilet by
+// day and night, eating and preparing are defaults of the field without a source; durations in smart homes have coefficients of
+// variation of 0.4-0.8. All are ours.
+activities! {
+    GETTING_UP "getting_up": "Getting up: sitting on the edge of the bed", Care, Care, around(2.0, 0.4), [Bed];
+    USING_BATHROOM "using_bathroom": "On the toilet, and washing hands after it",
+        Care, Care, around(5.0, 0.6), [Toilet, Washbasin];
+    SHOWERING "showering": "A shower or a bath, and drying after it",
+        Care, Care, around(12.0, 0.35), [Shower, Washbasin];
+    WASHING "washing": "Washing oneself, brushing teeth", Care, Care, around(6.0, 0.4), [Washbasin];
+    DRESSING "dressing": "Getting dressed", Care, Care, around(8.0, 0.4), [Wardrobe];
+    TAKING_MEDICINE "taking_medicine": "Taking medicine, with water",
+        Medicine, Care, around(2.0, 0.4), [Medicine, Sink];
+    PREPARING_BREAKFAST "preparing_breakfast": "Preparing breakfast",
+        Food, Household, around(14.0, 0.35), [Fridge, Drawers, Counter, Stove, Sink];
+    PREPARING_LUNCH "preparing_lunch": "Preparing lunch",
+        Food, Household, around(22.0, 0.4), [Fridge, Drawers, Counter, Stove, Sink];
+    PREPARING_DINNER "preparing_dinner": "Preparing dinner",
+        Food, Household, around(25.0, 0.4), [Fridge, Drawers, Counter, Stove, Sink];
+    EATING_BREAKFAST "eating_breakfast": "Eating breakfast", Food, Eating, around(22.0, 0.3), [DiningSeat];
+    EATING_LUNCH "eating_lunch": "Eating lunch", Food, Eating, around(27.0, 0.3), [DiningSeat];
+    EATING_DINNER "eating_dinner": "Eating dinner", Food, Eating, around(27.0, 0.3), [DiningSeat];
+    WASHING_UP "washing_up": "Doing the dishes", Food, Household, around(9.0, 0.4), [Sink];
+    WATCHING_TELEVISION "watching_television": "Watching television",
+        Leisure, Television, around(75.0, 0.5), [Armchair];
+    READING "reading": "Reading", Leisure, Reading, around(35.0, 0.5), [Armchair];
+    TELEPHONING "telephoning": "On the telephone", Leisure, Company, around(14.0, 0.7), [Telephone];
+    NAPPING "napping": "A nap by day, in bed or on a seat", Sleep, Sleep, around(40.0, 0.5), [Bed, Armchair];
+    LAUNDRY "laundry": "Washing and drying clothes", Housework, Household, around(12.0, 0.4), [WashingMachine, Dryer];
+    HOUSEWORK "housework": "A round through the home: tidying, dusting, small errands",
+        Housework, Household, around(35.0, 0.5), [];
+    LEAVING_HOME "leaving_home": "Putting on a coat and going to the door", Out, Out, None, [Coats, FrontDoor];
+    AWAY "away": "Out of the home", Out, Out, around(110.0, 0.5), [Coats, FrontDoor];
+    COMING_HOME "coming_home": "Coming home, and whatever that takes", Out, Out, around(2.0, 0.3), [];
+    VISIT "visit": "Somebody who does not live there is there: the host lets them in and talks to them",
+        Other, Company, around(90.0, 0.4), [FrontDoor, Armchair, GuestSeat];
+    VISITING "visiting": "Being that guest, from the door to the seat and back",
+        Out, Other, None, [FrontDoor, GuestSeat];
+    GOING_TO_BED "going_to_bed": "Lying down at night, and falling asleep", Sleep, Sleep, around(5.0, 0.4), [Bed];
+    SLEEPING "sleeping": "Asleep at night; of a pet, at any time", Sleep, Sleep, None, [Bed];
+    LYING_AWAKE "lying_awake": "Awake in bed at night", Other, Sleep, around(25.0, 0.5), [Bed];
+    DRINKING "drinking": "Making a drink and having it", Food, Eating, around(4.0, 0.5), [Stove, Sink, DiningSeat];
+    HAVING_A_SNACK "having_a_snack": "Something from the refrigerator, eaten at the table",
+        Food, Eating, around(7.0, 0.5), [Fridge, DiningSeat];
+    EXERCISING "exercising": "Exercises", Other, Other, around(16.0, 0.4), [Armchair];
+    USING_COMPUTER "using_computer": "At the computer", Leisure, Computer, around(30.0, 0.5), [Desk];
+    RELAXING "relaxing": "Sitting and doing nothing in particular", Leisure, Relaxing, around(25.0, 0.5), [Armchair];
+    // 20.1 cycles and 43.9 minutes a day of residents who wander (Algase 1997): 2.2 minutes each.
+    WANDERING "wandering": "Walking without a goal", Other, Other, around(1.7, 0.7), [];
+    PACING "pacing": "Walking to and fro", Other, Other, around(1.7, 0.7), [];
+    LAPPING "lapping": "Walking round and round", Other, Other, around(1.7, 0.7), [];
+    FALLEN "fallen": "On the floor after a fall, and getting up from there", Other, Other, around(20.0, 0.8), [];
+    RESTING "resting": "Of a pet: sitting there and looking", Leisure, Other, None, [];
+    ROAMING "roaming": "Of a pet: short rounds through the home, to the bowl and to its places",
+        Other, Other, None, [FoodBowl];
+}
+
+/// How the words of other names begin, by kind; the first that fits counts. The lists are ours.
+pub const KIND_WORDS: [(ActivityKind, &[&str]); 8] = [
+    (ActivityKind::Medicine, &["medic", "pill", "tablet"]),
+    (ActivityKind::Food, &["dish", "washing up", "wash up"]),
+    (
+        ActivityKind::Care,
+        &["toilet", "bath", "shower", "wash", "hygien", "groom", "dress", "getting up", "get up", "teeth", "shav"],
+    ),
+    (
+        ActivityKind::Out,
+        &["away", "out", "outing", "leav", "coming home", "enter home", "errand", "shop", "church", "visiting"],
+    ),
+    (ActivityKind::Sleep, &["sleep", "nap", "bed", "night"]),
+    (
+        ActivityKind::Food,
+        &["cook", "eat", "meal", "breakfast", "lunch", "dinner", "supper", "snack", "drink", "tea", "coffee", "food"],
+    ),
+    (ActivityKind::Housework, &["laundry", "house", "clean", "tid", "vacuum", "iron", "chore"]),
+    (
+        ActivityKind::Leisure,
+        &[
+            "relax", "rest", "read", "tele", "tv", "watch", "knit", "phone", "work", "desk", "comput", "music", "sit",
+            "hobby",
+        ],
+    ),
+];
+
+/// What the truth calls turning a thing on or opening it, or the opposite, because of a rule: `turning_off_stove`.
+pub fn turning(thing: &str, on: bool) -> String {
+    format!("turning_{}_{thing}", if on { "on" } else { "off" })
+}
+
+/// The row of a label, if the table has it.
+pub fn known(label: &str) -> Option<&'static KnownActivity> {
+    ACTIVITIES.iter().find(|known| known.label == label)
+}
+
+impl ActivityKind {
+    /// In the order of the table.
+    pub const ALL: [ActivityKind; 8] = [
+        ActivityKind::Sleep,
+        ActivityKind::Care,
+        ActivityKind::Food,
+        ActivityKind::Housework,
+        ActivityKind::Leisure,
+        ActivityKind::Medicine,
+        ActivityKind::Out,
+        ActivityKind::Other,
+    ];
+
+    /// The kind that a name is of, whoever gave it: that of the table's row, however the label is written, else by its words.
+    pub fn of(name: &str) -> ActivityKind {
+        let label = words(name).join("_");
+        known(&label).map_or_else(|| ActivityKind::by_words(name), |known| known.kind)
+    }
+
+    /// The kind whose words a name's own begin with.
+    fn by_words(name: &str) -> ActivityKind {
+        let name = format!(" {}", words(name).join(" "));
+        let fits = |begin: &&str| name.contains(&format!(" {begin}"));
+        let found = KIND_WORDS.iter().find(|(_, begins)| begins.iter().any(fits));
+        found.map_or(ActivityKind::Other, |(kind, _)| *kind)
+    }
+
+    /// Its colour in all pictures; `None`: that of text.
+    pub fn colour(self) -> Option<Colour> {
+        match self {
+            ActivityKind::Sleep => Some(Colour::Blue),
+            ActivityKind::Care => Some(Colour::Sky),
+            ActivityKind::Food => Some(Colour::Orange),
+            ActivityKind::Housework => Some(Colour::Purple),
+            ActivityKind::Leisure => Some(Colour::Green),
+            ActivityKind::Medicine => Some(Colour::Vermillion),
+            ActivityKind::Out => None,
+            ActivityKind::Other => Some(Colour::Yellow),
+        }
+    }
+
+    /// For people.
+    pub fn in_words(self) -> &'static str {
+        match self {
+            ActivityKind::Sleep => "sleep",
+            ActivityKind::Care => "toilet, washing, dressing",
+            ActivityKind::Food => "meals and kitchen",
+            ActivityKind::Housework => "housework",
+            ActivityKind::Leisure => "leisure and work",
+            ActivityKind::Medicine => "medicine",
+            ActivityKind::Out => "out of the home",
+            ActivityKind::Other => "other",
+        }
+    }
+}
+
+impl TimeUse {
+    /// In the order in which hours of a day are listed.
+    pub const ALL: [TimeUse; 11] = [
+        TimeUse::Sleep,
+        TimeUse::Care,
+        TimeUse::Eating,
+        TimeUse::Household,
+        TimeUse::Television,
+        TimeUse::Reading,
+        TimeUse::Relaxing,
+        TimeUse::Company,
+        TimeUse::Computer,
+        TimeUse::Out,
+        TimeUse::Other,
+    ];
+
+    /// What the time of an activity counts as; of one that the table does not have, as something else.
+    pub fn of(label: &str) -> TimeUse {
+        known(label).map_or(TimeUse::Other, |known| known.time_use)
+    }
+
+    /// For people.
+    pub fn in_words(self) -> &'static str {
+        match self {
+            TimeUse::Sleep => "sleep and bed",
+            TimeUse::Care => "care of the body",
+            TimeUse::Eating => "eating and drinking",
+            TimeUse::Household => "household",
+            TimeUse::Television => "television",
+            TimeUse::Reading => "reading",
+            TimeUse::Relaxing => "relaxing",
+            TimeUse::Company => "company",
+            TimeUse::Computer => "computer",
+            TimeUse::Out => "out of the home",
+            TimeUse::Other => "else",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_of_their_kinds() {
+        use ActivityKind::*;
+        for (name, kind) in [
+            ("Bed_Toilet_Transition", Care),
+            ("Personal_Hygiene", Care),
+            ("Wash_Dishes", Food),
+            ("drinking_tea", Food),
+            ("Eat", Food),
+            ("television", Leisure),
+            ("telephone", Leisure),
+            ("Work", Leisure),
+            ("Take_Medicine", Medicine),
+            ("Leave_Home", Out),
+            ("Enter_Home", Out),
+            ("strolling", Other),
+            ("", Other),
+        ] {
+            assert_eq!(ActivityKind::of(name), kind, "{name}");
+        }
+    }
+
+    #[test]
+    fn a_label_is_of_its_kind_however_it_is_written() {
+        for known in ACTIVITIES {
+            assert_eq!(words(known.label).join("_"), known.label);
+            for name in [known.label.to_owned(), known.label.to_uppercase(), known.label.replace('_', " ")] {
+                assert_eq!(ActivityKind::of(&name), known.kind, "{name}");
+            }
+        }
+        // The words alone would have it in bed.
+        assert_eq!(
+            (ActivityKind::of("Lying_Awake"), ActivityKind::of("Lying in bed")),
+            (ActivityKind::Other, ActivityKind::Sleep)
+        );
+    }
+
+    #[test]
+    fn no_label_comes_twice() {
+        let labels: std::collections::BTreeSet<&str> = ACTIVITIES.iter().map(|known| known.label).collect();
+        assert_eq!(labels.len(), ACTIVITIES.len());
+    }
+}

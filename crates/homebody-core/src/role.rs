@@ -1,0 +1,154 @@
+//! What pieces of furniture are for: the one table of roles, which lives, check, page and documents read.
+//!
+//! A piece fills the roles that its name implies, `couch` that of a sofa, unless `home.json` says its `role`: then it fills
+//! that one and no other.
+
+use crate::scenario::path::Posture;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A row of the table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RoleRow {
+    pub role: Role,
+    /// What it is for, a sentence.
+    pub about: &'static str,
+    /// The names that homes have for what fills it, in small letters, the best first.
+    pub names: &'static [&'static str],
+    /// What will do where nothing fills it, the best first.
+    pub instead: &'static [Role],
+    /// How a body is in an enterable piece that says this role; `None`: as the piece's name says.
+    pub posture: Option<Posture>,
+}
+
+macro_rules! roles {
+    ($(#[doc = $about:literal] $(#[$more:meta])* $role:ident $names:tt or [$($instead:ident),*], $posture:expr;)*) => {
+        /// What an activity needs, and what a piece of furniture can be for.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+        #[serde(rename_all = "snake_case")]
+        #[schemars(title = "role")]
+        pub enum Role {
+            $(#[doc = $about] $(#[$more])* $role),*
+        }
+
+        /// All roles, in the order of [`Role`].
+        pub static ROLES: &[RoleRow] = &[$(RoleRow {
+            role: Role::$role,
+            about: $about.trim_ascii(),
+            names: &$names,
+            instead: &[$(Role::$instead),*],
+            posture: $posture,
+        }),*];
+    };
+}
+
+const LYING: Option<Posture> = Some(Posture::Lying);
+const SITTING: Option<Posture> = Some(Posture::Sitting);
+const STANDING: Option<Posture> = Some(Posture::Standing);
+
+roles! {
+    /// Where somebody sleeps.
+    Bed ["bed", "double bed", "single bed"] or [Sofa, Armchair], LYING;
+    /// What is flushed.
+    Toilet ["toilet", "wc", "lavatory", "loo", "bathroom"] or [], SITTING;
+    /// Where somebody washes.
+    Washbasin ["washbasin", "basin", "bathroom sink", "bathroom"] or [Toilet], STANDING;
+    /// Where somebody takes a shower or a bath.
+    Shower ["shower", "bathtub", "bath", "bath tub", "bathroom"] or [Washbasin], STANDING;
+    /// Where somebody dresses.
+    Wardrobe ["wardrobe", "closet", "dresser", "chest of drawers", "bedside", "bedroom"] or [Bed], STANDING;
+    /// Where food is kept cold.
+    Fridge ["fridge", "refrigerator", "freezer", "kitchen"] or [], STANDING;
+    /// What is cooked on.
+    Stove ["stove", "cooker", "oven", "hob", "kettle", "kitchen"] or [], STANDING;
+    /// Where food is cut and mixed.
+    Counter ["counter", "kitchen counter", "worktop", "kitchen table", "kitchen"] or [Stove], STANDING;
+    /// Where dishes are done.
+    Sink ["sink", "kitchen sink", "kitchen"] or [Counter, Stove], STANDING;
+    /// Where pots and plates are kept.
+    Drawers ["drawers", "drawer", "cupboard", "kitchen drawers", "cabinet", "kitchen"] or [Counter], STANDING;
+    /// Where medicine is kept.
+    Medicine ["medicine cabinet", "medicine", "pill box"] or [Counter, Washbasin], STANDING;
+    /// Where somebody sits at meals.
+    DiningSeat ["dining chair", "kitchen chair", "chair", "dining table", "kitchen table", "dining room"] or [Armchair], SITTING;
+    /// Where somebody sits to read, watch television and rest.
+    Armchair ["armchair", "recliner", "easy chair", "rocking chair", "living room"] or [Sofa, DiningSeat], SITTING;
+    /// A seat for several.
+    Sofa ["sofa", "couch", "settee"] or [Armchair, DiningSeat], SITTING;
+    /// Where who visits sits.
+    GuestSeat ["guest chair", "second armchair", "sofa", "couch", "settee"] or [DiningSeat, Armchair], SITTING;
+    /// What is turned on to watch television.
+    Television ["tv", "television", "tv bench", "tv set", "tv stand"] or [], STANDING;
+    /// Where somebody is on the telephone.
+    Telephone ["telephone", "phone"] or [Sofa, Armchair, DiningSeat], None;
+    /// Where somebody uses a computer.
+    Desk ["desk chair", "computer chair", "desk", "computer", "study"] or [DiningSeat, Armchair], SITTING;
+    /// What clothes are washed in.
+    WashingMachine ["washing machine", "washer", "laundry", "laundry closet"] or [Washbasin], STANDING;
+    /// Where clothes are dried.
+    Dryer ["dryer", "tumble dryer", "clothes line"] or [WashingMachine, Washbasin], STANDING;
+    /// Where coats hang.
+    Coats ["coats", "coat rack", "coat cupboard", "coat hooks"] or [FrontDoor], STANDING;
+    /// Where books are kept.
+    Bookcase ["bookcase", "bookshelf", "shelf"] or [Armchair], STANDING;
+    /// The way out, which is a door or a place, and no piece of furniture.
+    #[serde(skip)]
+    FrontDoor ["front door", "entrance", "apartment door", "door", "entrance door", "hall"] or [], STANDING;
+    /// What a pet eats from.
+    FoodBowl ["food bowl", "bowl"] or [Fridge, Sink], STANDING;
+    /// Where a pet sleeps.
+    Basket ["basket", "cat bed", "dog bed"] or [Sofa, Armchair, Bed], None;
+}
+
+impl Role {
+    /// Its row of the table.
+    pub fn row(self) -> &'static RoleRow {
+        &ROLES[self as usize]
+    }
+
+    /// What `home.json` calls it, such as `dining_seat`; `None` for the way out, which no piece of furniture is.
+    pub fn key(self) -> Option<String> {
+        let key = serde_json::to_value(self).ok()?;
+        key.as_str().map(str::to_owned)
+    }
+
+    /// The roles that a name implies, in small letters, in the order of the table.
+    pub fn of_name(name: &str) -> impl Iterator<Item = Role> {
+        ROLES.iter().filter(move |row| row.names.contains(&name)).map(|row| row.role)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn each_role_has_its_own_row() {
+        for (index, row) in ROLES.iter().enumerate() {
+            assert_eq!((row.role as usize, row.role.row().role), (index, row.role));
+            assert!(row.about.ends_with('.') && !row.instead.contains(&row.role), "{:?}", row.role);
+            let names: BTreeSet<&str> = row.names.iter().copied().collect();
+            assert_eq!(names.len(), row.names.len(), "{:?}", row.role);
+            assert!(row.names.iter().all(|name| *name == name.to_lowercase()), "{:?}", row.role);
+        }
+    }
+
+    #[test]
+    fn a_role_is_said_as_its_key() {
+        let keys: BTreeSet<String> = ROLES.iter().filter_map(|row| row.role.key()).collect();
+        assert_eq!(keys.len(), ROLES.len() - 1);
+        assert_eq!(Role::FrontDoor.key(), None);
+        for row in ROLES.iter().filter(|row| row.role != Role::FrontDoor) {
+            let key = row.role.key().unwrap();
+            assert_eq!(serde_json::from_value::<Role>(key.into()).unwrap(), row.role);
+        }
+        assert!(serde_json::from_value::<Role>("front_door".into()).is_err());
+    }
+
+    #[test]
+    fn one_name_may_imply_several_roles() {
+        assert_eq!(Role::of_name("couch").collect::<Vec<_>>(), [Role::Sofa, Role::GuestSeat]);
+        assert_eq!(Role::of_name("table").count(), 0);
+    }
+}

@@ -1,0 +1,152 @@
+//! Destinations of one's own, and what becomes of a run when one of them fails, hangs, is full, or comes back.
+
+mod stage;
+
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::time::Micros;
+use homebody_log::logger::destinations;
+use homebody_log::table::{Batch, Cell};
+use homebody_log::{Begin, Destination, How, LogError, Logger, Policy, Sink, Stored, Watermark};
+use stage::Folder;
+use std::sync::{Arc, Mutex};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// What a destination has got: the numbers of its rows, and whether the run's end was told.
+#[derive(Default)]
+struct Got {
+    rows: Vec<i64>,
+    ended: bool,
+}
+
+/// What a destination does with its n-th batch.
+type Deed = fn(usize) -> Result<(), LogError>;
+
+struct Own {
+    got: Arc<Mutex<Got>>,
+    batches: usize,
+    deed: Deed,
+}
+
+impl Sink for Own {
+    fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
+        assert_eq!(begin.run.sensor_names(), stage::sensors());
+        Ok(Watermark::none())
+    }
+
+    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
+        self.batches += 1;
+        (self.deed)(self.batches)?;
+        let numbers = batch.rows().map(|row| match row.cells[0] {
+            Cell::Integer(number) => number,
+            _ => panic!("the number of a row is a number"),
+        });
+        self.got.lock().unwrap().rows.extend(numbers);
+        Ok(())
+    }
+
+    fn settle(&mut self) -> Result<Watermark, LogError> {
+        Ok(Watermark(vec![self.got.lock().unwrap().rows.len() as u64]))
+    }
+
+    fn finish(&mut self, _: Micros) -> Result<(), LogError> {
+        self.got.lock().unwrap().ended = true;
+        Ok(())
+    }
+}
+
+const ROWS: u64 = 60_000;
+
+/// Stores a run into a file and a destination that does so.
+fn stored(name: &str, deed: Deed, policy: Policy) -> (Folder, Arc<Mutex<Got>>, Result<Stored, LogError>) {
+    let folder = Folder::new(name);
+    let got = Arc::new(Mutex::new(Got::default()));
+    let own = Own { got: got.clone(), batches: 0, deed };
+    let mut all = destinations(&[folder.url("csv:log.csv")], How::New).unwrap();
+    all.push(Destination::own("a broker", own, policy));
+    let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), How::New).unwrap();
+    let stored = stage::store(logger, &stage::firings(ROWS), 1000);
+    (folder, got, stored)
+}
+
+fn lines(folder: &Folder) -> u64 {
+    folder.text("log.csv").lines().count() as u64 - 1
+}
+
+fn is_whole(got: &Mutex<Got>) -> bool {
+    let got = got.lock().unwrap();
+    got.ended && got.rows.iter().copied().eq(0..ROWS as i64)
+}
+
+/// Fails at its third batch.
+fn full(batch: usize) -> Result<(), LogError> {
+    if batch == 3 { Err(LogError::destination("a broker", "it is full")) } else { Ok(()) }
+}
+
+/// Is away twice, and comes back.
+fn away(batch: usize) -> Result<(), LogError> {
+    if (3..5).contains(&batch) { Err(LogError::destination("a broker", "it is away").passing()) } else { Ok(()) }
+}
+
+fn hangs(batch: usize) -> Result<(), LogError> {
+    if batch == 3 {
+        thread::sleep(Duration::from_secs(3600));
+    }
+    Ok(())
+}
+
+#[test]
+fn a_destination_of_ones_own_gets_every_row() {
+    let (folder, got, stored) = stored("own", |_| Ok(()), Policy::default());
+    let stored = stored.unwrap();
+    assert_eq!((stored.rows, lines(&folder), is_whole(&got)), (ROWS, ROWS, true));
+    assert_eq!(stored.places.last().unwrap(), "a broker");
+}
+
+#[test]
+fn one_that_is_required_ends_the_run_when_it_fails() {
+    let (folder, _, stored) = stored("required", full, Policy::default());
+    let error = stored.unwrap_err();
+    assert!(error.to_string().contains("a broker") && error.to_string().contains("it is full"), "{error}");
+    assert!(folder.files().is_empty(), "a text file is whole or not there");
+}
+
+#[test]
+fn one_that_is_optional_stops_no_other() {
+    let (folder, got, stored) = stored("optional", full, Policy::optional());
+    let stored = stored.unwrap();
+    assert_eq!((stored.rows, lines(&folder), is_whole(&got)), (ROWS, ROWS, false));
+    let [(place, error)] = &stored.failed[..] else { panic!("one failed") };
+    assert!(place == "a broker" && error.to_string().contains("it is full"), "{error}");
+    assert!(!stored.places.iter().any(|place| place == "a broker"));
+}
+
+#[test]
+fn one_that_comes_back_gets_every_row_once() {
+    let patient =
+        Policy { retry_for: Duration::from_secs(60), retry_after: Duration::from_millis(2), ..Policy::default() };
+    let (folder, got, stored) = stored("back", away, patient);
+    assert_eq!((stored.unwrap().rows, lines(&folder), is_whole(&got)), (ROWS, ROWS, true));
+    // The control: nobody tries again who is not told to.
+    let (_, got, stored) = self::stored("not-back", away, Policy::default());
+    assert!(stored.is_err() && !is_whole(&got));
+}
+
+#[test]
+fn one_that_hangs_is_waited_for_once_and_no_longer() {
+    let within = Duration::from_millis(300);
+    for (name, required) in [("hangs-required", true), ("hangs-optional", false)] {
+        let begun = Instant::now();
+        let policy = Policy { answers_within: within, required, ..Policy::default() };
+        let (folder, _, stored) = stored(name, hangs, policy);
+        // Waiting twice, for the run and on leaving, would take as long again; a machine may be slow.
+        assert!(begun.elapsed() >= within && begun.elapsed() < Duration::from_secs(60), "{:?}", begun.elapsed());
+        if required {
+            assert!(matches!(stored.unwrap_err(), LogError::Hangs { .. }));
+        } else {
+            let stored = stored.unwrap();
+            assert_eq!((lines(&folder), stored.failed.len()), (ROWS, 1));
+            assert!(matches!(stored.failed[0].1, LogError::Hangs { .. }));
+        }
+    }
+}
