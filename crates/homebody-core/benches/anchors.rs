@@ -66,7 +66,7 @@ fn against_loops(name: &str, home: &Arc<Home>, build: Build, schedule: &[MotionS
     let (mut kernel_s, mut paper_s, mut brute_s) = (Vec::new(), Vec::new(), Vec::new());
     for _ in 0..ROUNDS {
         kernel_s.push(kernel(home, schedule));
-        let size = build.size(Posture::Standing);
+        let size = build.size(Posture::Standing, &home.numbers);
         paper_s.push(naive(PaperEye::new(home, size, 1), home, build, &excerpts));
         kernel_s.push(kernel(home, schedule));
         brute_s.push(naive(BruteEye::new(home, home.field(0, Posture::Standing)), home, build, &excerpts));

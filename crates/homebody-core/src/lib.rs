@@ -8,6 +8,9 @@ pub mod time;
 pub mod geometry;
 pub mod random;
 
+// The numbers that models are made of.
+pub mod numbers;
+
 // What names are made of, what furniture is for, and what activities are called.
 pub mod names;
 pub mod role;
@@ -34,6 +37,7 @@ pub mod run;
 pub mod scene;
 pub mod recording;
 pub mod snapshots;
+pub mod models;
 
 // The naive way, as oracle and as baseline.
 pub mod naive;

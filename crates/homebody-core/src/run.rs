@@ -86,7 +86,10 @@ impl Run {
         let residents = scenario.residents.iter().map(|resident| Build::of(&resident.file));
         let builds: Vec<Build> = residents.chain(guests.iter().map(|guest| guest.build)).collect();
         let start_of_day = scenario.calendar.start_of_day();
-        let link = scenario.link.as_ref().map(|file| Link::new(file, &scenario.home.sensors, start_of_day, seed));
+        let link = scenario
+            .link
+            .as_ref()
+            .map(|file| Link::new(file, &scenario.home.sensors, scenario.home.numbers(), start_of_day, seed));
         let places = scenario.link.as_ref().map(|link| link::other_places(link, &scenario.home.sensors));
         let moved = places.map_or(Cow::Borrowed(&scenario.home), |more| Cow::Owned(scenario.home.with_sensors(more)));
         let mut home = Home::bake(&moved, &builds);

@@ -51,13 +51,17 @@ pub struct World {
     /// What sensors that count pulses have counted, in the order of these sensors.
     pulses: Vec<Pulses>,
     seq: u64,
+    /// Bodies of a smaller radius are not felt.
+    light_m: f64,
     /// By block: the bodies that move in the present slice, and the sensors that may see one of them.
     movers: [Vec<Mover>; BLOCKS],
     may: [Mask; BLOCKS],
 }
 
-/// Bodies narrower than this are too light to be felt in beds and on mats (ours): that of a cat is 0.1 m.
-const LIGHT_M: f64 = 0.15;
+crate::numbers! {
+    /// Bodies of a smaller radius are too light to be felt in beds and on mats: that of a cat is 0.1 m.
+    static LIGHT_M = "body.light": 0.15, "m", [0.0, 0.3];
+}
 
 /// What a body is doing.
 #[derive(Clone, Debug)]
@@ -95,7 +99,7 @@ impl World {
         let device = |sensor: &Sensor| match &sensor.kind {
             Kind::Device(device) => {
                 let stream = Stream::named(seed, &format!("sensor/{}/device", sensor.name));
-                Some((device.begin(stream, home.sun), Outbox::default()))
+                Some((device.begin(stream, home.sun, &home.numbers), Outbox::default()))
             }
             Kind::Motion(_) | Kind::CeilingMotion(_) => None,
         };
@@ -129,6 +133,7 @@ impl World {
             plain: levels.iter().map(|level| matches!(level, Some(Level::Paper))).collect(),
             pulses: zoned.map(|sensor| Pulses::new(sensor, residents)).collect(),
             seq: 0,
+            light_m: home.numbers.of(&LIGHT_M),
             movers: Default::default(),
             may: [0; BLOCKS],
             machines,
@@ -162,7 +167,7 @@ impl World {
             self.settle(resident);
         }
         // A cat presses no mat, and lies beside the strip.
-        if self.home.field(resident.index(), posture).size.radius_m < LIGHT_M {
+        if self.home.field(resident.index(), posture).size.radius_m < self.light_m {
             return;
         }
         let MotionSegment { begin, end, doing, posture } = *next;

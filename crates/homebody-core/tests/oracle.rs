@@ -78,7 +78,7 @@ impl Case {
     }
 
     fn paper(&self) -> Vec<Firing> {
-        let eye = PaperEye::new(&self.home, self.build.size(Posture::Standing), 1);
+        let eye = PaperEye::new(&self.home, self.build.size(Posture::Standing, &self.home.numbers), 1);
         self.looped(Loop::new(eye, &self.home, self.number, 1, Remainder::Kept))
     }
 
@@ -265,7 +265,7 @@ fn the_naive_way_at_a_hundredfold_speed_does_not_agree() {
     let mut tally = Tally::default();
     for number in 0..20 {
         let case = Case::new(number);
-        let eye = PaperEye::new(&case.home, case.build.size(Posture::Standing), 1);
+        let eye = PaperEye::new(&case.home, case.build.size(Posture::Standing, &case.home.numbers), 1);
         let naive = case.looped(Loop::new(eye, &case.home, number, 100, Remainder::Kept));
         case.compare(&case.exact(), &naive, &mut tally);
     }

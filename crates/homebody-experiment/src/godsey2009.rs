@@ -216,7 +216,7 @@ impl Walk {
         let run = Run::new(&scenario, &(), 0, LENGTH);
         let moves = run.moves().expect(WALKABLE);
         let build = Build::of(&scenario.residents[0].file);
-        let eye = PaperEye::new(run.home(), build.size(Posture::Standing), 1);
+        let eye = PaperEye::new(run.home(), build.size(Posture::Standing, &run.home().numbers), 1);
         let mut firings: Vec<Firing> = Vec::new();
         let mut players = [Player::new(&moves[0], build.radius_m)];
         let mut paper = Loop::new(eye, run.home(), 0, speed, Remainder::Lost);

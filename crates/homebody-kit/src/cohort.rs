@@ -60,6 +60,7 @@ pub struct CohortSetup {
     seed: Option<u64>,
     length: Length,
     without: Vec<String>,
+    numbers: BTreeMap<String, f64>,
     cancel: Cancel,
 }
 
@@ -143,8 +144,8 @@ enum Asked {
 
 impl CohortSetup {
     pub(crate) fn new(scenario: OpenScenario, members: Members) -> CohortSetup {
-        let (seed, length, without, cancel) = (None, Length::Own, Vec::new(), Cancel::new());
-        CohortSetup { scenario, members, seed, length, without, cancel }
+        let (seed, length, without, numbers) = (None, Length::Own, Vec::new(), BTreeMap::new());
+        CohortSetup { scenario, members, seed, length, without, numbers, cancel: Cancel::new() }
     }
 
     /// The number all randomness comes from.
@@ -171,6 +172,13 @@ impl CohortSetup {
         self
     }
 
+    /// A number of the models is otherwise for all of them than it is, or than the scenario says; [`numbers`](crate::numbers)
+    /// knows all. It is in each recording, with the scenario's own file.
+    pub fn number(mut self, name: impl Into<String>, value: f64) -> CohortSetup {
+        self.numbers.insert(name.into(), value);
+        self
+    }
+
     /// Nobody else is begun, and those who are lived end early, once this handle says so.
     pub fn cancel(mut self, cancel: &Cancel) -> CohortSetup {
         self.cancel = cancel.clone();
@@ -181,18 +189,20 @@ impl CohortSetup {
     ///
     /// # Errors
     ///
-    /// [`Error::Problems`] if nobody shows a condition that is to be left out, [`Error::Length`] if a life can not be this long.
+    /// [`Error::Problems`] if nobody shows a condition that is to be left out, or a number cannot be set like that,
+    /// [`Error::Length`] if a life can not be this long.
     pub fn start(self) -> Result<Cohort, Error> {
-        let OpenScenario { scenario, source, .. } = &self.scenario;
+        let opened = self.scenario.with_numbers(self.numbers)?;
+        let OpenScenario { scenario, source, .. } = &opened;
         let household = match self.members {
-            Members::Many(_) => self.scenario.household_without(&self.without)?,
-            Members::Listed(_) => self.scenario.household.clone(),
+            Members::Many(_) => opened.household_without(&self.without)?,
+            Members::Listed(_) => opened.household.clone(),
         };
         let (seed, length) = (self.seed.unwrap_or(scenario.file.seed), self.length.of(scenario)?);
         let recording = Recording::of(scenario, env!("CARGO_PKG_VERSION"), source.entry(), seed, length);
         let recording = Recording { without: self.without, one_of_many: true, ..recording };
         let household = household.one_of_many();
-        Ok(Cohort { scenario: self.scenario, household, members: self.members, recording, cancel: self.cancel })
+        Ok(Cohort { scenario: opened, household, members: self.members, recording, cancel: self.cancel })
     }
 }
 

@@ -47,6 +47,6 @@ pub use homebody_log::{Destination, Policy, Sink, Url};
 pub use profiles::Profile;
 pub use recorded::{Recorded, Unfinished};
 pub use run::{Batch, BatchSink, LiveRun, Progress, RunSetup};
-pub use scenario::{OpenScenario, open, template};
+pub use scenario::{OpenScenario, numbers, open, template};
 pub use source::{Source, Template};
 pub use store::{Destinations, Lived};

@@ -37,6 +37,7 @@ pub struct RunSetup {
     seed: Option<u64>,
     length: Length,
     without: Vec<String>,
+    numbers: BTreeMap<String, f64>,
     one_of_many: bool,
     drivers: BTreeMap<String, MakeDriver>,
     pace: Pace,
@@ -81,6 +82,7 @@ impl RunSetup {
             seed: None,
             length: Length::Own,
             without: Vec::new(),
+            numbers: BTreeMap::new(),
             one_of_many: false,
             drivers: BTreeMap::new(),
             pace: Pace::default(),
@@ -111,6 +113,13 @@ impl RunSetup {
     /// them and without.
     pub fn without(mut self, conditions: impl IntoIterator<Item = impl Into<String>>) -> RunSetup {
         self.without.extend(conditions.into_iter().map(Into::into));
+        self
+    }
+
+    /// A number of the models is otherwise than it is, or than the scenario says; [`numbers`](crate::numbers) knows all. It is
+    /// in the recording, with the scenario's own file.
+    pub fn number(mut self, name: impl Into<String>, value: f64) -> RunSetup {
+        self.numbers.insert(name.into(), value);
         self
     }
 
@@ -157,12 +166,13 @@ impl RunSetup {
     ///
     /// # Errors
     ///
-    /// [`Error::Problems`] if nobody shows a condition that is to be left out, [`Error::Length`] if it can not be this long,
-    /// [`Error::Resident`] if nobody has the name of whom a driver is to move.
+    /// [`Error::Problems`] if nobody shows a condition that is to be left out, or a number cannot be set like that,
+    /// [`Error::Length`] if it can not be this long, [`Error::Resident`] if nobody has the name of whom a driver is to move.
     pub fn start(self) -> Result<LiveRun, Error> {
-        let OpenScenario { scenario, source, .. } = &self.scenario;
+        let opened = self.scenario.with_numbers(self.numbers)?;
+        let OpenScenario { scenario, source, .. } = &opened;
         let length = self.length.of(scenario)?;
-        let household = self.scenario.household_without(&self.without)?;
+        let household = opened.household_without(&self.without)?;
         let household = if self.one_of_many { Arc::new(household.one_of_many()) } else { household };
         let mut own = BTreeMap::new();
         for (name, make) in self.drivers {
@@ -180,7 +190,7 @@ impl RunSetup {
         Ok(LiveRun {
             has_own_driver: !own.is_empty(),
             paced: Paced::new(pace, self.cancel, self.commands),
-            ..LiveRun::of(scenario.clone(), run, recording, self.scenario.paths())
+            ..LiveRun::of(scenario.clone(), run, recording, opened.paths())
         })
     }
 }

@@ -5,11 +5,13 @@ use crate::error::Error;
 use crate::profiles::{self, Base, Profile};
 use crate::run::RunSetup;
 use crate::source::{Source, Template};
-use homebody_core::problem::Problem;
+use homebody_core::numbers::{self, Number};
+use homebody_core::problem::{Problem, Problems};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::remarks;
 use homebody_core::time::Micros;
-use homebody_routine::household::Household;
+use homebody_routine::household::{self, Household};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -41,6 +43,11 @@ pub fn open(path: impl AsRef<Path>) -> Result<OpenScenario, Error> {
 /// [`Error::Template`] if there is none of this name.
 pub fn template(name: &str) -> Result<OpenScenario, Error> {
     Template::named(name)?.source().open()
+}
+
+/// All numbers of the models that a scenario may set, each with its unit and its range.
+pub fn numbers() -> Vec<Number> {
+    household::numbers()
 }
 
 /// A scenario that has passed every check, with the routines of those who live there understood. A clone is cheap.
@@ -126,6 +133,38 @@ impl OpenScenario {
     /// [`Error::Problems`] with everything that is wrong in it.
     pub fn profiles_of(&self, name: &str, table: &str, without: &[String]) -> Result<Vec<Profile>, Error> {
         profiles::of(name, table, &self.base(), without)
+    }
+
+    /// The same scenario with these numbers of its models set, by name, whatever it sets itself. What is recorded of its runs
+    /// has them in the text of the scenario's own file.
+    ///
+    /// ```
+    /// let scenario = homebody_kit::template("older-adult")?;
+    /// let slower = scenario.with_numbers([("gait.fastest", 0.8)])?;
+    /// assert_eq!(slower.scenario().file.numbers["gait.fastest"], 0.8);
+    /// assert!(scenario.with_numbers([("gait.fastst", 0.8)]).is_err());
+    /// # Ok::<(), homebody_kit::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Problems`] with every number that there is none of or that cannot be set to that, or if nobody can live there
+    /// with them.
+    pub fn with_numbers(&self, set: impl IntoIterator<Item = (impl Into<String>, f64)>) -> Result<OpenScenario, Error> {
+        let set: BTreeMap<String, f64> = set.into_iter().map(|(name, value)| (name.into(), value)).collect();
+        if set.is_empty() {
+            return Ok(self.clone());
+        }
+        let known = numbers();
+        let wrong = set.iter().filter_map(|(name, &value)| numbers::wrong(&known, name, value));
+        let problem = |(what, hint)| Problem::of_file(self.name(), what, Some(hint));
+        let problems: Vec<Problem> = wrong.map(problem).collect();
+        if !problems.is_empty() {
+            return Err(Error::Problems(Problems(problems)));
+        }
+        let edit = self.scenario.edit().file(|file| file.numbers.extend(set));
+        let (scenario, household) = Household::load(&edit.over(self.source.files()), self.source.entry(), &[])?;
+        Ok(OpenScenario { scenario: Arc::new(scenario), household: Arc::new(household), source: self.source.clone() })
     }
 
     /// The same scenario without these conditions, which its routines show.

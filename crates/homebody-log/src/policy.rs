@@ -21,15 +21,21 @@ pub struct Policy {
     pub answers_within: Duration,
 }
 
+/// What a destination has that says nothing else: how long before the first retry, how many batches may wait for it, and how
+/// long it may take to answer (ours).
+const RETRY_AFTER_MS: u64 = 100;
+const BATCHES_WAITING: usize = 4;
+const ANSWERS_WITHIN_S: u64 = 120;
+
 impl Default for Policy {
-    /// Required, without retries, with little waiting; it must answer within two minutes (ours).
+    /// Required, without retries, with little waiting; it must answer within two minutes.
     fn default() -> Policy {
         Policy {
             required: true,
             retry_for: Duration::ZERO,
-            retry_after: Duration::from_millis(100),
-            batches_waiting: 4,
-            answers_within: Duration::from_secs(120),
+            retry_after: Duration::from_millis(RETRY_AFTER_MS),
+            batches_waiting: BATCHES_WAITING,
+            answers_within: Duration::from_secs(ANSWERS_WITHIN_S),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::completion::{self, Word};
 use crate::language::{self, Known};
+use crate::living;
 use crate::living::body::Body;
 use crate::living::driver::RoutineDriver;
 use crate::living::life::Life;
@@ -12,6 +13,8 @@ use crate::routine::{Effect, Kind, Routine, USUAL, shows};
 use homebody_core::drivers;
 use homebody_core::home::plan::Plan;
 use homebody_core::home::{Build, Home};
+use homebody_core::models;
+use homebody_core::numbers::Number;
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::recording::Recording;
 use homebody_core::run::{DriverProvider, Guest};
@@ -76,6 +79,17 @@ pub const CONDITIONS: [(&str, &str); 8] = [
     ("recovery", include_str!("../../../conditions/recovery.routine")),
     ("urinary-tract-infection", include_str!("../../../conditions/urinary-tract-infection.routine")),
 ];
+
+homebody_core::numbers! {
+    /// How fast somebody walks who comes to visit: younger, taking their time.
+    static GUEST_PACE_MPS = "visit.pace": 0.9, "m/s", [0.2, 2.0];
+}
+
+/// All numbers that a scenario may set: those of lives, of walking, and of what sensors and link make of it.
+pub fn numbers() -> Vec<Number> {
+    let own = NUMBERS.iter().map(|number| (*number).clone()).chain(living::numbers());
+    own.chain(homebody_walk::numbers()).chain(models::numbers()).collect()
+}
 
 /// What a routine that says nothing of it leaves to be ordinary.
 const ORDINARY: &str = include_str!("ordinary.routine");
@@ -213,6 +227,7 @@ impl Household {
             ordinary,
             &self.conditions,
             self.is_one_of_many,
+            self.scenario.home.numbers(),
         ))
     }
 
@@ -227,7 +242,7 @@ impl Household {
     /// What a body walks by.
     fn mesh(&self, body: usize, home: &Home) -> Arc<Mesh> {
         let radius_m = self.scenario.residents.get(body).map_or(Build::adult().radius_m, |one| one.file.radius_m);
-        Arc::new(Mesh::new(&home.plan, radius_m))
+        Arc::new(Mesh::with_numbers(&home.plan, radius_m, &home.numbers))
     }
 }
 
@@ -245,9 +260,7 @@ impl DriverProvider for Household {
             let Visitor { host, name } = self.guests.get(guest)?;
             let life = Arc::new(self.life(*host, seed)?);
             let places = places(&life.name);
-            /// Metres a second: somebody younger who takes their time (ours).
-            const PACE_MPS: f64 = 0.9;
-            let body = Body::new(home.clone(), mesh.clone(), PACE_MPS);
+            let body = Body::new(home.clone(), mesh.clone(), home.numbers.of(&GUEST_PACE_MPS));
             return Some(Box::new(RoutineDriver::visitor(life, home.clone(), places, body, name)));
         }
         let life = Arc::new(self.life(body, seed)?);
@@ -281,6 +294,10 @@ impl Language for RoutineLanguage {
         self.conditions = reader.known;
         self.sources.extend(reader.sources);
         reader.problems
+    }
+
+    fn numbers(&self) -> Option<Vec<Number>> {
+        Some(numbers())
     }
 }
 

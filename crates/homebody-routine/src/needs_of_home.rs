@@ -4,6 +4,7 @@ use crate::living::places::{Places, Spot};
 use crate::routine::{Activity, Kind, Quote, Response, Routine, USUAL, shows};
 use homebody_core::geometry;
 use homebody_core::home::plan::{self, Plan};
+use homebody_core::numbers::Numbers;
 use homebody_core::problem::Problem;
 use homebody_core::role::Role;
 use homebody_core::scenario::home::HomeFile;
@@ -20,7 +21,7 @@ pub fn check(
     routine: &Routine,
     conditions: &BTreeMap<String, Routine>,
 ) -> Vec<Problem> {
-    let places = Places::new(&scenario.home, plan, &Mesh::new(plan, resident.radius_m), &resident.name);
+    let places = Places::new(&scenario.home, plan, &mesh(plan, resident, scenario.home.numbers()), &resident.name);
     let mut texts = vec![routine];
     let mut next = 0;
     while let Some(text) = texts.get(next) {
@@ -33,6 +34,7 @@ pub fn check(
     let kind = routine.person.as_ref().map_or(Kind::Person, |person| person.kind);
     let mut check = Check {
         home: &scenario.home,
+        numbers: scenario.home.numbers(),
         resident,
         file: &routine.file,
         bed: String::new(),
@@ -43,6 +45,11 @@ pub fn check(
     check.problems
 }
 
+/// What a resident walks by in a home of this plan.
+fn mesh(plan: &Plan, resident: &ResidentFile, numbers: &Numbers) -> Mesh {
+    Mesh::with_numbers(plan, resident.radius_m, numbers)
+}
+
 /// For so many places that nobody can get to it is found out what is in the way (ours): each takes a while.
 const MOST_EXPLAINED: usize = 3;
 
@@ -51,6 +58,7 @@ const MOST_PIECES: usize = 12;
 
 struct Check<'a> {
     home: &'a HomeFile,
+    numbers: &'a Numbers,
     resident: &'a ResidentFile,
     /// The routine's file.
     file: &'a str,
@@ -173,7 +181,7 @@ impl Check<'_> {
 
     fn is_reachable_in(&self, home: &HomeFile, to: &Spot) -> bool {
         let plan = Plan::new(home);
-        let places = Places::new(home, &plan, &Mesh::new(&plan, self.resident.radius_m), &self.resident.name);
+        let places = Places::new(home, &plan, &mesh(&plan, self.resident, self.numbers), &self.resident.name);
         places.named(&to.name).is_some_and(|spot| spot.is_reachable)
     }
 

@@ -359,18 +359,26 @@ impl Chance {
     }
 }
 
+/// From when to when the words for parts of a day mean (ours, but that naps have their peaks at 14:30-15:00 and 20:30-21:00).
+const MORNING_H: (f64, f64) = (8.0, 11.5);
+const NOON_H: (f64, f64) = (11.5, 13.5);
+const AFTERNOON_H: (f64, f64) = (13.0, 17.5);
+const EVENING_H: (f64, f64) = (18.5, 21.5);
+const NIGHT_H: (f64, f64) = (23.5, 29.5);
+const DAY_H: (f64, f64) = (9.0, 20.0);
+
 impl PartOfDay {
-    /// From when to when, in seconds since midnight (ours, but that naps have their peaks at 14:30-15:00 and 20:30-21:00).
+    /// From when to when, in seconds since midnight.
     pub fn hours(self) -> (f64, f64) {
-        let hours = |from: f64, to: f64| (from * 3600.0, to * 3600.0);
-        match self {
-            PartOfDay::Morning => hours(8.0, 11.5),
-            PartOfDay::Noon => hours(11.5, 13.5),
-            PartOfDay::Afternoon => hours(13.0, 17.5),
-            PartOfDay::Evening => hours(18.5, 21.5),
-            PartOfDay::Night => hours(23.5, 29.5),
-            PartOfDay::Day => hours(9.0, 20.0),
-        }
+        let (from, to) = match self {
+            PartOfDay::Morning => MORNING_H,
+            PartOfDay::Noon => NOON_H,
+            PartOfDay::Afternoon => AFTERNOON_H,
+            PartOfDay::Evening => EVENING_H,
+            PartOfDay::Night => NIGHT_H,
+            PartOfDay::Day => DAY_H,
+        };
+        (from * 3600.0, to * 3600.0)
     }
 
     pub fn word(self) -> &'static str {

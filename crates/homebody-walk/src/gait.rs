@@ -17,49 +17,54 @@
 use homebody_core::drivers::MotionSegment;
 use homebody_core::event::MotionState;
 use homebody_core::geometry::Point;
+use homebody_core::numbers::Numbers;
 use homebody_core::random::Stream;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, micros};
 use std::f64::consts::PI;
 
-/// Of the speeds at home (mean 0.65 m/s, standard deviation 0.15, after Kaye et al. 2012), as the standard deviation of
-/// their logarithms: sqrt(ln(1 + (0.15 / 0.65)^2)).
-const SPREAD: f64 = 0.227_8;
+homebody_core::numbers! {
+    /// The spread of speeds at home, as the standard deviation of their logarithms: sqrt(ln(1 + (0.15 / 0.65)^2)), for a mean of
+    /// 0.65 m/s and a standard deviation of 0.15 (Kaye et al. 2012).
+    static SPREAD = "gait.spread": 0.227_8, "1", [0.0, 0.6];
+    /// Nobody walks slower (after Kaye et al. 2012).
+    static SLOWEST_MPS = "gait.slowest": 0.2, "m/s", [0.02, 0.6];
+    /// Nobody whose pace is 0.65 m/s walks faster at home; other paces in proportion (after Kaye et al. 2012).
+    static FASTEST_MPS = "gait.fastest": 1.2, "m/s", [0.7, 3.0];
+    /// The factor on speeds in the morning (the direction is that of Kaye et al. 2012).
+    static MORNING = "gait.morning": 1.05, "1", [0.5, 1.5];
+    /// The factor on speeds in the evening and at night (the direction is that of Kaye et al. 2012).
+    static EVENING = "gait.evening": 0.95, "1", [0.5, 1.5];
+    /// What frailty takes of the speed at most: from 0.65 m/s to household ambulation, 0.4 m/s and less, with the spread.
+    static FRAIL_SLOWER = "gait.frail_slower": 0.35, "1", [0.0, 0.9];
+    /// How much frailty adds to the spread at most (Kaye et al. 2012: more variable with a walking aid).
+    static FRAIL_SPREAD = "gait.frail_spread": 0.5, "1", [0.0, 3.0];
+    /// How fast the usual speed is reached, without frailty: within two steps (a social force with tau = 0.5 s gives the same).
+    static ACCELERATION_MPS2 = "gait.acceleration": 1.0, "m/s2", [0.1, 5.0];
+    /// How fast the usual speed is reached by who is frail.
+    static FRAIL_ACCELERATION_MPS2 = "gait.frail_acceleration": 0.5, "m/s2", [0.1, 5.0];
+    /// What a turn by 180 degrees on the spot takes, without frailty.
+    static HALF_TURN_S = "gait.half_turn": 2.0, "s", [0.2, 20.0];
+    /// What a turn by 180 degrees on the spot takes who is frail.
+    static FRAIL_HALF_TURN_S = "gait.frail_half_turn": 3.0, "s", [0.2, 20.0];
+    /// What getting up and sitting down take at least, from 65 years on.
+    static TRANSFER_LEAST_S = "gait.transfer_least": 2.0, "s", [0.2, 20.0];
+    /// What getting up and sitting down take at most, from 65 years on.
+    static TRANSFER_MOST_S = "gait.transfer_most": 3.0, "s", [0.2, 20.0];
+    /// What getting up and sitting down take who is frail, at least.
+    static FRAIL_TRANSFER_LEAST_S = "gait.frail_transfer_least": 3.0, "s", [0.2, 60.0];
+    /// What getting up and sitting down take who is frail, at most.
+    static FRAIL_TRANSFER_MOST_S = "gait.frail_transfer_most": 5.0, "s", [0.2, 60.0];
+    /// How far the trunk moves forward when it rises or is let down.
+    static TRANSFER_AMPLITUDE_M = "gait.transfer_amplitude": 0.4, "m", [0.0, 1.0];
+    /// How far moves what moves when a body turns on the spot: shoulders and arms.
+    static TURN_AMPLITUDE_M = "gait.turn_amplitude": 0.3, "m", [0.0, 1.0];
+    /// Turns sharper than this are made on the spot.
+    static SHARP_TURN_DEG = "gait.sharp_turn": 60.0, "°", [10.0, 180.0];
+}
 
-/// Nobody walks slower (ours, after Kaye et al. 2012).
-const LEAST_MPS: f64 = 0.2;
-
-/// Nobody whose pace is 0.65 m/s walks faster at home; other paces in proportion (ours, after Kaye et al. 2012).
-const MOST_MPS: f64 = 1.2;
-const MOST_OF_PACE: f64 = MOST_MPS / 0.65;
-
-/// What mornings add and evenings take, of a speed (ours; the direction is that of Kaye et al. 2012).
-const MORNING: f64 = 1.05;
-const EVENING: f64 = 0.95;
-
-/// What frailty takes of the speed at most (ours: from 0.65 m/s to household ambulation, 0.4 m/s and less, with the spread).
-const FRAIL_SLOWER: f64 = 0.35;
-
-/// How much frailty adds to the spread at most (ours; Kaye et al. 2012: more variable with a walking aid).
-const FRAIL_SPREAD: f64 = 0.5;
-
-/// The usual speed is reached within two steps (ours: 0.5 to 1 m/s2; a social force with tau = 0.5 s gives the same).
-const ACCELERATION_MPS2: [f64; 2] = [1.0, 0.5];
-
-/// A turn by 180 degrees takes 2 to 3 s (ours); here without frailty, and with.
-const HALF_TURN_S: [f64; 2] = [2.0, 3.0];
-
-/// Getting up and sitting down take 2 to 3 s from 65 years on, 3 to 5 s if frail (ours).
-const TRANSFER_S: [[f64; 2]; 2] = [[2.0, 3.0], [3.0, 5.0]];
-
-/// The trunk moves forward by about this when it rises or is let down (ours).
-const TRANSFER_AMPLITUDE_M: f64 = 0.4;
-
-/// What moves when a body turns on the spot: shoulders and arms (ours).
-const TURN_AMPLITUDE_M: f64 = 0.3;
-
-/// Turns sharper than this are made on the spot (ours).
-const SHARP_TURN: f64 = PI / 3.0;
+/// The pace whose greatest speed [`FASTEST_MPS`] is: the mean of Kaye et al. (2012).
+const USUAL_PACE_MPS: f64 = 0.65;
 
 /// Legs shorter than this have no direction of their own to turn to, and speed changes this near to a corner happen at it
 /// (ours).
@@ -74,25 +79,34 @@ pub struct Gait {
     pub acceleration_mps2: f64,
     /// What a turn by 180 degrees on the spot takes, in seconds.
     pub half_turn_s: f64,
+    /// Turns sharper than this are made on the spot, in radians.
+    pub sharp_turn_rad: f64,
+    /// How far moves what moves in them, in metres.
+    pub turn_amplitude_m: f64,
 }
 
 impl Gait {
     /// The gait of one walk of a person of this pace in metres a second, at this hour of the day (0 to 24), who is not frail
     /// (0), frail (1) or something in between. Draws two values.
-    pub fn of_walk(pace_mps: f64, hour_of_day: f64, frailty: f64, stream: &mut Stream) -> Gait {
+    pub fn of_walk(pace_mps: f64, hour_of_day: f64, frailty: f64, numbers: &Numbers, stream: &mut Stream) -> Gait {
         let frailty = frailty.clamp(0.0, 1.0);
         let time_of_day = match hour_of_day {
-            hour if (5.0..12.0).contains(&hour) => MORNING,
+            hour if (5.0..12.0).contains(&hour) => numbers.of(&MORNING),
             hour if (12.0..18.0).contains(&hour) => 1.0,
-            _ => EVENING,
+            _ => numbers.of(&EVENING),
         };
-        let spread = SPREAD * (1.0 + FRAIL_SPREAD * frailty);
-        let mean_mps = pace_mps * time_of_day * (1.0 - FRAIL_SLOWER * frailty);
+        let spread = numbers.of(&SPREAD) * (1.0 + numbers.of(&FRAIL_SPREAD) * frailty);
+        let mean_mps = pace_mps * time_of_day * (1.0 - numbers.of(&FRAIL_SLOWER) * frailty);
         let speed_mps = stream.lognormal(mean_mps * libm::exp(-spread * spread / 2.0), spread);
+        let fastest_mps = numbers.of(&FASTEST_MPS);
+        let fastest_mps = fastest_mps.max(pace_mps * (fastest_mps / USUAL_PACE_MPS));
+        let of = |hale, frail| between([numbers.of(hale), numbers.of(frail)], frailty);
         Gait {
-            speed_mps: speed_mps.min(MOST_MPS.max(pace_mps * MOST_OF_PACE)).max(LEAST_MPS),
-            acceleration_mps2: between(ACCELERATION_MPS2, frailty),
-            half_turn_s: between(HALF_TURN_S, frailty),
+            speed_mps: speed_mps.min(fastest_mps).max(numbers.of(&SLOWEST_MPS)),
+            acceleration_mps2: of(&ACCELERATION_MPS2, &FRAIL_ACCELERATION_MPS2),
+            half_turn_s: of(&HALF_TURN_S, &FRAIL_HALF_TURN_S),
+            sharp_turn_rad: numbers.of(&SHARP_TURN_DEG).to_radians(),
+            turn_amplitude_m: numbers.of(&TURN_AMPLITUDE_M),
         }
     }
 }
@@ -112,33 +126,49 @@ pub fn walk(path: &[Point], from: Point, begin: Micros, gait: &Gait) -> Vec<Moti
     let mut first = 0;
     for last in 0..legs.len() {
         let turn = legs.get(last + 1).map_or(0.0, |next| turn(legs[last], *next));
-        if last + 1 == legs.len() || turn > SHARP_TURN {
+        if last + 1 == legs.len() || turn > gait.sharp_turn_rad {
             walk.stretch(&legs[first..=last], gait);
             first = last + 1;
         }
-        if turn > SHARP_TURN {
-            let doing = MotionState::InPlace { at: legs[last].1, amplitude_m: TURN_AMPLITUDE_M };
+        if turn > gait.sharp_turn_rad {
+            let doing = MotionState::InPlace { at: legs[last].1, amplitude_m: gait.turn_amplitude_m };
             walk.add(doing, gait.half_turn_s * turn / PI);
         }
     }
     walk.moves
 }
 
-/// Getting up from an instant on, at the place where one sat or lay: 2 to 3 s, or up to 5 s for a frailty of 1. Draws one value.
-pub fn rise(at: Point, begin: Micros, frailty: f64, stream: &mut Stream) -> MotionSegment {
-    transfer(at, begin, frailty, Posture::Standing, stream)
+/// Getting up from an instant on, at the place where one sat or lay: 2 to 3 s, or up to 5 s for a frailty of 1, unless the
+/// numbers say otherwise. Draws one value.
+pub fn rise(at: Point, begin: Micros, frailty: f64, numbers: &Numbers, stream: &mut Stream) -> MotionSegment {
+    transfer(at, begin, frailty, Posture::Standing, numbers, stream)
 }
 
 /// Sitting or lying down from an instant on, at the place where one will sit or lie: as long as getting up. Draws one value.
-pub fn sit(at: Point, begin: Micros, frailty: f64, posture: Posture, stream: &mut Stream) -> MotionSegment {
-    transfer(at, begin, frailty, posture, stream)
+pub fn sit(
+    at: Point,
+    begin: Micros,
+    frailty: f64,
+    posture: Posture,
+    numbers: &Numbers,
+    stream: &mut Stream,
+) -> MotionSegment {
+    transfer(at, begin, frailty, posture, numbers, stream)
 }
 
-fn transfer(at: Point, begin: Micros, frailty: f64, posture: Posture, stream: &mut Stream) -> MotionSegment {
-    let [hale, frail] = TRANSFER_S;
+fn transfer(
+    at: Point,
+    begin: Micros,
+    frailty: f64,
+    posture: Posture,
+    numbers: &Numbers,
+    stream: &mut Stream,
+) -> MotionSegment {
     let frailty = frailty.clamp(0.0, 1.0);
-    let span_s = stream.between(between([hale[0], frail[0]], frailty), between([hale[1], frail[1]], frailty));
-    let doing = MotionState::InPlace { at, amplitude_m: TRANSFER_AMPLITUDE_M };
+    let of = |hale, frail| between([numbers.of(hale), numbers.of(frail)], frailty);
+    let least_s = of(&TRANSFER_LEAST_S, &FRAIL_TRANSFER_LEAST_S);
+    let span_s = stream.between(least_s, of(&TRANSFER_MOST_S, &FRAIL_TRANSFER_MOST_S));
+    let doing = MotionState::InPlace { at, amplitude_m: numbers.of(&TRANSFER_AMPLITUDE_M) };
     MotionSegment { begin, end: begin.saturating_add(micros(span_s)), doing, posture }
 }
 
@@ -218,7 +248,13 @@ mod tests {
     use super::*;
     use homebody_core::time::{SECOND, seconds};
 
-    const GAIT: Gait = Gait { speed_mps: 1.0, acceleration_mps2: 1.0, half_turn_s: 2.0 };
+    const GAIT: Gait = Gait {
+        speed_mps: 1.0,
+        acceleration_mps2: 1.0,
+        half_turn_s: 2.0,
+        sharp_turn_rad: PI / 3.0,
+        turn_amplitude_m: 0.3,
+    };
 
     fn p(x: f64, y: f64) -> Point {
         Point::new(x, y)
@@ -281,7 +317,7 @@ mod tests {
         for _ in 0..500 {
             let path: Vec<Point> =
                 (0..1 + stream.poisson(4.0)).map(|_| p(stream.between(-5.0, 5.0), stream.between(-5.0, 5.0))).collect();
-            let gait = Gait::of_walk(0.65, stream.between(0.0, 24.0), stream.unit(), &mut stream);
+            let gait = Gait::of_walk(0.65, stream.between(0.0, 24.0), stream.unit(), &Numbers::default(), &mut stream);
             let moves = walked(&path, 77, &gait);
             let stops = moves.iter().filter(|step| matches!(step.doing, MotionState::InPlace { .. })).count();
             assert!(moves.len() <= path.len() + 2 + 3 * stops, "{} moves for {}", moves.len(), path.len());
@@ -303,8 +339,9 @@ mod tests {
     fn speeds_are_those_of_old_people_at_home() {
         let mut stream = Stream::named(1, "speeds");
         let mut speeds = |pace, hour, frailty| -> (f64, f64) {
-            let drawn: Vec<f64> =
-                (0..20_000).map(|_| Gait::of_walk(pace, hour, frailty, &mut stream).speed_mps).collect();
+            let drawn: Vec<f64> = (0..20_000)
+                .map(|_| Gait::of_walk(pace, hour, frailty, &Numbers::default(), &mut stream).speed_mps)
+                .collect();
             assert!(drawn.iter().all(|speed| (0.2..=1.2).contains(speed)));
             let mean = drawn.iter().sum::<f64>() / drawn.len() as f64;
             let variance = drawn.iter().map(|speed| (speed - mean) * (speed - mean)).sum::<f64>() / drawn.len() as f64;
@@ -322,8 +359,8 @@ mod tests {
     fn getting_up_takes_seconds_and_longer_if_frail() {
         let mut stream = Stream::named(1, "chair");
         for _ in 0..200 {
-            let hale = rise(p(1.0, 2.0), SECOND, 0.0, &mut stream);
-            let frail = sit(p(1.0, 2.0), SECOND, 1.0, Posture::Sitting, &mut stream);
+            let hale = rise(p(1.0, 2.0), SECOND, 0.0, &Numbers::default(), &mut stream);
+            let frail = sit(p(1.0, 2.0), SECOND, 1.0, Posture::Sitting, &Numbers::default(), &mut stream);
             assert!((2.0..=3.0).contains(&seconds(hale.end - hale.begin)) && hale.posture == Posture::Standing);
             assert!((3.0..=5.0).contains(&seconds(frail.end - frail.begin)) && frail.posture == Posture::Sitting);
         }

@@ -11,6 +11,7 @@
 //! ```
 //! use homebody_core::geometry::Point;
 //! use homebody_core::home::plan::Plan;
+//! use homebody_core::numbers::Numbers;
 //! use homebody_core::random::Stream;
 //! use homebody_walk::{Gait, Mesh, walk};
 //!
@@ -25,7 +26,7 @@
 //! let path = mesh.path(from, to).expect("the table leaves a way");
 //! assert!(path.len() > 1, "around the table");
 //!
-//! let gait = Gait::of_walk(0.65, 9.0, 0.0, &mut Stream::named(1, "gait"));
+//! let gait = Gait::of_walk(0.65, 9.0, 0.0, &Numbers::default(), &mut Stream::named(1, "gait"));
 //! let segments = walk(&path, from, 0, &gait);
 //! assert!(segments.windows(2).all(|pair| pair[0].end == pair[1].begin));
 //!
@@ -51,8 +52,15 @@ mod pattern;
 #[cfg(test)]
 mod homes;
 
+use homebody_core::numbers::Number;
+
 pub use gait::{Gait, rise, sit, walk};
 pub use mesh::Mesh;
 pub use pattern::{Pattern, pattern_of};
 pub use routes::Routes;
 pub use schemas::{Wandering, wander};
+
+/// The numbers that walking is made of, each with its unit and its range.
+pub fn numbers() -> Vec<Number> {
+    [gait::NUMBERS, schemas::NUMBERS, mesh::NUMBERS].concat().into_iter().cloned().collect()
+}

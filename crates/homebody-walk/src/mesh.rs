@@ -5,7 +5,7 @@
 //!
 //! We assume that nothing in the home moves: doors stay as the plan has them, chairs where they are. Who does not fit
 //! through a gap turns sideways, so where the whole radius leads nowhere, three quarters of it are tried, then half. A step
-//! into a seat may be 1.5 m long, any other step to a place too near to things half a metre (ours).
+//! into a seat may be 1.5 m long, any other step to a place too near to things half a metre.
 //!
 //! Every solid is grown by the radius, its corners rounded from outside, so that a way that keeps to the mesh never comes
 //! nearer to a solid. The free ground is triangulated, and polyanya finds the any-angle shortest way (Cui, Harabor &
@@ -22,19 +22,21 @@ mod tests;
 use ground::{Footing, Ground};
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::Plan;
+use homebody_core::numbers::Numbers;
 use homebody_core::random::Stream;
 
-/// Enterable things up to this height are walked over: rugs, mats, shower trays (ours).
-const RUG_M: f64 = 0.05;
-
-/// The parts of the radius that are tried one after the other (ours: the shoulders are twice as wide as the chest is deep).
-const NARROWER: [f64; 3] = [1.0, 0.75, 0.5];
-
-/// How long the step into a seat may be (ours: to the middle of a wide bed).
-const INTO_SEAT_M: f64 = 1.5;
-
-/// How long the step to another place may be that is too near to things (ours).
-const TO_PLACE_M: f64 = 0.5;
+homebody_core::numbers! {
+    /// Enterable things up to this height are walked over: rugs, mats, shower trays.
+    static RUG_M = "mesh.rug": 0.05, "m", [0.0, 0.3];
+    /// The part of its radius that a body takes that turns sideways a little.
+    static SIDEWAYS_A_LITTLE = "mesh.sideways_a_little": 0.75, "1", [0.5, 1.0];
+    /// The part of its radius that a body takes that turns sideways: the shoulders are twice as wide as the chest is deep.
+    static SIDEWAYS = "mesh.sideways": 0.5, "1", [0.2, 0.5];
+    /// How long the step into a seat may be: to the middle of a wide bed.
+    static INTO_SEAT_M = "mesh.into_seat": 1.5, "m", [0.2, 5.0];
+    /// How long the step to another place may be that is too near to things.
+    static TO_PLACE_M = "mesh.to_place": 0.5, "m", [0.0, 3.0];
+}
 
 /// How often a random point is drawn before the room's own point is taken (ours).
 const TRIES: u32 = 32;
@@ -46,10 +48,13 @@ pub struct Mesh {
     obstacles: Vec<Obstacle>,
     /// Pieces of the home's border: what is beyond is no home.
     borders: Vec<(Point, Point)>,
-    /// For each of `NARROWER`, widest first.
+    /// For the whole body, and for it turned sideways a little, and wholly.
     grounds: Vec<Ground>,
     /// For each room of the plan, a free point to go to, and the area it is of.
     rooms: Vec<(Point, Option<usize>)>,
+    /// How long the step into a seat may be, and to another place that is too near to things.
+    into_seat_m: f64,
+    to_place_m: f64,
 }
 
 #[derive(Clone, Debug)]
@@ -87,10 +92,16 @@ impl Obstacle {
 impl Mesh {
     /// The mesh of a home for a body of this radius, which is above 0. It is some milliseconds of work.
     pub fn new(plan: &Plan, radius_m: f64) -> Mesh {
+        Mesh::with_numbers(plan, radius_m, &Numbers::default())
+    }
+
+    /// The same with what is set of the numbers that a mesh is made by.
+    pub fn with_numbers(plan: &Plan, radius_m: f64, numbers: &Numbers) -> Mesh {
+        let rug_m = numbers.of(&RUG_M);
         let obstacles: Vec<Obstacle> = plan
             .solids
             .iter()
-            .filter(|solid| solid.stops_bodies || solid.height_m > RUG_M)
+            .filter(|solid| solid.stops_bodies || solid.height_m > rug_m)
             .map(|solid| {
                 let (least, most) = geometry::bounds(solid.outline.iter().copied());
                 Obstacle { outline: solid.outline.clone(), is_seat: !solid.stops_bodies, least, most }
@@ -100,8 +111,10 @@ impl Mesh {
         let outlines: Vec<&[Point]> = obstacles.iter().map(|obstacle| &obstacle.outline[..]).collect();
         let ground =
             |part: f64| Ground::new(plan.bounds(), &outlines, &borders, radius_m * part, |p| plan.is_inside(p));
-        let grounds = NARROWER.map(ground).into();
-        let mut mesh = Mesh { plan: plan.clone(), obstacles, borders, grounds, rooms: Vec::new() };
+        let grounds = [1.0, numbers.of(&SIDEWAYS_A_LITTLE), numbers.of(&SIDEWAYS)].map(ground).into();
+        let (into_seat_m, to_place_m) = (numbers.of(&INTO_SEAT_M), numbers.of(&TO_PLACE_M));
+        let rooms = Vec::new();
+        let mut mesh = Mesh { plan: plan.clone(), obstacles, borders, grounds, rooms, into_seat_m, to_place_m };
         mesh.rooms = plan.rooms.iter().map(|room| mesh.room_point(&room.outline)).collect();
         mesh
     }
@@ -254,7 +267,7 @@ impl Mesh {
             return vec![Footing { at: p, area, away_m: 0.0 }];
         }
         let is_seat = self.obstacles.iter().any(|obstacle| obstacle.holds(p));
-        let reach_m = if is_seat { INTO_SEAT_M } else { TO_PLACE_M };
+        let reach_m = if is_seat { self.into_seat_m } else { self.to_place_m };
         // The step keeps off things as far as the place itself does, or as the narrowest way.
         let narrowest_m = self.grounds.last().map_or(0.0, |ground| ground.clearance_m);
         let keeps_m = if is_seat { 0.0 } else { narrowest_m.min(self.room_around(p) - 1e-6) };

@@ -22,9 +22,10 @@ use homebody_core::drivers::MotionSegment;
 use homebody_core::event::MotionState;
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::Plan;
+use homebody_core::numbers::Numbers;
 use homebody_core::random::Stream;
 use homebody_core::scenario::path::Posture;
-use homebody_core::time::{Micros, SECOND, micros, seconds};
+use homebody_core::time::{Micros, micros};
 
 /// How somebody wanders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -37,32 +38,45 @@ pub enum Wandering {
     Pacing,
 }
 
-/// A step lasts this long, and is steered so often (ours).
-const STEP: Micros = SECOND / 2;
+homebody_core::numbers! {
+    /// How long a step lasts.
+    static STEP_S = "wandering.step": 0.5, "s", [0.1, 2.0];
+    /// The gain of the schema that leads to the goal (the form is that of Arkin 1989).
+    static GOAL_GAIN = "wandering.goal_gain": 1.0, "1", [0.1, 10.0];
+    /// The gain of the schema that avoids obstacles (the form is that of Arkin 1989).
+    static AVOID_GAIN = "wandering.avoid_gain": 1.5, "1", [0.0, 10.0];
+    /// The gain of the noise in laps and in pacing, at least (the form is that of Arkin 1989).
+    static NOISE_LEAST = "wandering.noise_least": 0.1, "1", [0.0, 5.0];
+    /// The gain of the noise in laps and in pacing, at most.
+    static NOISE_MOST = "wandering.noise_most": 0.3, "1", [0.0, 5.0];
+    /// The gain of the noise in random wandering, at least.
+    static RANDOM_NOISE_LEAST = "wandering.random_noise_least": 0.6, "1", [0.0, 5.0];
+    /// The gain of the noise in random wandering, at most.
+    static RANDOM_NOISE_MOST = "wandering.random_noise_most": 1.0, "1", [0.0, 5.0];
+    /// Obstacles further than this do not push.
+    static AVOID_FROM_M = "wandering.avoid_from": 0.6, "m", [0.4, 3.0];
+    /// Obstacles nearer than this push as much as any.
+    static AVOID_MOST_M = "wandering.avoid_most": 0.25, "m", [0.0, 0.35];
+    /// The noise keeps its direction for so many steps at least.
+    static NOISE_STEPS_LEAST = "wandering.noise_steps_least": 1.0, "1", [1.0, 50.0];
+    /// The noise keeps its direction for fewer steps than this.
+    static NOISE_STEPS_MOST = "wandering.noise_steps_most": 5.0, "1", [1.0, 50.0];
+    /// Who is this near to a goal has reached it.
+    static REACHED_M = "wandering.reached": 0.35, "m", [0.05, 1.0];
+    /// A leg may take so many times what the planned way takes before it follows that way.
+    static PATIENCE = "wandering.patience": 3.0, "1", [1.0, 20.0];
+    /// Places to wander between are this far from each other, if such are found.
+    static APART_M = "wandering.apart": 1.5, "m", [0.1, 10.0];
+    /// Places to wander between are this far from things, if such are found.
+    static ROOM_AROUND_M = "wandering.room_around": 0.5, "m", [0.0, 3.0];
+    /// How far who does not know where to go moves on the spot.
+    static LOST_AMPLITUDE_M = "wandering.lost_amplitude": 0.3, "m", [0.0, 1.0];
+}
+
+/// A step is steered so often (ours).
 const STEERINGS: u32 = 5;
 
-/// Gains of the schemas (ours; the forms are those of Arkin 1989).
-const GOAL_GAIN: f64 = 1.0;
-const AVOID_GAIN: f64 = 1.5;
-const NOISE_GAIN: [f64; 2] = [0.1, 0.3];
-const RANDOM_NOISE_GAIN: [f64; 2] = [0.6, 1.0];
-
-/// Obstacles further than this do not push, and those nearer than the other push as much as any (ours).
-const AVOID_FROM_M: f64 = 0.6;
-const AVOID_MOST_M: f64 = 0.25;
-
-/// The noise keeps its direction for so many steps: 0.5 to 2 s (ours).
-const NOISE_STEPS: [f64; 2] = [1.0, 5.0];
-
-/// Who is this near to a goal has reached it (ours).
-const REACHED_M: f64 = 0.35;
-
-/// A leg may take so many times what the planned way takes before it follows that way (ours).
-const PATIENCE: f64 = 3.0;
-
-/// Places to wander between are this far from each other and from things, if such are found (ours).
-const APART_M: f64 = 1.5;
-const ROOM_AROUND_M: f64 = 0.5;
+/// So many points are tried as places to wander between (ours).
 const TRIES: usize = 24;
 
 /// Wanders for about `lasting` microseconds: until they are over and the body is in a free place, which is at most one leg more.
@@ -77,10 +91,11 @@ pub fn wander(
     begin: Micros,
     lasting: Micros,
     gait: &Gait,
+    numbers: &Numbers,
     stream: &mut Stream,
 ) -> Vec<MotionSegment> {
-    let goals = goals(kind, mesh, plan, from, stream);
-    between(kind, mesh, &goals, from, begin, lasting, gait, stream).0
+    let goals = goals(kind, mesh, plan, from, numbers, stream);
+    between(kind, mesh, &goals, from, begin, lasting, gait, numbers, stream).0
 }
 
 /// Wanders between goals; also, which of them it has come to, in order.
@@ -93,17 +108,33 @@ fn between(
     begin: Micros,
     lasting: Micros,
     gait: &Gait,
+    numbers: &Numbers,
     stream: &mut Stream,
 ) -> (Vec<MotionSegment>, Vec<usize>) {
     if goals.len() < 2 {
-        let doing = MotionState::InPlace { at: from, amplitude_m: LOST_AMPLITUDE_M };
+        let doing = MotionState::InPlace { at: from, amplitude_m: numbers.of(&LOST_AMPLITUDE_M) };
         let end = begin.saturating_add(lasting.max(1));
         return (vec![MotionSegment { begin, end, doing, posture: Posture::Standing }], Vec::new());
     }
+    let noise_gain = match kind {
+        Wandering::Random => [&RANDOM_NOISE_LEAST, &RANDOM_NOISE_MOST],
+        Wandering::Lapping | Wandering::Pacing => [&NOISE_LEAST, &NOISE_MOST],
+    };
+    let step_s = numbers.of(&STEP_S);
     let mut wanderer = Wanderer {
         mesh,
-        step_m: gait.speed_mps * seconds(STEP),
-        noise_gain: if kind == Wandering::Random { RANDOM_NOISE_GAIN } else { NOISE_GAIN },
+        step_s,
+        step_m: gait.speed_mps * step_s,
+        schemas: Schemas {
+            goal_gain: numbers.of(&GOAL_GAIN),
+            avoid_gain: numbers.of(&AVOID_GAIN),
+            avoid_from_m: numbers.of(&AVOID_FROM_M),
+            avoid_most_m: numbers.of(&AVOID_MOST_M),
+            noise_gain: noise_gain.map(|gain| numbers.of(gain)),
+            noise_lasts: [&NOISE_STEPS_LEAST, &NOISE_STEPS_MOST].map(|steps| numbers.of(steps)),
+        },
+        reached_m: numbers.of(&REACHED_M),
+        patience: numbers.of(&PATIENCE),
         noise: Point::ZERO,
         noise_steps: 0,
         at: from,
@@ -125,12 +156,10 @@ fn between(
     (wanderer.moves, visited)
 }
 
-/// How far who does not know where to go moves on the spot (ours).
-const LOST_AMPLITUDE_M: f64 = 0.3;
-
 /// The places to wander between, all of which can be reached: two for pacing, three to five for laps, and for random
 /// wandering so many that there is always one that was not among the last ones.
-fn goals(kind: Wandering, mesh: &Mesh, plan: &Plan, from: Point, stream: &mut Stream) -> Vec<Point> {
+fn goals(kind: Wandering, mesh: &Mesh, plan: &Plan, from: Point, numbers: &Numbers, stream: &mut Stream) -> Vec<Point> {
+    let [apart_m, around_m, reached_m] = [&APART_M, &ROOM_AROUND_M, &REACHED_M].map(|number| numbers.of(number));
     let count = match kind {
         Wandering::Random => LONGEST_LAP + 2,
         Wandering::Lapping => 3 + stream.pick(&[1.0; 3]),
@@ -148,12 +177,12 @@ fn goals(kind: Wandering, mesh: &Mesh, plan: &Plan, from: Point, stream: &mut St
         if goals.len() == count || !mesh.is_free(p) || !mesh.can_reach(from, p) {
             continue;
         }
-        let is_apart = goals.iter().all(|goal| goal.distance(p) >= APART_M);
-        let has_room = nearest(&mesh.sides_near(p, ROOM_AROUND_M), p).is_none_or(|at| at.distance(p) >= ROOM_AROUND_M);
+        let is_apart = goals.iter().all(|goal| goal.distance(p) >= apart_m);
+        let has_room = nearest(&mesh.sides_near(p, around_m), p).is_none_or(|at| at.distance(p) >= around_m);
         if is_apart && has_room { goals.push(p) } else { second_best.push(p) }
     }
     for p in second_best {
-        if goals.len() < count && goals.iter().all(|goal| goal.distance(p) > 2.0 * REACHED_M) {
+        if goals.len() < count && goals.iter().all(|goal| goal.distance(p) > 2.0 * reached_m) {
             goals.push(p);
         }
     }
@@ -176,10 +205,24 @@ fn unvisited(visited: &[usize], places: usize, stream: &mut Stream) -> usize {
     stream.pick(&weights)
 }
 
+/// What the schemas are made by, asked for once for a walk.
+struct Schemas {
+    goal_gain: f64,
+    avoid_gain: f64,
+    avoid_from_m: f64,
+    avoid_most_m: f64,
+    noise_gain: [f64; 2],
+    /// In steps.
+    noise_lasts: [f64; 2],
+}
+
 struct Wanderer<'a> {
     mesh: &'a Mesh,
+    step_s: f64,
     step_m: f64,
-    noise_gain: [f64; 2],
+    schemas: Schemas,
+    reached_m: f64,
+    patience: f64,
     noise: Point,
     /// For so many steps more the noise stays as it is.
     noise_steps: u32,
@@ -198,9 +241,9 @@ impl Wanderer<'_> {
     fn leg(&mut self, goal: Point, stream: &mut Stream) -> bool {
         let Some(mut way) = self.mesh.path(self.at, goal) else { return false };
         let length: f64 = [self.at].iter().chain(&way).zip(&way).map(|(a, b)| a.distance(*b)).sum();
-        let mut steps_left = PATIENCE * length / self.step_m + 1.0;
+        let mut steps_left = self.patience * length / self.step_m + 1.0;
         let mut next = 0;
-        while !self.is_over() && self.at.distance(goal) > REACHED_M {
+        while !self.is_over() && self.at.distance(goal) > self.reached_m {
             steps_left -= 1.0;
             while next + 1 < way.len() && self.mesh.is_clear_way(self.at, way[next + 1]) {
                 next += 1;
@@ -223,16 +266,17 @@ impl Wanderer<'_> {
     /// Where the schemas lead to within a step; nothing if the body does not fit there or in between.
     fn steer(&mut self, corner: Point, stream: &mut Stream) -> Option<Point> {
         if self.noise_steps == 0 {
-            let gain = stream.between(self.noise_gain[0], self.noise_gain[1]);
+            let Schemas { noise_gain: [least, most], noise_lasts: [shortest, longest], .. } = self.schemas;
+            let gain = stream.between(least, most);
             self.noise = geometry::direction(stream.between(0.0, 360.0)) * gain;
-            self.noise_steps = stream.between(NOISE_STEPS[0], NOISE_STEPS[1]) as u32;
+            self.noise_steps = stream.between(shortest, longest) as u32;
         }
         self.noise_steps -= 1;
-        let near = self.mesh.sides_near(self.at, AVOID_FROM_M + self.step_m);
+        let near = self.mesh.sides_near(self.at, self.schemas.avoid_from_m + self.step_m);
         let mut to = self.at;
         for _ in 0..STEERINGS {
-            let to_goal = (corner - to).normalize_or_zero() * GOAL_GAIN;
-            let sum = to_goal + push(&near, to) + self.noise;
+            let to_goal = (corner - to).normalize_or_zero() * self.schemas.goal_gain;
+            let sum = to_goal + self.schemas.push(&near, to) + self.noise;
             to += sum.normalize_or_zero() * (self.step_m / f64::from(STEERINGS));
         }
         (to != self.at && self.mesh.is_clear_way(self.at, to)).then_some(to)
@@ -265,18 +309,20 @@ impl Wanderer<'_> {
 
     /// A stride of this length, in its share of a step's time.
     fn step_within(&mut self, to: Point, length_m: f64) {
-        let end = self.now + micros(length_m / self.step_m * seconds(STEP)).max(1);
+        let end = self.now + micros(length_m / self.step_m * self.step_s).max(1);
         let doing = MotionState::Stride { from: self.at, to };
         self.moves.push(MotionSegment { begin: self.now, end, doing, posture: Posture::Standing });
         (self.at, self.now) = (to, end);
     }
 }
 
-/// Away from the nearest of the sides of obstacles.
-fn push(sides: &[(Point, Point)], at: Point) -> Point {
-    let Some(obstacle) = nearest(sides, at) else { return Point::ZERO };
-    let nearness = (AVOID_FROM_M - at.distance(obstacle)) / (AVOID_FROM_M - AVOID_MOST_M);
-    (at - obstacle).normalize_or_zero() * (AVOID_GAIN * nearness.clamp(0.0, 1.0))
+impl Schemas {
+    /// Away from the nearest of the sides of obstacles.
+    fn push(&self, sides: &[(Point, Point)], at: Point) -> Point {
+        let Some(obstacle) = nearest(sides, at) else { return Point::ZERO };
+        let nearness = (self.avoid_from_m - at.distance(obstacle)) / (self.avoid_from_m - self.avoid_most_m);
+        (at - obstacle).normalize_or_zero() * (self.avoid_gain * nearness.clamp(0.0, 1.0))
+    }
 }
 
 /// The nearest point of any of the sides.
@@ -290,10 +336,17 @@ mod tests {
     use super::*;
     use crate::homes::{random_home, sphere_house, tigerplace};
     use crate::pattern::{Pattern, pattern_of};
+    use homebody_core::time::SECOND;
 
     const RADIUS_M: f64 = 0.22;
     const KINDS: [Wandering; 3] = [Wandering::Random, Wandering::Lapping, Wandering::Pacing];
-    const GAIT: Gait = Gait { speed_mps: 0.65, acceleration_mps2: 1.0, half_turn_s: 2.0 };
+    const GAIT: Gait = Gait {
+        speed_mps: 0.65,
+        acceleration_mps2: 1.0,
+        half_turn_s: 2.0,
+        sharp_turn_rad: std::f64::consts::FRAC_PI_3,
+        turn_amplitude_m: 0.3,
+    };
 
     fn start(plan: &Plan, mesh: &Mesh) -> Point {
         let stream = &mut Stream::named(1, "start");
@@ -320,7 +373,7 @@ mod tests {
     fn visits(ends: &[Point], goals: &[Point]) -> Vec<usize> {
         let mut visits: Vec<usize> = Vec::new();
         for at in ends {
-            if let Some(goal) = goals.iter().position(|goal| goal.distance(*at) <= REACHED_M)
+            if let Some(goal) = goals.iter().position(|goal| goal.distance(*at) <= REACHED_M.value)
                 && visits.last() != Some(&goal)
             {
                 visits.push(goal);
@@ -339,8 +392,9 @@ mod tests {
                 let mut passing_as_meant = 0;
                 for case in 0..20 {
                     let mut stream = Stream::named(case, "wandering");
-                    let goals = goals(kind, &mesh, &plan, from, &mut stream);
-                    let (moves, visited) = between(kind, &mesh, &goals, from, 0, 900 * SECOND, &GAIT, &mut stream);
+                    let goals = goals(kind, &mesh, &plan, from, &Numbers::default(), &mut stream);
+                    let (moves, visited) =
+                        between(kind, &mesh, &goals, from, 0, 900 * SECOND, &GAIT, &Numbers::default(), &mut stream);
                     assert_eq!(pattern_of(&visited), pattern, "case {case}: {visited:?}");
                     // Whoever passes another goal on the way there seems to have come to it.
                     let passed = pattern_of(&visits(&ends(&moves, from, 0), &goals));
@@ -360,8 +414,12 @@ mod tests {
             for kind in KINDS {
                 let mut stream = Stream::named(case as u64, "wandering");
                 let lasting = 130 * SECOND;
-                let moves = wander(kind, &mesh, &plan, from, 7, lasting, &GAIT, &mut stream.clone());
-                assert_eq!(moves, wander(kind, &mesh, &plan, from, 7, lasting, &GAIT, &mut stream));
+                let moves =
+                    wander(kind, &mesh, &plan, from, 7, lasting, &GAIT, &Numbers::default(), &mut stream.clone());
+                assert_eq!(
+                    moves,
+                    wander(kind, &mesh, &plan, from, 7, lasting, &GAIT, &Numbers::default(), &mut stream)
+                );
                 let ends = ends(&moves, from, 7);
                 let mut at = from;
                 for &to in &ends {
@@ -392,7 +450,8 @@ mod tests {
                 let patterns: Vec<Pattern> = (0..20)
                     .map(|case| {
                         let mut stream = Stream::named(case, "wandering");
-                        let wandering = wander(kind, &mesh, &plan, from, 0, 132 * SECOND, &GAIT, &mut stream);
+                        let wandering =
+                            wander(kind, &mesh, &plan, from, 0, 132 * SECOND, &GAIT, &Numbers::default(), &mut stream);
                         moves += wandering.len();
                         let rooms = ends(&wandering, from, 0).into_iter().filter_map(|at| plan.room_at(at));
                         pattern_of(&rooms.collect::<Vec<_>>())
@@ -412,7 +471,7 @@ mod tests {
         let from = start(&plan, &mesh);
         let turns = |kind| {
             let mut stream = Stream::named(1, "wandering");
-            let moves = wander(kind, &mesh, &plan, from, 0, 600 * SECOND, &GAIT, &mut stream);
+            let moves = wander(kind, &mesh, &plan, from, 0, 600 * SECOND, &GAIT, &Numbers::default(), &mut stream);
             let mut stops = vec![from];
             stops.extend(ends(&moves, from, 0));
             let turn = |stops: &[Point]| {
@@ -430,7 +489,17 @@ mod tests {
         let plan = tigerplace();
         let mesh = Mesh::new(&plan, RADIUS_M);
         let outside = Point::new(20.0, 20.0);
-        let moves = wander(Wandering::Pacing, &mesh, &plan, outside, 5, SECOND, &GAIT, &mut Stream::named(1, "lost"));
+        let moves = wander(
+            Wandering::Pacing,
+            &mesh,
+            &plan,
+            outside,
+            5,
+            SECOND,
+            &GAIT,
+            &Numbers::default(),
+            &mut Stream::named(1, "lost"),
+        );
         assert!(matches!(
             moves[..],
             [MotionSegment { begin: 5, end: 1_000_005, doing: MotionState::InPlace { .. }, .. }]

@@ -20,6 +20,7 @@ use homebody_core::home::Build;
 use homebody_core::home::field::Field;
 use homebody_core::home::plan::Plan;
 use homebody_core::ids::SensorId;
+use homebody_core::numbers::Numbers;
 use homebody_core::scenario::home::{HomeFile, SensorFile};
 use homebody_core::scenario::path::Posture;
 use homebody_core::sensor_set::SensorSet;
@@ -131,7 +132,7 @@ pub fn of_home(home: &HomeFile, build: Build, step_m: f64) -> Seen {
     let plan = Plan::new(&home);
     let sensors: Vec<Sensor> = home.sensors.iter().filter_map(|sensor| Sensor::new(sensor, &plan)).collect();
     let names: Vec<String> = sensors.iter().map(|sensor| sensor.name.clone()).collect();
-    let field = Field::bake(&plan, &sensors, build.size(Posture::Standing));
+    let field = Field::bake(&plan, &sensors, build.size(Posture::Standing, &Numbers::default()));
     let coverage = coverage(&plan, build.radius_m, &names, step_m, &|p| field.seen_at(p));
     Seen { home, coverage, sensors, field }
 }

@@ -6,6 +6,7 @@ pub mod plan;
 pub mod resolved;
 pub mod sun;
 
+use crate::numbers::Numbers;
 use crate::scenario::path::Posture;
 use crate::scenario::resident::{self, ResidentFile};
 use crate::sensors::{Sensor, SensorInfo};
@@ -14,12 +15,21 @@ use plan::Plan;
 use resolved::ResolvedHome;
 use sun::Sun;
 
+crate::numbers! {
+    /// How high an adult on a common chair reaches, as a share of the height when standing.
+    static SITTING = "posture.sitting": 0.8, "1", [0.5, 1.0];
+    /// How high who lies on a bed reaches, as a share of the height when standing.
+    static LYING = "posture.lying": 0.4, "1", [0.1, 0.8];
+}
+
 /// A home and the bodies it was baked for.
 #[derive(Clone, Debug)]
 pub struct Home {
     pub plan: Plan,
     pub sensors: Vec<Sensor>,
     pub sun: Sun,
+    /// What the scenario sets otherwise in the models of people and sensors.
+    pub numbers: Numbers,
     /// One field for each size of body that lives here.
     pub fields: Vec<Field>,
     /// The resident's field in each posture, by [`Posture`].
@@ -44,13 +54,12 @@ impl Build {
         Build { radius_m: resident::radius(), height_m: resident::height() }
     }
 
-    /// The body as sensors see it in a posture. A seated adult reaches to about 0.8 of the standing
-    /// height on a common chair, one who lies on a bed to about 0.4 (ours).
-    pub fn size(&self, posture: Posture) -> Size {
+    /// The body as sensors see it in a posture.
+    pub fn size(&self, posture: Posture, numbers: &Numbers) -> Size {
         let share = match posture {
             Posture::Standing => 1.0,
-            Posture::Sitting => 0.8,
-            Posture::Lying => 0.4,
+            Posture::Sitting => numbers.of(&SITTING),
+            Posture::Lying => numbers.of(&LYING),
         };
         Size { radius_m: self.radius_m, top_m: self.height_m * share }
     }
@@ -59,11 +68,11 @@ impl Build {
 impl Home {
     /// Bakes a home for the bodies that live there.
     pub fn bake(home: &ResolvedHome, residents: &[Build]) -> Home {
-        let (plan, sensors) = (home.plan().clone(), home.placed_sensors().to_vec());
-        let mut home = Home { plan, sensors, sun: Sun::default(), fields: Vec::new(), postures: Vec::new() };
+        let (plan, sensors, numbers) = (home.plan().clone(), home.placed_sensors().to_vec(), home.numbers().clone());
+        let mut home = Home { plan, sensors, sun: Sun::default(), numbers, fields: Vec::new(), postures: Vec::new() };
         for build in residents {
             let fields = [Posture::Standing, Posture::Sitting, Posture::Lying].map(|posture| {
-                let size = build.size(posture);
+                let size = build.size(posture, &home.numbers);
                 let known = home.fields.iter().position(|field| field.size == size);
                 known.unwrap_or_else(|| {
                     home.fields.push(Field::bake(&home.plan, &home.sensors, size));

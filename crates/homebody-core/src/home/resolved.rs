@@ -1,6 +1,7 @@
 //! A home in which every name leads to what it names: its plan and its sensors, made once from its file.
 
 use super::plan::Plan;
+use crate::numbers::Numbers;
 use crate::scenario::home::{HomeFile, SensorFile};
 use crate::sensors::Sensor;
 use std::fmt;
@@ -13,6 +14,7 @@ pub struct ResolvedHome {
     file: HomeFile,
     plan: Plan,
     sensors: Vec<Sensor>,
+    numbers: Numbers,
 }
 
 /// A sensor that is on something, or in a room, that its home does not have.
@@ -23,19 +25,19 @@ pub struct Unresolved {
 }
 
 impl ResolvedHome {
-    /// Finds what the file names.
+    /// Finds what the file names. The models in it have their own numbers.
     pub fn new(file: HomeFile) -> Result<ResolvedHome, Unresolved> {
         let plan = Plan::new(&file);
-        ResolvedHome::with_plan(file, plan)
+        ResolvedHome::with_plan(file, plan, Numbers::default())
     }
 
-    /// The same with the plan that was made of the file already.
-    pub(crate) fn with_plan(file: HomeFile, plan: Plan) -> Result<ResolvedHome, Unresolved> {
+    /// The same with the plan that was made of the file already, and with these numbers.
+    pub(crate) fn with_plan(file: HomeFile, plan: Plan, numbers: Numbers) -> Result<ResolvedHome, Unresolved> {
         let sensor = |sensor: &SensorFile| {
             Sensor::new(sensor, &plan).ok_or_else(|| Unresolved { sensor: sensor.name().to_owned() })
         };
         let sensors = file.sensors.iter().map(sensor).collect::<Result<_, _>>()?;
-        Ok(ResolvedHome { file, plan, sensors })
+        Ok(ResolvedHome { file, plan, sensors, numbers })
     }
 
     /// The same home with more sensors, as far as it has what they are on.
@@ -49,6 +51,11 @@ impl ResolvedHome {
     /// Its floor plan.
     pub fn plan(&self) -> &Plan {
         &self.plan
+    }
+
+    /// The numbers of the models that people and sensors in it are made by.
+    pub fn numbers(&self) -> &Numbers {
+        &self.numbers
     }
 
     /// Its sensors as a run uses them, in the order of the file.

@@ -30,7 +30,7 @@ pub struct Channel {
 
 #[derive(Clone, Copy, Debug)]
 enum Fault {
-    /// Loss grows evenly from nothing at its beginning to everything after this time (ours).
+    /// Loss grows evenly from nothing at its beginning to everything after this time, as we assume.
     Battery {
         fades: Micros,
     },

@@ -20,6 +20,7 @@ mod channel;
 
 use crate::event::{Events, Fact, Firing, Loss, Provenance, Trigger, Value};
 use crate::ids::SensorId;
+use crate::numbers::Numbers;
 use crate::scenario::home::{MotionFile, SensorFile};
 use crate::scenario::link::{FaultFile, LinkFile, MovedFile, Span, of_days};
 use crate::time::{Micros, NEVER};
@@ -31,6 +32,11 @@ use sources::{Sources, Told};
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
+crate::numbers! {
+    /// The share of damaged messages of which it is the id that is damaged, not the value.
+    static DAMAGED_IDS = "link.damaged_ids": 0.5, "1", [0.01, 0.99];
+}
+
 /// The way of all sensors' messages to the logger. A clone continues exactly as the original.
 #[derive(Clone, Debug)]
 pub struct Link {
@@ -41,6 +47,8 @@ pub struct Link {
     radio: Option<Radio>,
     clocks: Clocks,
     outages: Vec<Span>,
+    /// The share of damaged messages of which it is the id.
+    damaged_ids: f64,
     under_way: BinaryHeap<Reverse<Due>>,
     /// Tells messages apart that are due at one instant.
     order: u64,
@@ -92,7 +100,7 @@ fn moves(file: &LinkFile) -> impl Iterator<Item = &MovedFile> {
 impl Link {
     /// The link of a home's sensors, as a file that has passed its checks describes it. In the world, the sensors of the
     /// home come first, then their other places.
-    pub fn new(file: &LinkFile, sensors: &[SensorFile], start_of_day: Micros, seed: u64) -> Link {
+    pub fn new(file: &LinkFile, sensors: &[SensorFile], numbers: &Numbers, start_of_day: Micros, seed: u64) -> Link {
         let channel = |sensor: &SensorFile| Channel::new(file, sensor.name(), sensor.senses_motion(), seed);
         let mut channels: Vec<Channel> = sensors.iter().map(channel).collect();
         let mut places = Vec::new();
@@ -103,7 +111,7 @@ impl Link {
         }
         let rate = |sensor: &SensorFile| file.rates(sensor.name(), sensor.senses_motion()).false_fires_per_h;
         let rates: Vec<(&str, f64)> = sensors.iter().map(|sensor| (sensor.name(), rate(sensor))).collect();
-        let radio = file.channel().map(|file| Radio::new(&file));
+        let radio = file.channel().map(|file| Radio::new(&file, numbers));
         let on_air = radio.as_ref().map_or(0, Radio::longest);
         let slowest = channels.iter().map(|channel| channel.delay.most).max().unwrap_or(0);
         let outage = |fault: &FaultFile| match fault {
@@ -119,6 +127,7 @@ impl Link {
                 longest: on_air + 2 * slowest,
             },
             outages: file.faults.iter().filter_map(outage).collect(),
+            damaged_ids: numbers.of(&DAMAGED_IDS),
             under_way: BinaryHeap::new(),
             order: 0,
             seq: 0,
@@ -260,16 +269,16 @@ impl Link {
         }
     }
 
-    /// Damages a message's id or its value, one as often as the other (ours); whether it can still be understood.
+    /// Damages a message's id or its value; whether it can still be understood.
     fn garble(&self, message: &mut Message) -> bool {
-        let damage = 2.0 * message.draws.of(Chance::Damage);
-        if damage < 1.0 {
-            let id = garbled_id(self.channels[message.sensor.index()].id, damage);
+        let (damage, of_ids) = (message.draws.of(Chance::Damage), self.damaged_ids);
+        if damage < of_ids {
+            let id = garbled_id(self.channels[message.sensor.index()].id, damage / of_ids);
             let owner = self.channels.iter().position(|channel| channel.id == id);
             message.id = owner.map_or(message.id, SensorId::of);
             return owner.is_some();
         }
-        let value = garbled_value(message.value, damage - 1.0);
+        let value = garbled_value(message.value, (damage - of_ids) / (1.0 - of_ids));
         message.value = value.unwrap_or(message.value);
         value.is_some()
     }

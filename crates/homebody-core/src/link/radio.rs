@@ -5,7 +5,7 @@
 //!
 //! We assume that all copies are of one length, that every sensor of the home is as loud at the receiver as any other,
 //! and that a copy is received unless another sensor's copy is on the air in any part of it. A sensor that has more to
-//! say while it sends says it afterwards, but does not remember it for longer than five seconds (ours).
+//! say while it sends says it afterwards, but does not remember it for longer than some seconds.
 //!
 //! A message is received at the end of its first clean copy, and lost if it has none. When a copy ends, all that was on
 //! the air meanwhile is known, so nothing has to be taken back.
@@ -14,8 +14,9 @@
 //! message on the power line. Noise is the link's loss.
 
 use crate::ids::SensorId;
+use crate::numbers::Numbers;
 use crate::scenario::link::RadioFile;
-use crate::time::{Micros, SECOND, micros};
+use crate::time::{Micros, micros};
 
 /// The channel, with what is on the air or was so a moment ago.
 #[derive(Clone, Debug)]
@@ -24,6 +25,8 @@ pub struct Radio {
     frame: Micros,
     /// From the beginning of a copy to that of the next.
     period: Micros,
+    /// A message that would have to wait longer is forgotten.
+    longest_wait: Micros,
     on_air: Vec<Sending>,
 }
 
@@ -34,13 +37,15 @@ struct Sending {
     begin: Micros,
 }
 
-/// A message that would have to wait longer for its own sensor to be free is forgotten (ours).
-const LONGEST_WAIT: Micros = 5 * SECOND;
+crate::numbers! {
+    /// A message that would have to wait longer for its own sensor to be free is forgotten.
+    static LONGEST_WAIT = "radio.longest_wait": 5.0, "s", [0.0, 600.0];
+}
 
 impl Radio {
-    pub fn new(file: &RadioFile) -> Radio {
-        let frame = micros(file.frame_s);
-        Radio { copies: file.copies, frame, period: frame + micros(file.gap_s), on_air: Vec::new() }
+    pub fn new(file: &RadioFile, numbers: &Numbers) -> Radio {
+        let (frame, longest_wait) = (micros(file.frame_s), micros(numbers.of(&LONGEST_WAIT)));
+        Radio { copies: file.copies, frame, period: frame + micros(file.gap_s), longest_wait, on_air: Vec::new() }
     }
 
     /// A sensor has something to say: when it begins to send it, if ever. What came before has been told before.
@@ -49,7 +54,7 @@ impl Radio {
         self.on_air.retain(|sending| sending.begin + whole > at - frame);
         let own = self.on_air.iter().filter(|sending| sending.sensor == sensor);
         let begin = own.map(|sending| sending.begin + whole).fold(at, Micros::max);
-        if begin - at > LONGEST_WAIT {
+        if begin - at > self.longest_wait {
             return None;
         }
         self.on_air.push(Sending { sensor, begin });
@@ -78,7 +83,7 @@ impl Radio {
 
     /// From when a sensor has something to say until it has been received, at most.
     pub fn longest(&self) -> Micros {
-        LONGEST_WAIT + self.period * Micros::from(self.copies)
+        self.longest_wait + self.period * Micros::from(self.copies)
     }
 }
 
@@ -90,7 +95,7 @@ mod tests {
 
     /// Which copies of two messages are clean, the second of which begins so much later.
     fn clean(later: Micros) -> [Vec<bool>; 2] {
-        let mut radio = Radio::new(&RadioFile::default());
+        let mut radio = Radio::new(&RadioFile::default(), &Numbers::default());
         let begins = [(0, 0), (1, later)].map(|(sensor, at)| radio.begin(SensorId(sensor), at).unwrap());
         [0, 1].map(|sensor| (0..5).map(|copy| radio.is_clean(SensorId(sensor as u32), begins[sensor], copy)).collect())
     }
@@ -112,7 +117,7 @@ mod tests {
 
     #[test]
     fn a_sensor_says_one_thing_after_the_other() {
-        let mut radio = Radio::new(&RadioFile::default());
+        let mut radio = Radio::new(&RadioFile::default(), &Numbers::default());
         let begins: Vec<_> = (0..12).map(|_| radio.begin(SensorId(3), 0)).collect();
         assert_eq!(begins[..3], [Some(0), Some(540 * MS), Some(1080 * MS)]);
         // Ten of them wait no longer than five seconds.

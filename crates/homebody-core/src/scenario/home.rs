@@ -282,8 +282,10 @@ impl SensorFile {
     /// The numbers of the timing state machine: the preset's, with whatever the file overrides.
     ///
     /// A device's first delay holds the time of the pulses that it counts. A sensor at level `zones` has counted them
-    /// when it sees, so that only its electronics are left: at most 0.3 to 0.8 s (ours).
+    /// when it sees, so that only its electronics are left.
     pub fn timing(&self) -> Timing {
+        /// What the electronics of a sensor take at most that has counted already (ours).
+        const COUNTED_S: [f64; 2] = [0.3, 0.8];
         let has_counted = matches!(self, SensorFile::Motion(MotionFile { level: Level::Zones(_), .. }));
         let (preset, first, refire, persist) = match self {
             SensorFile::Motion(s) => (s.preset, s.first_fire_s, s.refire_s, s.persist_s),
@@ -292,7 +294,7 @@ impl SensorFile {
         };
         let timing = preset.timing();
         let [least, most] = timing.first_fire_s;
-        let delay = if has_counted { [least.min(0.3), most.min(0.8)] } else { [least, most] };
+        let delay = if has_counted { [least.min(COUNTED_S[0]), most.min(COUNTED_S[1])] } else { [least, most] };
         Timing {
             first_fire_s: first.unwrap_or(delay),
             refire_s: refire.unwrap_or(timing.refire_s),

@@ -16,6 +16,7 @@ use crate::drivers::path::ResolvedPath;
 use crate::geometry::{Point, point};
 use crate::home::plan::Plan;
 use crate::home::resolved::ResolvedHome;
+use crate::numbers::{Number, Numbers};
 use crate::problem::{Problem, Problems};
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
@@ -92,6 +93,10 @@ pub trait Language {
     /// Reads a resident's routine in a home that is sound, and says what is wrong with it. What is understood, the reader
     /// keeps: a text is read once. A resident with a routine is not asked about where the home is not sound.
     fn read(&mut self, said: &RoutineText, home: &HomeFile, plan: &Plan, files: &dyn Files) -> Vec<Problem>;
+
+    /// The numbers that a scenario may set, those of this crate among them. `None`: not known, so that what a scenario sets
+    /// is taken as it is.
+    fn numbers(&self) -> Option<Vec<Number>>;
 }
 
 /// A routine as it stands in its file.
@@ -110,6 +115,10 @@ pub struct RoutineText<'a> {
 impl Language for () {
     fn read(&mut self, _said: &RoutineText, _home: &HomeFile, _plan: &Plan, _files: &dyn Files) -> Vec<Problem> {
         Vec::new()
+    }
+
+    fn numbers(&self) -> Option<Vec<Number>> {
+        None
     }
 }
 
@@ -165,6 +174,12 @@ impl Loader<'_> {
         let Read { source, data: file } = self.parse::<ScenarioFile>(entry, FileKind::Scenario, &text, None)?;
         let calendar = file.as_ref().and_then(|file| check::scenario::check(&source, file, &mut self.problems));
 
+        let set = file.as_ref().filter(|file| !file.numbers.is_empty());
+        if let Some((file, known)) = set.and_then(|file| Some((file, self.language.numbers()?))) {
+            check::scenario::check_numbers(&source, file, &known, &mut self.problems);
+        }
+        let numbers = file.as_ref().map_or_else(Numbers::default, |file| Numbers::new(&file.numbers));
+
         let root = source.root.to_json();
         let home: Option<Read<HomeFile>> = self.link(&source, &root, "/home", FileKind::Home);
         let home = home.and_then(|Read { source, data }| Some((source, data?)));
@@ -209,7 +224,7 @@ impl Loader<'_> {
         Some(Scenario {
             entry: entry.into(),
             calendar: calendar?,
-            home: ResolvedHome::with_plan(home?, plan?).ok()?,
+            home: ResolvedHome::with_plan(home?, plan?, numbers).ok()?,
             link: link?,
             logger: logger?,
             residents: residents.into_iter().collect::<Option<_>>()?,

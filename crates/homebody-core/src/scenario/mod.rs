@@ -25,6 +25,7 @@ pub mod source;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// `scenario.json`: what to run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -63,6 +64,10 @@ pub struct ScenarioFile {
     /// The files that describe who lives there.
     #[schemars(length(max = 1_000))]
     pub residents: Vec<String>,
+    /// Numbers of the models that are otherwise in this scenario, by name: `homebody numbers` lists them, with units and
+    /// ranges.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub numbers: BTreeMap<String, f64>,
 }
 
 impl ScenarioFile {
@@ -80,6 +85,7 @@ impl ScenarioFile {
             link: None,
             logger: None,
             residents: Vec::new(),
+            numbers: BTreeMap::new(),
         }
     }
 }

@@ -24,6 +24,7 @@ use crate::event::{Band, MotionState, Trigger, Value, Vitals};
 use crate::geometry::{self, Point};
 use crate::home::sun::Sun;
 use crate::ids::ResidentId;
+use crate::numbers::Numbers;
 use crate::random::{Stream, no_stream};
 use crate::scenario::path::Posture;
 use crate::time::{Micros, NEVER, micros};
@@ -120,10 +121,16 @@ impl DeviceForm for BedFile {
     }
 }
 
-/// Of whom the truth says nothing (ours).
-const ORDINARY: Vitals = Vitals { pulse: 62.0, respiration: 15.0 };
-/// How far readings of pulse and respiration are off (ours).
-const NOISE: Vitals = Vitals { pulse: 2.0, respiration: 1.0 };
+crate::numbers! {
+    /// The pulse of somebody of whose heart the truth says nothing.
+    static PULSE = "bed.pulse": 62.0, "1/min", [40.0, 120.0];
+    /// The respiration of somebody of whose lungs the truth says nothing.
+    static RESPIRATION = "bed.respiration": 15.0, "1/min", [8.0, 30.0];
+    /// The standard deviation by which readings of the pulse are off.
+    static PULSE_NOISE = "bed.pulse_noise": 2.0, "1/min", [0.0, 20.0];
+    /// The standard deviation by which readings of the respiration are off.
+    static RESPIRATION_NOISE = "bed.respiration_noise": 1.0, "1/min", [0.0, 10.0];
+}
 
 /// A bed sensor.
 #[derive(Clone, Debug, PartialEq)]
@@ -133,6 +140,9 @@ pub struct Bed {
     every: Micros,
     still: Micros,
     limits: Limits,
+    /// Of whom the truth says nothing, and how far readings are off.
+    ordinary: Vitals,
+    noise: Vitals,
     stream: Stream,
     timer: Micros,
     /// What it knows of each resident.
@@ -178,6 +188,8 @@ impl Bed {
             every: micros(file.vitals_every_s),
             still: micros(file.still_s),
             limits: Limits { pulse: file.pulse_bpm, respiration: file.respiration_pm },
+            ordinary: Vitals { pulse: PULSE.value, respiration: RESPIRATION.value },
+            noise: Vitals { pulse: 0.0, respiration: 0.0 },
             stream: no_stream(),
             timer: NEVER,
             sleepers: Vec::new(),
@@ -190,8 +202,10 @@ impl Bed {
 }
 
 impl DeviceModel for Bed {
-    fn begin(&self, stream: Stream, _sun: Sun) -> Bed {
-        Bed { stream, ..self.clone() }
+    fn begin(&self, stream: Stream, _sun: Sun, numbers: &Numbers) -> Bed {
+        let vitals = |pulse, respiration| Vitals { pulse: numbers.of(pulse), respiration: numbers.of(respiration) };
+        let (ordinary, noise) = (vitals(&PULSE, &RESPIRATION), vitals(&PULSE_NOISE, &RESPIRATION_NOISE));
+        Bed { stream, ordinary, noise, ..self.clone() }
     }
 
     fn feels_bodies(&self) -> bool {
@@ -202,7 +216,7 @@ impl DeviceModel for Bed {
         let (Change::Body { resident, .. } | Change::Vitals { resident, .. }) = *change else { return };
         let resident = resident.index();
         if resident >= self.sleepers.len() {
-            let awake = Sleeper { since: None, lies: false, stirs: false, vitals: ORDINARY, news: None };
+            let awake = Sleeper { since: None, lies: false, stirs: false, vitals: self.ordinary, news: None };
             self.sleepers.resize(resident + 1, awake);
         }
         let before = self.sleepers[resident];
@@ -299,8 +313,8 @@ impl Bed {
         }
         let Vitals { pulse, respiration } = self.sleepers[who].vitals;
         let felt = Vitals {
-            pulse: self.stream.normal(pulse, NOISE.pulse),
-            respiration: self.stream.normal(respiration, NOISE.respiration),
+            pulse: self.stream.normal(pulse, self.noise.pulse),
+            respiration: self.stream.normal(respiration, self.noise.respiration),
         };
         let (pulse, respiration) = self.limits.bands(felt);
         outbox.say(Value::Pulse(pulse), Some(ResidentId::of(who)), at, Trigger::Reading);

@@ -14,6 +14,7 @@ use super::form::Site;
 use super::kinds::devices;
 use super::outbox::{Change, DeviceModel, Outbox};
 use crate::home::sun::Sun;
+use crate::numbers::Numbers;
 use crate::random::Stream;
 use crate::scenario::home::SensorFile;
 use crate::time::Micros;
@@ -38,8 +39,8 @@ macro_rules! device {
         }
 
         impl DeviceModel for Device {
-            fn begin(&self, stream: Stream, sun: Sun) -> Device {
-                match self { $(Device::$kind(device) => Device::$kind(device.begin(stream, sun))),* }
+            fn begin(&self, stream: Stream, sun: Sun, numbers: &Numbers) -> Device {
+                match self { $(Device::$kind(device) => Device::$kind(device.begin(stream, sun, numbers))),* }
             }
 
             fn feels_bodies(&self) -> bool {

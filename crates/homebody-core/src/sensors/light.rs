@@ -17,6 +17,7 @@ use super::rounds::Rounds;
 use crate::event::Trigger;
 use crate::home::sun::Sun;
 use crate::ids::{ResidentId, ThingId};
+use crate::numbers::Numbers;
 use crate::random::Stream;
 use crate::time::{Micros, micros};
 use schemars::JsonSchema;
@@ -76,8 +77,11 @@ impl DeviceForm for LightFile {
     }
 }
 
-/// The power of the sine of the sun's height (ours).
-const POWER: f64 = 1.2;
+crate::numbers! {
+    /// The power of the sine of the sun's height that daylight in a room goes with.
+    static POWER = "light.power": 1.2, "1", [0.5, 3.0];
+}
+
 /// What it tells apart at least, in lux.
 const STEP_LUX: f64 = 1.0;
 
@@ -93,6 +97,7 @@ pub struct Light {
     lamp_lux: f64,
     change: f64,
     sun: Sun,
+    power: f64,
     rounds: Rounds,
     said_lux: Option<f64>,
     measures: Micros,
@@ -109,6 +114,7 @@ impl Light {
             lamp_lux: file.lamp_lux,
             change: file.change_percent / 100.0,
             sun: Sun::default(),
+            power: POWER.value,
             rounds: Rounds::new(micros(file.every_s)),
             said_lux: None,
             measures: 0,
@@ -117,9 +123,9 @@ impl Light {
 }
 
 impl DeviceModel for Light {
-    fn begin(&self, mut stream: Stream, sun: Sun) -> Light {
+    fn begin(&self, mut stream: Stream, sun: Sun, numbers: &Numbers) -> Light {
         let rounds = self.rounds.begin(&mut stream);
-        Light { sun, rounds, measures: rounds.first(), ..self.clone() }
+        Light { sun, rounds, power: numbers.of(&POWER), measures: rounds.first(), ..self.clone() }
     }
 
     fn on_event(&mut self, at: Micros, change: &Change, _outbox: &mut Outbox) {
@@ -149,7 +155,7 @@ impl DeviceModel for Light {
 
 impl Light {
     fn lux(&self, at: Micros) -> f64 {
-        let daylight = self.daylight_lux * libm::pow(self.sun.elevation_sine(at).max(0.0), POWER);
+        let daylight = self.daylight_lux * libm::pow(self.sun.elevation_sine(at).max(0.0), self.power);
         daylight + if self.lamp_on { self.lamp_lux } else { 0.0 }
     }
 }

@@ -11,6 +11,7 @@
 use crate::event::{MotionState, Provenance, Trigger, Value, Vitals};
 use crate::home::sun::Sun;
 use crate::ids::{ResidentId, ThingId};
+use crate::numbers::Numbers;
 use crate::random::Stream;
 use crate::scenario::path::Posture;
 use crate::time::{Micros, NEVER};
@@ -28,8 +29,8 @@ pub enum Change {
 
 /// How a device behaves. What does nothing by default, many do not need.
 pub trait DeviceModel: Clone {
-    /// The device at the beginning of a run, with random numbers of its own, under this sun.
-    fn begin(&self, _stream: Stream, _sun: Sun) -> Self {
+    /// The device at the beginning of a run, with random numbers of its own, under this sun, its model made by these numbers.
+    fn begin(&self, _stream: Stream, _sun: Sun, _numbers: &Numbers) -> Self {
         self.clone()
     }
 

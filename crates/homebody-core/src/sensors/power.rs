@@ -15,6 +15,7 @@ use super::outbox::{Change, DeviceModel, Outbox, reading};
 use crate::event::{Trigger, Value};
 use crate::home::sun::Sun;
 use crate::ids::{ResidentId, ThingId};
+use crate::numbers::Numbers;
 use crate::random::{Stream, no_stream};
 use crate::time::{Micros, NEVER, micros};
 use schemars::JsonSchema;
@@ -90,8 +91,10 @@ impl DeviceForm for PowerFile {
     }
 }
 
-/// How far readings are off, as a share (ours).
-const NOISE: f64 = 0.02;
+crate::numbers! {
+    /// The standard deviation by which readings are off, as a share of them.
+    static NOISE = "power.noise": 0.02, "1", [0.0, 0.5];
+}
 
 /// A power sensor.
 #[derive(Clone, Debug, PartialEq)]
@@ -103,6 +106,7 @@ pub struct Power {
     watts: Option<f64>,
     standby_watts: f64,
     every: Option<Micros>,
+    noise: f64,
     stream: Stream,
     measures: Micros,
 }
@@ -117,6 +121,7 @@ impl Power {
             watts: file.watts,
             standby_watts: file.standby_watts,
             every: file.readings_every_s.map(micros),
+            noise: NOISE.value,
             stream: no_stream(),
             measures: NEVER,
         }
@@ -124,8 +129,8 @@ impl Power {
 }
 
 impl DeviceModel for Power {
-    fn begin(&self, stream: Stream, _sun: Sun) -> Power {
-        Power { stream, ..self.clone() }
+    fn begin(&self, stream: Stream, _sun: Sun, numbers: &Numbers) -> Power {
+        Power { stream, noise: numbers.of(&NOISE), ..self.clone() }
     }
 
     fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
@@ -154,7 +159,7 @@ impl DeviceModel for Power {
 impl Power {
     fn measure(&mut self, at: Micros, outbox: &mut Outbox) {
         let Some(watts) = self.watts else { return };
-        let drawn = if self.on { self.stream.normal(watts, NOISE * watts) } else { self.standby_watts };
+        let drawn = if self.on { self.stream.normal(watts, self.noise * watts) } else { self.standby_watts };
         outbox.say(reading(drawn), self.by, at, Trigger::Reading);
         self.measures = self.every.filter(|_| self.on).map_or(NEVER, |every| at + every);
     }
@@ -166,8 +171,11 @@ mod tests {
     use crate::time::SECOND;
 
     fn power(json: serde_json::Value) -> Power {
-        Power::new(&serde_json::from_value(json).unwrap(), &Site { thing: ThingId(1), ..Site::default() })
-            .begin(Stream::named(1, "power"), Sun::default())
+        Power::new(&serde_json::from_value(json).unwrap(), &Site { thing: ThingId(1), ..Site::default() }).begin(
+            Stream::named(1, "power"),
+            Sun::default(),
+            &Numbers::default(),
+        )
     }
 
     fn act(on: bool) -> Change {

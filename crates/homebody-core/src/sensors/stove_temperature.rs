@@ -20,6 +20,7 @@ use super::rounds::Rounds;
 use crate::event::{Trigger, Value};
 use crate::home::sun::Sun;
 use crate::ids::{ResidentId, ThingId};
+use crate::numbers::Numbers;
 use crate::random::Stream;
 use crate::time::{Micros, NEVER, micros, seconds};
 use schemars::JsonSchema;
@@ -102,14 +103,17 @@ impl DeviceForm for StoveTemperatureFile {
     }
 }
 
-/// Ours.
+/// What a cold stove has (ours); a file's limits lie above it.
 pub const ROOM_C: f64 = 22.0;
-/// Ours: a burner is hot after some minutes.
-const HEATING_S: f64 = 240.0;
-/// Ours: a plate can be touched again after half an hour.
-const COOLING_S: f64 = 1_200.0;
-/// It tells what has changed by this (ours).
-const CHANGE_C: f64 = 1.0;
+
+crate::numbers! {
+    /// The time constant with which a stove heats up: a burner is hot after some minutes.
+    static HEATING_S = "stove.heating": 240.0, "s", [10.0, 3_600.0];
+    /// The time constant with which a stove cools down: a plate can be touched again after half an hour.
+    static COOLING_S = "stove.cooling": 1_200.0, "s", [60.0, 14_400.0];
+    /// A stove's sensor tells what has changed by this.
+    static CHANGE_C = "stove.change": 1.0, "°C", [0.01, 50.0];
+}
 
 /// A stove's temperature sensor.
 #[derive(Clone, Debug, PartialEq)]
@@ -120,6 +124,9 @@ pub struct StoveTemperature {
     on_above_c: f64,
     off_below_c: f64,
     rounds: Option<Rounds>,
+    heating_s: f64,
+    cooling_s: f64,
+    change_c: f64,
     /// How the stove is, since when, by whose doing, and how warm it was then.
     on: bool,
     since: Micros,
@@ -140,6 +147,9 @@ impl StoveTemperature {
             on_above_c: file.on_above_c,
             off_below_c: file.off_below_c,
             rounds: file.readings_every_s.map(|every| Rounds::new(micros(every))),
+            heating_s: HEATING_S.value,
+            cooling_s: COOLING_S.value,
+            change_c: CHANGE_C.value,
             on: false,
             since: 0,
             by: None,
@@ -153,8 +163,10 @@ impl StoveTemperature {
 }
 
 impl DeviceModel for StoveTemperature {
-    fn begin(&self, mut stream: Stream, _sun: Sun) -> StoveTemperature {
-        StoveTemperature { rounds: self.rounds.map(|rounds| rounds.begin(&mut stream)), ..self.clone() }
+    fn begin(&self, mut stream: Stream, _sun: Sun, numbers: &Numbers) -> StoveTemperature {
+        let [heating_s, cooling_s, change_c] = [&HEATING_S, &COOLING_S, &CHANGE_C].map(|number| numbers.of(number));
+        let rounds = self.rounds.map(|rounds| rounds.begin(&mut stream));
+        StoveTemperature { rounds, heating_s, cooling_s, change_c, ..self.clone() }
     }
 
     fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
@@ -181,7 +193,7 @@ impl DeviceModel for StoveTemperature {
         }
         if self.measures <= at {
             let now_c = self.temperature_c(at);
-            if (now_c - self.told_c).abs() >= CHANGE_C {
+            if (now_c - self.told_c).abs() >= self.change_c {
                 self.told_c = now_c;
                 outbox.say(reading(now_c), self.by, at, Trigger::Reading);
             }
@@ -192,7 +204,7 @@ impl DeviceModel for StoveTemperature {
 
 impl StoveTemperature {
     fn target(&self) -> (f64, f64) {
-        if self.on { (self.hot_c, HEATING_S) } else { (ROOM_C, COOLING_S) }
+        if self.on { (self.hot_c, self.heating_s) } else { (ROOM_C, self.cooling_s) }
     }
 
     fn temperature_c(&self, at: Micros) -> f64 {
@@ -216,7 +228,7 @@ impl StoveTemperature {
     /// When to measure next: in no round if the temperature stays as near to what was told as it is.
     fn next_measurement(&self, at: Micros) -> Micros {
         let (target_c, _) = self.target();
-        let far = |c: f64| (c - self.told_c).abs() >= CHANGE_C;
+        let far = |c: f64| (c - self.told_c).abs() >= self.change_c;
         let Some(rounds) = self.rounds.filter(|_| far(target_c) || far(self.temperature_c(at))) else { return NEVER };
         rounds.after(at)
     }

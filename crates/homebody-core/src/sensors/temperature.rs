@@ -17,8 +17,9 @@ use super::outbox::{DeviceModel, Outbox, reading};
 use super::rounds::Rounds;
 use crate::event::Trigger;
 use crate::home::sun::Sun;
+use crate::numbers::Numbers;
 use crate::random::{Stream, no_stream};
-use crate::time::{Micros, SECOND, micros, seconds};
+use crate::time::{Micros, micros, seconds};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -74,12 +75,14 @@ impl DeviceForm for TemperatureFile {
     }
 }
 
-/// Ours.
-const LAG: Micros = 3 * 3600 * SECOND;
-/// Ours.
-const WANDER_C: f64 = 0.4;
-/// Ours.
-const MEMORY_S: f64 = 6.0 * 3600.0;
+crate::numbers! {
+    /// How long after the sun a room is at its warmest.
+    static LAG = "temperature.lag": 3.0 * 3600.0, "s", [0.0, 43_200.0];
+    /// The standard deviation of the slow wander of a room's temperature.
+    static WANDER_C = "temperature.wander": 0.4, "°C", [0.0, 10.0];
+    /// The time constant with which the wander's memory fades.
+    static MEMORY_S = "temperature.memory": 6.0 * 3600.0, "s", [60.0, 2_592_000.0];
+}
 
 /// A temperature sensor.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,6 +93,9 @@ pub struct Temperature {
     sun: Sun,
     stream: Stream,
     rounds: Rounds,
+    lag: Micros,
+    spread_c: f64,
+    memory_s: f64,
     wander_c: f64,
     said_c: Option<f64>,
     measures: Micros,
@@ -105,6 +111,9 @@ impl Temperature {
             sun: Sun::default(),
             stream: no_stream(),
             rounds: Rounds::new(micros(file.every_s)),
+            lag: 0,
+            spread_c: 0.0,
+            memory_s: 1.0,
             wander_c: 0.0,
             said_c: None,
             measures: 0,
@@ -113,10 +122,12 @@ impl Temperature {
 }
 
 impl DeviceModel for Temperature {
-    fn begin(&self, mut stream: Stream, sun: Sun) -> Temperature {
+    fn begin(&self, mut stream: Stream, sun: Sun, numbers: &Numbers) -> Temperature {
         let rounds = self.rounds.begin(&mut stream);
-        let wander_c = stream.normal(0.0, WANDER_C);
-        Temperature { sun, rounds, wander_c, stream, measures: rounds.first(), ..self.clone() }
+        let [spread_c, memory_s] = [&WANDER_C, &MEMORY_S].map(|number| numbers.of(number));
+        let (lag, wander_c) = (micros(numbers.of(&LAG)), stream.normal(0.0, spread_c));
+        let measures = rounds.first();
+        Temperature { sun, rounds, lag, spread_c, memory_s, wander_c, stream, measures, ..self.clone() }
     }
 
     fn timer(&self) -> Micros {
@@ -124,14 +135,14 @@ impl DeviceModel for Temperature {
     }
 
     fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
-        let now = self.mean_c + self.swing_c * self.sun.hour_angle_cosine(at - LAG) + self.wander_c;
+        let now = self.mean_c + self.swing_c * self.sun.hour_angle_cosine(at - self.lag) + self.wander_c;
         if self.said_c.is_none_or(|before| (now - before).abs() >= self.step_c) {
             let told = libm::round(now / self.step_c) * self.step_c;
             self.said_c = Some(told);
             outbox.say(reading(told), None, at, Trigger::Reading);
         }
-        let left = libm::exp(-seconds(self.rounds.every()) / MEMORY_S);
-        self.wander_c = left * self.wander_c + self.stream.normal(0.0, WANDER_C * libm::sqrt(1.0 - left * left));
+        let left = libm::exp(-seconds(self.rounds.every()) / self.memory_s);
+        self.wander_c = left * self.wander_c + self.stream.normal(0.0, self.spread_c * libm::sqrt(1.0 - left * left));
         self.measures = self.rounds.after(at);
     }
 }
@@ -157,13 +168,17 @@ fn temperature_every() -> f64 {
 mod tests {
     use super::*;
     use crate::event::Value;
-    use crate::time::DAY;
+    use crate::time::{DAY, SECOND};
 
     fn thermometer(json: serde_json::Value) -> Temperature {
         let mut file = serde_json::json!({ "name": "t", "room": "kitchen" });
         file.as_object_mut().unwrap().extend(json.as_object().unwrap().clone());
         let sun = Sun { day_of_year: 80.0, time_of_day: 0, latitude_deg: 40.0 };
-        Temperature::new(&serde_json::from_value(file).unwrap(), &Site::default()).begin(Stream::named(2, "t"), sun)
+        Temperature::new(&serde_json::from_value(file).unwrap(), &Site::default()).begin(
+            Stream::named(2, "t"),
+            sun,
+            &Numbers::default(),
+        )
     }
 
     fn readings(mut device: Temperature, days: Micros) -> Vec<(Micros, f64)> {
@@ -216,7 +231,7 @@ mod tests {
             let pairs = wander.iter().zip(&wander[lag..]);
             pairs.map(|(a, b)| a * b).sum::<f64>() / (wander.len() - lag) as f64
         };
-        assert!((product(0).sqrt() - WANDER_C).abs() < 0.02, "{}", product(0).sqrt());
+        assert!((product(0).sqrt() - WANDER_C.value).abs() < 0.02, "{}", product(0).sqrt());
         // After six hours, 24 measurements, 1 / e is left.
         assert!((product(24) / product(0) - 0.368).abs() < 0.04, "{}", product(24) / product(0));
     }

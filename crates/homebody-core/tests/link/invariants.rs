@@ -9,6 +9,7 @@ use homebody_core::home::plan::Plan;
 use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::home::{Build, Home};
 use homebody_core::ids::{SensorId, ThingId};
+use homebody_core::numbers::Numbers;
 use homebody_core::run::{DriverProvider, Guest, Run};
 use homebody_core::scenario::ScenarioFile;
 use homebody_core::scenario::calendar::Calendar;
@@ -204,7 +205,7 @@ fn forgetting_what_is_under_way_does_change_something() {
         let home = home(case);
         let (file, sensors) = (link_file(json!({ "preset": "x10" })), home.sensors.clone());
         let mut said = lived(run(case, home, None, LENGTH), &[]);
-        let link = Link::new(&file, &sensors, 0, case);
+        let link = Link::new(&file, &sensors, &Numbers::default(), 0, case);
         let (mut whole, mut pieces) = (Events::default(), Events::default());
         for firing in &said.firings {
             let of_one = Events {

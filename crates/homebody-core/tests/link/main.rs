@@ -9,6 +9,7 @@ mod statistics;
 use homebody_core::event::{Events, Fact, Firing, Loss, Provenance, Trigger, Value};
 use homebody_core::ids::{ResidentId, SensorId};
 use homebody_core::link::Link;
+use homebody_core::numbers::Numbers;
 use homebody_core::scenario::home::SensorFile;
 use homebody_core::scenario::link::LinkFile;
 use homebody_core::time::{Micros, SECOND};
@@ -50,7 +51,7 @@ fn carried(
     messages: &[(Micros, u32, Value)],
     until: Micros,
 ) -> Events {
-    let mut link = Link::new(&link_file(file), sensors, 0, 1);
+    let mut link = Link::new(&link_file(file), sensors, &Numbers::default(), 0, 1);
     let mut events = Events::default();
     link.carry(&mut said(messages), until, &mut events);
     events

@@ -138,8 +138,9 @@ impl<'a> Lived<'a> {
     }
 }
 
-/// The speed of a stride that is long enough to tell: a metre, as on a line of sensors (ours).
+/// The speed of a stride that is long enough to tell.
 pub fn speed_mps(moved: &Moved) -> Option<f64> {
+    /// As on a line of sensors (ours).
     const LEAST_M: f64 = 1.0;
     let MotionState::Stride { from, to } = moved.doing else { return None };
     let length = from.distance(to);

@@ -4,9 +4,11 @@
 //! something else is put beside it. The order is that of the starts; how the day really goes is for the living.
 
 use super::life::{DayParameters, InForce, Life};
+use super::usual;
 use crate::fuzzy::Fuzzy;
 use crate::routine::{Activity, Habit, Meal, PartOfDay, When};
 use homebody_core::activity::UsualLength;
+use homebody_core::numbers::Numbers;
 use homebody_core::time::{Micros, SECOND, micros, seconds};
 
 /// A day's plan.
@@ -65,16 +67,35 @@ enum Start {
 const MINUTE: f64 = 60.0;
 const HOUR: f64 = 3600.0;
 
-/// So long after getting up the morning's washing and dressing is over (ours).
-const SOON: Micros = 3600 * SECOND;
+homebody_core::numbers! {
+    /// So long after getting up the morning's washing and dressing is over.
+    static SOON_S = "day.soon": 3_600.0, "s", [0.0, 14_400.0];
+    /// Outings shorter than this are left out.
+    static LEAST_OUT_S = "day.least_out": 600.0, "s", [0.0, 7_200.0];
+    /// When one gets up on a day of which no sentence says so: 06:44 of healthy older adults (Scientific
+    /// Reports 2015, actigraphy).
+    static UP_H = "day.up": 6.73, "h", [2.0, 14.0];
+    /// How much earlier or later than that one gets up at most.
+    static UP_SPREAD_H = "day.up_spread": 0.5, "h", [0.0, 4.0];
+    /// When one goes to bed on a day of which no sentence says so: 23:23 of healthy older adults
+    /// (Scientific Reports 2015, actigraphy).
+    static BED_H = "day.bed": 23.38, "h", [17.0, 28.0];
+    /// How much earlier than that one goes to bed at most.
+    static BED_EARLIER_H = "day.bed_earlier": 0.48, "h", [0.0, 4.0];
+    /// How much later than that one goes to bed at most.
+    static BED_LATER_H = "day.bed_later": 0.52, "h", [0.0, 4.0];
+}
 
-/// Outings shorter than this are left out (ours).
-const LEAST_OUT: Micros = 10 * 60 * SECOND;
+/// Getting up where nothing is said or the quantifier says no.
+fn usual_up(numbers: &Numbers) -> Fuzzy {
+    Fuzzy::around(numbers.of(&UP_H) * HOUR, numbers.of(&UP_SPREAD_H) * HOUR)
+}
 
-/// Getting up and going to bed where nothing is said or the quantifier says no: 06:44 and 23:23 of healthy older adults
-/// (Scientific Reports 2015, actigraphy), give or take half an hour (ours).
-const UP: Fuzzy = Fuzzy { low: 6.23 * HOUR, from: 6.73 * HOUR, to: 6.73 * HOUR, high: 7.23 * HOUR };
-const BED: Fuzzy = Fuzzy { low: 22.9 * HOUR, from: 23.38 * HOUR, to: 23.38 * HOUR, high: 23.9 * HOUR };
+/// Going to bed where nothing is said or the quantifier says no.
+fn usual_bed(numbers: &Numbers) -> Fuzzy {
+    let [at, earlier, later] = [&BED_H, &BED_EARLIER_H, &BED_LATER_H].map(|number| numbers.of(number) * HOUR);
+    Fuzzy { low: at - earlier, from: at, to: at, high: at + later }
+}
 
 impl Agenda {
     /// The plan of a day of a life, as it is with the day's mood.
@@ -112,7 +133,8 @@ impl Agenda {
 /// When the resident gets up on a day.
 pub fn up(life: &Life, day: i32, parameters: &DayParameters) -> Micros {
     let time = clock_of(life, day, parameters, &Activity::GetUp).unwrap_or_else(|| {
-        varied(&UP, life.stream_of_day(day, "up").unit(), parameters.irregular) + parameters.later_s(&Activity::GetUp)
+        varied(&usual_up(&life.numbers), life.stream_of_day(day, "up").unit(), parameters.irregular)
+            + parameters.later_s(&Activity::GetUp)
     }) + life.person.up_s;
     life.instant(day, time.clamp(2.0 * HOUR, 14.0 * HOUR))
 }
@@ -120,7 +142,7 @@ pub fn up(life: &Life, day: i32, parameters: &DayParameters) -> Micros {
 /// When the resident goes to bed at the end of a day.
 fn bed(life: &Life, day: i32, parameters: &DayParameters) -> Micros {
     let time = clock_of(life, day, parameters, &Activity::GoToBed).unwrap_or_else(|| {
-        varied(&BED, life.stream_of_day(day, "bed").unit(), parameters.irregular)
+        varied(&usual_bed(&life.numbers), life.stream_of_day(day, "bed").unit(), parameters.irregular)
             + parameters.later_s(&Activity::GoToBed)
     }) + life.person.bed_s;
     // Half past midnight is the end of the day before.
@@ -246,7 +268,7 @@ impl Planner<'_> {
         let lasts_s = match &habit.lasts {
             Some(lasts) => varied(lasts, share("lasts"), parameters.irregular),
             None => {
-                let UsualLength { median_min, sigma } = activity.usual_length();
+                let UsualLength { median_min, sigma } = usual::length(&activity, &self.life.numbers);
                 let mut stream = self.life.stream_of_day(self.day, &format!("{key}/lasts"));
                 stream.lognormal(median_min * MINUTE, sigma * parameters.irregular.min(2.0))
             }
@@ -271,7 +293,7 @@ impl Planner<'_> {
                 patience = (to - from) + HOUR;
                 (at(from + (to - from) * share("start")), Start::Known)
             }
-            When::AnyTime => match activity.usual_clock() {
+            When::AnyTime => match usual::clock(&activity, &self.life.numbers) {
                 Some(time) => (at(varied(&time, share("start"), parameters.irregular)), Start::Known),
                 None => {
                     patience = 6.0 * HOUR;
@@ -295,7 +317,7 @@ impl Planner<'_> {
         let until =
             habit.until.map(|until| at(varied(&until, share("until"), parameters.irregular)).saturating_add(later));
         // Nobody goes out for a moment.
-        if activity == Activity::Leave && until.is_none() && lasts < LEAST_OUT {
+        if activity == Activity::Leave && until.is_none() && lasts < micros(self.life.numbers.of(&LEAST_OUT_S)) {
             return None;
         }
         let start = start.saturating_add(if matches!(known, Start::Known) { later } else { 0 });
@@ -351,8 +373,9 @@ impl Planner<'_> {
 
     /// When what is done after getting up is done, as far as it is done soon.
     fn ready(&self, items: &[Item]) -> Micros {
+        let soon_is_over = self.up + micros(self.life.numbers.of(&SOON_S));
         let soon = items.iter().filter(|item| {
-            self.mornings.contains(&item.key) && item.start < self.up + SOON && item.activity != Activity::ComeHome
+            self.mornings.contains(&item.key) && item.start < soon_is_over && item.activity != Activity::ComeHome
         });
         soon.map(|item| item.start + item.lasts).fold(self.up, Micros::max)
     }
@@ -405,9 +428,9 @@ impl Planner<'_> {
             Some((draft, true)) => Some((draft.item.start, draft.item.start + draft.item.lasts)),
             Some((_, false)) if !at_last => None,
             _ => {
-                let usual = activity.usual_clock().map_or(12.0 * HOUR, |clock| clock.mean());
+                let usual = usual::clock(activity, &self.life.numbers).map_or(12.0 * HOUR, |clock| clock.mean());
                 let start = self.life.instant(self.day, usual);
-                Some((start, start + micros(activity.usual_length().median_min * MINUTE)))
+                Some((start, start + micros(usual::length(activity, &self.life.numbers).median_min * MINUTE)))
             }
         }
     }
@@ -415,7 +438,7 @@ impl Planner<'_> {
 
 impl Activity {
     /// When it is usually done, where nothing is said. Meals: ours, as no norms were found.
-    fn usual_clock(&self) -> Option<Fuzzy> {
+    pub(crate) fn usual_clock(&self) -> Option<Fuzzy> {
         let around = |hours: f64, minutes: f64| Some(Fuzzy::around(hours * HOUR, minutes * MINUTE));
         match self {
             Activity::Prepare(Meal::Breakfast) | Activity::TakeMedicine => around(7.75, 30.0),

@@ -25,9 +25,17 @@ pub struct Body {
 /// Nearer than this is there.
 const THERE_M: f64 = 0.01;
 
-/// Who walks slower than this is frail in rising and sitting, wholly so at half of it: 0.4-0.8 m/s is limited community
-/// walking.
-const FRAIL_MPS: f64 = 0.6;
+homebody_core::numbers! {
+    /// Who walks slower than this is frail in rising and sitting, wholly so at half of it: 0.4-0.8 m/s is limited community
+    /// walking.
+    static FRAIL_MPS = "body.frail": 0.6, "m/s", [0.05, 2.0];
+    /// The median time that sitting up takes who lies.
+    static SITTING_UP_S = "body.sitting_up": 8.0, "s", [0.5, 120.0];
+    /// The standard deviation of the logarithm of that time.
+    static SITTING_UP_SPREAD = "body.sitting_up_spread": 0.3, "1", [0.0, 2.0];
+    /// How far the trunk moves as one sits up.
+    static SITTING_UP_AMPLITUDE_M = "body.sitting_up_amplitude": 0.4, "m", [0.0, 1.0];
+}
 
 impl Body {
     pub fn new(home: Arc<Home>, mesh: Arc<Mesh>, pace_mps: f64) -> Body {
@@ -83,11 +91,11 @@ impl Body {
         self.spot = Some(spot.clone());
         let mut moves = self.stand_up(now, pace, stream);
         let set_out = moves.last().map_or(now, |last| last.end);
-        let gait = Gait::of_walk(self.pace_mps * pace, hour, 0.0, stream);
+        let gait = Gait::of_walk(self.pace_mps * pace, hour, 0.0, &self.home.numbers, stream);
         moves.extend(walk(&path, self.at, set_out, &gait));
         if spot.posture != Posture::Standing {
             let arrived = moves.last().map_or(set_out, |last| last.end);
-            moves.push(sit(spot.at, arrived, self.frailty(pace), spot.posture, stream));
+            moves.push(sit(spot.at, arrived, self.frailty(pace), spot.posture, &self.home.numbers, stream));
         }
         Some(moves)
     }
@@ -103,7 +111,7 @@ impl Body {
         stream: &mut Stream,
     ) -> Vec<MotionSegment> {
         let mut moves = self.stand_up(now, pace, stream);
-        let gait = Gait::of_walk(self.pace_mps * pace, hour, 0.0, stream);
+        let gait = Gait::of_walk(self.pace_mps * pace, hour, 0.0, &self.home.numbers, stream);
         let mut from = self.at;
         let begin = moves.last().map_or(now, |last| last.end);
         // Out of the bed or the chair first.
@@ -113,27 +121,40 @@ impl Body {
         }
         let begin = moves.last().map_or(now, |last| last.end);
         let mesh = self.routes.mesh();
-        moves.extend(wander(kind, mesh, &self.home.plan, from, begin, lasts.max(10 * SECOND), &gait, stream));
+        moves.extend(wander(
+            kind,
+            mesh,
+            &self.home.plan,
+            from,
+            begin,
+            lasts.max(10 * SECOND),
+            &gait,
+            &self.home.numbers,
+            stream,
+        ));
         self.spot = None;
         moves
     }
 
     /// Sitting up and rising, if it does not stand.
     fn stand_up(&self, now: Micros, pace: f64, stream: &mut Stream) -> Vec<MotionSegment> {
+        let numbers = &self.home.numbers;
         let mut moves = Vec::new();
         if self.posture == Posture::Lying {
-            let end = now + micros(stream.lognormal(8.0, 0.3));
-            let doing = MotionState::InPlace { at: self.at, amplitude_m: 0.4 };
+            let end = now + micros(stream.lognormal(numbers.of(&SITTING_UP_S), numbers.of(&SITTING_UP_SPREAD)));
+            let amplitude_m = numbers.of(&SITTING_UP_AMPLITUDE_M);
+            let doing = MotionState::InPlace { at: self.at, amplitude_m };
             moves.push(MotionSegment { begin: now, end, doing, posture: Posture::Sitting });
         }
         if self.posture != Posture::Standing {
             let begin = moves.last().map_or(now, |last| last.end);
-            moves.push(rise(self.at, begin, self.frailty(pace), stream));
+            moves.push(rise(self.at, begin, self.frailty(pace), numbers, stream));
         }
         moves
     }
 
     fn frailty(&self, pace: f64) -> f64 {
-        ((FRAIL_MPS - self.pace_mps * pace) / (FRAIL_MPS / 2.0)).clamp(0.0, 1.0)
+        let frail_mps = self.home.numbers.of(&FRAIL_MPS);
+        ((frail_mps - self.pace_mps * pace) / (frail_mps / 2.0)).clamp(0.0, 1.0)
     }
 }

@@ -11,6 +11,7 @@ use super::manner::Manner;
 use super::needs::Needs;
 use super::places::{Places, Spot};
 use super::script::{Interruptible, Setting, Stay, Step, script};
+use super::usual;
 use super::watch::Watches;
 use crate::routine::{Activity, Response};
 use homebody_core::activity::{self, UsualLength};
@@ -227,8 +228,8 @@ impl RoutineDriver {
         }
         let at_a_loss = Stay {
             posture: self.body.posture(),
-            manner: Manner::BUSY,
-            left: AT_A_LOSS,
+            manner: Manner::BUSY.by(&self.life.numbers),
+            left: micros(self.life.numbers.of(&AT_A_LOSS_S)),
             until: None,
             may: Interruptible::Nothing,
         };
@@ -255,7 +256,7 @@ impl RoutineDriver {
         self.ready.extend(moves.into_iter().map(Next::Segment));
         // Nobody lights the bedroom to go back to sleep.
         let to_sleep = self.needs.asleep() && to == self.places.of(Role::Bed).and_then(|bed| bed.room);
-        let dark = self.home.sun.elevation_sine(now) < DARK && !to_sleep;
+        let dark = self.home.sun.elevation_sine(now) < self.life.numbers.of(&DARK) && !to_sleep;
         if let Some(on) = on.filter(|&lamp| dark && !self.watches.is_on(lamp)) {
             self.act(on, true, arrival);
         }
@@ -338,7 +339,7 @@ impl RoutineDriver {
     /// How many times the usual movement there is now, for each manner of staying.
     fn activity(&self, now: Micros) -> impl Fn(&Manner) -> f64 + use<> {
         let (restless, awake) = (self.parameters.restless, self.parameters.activity(self.hour(now)));
-        move |manner| if *manner == Manner::ASLEEP || *manner == Manner::AWAKE_IN_BED { restless } else { awake }
+        move |manner| if manner.is_of_bed() { restless } else { awake }
     }
 
     /// When a rule is due; what is done because of one is not interrupted by another.
@@ -385,7 +386,7 @@ impl RoutineDriver {
             let UsualLength { median_min, sigma } = match activity {
                 // By night visits are shorter.
                 Activity::UseBathroom if self.needs.asleep() => UsualLength { median_min: 4.0, sigma: 0.4 },
-                ref activity => activity.usual_length(),
+                ref activity => usual::length(activity, &self.life.numbers),
             };
             let lasts = self.parameters.lasting_s(&activity, stream.lognormal(median_min * 60.0, sigma));
             self.begin(&Item::now(key, activity, micros(lasts)));
@@ -420,7 +421,7 @@ impl RoutineDriver {
             Response::Do { activity, place, lasts } => {
                 let key = format!("rule/{}/{}", activity.label(), self.times(&activity));
                 let mut stream = self.life.stream_of_day(self.agenda.day, &key);
-                let UsualLength { median_min, sigma } = activity.usual_length();
+                let UsualLength { median_min, sigma } = usual::length(&activity, &self.life.numbers);
                 let lasts_s = match lasts {
                     Some(lasts) => lasts.draw(&mut stream),
                     None => stream.lognormal(median_min * 60.0, sigma),
@@ -464,7 +465,12 @@ impl RoutineDriver {
         self.play(steps, stream, activity.label());
     }
 
-    pub(super) fn play(&mut self, steps: VecDeque<Step>, stream: Stream, name: &str) {
+    pub(super) fn play(&mut self, mut steps: VecDeque<Step>, stream: Stream, name: &str) {
+        for step in steps.iter_mut().filter(|_| self.life.numbers.are_set()) {
+            if let Step::Stay(stay) = step {
+                stay.manner = stay.manner.by(&self.life.numbers);
+            }
+        }
         let spot = None;
         // What is interrupted is resumed where it is.
         let here = self.body.spot().cloned();
@@ -541,11 +547,12 @@ impl RoutineDriver {
     }
 }
 
-/// So long somebody stands there who finds no way (ours): what is tried takes time, so that no instant goes on for ever.
-const AT_A_LOSS: Micros = MINUTE;
-
-/// The sine of the sun's height below which lamps are lit (ours).
-const DARK: f64 = 0.08;
+homebody_core::numbers! {
+    /// So long somebody stands there who finds no way: what is tried takes time, so that no instant goes on for ever.
+    static AT_A_LOSS_S = "driver.at_a_loss": 60.0, "s", [1.0, 3_600.0];
+    /// The sine of the sun's height below which lamps are lit.
+    static DARK = "driver.dark": 0.08, "1", [-1.0, 1.0];
+}
 
 impl Item {
     /// Whether it is still done before bed although it is late.

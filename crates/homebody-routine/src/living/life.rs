@@ -4,8 +4,10 @@
 //! drawn from before. So two lives that differ in one condition draw the same numbers for all that it does not touch.
 
 use super::keys::Keys;
+use super::person::{Constitution, Person};
 use crate::fuzzy::Fuzzy;
 use crate::routine::{Activity, Change, Days, Effect, Habit, Meal, Moment, PartOfDay, Phase, Routine, Rule, When};
+use homebody_core::numbers::Numbers;
 use homebody_core::random::Stream;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::{DAY, Micros, micros};
@@ -24,6 +26,8 @@ pub struct Life {
     sources: Vec<Source>,
     pub constitution: Constitution,
     pub person: Person,
+    /// What the scenario sets otherwise in how lives are lived.
+    pub numbers: Numbers,
 }
 
 /// A routine or a condition, and when it is in force.
@@ -50,82 +54,6 @@ pub struct InForce<'a, T> {
     pub source: usize,
 }
 
-/// What a body is like, drawn once for a life.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Constitution {
-    /// Visits to the toilet in a night and in a day.
-    pub toilet_at_night: f64,
-    pub toilet_by_day: f64,
-    /// How likely tiredness in the afternoon ends in a nap.
-    pub naps: f64,
-    /// Minutes awake in a night after falling asleep.
-    pub awake_min: f64,
-    pub pulse: f64,
-    pub respiration: f64,
-}
-
-/// How one member of a cohort differs from the routine that all of them share.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Person {
-    /// So many seconds later they get up, go to bed, and do all else that has its time.
-    pub up_s: f64,
-    pub bed_s: f64,
-    pub clock_s: f64,
-    /// So many times as long they take.
-    pub length: f64,
-    /// So many times as fast they walk.
-    pub pace: f64,
-    /// So many times as much they move while they stay somewhere.
-    pub activity: f64,
-    /// So many times as much their days differ.
-    pub irregular: f64,
-    /// How likely they leave out breakfast, lunch and dinner.
-    pub skips: [f64; 3],
-}
-
-impl Person {
-    /// As the routine says.
-    pub const AS_WRITTEN: Person = Person {
-        up_s: 0.0,
-        bed_s: 0.0,
-        clock_s: 0.0,
-        length: 1.0,
-        pace: 1.0,
-        activity: 1.0,
-        irregular: 1.0,
-        skips: [0.0; 3],
-    };
-
-    /// Somebody. Gait at home has a standard deviation of 0.17 m/s around 0.61 (Kaye 2012), the time in bed of 62 minutes
-    /// (polysomnography at 73.9 years). That clock times differ by an hour from person to person, and the rest, is ours.
-    fn draw(stream: &mut Stream) -> Person {
-        let early = stream.normal(0.0, 3100.0);
-        Person {
-            up_s: early + stream.normal(0.0, 2800.0),
-            bed_s: early + stream.normal(0.0, 2800.0),
-            clock_s: early / 2.0 + stream.normal(0.0, 900.0),
-            length: stream.lognormal(1.0, 0.15),
-            pace: stream.lognormal(1.0, 0.26).clamp(0.5, 1.7),
-            activity: stream.lognormal(1.0, 0.3),
-            irregular: stream.lognormal(1.0, 0.3),
-            skips: Person::skips(stream),
-        }
-    }
-
-    /// Of people of 65-75 years 51.6 % eat three meals, 33.5 % leave one out, and 14.9 % eat irregularly. Which one is left
-    /// out, and how often the irregular leave out each, is ours.
-    fn skips(stream: &mut Stream) -> [f64; 3] {
-        let kind = stream.pick(&[51.6, 33.5, 14.9]);
-        let mut skips = [0.0; 3];
-        skips[stream.pick(&[0.35, 0.5, 0.15])] = 0.9;
-        match kind {
-            0 => [0.0; 3],
-            1 => skips,
-            _ => [0.3; 3],
-        }
-    }
-}
-
 /// How things are on one day.
 #[derive(Clone, Debug)]
 pub struct DayParameters {
@@ -133,6 +61,8 @@ pub struct DayParameters {
     pub pace: f64,
     pub irregular: f64,
     pub restless: f64,
+    /// More than so many times the usual movement there never is.
+    most_movement: f64,
     pub pulse: f64,
     pub respiration: f64,
     active: Vec<(Option<PartOfDay>, f64)>,
@@ -162,6 +92,7 @@ impl Life {
         ordinary: Routine,
         conditions: &BTreeMap<String, Routine>,
         is_one_of_many: bool,
+        numbers: &Numbers,
     ) -> Life {
         let pace = routine.person.as_ref().and_then(|person| person.pace_mps);
         let mut constitution = Stream::named(seed, &format!("resident/{name}/constitution"));
@@ -171,11 +102,12 @@ impl Life {
             pace_mps: pace.map_or(pace_mps, |pace| pace.mean()),
             seed,
             sources: Vec::new(),
-            constitution: Constitution::draw(&mut constitution),
+            constitution: Constitution::draw(numbers, &mut constitution),
             person: match is_one_of_many {
-                true => Person::draw(&mut Stream::named(seed, &format!("resident/{name}/person"))),
+                true => Person::draw(numbers, &mut Stream::named(seed, &format!("resident/{name}/person"))),
                 false => Person::AS_WRITTEN,
             },
+            numbers: numbers.clone(),
         };
         // A pace that is said exactly is theirs, whoever else there is.
         if pace.is_none_or(|pace| pace.low < pace.high) {
@@ -339,15 +271,18 @@ impl Life {
         (chance * strength * self.phase(&habit.phase, day)).min(1.0)
     }
 
-    /// How lively a day is: better days and worse ones, each somewhat like the day before (ours).
+    /// How lively a day is: better days and worse ones, each somewhat like the day before.
     fn level(&self, day: i32) -> f64 {
         let of = |day: i32| self.stream_of_day(day, "level").normal(0.0, 1.0);
-        libm::exp(0.25 * (of(day) + of(day - 1)))
+        libm::exp(self.numbers.of(&DAY_SPREAD) * (of(day) + of(day - 1)))
     }
 
     /// How things are on a day.
     pub fn parameters(&self, day: i32) -> DayParameters {
         let mut parameters = DayParameters::ordinary();
+        let of = |number| self.numbers.of(number);
+        let (most_weeks, least_pace) = (of(&MOST_WEEKS), of(&LEAST_PACE));
+        parameters.most_movement = of(&MOST_MOVEMENT);
         parameters.irregular = self.person.irregular;
         for (meal, skips) in Meal::ALL.into_iter().zip(self.person.skips) {
             if skips > 0.0 {
@@ -374,7 +309,8 @@ impl Life {
                     let phases = source.shown.iter().map(|(phase, _)| phase);
                     let shown = phases.filter_map(|phase| phase.from).map(|from| self.day_of(from)).max();
                     let from = change.phase.from.map(|from| self.day_of(from)).or(shown).unwrap_or(0);
-                    let span = Span { weeks: f64::from(day - from) / 7.0, pace_mps: self.pace_mps };
+                    let weeks = (f64::from(day - from) / 7.0).clamp(0.0, most_weeks);
+                    let span = Span { weeks, pace_mps: self.pace_mps, least_pace };
                     parameters.change(&change.effect, full, share, span);
                 }
             }
@@ -393,36 +329,27 @@ fn each<'a, T>(
     all.iter().zip(keys).map(move |(said, key)| InForce { said, strength, key, source })
 }
 
-impl Constitution {
-    /// Toilet at night: a Poisson rate of mean 1.7 and standard deviation 0.8 fits the published shares of nocturia; by
-    /// day 5.0 (BLSA). Naps: 25 % of those of 75 and more nap regularly. Awake at night 39 minutes (actigraphs, 62-90
-    /// years). How these vary from person to person, and pulse and breath, are ours.
-    fn draw(stream: &mut Stream) -> Constitution {
-        Constitution {
-            toilet_at_night: stream.gamma(4.5, 1.7).clamp(0.1, 5.0),
-            toilet_by_day: stream.normal(5.0, 0.9).clamp(3.0, 8.0),
-            naps: if stream.chance(0.25) { 0.8 } else { 0.1 },
-            awake_min: stream.gamma(4.0, 39.0).clamp(5.0, 150.0),
-            pulse: stream.normal(62.0, 5.0).clamp(48.0, 80.0),
-            respiration: stream.normal(15.0, 1.2).clamp(11.0, 20.0),
-        }
-    }
+homebody_core::numbers! {
+    /// How much more or less lively days are, each somewhat like the day before: the standard deviation of the logarithm that
+    /// each of two days brings.
+    static DAY_SPREAD = "life.day_spread": 0.25, "1", [0.0, 2.0];
+    /// Nobody moves more than so many times as much as usual.
+    static MOST_MOVEMENT = "life.most_movement": 20.0, "1", [1.0, 100.0];
+    /// Gait slows by so much a week for so many weeks, not for years.
+    static MOST_WEEKS = "life.most_weeks": 26.0, "1", [1.0, 520.0];
+    /// Nobody who walks at all is slower than this part of their pace.
+    static LEAST_PACE = "life.least_pace": 0.33, "1", [0.05, 1.0];
 }
-
-/// Nobody moves more than so many times as much as usual (ours).
-const MOST_MOVEMENT: f64 = 20.0;
 
 /// How long a change has lasted, and whose pace it changes.
 #[derive(Clone, Copy)]
 struct Span {
+    /// No more than count.
     weeks: f64,
     pace_mps: f64,
+    /// Of that, nobody walks slower than this part.
+    least_pace: f64,
 }
-
-/// Gait slows by so much a week over weeks, not for years (ours), and nobody who walks at all is slower than a third of
-/// their pace (ours).
-const MOST_WEEKS: f64 = 26.0;
-const LEAST_PACE: f64 = 0.33;
 
 impl DayParameters {
     pub(super) fn ordinary() -> DayParameters {
@@ -430,6 +357,7 @@ impl DayParameters {
             pace: 1.0,
             irregular: 1.0,
             restless: 1.0,
+            most_movement: MOST_MOVEMENT.value,
             pulse: 0.0,
             respiration: 0.0,
             active: Vec::new(),
@@ -452,8 +380,8 @@ impl DayParameters {
             Effect::Shows { .. } => {}
             Effect::Pace(by) => self.pace *= factor(by),
             Effect::PaceEachWeek(by) => {
-                let mps = amount(by) * span.weeks.clamp(0.0, MOST_WEEKS);
-                self.pace = (self.pace + mps / span.pace_mps).max(LEAST_PACE);
+                let mps = amount(by) * span.weeks;
+                self.pace = (self.pace + mps / span.pace_mps).max(span.least_pace);
             }
             Effect::Later { activity, by } => *self.later_s.entry(activity.clone()).or_default() += amount(by),
             Effect::Longer { activity, factor: by } => {
@@ -467,7 +395,7 @@ impl DayParameters {
             }
             Effect::Irregular(by) => self.irregular *= factor(by),
             Effect::Active { part, factor: by } => self.active.push((*part, factor(by))),
-            Effect::Restless(by) => self.restless = (self.restless * factor(by)).min(MOST_MOVEMENT),
+            Effect::Restless(by) => self.restless = (self.restless * factor(by)).min(self.most_movement),
             Effect::Forgets { thing, chance } => {
                 self.forgets.push((thing.to_lowercase(), (chance * strength).min(1.0)))
             }
@@ -489,7 +417,12 @@ impl DayParameters {
             })
         };
         // Several changes together are not without bounds.
-        self.active.iter().filter(|(part, _)| holds(part)).map(|(_, factor)| factor).product::<f64>().min(MOST_MOVEMENT)
+        self.active
+            .iter()
+            .filter(|(part, _)| holds(part))
+            .map(|(_, factor)| factor)
+            .product::<f64>()
+            .min(self.most_movement)
     }
 
     /// How many seconds later something is done.

@@ -1,10 +1,12 @@
 //! Living by a routine, layer by layer. In reading order:
 
 // Whose life it is, and how it is on a day.
+pub mod person;
 pub mod life;
 mod keys;
 
 // What is to be done on a day, where, and how each thing is done.
+mod usual;
 pub mod agenda;
 pub mod places;
 pub mod script;
@@ -22,3 +24,22 @@ mod spare_time;
 mod night;
 mod visit;
 pub mod pet;
+
+use homebody_core::numbers::Number;
+
+/// The numbers that lives are made of.
+pub(crate) fn numbers() -> Vec<Number> {
+    let modules = [
+        person::NUMBERS,
+        life::NUMBERS,
+        agenda::NUMBERS,
+        needs::NUMBERS,
+        body::NUMBERS,
+        driver::NUMBERS,
+        spare_time::NUMBERS,
+        night::NUMBERS,
+        pet::NUMBERS,
+    ];
+    let own = modules.concat().into_iter().cloned();
+    own.chain(usual::numbers()).chain(manner::Manner::numbers()).chain(spare_time::numbers()).collect()
+}

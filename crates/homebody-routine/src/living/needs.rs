@@ -1,9 +1,11 @@
 //! The needs of one resident together: how fast each rises, and what is done when it presses.
 
-use super::life::{Constitution, DayParameters, Life};
+use super::life::{DayParameters, Life};
 use super::need::Need;
+use super::person::Constitution;
 use crate::routine::{Activity, PartOfDay};
 use homebody_core::event::Need as Kind;
+use homebody_core::numbers::Numbers;
 use homebody_core::random::Stream;
 use homebody_core::time::Micros;
 
@@ -16,29 +18,67 @@ pub struct Needs {
     tiredness: Need,
     asleep: bool,
     constitution: Constitution,
+    rates: Rates,
     /// A stream for each kind, so that a meal that is skipped leaves the toilet's thresholds as they are.
     streams: [Stream; 4],
 }
 
-/// So many times a day of waking it would press (ours, but for the toilet): a drink every four hours beside meals, a
-/// snack after seven without one.
-const THIRST: f64 = 24.0 / 4.0;
-const HUNGER: f64 = 24.0 / 7.0;
-/// Some seven hours after getting up, as naps have their peak at 14:30-15:00.
-const TIREDNESS: f64 = 24.0 / 7.2;
+homebody_core::numbers! {
+    /// A drink is had so often while one is awake, beside meals.
+    static THIRST_H = "need.thirst": 4.0, "h", [0.25, 48.0];
+    /// A snack is had after so long without a meal.
+    static HUNGER_H = "need.hunger": 7.0, "h", [0.25, 48.0];
+    /// One is tired so long after getting up: naps have their peak at 14:30-15:00.
+    static TIREDNESS_H = "need.tiredness": 7.2, "h", [0.5, 48.0];
+    /// From when on tiredness may end in a nap.
+    static NAPS_FROM_H = "need.naps_from": 12.5, "h", [0.0, 24.0];
+    /// Until when tiredness may end in a nap.
+    static NAPS_UNTIL_H = "need.naps_until": 17.5, "h", [0.0, 24.0];
+    /// The shape of the gamma distribution of thresholds.
+    static SHAPE = "need.shape": 3.0, "1", [0.5, 50.0];
+    /// Hours awake that visits to the toilet in a day are counted over.
+    static WAKING_H = "need.waking": 15.5, "h", [1.0, 23.0];
+    /// Hours asleep that visits to the toilet in a night are counted over.
+    static SLEEPING_H = "need.sleeping": 7.8, "h", [1.0, 23.0];
+    /// Visits to the toilet that are there anyway, first thing in the morning and before bed.
+    static ANYWAY = "need.anyway": 2.0, "1", [0.0, 5.0];
+}
+
+/// What the needs of a life are made by, asked for once.
+#[derive(Clone, Copy, Debug)]
+struct Rates {
+    /// So many times a day of waking each would press.
+    thirst: f64,
+    hunger: f64,
+    tiredness: f64,
+    /// When tiredness may end in a nap, in hours.
+    naps_from_h: f64,
+    naps_until_h: f64,
+    shape: f64,
+    waking_h: f64,
+    sleeping_h: f64,
+    anyway: f64,
+}
+
+impl Rates {
+    fn of(numbers: &Numbers) -> Rates {
+        let of = |number| numbers.of(number);
+        Rates {
+            thirst: 24.0 / of(&THIRST_H),
+            hunger: 24.0 / of(&HUNGER_H),
+            tiredness: 24.0 / of(&TIREDNESS_H),
+            naps_from_h: of(&NAPS_FROM_H),
+            naps_until_h: of(&NAPS_UNTIL_H),
+            shape: of(&SHAPE),
+            waking_h: of(&WAKING_H),
+            sleeping_h: of(&SLEEPING_H),
+            anyway: of(&ANYWAY),
+        }
+    }
+}
 
 /// All of them, in their own order.
 const KINDS: [Kind; 4] = [Kind::Toilet, Kind::Thirst, Kind::Hunger, Kind::Tiredness];
-
-/// Shape of the gamma distribution of thresholds (ours).
-const SHAPE: f64 = 3.0;
-
-/// Hours awake and asleep that visits a day and a night are counted over (ours).
-const WAKING_H: f64 = 15.5;
-const SLEEPING_H: f64 = 7.8;
-
-/// Visits that are there anyway, first thing in the morning and before bed.
-const ANYWAY: f64 = 2.0;
 
 impl Needs {
     pub fn new(life: &Life, now: Micros) -> Needs {
@@ -48,8 +88,10 @@ impl Needs {
         let naps = if plans_naps { 0.0 } else { life.constitution.naps };
         let constitution = Constitution { naps, ..life.constitution };
         let mut streams = KINDS.map(|kind| life.stream(&format!("needs/{kind:?}")));
-        let [toilet, thirst, hunger, _] = streams.each_mut().map(|stream| Need::new(now, stream.gamma(SHAPE, 1.0)));
-        Needs { toilet, thirst, hunger, tiredness: Need::new(now, 1.0), asleep: false, constitution, streams }
+        let rates = Rates::of(&life.numbers);
+        let [toilet, thirst, hunger, _] =
+            streams.each_mut().map(|stream| Need::new(now, stream.gamma(rates.shape, 1.0)));
+        Needs { toilet, thirst, hunger, tiredness: Need::new(now, 1.0), asleep: false, constitution, rates, streams }
     }
 
     pub fn asleep(&self) -> bool {
@@ -61,19 +103,21 @@ impl Needs {
     pub fn waking(&mut self, now: Micros, parameters: &DayParameters, is_planned: bool) {
         self.asleep = false;
         // In a renewal process that begins anew a third of a visit is missing at this shape.
-        let visits = (self.constitution.toilet_by_day - ANYWAY + 0.33).max(0.5);
-        let toilet = visits * 24.0 / WAKING_H * parameters.oftener(&Activity::UseBathroom, Some(PartOfDay::Day));
+        let visits = (self.constitution.toilet_by_day - self.rates.anyway + 0.33).max(0.5);
+        let toilet =
+            visits * 24.0 / self.rates.waking_h * parameters.oftener(&Activity::UseBathroom, Some(PartOfDay::Day));
         self.toilet.rise(now, if is_planned { 0.0 } else { toilet });
-        self.thirst.rise(now, THIRST * parameters.oftener(&Activity::Drink, None));
-        self.hunger.rise(now, HUNGER * parameters.oftener(&Activity::Snack, None));
-        self.tiredness.rise(now, TIREDNESS);
+        self.thirst.rise(now, self.rates.thirst * parameters.oftener(&Activity::Drink, None));
+        self.hunger.rise(now, self.rates.hunger * parameters.oftener(&Activity::Snack, None));
+        self.tiredness.rise(now, self.rates.tiredness);
     }
 
     /// From now on at the rates of the night.
     pub fn sleeping(&mut self, now: Micros, parameters: &DayParameters, is_planned: bool) {
         self.asleep = true;
         let visits = self.constitution.toilet_at_night + 0.33;
-        let toilet = visits * 24.0 / SLEEPING_H * parameters.oftener(&Activity::UseBathroom, Some(PartOfDay::Night));
+        let toilet =
+            visits * 24.0 / self.rates.sleeping_h * parameters.oftener(&Activity::UseBathroom, Some(PartOfDay::Night));
         self.toilet.rise(now, if is_planned { 0.0 } else { toilet });
         for need in [&mut self.thirst, &mut self.hunger, &mut self.tiredness] {
             need.rise(now, 0.0);
@@ -116,7 +160,9 @@ impl Needs {
         if self.tiredness.presses_at() > now {
             return None;
         }
-        if (12.5..17.5).contains(&hour) && self.streams[Kind::Tiredness as usize].chance(self.constitution.naps) {
+        if (self.rates.naps_from_h..self.rates.naps_until_h).contains(&hour)
+            && self.streams[Kind::Tiredness as usize].chance(self.constitution.naps)
+        {
             return Some(Activity::Nap);
         }
         // Overcome, until tomorrow.
@@ -126,7 +172,8 @@ impl Needs {
 
     /// A need is met; how strong it was.
     pub fn meet(&mut self, kind: Kind, now: Micros) -> f64 {
-        let threshold = if kind == Kind::Tiredness { 1.5 } else { self.streams[kind as usize].gamma(SHAPE, 1.0) };
+        let threshold =
+            if kind == Kind::Tiredness { 1.5 } else { self.streams[kind as usize].gamma(self.rates.shape, 1.0) };
         let need = match kind {
             Kind::Toilet => &mut self.toilet,
             Kind::Thirst => &mut self.thirst,

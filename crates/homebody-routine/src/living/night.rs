@@ -5,6 +5,7 @@ use super::driver::{MINUTE, RoutineDriver};
 use super::manner::Manner;
 use super::places::Spot;
 use super::script::{Interruptible, Stay, Step};
+use super::usual;
 use crate::routine::Activity;
 use homebody_core::activity::SLEEPING;
 use homebody_core::drivers::Next;
@@ -14,10 +15,19 @@ use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, micros};
 use std::collections::VecDeque;
 
+homebody_core::numbers! {
+    /// How long falling asleep takes, on average (19.7 with a standard deviation of 11, polysomnography at 73.9 years).
+    static LATENCY_MIN = "night.latency": 19.7, "min", [0.5, 180.0];
+    /// The shape of the gamma distribution of that time.
+    static LATENCY_SHAPE = "night.latency_shape": 3.2, "1", [0.5, 50.0];
+    /// Who lies awake in the night does so for about this long at a time.
+    static AWAKE_BOUT_MIN = "night.awake_bout": 10.0, "min", [1.0, 120.0];
+}
+
 impl RoutineDriver {
     pub(super) fn go_to_bed(&mut self, now: Micros) {
         self.next_item = self.agenda.items.len();
-        let bathroom = Activity::UseBathroom.usual_length();
+        let bathroom = usual::length(&Activity::UseBathroom, &self.life.numbers);
         let lasts = self.life.stream_of_day(self.agenda.day, "before bed").lognormal(bathroom.median_min * 60.0, 0.4);
         self.begin(&Item::now("before bed".into(), Activity::UseBathroom, micros(lasts)));
         self.sleep(now, false);
@@ -52,23 +62,22 @@ impl RoutineDriver {
             };
             steps.push_back(Step::Stay(turning));
             steps.push_back(Step::LieDown);
-            // Falling asleep takes 19.7 (SD 11) minutes (polysomnography at 73.9 years).
-            let latency = micros(stream.gamma(3.2, 19.7 * 60.0));
+            let [shape, mean_min] = [&LATENCY_SHAPE, &LATENCY_MIN].map(|number| self.life.numbers.of(number));
+            let latency = micros(stream.gamma(shape, mean_min * 60.0));
             steps.push_back(stay(Manner::AWAKE_IN_BED, latency, Some(up)));
             asleep += sitting + latency;
         } else {
             steps.push_back(Step::LieDown);
         }
-        // Awake for about ten minutes at a time.
-        let awake_min = self.life.constitution.awake_min;
-        let mut wakings: Vec<f64> = (0..stream.poisson(awake_min / 10.0)).map(|_| stream.unit()).collect();
+        let (awake_min, bout_min) = (self.life.constitution.awake_min, self.life.numbers.of(&AWAKE_BOUT_MIN));
+        let mut wakings: Vec<f64> = (0..stream.poisson(awake_min / bout_min)).map(|_| stream.unit()).collect();
         wakings.sort_by(f64::total_cmp);
         for share in wakings {
             let at = asleep + ((usual_up - asleep).max(0) as f64 * share) as Micros;
             steps.push_back(Step::Name(SLEEPING.into()));
             steps.push_back(stay(Manner::ASLEEP, Micros::MAX / 4, Some(at)));
             steps.push_back(Step::Name(Activity::LieAwake.label().into()));
-            steps.push_back(stay(Manner::AWAKE_IN_BED, micros(stream.gamma(2.0, 600.0)), Some(up)));
+            steps.push_back(stay(Manner::AWAKE_IN_BED, micros(stream.gamma(2.0, bout_min * 60.0)), Some(up)));
         }
         steps.push_back(Step::Name(SLEEPING.into()));
         steps.push_back(stay(Manner::ASLEEP, Micros::MAX / 4, Some(up)));

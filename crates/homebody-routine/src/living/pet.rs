@@ -18,6 +18,7 @@ use super::places::{Places, Spot};
 use homebody_core::activity;
 use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::MotionState;
+use homebody_core::numbers::Numbers;
 use homebody_core::random::Stream;
 use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
@@ -26,11 +27,31 @@ use homebody_walk::Wandering;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
+homebody_core::numbers! {
+    /// How likely a pet that has done with something sleeps next, at dawn and dusk.
+    static SLEEPS_LIVELY = "pet.sleeps_lively": 0.15, "1", [0.0, 1.0];
+    /// How likely a pet that has done with something sleeps next, at other hours.
+    static SLEEPS = "pet.sleeps": 0.35, "1", [0.0, 1.0];
+    /// How likely a pet that does not sleep rests where it is.
+    static RESTS = "pet.rests": 0.6, "1", [0.0, 1.0];
+    /// The median length of a pet's sleep.
+    static SLEEP_MIN = "pet.sleep": 65.0, "min", [1.0, 600.0];
+    /// The median length of a pet's rest.
+    static REST_MIN = "pet.rest": 25.0, "min", [0.1, 600.0];
+    /// The median length of a pet's stop at a place.
+    static STOP_MIN = "pet.stop": 3.0, "min", [0.1, 120.0];
+    /// The median length of a pet's round to nowhere.
+    static ROUND_S = "pet.round": 60.0, "s", [1.0, 3_600.0];
+    /// The standard deviation of the logarithm of all of these lengths.
+    static SPREAD = "pet.spread": 0.6, "1", [0.0, 2.0];
+}
+
 /// A pet that lives its own life.
 #[derive(Clone, Debug)]
 pub struct PetDriver {
     places: Arc<Places>,
     body: Body,
+    numbers: Numbers,
     stream: Stream,
     ready: VecDeque<Next>,
     /// What it stays for, until when.
@@ -46,8 +67,18 @@ impl PetDriver {
             body.place(Spot { posture: Posture::Standing, ..spot.clone() }, Posture::Standing);
         }
         let stream = life.stream("pet");
-        let midnight = life.midnight(0);
-        PetDriver { places, body, stream, ready: VecDeque::new(), stay: None, stirs: false, asleep: true, midnight }
+        let (midnight, numbers) = (life.midnight(0), life.numbers.clone());
+        PetDriver {
+            places,
+            body,
+            numbers,
+            stream,
+            ready: VecDeque::new(),
+            stay: None,
+            stirs: false,
+            asleep: true,
+            midnight,
+        }
     }
 
     fn step(&mut self, now: Micros) -> Next {
@@ -82,9 +113,11 @@ impl PetDriver {
     fn decide(&mut self, now: Micros) {
         // A cat's clock: the hours since the run's first midnight.
         let hour = (now - self.midnight).rem_euclid(DAY) as f64 / (3600 * SECOND) as f64;
+        let numbers = self.numbers.clone();
+        let of = |number| numbers.of(number);
         let lively = (5.0..8.0).contains(&hour) || (18.0..22.0).contains(&hour);
-        let sleeps = !self.asleep && self.stream.chance(if lively { 0.15 } else { 0.35 });
-        let rests = !sleeps && !self.asleep && self.stream.chance(0.6);
+        let sleeps = !self.asleep && self.stream.chance(of(if lively { &SLEEPS_LIVELY } else { &SLEEPS }));
+        let rests = !sleeps && !self.asleep && self.stream.chance(of(&RESTS));
         self.asleep = sleeps;
         let name = match (sleeps, rests) {
             (true, _) => activity::SLEEPING,
@@ -111,15 +144,15 @@ impl PetDriver {
                 let arrival = moves.last().map_or(now, |last| last.end);
                 self.ready.extend(moves.into_iter().map(Next::Segment));
                 let (manner, median_min) = match (sleeps, rests) {
-                    (true, _) => (Manner::CURLED_UP, 65.0),
-                    (false, true) => (Manner::STILL, 25.0),
-                    (false, false) => (Manner::BUSY, 3.0),
+                    (true, _) => (Manner::CURLED_UP, of(&SLEEP_MIN)),
+                    (false, true) => (Manner::STILL, of(&REST_MIN)),
+                    (false, false) => (Manner::BUSY, of(&STOP_MIN)),
                 };
-                let lasts = micros(self.stream.lognormal(median_min * 60.0, 0.6));
-                self.stay = Some((manner, arrival + lasts));
+                let lasts = micros(self.stream.lognormal(median_min * 60.0, of(&SPREAD)));
+                self.stay = Some((manner.by(&self.numbers), arrival + lasts));
             }
             None => {
-                let lasts = micros(self.stream.lognormal(60.0, 0.6));
+                let lasts = micros(self.stream.lognormal(of(&ROUND_S), of(&SPREAD)));
                 let moves = self.body.wander(Wandering::Random, lasts, now, hour, 1.0, &mut self.stream);
                 self.ready.extend(moves.into_iter().map(Next::Segment));
                 self.stay = None;

@@ -306,8 +306,8 @@ impl Steps<'_, '_> {
         self.act(Role::WashingMachine, false);
     }
 
-    /// A round through the home, a moment here and there. Mostly it is near where one sits: of two places, the nearer
-    /// (ours); nobody takes the stairs for every errand.
+    /// A round through the home, a moment here and there. Mostly it is near where one sits: of two places, the
+    /// nearer, as we assume; nobody takes the stairs for every errand.
     fn housework(&mut self, lasts: Micros) {
         let stations = self.setting.places.stations();
         let seat = self.setting.places.of(Role::Armchair).map(|seat| seat.at);

@@ -5,11 +5,12 @@ use super::driver::{MINUTE, RoutineDriver};
 use super::manner::Manner;
 use super::script::{Interruptible, Stay, Step};
 use crate::routine::Activity;
+use homebody_core::numbers::{Number, Numbers};
 use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, micros};
 
-/// What fills the time, how often in comparison, and for how many minutes at a time. Both are ours, set so that the hours of
+/// What fills the time, how often in comparison, and for how many minutes at a time: set so that the hours of
 /// a day come near those of people of 75 and more (American Time Use Survey); housework stands for the small errands that
 /// nobody plans, from which people of that age rise from their seats 46-60 times a day.
 const FILLERS: [(Activity, f64, f64); 6] = [
@@ -21,8 +22,42 @@ const FILLERS: [(Activity, f64, f64); 6] = [
     (Activity::UseComputer, 0.1, 14.0),
 ];
 
-/// So many times as often somebody who sits gets up for an errand as one errand follows another (ours).
-const RISES: f64 = 26.0;
+/// The table that the numbers of these are of.
+const TABLE: &str = "filler";
+
+homebody_core::numbers! {
+    /// So many times as often somebody who sits gets up for an errand as one errand follows another.
+    static RISES = "spare_time.rises": 26.0, "1", [0.0, 500.0];
+    /// The standard deviation of the logarithm of how long what fills the time lasts.
+    static SPREAD = "spare_time.spread": 0.5, "1", [0.0, 2.0];
+}
+
+/// The numbers of what fills the time.
+pub(super) fn numbers() -> Vec<Number> {
+    let of = |(activity, weight, minutes): &(Activity, f64, f64)| {
+        let row = activity.label();
+        let number = |column: &str, value, unit, range, what: String| {
+            Number::of_table([TABLE, row, column], value, unit, range, what, file!())
+        };
+        let often = format!("How often `{row}` fills the time, in comparison.");
+        let long = format!("The median length of `{row}` where it fills the time.");
+        [number("weight", *weight, "1", [0.0, 100.0], often), number("minutes", *minutes, "min", [0.1, 240.0], long)]
+    };
+    FILLERS.iter().flat_map(of).collect()
+}
+
+/// What fills the time, how often in comparison, and for how many minutes at a time.
+fn fillers(numbers: &Numbers) -> [(Activity, f64, f64); 6] {
+    if !numbers.are_set() {
+        return FILLERS;
+    }
+    FILLERS.map(|(activity, weight, minutes)| {
+        let row = activity.label();
+        let of = |column: &str, value| numbers.of_table([TABLE, row, column], value);
+        let (weight, minutes) = (of("weight", weight), of("minutes", minutes));
+        (activity, weight, minutes)
+    })
+}
 
 impl RoutineDriver {
     /// Fills the time until something is due, by the weights of older adults' days.
@@ -32,8 +67,8 @@ impl RoutineDriver {
         let mut stream = self.life.stream_of_day(self.agenda.day, &key);
         let said: Vec<&Activity> = self.life.habits(self.agenda.day).map(|habit| &habit.said.activity).collect();
         let (mut fillers, mut weights) = (Vec::new(), Vec::new());
-        let rising = RISES * self.parameters.activity(self.hour(now));
-        for (activity, weight, minutes) in FILLERS {
+        let rising = self.life.numbers.of(&RISES) * self.parameters.activity(self.hour(now));
+        for (activity, weight, minutes) in self::fillers(&self.life.numbers) {
             // A home without a desk has no computer.
             let can = activity != Activity::UseComputer || self.places.has(Role::Desk);
             let planned = activity != Activity::Relax && activity != Activity::Housework && said.contains(&&activity);
@@ -57,8 +92,12 @@ impl RoutineDriver {
             let steps = [Step::Name(Activity::Relax.label().into()), Step::Stay(stay)];
             return self.play(steps.into(), stream, Activity::Relax.label());
         }
-        let lasts =
-            micros(self.parameters.lasting_s(activity, stream.lognormal(minutes * 60.0, 0.5)).max(20.0)).min(gap);
+        let lasts = micros(
+            self.parameters
+                .lasting_s(activity, stream.lognormal(minutes * 60.0, self.life.numbers.of(&SPREAD)))
+                .max(20.0),
+        )
+        .min(gap);
         self.begin(&Item::now(key, activity.clone(), lasts));
         for step in self.scripts.last_mut().into_iter().flat_map(|playing| playing.steps.iter_mut()) {
             if let Step::Stay(stay) = step

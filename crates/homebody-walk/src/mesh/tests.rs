@@ -169,7 +169,7 @@ fn ways_keep_off_everything_in_random_homes() {
             let (clearance_m, is_inside) = clearance(&mesh, from, &path);
             // Within a seat, or on the spot, nobody walks.
             let walks = path.len() > 1 || mesh.is_free(from) && mesh.is_free(to);
-            let is_right = !walks || clearance_m >= RADIUS_M * NARROWER[2] - 1e-3;
+            let is_right = !walks || clearance_m >= RADIUS_M * SIDEWAYS.value - 1e-3;
             assert!(is_right, "case {case}: {from} to {to}: {clearance_m} {path:?}");
             assert!(from == to || is_inside, "case {case}: {from} to {to}: {path:?}");
             assert!(hits_nothing(&mesh, from, &path), "case {case}: {from} to {to}: {path:?}");

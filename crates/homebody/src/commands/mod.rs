@@ -15,6 +15,7 @@ mod import;
 mod label;
 mod live;
 mod new;
+mod numbers;
 mod plan;
 mod replay;
 mod routine;
@@ -55,6 +56,8 @@ pub enum Command {
     Label(label::Arguments),
     /// Write the JSON Schemas of the scenario files into a folder
     Schema(schema::Arguments),
+    /// List the numbers that the models are made of, and that a scenario may set
+    Numbers(numbers::Arguments),
     /// Begin a scenario of your own from a template
     New(new::Arguments),
     /// Begin a scenario of your own from a plan of Sweet Home 3D
@@ -81,6 +84,7 @@ impl Command {
             Command::Convert(arguments) => arguments.run(),
             Command::Label(arguments) => arguments.run(),
             Command::Schema(arguments) => arguments.run(),
+            Command::Numbers(arguments) => arguments.run(),
             Command::New(arguments) => arguments.run(),
             Command::Import(arguments) => arguments.run(),
             Command::Completions(arguments) => arguments.run(whole()),

@@ -19,6 +19,7 @@ use std::path::{Path, PathBuf};
   homebody run scenarios/tigerplace
   homebody run scenarios/tigerplace --for 2h --speed 60
   homebody run scenarios/tigerplace-depression --without depression
+  homebody run scenarios/tigerplace --set gait.slowest=0.25 --set stay.reading.gap=120
   homebody run scenarios/tigerplace --residents 100 --for 28d
   homebody run scenarios/tigerplace --profiles people.csv --for 28d
   homebody run my-home --out sqlite:log.db --out csv:log.csv --truth truth.db --force
@@ -54,6 +55,11 @@ pub struct Arguments {
     /// All that the condition does not touch draws the same random numbers with it and without.
     #[arg(long, value_name = "CONDITION")]
     without: Vec<String>,
+    /// Set a number of the models to another value; may be given several times
+    ///
+    /// `homebody numbers` lists them, with units and ranges. The recording has them.
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = number)]
+    numbers: Vec<(String, f64)>,
     /// Live so many lives side by side, on all processors: each differs from the routines as people differ, and goes into
     /// a folder of its own
     #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..=100_000),
@@ -64,7 +70,7 @@ pub struct Arguments {
     /// It is lived again from its beginning: what is there is compared, what is missing is written. In the end log and truth have
     /// the bytes of a run that nothing has disturbed. Of a cohort, those who were lived to the end stay, all others are gone on with.
     #[arg(long, value_name = "FOLDER",
-          conflicts_with_all = ["scenario", "length", "seed", "without", "residents", "profiles", "out", "truth", "record", "force"])]
+          conflicts_with_all = ["scenario", "length", "seed", "without", "numbers", "residents", "profiles", "out", "truth", "record", "force"])]
     resume: Option<PathBuf>,
     /// Live the members of this list side by side: a CSV file with a row for each
     ///
@@ -82,12 +88,19 @@ pub struct Arguments {
     pace: Asked,
 }
 
+/// The name of a number and what it is set to.
+fn number(text: &str) -> Result<(String, f64), String> {
+    let (name, value) = text.split_once('=').ok_or("write NAME=VALUE, such as gait.slowest=0.25")?;
+    let number: f64 = value.trim().parse().map_err(|_| format!("{value:?} is no number"))?;
+    if number.is_finite() { Ok((name.trim().to_owned(), number)) } else { Err(format!("{value:?} is no number")) }
+}
+
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         if let Some(folder) = &self.resume {
             return self.go_on(folder);
         }
-        let opened = open(self.scenario.as_deref().unwrap_or(Path::new("")))?;
+        let opened = open(self.scenario.as_deref().unwrap_or(Path::new("")))?.with_numbers(self.numbers.clone())?;
         let scenario = opened.scenario();
         let seed = self.seed.unwrap_or(scenario.file.seed);
         let length = self.length.unwrap_or(Length::Days(scenario.file.days)).by(&scenario.calendar);

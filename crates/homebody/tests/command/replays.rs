@@ -124,3 +124,62 @@ fn what_is_no_file_of_a_recording_is_told_apart() {
     folder.run("replay flat/scenario.json").fails(2, "is no recording");
     assert!(!folder.path("runs").exists());
 }
+
+#[test]
+fn a_run_with_set_numbers_is_recorded_replayed_and_gone_on_with() {
+    let folder = Folder::new();
+    folder.run("new home --template studio").ok();
+    let run = "run home --for 3d --quiet --set gait.half_turn=5 --set stay.reading.gap=60";
+    folder.run(&format!("{run} --out csv:log.csv --record recording.json")).ok();
+    folder.run("run home --for 3d --quiet --out csv:usual.csv").ok();
+    assert_ne!(folder.sha256("log.csv"), folder.sha256("usual.csv"));
+    let json = folder.run("replay recording.json --json --out csv:again.csv").ok().json();
+    assert_eq!(json["agrees_with_recording"], json!(true));
+    assert_eq!(folder.sha256("again.csv"), folder.sha256("log.csv"));
+
+    folder.say(&format!("{run} --control --paused"), "step 1000\nstop\n").ok();
+    let stopped = folder.files().into_iter().find(|name| name.ends_with("recording.json") && name.starts_with("runs/"));
+    let stopped = stopped.unwrap().trim_end_matches("/recording.json").to_owned();
+    folder.run(&format!("run --resume {stopped} --quiet")).ok();
+    let went_on: Value = serde_json::from_str(&folder.read(&format!("{stopped}/recording.json"))).unwrap();
+    let whole: Value = serde_json::from_str(&folder.read("recording.json")).unwrap();
+    assert_eq!(went_on["sha256"], whole["sha256"]);
+}
+
+#[test]
+fn a_number_that_cannot_be_set_is_refused_with_its_place() {
+    let folder = Folder::new();
+    folder.run("new home --template studio").ok();
+    folder.run("run home --set gait.slowst=0.3").fails(2, "did you mean \"gait.slowest\"?");
+    folder.run("run home --set gait.slowest=9").fails(2, "must be at most 0.6");
+    folder.run("run home --set gait.slowest").fails(2, "write NAME=VALUE");
+    folder.run("run home --set gait.slowest=slow").fails(2, "is no number");
+    let text = folder.read("home/scenario.json");
+    let with = |numbers: &str| text.replacen('{', &format!("{{\n  \"numbers\": {numbers},"), 1);
+    folder.write("home/scenario.json", with("{\n    \"gait.slowest\": 0.3,\n    \"gait.slowst\": 0.3\n  }"));
+    folder.run("check home").fails(2, "scenario.json:4:5: there is no number \"gait.slowst\"");
+    folder.write("home/scenario.json", with("{ \"gait.slowest\": 9, \"need.thirst\": -1 }"));
+    let done = folder.run("check home");
+    assert!(done.err.contains("must be at most 0.6") && done.err.contains("2 problems"), "{}", done.err);
+    folder.write("home/scenario.json", with("{ \"gait.slowest\": \"slow\" }"));
+    folder.run("check home").fails(2, "scenario.json:2:");
+    folder.write("home/scenario.json", with("{ \"gait.slowest\": 0.3 }"));
+    folder.run("check home").ok();
+}
+
+#[test]
+fn numbers_are_listed() {
+    let folder = Folder::new();
+    let listed = folder.run("numbers gait").ok();
+    assert!(listed.out.lines().all(|line| line.starts_with("gait.")), "{}", listed.out);
+    assert!(listed.out.contains("gait.slowest "), "{}", listed.out);
+    let json = folder.run("numbers --json").ok().json();
+    let rows = json["numbers"].as_array().unwrap();
+    let slowest = rows.iter().find(|row| row["name"] == "gait.slowest").unwrap();
+    assert_eq!(
+        (&slowest["value"], &slowest["unit"], &slowest["crate"]),
+        (&json!(0.2), &json!("m/s"), &json!("homebody-walk"))
+    );
+    assert!(rows.len() > 200, "{}", rows.len());
+    folder.run("numbers gaitt").fails(2, "did you mean \"gait\"?");
+}

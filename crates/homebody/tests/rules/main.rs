@@ -9,6 +9,7 @@ mod commands;
 mod documents;
 mod labels;
 mod markdown;
+mod numbers;
 mod purity;
 mod rust;
 mod scenarios;

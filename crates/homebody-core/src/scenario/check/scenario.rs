@@ -1,10 +1,11 @@
-//! `scenario.json`: its start and its time zone.
+//! `scenario.json`: its start, its time zone and the numbers that it sets.
 
 use super::{Report, folded, nearest};
+use crate::numbers::{Number, wrong};
 use crate::problem::Problem;
 use crate::scenario::ScenarioFile;
 use crate::scenario::calendar::Calendar;
-use crate::scenario::source::Source;
+use crate::scenario::source::{Source, pointer_part};
 use jiff::civil::DateTime;
 use jiff::tz::TimeZoneDatabase;
 
@@ -40,6 +41,18 @@ pub fn check(source: &Source, file: &ScenarioFile, problems: &mut Vec<Problem>) 
     }
     let calendar = Calendar::new(&file.start, &file.time_zone);
     calendar.map_err(|why| report.add("/start", why)).ok()
+}
+
+/// Checks the numbers that the file sets by those that there are.
+pub fn check_numbers(source: &Source, file: &ScenarioFile, known: &[Number], problems: &mut Vec<Problem>) {
+    for (name, &value) in &file.numbers {
+        let Some((what, hint)) = wrong(known, name, value) else { continue };
+        let pointer = format!("/numbers/{}", pointer_part(name));
+        problems.push(match known.iter().any(|number| number.name == *name) {
+            true => source.problem(&pointer, what, Some(hint)),
+            false => source.problem_with_key(&pointer, what, Some(hint)),
+        });
+    }
 }
 
 /// The zone that was probably meant: a slip of the keys, or a city without its continent.

@@ -1,0 +1,21 @@
+//! The numbers of all models of this crate, in reading order.
+
+use crate::numbers::Number;
+use crate::sensors::{bed, light, power, stove_temperature, temperature};
+use crate::{home, link, world};
+
+/// All of them: of sensors and what they see, and of the link.
+pub fn numbers() -> Vec<Number> {
+    let modules = [
+        home::NUMBERS,
+        world::NUMBERS,
+        bed::NUMBERS,
+        stove_temperature::NUMBERS,
+        power::NUMBERS,
+        light::NUMBERS,
+        temperature::NUMBERS,
+        link::NUMBERS,
+        link::radio::NUMBERS,
+    ];
+    modules.concat().into_iter().cloned().collect()
+}

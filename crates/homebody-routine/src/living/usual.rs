@@ -1,0 +1,139 @@
+//! How long activities take and when they are done where nothing is said, as the scenario's numbers have it: those of the
+//! table of activities, unless they are set.
+
+use crate::fuzzy::Fuzzy;
+use crate::routine::{Activity, Meal};
+use homebody_core::activity::UsualLength;
+use homebody_core::numbers::{Number, Numbers};
+
+/// The table that these numbers are of.
+const TABLE: &str = "activity";
+
+const MINUTE: f64 = 60.0;
+const HOUR: f64 = 3600.0;
+
+/// All that are done; what the user names stands for all of that kind.
+const ALL: [Activity; 34] = [
+    Activity::GetUp,
+    Activity::UseBathroom,
+    Activity::Shower,
+    Activity::Wash,
+    Activity::Dress,
+    Activity::TakeMedicine,
+    Activity::Prepare(Meal::Breakfast),
+    Activity::Prepare(Meal::Lunch),
+    Activity::Prepare(Meal::Dinner),
+    Activity::Eat(Meal::Breakfast),
+    Activity::Eat(Meal::Lunch),
+    Activity::Eat(Meal::Dinner),
+    Activity::WashUp,
+    Activity::WatchTelevision,
+    Activity::Read,
+    Activity::Phone,
+    Activity::Nap,
+    Activity::Laundry,
+    Activity::Housework,
+    Activity::Leave,
+    Activity::ComeHome,
+    Activity::Visit,
+    Activity::GoToBed,
+    Activity::Drink,
+    Activity::Snack,
+    Activity::Exercise,
+    Activity::UseComputer,
+    Activity::Relax,
+    Activity::Wander,
+    Activity::Pace,
+    Activity::Lap,
+    Activity::LieAwake,
+    Activity::Fall,
+    Activity::Other(String::new()),
+];
+
+/// What the numbers of an activity are called after.
+fn row(activity: &Activity) -> &str {
+    match activity {
+        Activity::Other(_) => "other",
+        activity => activity.label(),
+    }
+}
+
+/// How long an activity takes.
+pub(super) fn length(activity: &Activity, numbers: &Numbers) -> UsualLength {
+    let UsualLength { median_min, sigma } = activity.usual_length();
+    let row = row(activity);
+    UsualLength {
+        median_min: numbers.of_table([TABLE, row, "minutes"], median_min),
+        sigma: numbers.of_table([TABLE, row, "spread"], sigma),
+    }
+}
+
+/// When an activity is done, in seconds since midnight, where it has a time of its own.
+pub(super) fn clock(activity: &Activity, numbers: &Numbers) -> Option<Fuzzy> {
+    let own = activity.usual_clock();
+    if !numbers.are_set() {
+        return own;
+    }
+    let (around_h, spread_min) = parts(&own?);
+    let row = row(activity);
+    let around_h = numbers.of_table([TABLE, row, "clock"], around_h);
+    let spread_min = numbers.of_table([TABLE, row, "clock_spread"], spread_min);
+    Some(Fuzzy::around(around_h * HOUR, spread_min * MINUTE))
+}
+
+/// A time of day in hours, and how many minutes it is earlier or later at most.
+fn parts(clock: &Fuzzy) -> (f64, f64) {
+    (clock.from / HOUR, (clock.high - clock.to) / MINUTE)
+}
+
+/// All of these numbers.
+pub(super) fn numbers() -> Vec<Number> {
+    let mut numbers = Vec::new();
+    for activity in &ALL {
+        let row = row(activity);
+        let mut add = |column: &str, value, unit, range, what: &str| {
+            let what = format!("{what} `{row}`, where nothing is said.");
+            numbers.push(Number::of_table([TABLE, row, column], value, unit, range, what, file!()));
+        };
+        let UsualLength { median_min, sigma } = activity.usual_length();
+        add("minutes", median_min, "min", [0.1, 600.0], "The median length of");
+        add("spread", sigma, "1", [0.0, 2.0], "The standard deviation of the logarithm of the length of");
+        if let Some(clock) = activity.usual_clock() {
+            let (around_h, spread_min) = parts(&clock);
+            add("clock", around_h, "h", [0.0, 24.0], "The time of day of");
+            add("clock_spread", spread_min, "min", [0.0, 360.0], "How much earlier or later at most is");
+        }
+    }
+    numbers
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeMap;
+
+    #[test]
+    fn every_row_set_to_what_it_is_gives_what_there_is() {
+        let own: BTreeMap<String, f64> =
+            numbers().into_iter().map(|number| (number.name.into_owned(), number.value)).collect();
+        let (set, none) = (Numbers::new(&own), Numbers::default());
+        for activity in &ALL {
+            assert_eq!(length(activity, &set), length(activity, &none), "{activity:?}");
+            assert_eq!(clock(activity, &set), clock(activity, &none), "{activity:?}");
+        }
+        let longer = Numbers::new(&[("activity.reading.minutes".to_owned(), 60.0)].into());
+        assert_eq!(length(&Activity::Read, &longer), UsualLength { median_min: 60.0, ..Activity::Read.usual_length() });
+        assert_eq!(length(&Activity::Phone, &longer), Activity::Phone.usual_length());
+        let later = Numbers::new(&[("activity.napping.clock".to_owned(), 15.0)].into());
+        assert_eq!(clock(&Activity::Nap, &later), Some(Fuzzy::around(15.0 * HOUR, 45.0 * MINUTE)));
+    }
+
+    #[test]
+    fn no_name_comes_twice() {
+        let mut names: Vec<_> = numbers().into_iter().map(|number| number.name).collect();
+        let all = names.len();
+        names.sort();
+        names.dedup();
+        assert_eq!(names.len(), all);
+    }
+}

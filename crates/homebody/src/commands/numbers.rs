@@ -1,0 +1,68 @@
+//! `homebody numbers`: the numbers that the models are made of.
+
+use crate::failure::Failure;
+use crate::print::{print_json, print_text};
+use homebody_core::numbers::Number;
+use homebody_core::scenario::nearest::nearest;
+use homebody_kit::numbers;
+use serde_json::json;
+
+/// Lists the numbers that the models of people, sensors and the link are made of, with units and ranges. Each can be set for a
+/// run, or in a scenario's own file under "numbers".
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  homebody numbers
+  homebody numbers gait
+  homebody numbers activity.reading --json
+  homebody run scenarios/tigerplace --set gait.slowest=0.25")]
+pub struct Arguments {
+    /// Only those whose names begin with this, such as gait
+    group: Option<String>,
+    /// Print them as one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let (all, group) = (numbers(), self.group.unwrap_or_default());
+        let found: Vec<&Number> = all.iter().filter(|number| is_in(&number.name, &group)).collect();
+        if found.is_empty() {
+            let groups = all.iter().filter_map(|number| Some(number.name.split_once('.')?.0));
+            let hint = nearest(&group, groups.chain(all.iter().map(|number| &*number.name)));
+            let hint = hint.map(|near| format!("\n  hint: did you mean {near:?}?")).unwrap_or_default();
+            return Err(Failure::Usage(format!("no number's name begins with {group:?}{hint}")));
+        }
+        if self.json {
+            return print_json(&json!({ "numbers": found.into_iter().map(row).collect::<Vec<_>>() }));
+        }
+        let wide = |width: fn(&Number) -> usize| found.iter().map(|number| width(number)).max().unwrap_or(0);
+        let (names, values) = (wide(|number| number.name.len()), wide(|number| number.value.to_string().len()));
+        let (units, ranges) = (wide(|number| number.unit.chars().count()), wide(|number| range(number).len()));
+        let mut text = String::new();
+        for number in found {
+            let Number { name, value, unit, .. } = number;
+            let (range, meaning) = (range(number), number.meaning());
+            text += &format!("{name:names$}  {value:>values$} {unit:units$}  {range:ranges$}  {meaning}\n");
+        }
+        print_text(&text)
+    }
+}
+
+/// Whether a name is this, or begins with it at one of its dots.
+fn is_in(name: &str, group: &str) -> bool {
+    let group = group.trim_end_matches('.');
+    group.is_empty() || name.strip_prefix(group).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+}
+
+fn range(number: &Number) -> String {
+    format!("{} to {}", number.least, number.most)
+}
+
+fn row(number: &Number) -> serde_json::Value {
+    let (of_crate, file) = number.place();
+    json!({
+        "name": number.name, "value": number.value, "unit": number.unit, "least": number.least, "most": number.most,
+        "what": number.meaning(), "crate": of_crate, "file": file,
+    })
+}
