@@ -10,7 +10,7 @@ use super::{File, expect_none, files};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The circles that there are, each by its files below `crates/`, in order. Take out the one that you open.
-const CIRCLES: [&[&str]; 5] = [
+const CIRCLES: [&[&str]; 3] = [
     &[
         "homebody-core/src/drivers/live.rs",
         "homebody-core/src/drivers/live/obstacles.rs",
@@ -24,20 +24,6 @@ const CIRCLES: [&[&str]; 5] = [
         "homebody-kit/src/run.rs",
         "homebody-kit/src/scenario.rs",
         "homebody-kit/src/source.rs",
-    ],
-    &[
-        "homebody-log/src/sink/casas.rs",
-        "homebody-log/src/sink/csv.rs",
-        "homebody-log/src/sink/mod.rs",
-        "homebody-log/src/sink/sqlite.rs",
-        "homebody-log/src/sink/text.rs",
-    ],
-    &[
-        "homebody-log/src/source/activities.rs",
-        "homebody-log/src/source/casas.rs",
-        "homebody-log/src/source/csv.rs",
-        "homebody-log/src/source/mod.rs",
-        "homebody-log/src/source/sqlite.rs",
     ],
     &[
         "homebody-routine/src/language/activities.rs",
