@@ -10,20 +10,12 @@ use super::{File, expect_none, files};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The circles that there are, each by its files below `crates/`, in order. Take out the one that you open.
-const CIRCLES: [&[&str]; 3] = [
+const CIRCLES: [&[&str]; 2] = [
     &[
         "homebody-core/src/drivers/live.rs",
         "homebody-core/src/drivers/live/obstacles.rs",
         "homebody-core/src/drivers/mod.rs",
         "homebody-core/src/drivers/surroundings.rs",
-    ],
-    &[
-        "homebody-kit/src/cohort.rs",
-        "homebody-kit/src/profiles/mod.rs",
-        "homebody-kit/src/profiles/rows.rs",
-        "homebody-kit/src/run.rs",
-        "homebody-kit/src/scenario.rs",
-        "homebody-kit/src/source.rs",
     ],
     &[
         "homebody-routine/src/language/activities.rs",
