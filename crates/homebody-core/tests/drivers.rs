@@ -2,7 +2,8 @@
 #![expect(clippy::disallowed_types, reason = "what a driver saw is told to the test by a lock")]
 
 use homebody_core::drivers::error::{DriverError, DriverFault, MOST_ANSWERS};
-use homebody_core::drivers::live::{Input, KeyTrack, LiveDriver};
+use homebody_core::drivers::input::Input;
+use homebody_core::drivers::live::{KeyTrack, LiveDriver};
 use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::{Events, Fact, MotionState, Need, ThingUse, Vitals};
 use homebody_core::geometry::Point;

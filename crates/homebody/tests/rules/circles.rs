@@ -10,13 +10,7 @@ use super::{File, expect_none, files};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The circles that there are, each by its files below `crates/`, in order. Take out the one that you open.
-const CIRCLES: [&[&str]; 2] = [
-    &[
-        "homebody-core/src/drivers/live.rs",
-        "homebody-core/src/drivers/live/obstacles.rs",
-        "homebody-core/src/drivers/mod.rs",
-        "homebody-core/src/drivers/surroundings.rs",
-    ],
+const CIRCLES: [&[&str]; 1] = [
     &[
         "homebody-routine/src/language/activities.rs",
         "homebody-routine/src/language/adverbs.rs",
