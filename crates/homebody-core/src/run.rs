@@ -2,7 +2,8 @@
 
 use crate::drivers::absent::Absent;
 use crate::drivers::error::{DriverError, DriverFault, MOST_ANSWERS, WALL_M};
-use crate::drivers::live::{Input, KeyTrack, LiveDriver};
+use crate::drivers::input::Input;
+use crate::drivers::live::{KeyTrack, LiveDriver};
 use crate::drivers::path::PathDriver;
 use crate::drivers::{Driver, MotionSegment, Next, Occupant, Surroundings};
 use crate::event::{Events, Fact, MotionState, ThingUse};

@@ -2,7 +2,8 @@
 #![expect(clippy::disallowed_types, reason = "what a driver saw is told to the test by a lock")]
 
 use homebody_core::drivers::error::{DriverError, DriverFault, MOST_ANSWERS};
-use homebody_core::drivers::live::{Input, KeyTrack, LiveDriver};
+use homebody_core::drivers::input::Input;
+use homebody_core::drivers::live::{KeyTrack, LiveDriver};
 use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::{Events, Fact, MotionState, Need, ThingUse, Vitals};
 use homebody_core::geometry::Point;
@@ -13,26 +14,13 @@ use homebody_core::run::Run;
 use homebody_core::scenario::input::Key;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, NEVER, SECOND};
-use serde_json::json;
 use std::collections::VecDeque;
 use std::sync::{Arc, LazyLock, Mutex};
 
-/// Two rooms with a door between them, and a motion sensor in the west room.
+/// The flat of the tests: a kitchen with sensors, and a bedroom to the east of it through an open door.
 static HOME: LazyLock<Arc<Home>> = LazyLock::new(|| {
-    let home = json!({
-        "name": "two rooms",
-        "rooms": [
-            { "name": "west room", "outline": [[0, 0], [4, 0], [4, 4], [0, 4]] },
-            { "name": "east room", "outline": [[4, 0], [8, 0], [8, 4], [4, 4]] },
-        ],
-        "walls": [
-            { "from": [0, 0], "to": [8, 0] }, { "from": [8, 0], "to": [8, 4] }, { "from": [8, 4], "to": [0, 4] },
-            { "from": [0, 4], "to": [0, 0] }, { "from": [4, 0], "to": [4, 4] },
-        ],
-        "doors": [{ "name": "door", "from": [4, 1.5], "to": [4, 2.5] }],
-        "sensors": [{ "kind": "motion", "name": "motion", "at": [0.05, 2], "facing_deg": 0 }],
-    });
-    Arc::new(Home::bake(&ResolvedHome::new(serde_json::from_value(home).unwrap()).unwrap(), &[Build::adult(); 3]))
+    let home = serde_json::from_str(include_str!("../../../tests/flat/home.json")).unwrap();
+    Arc::new(Home::bake(&ResolvedHome::new(home).unwrap(), &[Build::adult(); 3]))
 });
 
 /// Gives one answer after the other, and the last one again and again.
@@ -64,14 +52,14 @@ fn segment(begin: Micros, end: Micros, doing: MotionState) -> Next {
     Next::Segment(MotionSegment { begin, end, doing, posture: Posture::Standing })
 }
 
-/// A walk in the west room in the first ten seconds, which the sensor sees.
+/// A walk in the kitchen in the first ten seconds, which its sensors see.
 fn walk() -> Vec<Next> {
-    vec![segment(0, 10 * SECOND, MotionState::Stride { from: at(1.0, 1.0), to: at(3.0, 3.0) })]
+    vec![segment(0, 10 * SECOND, MotionState::Stride { from: at(1.0, 1.0), to: at(3.0, 2.0) })]
 }
 
 /// A rest where the walk has ended, for ever.
 fn rest() -> Next {
-    segment(10 * SECOND, NEVER, MotionState::Rest { at: at(3.0, 3.0) })
+    segment(10 * SECOND, NEVER, MotionState::Rest { at: at(3.0, 2.0) })
 }
 
 const LENGTH: Micros = 60 * SECOND;
@@ -91,7 +79,7 @@ fn after_a_walk(last: Next) -> (Run, Events, Result<(), DriverError>) {
 
 #[test]
 fn nonsense_ends_the_run_where_it_was_said() {
-    let (begin, end, here) = (10 * SECOND, 20 * SECOND, at(3.0, 3.0));
+    let (begin, end, here) = (10 * SECOND, 20 * SECOND, at(3.0, 2.0));
     let (mut sound, mut before) = (run(vec![says(walk(), rest())]), Events::default());
     sound.advance(begin, &mut before).unwrap();
     assert!(!before.firings.is_empty(), "the walk is seen");
@@ -105,7 +93,7 @@ fn nonsense_ends_the_run_where_it_was_said() {
         (segment(begin, begin, resting(here)), DriverFault::EndsTooSoon { end: begin }),
         (segment(begin, begin - 1, resting(here)), DriverFault::EndsTooSoon { end: begin - 1 }),
         (segment(begin, Micros::MIN, resting(here)), DriverFault::EndsTooSoon { end: Micros::MIN }),
-        (segment(begin, end, resting(at(f64::NAN, 3.0))), no_number("the place")),
+        (segment(begin, end, resting(at(f64::NAN, 2.0))), no_number("the place")),
         (segment(begin, end, MotionState::Stride { from: here, to: at(3.0, f64::INFINITY) }), no_number("the place")),
         (segment(begin, end, MotionState::InPlace { at: here, amplitude_m: -0.1 }), no_number("the amplitude")),
         (segment(begin, end, MotionState::InPlace { at: here, amplitude_m: f64::NAN }), no_number("the amplitude")),
@@ -114,16 +102,16 @@ fn nonsense_ends_the_run_where_it_was_said() {
         (Next::Condition("flu".into(), f64::NAN), no_number("the severity of a condition")),
         (segment(begin, end, resting(at(1.0, 1.0))), DriverFault::Jump { from: here, to: at(1.0, 1.0) }),
         (
-            segment(begin, end, MotionState::Stride { from: at(3.02, 3.0), to: here }),
-            DriverFault::Jump { from: here, to: at(3.02, 3.0) },
+            segment(begin, end, MotionState::Stride { from: at(3.02, 2.0), to: here }),
+            DriverFault::Jump { from: here, to: at(3.02, 2.0) },
         ),
         (
             segment(begin, end, MotionState::Stride { from: here, to: at(3.0, 30.0) }),
             DriverFault::Outside { at: at(3.0, 30.0) },
         ),
         (
-            Next::Use(ThingUse { thing: ThingId(3), on: true }),
-            DriverFault::NoSuchThing { thing: ThingId(3), things: 3 },
+            Next::Use(ThingUse { thing: ThingId(5), on: true }),
+            DriverFault::NoSuchThing { thing: ThingId(5), things: 5 },
         ),
         (Next::Activity(None), DriverFault::NoEnd { answers: MOST_ANSWERS }),
     ];
@@ -155,16 +143,16 @@ fn who_fails_at_once_has_done_nothing() {
 
 #[test]
 fn what_bodies_can_do_is_taken() {
-    let (begin, end, here) = (10 * SECOND, NEVER, at(3.0, 3.0));
+    let (begin, end, here) = (10 * SECOND, NEVER, at(3.0, 2.0));
     // Rounding is no jump; who stands in a wall or a door is inside.
-    let close = at(3.005, 3.0);
+    let close = at(3.005, 2.0);
     let away = segment(begin, 20 * SECOND, MotionState::Away);
     let elsewhere = segment(20 * SECOND, end, MotionState::Rest { at: at(7.0, 1.0) });
     let sound = [
         vec![rest()],
         vec![segment(begin, end, MotionState::Rest { at: close })],
-        vec![segment(begin, end, MotionState::Stride { from: here, to: at(3.0, 4.04) })],
-        vec![segment(begin, end, MotionState::Stride { from: here, to: at(4.0, 2.0) })],
+        vec![segment(begin, end, MotionState::Stride { from: here, to: at(3.0, 3.04) })],
+        vec![segment(begin, end, MotionState::Stride { from: here, to: at(4.0, 1.5) })],
         vec![away, elsewhere],
     ];
     for mut answers in sound {
@@ -196,11 +184,11 @@ impl Driver for Watcher {
             now: begin,
             own: around.body().map(|body| (body.at, body.posture)),
             others: others.collect(),
-            door: around.is_on(ThingId::of(around.plan().thing("door").unwrap())),
+            door: around.is_on(ThingId::of(around.plan().thing("bedroom door").unwrap())),
         });
         assert!(!around.is_on(ThingId(100)), "what does not exist is not on");
         let posture = if begin / SECOND % 2 == 0 { Posture::Standing } else { Posture::Sitting };
-        let doing = MotionState::Rest { at: at(1.0, 3.0) };
+        let doing = MotionState::Rest { at: at(1.0, 2.5) };
         Next::Segment(MotionSegment { begin, end: begin + SECOND, doing, posture })
     }
 
@@ -214,9 +202,9 @@ fn who_decides_sees_what_is_so() {
     let door = |on| Next::Use(ThingUse { thing: ThingId(0), on });
     // From room to room, the door shut behind, and out.
     let others = vec![
-        segment(0, 12_345_678, MotionState::Stride { from: at(1.0, 2.0), to: at(7.0, 2.0) }),
+        segment(0, 12_345_678, MotionState::Stride { from: at(1.0, 1.5), to: at(7.0, 1.5) }),
         door(false),
-        segment(12_345_678, 30 * SECOND, MotionState::InPlace { at: at(7.0, 2.0), amplitude_m: 0.1 }),
+        segment(12_345_678, 30 * SECOND, MotionState::InPlace { at: at(7.0, 1.5), amplitude_m: 0.1 }),
     ];
     let away = segment(30 * SECOND, NEVER, MotionState::Away);
     let seen = Arc::new(Mutex::new(Vec::new()));
@@ -237,12 +225,12 @@ fn who_decides_sees_what_is_so() {
     let mut seen = seen.lock().unwrap().clone();
     let rooms: Vec<_> = seen.iter_mut().map(|seen| seen.others.first_mut().and_then(|other| other.3.take())).collect();
     assert_eq!(seen, scenes);
-    let in_the_west = rooms.iter().filter(|&&room| room == Some(RoomId(0))).count();
-    let in_the_east = rooms.iter().filter(|&&room| room == Some(RoomId(1))).count();
-    assert_eq!((in_the_west, in_the_east), (6, 24), "{rooms:?}");
+    let in_the_kitchen = rooms.iter().filter(|&&room| room == Some(RoomId(0))).count();
+    let in_the_bedroom = rooms.iter().filter(|&&room| room == Some(RoomId(1))).count();
+    assert_eq!((in_the_kitchen, in_the_bedroom), (6, 24), "{rooms:?}");
     assert!(seen[12].door && !seen[13].door);
     assert!(seen[29].others.len() == 1 && seen[31].others.is_empty());
-    assert_eq!((seen[0].own, seen[1].own), (None, Some((at(1.0, 3.0), Posture::Standing))));
+    assert_eq!((seen[0].own, seen[1].own), (None, Some((at(1.0, 2.5), Posture::Standing))));
     // The control: a second later it is not the same any more.
     assert!(seen[1..13].iter().zip(&scenes[2..]).all(|(seen, scene)| seen.others != scene.others));
 }
@@ -297,7 +285,7 @@ fn staying_is_one_movement_however_often_it_is_said() {
     let lying = |begin, end| MotionSegment {
         begin,
         end,
-        doing: MotionState::InPlace { at: at(3.0, 3.0), amplitude_m: 0.1 },
+        doing: MotionState::InPlace { at: at(3.0, 2.0), amplitude_m: 0.1 },
         posture: Posture::Lying,
     };
     let life = |cuts: &[Micros], postures: fn(usize) -> Posture| {

@@ -5,7 +5,7 @@ use homebody_core::home::{Build, Home};
 use homebody_core::scenario::home::{HomeFile, SensorFile};
 use homebody_core::sensors::form::KindRow;
 use homebody_core::sensors::kinds::KINDS;
-use serde_json::json;
+use serde_json::{Value, json};
 use std::collections::BTreeSet;
 
 #[test]
@@ -56,21 +56,16 @@ fn the_document_of_sensors_has_every_kind_and_what_it_says() {
 
 #[test]
 fn a_home_says_of_each_sensor_where_it_is_and_what_it_can_say() {
-    let home: HomeFile = serde_json::from_value(json!({
-        "name": "flat",
-        "rooms": [{ "name": "kitchen", "outline": [[0, 0], [4, 0], [4, 3], [0, 3]] },
-            { "name": "bath", "outline": [[4, 0], [6, 0], [6, 3], [4, 3]] }],
-        "walls": [{ "from": [4, 0], "to": [4, 3] }],
-        "furniture": [{ "name": "stove", "at": [1, 1], "size_m": [0.6, 0.6], "height_m": 0.9 }],
-        "sensors": [
-            { "kind": "motion", "name": "kitchen motion", "at": [0.05, 2], "facing_deg": 0 },
-            { "kind": "stove_temperature", "name": "silent", "on": "stove" },
-            { "kind": "stove_temperature", "name": "stove", "on": "stove", "readings_every_s": 60 },
-            { "kind": "pressure", "name": "mat", "area": [[5, 1], [5.5, 1], [5.5, 1.5]] },
-            { "kind": "light", "name": "lux", "room": "bath" },
-        ],
-    }))
-    .expect("a home");
+    let mut home: Value = serde_json::from_str(include_str!("../../../tests/flat/home.json")).expect("JSON");
+    home["furniture"] = json!([{ "name": "stove", "at": [1, 1], "size_m": [0.6, 0.6], "height_m": 0.9 }]);
+    home["sensors"] = json!([
+        { "kind": "motion", "name": "kitchen motion", "at": [0.05, 2], "facing_deg": 0 },
+        { "kind": "stove_temperature", "name": "silent", "on": "stove" },
+        { "kind": "stove_temperature", "name": "stove", "on": "stove", "readings_every_s": 60 },
+        { "kind": "pressure", "name": "mat", "area": [[5, 1], [5.5, 1], [5.5, 1.5]] },
+        { "kind": "light", "name": "lux", "room": "bedroom" },
+    ]);
+    let home: HomeFile = serde_json::from_value(home).expect("a home");
     let home = ResolvedHome::new(home).expect("all that it names is there");
     let infos = Home::bake(&home, &[Build::adult()]).sensor_infos();
     let plan = home.plan();
@@ -85,8 +80,8 @@ fn a_home_says_of_each_sensor_where_it_is_and_what_it_can_say() {
         "kitchen motion: motion, kitchen, ON ",
         "silent: stove_temperature, kitchen, ON OFF ",
         "stove: stove_temperature, kitchen, ON OFF °C",
-        "mat: pressure, bath, ON OFF ",
-        "lux: light, bath,  lx",
+        "mat: pressure, bedroom, ON OFF ",
+        "lux: light, bedroom,  lx",
     ];
     assert_eq!(said.collect::<Vec<_>>(), expected);
 }

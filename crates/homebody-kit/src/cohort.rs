@@ -13,7 +13,7 @@ use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::Micros;
 use homebody_log::fresh::{FreshFile, remove_parts};
-use homebody_log::places::RECORDING;
+use homebody_log::places::{LIST, RECORDING};
 use homebody_log::{How, Places};
 use homebody_routine::household::Household;
 use rayon::prelude::*;
@@ -26,15 +26,12 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicI64, Ordering};
 use std::time::{Duration, Instant};
 
-/// The file beside the members' folders that lists them.
-pub const LIST: &str = "cohort.json";
-
 /// Threads for each processor (ours).
 const THREADS_EACH: usize = 4;
 
 /// Who is to live: so many of whom nothing else is known, or those of a list.
 #[derive(Clone, Debug)]
-pub(crate) enum Members {
+enum Members {
     Many(u32),
     Listed(Vec<Profile>),
 }
@@ -142,8 +139,20 @@ enum Asked {
     Profiles(String),
 }
 
+impl OpenScenario {
+    /// So many lives of it side by side, each of which differs from the routines as people differ.
+    pub fn cohort(&self, members: u32) -> CohortSetup {
+        CohortSetup::new(self.clone(), Members::Many(members))
+    }
+
+    /// The lives of the members of a list side by side.
+    pub fn cohort_of(&self, profiles: Vec<Profile>) -> CohortSetup {
+        CohortSetup::new(self.clone(), Members::Listed(profiles))
+    }
+}
+
 impl CohortSetup {
-    pub(crate) fn new(scenario: OpenScenario, members: Members) -> CohortSetup {
+    fn new(scenario: OpenScenario, members: Members) -> CohortSetup {
         let (seed, length, without, numbers) = (None, Length::Own, Vec::new(), BTreeMap::new());
         CohortSetup { scenario, members, seed, length, without, numbers, cancel: Cancel::new() }
     }

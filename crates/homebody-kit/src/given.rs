@@ -1,7 +1,6 @@
 //! A log that somebody names, and what lies beside it where a run left it: the truth, and the recording, which knows the
 //! sensors' own names, the time zone, and from when to when the run was.
 
-use crate::cohort::LIST;
 use crate::error::Error;
 use homebody_analysis::dates::{date_of, dates, on_wall, put_on_wall};
 use homebody_core::recording::Recording;
@@ -10,7 +9,7 @@ use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::SCHEMES;
 use homebody_core::time::Micros;
-use homebody_log::places::RECORDING;
+use homebody_log::places::{LIST, RECORDING};
 use homebody_log::source::Clock;
 use homebody_log::source::recognise;
 use homebody_log::{Life, Log, LogError, Url, lives, read};

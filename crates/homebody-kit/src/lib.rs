@@ -40,9 +40,10 @@ mod cohort;
 mod given;
 
 pub use cancel::Cancel;
-pub use cohort::{Cohort, CohortList, CohortSetup, LIST, ListedMember, LivedCohort, Member, UnfinishedCohort};
+pub use cohort::{Cohort, CohortList, CohortSetup, ListedMember, LivedCohort, Member, UnfinishedCohort};
 pub use error::{BoxError, Error};
 pub use given::{Given, place_of_log};
+pub use homebody_log::places::LIST;
 pub use homebody_log::{Destination, Policy, Sink, Url};
 pub use profiles::Profile;
 pub use recorded::{Recorded, Unfinished};

@@ -75,6 +75,13 @@ impl Length {
     }
 }
 
+impl OpenScenario {
+    /// A run of it, as its files say unless something else is asked for.
+    pub fn run(&self) -> RunSetup {
+        RunSetup::new(self.clone())
+    }
+}
+
 impl RunSetup {
     pub(crate) fn new(scenario: OpenScenario) -> RunSetup {
         RunSetup {

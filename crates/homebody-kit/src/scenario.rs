@@ -1,9 +1,7 @@
 //! A scenario that was opened: checked, its routines understood, ready to be lived any number of times.
 
-use crate::cohort::{CohortSetup, Members};
 use crate::error::Error;
 use crate::profiles::{self, Base, Profile};
-use crate::run::RunSetup;
 use crate::source::{Source, Template};
 use homebody_core::numbers::{self, Number};
 use homebody_core::problem::{Problem, Problems};
@@ -58,12 +56,19 @@ pub struct OpenScenario {
     pub(crate) source: Source,
 }
 
-impl OpenScenario {
-    pub(crate) fn read(source: Source) -> Result<OpenScenario, Error> {
-        let (scenario, household) = Household::load(source.files(), source.entry(), &[])?;
-        Ok(OpenScenario { scenario: Arc::new(scenario), household: Arc::new(household), source })
+impl Source {
+    /// The scenario checked and its routines understood, to be lived.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Problems`]: everything that is wrong with its files.
+    pub fn open(self) -> Result<OpenScenario, Error> {
+        let (scenario, household) = Household::load(self.files(), self.entry(), &[])?;
+        Ok(OpenScenario { scenario: Arc::new(scenario), household: Arc::new(household), source: self })
     }
+}
 
+impl OpenScenario {
     /// What the scenario is called.
     pub fn name(&self) -> &str {
         &self.scenario.file.name
@@ -92,21 +97,6 @@ impl OpenScenario {
     /// What is right in it but hardly meant, in a run of `length` microseconds.
     pub fn remarks(&self, length: Micros) -> Vec<Problem> {
         remarks::of(&self.scenario, length)
-    }
-
-    /// A run of it, as its files say unless something else is asked for.
-    pub fn run(&self) -> RunSetup {
-        RunSetup::new(self.clone())
-    }
-
-    /// So many lives of it side by side, each of which differs from the routines as people differ.
-    pub fn cohort(&self, members: u32) -> CohortSetup {
-        CohortSetup::new(self.clone(), Members::Many(members))
-    }
-
-    /// The lives of the members of a list side by side.
-    pub fn cohort_of(&self, profiles: Vec<Profile>) -> CohortSetup {
-        CohortSetup::new(self.clone(), Members::Listed(profiles))
     }
 
     /// The members of a list: a CSV file with a row for each. The conditions in `without` are left out of the lives of those

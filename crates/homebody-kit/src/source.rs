@@ -1,7 +1,6 @@
 //! Where a scenario comes from: a folder on disk, a template that came with the program, or texts in memory.
 
 use crate::error::Error;
-use crate::scenario::OpenScenario;
 use homebody_core::scenario::load::{Files, Scenario};
 use homebody_routine::household::RoutineLanguage;
 use include_dir::{Dir, include_dir};
@@ -87,15 +86,6 @@ impl Source {
     /// [`Error::Problems`]: everything that is wrong with its files.
     pub fn scenario(&self) -> Result<Scenario, Error> {
         Ok(Scenario::load_in(&mut RoutineLanguage::default(), &*self.files, &self.entry)?)
-    }
-
-    /// The scenario checked and its routines understood, to be lived.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Problems`]: everything that is wrong with its files.
-    pub fn open(self) -> Result<OpenScenario, Error> {
-        OpenScenario::read(self)
     }
 }
 

@@ -9,10 +9,10 @@
 //! read as streams, so neither has to fit into memory.
 
 use crate::error::{LogError, place_of};
-use crate::sink::casas::one_word;
 use crate::source::{Activity, Cause, Causes, Event, Life, Log, lives, stream};
 use crate::table::{Cell, Column, ColumnKind, Texts};
 use crate::transfer::{Besides, Transfer};
+use crate::word::one_word;
 use homebody_core::time::Micros;
 use std::path::Path;
 

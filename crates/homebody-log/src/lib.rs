@@ -19,11 +19,13 @@ pub mod fresh;
 pub mod places;
 
 pub mod table;
+pub mod sensor_info;
 pub mod run_info;
 pub mod policy;
 pub mod sink;
 
 mod clock;
+mod word;
 mod mapping;
 mod messages;
 mod writer;
@@ -48,8 +50,9 @@ pub use logger::{Destination, Logger, RowsOfFirings, Stored};
 pub use places::Places;
 pub use policy::Policy;
 pub use rows::{RowText, Rows};
-pub use run_info::{RunInfo, SensorInfo};
+pub use run_info::RunInfo;
 pub use run_log::RunLog;
+pub use sensor_info::SensorInfo;
 pub use sink::{Begin, How, Sink, Watermark};
 pub use source::{
     Activity, Event, Life, Log, Movement, MovementKind, Movements, RunClock, activities, ids, lives, read, stream,

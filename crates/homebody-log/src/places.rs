@@ -16,6 +16,9 @@ pub const RUNS: &str = "runs";
 pub const RECORDING: &str = "recording.json";
 pub const TRUTH: &str = "truth.db";
 
+/// The file beside the folders of a cohort's members that lists them.
+pub const LIST: &str = "cohort.json";
+
 /// The table of the sensors in a run's folder: id in the log, name in the home, kind, room and place.
 pub const SENSORS: &str = "sensors.csv";
 

@@ -1,7 +1,8 @@
 //! What a run is: what destinations are told before the first row.
 
-use crate::sink::casas::one_word;
+use crate::sensor_info::SensorInfo;
 use crate::source::Log;
+use crate::word::one_word;
 use homebody_core::recording::Recording;
 use homebody_core::run::Run;
 use homebody_core::scenario::calendar::Calendar;
@@ -30,43 +31,6 @@ pub struct RunInfo {
     pub rooms: Vec<String>,
     /// In the order of [`ThingId`](homebody_core::ids::ThingId).
     pub things: Vec<String>,
-}
-
-/// What there is to know of a sensor.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SensorInfo {
-    /// Its name in the home.
-    pub name: String,
-    /// What the log calls it.
-    pub id: String,
-    /// Whether it senses motion, so that its messages may be held ON.
-    pub is_motion: bool,
-    /// What kind of sensor it is, as `home.json` writes it.
-    pub kind: String,
-    /// Of its readings, such as `°C`. None for one that gives no readings.
-    pub unit: Option<String>,
-    /// What it says besides readings, such as `OPEN` and `CLOSE`; the logger may translate it.
-    pub values: Vec<String>,
-    /// The room that it is in. None between rooms, as on a door.
-    pub room: Option<String>,
-    /// Where it is on the plan, in metres to the east and to the north.
-    pub at_m: [f64; 2],
-}
-
-impl SensorInfo {
-    /// A sensor of which no more is known than what a log calls it.
-    fn named(id: &str) -> SensorInfo {
-        SensorInfo {
-            name: id.to_owned(),
-            id: id.to_owned(),
-            is_motion: false,
-            kind: String::new(),
-            unit: None,
-            values: Vec::new(),
-            room: None,
-            at_m: [0.0; 2],
-        }
-    }
 }
 
 impl RunInfo {

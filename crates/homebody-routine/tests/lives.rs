@@ -8,9 +8,8 @@ use homebody_core::ids::{SensorId, ThingId};
 use homebody_core::run::Run;
 use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_routine::fuzzy::Quantifier;
-use stage::{HOUR, activities, events, files, household, run};
+use stage::{HOUR, ORDINARY, activities, events, files, household, run};
 
-const ORDINARY: &str = include_str!("../../../scenarios/tigerplace/margaret.routine");
 const DECLINE: &str = include_str!("../../../scenarios/tigerplace-decline/margaret.routine");
 /// Everything that goes wrong on the way to the logger.
 const LINK: &str = r#"{ "preset": "x10", "false_fires_per_h": 0.5, "misses": 0.02, "duplicates": 0.01, "faults": [

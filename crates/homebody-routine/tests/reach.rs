@@ -7,10 +7,8 @@ use homebody_core::event::MotionState;
 use homebody_core::geometry::Point;
 use homebody_core::run::Run;
 use homebody_core::time::{DAY, Micros};
-use stage::{HOUR, activities, events, files, household};
+use stage::{HOUR, ORDINARY, activities, events, files, household};
 use std::collections::BTreeMap;
-
-const ORDINARY: &str = include_str!("../../../scenarios/tigerplace/margaret.routine");
 
 /// A piece of furniture: its name, where it is in the way, where it is not, and its size in metres.
 type Piece = (&'static str, [f64; 2], [f64; 2], [f64; 2]);

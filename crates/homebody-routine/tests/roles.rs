@@ -7,9 +7,7 @@ use homebody_core::geometry::Point;
 use homebody_core::run::Run;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros};
-use stage::{HOUR, files, household};
-
-const ORDINARY: &str = include_str!("../../../scenarios/tigerplace/margaret.routine");
+use stage::{HOUR, ORDINARY, files, household};
 
 /// Where the bed of the example is.
 const BED: Point = Point::new(1.1, 5.1);

@@ -10,13 +10,12 @@ use homebody_core::time::DAY;
 use homebody_routine::household::{CONDITIONS, Household};
 use homebody_routine::living::agenda::{Agenda, Item};
 use homebody_routine::routine::Activity;
-use stage::{events, files, household};
+use stage::{ORDINARY, events, files, household};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
 const SCENARIOS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios");
-const ORDINARY: &str = include_str!("../../../scenarios/tigerplace/margaret.routine");
 
 /// The files of a folder by their path from it.
 fn folder(path: &Path) -> BTreeMap<String, String> {

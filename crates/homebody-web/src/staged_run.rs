@@ -5,7 +5,7 @@ use crate::draw;
 use crate::growth::Growth;
 use crate::shelf::Shelf;
 use crate::wire::{FiringView, Frame, Key, Posture, ResidentView, RunView, State};
-use homebody_core::drivers::live::Input;
+use homebody_core::drivers::input::Input;
 use homebody_core::event::{Events, Fact};
 use homebody_core::geometry::Point;
 use homebody_core::home::plan::Plan;

@@ -3,7 +3,7 @@
 //! It is a view of the run at one instant. Nothing is computed before it is asked for, so a driver that does not look
 //! costs nothing.
 
-use super::MotionSegment;
+use super::segment::MotionSegment;
 use crate::event::MotionState;
 use crate::geometry::Point;
 use crate::home::Build;

@@ -1,4 +1,5 @@
-//! A small scenario with nothing wrong, in which the tests break one thing at a time.
+//! A small scenario with nothing wrong, in which the tests break one thing at a time. It has something of everything, and
+//! what is said of it names its lines: so it is not the flat that other tests live in.
 
 use std::collections::BTreeMap;
 

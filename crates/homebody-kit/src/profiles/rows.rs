@@ -1,13 +1,13 @@
 //! The rows of a table as profiles: each cell with what may stand there.
 
+use super::profile::{Base, Other, Profile};
 use super::sentences::OwnSentences;
 use super::table::{Cell, Table};
-use super::{Base, Other, Profile};
-use crate::cohort::LIST;
 use homebody_core::problem::Problem;
 use homebody_core::scenario::GREATEST_SEED;
 use homebody_core::scenario::load::{WHERE, outside_folder};
 use homebody_core::scenario::nearest::nearest;
+use homebody_log::places::LIST;
 use homebody_routine::household::CONDITIONS;
 use homebody_routine::language::{self, Known};
 use homebody_routine::routine::{Effect, Routine};

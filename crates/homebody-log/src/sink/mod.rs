@@ -1,19 +1,19 @@
-//! Where rows end up: one file each kind of place, all in the shape of [`Sink`].
+//! Where rows end up: one file each kind of place, all in the shape of [`Sink`]; `open.rs` knows them all.
 
-pub(crate) mod casas;
-pub(crate) mod csv;
-pub(crate) mod database;
-pub(crate) mod sqlite;
+mod casas;
+mod csv;
+mod database;
+mod open;
+mod sqlite;
 mod text;
 
 use crate::clock::Clock;
 use crate::error::LogError;
 use crate::run_info::RunInfo;
 use crate::table::{Batch, Table};
-use crate::url::Url;
 use homebody_core::scenario::logger::TimeFormat;
-use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::Micros;
+pub use open::open;
 
 /// A destination of rows: a file, a database, a broker, or whatever a caller brings.
 ///
@@ -87,15 +87,5 @@ impl Begin<'_> {
     /// A clock that writes instants as the run's mapping wants them.
     pub(crate) fn clock(&self) -> Clock {
         Clock::new(&self.run.calendar, self.time)
-    }
-}
-
-/// The sink of a place. Nothing is touched before it is begun.
-pub fn open(url: &Url) -> Box<dyn Sink> {
-    let at = url.file().map(Into::into).unwrap_or_default();
-    match url.scheme() {
-        Scheme::Sqlite => Box::new(sqlite::Sqlite::new(at)),
-        Scheme::Csv => Box::new(csv::Csv::new(at)),
-        Scheme::Casas => Box::new(casas::Casas::new(at)),
     }
 }

@@ -1,7 +1,7 @@
 //! What residents did when: from the notes of a log, or from a run's truth.
 
+use super::database::{connect, text};
 use super::instant::{Instant, Instants, since_1970};
-use super::sqlite::{connect, text};
 use crate::error::LogError;
 use homebody_core::time::Micros;
 use rusqlite::Connection;

@@ -3,7 +3,7 @@
 //! Some homes repeat the sensor or tell its room and place before the value, and what kind of sensor it is after
 //! it; all that is passed over. Some note at a line's end that an activity begins or ends, as `Sleep begin`.
 
-use super::{Reading, open};
+use super::reading::{Reading, open};
 use crate::error::LogError;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;

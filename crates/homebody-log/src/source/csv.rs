@@ -1,7 +1,8 @@
 //! Comma-separated values: ours, pyadlml's `time,device,value`, Home Assistant's `entity_id,state,last_changed`,
 //! and files whose header line is unknown or missing, in which sensor and value come right after the time.
 
-use super::{Places, Reading, open};
+use super::columns::Places;
+use super::reading::{Reading, open};
 use crate::error::{LogError, place_of};
 use ::csv::{ByteRecord, ReaderBuilder, Terminator};
 use homebody_core::scenario::logger::LoggerFile;

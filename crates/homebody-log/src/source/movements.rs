@@ -4,9 +4,9 @@
 //! and those of a span are found by halving. The one in which somebody is as the span ends may be long, such as a
 //! visitor's absence of weeks; it is looked for further on, once.
 
+use super::database::{connect, text};
 use super::instant::{Instant, Instants, since_1970};
 use super::run_clock::RunClock;
-use super::sqlite::{connect, text};
 use crate::error::LogError;
 use homebody_core::geometry::Point;
 use homebody_core::scenario::path::Posture;

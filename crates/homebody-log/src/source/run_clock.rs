@@ -1,6 +1,6 @@
 //! From the instants that a run's files tell back to the run's own microseconds.
 
-use super::Clock;
+use super::log::Clock;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::{DAY, Micros, SECOND};
 use jiff::Timestamp;

@@ -2,7 +2,7 @@
 
 use crate::error::LogError;
 use crate::places::SENSORS;
-use crate::run_info::SensorInfo;
+use crate::sensor_info::SensorInfo;
 use homebody_core::sensors::kinds::KINDS;
 use serde::Deserialize;
 use std::path::Path;

@@ -1,14 +1,14 @@
 //! A database file: a table by the mapping's names or ours, or whichever looks like a log.
 
+use super::columns::Places;
+use super::database::{connect, text};
 use super::instant::since_1970;
-use super::{Places, Reading, open};
+use super::reading::{Reading, open};
 use crate::error::{LogError, place_of};
 use homebody_core::scenario::logger::LoggerFile;
+use rusqlite::Connection;
 use rusqlite::types::ValueRef;
-use rusqlite::{Connection, OpenFlags};
-use std::borrow::Cow;
 use std::path::Path;
-use std::time::Duration;
 
 /// A table and where its rows' parts are.
 struct Table {
@@ -51,22 +51,6 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) ->
         }
     }
     Ok(())
-}
-
-pub(crate) fn connect(path: &Path) -> rusqlite::Result<Connection> {
-    let open = |flags| {
-        let connection = Connection::open_with_flags(path, flags)?;
-        connection.busy_timeout(Duration::from_secs(2))?;
-        Ok(connection)
-    };
-    let connection = open(OpenFlags::SQLITE_OPEN_READ_ONLY)?;
-    match connection.query_row("SELECT count(*) FROM sqlite_schema", [], |_| Ok(())) {
-        // A run that was killed has left a transaction half written: it has to be undone before anything is read.
-        Err(error) if error.sqlite_error_code() == Some(rusqlite::ErrorCode::ReadOnly) => {
-            open(OpenFlags::SQLITE_OPEN_READ_WRITE)
-        }
-        _ => Ok(connection),
-    }
 }
 
 /// The table named by the mapping, ours, or the first that looks like a log.
@@ -162,15 +146,6 @@ fn rows_of(
         sql += &format!(" ORDER BY {}", order.join(", "));
     }
     Ok(sql)
-}
-
-pub(crate) fn text(value: ValueRef<'_>) -> Cow<'_, str> {
-    match value {
-        ValueRef::Null => "".into(),
-        ValueRef::Integer(number) => number.to_string().into(),
-        ValueRef::Real(number) => number.to_string().into(),
-        ValueRef::Text(bytes) | ValueRef::Blob(bytes) => String::from_utf8_lossy(bytes),
-    }
 }
 
 /// A name of someone else's table, as SQL wants it.

@@ -1,7 +1,6 @@
 //! What can be done, in all the ways of saying it that are understood.
 
-use super::predicates::is_beginning;
-use super::reader::{Reader, is_determiner};
+use super::reader::{Reader, is_beginning, is_determiner};
 use super::words::Token;
 use crate::routine::{Activity, Meal};
 use std::sync::LazyLock;

@@ -2,6 +2,7 @@
 
 use super::activities;
 use super::amounts::{self, Amount, Unit, amount};
+use super::calendar;
 use super::often::{self, Often};
 use super::reader::Reader;
 use super::times;
@@ -132,7 +133,7 @@ const FIRST: [&str; 105] = [
 fn may_begin(reader: &Reader) -> bool {
     match reader.token(0) {
         Some(Token::Number(_) | Token::Clock(..)) => true,
-        Some(Token::Word) => FIRST.contains(&reader.peek(0)) || times::is_weekday(reader.peek(0)),
+        Some(Token::Word) => FIRST.contains(&reader.peek(0)) || calendar::is_weekday(reader.peek(0)),
         _ => false,
     }
 }
@@ -179,7 +180,7 @@ fn put<T>(reader: &mut Reader, slot: &mut Option<Slot<T>>, value: T, span: Span,
 
 /// "after two weeks".
 fn after_days(reader: &mut Reader) -> Option<Moment> {
-    let days = times::days(reader).filter(|days| !days.is_range())?;
+    let days = calendar::days(reader).filter(|days| !days.is_range())?;
     days.as_count().map(|(days, _)| Moment::Day(days as i32))
 }
 
@@ -295,13 +296,13 @@ impl Adverbs {
     fn days(&mut self, reader: &mut Reader) -> Option<()> {
         let from = reader.at;
         if reader.eat("from") {
-            if let Some(months) = times::month_range(reader) {
+            if let Some(months) = calendar::month_range(reader) {
                 let span = reader.span(from);
                 put(reader, &mut self.months, months, span, "both say in which months");
                 return Some(());
             }
         } else if reader.eat("in|during") {
-            let months = times::months(reader)?;
+            let months = calendar::months(reader)?;
             let span = reader.span(from);
             put(reader, &mut self.months, months, span, "both say in which months");
             return Some(());
@@ -309,7 +310,7 @@ impl Adverbs {
             reader.eat("on|at");
             reader.eat("the");
         }
-        let weekdays = times::weekdays(reader)?;
+        let weekdays = calendar::weekdays(reader)?;
         let part = reader.eat_any(&times::PARTS);
         let span = reader.span(from);
         let often = Often { chance: None, weekdays: Some(weekdays), part, every: None, times: None };
@@ -374,46 +375,46 @@ impl Adverbs {
         let start = reader.at;
         if reader.eat("until|till|before") {
             let is_end = reader.eat("the end of");
-            let (moment, length) = times::moment(reader)?;
-            let moment = if is_end { times::end_of(moment, length) } else { moment };
+            let (moment, length) = calendar::moment(reader)?;
+            let moment = if is_end { calendar::end_of(moment, length) } else { moment };
             let span = reader.span(start);
             put(reader, &mut self.until, moment, span, "both say until when");
             return Some(());
         }
         if reader.eat("after") {
-            let moment = reader.attempt(times::moment).map(|(moment, length)| times::end_of(moment, length));
+            let moment = reader.attempt(calendar::moment).map(|(moment, length)| calendar::end_of(moment, length));
             let moment = moment.or_else(|| after_days(reader))?;
             let span = reader.span(start);
             put(reader, &mut self.from, moment, span, "both say from when");
             return Some(());
         }
         if reader.eat("in|on|during|throughout") || reader.peek(1) == "the" && reader.eat("for") {
-            let (moment, length) = times::moment(reader)?;
+            let (moment, length) = calendar::moment(reader)?;
             let span = reader.span(start);
             put(reader, &mut self.from, moment, span, "both say from when");
-            put(reader, &mut self.until, times::end_of(moment, length), span, "both say until when");
+            put(reader, &mut self.until, calendar::end_of(moment, length), span, "both say until when");
             return Some(());
         }
         if !(reader.eat("from") || reader.eat("since") || reader.eat("starting|beginning on|in|from|with")) {
             return None;
         }
         let month = reader.at;
-        if times::months(reader).is_some() {
+        if calendar::months(reader).is_some() {
             let span = reader.span(month);
             let hint = "write a date such as 2009-03-01, or \"from March to May\" for those months of all years";
             reader.fault(span, format!("it is not clear from which day of {:?}", reader.said(span)), hint.to_owned());
             return Some(());
         }
-        let (moment, _) = times::moment(reader)?;
+        let (moment, _) = calendar::moment(reader)?;
         reader.eat("on|onward|onwards");
         let span = reader.span(start);
         put(reader, &mut self.from, moment, span, "both say from when");
         let from = reader.at;
         if reader.eat("to|through")
-            && let Some((moment, length)) = times::moment(reader)
+            && let Some((moment, length)) = calendar::moment(reader)
         {
             let span = reader.span(from);
-            put(reader, &mut self.until, times::end_of(moment, length), span, "both say until when");
+            put(reader, &mut self.until, calendar::end_of(moment, length), span, "both say until when");
         } else {
             reader.at = from;
         }
@@ -432,7 +433,7 @@ impl Adverbs {
             return None;
         }
         reader.skip_determiners();
-        let days = times::days(reader)?;
+        let days = calendar::days(reader)?;
         let span = reader.span(start);
         if days.is_range() {
             let hint = "say one number, such as \"over 4 weeks\"".to_owned();

@@ -39,7 +39,7 @@ pub const PLAIN_SHARE: f64 = 0.1;
 /// How far "about" reaches for a walking speed, which hardly varies from day to day.
 pub const ABOUT_PACE_SHARE: f64 = 0.1;
 
-const DAY_S: f64 = 86_400.0;
+pub const DAY_S: f64 = 86_400.0;
 /// What a month is worth where days are counted.
 pub const MONTH_DAYS: f64 = 30.0;
 pub const YEAR_DAYS: f64 = 365.0;

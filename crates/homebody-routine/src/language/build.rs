@@ -1,14 +1,15 @@
 //! What a clause means, once all of it is read: a habit, a change, or who the person is.
 
-use super::Draft;
 use super::activities::phrase;
 use super::adverbs::Adverbs;
+use super::calendar::{ALL_WEEKDAYS, weekday_words};
+use super::clause::{Clause, PLACES};
+use super::draft::Draft;
 use super::meaning::Kind as Part;
-use super::measures::{Measure, Of};
-use super::predicates::{Predicate, Subject, is_way, unknown_doing};
+use super::measures::{FASTEST_MPS, Measure, Of};
+use super::predicates::{IS, Predicate, Subject, is_way, unknown_doing};
 use super::reader::{Reader, Sort};
-use super::sentence::{Clause, PLACES};
-use super::times::{ALL_WEEKDAYS, is_of_next_day, weekday_words};
+use super::times::is_of_next_day;
 use super::words::Span;
 use crate::fuzzy::{Fuzzy, Quantifier};
 use crate::routine::{Activity, Chance, Change, Effect, Habit, Kind, PartOfDay, Person, When};
@@ -30,9 +31,6 @@ pub fn only(reader: &mut Reader, adverbs: &Adverbs, allowed: &[Part], why: &str)
         reader.fault(span, what, "leave it out".to_owned());
     }
 }
-
-/// Nobody walks faster (ours).
-pub const FASTEST_MPS: f64 = 3.0;
 
 fn person(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     let span = clause.predicate_span;
@@ -337,9 +335,6 @@ fn of_activity(
     };
     Some((effect, PHASE.to_vec()))
 }
-
-/// What may stand after "is".
-pub const IS: &str = "write \"is 82\", \"is a cat\", \"is out\" or \"is 30 % less active\"";
 
 fn not_a_change(reader: &mut Reader, clause: &Clause) {
     let hint = match &clause.predicate {

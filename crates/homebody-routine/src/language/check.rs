@@ -1,9 +1,9 @@
 //! Sentences that contradict each other: each alone is understood, together they cannot be.
 
-use super::Draft;
 use super::activities::phrase;
+use super::calendar::days_between;
+use super::draft::Draft;
 use super::faults::Faults;
-use super::times::days_between;
 use crate::fuzzy::Fuzzy;
 use crate::routine::{Activity, Habit, Meal, Moment, Trigger, When};
 use std::collections::{BTreeMap, BTreeSet};

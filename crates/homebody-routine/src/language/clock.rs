@@ -1,8 +1,8 @@
 //! The time that a clock shows, in digits or in words, and what was probably meant by a slip.
 
-use super::amounts::{is_unit, number};
+use super::amounts::{DAY_S, is_unit, number};
+use super::calendar::{is_month, is_weekday};
 use super::reader::Reader;
-use super::times::{DAY_S, is_month, is_weekday};
 use super::words::{Span, Token};
 use crate::routine::PartOfDay;
 

@@ -1,8 +1,10 @@
 //! What the adverbs of a sentence come to: days, a time of day, a phase.
 
 use super::adverbs::{Adverbs, Slot};
+use super::amounts::DAY_S;
+use super::calendar;
 use super::reader::Reader;
-use super::times::{self, DAY_S};
+use super::times;
 use super::words::Span;
 use crate::fuzzy::Fuzzy;
 use crate::routine::{Days, Moment, PartOfDay, Phase, When};
@@ -81,7 +83,7 @@ impl Adverbs {
             reader.fault(for_days.span, what, "leave one of them out".to_owned());
         }
         let until = self.until.as_ref().map(|slot| slot.value);
-        let until = until.or(days.map(|days| times::later(from.unwrap_or(Moment::Day(0)), days)));
+        let until = until.or(days.map(|days| calendar::later(from.unwrap_or(Moment::Day(0)), days)));
         if let (Some(fading), None) = (&self.fading, until) {
             let hint = "write \"until day 100, fading over 2 weeks\"".to_owned();
             reader.fault(fading.span, "it is not said until when it lasts before it fades", hint);

@@ -1,15 +1,16 @@
 //! How much something changes: "45 to 90 minutes later", "twice as often", "30 % slower".
 
-use super::amounts::{Amount, Unit, amount};
-use super::build::FASTEST_MPS;
+use super::amounts::{Amount, DAY_S, Unit, amount};
 use super::reader::Reader;
-use super::times::DAY_S;
 use super::words::Span;
 use crate::fuzzy::Fuzzy;
 
 /// Beyond this a change is a slip of the pen (ours); so it is for heartbeats and breaths a minute.
 const MOST_TIMES: f64 = 100.0;
 const MOST_A_MINUTE: f64 = 100.0;
+
+/// Nobody walks faster (ours).
+pub const FASTEST_MPS: f64 = 3.0;
 
 /// How much, and of what.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,14 +1,17 @@
 //! The routine language: a life in sentences that a nurse can read aloud.
 //!
 //! In reading order: text becomes sentences of words ([`words`]); a [`reader`] goes through them and knows the names of
-//! the home; [`sentence`] reads who does what, with [`adverbs`] (when, how long, how often) in any order around it,
-//! and [`meaning`] says what those come to; [`build`] makes habits and changes of that, [`rules`] rules; [`check`]
-//! finds sentences that contradict each other. Whatever is wrong is collected in [`faults`] and told all at once.
+//! the home; [`adverbs`] reads when, how long and how often, in any order around the rest, and [`meaning`] says what those
+//! come to; a [`clause`] is who does what with all of that; [`build`] makes habits and changes of it, [`rules`] rules;
+//! [`sentence`] reads a sentence from clause to clause into the [`draft`]; [`check`] finds sentences that contradict each
+//! other. Whatever is wrong is collected in [`faults`] and told all at once.
 
 mod words;
 mod faults;
+mod known;
 mod reader;
 pub mod amounts;
+mod calendar;
 mod clock;
 pub mod times;
 mod often;
@@ -17,38 +20,24 @@ mod meaning;
 pub mod activities;
 mod measures;
 mod predicates;
-mod sentence;
+mod draft;
+mod clause;
 mod build;
 mod rules;
+mod sentence;
 mod check;
 #[cfg(test)]
 mod tests;
 
-use crate::routine::{Activity, Moment, Phase, Quote, Routine};
+use crate::routine::{Quote, Routine};
 use adverbs::Adverbs;
+use draft::Draft;
 use faults::Faults;
 use homebody_core::problem::Problem;
+pub use known::Known;
 use reader::{Names, Reader};
 use std::ops::Range;
-use words::{Line, Sentence, Span};
-
-/// What a text may name.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Known {
-    /// The resident's name, where there is one.
-    pub person: Option<String>,
-    /// Places where something can be done, seats and beds among them.
-    pub places: Vec<String>,
-    /// Doors, furniture, lamps: what can be on, or open.
-    pub things: Vec<String>,
-    pub rooms: Vec<String>,
-    /// Names of conditions, as their files are called.
-    pub conditions: Vec<String>,
-    /// Year, month and day of the run's first day, which ties dates to days.
-    pub first_date: Option<(i16, u8, u8)>,
-    /// What is done without being said.
-    pub usual: Vec<Activity>,
-}
+use words::{Sentence, Span};
 
 /// Longer lines are refused.
 pub const LONGEST_LINE: usize = 2_000;
@@ -76,22 +65,6 @@ pub fn place(said: &Quote, text: &str) -> Range<usize> {
 /// The words for how severe a condition is.
 pub fn severities() -> impl Iterator<Item = &'static str> + Clone {
     predicates::SEVERITIES.iter().flat_map(|(words, _)| words.split('|'))
-}
-
-/// What has been understood so far.
-pub(crate) struct Draft<'t> {
-    routine: Routine,
-    is_condition: bool,
-    /// The person's name, where only the text says it.
-    name: Option<String>,
-    /// Where the verb of each habit stands.
-    habit_spans: Vec<Span>,
-    /// Where each rule says what happens, and for how long.
-    rule_spans: Vec<(Span, Span)>,
-    first_date: Option<(i16, u8, u8)>,
-    usual: Vec<Activity>,
-    text: &'t str,
-    lines: Vec<Line<'t>>,
 }
 
 /// The heading above indented lines.
@@ -182,34 +155,5 @@ fn close(faults: &mut Faults, heading: Option<Heading>) {
     if let Some(heading) = heading.filter(|heading| !heading.is_used) {
         let hint = "indent the lines that it is about, or say in the same sentence what is done".to_owned();
         faults.add(heading.span, "nothing stands below this heading", Some(hint));
-    }
-}
-
-impl Draft<'_> {
-    /// The words at a place, with line and column.
-    fn said(&self, span: Span) -> Quote {
-        let index = self.lines.partition_point(|line| line.start <= span.start).saturating_sub(1);
-        let start = self.lines.get(index).map_or(0, |line| line.start);
-        let column = self.text.get(start..span.start).map_or(0, |before| before.chars().count()) as u32 + 1;
-        let text = self.text.get(span.start..span.end).unwrap_or_default().to_owned();
-        Quote { line: index as u32 + 1, column, text }
-    }
-
-    /// A phase has to begin before it ends, and before how often changes.
-    fn phase(&self, reader: &mut Reader, phase: &Phase, adverbs: &Adverbs, span: Span) {
-        let becomes = adverbs.chance.as_ref().and_then(|slot| Some((slot.span, slot.value.becomes?.1)));
-        if let Some((at, by)) = becomes {
-            let from = phase.from.unwrap_or(Moment::Day(0));
-            if times::days_between(from, by, self.first_date).is_some_and(|days| days <= 0) {
-                let what = format!("{:?} changes before it begins", reader.said(at));
-                reader.fault(at, what, "say a later day after \"by\"".to_owned());
-            }
-        }
-        let (Some(from), Some(until)) = (phase.from, phase.until) else { return };
-        if times::days_between(from, until, self.first_date).is_some_and(|days| days <= 0) {
-            let span = adverbs.until.as_ref().map_or(span, |slot| slot.span);
-            let what = format!("{:?} is not after it begins", reader.said(span));
-            reader.fault(span, what, "the earlier day goes first".to_owned());
-        }
     }
 }

@@ -1,6 +1,7 @@
 //! How often: quantifiers, shares of days, times a week.
 
 use super::amounts::{ABOUT, Amount, Unit, amount, happens, number, share};
+use super::calendar;
 use super::reader::Reader;
 use super::times;
 use crate::fuzzy::Quantifier;
@@ -85,7 +86,7 @@ fn every_so_many(reader: &mut Reader) -> Option<Often> {
     // A weekday comes round on days that lie seven apart, so every other one is on every other day.
     let nth_weekday = |reader: &mut Reader| {
         let every = reader.eat_any(&[("other|second", 2), ("third", 3), ("fourth", 4)])?;
-        Some((every, times::weekdays(reader)?))
+        Some((every, calendar::weekdays(reader)?))
     };
     let from = reader.at;
     if let Some((every, weekdays)) = reader.attempt(nth_weekday) {
@@ -186,7 +187,7 @@ fn kind_of_day(reader: &mut Reader) -> Option<(Option<u8>, Option<PartOfDay>)> {
     if reader.eat("day|days|time|occasions|occasion|cases|times") {
         return Some((None, None));
     }
-    if let Some(weekdays) = times::weekdays(reader) {
+    if let Some(weekdays) = calendar::weekdays(reader) {
         return Some((Some(weekdays), reader.eat_any(&times::PARTS)));
     }
     reader.eat_any(&times::PARTS).map(|part| (None, Some(part)))
@@ -210,7 +211,7 @@ fn changing(reader: &mut Reader, first: Often) -> Option<Often> {
         return Some(first);
     };
     reader.skip_commas();
-    let moment = if reader.eat("by") { times::moment(reader) } else { None };
+    let moment = if reader.eat("by") { calendar::moment(reader) } else { None };
     let Some((moment, _)) = moment else {
         let (span, hint) = (reader.span(from), "write \"rarely at first, often by day 160\"".to_owned());
         reader.fault(span, "it is not said by when it is so", hint);

@@ -5,7 +5,7 @@ use super::adverbs::{Adverbs, Slot};
 use super::amounts::{Unit, amount};
 use super::faults::did_you_mean;
 use super::measures::{Measure, Of, measure, rises_by};
-use super::reader::{Reader, Sort, is_determiner};
+use super::reader::{Reader, Sort, begins_adverb, is_determiner};
 use super::words::{Span, Token};
 use crate::routine::{Activity, Kind, PartOfDay, When};
 use homebody_core::scenario::nearest::nearest;
@@ -216,6 +216,9 @@ fn walking(reader: &mut Reader) -> Option<Predicate> {
     reader.ahead(|reader| measure(reader).is_some()).then_some(Predicate::Walks)
 }
 
+/// What may stand after "is".
+pub const IS: &str = "write \"is 82\", \"is a cat\", \"is out\" or \"is 30 % less active\"";
+
 fn being(reader: &mut Reader, adverbs: &mut Adverbs) -> Predicate {
     adverbs.all(reader);
     let kind = reader.attempt(|reader| {
@@ -415,72 +418,6 @@ fn is_spoken_to(reader: &mut Reader) -> bool {
             reader.at += 1;
             reader.name(&[Sort::Place, Sort::Room, Sort::Thing]).is_some()
         })
-}
-
-/// Words that begin a place, a time, how often or how much.
-const BEGINNINGS: [&str; 53] = [
-    "in",
-    "on",
-    "at",
-    "by",
-    "near",
-    "beside",
-    "to",
-    "from",
-    "until",
-    "till",
-    "over",
-    "for",
-    "after",
-    "before",
-    "with",
-    "between",
-    "during",
-    "then",
-    "about",
-    "around",
-    "every",
-    "each",
-    "once",
-    "twice",
-    "half",
-    "almost",
-    "nearly",
-    "always",
-    "never",
-    "often",
-    "usually",
-    "sometimes",
-    "rarely",
-    "seldom",
-    "most",
-    "some",
-    "several",
-    "give",
-    "plus",
-    "fading",
-    "daily",
-    "now",
-    "occasionally",
-    "frequently",
-    "and",
-    "but",
-    "while",
-    "or",
-    "has",
-    "have",
-    "is",
-    "are",
-    "been",
-];
-
-pub fn begins_adverb(reader: &Reader) -> bool {
-    matches!(reader.token(0), Some(Token::Number(_) | Token::Clock(..) | Token::Date(..)))
-        || is_beginning(reader.peek(0))
-}
-
-pub fn is_beginning(word: &str) -> bool {
-    BEGINNINGS.contains(&word)
 }
 
 /// Says that nobody knows how to do this, with what was probably meant.

@@ -1,7 +1,7 @@
 //! Goes through the words of a sentence, and knows which names it may meet.
 
-use super::Known;
 use super::faults::Faults;
+use super::known::Known;
 use super::words::{self, Span, Token, Word};
 use crate::routine::PartOfDay;
 use std::collections::BTreeMap;
@@ -11,6 +11,67 @@ const DETERMINERS: [&str; 9] = ["a", "an", "the", "her", "his", "their", "its", 
 
 pub fn is_determiner(word: &str) -> bool {
     DETERMINERS.contains(&word)
+}
+
+/// Words that begin a place, a time, how often or how much.
+const BEGINNINGS: [&str; 53] = [
+    "in",
+    "on",
+    "at",
+    "by",
+    "near",
+    "beside",
+    "to",
+    "from",
+    "until",
+    "till",
+    "over",
+    "for",
+    "after",
+    "before",
+    "with",
+    "between",
+    "during",
+    "then",
+    "about",
+    "around",
+    "every",
+    "each",
+    "once",
+    "twice",
+    "half",
+    "almost",
+    "nearly",
+    "always",
+    "never",
+    "often",
+    "usually",
+    "sometimes",
+    "rarely",
+    "seldom",
+    "most",
+    "some",
+    "several",
+    "give",
+    "plus",
+    "fading",
+    "daily",
+    "now",
+    "occasionally",
+    "frequently",
+    "and",
+    "but",
+    "while",
+    "or",
+    "has",
+    "have",
+    "is",
+    "are",
+    "been",
+];
+
+pub fn is_beginning(word: &str) -> bool {
+    BEGINNINGS.contains(&word)
 }
 
 /// The word that homes usually have for what this word means.
@@ -239,4 +300,10 @@ impl Reader<'_> {
         self.at += words.len();
         Some(possessive)
     }
+}
+
+/// Whether a place, a time, how often or how much may begin here.
+pub fn begins_adverb(reader: &Reader) -> bool {
+    matches!(reader.token(0), Some(Token::Number(_) | Token::Clock(..) | Token::Date(..)))
+        || is_beginning(reader.peek(0))
 }

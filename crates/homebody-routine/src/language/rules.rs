@@ -1,14 +1,14 @@
 //! "Whenever the stove has been on for 20 minutes, she turns it off."
 
-use super::Draft;
 use super::activities;
 use super::adverbs::Adverbs;
 use super::amounts::{self, Unit, amount};
 use super::build::only;
+use super::clause::{Clause, PLACES, eat_preposition, tail};
+use super::draft::Draft;
 use super::meaning::Kind;
 use super::predicates::{self, Predicate, Subject};
 use super::reader::{Reader, Sort};
-use super::sentence::{Clause, PLACES, eat_preposition, tail};
 use super::words::Span;
 use crate::fuzzy::Fuzzy;
 use crate::routine::{Response, Rule, Trigger};

@@ -11,6 +11,10 @@ use std::collections::BTreeMap;
 #[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 pub const HOUR: Micros = 3600 * SECOND;
 
+/// The routine of the example.
+#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
+pub const ORDINARY: &str = include_str!("../../../../scenarios/tigerplace/margaret.routine");
+
 /// The files of the scenario, with this routine and, if any, these other files.
 pub fn files(routine: &str, others: &[(&str, &str)]) -> BTreeMap<String, String> {
     let text = |name: &str, text: &str| (name.to_owned(), text.to_owned());

@@ -5,10 +5,8 @@ use homebody_core::event::Events;
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::Run;
 use homebody_core::time::SECOND;
-use homebody_routine::household::Household;
 use rusqlite::Connection;
 use serde_json::{Value, json};
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::thread;
@@ -84,8 +82,8 @@ fn a_recording_is_replayed_to_the_same_firings() {
 /// Whoever looks, and however fast: the log is the one of a run that nobody looks at.
 #[test]
 fn a_page_that_looks_changes_nothing() {
-    let files = texts(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/tigerplace"));
-    let (scenario, household) = Household::load(&files, "scenario.json", &[]).unwrap();
+    let opened = homebody_kit::template("tigerplace").unwrap();
+    let (scenario, household) = (opened.scenario(), opened.household());
     for (speeds, hours) in [(&["null"][..], 30.0), (&["1000", "0.1", "300"], 9.0)] {
         let mut served = Served::scenario("tigerplace");
         let mut page = served.page();
@@ -107,7 +105,7 @@ fn a_page_that_looks_changes_nothing() {
         served.close();
         let recording = recording(&served.only_run());
         let mut alone =
-            Run::new(&scenario, &household, recording.seed, scenario.calendar.span_of_days(scenario.file.days));
+            Run::new(scenario, household, recording.seed, scenario.calendar.span_of_days(scenario.file.days));
         let (mut events, mut digest) = (Events::default(), RunDigest::default());
         while alone.now() < recording.length_us {
             alone.advance(recording.length_us.min(alone.now() + 3600 * SECOND), &mut events).unwrap();
@@ -117,14 +115,6 @@ fn a_page_that_looks_changes_nothing() {
         assert!(recording.firings > 0);
         assert_eq!((digest.firings(), digest.hex()), (recording.firings, recording.sha256), "{speeds:?}");
     }
-}
-
-fn texts(folder: &Path) -> BTreeMap<String, String> {
-    let text = |entry: std::io::Result<fs::DirEntry>| {
-        let path = entry.unwrap().path();
-        (path.file_name().unwrap().to_str().unwrap().to_owned(), fs::read_to_string(path).unwrap())
-    };
-    fs::read_dir(folder).unwrap().map(text).collect()
 }
 
 /// The keys of a page that goes away are let go, so that nobody walks on for ever.

@@ -1,13 +1,13 @@
 //! A server with a scenario, and those who ask it: as browsers do, and as nobody should.
 
-use homebody_kit::Cancel;
+use homebody_kit::{Cancel, Template};
 use homebody_web::server::SOCKET;
 use homebody_web::shelf::Shelf;
 use homebody_web::{Options, serve};
 use std::fs;
 use std::io::{Read, Write};
 use std::net::{SocketAddr, TcpStream};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::mpsc::channel;
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
@@ -40,10 +40,8 @@ impl Served {
         let folder = tempfile::tempdir().unwrap();
         let scenario = folder.path().join(name);
         fs::create_dir(&scenario).unwrap();
-        let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios").join(name);
-        for entry in fs::read_dir(source).unwrap() {
-            let entry = entry.unwrap();
-            fs::copy(entry.path(), scenario.join(entry.file_name())).unwrap();
+        for (file, text) in Template::named(name).unwrap().files() {
+            fs::write(scenario.join(file), text).unwrap();
         }
         let shelf = Shelf { scenario, entry: "scenario.json".into(), runs: folder.path().join("runs") };
         let cancel = Cancel::new();

@@ -9,72 +9,10 @@ use super::source::is_for_tests;
 use super::{File, expect_none, files};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The circles that there are, each by its files below `crates/`, in order. Take out the one that you open.
-const CIRCLES: [&[&str]; 5] = [
-    &[
-        "homebody-core/src/drivers/live.rs",
-        "homebody-core/src/drivers/live/obstacles.rs",
-        "homebody-core/src/drivers/mod.rs",
-        "homebody-core/src/drivers/surroundings.rs",
-    ],
-    &[
-        "homebody-kit/src/cohort.rs",
-        "homebody-kit/src/profiles/mod.rs",
-        "homebody-kit/src/profiles/rows.rs",
-        "homebody-kit/src/run.rs",
-        "homebody-kit/src/scenario.rs",
-        "homebody-kit/src/source.rs",
-    ],
-    &[
-        "homebody-log/src/sink/casas.rs",
-        "homebody-log/src/sink/csv.rs",
-        "homebody-log/src/sink/mod.rs",
-        "homebody-log/src/sink/sqlite.rs",
-        "homebody-log/src/sink/text.rs",
-    ],
-    &[
-        "homebody-log/src/source/activities.rs",
-        "homebody-log/src/source/casas.rs",
-        "homebody-log/src/source/csv.rs",
-        "homebody-log/src/source/mod.rs",
-        "homebody-log/src/source/sqlite.rs",
-    ],
-    &[
-        "homebody-routine/src/language/activities.rs",
-        "homebody-routine/src/language/adverbs.rs",
-        "homebody-routine/src/language/amounts.rs",
-        "homebody-routine/src/language/build.rs",
-        "homebody-routine/src/language/check.rs",
-        "homebody-routine/src/language/clock.rs",
-        "homebody-routine/src/language/meaning.rs",
-        "homebody-routine/src/language/measures.rs",
-        "homebody-routine/src/language/mod.rs",
-        "homebody-routine/src/language/often.rs",
-        "homebody-routine/src/language/predicates.rs",
-        "homebody-routine/src/language/reader.rs",
-        "homebody-routine/src/language/rules.rs",
-        "homebody-routine/src/language/sentence.rs",
-        "homebody-routine/src/language/times.rs",
-    ],
-];
-
 #[test]
 fn files_do_not_need_each_other_in_circles() {
     let tree = Tree::new(&files());
-    let why = |circle: &[String]| tree.why(circle).join("; ");
-    expect_none(judged(&tree.circles(), &CIRCLES, why));
-}
-
-#[test]
-fn a_new_circle_is_found_and_so_is_one_that_is_gone() {
-    let circle = |files: &[&str]| files.iter().map(|file| (*file).to_owned()).collect::<Vec<_>>();
-    let (old, new) = (circle(&["a.rs", "b.rs"]), circle(&["a.rs", "c.rs"]));
-    let listed: &[&[&str]] = &[&["a.rs", "b.rs"]];
-    let wrong = |found: &[Vec<String>]| judged(found, listed, |_| String::new()).len();
-    assert_eq!(wrong(std::slice::from_ref(&old)), 0);
-    assert_eq!(wrong(&[old, new.clone()]), 1);
-    assert_eq!(wrong(&[new]), 2);
-    assert_eq!(wrong(&[]), 1);
+    expect_none(tree.circles().iter().map(|circle| tree.wrong(circle)).collect());
 }
 
 #[test]
@@ -84,7 +22,9 @@ fn a_circle_is_told_with_what_closes_it() {
         File::new("crates/a/src/two.rs", "use crate::one::One; pub struct Two(One);"),
     ]);
     let told = ["a/src/one.rs needs a/src/two.rs for Two", "a/src/two.rs needs a/src/one.rs for One"];
-    assert_eq!(tree.why(&tree.circles()[0]), told);
+    let circle = &tree.circles()[0];
+    assert_eq!(tree.why(circle), told);
+    assert!(told.iter().all(|why| tree.wrong(circle).contains(why)));
 }
 
 /// A crate in which `one.rs` needs the other files, and one of the others is as given.
@@ -156,17 +96,6 @@ fn what_names_nothing_closes_no_circle() {
     assert_eq!(made_up("deep/two.rs", "use other::one::One; pub struct Two(One);"), none);
 }
 
-/// What is wrong: circles that are not listed, and listed ones that are gone.
-fn judged(found: &[Vec<String>], listed: &[&[&str]], why: impl Fn(&[String]) -> String) -> Vec<String> {
-    let is_listed = |circle: &&Vec<String>| listed.iter().any(|other| circle == other);
-    let new = found.iter().filter(|circle| !is_listed(circle)).map(|circle| {
-        let (files, why) = (circle.join(", "), why(circle));
-        format!("these need each other: {files}; move what they share into a file below them ({why})")
-    });
-    let gone = listed.iter().filter(|circle| !found.iter().any(|other| other == *circle));
-    new.chain(gone.map(|circle| format!("CIRCLES names one that is gone: {}", circle.join(", ")))).collect()
-}
-
 /// For what a file needs each of the others.
 type Needs = BTreeMap<usize, BTreeSet<String>>;
 
@@ -228,6 +157,12 @@ impl Tree {
             }
         }
         circles.into_iter().collect()
+    }
+
+    /// What is wrong with a circle, and what closes it.
+    fn wrong(&self, circle: &[String]) -> String {
+        let (files, why) = (circle.join(", "), self.why(circle).join("; "));
+        format!("these need each other: {files}; move what they share into a file below them ({why})")
     }
 
     /// What the files of a circle need each other for.

@@ -8,7 +8,7 @@
 //! The engine computes in `f32`, and once in some hundred thousand casts along a wall it misses the
 //! wall. So the end of every step is checked against the plan itself, in `f64`.
 
-use crate::drivers::Body;
+use crate::drivers::surroundings::Body;
 use crate::geometry::{self, Point};
 use crate::home::plan::{Origin, Plan, Solid};
 use crate::ids::ThingId;

@@ -1,0 +1,107 @@
+//! Who a member is: what a row says, and the scenario as this member lives it.
+
+use super::sentences::OwnSentences;
+use homebody_core::problem::Problems;
+use homebody_core::scenario::load::{Driver, Files, Scenario};
+use homebody_routine::household::Household;
+use homebody_routine::routine::{Kind, Routine};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Who one member of a cohort is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Profile {
+    /// What the member is called, and the member's folder.
+    pub name: String,
+    /// A number of their own that all their randomness comes from.
+    pub seed: Option<u64>,
+    /// What the row says besides, by column, as it is written.
+    pub row: BTreeMap<String, String>,
+    /// Index of the resident whom it is about; nobody where nothing differs.
+    pub(super) resident: Option<usize>,
+    /// What they live by instead of their own routine.
+    pub(super) routine: Option<Arc<Other>>,
+    pub(super) said: OwnSentences,
+    /// Of the conditions that are asked to be left out, those that this member would show.
+    pub without: Vec<String>,
+    /// The texts that this member needs, by name: the scenario's, and those that only the row names.
+    pub(super) texts: Arc<BTreeMap<String, String>>,
+}
+
+/// A routine beside the scenario's, with its text.
+#[derive(Debug, PartialEq)]
+pub(super) struct Other {
+    pub routine: Routine,
+    pub text: String,
+}
+
+/// A scenario that members differ from.
+pub(crate) struct Base<'a> {
+    pub scenario: &'a Scenario,
+    pub household: &'a Household,
+    pub files: &'a (dyn Files + Sync),
+}
+
+impl Profile {
+    /// The texts that this member needs, by name, as they were read.
+    pub(crate) fn texts(&self) -> &BTreeMap<String, String> {
+        &self.texts
+    }
+}
+
+impl Base<'_> {
+    /// The scenario as this member lives it, one of many.
+    pub fn lived(&self, profile: &Profile) -> Result<(Scenario, Household), Problems> {
+        let (scenario, household) = self.with(profile, &profile.without)?;
+        Ok((scenario, household.one_of_many()))
+    }
+
+    /// The scenario with what a profile says in it, and without these conditions.
+    pub(super) fn with(&self, profile: &Profile, without: &[String]) -> Result<(Scenario, Household), Problems> {
+        let Some((resident, edit)) = profile.resident.map(|resident| (resident, self.scenario.edit())) else {
+            return Ok((self.scenario.clone(), self.household.without(without)?));
+        };
+        let Driver::Routine { file, text } = &self.scenario.residents[resident].driver else {
+            return Ok((self.scenario.clone(), self.household.without(without)?));
+        };
+        let other = profile.routine.as_deref();
+        let routine = other.map(|other| &other.routine).or(self.household.routine(resident));
+        let (file, text) = other.map_or((file, text), |other| (&other.routine.file, &other.text));
+        let edit = match routine.filter(|_| profile.said != OwnSentences::default()) {
+            Some(routine) => {
+                let own = file_of_own(self.scenario, resident, file);
+                edit.routine(resident, &own, profile.said.within(text, routine))
+            }
+            None if other.is_some() => edit.routine(resident, file, text),
+            None => return Ok((self.scenario.clone(), self.household.without(without)?)),
+        };
+        Household::load(&edit.over(self.files), &self.scenario.entry, without)
+    }
+
+    /// Another routine for a resident, if it is sound.
+    pub(super) fn other(&self, resident: usize, file: &str, text: String) -> Result<Other, Problems> {
+        let edit = self.scenario.edit().routine(resident, file, text.clone());
+        let (_, household) = Household::load(&edit.over(self.files), &self.scenario.entry, &[])?;
+        Ok(Other { routine: household.routine(resident).cloned().unwrap_or_default(), text })
+    }
+
+    /// Those who live by a routine as people do.
+    pub(super) fn people(&self) -> Vec<usize> {
+        let is_person = |&resident: &usize| {
+            let person = self.household.routine(resident).map(|routine| routine.person.as_ref());
+            person.is_some_and(|person| person.is_none_or(|person| person.kind == Kind::Person))
+        };
+        (0..self.scenario.residents.len()).filter(is_person).collect()
+    }
+}
+
+/// A file for the routine of this resident alone, since others may live by the one that it is made from: of the same name, so
+/// that their life is the same but for what is changed, in a folder of their own.
+fn file_of_own(scenario: &Scenario, resident: usize, file: &str) -> String {
+    let folder = scenario.file.residents[resident].trim_end_matches(".json");
+    let mut own = format!("{folder}/{}", file.rsplit('/').next().unwrap_or(file));
+    while scenario.sources.contains_key(&own) {
+        own = format!("{folder}/{own}");
+    }
+    own
+}

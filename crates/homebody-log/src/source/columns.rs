@@ -1,0 +1,37 @@
+//! Which of a table's columns tell time, sensor and value.
+
+use homebody_core::scenario::logger::LoggerFile;
+
+/// What a column is called in the logs that are known, ours first. Names are compared in lower case.
+const TIMES: [&str; 9] =
+    ["fired_at", "time", "timestamp", "datetime", "date_time", "last_changed", "last_changed_ts", "at", "ts"];
+const SENSORS: [&str; 8] = ["sensor", "device", "entity_id", "sensor_id", "device_id", "item", "name", "code"];
+const VALUES: [&str; 5] = ["value", "state", "message", "status", "event"];
+
+/// Where a row's time, sensor and value are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Places {
+    pub time: usize,
+    pub sensor: usize,
+    pub value: usize,
+}
+
+impl Places {
+    /// By the names of a mapping or, failing them, the usual ones.
+    pub fn by_name(names: &[String], file: &LoggerFile) -> Option<Places> {
+        let exactly = |wanted: &str| names.iter().position(|name| name == wanted);
+        let usual = |wanted: &[&str]| {
+            wanted.iter().find_map(|wanted| names.iter().position(|name| name.trim().eq_ignore_ascii_case(wanted)))
+        };
+        let columns = &file.columns;
+        let mapped = || {
+            Some(Places {
+                time: exactly(&columns.time)?,
+                sensor: exactly(&columns.sensor)?,
+                value: exactly(&columns.value)?,
+            })
+        };
+        let guessed = || Some(Places { time: usual(&TIMES)?, sensor: usual(&SENSORS)?, value: usual(&VALUES)? });
+        mapped().or_else(guessed)
+    }
+}

@@ -1,0 +1,71 @@
+//! A log as it is read, wherever it comes from.
+
+use super::activities::Activity;
+use crate::sensor_info::SensorInfo;
+use homebody_core::time::Micros;
+use serde::Serialize;
+
+/// A log in memory, or a part of one that is streamed; its rows in the order in which they were stored.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Log {
+    /// The ids of the sensors, in the order in which they came.
+    pub sensors: Vec<String>,
+    /// What is known of sensors beside their ids, in no particular order; nothing of most.
+    pub known: Vec<SensorInfo>,
+    /// What sensors said, such as `ON`.
+    pub values: Vec<String>,
+    /// The rows that are in memory.
+    pub events: Vec<Event>,
+    /// How many rows have been read.
+    pub rows: u64,
+    pub clock: Clock,
+    /// What residents did, where the log notes it.
+    pub activities: Vec<Activity>,
+    /// What else is left out than lines: a sentence each.
+    pub remarks: Vec<String>,
+    /// The first of the lines that were skipped.
+    pub problems: Vec<Skipped>,
+    /// How many lines were skipped.
+    pub skipped: u64,
+}
+
+/// One row of a log.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Event {
+    /// Microseconds since 1970 on the log's clock.
+    pub at: Micros,
+    /// Index into the log's sensors.
+    pub sensor: u32,
+    /// Index into the log's values.
+    pub value: u32,
+}
+
+/// Which clock a log's instants are told by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Clock {
+    /// The one on the wall, of a zone that the log does not tell.
+    #[default]
+    Local,
+    Utc,
+}
+
+/// A line that could not be understood.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Skipped {
+    /// Counted from 1; in a database, the row.
+    pub line: u64,
+    pub why: String,
+}
+
+impl Log {
+    /// The sensor's name.
+    pub fn sensor(&self, event: &Event) -> &str {
+        &self.sensors[event.sensor as usize]
+    }
+
+    /// What the sensor said.
+    pub fn value(&self, event: &Event) -> &str {
+        &self.values[event.value as usize]
+    }
+}

@@ -1,0 +1,271 @@
+//! Days of the run and of the calendar: weekdays, months, dates, and how many days lie between.
+
+use super::amounts::{Amount, MONTH_DAYS, Unit, YEAR_DAYS, amount, number};
+use super::reader::Reader;
+use super::words::Token;
+use crate::routine::Moment;
+
+const WEEKDAYS: [(&str, u8); 7] = [
+    ("monday|mondays|mon", 0),
+    ("tuesday|tuesdays|tue|tues", 1),
+    ("wednesday|wednesdays|wed", 2),
+    ("thursday|thursdays|thu|thurs", 3),
+    ("friday|fridays|fri", 4),
+    ("saturday|saturdays|sat", 5),
+    ("sunday|sundays|sun", 6),
+];
+
+const MONTHS: [(&str, u32); 12] = [
+    ("january|jan", 0),
+    ("february|feb", 1),
+    ("march|mar", 2),
+    ("april|apr", 3),
+    ("may", 4),
+    ("june|jun", 5),
+    ("july|jul", 6),
+    ("august|aug", 7),
+    ("september|sep|sept", 8),
+    ("october|oct", 9),
+    ("november|nov", 10),
+    ("december|dec", 11),
+];
+
+/// The seasons of the northern half of the world, by whole months.
+pub const SEASONS: [(&str, u16); 5] =
+    [("spring", 0b11_100), ("summer", 0b11_100_000), ("autumn", 0x700), ("fall", 0x700), ("winter", 0x803)];
+
+/// A day, the beginning of a week, or a date of the calendar.
+pub fn moment(reader: &mut Reader) -> Option<(Moment, Length)> {
+    reader.attempt(|reader| {
+        reader.eat("the");
+        if let Some(Token::Date(year, month, day)) = reader.token(0) {
+            reader.at += 1;
+            return Some((date(reader, year, month, day), Length::DAY));
+        }
+        let by_month = |reader: &mut Reader| {
+            let month_first = reader.eat_any(&MONTHS);
+            let day = whole(reader)?;
+            reader.eat("st|nd|rd|th");
+            reader.eat("of");
+            let month = month_first.or_else(|| reader.eat_any(&MONTHS))?;
+            reader.skip_commas();
+            let year = whole(reader)?;
+            Some(date(reader, year, month + 1, day))
+        };
+        let start = reader.at;
+        if let Some(date) = reader.attempt(by_month) {
+            return Some((date, Length::DAY));
+        }
+        if let Some(first) = reader.attempt(ordinal) {
+            let count = reader.attempt(number).filter(|count| count.fract() == 0.0 && (1.0..=1000.0).contains(count));
+            let unit = reader.eat_any(&LENGTHS)?;
+            let begin = (first - 1) * unit.days;
+            // "The first two weeks" are one stretch; "the second two weeks" are none that anybody means.
+            let length = Length { days: unit.days * count.filter(|_| first == 1).unwrap_or(1.0) as i32 };
+            return ((count.is_none() || first == 1) && reader.peek(0) != "of").then_some((Moment::Day(begin), length));
+        }
+        let length = reader.eat_any(&LENGTHS)?;
+        let number = number(reader)?;
+        let span = reader.span(start);
+        if number.fract() != 0.0 || !(1.0..=36_525.0).contains(&number) {
+            let what = format!("there is no {:?}", reader.said(span));
+            reader.fault(span, what, "the first is day 1, in week 1".to_owned());
+            return Some((Moment::Day(0), length));
+        }
+        Some((Moment::Day((number as i32 - 1) * length.days), length))
+    })
+}
+
+/// How long the time is that a moment names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Length {
+    pub days: i32,
+}
+
+impl Length {
+    const DAY: Length = Length { days: 1 };
+}
+
+const LENGTHS: [(&str, Length); 4] = [
+    ("day|days|night|nights", Length::DAY),
+    ("week|weeks", Length { days: 7 }),
+    ("month|months", Length { days: MONTH_DAYS as i32 }),
+    ("year|years", Length { days: YEAR_DAYS as i32 }),
+];
+
+const ORDINALS: [&str; 12] = [
+    "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth", "eleventh",
+    "twelfth",
+];
+
+/// "third", or "3rd".
+fn ordinal(reader: &mut Reader) -> Option<i32> {
+    if let Some(before) = ORDINALS.iter().position(|ordinal| reader.eat(ordinal)) {
+        return Some(before as i32 + 1);
+    }
+    let number = whole(reader).filter(|number| (1..=1000).contains(number))?;
+    reader.eat("st|nd|rd|th").then_some(number as i32)
+}
+
+/// The moment at which that time is over.
+pub fn end_of(moment: Moment, length: Length) -> Moment {
+    later(moment, length.days)
+}
+
+/// So many days after a moment.
+pub fn later(moment: Moment, days: i32) -> Moment {
+    match moment {
+        Moment::Day(day) => Moment::Day(day.saturating_add(days)),
+        Moment::Date(year, month, day) => of_number(number_of(year, month, day) + i64::from(days)),
+    }
+}
+
+/// Days from one moment to another, if both count from the same or the first date is known.
+pub fn days_between(from: Moment, to: Moment, first: Option<(i16, u8, u8)>) -> Option<i64> {
+    let number = |moment| match (moment, first) {
+        (Moment::Day(day), Some((y, m, d))) => Some(number_of(y, m, d) + i64::from(day)),
+        (Moment::Date(y, m, d), _) => Some(number_of(y, m, d)),
+        (Moment::Day(_), None) => None,
+    };
+    match (from, to) {
+        (Moment::Day(from), Moment::Day(to)) => Some(i64::from(to) - i64::from(from)),
+        _ => Some(number(to)? - number(from)?),
+    }
+}
+
+fn date(reader: &mut Reader, year: u32, month: u32, day: u32) -> Moment {
+    let is_date = (1900..=2200).contains(&year) && (1..=12).contains(&month) && day >= 1;
+    if is_date && day <= days_of(year as i16, month as u8) {
+        return Moment::Date(year as i16, month as u8, day as u8);
+    }
+    let span = reader.span(reader.at.saturating_sub(1));
+    let hint = "write year, month and day, such as 2009-05-01".to_owned();
+    reader.fault(span, "there is no such date between 1900 and 2200", hint);
+    Moment::Day(0)
+}
+
+fn days_of(year: i16, month: u8) -> u32 {
+    match month {
+        2 if year % 4 == 0 && (year % 100 != 0 || year % 400 == 0) => 29,
+        2 => 28,
+        4 | 6 | 9 | 11 => 30,
+        _ => 31,
+    }
+}
+
+/// Days since the first of 1900; before it, negative.
+fn number_of(year: i16, month: u8, day: u8) -> i64 {
+    let years = (1900..year).map(|year| if days_of(year, 2) == 29 { 366 } else { 365 }).sum::<i64>();
+    years + (1..month).map(|month| i64::from(days_of(year, month))).sum::<i64>() + i64::from(day) - 1
+}
+
+fn of_number(mut days: i64) -> Moment {
+    let (mut year, mut month) = (1900, 1);
+    while days >= i64::from(days_of(year, month)) && year < 9999 {
+        days -= i64::from(days_of(year, month));
+        (year, month) = if month == 12 { (year + 1, 1) } else { (year, month + 1) };
+    }
+    Moment::Date(year, month, days.clamp(0, 30) as u8 + 1)
+}
+
+fn whole(reader: &mut Reader) -> Option<u32> {
+    match reader.token(0) {
+        Some(Token::Number(value)) if value.fract() == 0.0 && (0.0..10_000.0).contains(&value) => {
+            reader.at += 1;
+            Some(value as u32)
+        }
+        _ => None,
+    }
+}
+
+pub fn is_month(word: &str) -> bool {
+    MONTHS.iter().any(|(names, _)| names.split('|').any(|name| name == word))
+}
+
+pub fn is_weekday(word: &str) -> bool {
+    WEEKDAYS.iter().any(|(names, _)| names.split('|').any(|name| name == word))
+}
+
+pub const ALL_WEEKDAYS: u8 = 0b111_1111;
+
+/// These days as a sentence says them: "from Monday to Saturday", "on Monday and Friday".
+pub fn weekday_words(days: u8) -> String {
+    let name = |day: u8| {
+        let name = WEEKDAYS.get(usize::from(day)).and_then(|(names, _)| names.split('|').next()).unwrap_or_default();
+        name.chars().take(1).flat_map(char::to_uppercase).chain(name.chars().skip(1)).collect::<String>()
+    };
+    let set: Vec<u8> = (0..7).filter(|day| days & 1 << day != 0).collect();
+    let is_stretch = set.windows(2).all(|pair| pair[1] == pair[0] + 1);
+    match (set.as_slice(), set.split_last()) {
+        ([first, _, .., last], _) if is_stretch => format!("from {} to {}", name(*first), name(*last)),
+        (_, Some((last, []))) => format!("on {}", name(*last)),
+        (_, Some((last, rest))) => {
+            let rest: Vec<String> = rest.iter().map(|day| name(*day)).collect();
+            format!("on {} and {}", rest.join(", "), name(*last))
+        }
+        (_, None) => "never".into(),
+    }
+}
+
+/// A list of weekdays, or a stretch of them, as bits.
+pub fn weekdays(reader: &mut Reader) -> Option<u8> {
+    if reader.eat("weekday|weekdays") {
+        return Some(0b001_1111);
+    }
+    if reader.eat("weekend|weekends") {
+        return Some(0b110_0000);
+    }
+    let first = reader.eat_any(&WEEKDAYS)?;
+    let mut days = 1_u8 << first;
+    if let Some(last) = reader.attempt(|reader| if reader.eat("to|until") { reader.eat_any(&WEEKDAYS) } else { None }) {
+        let length = (last + 7 - first) % 7;
+        return Some((0..=length).fold(0, |days, ahead| days | 1 << ((first + ahead) % 7)));
+    }
+    let next = |reader: &mut Reader| {
+        reader.skip_commas();
+        reader.eat("and|or");
+        reader.eat("on");
+        reader.eat_any(&WEEKDAYS)
+    };
+    while let Some(day) = reader.attempt(next) {
+        days |= 1 << day;
+    }
+    Some(days)
+}
+
+/// A list of months and seasons, or a stretch of months, as bits.
+pub fn months(reader: &mut Reader) -> Option<u16> {
+    let one = |reader: &mut Reader| {
+        reader.eat("the");
+        reader.eat_any(&MONTHS).map(|month| 1_u16 << month).or_else(|| reader.eat_any(&SEASONS))
+    };
+    let mut months = reader.attempt(one)?;
+    let next = |reader: &mut Reader| {
+        reader.skip_commas();
+        reader.eat("and|or");
+        reader.eat("in");
+        one(reader)
+    };
+    while let Some(more) = reader.attempt(next) {
+        months |= more;
+    }
+    Some(months)
+}
+
+/// From one month to another, both included.
+pub fn month_range(reader: &mut Reader) -> Option<u16> {
+    reader.attempt(|reader| {
+        let first = reader.eat_any(&MONTHS)?;
+        if !reader.eat("to|until|through") {
+            return None;
+        }
+        let last = reader.eat_any(&MONTHS)?;
+        let length = (last + 12 - first) % 12;
+        Some((0..=length).fold(0, |months, ahead| months | 1 << ((first + ahead) % 12)))
+    })
+}
+
+/// A span of days said in days, weeks, months or years.
+pub fn days(reader: &mut Reader) -> Option<Amount> {
+    reader.attempt(|reader| amount(reader).filter(|amount| amount.unit == Unit::Day))
+}
