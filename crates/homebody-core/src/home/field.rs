@@ -3,7 +3,7 @@
 //! Each cell holds the sensors that *may* see a body whose centre is in it and those that *surely* do,
 //! and for the unsure ones the few beams to test. A movement through the home then costs two
 //! masks a cell; beams are looked at only where the masks do not decide. A mask holds a block of
-//! [`BLOCK`] sensors; a home with more has a layer of cells for each block.
+//! `BLOCK` sensors; a home with more has a layer of cells for each block.
 
 use super::bake;
 use super::plan::Plan;

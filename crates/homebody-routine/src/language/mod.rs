@@ -1,9 +1,9 @@
 //! The routine language: a life in sentences that a nurse can read aloud.
 //!
-//! In reading order: text becomes sentences of words ([`words`]); a [`reader`] goes through them and knows the names of
-//! the home; [`sentence`] reads who does what, with [`adverbs`] (when, how long, how often) in any order around it,
-//! and [`meaning`] says what those come to; [`build`] makes habits and changes of that, [`rules`] rules; [`check`]
-//! finds sentences that contradict each other. Whatever is wrong is collected in [`faults`] and told all at once.
+//! In reading order: text becomes sentences of words (`words`); a `reader` goes through them and knows the names of
+//! the home; `sentence` reads who does what, with `adverbs` (when, how long, how often) in any order around it,
+//! and `meaning` says what those come to; `build` makes habits and changes of that, `rules` rules; `check`
+//! finds sentences that contradict each other. Whatever is wrong is collected in `faults` and told all at once.
 
 mod words;
 mod faults;
