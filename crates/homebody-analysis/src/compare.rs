@@ -33,34 +33,46 @@ pub struct Comparison {
     pub span_s: [f64; 2],
     /// How many of the sensors fired in both.
     pub sensors_in_common: usize,
+    /// Sensor by sensor, as the table above defines it; `None` where the reference has no firings.
     pub agreement_by_sensor: Option<f64>,
     /// Those that are known of either log, by name; a log that knows none is taken to be of the other's.
     pub activities: Vec<ActivityComparison>,
+    /// Activity by activity, as the table above defines it; `None` where no activity of the reference has a firing.
     pub agreement_by_activity: Option<f64>,
+    /// The distance of the pooled gaps, from 0 to 1; `None` where a log has none.
     pub gaps_pooled: Option<f64>,
+    /// The distance of the gaps anywhere, from 0 to 1; `None` where a log has none.
     pub gaps_anywhere: Option<f64>,
 }
 
 /// How far one sensor's rows agree.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SensorComparison {
+    /// The sensor's id in the logs.
     pub sensor: String,
+    /// How often it fired in each.
     pub firings: Counts,
+    /// The distance of its own gaps, from 0 to 1; `None` where it fired less than twice in a log.
     pub gaps: Option<f64>,
 }
 
 /// How far the firings during one activity agree, whenever and how often it was done.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ActivityComparison {
+    /// The activity's label.
     pub activity: String,
+    /// How often anything fired meanwhile, in each log.
     pub firings: Counts,
 }
 
 /// How often there were firings in both logs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Counts {
+    /// In the log that is compared.
     pub a: u64,
+    /// In the reference.
     pub b: u64,
+    /// How far they agree: 1 is equal; `None` where the reference has no firings.
     pub agreement: Option<f64>,
 }
 

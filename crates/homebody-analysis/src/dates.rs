@@ -61,8 +61,11 @@ pub fn put_on_wall(log: &mut Log, zone: &TimeZone) {
 /// A day as somebody asks for it: `2009-03-02`, `first`, `last`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Asked {
+    /// The first day of the log.
     First,
+    /// The last day of the log.
     Last,
+    /// The day of this date.
     On(Date),
 }
 

@@ -16,11 +16,15 @@ use crate::signs::{Kind, kinds, spans};
 /// What was so on one day.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Day {
+    /// What the log is called.
     pub name: String,
+    /// Which day it is.
     pub date: Date,
+    /// How many firings there were, of all sensors but those that tell readings.
     pub firings: u64,
     /// Times of day and sensors, where there were firings.
     pub first: Option<Firing>,
+    /// The last of them.
     pub last: Option<Firing>,
     /// Those whose truth is known; one without a name where the log itself notes activities.
     pub residents: Vec<Resident>,
@@ -33,32 +37,44 @@ pub struct Day {
 /// When which sensor fired.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Firing {
+    /// The time of day to the second, such as `07:12:03`.
     pub at: String,
+    /// The sensor's id in the log.
     pub sensor: String,
 }
 
 /// What a resident did on the day, and where.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Resident {
+    /// The resident's name; `None` where the log itself notes activities, which says of nobody.
     pub name: Option<String>,
+    /// What they did, in the order of the log or the truth.
     pub activities: Vec<Stretch>,
+    /// Where they were, by the names of rooms; empty where it is not known.
     pub rooms: Vec<Stretch>,
 }
 
 /// A part of the day, in seconds since midnight.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Stretch {
+    /// When it begins, or the day does.
     pub begin_s: f64,
+    /// When it ends, or the day does.
     pub end_s: f64,
+    /// The activity's label, or the room's name.
     pub what: String,
 }
 
 /// What a sensor said on the day.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Sensor {
+    /// The sensor's id in the log.
     pub sensor: String,
+    /// What it is taken for.
     pub kind: Kind,
+    /// How many of its firings begin on the day.
     pub firings: u64,
+    /// The same by the hour in which they begin, from midnight on.
     pub by_hour: [u64; 24],
     /// In seconds since midnight: from when to when something went on.
     pub spans_s: Vec<(f64, f64)>,

@@ -2,11 +2,14 @@
 //!
 //! Nothing here reads or writes a file: texts and logs come in, plain data goes out. Nothing here draws. In reading order:
 
+#![warn(missing_docs)]
+
 /// Where in a home the sensors see, from the very fields that make the data.
 pub mod coverage;
 
-/// Dates on the clock on the wall, and which rows of a log are signs of somebody.
+/// Dates and hours on the clock on the wall.
 pub mod dates;
+/// Which rows of a log are signs of somebody, and of which sensors.
 pub mod signs;
 
 /// How alike two logs are.

@@ -15,8 +15,11 @@ use serde::Serialize;
 pub enum Says {
     /// Something began: a movement, a press, a use.
     Begins,
+    /// What began is over.
     Ends,
+    /// A door, a drawer or a window is opened.
     Opens,
+    /// It is closed.
     Closes,
     /// A number, or a word that is not known.
     Else,
@@ -26,6 +29,7 @@ pub enum Says {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
+    /// It sees movement.
     Motion,
     /// A door, a drawer, a window.
     Contact,

@@ -65,7 +65,9 @@ pub struct KnownActivity {
     pub label: &'static str,
     /// What is done, in words that a sentence can begin with.
     pub about: &'static str,
+    /// Its kind, which gives it its colour in pictures and on the page.
     pub kind: ActivityKind,
+    /// What its time counts as where hours of a day are added up.
     pub time_use: TimeUse,
     /// How long it usually takes where nothing is said; `None` for what lasts as long as something else does.
     pub usual: Option<UsualLength>,

@@ -13,7 +13,9 @@ pub struct Firing {
     pub seq: u64,
     /// The time that the log gives it.
     pub at: Micros,
+    /// Whose message it is.
     pub sensor: SensorId,
+    /// What the sensor said.
     pub value: Value,
 }
 
@@ -22,16 +24,23 @@ pub struct Firing {
 pub enum Value {
     /// That it saw movement; a motion sensor has no more to say.
     Fire,
+    /// It is on, began or is under way: an appliance, water, a load on a mat, heat.
     On,
+    /// What was on is over.
     Off,
+    /// A door or a piece of furniture was opened.
     Open,
+    /// It was closed.
     Close,
-    /// Somebody is in the bed, or no longer.
+    /// Somebody has come into the bed, which was empty.
     In,
+    /// Nobody is in the bed any more.
     Out,
     /// How restless somebody in bed is, from 1 to 4.
     Restless(u8),
+    /// Where the pulse of who lies still in the bed is beside what is normal.
     Pulse(Band),
+    /// Where their respiration is beside what is normal.
     Respiration(Band),
     /// A number, in thousandths of the sensor's unit.
     Reading(i32),
@@ -40,8 +49,11 @@ pub enum Value {
 /// Where a number lies beside what is normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Band {
+    /// Below the lower limit of the sensor.
     Low,
+    /// Between the limits, both included.
     Normal,
+    /// Above the upper limit of the sensor.
     High,
 }
 
@@ -83,6 +95,7 @@ pub struct Provenance {
     pub resident: Option<ResidentId>,
     /// When what it was began to be noticed.
     pub seen_at: Micros,
+    /// What kind of cause it was.
     pub trigger: Trigger,
 }
 
@@ -126,28 +139,95 @@ pub enum Loss {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Fact {
     /// Why a firing came: whose movement the sensor saw, and when it saw it.
-    Provenance { seq: u64, provenance: Provenance },
+    Provenance {
+        /// The firing's number in the run.
+        seq: u64,
+        /// Why it came.
+        provenance: Provenance,
+    },
     /// What a sensor said at `at`, or should have said, that never reached the logger.
-    Lost { at: Micros, sensor: SensorId, value: Value, provenance: Provenance, loss: Loss },
+    Lost {
+        /// When it said so, or should have, in microseconds since the run's start.
+        at: Micros,
+        /// Whose message it is.
+        sensor: SensorId,
+        /// What it said, or should have said.
+        value: Value,
+        /// Why it would have come.
+        provenance: Provenance,
+        /// What became of it.
+        loss: Loss,
+    },
     /// What a resident's body did over a span, told when that is over: the spans of a resident follow each other without
     /// gaps, and no two that follow each other are the same rest, in-place motion or absence.
-    Movement { resident: ResidentId, begin: Micros, end: Micros, doing: MotionState, posture: Posture },
+    Movement {
+        /// Whose body it is.
+        resident: ResidentId,
+        /// From when, in microseconds since the run's start.
+        begin: Micros,
+        /// Until when; the next span begins at this instant.
+        end: Micros,
+        /// What the body did.
+        doing: MotionState,
+        /// How it held itself.
+        posture: Posture,
+    },
     /// From `at` on, the resident is in this room, or in none: between
     /// rooms or away.
-    Room { resident: ResidentId, at: Micros, room: Option<RoomId> },
+    Room {
+        /// Who came there.
+        resident: ResidentId,
+        /// From when on, in microseconds since the run's start.
+        at: Micros,
+        /// The room; `None` between rooms and away.
+        room: Option<RoomId>,
+    },
     /// From `at` on, the resident does this; nothing ends what was done before.
-    Activity { resident: ResidentId, at: Micros, name: Option<String> },
+    Activity {
+        /// Who does it.
+        resident: ResidentId,
+        /// From when on, in microseconds since the run's start.
+        at: Micros,
+        /// Its label, such as `sleeping`; `None` where nothing in particular is done.
+        name: Option<String>,
+    },
     /// A resident used a thing.
-    Use { resident: ResidentId, at: Micros, act: ThingUse },
+    Use {
+        /// Who used it.
+        resident: ResidentId,
+        /// When, in microseconds since the run's start.
+        at: Micros,
+        /// The thing, and how it is afterwards.
+        act: ThingUse,
+    },
     /// How strong a need of a resident is, from 0 (met) to 1 (pressing).
-    Need { resident: ResidentId, at: Micros, need: Need, level: f64 },
+    Need {
+        /// Whose need it is.
+        resident: ResidentId,
+        /// When, in microseconds since the run's start.
+        at: Micros,
+        /// What is needed.
+        need: Need,
+        /// From 0, met, to 1, pressing.
+        level: f64,
+    },
     /// From `at` on, until it is told again, a resident's condition is this severe; 1 is a moderate case.
-    Condition { resident: ResidentId, at: Micros, name: String, severity: f64 },
+    Condition {
+        /// Who has it.
+        resident: ResidentId,
+        /// From when on, in microseconds since the run's start.
+        at: Micros,
+        /// The condition, as the routine calls it.
+        name: String,
+        /// 1 is a moderate case, 0 none.
+        severity: f64,
+    },
 }
 
 /// Using a thing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ThingUse {
+    /// The door, piece of furniture or lamp that is used.
     pub thing: ThingId,
     /// How it is afterwards: on or open, or off or closed.
     pub on: bool,
@@ -156,9 +236,13 @@ pub struct ThingUse {
 /// What builds up until something is done about it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Need {
+    /// To go to the toilet.
     Toilet,
+    /// To drink.
     Thirst,
+    /// To eat.
     Hunger,
+    /// To rest or sleep.
     Tiredness,
 }
 
@@ -175,11 +259,24 @@ pub struct Vitals {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MotionState {
     /// A straight movement at constant speed.
-    Stride { from: Point, to: Point },
+    Stride {
+        /// Where it begins, in metres.
+        from: Point,
+        /// Where it ends, in metres.
+        to: Point,
+    },
     /// Movement on the spot: `amplitude_m` is how far what moves moves.
-    InPlace { at: Point, amplitude_m: f64 },
+    InPlace {
+        /// Where the body is, in metres.
+        at: Point,
+        /// How far what moves moves, in metres.
+        amplitude_m: f64,
+    },
     /// Keeping still.
-    Rest { at: Point },
+    Rest {
+        /// Where the body is, in metres.
+        at: Point,
+    },
     /// Out of the home.
     Away,
 }
@@ -187,11 +284,14 @@ pub enum MotionState {
 /// What an advance of a run has brought: firings in order of time, facts in the order in which they came to be known.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Events {
+    /// What reached the logger, in order of time.
     pub firings: Vec<Firing>,
+    /// The truth, in the order in which it came to be known.
     pub facts: Vec<Fact>,
 }
 
 impl Events {
+    /// Takes away all firings and facts, and keeps the memory for the next advance.
     pub fn clear(&mut self) {
         self.firings.clear();
         self.facts.clear();

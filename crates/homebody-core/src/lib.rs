@@ -3,6 +3,8 @@
 //! The core is pure: it does no I/O, reads no clock, knows no thread and iterates no hash map. In reading
 //! order:
 
+#![warn(missing_docs)]
+
 // Spans and instants in whole microseconds, plane geometry, named random streams.
 pub mod time;
 pub mod geometry;

@@ -20,6 +20,7 @@ pub struct Number {
     pub value: f64,
     /// It can be set to this and to what lies between it and `most`.
     pub least: f64,
+    /// The largest value that it can be set to, in its unit.
     pub most: f64,
     /// What it means, in a sentence.
     pub what: Cow<'static, str>,

@@ -155,7 +155,9 @@ const POISSON_BY_INVERSION: f64 = 256.0;
 /// A range of spans.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Range {
+    /// The shortest span, in microseconds.
     pub least: Micros,
+    /// The longest span, in microseconds; drawn as often as any other.
     pub most: Micros,
 }
 

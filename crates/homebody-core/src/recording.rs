@@ -23,6 +23,7 @@ pub struct Recording {
     pub entry: String,
     /// The text of every file of the scenario, by name.
     pub files: BTreeMap<String, String>,
+    /// The number that all randomness of the run comes from.
     pub seed: u64,
     /// How long the run was, in microseconds.
     pub length_us: Micros,
@@ -46,6 +47,7 @@ pub struct Recording {
     pub rows: Option<u64>,
     /// How many firings it had, and the SHA-256 of them: empty until the run is complete.
     pub firings: u64,
+    /// The SHA-256 of all firings, in hexadecimal digits: see [`RunDigest`].
     pub sha256: String,
 }
 
@@ -132,6 +134,7 @@ pub struct RunDigest {
 }
 
 impl RunDigest {
+    /// Takes in further firings, in order of time.
     pub fn add(&mut self, firings: &[Firing]) {
         for firing in firings {
             self.hash.update(firing.at.to_le_bytes());
@@ -144,6 +147,7 @@ impl RunDigest {
         self.firings += firings.len() as u64;
     }
 
+    /// How many firings it has taken in.
     pub fn firings(&self) -> u64 {
         self.firings
     }

@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 /// A row of the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RoleRow {
+    /// The role that the row is about.
     pub role: Role,
     /// What it is for, a sentence.
     pub about: &'static str,

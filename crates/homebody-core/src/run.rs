@@ -76,7 +76,9 @@ impl DriverProvider for () {
 /// Somebody who comes and goes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Guest {
+    /// What the truth calls them, such as `margaret's daughter`.
     pub name: String,
+    /// The build of their body.
     pub build: Build,
 }
 
@@ -129,6 +131,7 @@ impl Run {
         }
     }
 
+    /// The home that the run happens in.
     pub fn home(&self) -> &Home {
         self.world.home()
     }

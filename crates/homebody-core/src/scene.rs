@@ -9,6 +9,7 @@ use crate::time::Micros;
 /// A run at the instant that it has come to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
+    /// The instant, in microseconds since the run's start.
     pub now: Micros,
     /// By resident; nothing for those who are out.
     pub bodies: Vec<Option<Presence>>,
@@ -21,9 +22,12 @@ pub struct Scene {
 /// A body in the home.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Presence {
+    /// Where its middle is, in metres.
     pub at: Point,
     /// Where it walks, of length one; nothing for who stays.
     pub heading: Option<Point>,
+    /// How it holds itself.
     pub posture: Posture,
+    /// The room that it is in; `None` between rooms.
     pub room: Option<RoomId>,
 }

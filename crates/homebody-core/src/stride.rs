@@ -9,9 +9,13 @@ use crate::time::{Micros, SECOND};
 /// it, changes no position by a single bit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stride {
+    /// Where it begins, in metres.
     pub from: Point,
+    /// Where it ends, in metres.
     pub to: Point,
+    /// When it begins, in microseconds since the run's start.
     pub begin: Micros,
+    /// When it ends, later than it begins.
     pub end: Micros,
     /// Metres per microsecond.
     pub(crate) velocity: Point,
@@ -110,15 +114,18 @@ fn enter_disc(centre: Point, velocity: Point, radius: f64) -> Option<f64> {
 /// A straight line of sight: what a wall sensor sees in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Beam {
+    /// Where it begins, in metres.
     pub start: Point,
     /// Of length one.
     pub direction: Point,
+    /// How long it is, in metres.
     pub length: f64,
     /// Which of the sensor's beams this is a visible part of.
     pub number: u32,
 }
 
 impl Beam {
+    /// Where it ends, in metres.
     pub fn end(&self) -> Point {
         self.start + self.direction * self.length
     }

@@ -146,6 +146,7 @@ impl World {
         self.now
     }
 
+    /// The home that everything happens in.
     pub fn home(&self) -> &Home {
         &self.home
     }
@@ -247,6 +248,7 @@ impl World {
         }
     }
 
+    /// How a resident's body holds itself now.
     pub fn posture(&self, resident: ResidentId) -> Posture {
         self.bodies[resident.index()].posture
     }

@@ -9,8 +9,8 @@
 //! was is not known, so they walk between points that we choose, at the annotated times. Whatever
 //! a sensor sees of others in the house is in the real data and in no simulation.
 //!
-//! How: [`parse`] reads a recording, [`without_short_stays`] leaves out what nobody can live, [`path_of`] makes a path of it, [`Experiment::run`] acts that path out in the
-//! house and [`hold`]s the firings, and [`compare_runs`] puts both in numbers and in words.
+//! How: `parse` reads a recording, `without_short_stays` leaves out what nobody can live, `path_of` makes a path of it, `Experiment::run` acts that path out in the
+//! house and `hold`s the firings, and `compare_runs` puts both in numbers and in words.
 //!
 //! What is left out: the accelerometer, the cameras, and what happened before the first
 //! and after the last annotation.

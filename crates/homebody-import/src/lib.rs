@@ -4,6 +4,8 @@
 //! was left out or guessed. Whoever made the file is not trusted: all sizes have bounds, and no file makes this crate
 //! panic. It does not know files on disk, nor who lives in a home. Reading order:
 
+#![warn(missing_docs)]
+
 // What went wrong, in sentences.
 pub mod error;
 

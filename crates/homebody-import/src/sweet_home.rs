@@ -17,6 +17,7 @@ use homebody_core::scenario::home::{DoorFile, FurnitureFile, GREATEST_SIZE_M, Ho
 pub struct Imported {
     /// The text of a `home.json` that passes the check; its schemas are expected in a folder beside it.
     pub home_json: String,
+    /// What was left out or guessed, a sentence each, at most some dozens.
     pub remarks: Vec<String>,
 }
 

@@ -8,67 +8,186 @@ use std::path::Path;
 /// What went wrong, at which place, and what to do about it.
 #[derive(Debug, thiserror::Error)]
 pub enum LogError {
+    /// There is a file where one is to be made, and nobody has allowed that it is replaced.
     #[error("{place} exists already\n  hint: name another place, or allow that what is there is replaced")]
-    Exists { place: String },
+    Exists {
+        /// The file.
+        place: String,
+    },
+    /// Two outputs of a run lead to one file, perhaps by different paths.
     #[error("two outputs have the same file, {place}\n  hint: give each its own")]
-    SameFile { place: String },
+    SameFile {
+        /// The file.
+        place: String,
+    },
+    /// A folder is where a file was to be written.
     #[error("{place} is a folder\n  hint: name a file in it")]
-    IsFolder { place: String },
+    IsFolder {
+        /// The folder.
+        place: String,
+    },
+    /// A database was to be in something else than a file, such as a device.
     #[error("{place} is no file that a database can be in\n  hint: name a file, or write csv: or casas: there")]
-    NoFile { place: String },
+    NoFile {
+        /// What it is.
+        place: String,
+    },
+    /// There is no folder for the file that is to be made.
     #[error("the folder of {place} does not exist\n  hint: create it, or correct the path")]
-    NoFolder { place: String },
+    NoFolder {
+        /// The file.
+        place: String,
+    },
+    /// The system does not let this program write there.
     #[error("{place} may not be written\n  hint: check who may write there")]
-    Denied { place: String },
+    Denied {
+        /// The file.
+        place: String,
+    },
+    /// The disk is full, or what this user may use of it.
     #[error("no space is left for {place}\n  hint: what it held before is safe; make room and run again")]
-    Full { place: String },
+    Full {
+        /// The file.
+        place: String,
+    },
+    /// The system could not write what a database gave it.
     #[error("{place}: writing failed\n  hint: the disk may be failing or full, or the size of files limited")]
-    Unwritten { place: String },
+    Unwritten {
+        /// The database's file.
+        place: String,
+    },
+    /// Another program has been writing to the database for longer than we wait.
     #[error("{place} is locked by another program\n  hint: close that program, or write to another file")]
-    Locked { place: String },
+    Locked {
+        /// The database's file.
+        place: String,
+    },
+    /// A name of the mapping is none that SQL takes: `^[a-z_][a-z0-9_]{0,62}$`, and not one of SQLite's own.
     #[error("{name:?} cannot name a {what} in a database\n  hint: use up to 63 of a-z, 0-9 and _, not a digit first")]
-    Name { what: &'static str, name: String },
+    Name {
+        /// What has the name: a table or a column.
+        what: &'static str,
+        /// The name.
+        name: String,
+    },
+    /// Two columns of the mapping have one name.
     #[error("the {what} {name:?} is used twice\n  hint: give each its own name")]
-    SameName { what: &'static str, name: String },
+    SameName {
+        /// What has the name.
+        what: &'static str,
+        /// The name.
+        name: String,
+    },
+    /// Nobody could tell two sensors apart in the log.
     #[error("the sensors {first:?} and {second:?} would both be {shown:?} in the log\n  hint: give each its own id")]
-    SameSensor { first: String, second: String, shown: String },
+    SameSensor {
+        /// The one, by its name in the home.
+        first: String,
+        /// The other.
+        second: String,
+        /// The id that both have.
+        shown: String,
+    },
+    /// What is to be read is not there.
     #[error("{place} does not exist\n  hint: correct the path")]
-    Missing { place: String },
+    Missing {
+        /// The file.
+        place: String,
+    },
+    /// What is to be read is no log in any form that is known.
     #[error("{place} cannot be read as a log: {why}")]
-    NoLog { place: String, why: String },
+    NoLog {
+        /// The file.
+        place: String,
+        /// Why not, as a part of a sentence.
+        why: String,
+    },
+    /// The system could not read or write a file, for a reason that none of the others names.
     #[error("{place}: {source}")]
-    File { place: String, source: io::Error },
+    File {
+        /// The file.
+        place: String,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// A database could not be read or written, for a reason that none of the others names.
     #[error("{place}: {source}")]
-    Database { place: String, source: Box<dyn Error + Send + Sync> },
+    Database {
+        /// The database's file.
+        place: String,
+        /// What the database says.
+        source: Box<dyn Error + Send + Sync>,
+    },
+    /// The output of a command would replace what the command reads.
     #[error("{place} is read by this command, which cannot replace it\n  hint: name another file")]
-    IsSource { place: String },
+    IsSource {
+        /// The file.
+        place: String,
+    },
+    /// The folder of a run could not be made.
     #[error("{place}: {source}\n  hint: a run needs a folder that may be written")]
-    Unmade { place: String, source: io::Error },
+    Unmade {
+        /// The folder.
+        place: String,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// A text names no place that a log can go to.
     #[error(transparent)]
     NoPlace(#[from] NoPlace),
+    /// A run's recording could not be turned into JSON.
     #[error("the recording cannot be written down: {0}")]
     Recording(#[from] serde_json::Error),
+    /// There is no time zone of the name that was given; the text says so, with a hint.
     #[error("{0}")]
     Zone(String),
+    /// A destination was given rows after it had failed or was finished.
     #[error("{place} takes no more rows after its error")]
-    Stopped { place: String },
+    Stopped {
+        /// The destination.
+        place: String,
+    },
+    /// A destination has no room in its form for what it is asked to take.
     #[error("{place} cannot hold {what}\n  hint: {hint}")]
-    CannotHold { place: String, what: String, hint: &'static str },
+    CannotHold {
+        /// The destination.
+        place: String,
+        /// What it cannot hold, as a part of a sentence.
+        what: String,
+        /// What to do about it.
+        hint: &'static str,
+    },
+    /// What is there already cannot be gone on with: it is no beginning of this run.
     #[error(
         "{place} is not the beginning of this run: {what}\n  hint: it was changed since, or made from other files; \
          begin the run anew"
     )]
-    Changed { place: String, what: String },
+    Changed {
+        /// The destination.
+        place: String,
+        /// In what it differs, as a part of a sentence.
+        what: String,
+    },
+    /// A destination has taken nothing for longer than its policy waits.
     #[error("{place} does not answer: nothing was taken for {seconds} s\n  hint: what it confirmed before is safe")]
-    Hangs { place: String, seconds: u64 },
+    Hangs {
+        /// The destination.
+        place: String,
+        /// How long, in seconds.
+        seconds: u64,
+    },
     /// What a destination of a caller's own has to say.
     #[error("{place}: {what}{}", .hint.as_ref().map(|hint| format!("\n  hint: {hint}")).unwrap_or_default())]
     Destination {
+        /// What the destination is called.
         place: String,
+        /// What is wrong, as a part of a sentence.
         what: String,
+        /// What to do about it, where that can be said.
         hint: Option<String>,
         /// Whether the same call may succeed a little later.
         passes: bool,
+        /// The error that it comes of, where there is one.
         source: Option<Box<dyn Error + Send + Sync>>,
     },
 }

@@ -78,6 +78,8 @@ pub struct FreshFile {
 }
 
 impl FreshFile {
+    /// Begins a file under another name beside its place; `force` allows that a file with its name is replaced. A
+    /// device, such as a pipe, is written to at once.
     pub fn create(path: &Path, force: bool) -> Result<FreshFile, LogError> {
         let place = Found::at(path, force)?;
         let begun = match place {
@@ -114,14 +116,17 @@ impl FreshFile {
         self.part = None;
     }
 
+    /// The name that the file gets once it is whole.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
+    /// Adds bytes at its end. They may wait in memory until [`FreshFile::flush`].
     pub fn write(&mut self, bytes: &[u8]) -> Result<(), LogError> {
         self.out.write_all(bytes).map_err(|error| LogError::file(&self.path, error))
     }
 
+    /// Hands all bytes to the system.
     pub fn flush(&mut self) -> Result<(), LogError> {
         self.out.flush().map_err(|error| LogError::file(&self.path, error))
     }

@@ -11,6 +11,8 @@
 //!
 //! This crate does not know how firings come about, nor what a log means. Reading order:
 
+#![warn(missing_docs)]
+
 pub mod url;
 
 pub mod error;

@@ -20,7 +20,9 @@ use std::time::Instant;
 pub struct Destination {
     /// What errors and summaries call it, such as `csv:log.csv`.
     pub place: String,
+    /// What takes the rows.
     pub sink: Box<dyn Sink>,
+    /// How long a failure is waited for, and whether the run ends with it.
     pub policy: Policy,
 }
 

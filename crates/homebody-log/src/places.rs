@@ -12,8 +12,9 @@ use std::path::{Path, PathBuf};
 /// The folder that runs go into where nothing else is asked for.
 pub const RUNS: &str = "runs";
 
-/// What a run's folder calls its recording, and the database of its truth.
+/// What a run's folder calls its recording.
 pub const RECORDING: &str = "recording.json";
+/// What a run's folder calls the database of its truth.
 pub const TRUTH: &str = "truth.db";
 
 /// The file beside the folders of a cohort's members that lists them.
@@ -24,8 +25,11 @@ pub const SENSORS: &str = "sensors.csv";
 
 /// Where a run is written.
 pub struct Places {
+    /// Where its log goes, in as many places as wished.
     pub log: Vec<Url>,
+    /// Where its truth goes; `None`: it is not kept.
     pub truth: Option<Url>,
+    /// Where its recording goes; `None`: it is not kept.
     pub recording: Option<PathBuf>,
     /// The table of the sensors, in a run's folder.
     pub sensors: Option<PathBuf>,

@@ -19,6 +19,7 @@ pub struct Preview {
     pub table: Option<String>,
     /// None in a text without a header line.
     pub columns: Vec<String>,
+    /// The cells of the rows as texts, in the order of the columns.
     pub rows: Vec<Vec<String>>,
 }
 

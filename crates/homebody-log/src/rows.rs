@@ -24,11 +24,15 @@ pub struct Rows {
 pub struct RowText {
     /// The rows of a run are numbered from 0.
     pub seq: u64,
+    /// The time that the log gives it, in microseconds since the run's start.
     pub at: Micros,
+    /// Which sensor it is of.
     pub sensor: SensorId,
+    /// That time as the log writes it.
     pub time: String,
     /// What the sensor is called in the log.
     pub id: String,
+    /// What the sensor said, as the log writes it.
     pub value: String,
 }
 

@@ -18,6 +18,7 @@ pub struct RunInfo {
     pub home: Option<String>,
     /// The scenario's name.
     pub scenario: String,
+    /// The number that all randomness of the run comes from.
     pub seed: u64,
     /// The program's version.
     pub version: String,

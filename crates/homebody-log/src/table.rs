@@ -15,6 +15,7 @@ pub struct Table {
     pub name: String,
     /// What a row is, in words.
     pub about: &'static str,
+    /// Its columns, but for that of the run's id, which the destination adds in front.
     pub columns: Vec<Column>,
     /// Whether the first column numbers the rows of a run, without gaps and from 0: with the run it is the key.
     pub is_numbered: bool,
@@ -25,7 +26,9 @@ pub struct Table {
 /// One column of a table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Column {
+    /// What destinations call it.
     pub name: String,
+    /// What its cells are.
     pub kind: ColumnKind,
     /// What its numbers count, such as `m`; empty where there is nothing to say.
     pub unit: &'static str,
@@ -38,8 +41,11 @@ pub struct Column {
 pub enum ColumnKind {
     /// An instant; a destination writes it in the time format of the run's mapping.
     Instant,
+    /// A whole number, such as that of a row.
     Integer,
+    /// A number with a fraction, in the column's unit.
     Real,
+    /// A text, or a number as a sensor said it.
     Text,
 }
 
@@ -53,10 +59,13 @@ impl Table {
 /// One value of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cell {
+    /// Nothing: unknown, or it does not apply.
     Null,
     /// Microseconds since the run's start.
     Instant(Micros),
+    /// A whole number.
     Integer(i64),
+    /// A number with a fraction, in the column's unit.
     Real(f64),
     /// A text, by its number among the batch's texts.
     Text(TextId),

@@ -19,14 +19,17 @@ use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 /// the local time of `zone`. Notes of activities stay behind.
 #[derive(Clone, Copy, Debug)]
 pub struct Transfer<'a> {
+    /// The log that is read.
     pub from: &'a Url,
     /// What its table and columns are called, where that is neither ours nor to be guessed.
     pub mapping: &'a LoggerFile,
+    /// Where it is written to.
     pub to: &'a Url,
     /// What the log is called.
     pub name: &'a str,
     /// The name of a time zone.
     pub zone: &'a str,
+    /// What becomes of what is there already.
     pub how: How,
 }
 

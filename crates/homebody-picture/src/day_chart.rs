@@ -16,14 +16,18 @@ use super::svg::{Anchor, Px, Svg, Type};
 /// A day to be drawn. Times are seconds since its midnight; what lies outside the day is cut off.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DayChart {
+    /// What stands above the picture.
     pub title: String,
+    /// What residents did and where they were, from the top on.
     pub bands: Vec<Band>,
+    /// What sensors said, below the bands, from the top on.
     pub ticks: Vec<Ticks>,
 }
 
 /// What a sensor said.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ticks {
+    /// The sensor's id in the log.
     pub sensor: String,
     /// Over which it said that something goes on; a firing is a span of no length.
     pub spans: Vec<(f64, f64)>,
@@ -34,7 +38,9 @@ pub struct Ticks {
 /// A row of labelled spans.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Band {
+    /// What stands left of the band.
     pub name: String,
+    /// What its spans are labelled with.
     pub holds: Holds,
     /// From, to, and what.
     pub spans: Vec<(f64, f64, String)>,
@@ -43,7 +49,9 @@ pub struct Band {
 /// What the labels of a band are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Holds {
+    /// Labels of activities, which are coloured by their kind.
     Activities,
+    /// Names of rooms, which all have one colour.
     Rooms,
 }
 

@@ -7,6 +7,8 @@
 //! A picture is the same bytes for the same input, and knows no file and no machine: it is drawn
 //! with the fonts in this program. A character they lack is left blank in a PNG; SVG takes the reader's.
 
+#![warn(missing_docs)]
+
 mod chart;
 mod coverage_map;
 mod day_chart;
@@ -35,10 +37,18 @@ pub use floor_plan::floor_plan;
 /// Why an SVG did not become a PNG.
 #[derive(Debug, thiserror::Error)]
 pub enum PngError {
+    /// The text is no SVG, or one that the renderer does not take.
     #[error("this is no SVG that can be drawn: {0}")]
     Svg(#[from] usvg::Error),
+    /// The picture would be empty, or longer on one side than is drawn.
     #[error("a picture of {width} x {height} pixels cannot be drawn")]
-    Size { width: u32, height: u32 },
+    Size {
+        /// Pixels from left to right.
+        width: u32,
+        /// Pixels from top to bottom.
+        height: u32,
+    },
+    /// The encoder refused the pixels; the text says why.
     #[error("the picture could not be written as PNG: {0}")]
     Encoding(String),
 }

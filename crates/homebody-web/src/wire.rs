@@ -1,7 +1,7 @@
 //! What the page and the server say to each other.
 //!
 //! The page's own types in `web/src/wire.ts` are made from these; a test keeps them so. Over the socket, what the page says is
-//! JSON, a [`Say`] each; what it hears is JSON where it is a [`Tell`], and MessagePack where it is a [`Frame`]. All the rest
+//! JSON, a `Say` each; what it hears is JSON where it is a `Tell`, and MessagePack where it is a `Frame`. All the rest
 //! is asked for by HTTP, and answered in JSON, or in MessagePack where it is large.
 //!
 //! Lengths are metres, angles degrees, instants whole microseconds since the run's start, which any number of JSON holds

@@ -6,15 +6,17 @@ use std::io::BufRead;
 use std::sync::mpsc::{Receiver, channel};
 use std::thread;
 
+/// The help of `--control`: as a doc comment, its brackets would be a link.
+const CONTROL: &str = "Take commands by lines on standard input: pause, resume, step [SECONDS], speed X, stop. \
+    Each waits until a step before it is done; when the lines end, the run goes on";
+
 /// How fast a run goes, and who may change that.
 #[derive(clap::Args)]
 pub struct Asked {
     /// Seconds of the run in a second: 0.1 to 1000, or max. It changes no byte of the log
     #[arg(long, default_value = "max")]
     speed: Speed,
-    /// Take commands by lines on standard input: pause, resume, step [SECONDS], speed X, stop.
-    /// Each waits until a step before it is done; when the lines end, the run goes on
-    #[arg(long)]
+    #[arg(long, help = CONTROL)]
     control: bool,
     /// Begin paused, and wait for commands
     #[arg(long, requires = "control")]

@@ -14,8 +14,11 @@ use homebody_core::sensor_set::SensorSet;
 /// do the same cut no cell in two, and layouts of one home can be compared cell by cell.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Grid {
+    /// The side of a cell, in metres.
     pub step_m: f64,
+    /// How many cells there are from west to east.
     pub columns: usize,
+    /// How many cells there are from south to north.
     pub rows: usize,
     /// Row by row from the south-west: nothing where no body can stand, else the sensors that see it.
     pub cells: Vec<Option<SensorSet>>,
@@ -87,6 +90,7 @@ impl Grid {
         off.filter_map(move |[dx, dy]| self.around([x + dx * reach, y + dy * reach])[2])
     }
 
+    /// The area of a region's cells, in square metres.
     pub fn area_m2(&self, region: &Region) -> f64 {
         region.cells.len() as f64 * self.step_m * self.step_m
     }

@@ -63,7 +63,9 @@ pub struct Coverage {
 /// A piece of floor, and the shares of it that are seen by so many sensors.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Floor {
+    /// The room's name; `all` of the whole floor, `doorways` of that in doors.
     pub name: String,
+    /// Its walkable area, in square metres.
     pub floor_m2: f64,
     /// `floor_m2` is at most this far from the truth where the floor's borders are straight.
     pub floor_error_m2: f64,
@@ -74,16 +76,22 @@ pub struct Floor {
 /// Something for each number of sensors that see a place.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct SeenBy {
+    /// For what no sensor sees.
     pub none: f64,
+    /// For what exactly one sensor sees.
     pub one: f64,
+    /// For what exactly two sensors see.
     pub two: f64,
+    /// For what three sensors or more see.
     pub three_or_more: f64,
 }
 
 /// What one sensor sees of the walkable floor.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SensorView {
+    /// The sensor's name in the home.
     pub name: String,
+    /// How much of the floor it sees, in square metres.
     pub seen_m2: f64,
     /// The part of `seen_m2` that no other sensor sees: what would be lost without it.
     pub alone_m2: f64,
@@ -92,7 +100,9 @@ pub struct SensorView {
 /// Walkable floor that two sensors both see.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Overlap {
+    /// The names of the two, in the order of the home's file.
     pub sensors: [String; 2],
+    /// How much floor both see, in square metres.
     pub shared_m2: f64,
 }
 
@@ -103,6 +113,7 @@ pub struct DeadZone {
     pub number: usize,
     /// Of the rooms, the one that holds most of it; nothing if none holds any, as in a doorway.
     pub room: Option<String>,
+    /// Its area, in square metres.
     pub area_m2: f64,
     /// `area_m2` is about this far from the truth at most: a fan's border is many short straight ones.
     pub area_error_m2: f64,
@@ -119,7 +130,9 @@ pub struct DeadZone {
 pub struct Seen {
     /// With those of its sensors that look: the others have nowhere that they see.
     pub home: HomeFile,
+    /// What is seen by how many, in figures.
     pub coverage: Coverage,
+    /// Those of the home that look for movement, in the order of its file.
     pub sensors: Vec<Sensor>,
     /// What they see of a body of this build that stands.
     pub field: Field,

@@ -49,7 +49,9 @@ pub struct Absence {
 /// A sign of somebody: when, and whether it is at the entrance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sign {
+    /// When, in microseconds since 1970 on the clock on the wall.
     pub at: Micros,
+    /// Whether a sensor at the entrance tells it.
     pub at_entrance: bool,
 }
 
@@ -89,6 +91,7 @@ fn comes(bout: &[Sign]) -> Option<Micros> {
 }
 
 impl Absence {
+    /// How long it is, in hours.
     pub fn hours(&self) -> f64 {
         seconds(self.end - self.begin) / 3600.0
     }

@@ -8,35 +8,45 @@ pub const LEAST_AT_HOME_H: f64 = 1.0 / 6.0;
 /// What some cells come to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Sum {
+    /// How many motion events they have.
     pub events: u64,
+    /// For how many of their hours there is data.
     pub recorded_h: f64,
+    /// For how many of these nobody was at home.
     pub away_h: f64,
+    /// Events an hour at home, over the cells in which somebody was; `None` where nobody ever was.
     pub density_per_h: Option<f64>,
 }
 
 /// An hour of a day.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cell {
+    /// How many motion events it has.
     pub events: u64,
-    /// For how much of the hour there is data, and for how much of that nobody was at home.
+    /// For how much of the hour there is data, in hours.
     pub recorded_h: f64,
+    /// For how much of the recorded part nobody was at home, in hours.
     pub away_h: f64,
 }
 
 /// What is known of an hour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum State {
+    /// Too little of the hour was recorded, less than ten minutes.
     NoData,
+    /// Somebody was at home for less than ten minutes of it.
     Away,
     /// Firings an hour at home.
     Density(f64),
 }
 
 impl Cell {
+    /// For how much of the hour there is data and somebody was at home, in hours.
     pub fn at_home_h(&self) -> f64 {
         (self.recorded_h - self.away_h).max(0.0)
     }
 
+    /// What is known of the hour.
     pub fn state(&self) -> State {
         match () {
             () if self.recorded_h < LEAST_AT_HOME_H => State::NoData,
@@ -52,6 +62,7 @@ impl Cell {
 }
 
 impl Sum {
+    /// The sum of some cells, with the density of those of them in which somebody was at home.
     pub fn of<'a>(cells: impl IntoIterator<Item = &'a Cell>) -> Sum {
         let mut sum = Sum::default();
         let (mut events, mut at_home_h) = (0, 0.0);

@@ -8,7 +8,9 @@ use homebody_core::names::words;
 /// The sensors by which somebody leaves and comes home.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Entrance {
+    /// Their ids in the log.
     pub sensors: Vec<String>,
+    /// Why they are taken for that.
     pub chosen: Chosen,
 }
 

@@ -25,8 +25,9 @@ pub struct Asked {
     pub away_after: Micros,
     /// From when to when the log was recorded, if that is known.
     pub recorded: Option<Range<Micros>>,
-    /// The first day, and how many; all days without them.
+    /// The first day; `None`: the first of the log.
     pub from: Option<Date>,
+    /// How many days from the first on; `None`: to the last of the log.
     pub days: Option<usize>,
 }
 
@@ -39,10 +40,13 @@ impl Default for Asked {
 /// Why there is no map.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoMap {
+    /// The log has no sensor that is taken for a motion sensor.
     #[error("no sensor in it tells of motion\n  hint: motion sensors say ON, FIRE, true or 1 when they see somebody")]
     NoMotion,
+    /// So many days were asked for.
     #[error("a map of {0} days is longer than ten years")]
     TooLong(usize),
+    /// The date that was asked for, and the first and the last that the log has.
     #[error("{0} is no day of it\n  hint: it goes from {1} to {2}")]
     NoDay(Date, Date, Date),
 }
@@ -50,16 +54,25 @@ pub enum NoMap {
 /// The hours of some days.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Map {
+    /// What the log is called.
     pub name: String,
+    /// The first day.
     pub from: Date,
+    /// How many motion events there are.
     pub events: u64,
+    /// How many sensors tell of motion.
     pub motion_sensors: usize,
+    /// The sensors by which somebody leaves and comes home.
     pub entrance: Entrance,
+    /// For how many hours there is data.
     pub recorded_h: f64,
+    /// For how many of these nobody was at home.
     pub away_h: f64,
     /// Firings an hour at home, if anybody ever was.
     pub density_per_h: Option<f64>,
+    /// Hours away a day recorded.
     pub away_h_per_day: f64,
+    /// What each day comes to.
     pub days: Vec<Day>,
     /// The 24 hours of the day over all days.
     pub hours: Vec<Hour>,
@@ -73,7 +86,9 @@ pub struct Map {
 /// One day of a map.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Day {
+    /// Which day it is.
     pub date: Date,
+    /// What its hours come to.
     #[serde(flatten)]
     pub sum: Sum,
 }
@@ -81,7 +96,9 @@ pub struct Day {
 /// One hour of the day over all days of a map.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Hour {
+    /// Which hour it is, from 0 to 23.
     pub hour: usize,
+    /// What it comes to over all days.
     #[serde(flatten)]
     pub sum: Sum,
 }

@@ -41,8 +41,10 @@ pub use texture::{LEVELS, Texture, level};
 pub struct Density {
     /// The height of a level of texture and picture, of which there are eight, in firings an hour.
     pub step_per_h: f64,
+    /// The map, with its texture.
     #[serde(flatten)]
     pub of: Measured,
+    /// The map that it is held against, where one is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub against: Option<Against>,
 }
@@ -50,14 +52,17 @@ pub struct Density {
 /// A map with its texture.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Measured {
+    /// The hours, and what they come to.
     #[serde(flatten)]
     pub map: Map,
+    /// How alike neighbouring hours are; `None` where no two neighbours are known.
     pub texture: Option<Texture>,
 }
 
 /// Another log's map, and how far it is.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Against {
+    /// The other log's map, with its texture.
     #[serde(flatten)]
     pub of: Measured,
     /// None where one of the two has no texture.

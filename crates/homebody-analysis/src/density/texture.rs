@@ -22,7 +22,9 @@ pub const LEVELS: usize = 8;
 /// How alike neighbours in a map are.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Texture {
+    /// From 0 to 1, as the table above defines it: 1 where all neighbours are alike.
     pub homogeneity: f64,
+    /// From 0 to 49, as the table above defines it: 0 where all neighbours are alike.
     pub contrast: f64,
     /// In nats.
     pub entropy: f64,

@@ -14,6 +14,7 @@ pub struct DriverError {
     pub resident: String,
     /// When it was asked: microseconds since the start of the run.
     pub at: Micros,
+    /// What is wrong with the answer.
     pub fault: DriverFault,
 }
 
@@ -21,19 +22,44 @@ pub struct DriverError {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DriverFault {
     /// The segment begins at another instant than that at which the driver was asked.
-    BeginsElsewhen { begin: Micros },
+    BeginsElsewhen {
+        /// When the segment begins.
+        begin: Micros,
+    },
     /// The segment ends when it begins, or before.
-    EndsTooSoon { end: Micros },
+    EndsTooSoon {
+        /// When the segment ends.
+        end: Micros,
+    },
     /// A number that is infinite, none at all (NaN), or below 0 where that cannot be; `what` says which.
-    NoNumber { what: &'static str },
+    NoNumber {
+        /// Which number, as a part of a sentence.
+        what: &'static str,
+    },
     /// The segment begins elsewhere than where the body is.
-    Jump { from: Point, to: Point },
+    Jump {
+        /// Where the body is.
+        from: Point,
+        /// Where the segment begins.
+        to: Point,
+    },
     /// A place further than [`WALL_M`] from every room and every opening of a door.
-    Outside { at: Point },
+    Outside {
+        /// The place.
+        at: Point,
+    },
     /// There are only `things` things.
-    NoSuchThing { thing: ThingId, things: usize },
+    NoSuchThing {
+        /// The thing that was named.
+        thing: ThingId,
+        /// How many things the home has.
+        things: usize,
+    },
     /// So many answers that take no time, one after the other.
-    NoEnd { answers: usize },
+    NoEnd {
+        /// How many there were.
+        answers: usize,
+    },
 }
 
 /// A body is where its last segment ended, but for rounding (ours).

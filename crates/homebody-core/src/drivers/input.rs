@@ -10,7 +10,9 @@ use crate::scenario::path::Posture;
 /// What somebody does at the keys from an instant on.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Input {
+    /// The keys that are held down from then on.
     pub held: Held,
+    /// How the body holds itself from then on; who sits or lies does not walk.
     pub posture: Posture,
     /// What is used at that instant.
     pub uses: Vec<ThingUse>,

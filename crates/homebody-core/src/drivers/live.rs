@@ -6,7 +6,7 @@
 //! What we assume: a body is a ball seen from above, and nothing it runs into gives way. Who sits or lies does not walk,
 //! and things are used from wherever the body is.
 //!
-//! How: see [`obstacles`] for how far a body gets in a step. A step ends at a whole microsecond
+//! How: see `obstacles` for how far a body gets in a step. A step ends at a whole microsecond
 //! counted from the scenario's start, so steps never drift. A door within the home lets the body through while it is open,
 //! and is not shut on who stands in it.
 //!

@@ -9,10 +9,13 @@ use crate::time::Micros;
 /// What a body does over a span; the spans of one resident follow each other without gaps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionSegment {
+    /// From when, in microseconds since the run's start.
     pub begin: Micros,
     /// Later than `begin`.
     pub end: Micros,
+    /// What the body does.
     pub doing: MotionState,
+    /// How it holds itself meanwhile.
     pub posture: Posture,
 }
 

@@ -25,6 +25,7 @@ pub struct Surroundings<'a> {
 /// Somebody as a run knows them: their build, and what their body is doing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Occupant {
+    /// The build of their body.
     pub build: Build,
     /// Of who has not been placed yet, one of no length.
     pub segment: MotionSegment,
@@ -33,10 +34,13 @@ pub struct Occupant {
 /// A body in the home at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body {
+    /// Whose body it is.
     pub resident: ResidentId,
     /// Metres, in the plan's coordinates.
     pub at: Point,
+    /// How it holds itself.
     pub posture: Posture,
+    /// The build of the body.
     pub build: Build,
 }
 

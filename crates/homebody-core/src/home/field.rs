@@ -3,7 +3,7 @@
 //! Each cell holds the sensors that *may* see a body whose centre is in it and those that *surely* do,
 //! and for the unsure ones the few beams to test. A movement through the home then costs two
 //! masks a cell; beams are looked at only where the masks do not decide. A mask holds a block of
-//! [`BLOCK`] sensors; a home with more has a layer of cells for each block.
+//! `BLOCK` sensors; a home with more has a layer of cells for each block.
 
 use super::bake;
 use super::plan::Plan;
@@ -17,6 +17,7 @@ use crate::time::Micros;
 /// A body as sensors see it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Size {
+    /// The radius of the body seen from above, in metres.
     pub radius_m: f64,
     /// How high it reaches in its posture.
     pub top_m: f64,
@@ -25,7 +26,9 @@ pub struct Size {
 /// What the sensors of a home see of bodies of one size.
 #[derive(Clone, Debug)]
 pub struct Field {
+    /// The bodies that it was baked for.
     pub size: Size,
+    /// What is left of the sensors' beams once walls, doors and furniture have cut them; sensor after sensor.
     pub beams: Vec<Beam>,
     /// Where each sensor's beams begin in `beams`, and one more number for the end.
     first_beam: Vec<u32>,

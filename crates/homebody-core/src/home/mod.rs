@@ -25,8 +25,12 @@ crate::numbers! {
 /// A home and the bodies it was baked for.
 #[derive(Clone, Debug)]
 pub struct Home {
+    /// Walls, doors, furniture and rooms, as bodies and beams meet them.
     pub plan: Plan,
+    /// The sensors by [`SensorId`](crate::ids::SensorId); after those of the home's file, one for each place that a
+    /// sensor is moved to.
     pub sensors: Vec<Sensor>,
+    /// Where the sun stands as the run begins, for what measures light and warmth.
     pub sun: Sun,
     /// What the scenario sets otherwise in the models of people and sensors.
     pub numbers: Numbers,
@@ -39,7 +43,9 @@ pub struct Home {
 /// The build of a resident's body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Build {
+    /// The radius of the body seen from above, in metres.
     pub radius_m: f64,
+    /// The height of the body when it stands, in metres.
     pub height_m: f64,
 }
 

@@ -9,8 +9,11 @@ use crate::time::Micros;
 /// A room of the plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Room {
+    /// The room's name, as the home's file has it.
     pub name: String,
+    /// Its corners in metres, in the order of the file; the last is joined to the first.
     pub outline: Vec<Point>,
+    /// Whether the outline is convex, so that a straight way between two of its points stays in it.
     pub is_convex: bool,
 }
 
@@ -26,14 +29,18 @@ impl Room {
 /// What a solid was in the home's file: the index into that list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
+    /// A piece of the wall of this index, between its doors.
     Wall(usize),
+    /// The closed door of this index.
     Door(usize),
+    /// The piece of furniture of this index.
     Furniture(usize),
 }
 
 /// A convex thing that stands in the home.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
+    /// What it is made from.
     pub origin: Origin,
     /// Convex, corners counter-clockwise.
     pub outline: Vec<Point>,
@@ -48,13 +55,16 @@ pub struct Solid {
 pub struct Opening {
     /// Index into the home's doors, which are also the first of its things.
     pub door: usize,
+    /// The corners of the rectangle, in metres: as long as the door, as thick as the wall.
     pub outline: Vec<Point>,
 }
 
 /// Something that can be used: opened and closed, or turned on and off.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Thing {
+    /// The name of the door, of the piece of furniture or of the lamp's room.
     pub name: String,
+    /// Where it is, in metres: its middle.
     pub at: Point,
     /// How it is when a run begins: open or on.
     pub on: bool,
@@ -63,10 +73,13 @@ pub struct Thing {
 /// The floor plan of a home.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
+    /// The rooms by [`RoomId`](crate::ids::RoomId), in the order of the home's file.
     pub rooms: Vec<Room>,
     /// What can be used: doors, then furniture, then the lamps of rooms, under the rooms' names.
     pub things: Vec<Thing>,
+    /// What stops bodies or beams: walls between their doors, closed doors, furniture.
     pub solids: Vec<Solid>,
+    /// The doors that stand open.
     pub openings: Vec<Opening>,
     /// Points with a name: places, then enterable furniture, then rooms.
     pub places: Vec<(String, Point)>,

@@ -13,10 +13,12 @@ pub struct Sun {
     pub day_of_year: f64,
     /// Since midnight by the clock of the home's zone in winter, which is taken for the sun's.
     pub time_of_day: Micros,
+    /// How far north the home is, in degrees; below 0 in the south.
     pub latitude_deg: f64,
 }
 
 impl Sun {
+    /// The sun as a run begins that this calendar dates, at a home so far north (degrees).
     pub fn of(calendar: &Calendar, latitude_deg: f64) -> Sun {
         let start = calendar.local(0);
         let shift = if start.time_zone().to_offset_info(start.timestamp()).dst().is_dst() { 3600 * SECOND } else { 0 };

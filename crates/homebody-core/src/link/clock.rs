@@ -16,6 +16,7 @@ pub struct Clock {
 }
 
 impl Clock {
+    /// The clock of a file, which has seconds and millionths.
     pub fn new(file: &DriftFile) -> Clock {
         Clock { offset: micros(file.offset_s), gain: file.ppm * 1e-6 }
     }
@@ -42,6 +43,7 @@ impl Clock {
 /// The clocks of a home's sensors, as far as they are not the logger's.
 #[derive(Clone, Debug)]
 pub struct Clocks {
+    /// The clocks of the sensors that have one of their own, in no particular order.
     pub clocks: Vec<Clock>,
     /// How long a message is under way at most.
     pub longest: Micros,

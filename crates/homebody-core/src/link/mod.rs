@@ -12,9 +12,9 @@
 //!
 //! Left out: receipts, meshes and their routes, and what a network does to keep itself together.
 
-pub mod clock;
+mod clock;
 mod message;
-pub mod radio;
+pub(crate) mod radio;
 mod sources;
 mod channel;
 

@@ -43,6 +43,7 @@ crate::numbers! {
 }
 
 impl Radio {
+    /// A silent channel, with the frames of a file and the numbers of a scenario.
     pub fn new(file: &RadioFile, numbers: &Numbers) -> Radio {
         let (frame, longest_wait) = (micros(file.frame_s), micros(numbers.of(&LONGEST_WAIT)));
         Radio { copies: file.copies, frame, period: frame + micros(file.gap_s), longest_wait, on_air: Vec::new() }

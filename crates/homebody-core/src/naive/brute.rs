@@ -20,6 +20,7 @@ pub struct BruteEye<'a> {
 }
 
 impl<'a> BruteEye<'a> {
+    /// An eye that has not looked yet, for the sensors of a home and its field of one size of body.
     pub fn new(home: &Home, field: &'a Field) -> BruteEye<'a> {
         BruteEye { field, sensors: home.sensors.len(), last: Vec::new() }
     }

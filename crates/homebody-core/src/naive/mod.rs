@@ -25,7 +25,9 @@ pub trait Eye {
 /// A body at an instant. While it stirs, its outline breathes: an amplitude in, and out again.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
+    /// Where its middle is, in metres.
     pub at: Point,
+    /// Its radius at this instant, in metres.
     pub radius_m: f64,
 }
 
@@ -153,6 +155,7 @@ pub struct Player<'a> {
 }
 
 impl<'a> Player<'a> {
+    /// A player at the first of these moves, which follow each other without gaps; the body has this radius, in metres.
     pub fn new(moves: &'a [MotionSegment], radius_m: f64) -> Player<'a> {
         Player { moves, next: 0, looks: 0, radius_m }
     }

@@ -28,10 +28,12 @@ pub struct HomeFile {
     pub name: String,
     /// What was measured, what was assumed.
     #[serde(default, skip_serializing_if = "String::is_empty")]
+    #[schemars(extend("default" = ""))]
     pub about: String,
-    /// How far north it is: how long days are in which season.
+    /// How far north it is, below 0 in the south: how long days are in which season. The default is TigerPlace in
+    /// Missouri.
     #[serde(default = "latitude", skip_serializing_if = "is_missouri")]
-    #[schemars(range(min = -65, max = 65))]
+    #[schemars(range(min = -65, max = 65), extend("default" = COLUMBIA_DEG))]
     pub latitude_deg: f64,
     /// The rooms; their outlines do not overlap.
     #[schemars(length(min = 1, max = 1_000))]
@@ -39,9 +41,11 @@ pub struct HomeFile {
     /// The walls. Doors cut openings into them.
     #[schemars(length(max = 5_000))]
     pub walls: Vec<WallFile>,
+    /// The doors and open passages; without any, the walls have no openings.
     #[serde(default)]
     #[schemars(length(max = 1_000))]
     pub doors: Vec<DoorFile>,
+    /// What stands in the home: it stops bodies and beams, is used, sat on and lain on.
     #[serde(default)]
     #[schemars(length(max = 1_000))]
     pub furniture: Vec<FurnitureFile>,
@@ -49,6 +53,7 @@ pub struct HomeFile {
     #[serde(default)]
     #[schemars(length(max = 1_000))]
     pub places: Vec<PlaceFile>,
+    /// The sensors; at one instant they speak in this order.
     #[serde(default)]
     #[schemars(length(max = 1_024))]
     pub sensors: Vec<SensorFile>,
@@ -105,6 +110,7 @@ impl MotionFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "room")]
 pub struct RoomFile {
+    /// What people and other files call the room, and its lamp; no other room has this name.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
     /// The corners in order; the last is joined to the first.
@@ -117,10 +123,13 @@ pub struct RoomFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "wall")]
 pub struct WallFile {
+    /// One end of the wall's middle line.
     #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub from: At,
+    /// The other end of the wall's middle line.
     #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub to: At,
+    /// How thick the wall is; half of it lies on each side of the middle line.
     #[serde(default = "wall_thickness")]
     #[schemars(range(min = 0.001, max = 2))]
     pub thickness_m: f64,
@@ -131,6 +140,7 @@ pub struct WallFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "door")]
 pub struct DoorFile {
+    /// What people and other files call the door; no other door has this name.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
     /// One jamb; it lies on the middle line of a wall.
@@ -152,6 +162,8 @@ pub struct DoorFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "piece of furniture")]
 pub struct FurnitureFile {
+    /// What people and other files call the piece, such as `armchair`. Unless `role` says it, the name says what it is
+    /// for.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
     /// The middle of the rectangle.
@@ -164,7 +176,7 @@ pub struct FurnitureFile {
     pub size_m: Option<[f64; 2]>,
     /// Counter-clockwise turn of the rectangle.
     #[serde(default, skip_serializing_if = "is_zero")]
-    #[schemars(range(min = -360, max = 360))]
+    #[schemars(range(min = -360, max = 360), extend("default" = 0))]
     pub turn_deg: f64,
     /// The corners, for anything that is no rectangle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -186,8 +198,10 @@ pub struct FurnitureFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "place")]
 pub struct PlaceFile {
+    /// What paths call the point; no room, enterable piece of furniture or other place has this name.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
+    /// Where the point is on the floor.
     #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub at: At,
 }
@@ -198,6 +212,7 @@ macro_rules! sensor_file {
         #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
         #[serde(tag = "kind", rename_all = "snake_case")]
         #[schemars(title = "sensor")]
+        #[allow(missing_docs, reason = "each kind's form says what it is, and the schema takes it from there")]
         pub enum SensorFile {
             Motion(MotionFile),
             CeilingMotion(CeilingMotionFile),
@@ -214,6 +229,7 @@ macro_rules! sensor_file {
                 }
             }
 
+            /// Its name, to be changed.
             pub fn name_mut(&mut self) -> &mut String {
                 match self {
                     SensorFile::Motion(sensor) => &mut sensor.name,
@@ -308,8 +324,10 @@ impl SensorFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "motion sensor")]
 pub struct MotionFile {
+    /// Its name in the log, unless the logger has another id for it; no other sensor of the home has this name.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
+    /// Where it hangs: a point of a wall. The lens is 2 cm in front of it.
     #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub at: At,
     /// Height of the lens above the floor.
@@ -327,6 +345,7 @@ pub struct MotionFile {
     #[serde(default = "field")]
     #[schemars(inner(range(min = 0.1, max = 360)))]
     pub field_deg: [f64; 2],
+    /// How far along the floor a body can be from the lens and still be seen.
     #[serde(default = "reach")]
     #[schemars(range(min = 0.01, max = 100))]
     pub reach_m: f64,
@@ -334,8 +353,10 @@ pub struct MotionFile {
     #[serde(default = "beams")]
     #[schemars(range(min = 1, max = 256))]
     pub beams: u32,
+    /// What it takes for movement.
     #[serde(default)]
     pub level: Level,
+    /// The device whose timing it has: how soon it says something, and how often.
     #[serde(default)]
     pub preset: Preset,
     /// Overrides the preset: delay from the first movement to the first firing, least and most.
@@ -357,11 +378,13 @@ pub struct MotionFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "ceiling motion sensor")]
 pub struct CeilingMotionFile {
+    /// Its name in the log, unless the logger has another id for it; no other sensor of the home has this name.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
     /// The convex area on the floor that it sees: its corners in order.
     #[schemars(length(min = 3, max = 64), inner(inner(range(min = -10_000, max = 10_000))))]
     pub area: Vec<At>,
+    /// The device whose timing it has: how soon it says something, and how often.
     #[serde(default)]
     pub preset: Preset,
     /// Overrides the preset: delay from the first movement to the first firing, least and most.
@@ -445,8 +468,11 @@ pub enum Preset {
 /// The numbers of the timing state machine, in seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Timing {
+    /// From the first movement to the first firing, least and most.
     pub first_fire_s: [f64; 2],
+    /// From a firing to the decision about the next, least and most.
     pub refire_s: [f64; 2],
+    /// How long before that decision a movement still counts.
     pub persist_s: f64,
 }
 

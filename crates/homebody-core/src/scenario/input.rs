@@ -28,9 +28,11 @@ pub struct KeysFile {
     pub held: Vec<Key>,
     /// How the body is from then on; without it, it stands, whatever it was before. Who sits or lies does not walk.
     #[serde(default, skip_serializing_if = "is_standing")]
+    #[schemars(extend("default" = "standing"))]
     pub posture: Posture,
     /// The things that are used then.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(extend("default" = []))]
     pub uses: Vec<UseFile>,
 }
 
@@ -45,6 +47,7 @@ fn is_standing(posture: &Posture) -> bool {
 pub struct UseFile {
     /// A door, a piece of furniture, or a room, whose lamp is meant.
     pub thing: String,
+    /// How the thing is afterwards: on or open (`true`), or off or closed.
     pub on: bool,
 }
 
@@ -53,9 +56,13 @@ pub struct UseFile {
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "key")]
 pub enum Key {
+    /// Walk north.
     Up,
+    /// Walk south.
     Down,
+    /// Walk west.
     Left,
+    /// Walk east.
     Right,
     /// Walk faster: twice the pace.
     Fast,

@@ -72,11 +72,17 @@ pub enum Network {
 /// The numbers of the way of one sensor's messages.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rates {
+    /// From being received to being logged, in seconds, least and most.
     pub delay_s: [f64; 2],
+    /// Share of the messages lost on the way, from 0 to 1.
     pub loss: f64,
+    /// Share of the messages that come twice, from 0 to 1.
     pub duplicates: f64,
+    /// Share of the messages that come with a wrong id or a wrong value, from 0 to 1.
     pub corruption: f64,
+    /// Share of what it should say that the sensor does not notice, from 0 to 1.
     pub misses: f64,
+    /// How often the sensor fires for no reason, per hour.
     pub false_fires_per_h: f64,
 }
 
@@ -187,6 +193,7 @@ impl LinkFile {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 #[schemars(title = "fault")]
+#[allow(missing_docs, reason = "each fault's form says what it is, and the schema takes it from there")]
 pub enum FaultFile {
     Battery(BatteryFile),
     Stuck(StuckFile),
@@ -203,6 +210,7 @@ pub enum FaultFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "battery fault")]
 pub struct BatteryFile {
+    /// The sensor's name in the home.
     pub sensor: String,
     /// When it begins to fade.
     #[serde(default)]
@@ -223,10 +231,13 @@ pub struct BatteryFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "stuck fault")]
 pub struct StuckFile {
+    /// The sensor's name in the home.
     pub sensor: String,
+    /// When it gets stuck.
     #[serde(default)]
     #[schemars(range(min = 0, max = 36_525))]
     pub from_day: f64,
+    /// How long it is stuck; without it, to the end of the run.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.00001, max = 36_525))]
     pub days: Option<f64>,
@@ -241,10 +252,13 @@ pub struct StuckFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "falls_off fault")]
 pub struct FallsOffFile {
+    /// The sensor's name in the home.
     pub sensor: String,
+    /// When it comes off.
     #[serde(default)]
     #[schemars(range(min = 0, max = 36_525))]
     pub from_day: f64,
+    /// How long after `from_day` somebody puts it back; without it, nobody does.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.00001, max = 36_525))]
     pub days: Option<f64>,
@@ -255,7 +269,9 @@ pub struct FallsOffFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "moved fault")]
 pub struct MovedFile {
+    /// The name of a wall sensor of the home.
     pub sensor: String,
+    /// When it is moved.
     #[serde(default)]
     #[schemars(range(min = 0, max = 36_525))]
     pub from_day: f64,
@@ -272,6 +288,7 @@ pub struct MovedFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "drift fault")]
 pub struct DriftFile {
+    /// The sensor's name in the home.
     pub sensor: String,
     /// How much too fast it runs, in microseconds a second; below 0 too slow.
     #[serde(default)]
@@ -288,10 +305,13 @@ pub struct DriftFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "false_fires fault")]
 pub struct FalseFiresFile {
+    /// The name of a motion sensor of the home.
     pub sensor: String,
+    /// When these firings begin.
     #[serde(default)]
     #[schemars(range(min = 0, max = 36_525))]
     pub from_day: f64,
+    /// How long they go on; without it, to the end of the run.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.00001, max = 36_525))]
     pub days: Option<f64>,
@@ -308,10 +328,13 @@ pub struct FalseFiresFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "bad_link fault")]
 pub struct BadLinkFile {
+    /// The sensor's name in the home.
     pub sensor: String,
+    /// When the link becomes bad.
     #[serde(default)]
     #[schemars(range(min = 0, max = 36_525))]
     pub from_day: f64,
+    /// How long it is bad; without it, to the end of the run.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.00001, max = 36_525))]
     pub days: Option<f64>,
@@ -325,12 +348,14 @@ pub struct BadLinkFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "outage")]
 pub struct OutageFile {
+    /// When the logger stops, or with `at`, the earliest that it may.
     #[serde(default)]
     #[schemars(range(min = 0, max = 36_525))]
     pub from_day: f64,
     /// The time of day: it begins when clocks first show it from `from_day` on. Without it, it begins at `from_day`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<String>,
+    /// How long it is not running.
     #[schemars(range(min = 0.0001, max = 876_600))]
     pub hours: f64,
 }
@@ -394,20 +419,25 @@ impl FaultFile {
 /// A span of the run; its end does not belong to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Span {
+    /// The first instant that belongs to it, in microseconds since the run's start.
     pub begin: Micros,
+    /// The first instant after it; [`NEVER`] for what does not end.
     pub end: Micros,
 }
 
 impl Span {
+    /// The span from a day of the run on, for so many days; without `days`, for ever. Day 0 begins with the run.
     pub fn of_days(from_day: f64, days: Option<f64>) -> Span {
         let begin = of_days(from_day);
         Span { begin, end: days.map_or(NEVER, |days| begin.saturating_add(of_days(days))) }
     }
 
+    /// Whether an instant belongs to it.
     pub fn contains(&self, at: Micros) -> bool {
         (self.begin..self.end).contains(&at)
     }
 
+    /// Whether some instant belongs to both.
     pub fn overlaps(&self, other: &Span) -> bool {
         self.begin < other.end && other.begin < self.end
     }

@@ -38,7 +38,9 @@ impl Files for BTreeMap<String, String> {
 
 /// Texts laid over other files: each stands in the place of the file of its name.
 pub struct Overlay<'a> {
+    /// The texts, by file name.
     pub texts: BTreeMap<String, String>,
+    /// Where the text of all other files comes from.
     pub others: &'a dyn Files,
 }
 
@@ -53,7 +55,9 @@ impl Files for Overlay<'_> {
 pub struct Scenario {
     /// The name of its own file among the sources.
     pub entry: String,
+    /// The scenario's own file.
     pub file: ScenarioFile,
+    /// The home, in which every name leads to something.
     pub home: ResolvedHome,
     /// Nothing where all that sensors say reaches the logger at once.
     pub link: Option<LinkFile>,
@@ -61,6 +65,7 @@ pub struct Scenario {
     pub logger: LoggerFile,
     /// In the order in which the scenario links them.
     pub residents: Vec<Resident>,
+    /// Which date and time an instant of the run is, in the home's time zone.
     pub calendar: Calendar,
     /// The text of every file that was read, by name: enough to load the scenario again.
     pub sources: BTreeMap<String, String>,
@@ -69,21 +74,29 @@ pub struct Scenario {
 /// Who lives there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resident {
+    /// The resident's own file.
     pub file: ResidentFile,
+    /// What decides where the resident goes and what they do.
     pub driver: Driver,
 }
 
 /// What decides for a resident, read from the file that the resident links.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Driver {
+    /// A path that is acted out.
     Path(ResolvedPath),
+    /// Held keys that drive the body through the physics.
     Live {
+        /// What is held and used, and when.
         input: InputFile,
+        /// Where the body is at the start, in metres.
         start: Point,
     },
     /// The text as it is: what it says is for those who know the language.
     Routine {
+        /// The name of the routine's file.
         file: String,
+        /// What the file says.
         text: String,
     },
 }
@@ -103,7 +116,9 @@ pub trait Language {
 pub struct RoutineText<'a> {
     /// Index of the resident who lives by it.
     pub of: usize,
+    /// The name of the routine's file, for problems.
     pub file: &'a str,
+    /// What the file says.
     pub text: &'a str,
     /// The resident's name, where their own file can be understood.
     pub resident: Option<&'a str>,

@@ -17,10 +17,13 @@ pub struct LoggerFile {
     /// The table's name. Default `firing`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub table: Option<String>,
+    /// What the columns of the log are called.
     pub columns: ColumnsFile,
     /// The network's own id of a sensor, such as an X10 code, by the sensor's name. Others keep their name.
     pub ids: BTreeMap<String, String>,
+    /// What of a firing becomes rows.
     pub messages: MessagesFile,
+    /// How the instants of the log and of the truth are written.
     pub time: TimeFormat,
 }
 
@@ -29,10 +32,15 @@ pub struct LoggerFile {
 #[serde(deny_unknown_fields, default)]
 #[schemars(title = "set of columns")]
 pub struct ColumnsFile {
+    /// The column of the run's id, the same number in all rows of a run.
     pub run: String,
+    /// The column that numbers the rows of a run, from 0.
     pub seq: String,
+    /// The column of the time at which the logger says that it was said.
     pub time: String,
+    /// The column of the sensor's id.
     pub sensor: String,
+    /// The column of what the sensor said.
     pub value: String,
 }
 

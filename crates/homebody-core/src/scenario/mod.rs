@@ -40,6 +40,7 @@ pub struct ScenarioFile {
     pub name: String,
     /// What it shows, in a sentence or two.
     #[serde(default, skip_serializing_if = "String::is_empty")]
+    #[schemars(extend("default" = ""))]
     pub about: String,
     /// Local date and time at which the run begins, such as `2009-03-02T00:00:00`.
     pub start: String,
@@ -67,6 +68,7 @@ pub struct ScenarioFile {
     /// Numbers of the models that are otherwise in this scenario, by name: `homebody numbers` lists them, with units and
     /// ranges.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    #[schemars(extend("default" = serde_json::json!({})))]
     pub numbers: BTreeMap<String, f64>,
 }
 

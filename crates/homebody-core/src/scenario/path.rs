@@ -17,6 +17,7 @@ pub struct PathFile {
     /// The posture at the start.
     #[serde(default)]
     pub posture: Posture,
+    /// What the resident does, in this order.
     pub steps: Vec<Step>,
 }
 
@@ -25,7 +26,9 @@ pub struct PathFile {
 #[serde(untagged)]
 #[schemars(title = "spot")]
 pub enum Spot {
+    /// A point: metres to the east and to the north.
     At(#[schemars(inner(range(min = -10_000, max = 10_000)))] At),
+    /// The name of a place, of an enterable piece of furniture or of a room, whose middle is meant.
     Place(String),
 }
 
@@ -79,6 +82,7 @@ pub struct Wait {
     /// Until when: the next such time of day, `07:30` or `07:30:15.5`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub until: Option<String>,
+    /// How the body is meanwhile.
     #[serde(default)]
     pub posture: Posture,
     /// Small movements meanwhile; without it, the resident keeps still.
@@ -126,6 +130,7 @@ pub struct Repeat {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 1, max = 1_000_000_000))]
     pub times: Option<u32>,
+    /// What is done each time, in this order.
     #[schemars(length(min = 1))]
     pub steps: Vec<Step>,
 }
@@ -135,9 +140,12 @@ pub struct Repeat {
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "posture")]
 pub enum Posture {
+    /// On its feet: the body has its whole height.
     #[default]
     Standing,
+    /// On a seat: the body reaches less high, by the number `posture.sitting`.
     Sitting,
+    /// On a bed or on the floor: the body is lowest, by the number `posture.lying`.
     Lying,
 }
 

@@ -12,6 +12,7 @@ pub struct ResidentFile {
     /// Where the JSON Schema of this file is, for editors.
     #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
     pub schema: Option<String>,
+    /// What the truth and messages call the resident; nobody else of the scenario has this name.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
     /// Radius of the body seen from above.
@@ -26,6 +27,7 @@ pub struct ResidentFile {
     #[serde(default = "pace")]
     #[schemars(range(min = 0.01, max = 5))]
     pub pace_mps: f64,
+    /// What decides where the resident goes and what they do.
     pub driver: DriverFile,
 }
 

@@ -16,16 +16,24 @@ use serde_json::Value;
 /// What a file of a scenario is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileKind {
+    /// `scenario.json`, which links the others.
     Scenario,
+    /// `home.json`: the building and its sensors.
     Home,
+    /// `link.json`: the way from the sensors to the logger.
     Link,
+    /// `logger.json`: where the log goes, and how it looks there.
     Logger,
+    /// A resident's file: body, pace and driver.
     Resident,
+    /// A path description: walks, waits, repeats.
     Path,
+    /// Keys that are held over time.
     Input,
 }
 
 impl FileKind {
+    /// All kinds; the scenario's own file comes first.
     pub const ALL: [FileKind; 7] = [
         FileKind::Scenario,
         FileKind::Home,
@@ -62,6 +70,7 @@ impl FileKind {
         }
     }
 
+    /// The JSON Schema (draft 7) of such a file, made from its type.
     pub fn schema(self) -> Value {
         match self {
             FileKind::Scenario => schema::<ScenarioFile>(),

@@ -18,6 +18,7 @@ pub enum Scheme {
 /// What there is to know of a kind of place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SchemeRow {
+    /// The kind of place that the row is about.
     pub scheme: Scheme,
     /// What stands before the colon, such as `sqlite`.
     pub name: &'static str,
@@ -60,7 +61,9 @@ pub const USUAL: &str = "sqlite:log.db";
 /// Why a text names no place, and what to write instead.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NoPlace {
+    /// What is wrong with the text, as a part of a sentence.
     pub what: String,
+    /// What to write instead.
     pub hint: String,
 }
 

@@ -14,8 +14,11 @@ const GREATEST_DEPTH: usize = 64;
 /// A JSON file: its text and what the text says, with the place of everything.
 #[derive(Debug)]
 pub struct Source {
+    /// The file's name, for problems.
     pub file: String,
+    /// The text without a byte order mark, so that offsets count from what a person sees first.
     pub text: String,
+    /// What the text says.
     pub root: Node,
     /// Byte offset at which each line starts.
     lines: Vec<usize>,
@@ -24,19 +27,26 @@ pub struct Source {
 /// A JSON value and where it starts in the text.
 #[derive(Debug)]
 pub struct Node {
+    /// Byte offset of its first character in the text.
     pub start: usize,
+    /// What it says.
     pub value: Value,
 }
 
 /// What a JSON value is. Objects keep every key as written, doubles included.
 #[derive(Debug)]
 pub enum Value {
+    /// `null`.
     Null,
+    /// `true` or `false`.
     Bool(bool),
     /// The number and, for messages, its text; nothing where it is too large for a float.
     Number(Option<Number>, String),
+    /// A string, its escapes resolved.
     Text(String),
+    /// An array, in the order of the text.
     List(Vec<Node>),
+    /// An object: keys and values in the order of the text, also those that stand there twice.
     Object(Vec<(Key, Node)>),
 }
 
@@ -46,7 +56,9 @@ pub type Misspelt = BTreeMap<usize, Option<String>>;
 /// A key of an object and where it starts in the text.
 #[derive(Debug)]
 pub struct Key {
+    /// Byte offset of its opening quote in the text.
     pub start: usize,
+    /// The key, its escapes resolved.
     pub name: String,
 }
 

@@ -62,6 +62,7 @@ pub static ROW: KindRow = KindRow {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "bed sensor")]
 pub struct BedFile {
+    /// Its name in the log, unless the logger has another id for it; no other sensor of the home has this name.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
     /// The enterable piece of furniture that it lies in.

@@ -24,6 +24,7 @@ pub struct CeilingMotion {
 }
 
 impl CeilingMotion {
+    /// The area of a file that has passed its checks, in whichever order it has the corners.
     pub fn new(file: &CeilingMotionFile) -> CeilingMotion {
         let mut outline: Vec<Point> = file.area.iter().map(|&at| point(at)).collect();
         if geometry::signed_area(&outline) < 0.0 {

@@ -33,6 +33,7 @@ pub static ROW: KindRow = KindRow {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "contact sensor")]
 pub struct ContactFile {
+    /// Its name in the log, unless the logger has another id for it; no other sensor of the home has this name.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
     /// The door or piece of furniture that it hangs on.

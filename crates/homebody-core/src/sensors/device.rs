@@ -23,6 +23,7 @@ macro_rules! device {
     ($($kind:ident($module:ident, $form:ident))*) => {
         /// A sensor that is told, one kind each.
         #[derive(Clone, Debug, PartialEq)]
+        #[allow(missing_docs, reason = "each kind's model says what it is, in a file of its own")]
         pub enum Device {
             $($kind(super::$module::$kind)),*
         }

@@ -29,6 +29,7 @@ pub struct KindRow {
     pub values: &'static [Value],
     /// What it is drawn as, so that neither shape nor colour stands alone.
     pub shape: Shape,
+    /// Its colour on plans and in legends; several kinds share one.
     pub colour: Colour,
     /// What its ids begin with in the homes of CASAS: `M` for motion, `D` for doors, `I` for items.
     pub casas: &'static str,
@@ -57,6 +58,7 @@ pub enum Mount {
 /// What a sensor can hang on or lie in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bearer {
+    /// A door, or an open passage.
     Door,
     /// Any piece of furniture.
     Furniture,
@@ -76,35 +78,55 @@ pub struct Unit {
 }
 
 impl Unit {
+    /// Of temperatures.
     pub const CELSIUS: Unit = Unit { symbol: "°C", name: "degrees Celsius" };
+    /// Of light on a surface.
     pub const LUX: Unit = Unit { symbol: "lx", name: "lux" };
+    /// Of electric power.
     pub const WATTS: Unit = Unit { symbol: "W", name: "watts" };
 }
 
 /// The outline that stands for a kind on plans, in legends and before its rows. The page draws each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
+    /// Of `motion`: it points to where the lens looks.
     Arrow,
+    /// Of `ceiling_motion`.
     Ring,
+    /// Of `bed`.
     Pill,
+    /// Of `contact`: two halves with a gap between them.
     Gap,
+    /// Of `pressure`.
     Hexagon,
+    /// Of `power`.
     Bolt,
+    /// Of `stove_temperature`.
     Flame,
+    /// Of `flow`.
     Drop,
+    /// Of `light`.
     Star,
+    /// Of `temperature`.
     Cross,
 }
 
 /// A colour of Okabe and Ito's palette, which the colour-blind tell apart, too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Colour {
+    /// RGB 230, 159, 0.
     Orange,
+    /// RGB 86, 180, 233.
     Sky,
+    /// RGB 0, 158, 115.
     Green,
+    /// RGB 240, 228, 66.
     Yellow,
+    /// RGB 0, 114, 178.
     Blue,
+    /// RGB 213, 94, 0.
     Vermillion,
+    /// RGB 204, 121, 167.
     Purple,
 }
 
@@ -147,15 +169,19 @@ pub trait DeviceForm {
 pub struct Wrong {
     /// Where in the form, as the rest of a JSON pointer, such as `/levels_s/1`; empty for the whole of it.
     pub at: String,
+    /// What is wrong, as a sentence without its full stop.
     pub what: String,
+    /// What to do about it, where that can be said.
     pub hint: Option<String>,
 }
 
 impl Wrong {
+    /// Something wrong at a place of the form, of which no more is said.
     pub fn new(at: impl Into<String>, what: impl Into<String>) -> Wrong {
         Wrong { at: at.into(), what: what.into(), hint: None }
     }
 
+    /// The same, with what to do about it.
     pub fn hint(self, hint: impl Into<String>) -> Wrong {
         Wrong { hint: Some(hint.into()), ..self }
     }

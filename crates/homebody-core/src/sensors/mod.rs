@@ -12,11 +12,11 @@ pub mod motion;
 pub mod outbox;
 pub mod power;
 pub mod pressure;
-pub mod rounds;
+mod rounds;
 pub mod stove_temperature;
 pub mod temperature;
 pub mod timing;
-pub mod zones;
+pub(crate) mod zones;
 
 use crate::event::Value;
 use crate::geometry::{self, Point};
@@ -32,9 +32,11 @@ use timing::Timing;
 /// A sensor as a run uses it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensor {
+    /// Its name in the home's file.
     pub name: String,
     /// Of sensors that look for movement.
     pub timing: Timing,
+    /// What it works with.
     pub kind: Kind,
     /// Where it is, seen from above.
     pub at: Point,
@@ -51,6 +53,7 @@ pub struct Sensor {
 pub struct SensorInfo {
     /// As the home's file has it; a log may know the sensor by an id besides.
     pub name: String,
+    /// What there is to know of its kind.
     pub kind: &'static KindRow,
     /// The name of the room that it is in; nothing between rooms, as on a door.
     pub room: Option<String>,
@@ -65,7 +68,9 @@ pub struct SensorInfo {
 /// What a sensor works with: two kinds look for movement, the others are told what happens.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Kind {
+    /// A fan of beams from a wall.
     Motion(Motion),
+    /// An area below the ceiling.
     CeilingMotion(CeilingMotion),
     /// As it is when a run begins.
     Device(Box<Device>),

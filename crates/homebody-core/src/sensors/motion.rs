@@ -28,19 +28,26 @@ pub const LENS_OFF_WALL_M: f64 = 0.02;
 /// A wall sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
+    /// Where the lens is on the plan, in metres: [`LENS_OFF_WALL_M`] in front of the wall.
     pub lens: Point,
+    /// The height of the lens above the floor, in metres.
     pub height_m: f64,
+    /// How far along the floor it sees, in metres.
     pub reach_m: f64,
+    /// The fan from right to left; at the level `zones`, row after row from the top.
     pub blades: Vec<Blade>,
+    /// What it takes for movement.
     pub level: Level,
 }
 
 /// One bearing of the fan, before anything in the home limits it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blade {
+    /// Where it looks on the plan, of length one.
     pub direction: Point,
     /// Tangents of the least and the greatest depression, positive below the horizon.
     pub least_depression: f64,
+    /// The tangent of the greatest depression: how far below the horizon, per metre along the floor, it still looks.
     pub greatest_depression: f64,
     /// At the `zones` level, whether the zone is the positive one of its pair.
     pub positive: bool,
@@ -49,20 +56,27 @@ pub struct Blade {
 /// What the sensor takes for movement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Level {
+    /// Any change in a beam is a movement.
     Paper,
     /// A movement is seen up to `reach_per_m` metres away for each metre that it spans in a second.
     Sensitivity {
+        /// How many metres away a movement of a metre in a second is still seen.
         reach_per_m: f64,
     },
     /// `pulses` of alternating sign within `window` make a detection.
     Zones {
+        /// How many pulses make a detection.
         pulses: u32,
+        /// The span in which they have to come, in microseconds.
         window: Micros,
+        /// The angle between two neighbouring zones of the uppermost row, in radians: movement on the spot is seen if
+        /// it spans as much.
         pitch_rad: f64,
     },
 }
 
 impl Motion {
+    /// The sensor of a file that has passed its checks.
     pub fn new(file: &MotionFile) -> Motion {
         let lens = point(file.at) + geometry::direction(file.facing_deg) * LENS_OFF_WALL_M;
         let [width, height] = file.field_deg;

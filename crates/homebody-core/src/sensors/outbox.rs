@@ -20,11 +20,34 @@ use crate::time::{Micros, NEVER};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Change {
     /// A resident used a thing: index into the home's things.
-    Use { resident: ResidentId, thing: ThingId, on: bool },
+    Use {
+        /// Who used it.
+        resident: ResidentId,
+        /// What was used.
+        thing: ThingId,
+        /// How it is afterwards: on or open, or off or closed.
+        on: bool,
+    },
     /// From now until `end` a resident's body does this. What began earlier may be told again, with its own `begin`.
-    Body { resident: ResidentId, begin: Micros, end: Micros, doing: MotionState, posture: Posture },
+    Body {
+        /// Whose body it is.
+        resident: ResidentId,
+        /// When it began to do this; may be past.
+        begin: Micros,
+        /// Until when it does this, unless something else is told before.
+        end: Micros,
+        /// What it does.
+        doing: MotionState,
+        /// How it holds itself meanwhile.
+        posture: Posture,
+    },
     /// From now on a resident's heart and lungs are like this.
-    Vitals { resident: ResidentId, vitals: Vitals },
+    Vitals {
+        /// Whose they are.
+        resident: ResidentId,
+        /// Pulse and respiration.
+        vitals: Vitals,
+    },
 }
 
 /// How a device behaves. What does nothing by default, many do not need.
@@ -57,6 +80,8 @@ pub trait DeviceModel: Clone {
 pub struct Outbox(pub Vec<(Value, Provenance)>);
 
 impl Outbox {
+    /// Says something now: whose doing it was, if anybody's, when that began to be noticed, and what kind of cause it
+    /// was.
     pub fn say(&mut self, value: Value, resident: Option<ResidentId>, seen_at: Micros, trigger: Trigger) {
         self.0.push((value, Provenance { resident, seen_at, trigger }));
     }

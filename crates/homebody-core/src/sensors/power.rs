@@ -38,6 +38,7 @@ pub static ROW: KindRow = KindRow {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "power sensor")]
 pub struct PowerFile {
+    /// Its name in the log, unless the logger has another id for it; no other sensor of the home has this name.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
     /// The piece of furniture that it feeds, or the room whose lamp it feeds.
@@ -48,7 +49,7 @@ pub struct PowerFile {
     pub watts: Option<f64>,
     /// What it draws while it is off.
     #[serde(default, skip_serializing_if = "is_zero")]
-    #[schemars(range(min = 0, max = 100_000))]
+    #[schemars(range(min = 0, max = 100_000), extend("default" = 0))]
     pub standby_watts: f64,
     /// How often it says the watts while it is on; without it, only as it is turned on or off.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -40,6 +40,7 @@ pub static ROW: KindRow = KindRow {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "pressure sensor")]
 pub struct PressureFile {
+    /// Its name in the log, unless the logger has another id for it; no other sensor of the home has this name.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
     /// The enterable piece of furniture that it lies in; in one at most 5 cm high, it is a mat.
@@ -51,7 +52,7 @@ pub struct PressureFile {
     pub area: Option<Vec<At>>,
     /// How long it is pressed, or free, before it says so.
     #[serde(default, skip_serializing_if = "is_zero")]
-    #[schemars(range(min = 0, max = 3_600))]
+    #[schemars(range(min = 0, max = 3_600), extend("default" = 0))]
     pub delay_s: f64,
 }
 

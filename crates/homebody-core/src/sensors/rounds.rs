@@ -20,18 +20,22 @@ pub struct Rounds {
 }
 
 impl Rounds {
+    /// Rounds of this length, in microseconds; the first is at 0 until [`Rounds::begin`] draws it.
     pub fn new(every: Micros) -> Rounds {
         Rounds { every, first: 0 }
     }
 
+    /// The same rounds, with a first instant within one of their length drawn from a stream.
     pub fn begin(self, stream: &mut Stream) -> Rounds {
         Rounds { first: stream.span(Range { least: 0, most: self.every - 1 }), ..self }
     }
 
+    /// The length of a round, in microseconds.
     pub fn every(&self) -> Micros {
         self.every
     }
 
+    /// The first instant at which it measures, in microseconds since the run's start.
     pub fn first(&self) -> Micros {
         self.first
     }

@@ -40,10 +40,12 @@ pub static ROW: KindRow = KindRow {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "temperature sensor")]
 pub struct TemperatureFile {
+    /// Its name in the log, unless the logger has another id for it; no other sensor of the home has this name.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
     /// The room that it is in.
     pub room: String,
+    /// The room's temperature on average over a day, in degrees Celsius.
     #[serde(default = "mean")]
     #[schemars(range(min = -40, max = 60))]
     pub mean_c: f64,

@@ -22,12 +22,16 @@ use crate::time::{Micros, NEVER, micros};
 /// The numbers of the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Timing {
+    /// From the first movement to the first firing.
     pub first_fire: Range,
+    /// From a firing to the decision about the next.
     pub refire: Range,
+    /// How long before the decision a movement still counts, in microseconds.
     pub persist: Micros,
 }
 
 impl Timing {
+    /// The numbers of a file, which has them in seconds.
     pub fn new(file: TimingFile) -> Timing {
         Timing {
             first_fire: Range::of_seconds(file.first_fire_s),
@@ -50,7 +54,9 @@ pub struct Machine {
 /// Whose movement a sensor saw, and when.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Seen {
+    /// Whose movement it was.
     pub resident: ResidentId,
+    /// When it began to be seen, in microseconds since the run's start.
     pub at: Micros,
 }
 
@@ -84,6 +90,7 @@ pub enum TimerOutcome {
 }
 
 impl Machine {
+    /// A machine that has seen nothing yet; it draws its waits from the stream.
     pub fn new(timing: Timing, stream: Stream) -> Machine {
         Machine { state: State::Idle, timing, stream, seen: Seen { resident: ResidentId(0), at: 0 } }
     }

@@ -23,6 +23,7 @@ use crate::time::Micros;
 /// What one sensor has counted.
 #[derive(Clone, Debug)]
 pub struct Pulses {
+    /// The sensor that counts, by its index in the home.
     pub sensor: usize,
     /// For each body the beams that it touches, by their index among the sensor's beams.
     touching: Vec<Vec<u32>>,
@@ -45,6 +46,7 @@ struct Pulse {
 }
 
 impl Pulses {
+    /// A sensor that has counted nothing yet, in a home where so many bodies live.
     pub fn new(sensor: usize, bodies: usize) -> Pulses {
         Pulses {
             sensor,

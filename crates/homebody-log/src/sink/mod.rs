@@ -52,6 +52,7 @@ pub struct Begin<'a> {
     pub time: TimeFormat,
     /// The name of the column of the run's id, by the run's mapping.
     pub run_column: &'a str,
+    /// What becomes of what is there already.
     pub how: How,
 }
 

@@ -12,14 +12,18 @@ use std::path::Path;
 /// What somebody did over a span, on the log's clock; the end is no part of it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Activity {
+    /// Its label, such as `sleeping`; of a span in a room, the room's name.
     pub name: String,
+    /// From when, in microseconds since 1970.
     pub begin: Micros,
+    /// Until when.
     pub end: Micros,
 }
 
 /// What a run's truth tells of one resident.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Life {
+    /// The resident's name.
     pub resident: String,
     /// In order of their beginnings.
     pub activities: Vec<Activity>,

@@ -18,6 +18,7 @@ pub struct Log {
     pub events: Vec<Event>,
     /// How many rows have been read.
     pub rows: u64,
+    /// The clock that its instants are told by.
     pub clock: Clock,
     /// What residents did, where the log notes it.
     pub activities: Vec<Activity>,
@@ -47,6 +48,7 @@ pub enum Clock {
     /// The one on the wall, of a zone that the log does not tell.
     #[default]
     Local,
+    /// The same everywhere on earth.
     Utc,
 }
 
@@ -55,6 +57,7 @@ pub enum Clock {
 pub struct Skipped {
     /// Counted from 1; in a database, the row.
     pub line: u64,
+    /// What could not be understood, as a part of a sentence.
     pub why: String,
 }
 

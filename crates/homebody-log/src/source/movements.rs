@@ -21,20 +21,30 @@ const FURTHER: Micros = 3600 * SECOND;
 /// What a body did, from when to when in the run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Movement {
+    /// From when, in microseconds since the run's start.
     pub begin: Micros,
+    /// Until when.
     pub end: Micros,
+    /// What kind of movement it was.
     pub kind: MovementKind,
     /// Nothing for who is away.
     pub from: Option<Point>,
+    /// Where it ended, in metres; `None` for who is away.
     pub to: Option<Point>,
+    /// How the body held itself.
     pub posture: Posture,
 }
 
+/// What a body did, as the truth's column `kind` says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MovementKind {
+    /// A straight movement at constant speed.
     Stride,
+    /// Movement on the spot.
     InPlace,
+    /// Keeping still.
     Rest,
+    /// Out of the home.
     Away,
 }
 

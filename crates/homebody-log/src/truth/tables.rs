@@ -5,15 +5,25 @@ use crate::table::{Column, ColumnKind, Table};
 /// A table of the truth, by its place among [`tables`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Truth {
+    /// Why a sensor fired.
     Cause,
+    /// A row of the log that ends a hold.
     Off,
+    /// What a body did over a span.
     Movement,
+    /// Where a resident is from an instant on.
     Room,
+    /// What a resident did over a span.
     Activity,
+    /// A use of a thing.
     Act,
+    /// How strong a need was as it was met.
     Need,
+    /// How severe a condition is from an instant on.
     Condition,
+    /// A message that never reached the logger.
     Lost,
+    /// Who lives in the home or visits it.
     Resident,
 }
 
@@ -96,7 +106,7 @@ pub fn tables() -> Vec<Table> {
         ),
         table(
             "need",
-            "how strong a need was",
+            "how strong a need was as it was met, and then that it is 0",
             false,
             &[
                 WHO,

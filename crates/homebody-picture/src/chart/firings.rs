@@ -10,6 +10,7 @@ use super::{AXIS_TEXT, GRID, TOP, WIDTH, heading, nice_step, steps};
 /// The firings of one activity, such as walking slowly at five feet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Activity {
+    /// What the lane is called.
     pub label: String,
     /// The part of the experiment it belongs to; activities of one portion stand together.
     pub portion: char,

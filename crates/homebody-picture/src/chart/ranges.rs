@@ -10,11 +10,15 @@ use super::{TOP, WIDTH, heading};
 /// A figure and the range that was published.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
+    /// What the figure is called.
     pub label: String,
     /// The figure and the published one, in words.
     pub words: String,
+    /// The lower end of the published range, in the figure's own unit.
     pub low: f64,
+    /// The upper end of the published range.
     pub high: f64,
+    /// The figure.
     pub value: f64,
 }
 

@@ -10,14 +10,18 @@ use super::{AXIS_TEXT, GRID, TOP, WIDTH, heading, nice_step, steps};
 /// A stretch of time with lanes of its own, such as one recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
+    /// What stands above its lanes.
     pub label: String,
+    /// How long it is, in seconds.
     pub duration_s: f64,
+    /// Its lanes, from the top on.
     pub lanes: Vec<Lane>,
 }
 
 /// What one sensor says beside what is true of it; spans in seconds since the panel's start.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lane {
+    /// What the lane is called.
     pub label: String,
     /// Shaded behind the tellings.
     pub truth: Vec<[f64; 2]>,

@@ -10,6 +10,7 @@ use super::{AXIS_TEXT, GRID, TOP, WIDTH, heading, nice_step, steps};
 /// Totals for a row of assumptions, all else equal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TotalsLine {
+    /// What stands at the line's end.
     pub label: String,
     /// What was assumed, and the total that came of it.
     pub points: Vec<(f64, f64)>,
@@ -18,7 +19,9 @@ pub struct TotalsLine {
 /// A total that others published.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
+    /// What stands beside the dashed line.
     pub label: String,
+    /// The total, in the unit of the totals of the lines.
     pub total: f64,
 }
 

@@ -1,10 +1,10 @@
 //! The routine language: a life in sentences that a nurse can read aloud.
 //!
-//! In reading order: text becomes sentences of words ([`words`]); a [`reader`] goes through them and knows the names of
-//! the home; [`adverbs`] reads when, how long and how often, in any order around the rest, and [`meaning`] says what those
-//! come to; a [`clause`] is who does what with all of that; [`build`] makes habits and changes of it, [`rules`] rules;
-//! [`sentence`] reads a sentence from clause to clause into the [`draft`]; [`check`] finds sentences that contradict each
-//! other. Whatever is wrong is collected in [`faults`] and told all at once.
+//! In reading order: text becomes sentences of words (`words`); a `reader` goes through them and knows the names of
+//! the home; `adverbs` reads when, how long and how often, in any order around the rest, and `meaning` says what those
+//! come to; a `clause` is who does what with all of that; `build` makes habits and changes of it, `rules` rules;
+//! `sentence` reads a sentence from clause to clause into the `draft`; `check` finds sentences that contradict each
+//! other. Whatever is wrong is collected in `faults` and told all at once.
 
 mod words;
 mod faults;

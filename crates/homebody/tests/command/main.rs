@@ -18,4 +18,5 @@ mod logs;
 mod days;
 mod figures;
 mod lives;
+mod truths;
 mod cohorts;

@@ -26,7 +26,8 @@ fn check_targets(report: &mut Report, targets: &[String]) {
             }
         };
         if outside_folder(path).is_some() {
-            let hint = "name a file in there, such as \"sqlite:log.db\"; whoever runs it can say another place for that run";
+            let hint =
+                "name a file in there, such as \"sqlite:log.db\"; whoever runs it can say another place for that run";
             report.hinted(&pointer, format!("{path:?} is no file inside the run's folder"), hint);
         } else if targets[..index].iter().any(|other| other.split_once(':').is_some_and(|(_, other)| other == path)) {
             report.add(&pointer, format!("two logs cannot go to the one file {path:?}"));
