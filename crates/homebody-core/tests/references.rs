@@ -143,6 +143,23 @@ fn the_pages_are_what_the_types_say() {
 }
 
 #[test]
+fn every_link_within_a_page_leads_to_a_heading() {
+    for page in PAGES {
+        assert_eq!(astray(&document(&page)), [""; 0], "{}", page.name);
+    }
+    // The control.
+    assert_eq!(astray("## Piece of furniture\n[a](#piece-of-furniture) [b](#pieces)\n"), ["pieces"]);
+}
+
+/// The links to headings that a page does not have.
+fn astray(page: &str) -> Vec<String> {
+    let titles = page.lines().filter_map(|line| line.strip_prefix("## "));
+    let anchors: Vec<String> = titles.map(|title| title.to_lowercase().replace(' ', "-").replace('`', "")).collect();
+    let links = page.split("](#").skip(1).filter_map(|rest| rest.split(')').next());
+    links.filter(|link| !anchors.iter().any(|anchor| anchor == link)).map(str::to_owned).collect()
+}
+
+#[test]
 fn the_examples_of_the_pages_are_sound() {
     let example = |head: &str| head.split("```json\n").nth(1).unwrap().split("```").next().unwrap().to_owned();
     let home: HomeFile = serde_json::from_str(&example(HOME)).unwrap();
