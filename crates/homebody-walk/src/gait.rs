@@ -41,23 +41,23 @@ homebody_core::numbers! {
     static FRAIL_SPREAD = "gait.frail_spread": 0.5, "1", [0.0, 3.0];
     /// How fast the usual speed is reached, without frailty: within two steps (a social force with tau = 0.5 s gives the same).
     static ACCELERATION_MPS2 = "gait.acceleration": 1.0, "m/s2", [0.1, 5.0];
-    /// How fast the usual speed is reached by who is frail.
+    /// How fast somebody frail reaches the usual speed.
     static FRAIL_ACCELERATION_MPS2 = "gait.frail_acceleration": 0.5, "m/s2", [0.1, 5.0];
-    /// What a turn by 180 degrees on the spot takes, without frailty.
+    /// How long a turn by 180 degrees on the spot takes, without frailty.
     static HALF_TURN_S = "gait.half_turn": 2.0, "s", [0.2, 20.0];
-    /// What a turn by 180 degrees on the spot takes who is frail.
+    /// How long a turn by 180 degrees on the spot takes somebody frail.
     static FRAIL_HALF_TURN_S = "gait.frail_half_turn": 3.0, "s", [0.2, 20.0];
-    /// What getting up and sitting down take at least, from 65 years on.
+    /// How long getting up and sitting down take at least, from 65 years on.
     static TRANSFER_LEAST_S = "gait.transfer_least": 2.0, "s", [0.2, 20.0];
-    /// What getting up and sitting down take at most, from 65 years on.
+    /// How long getting up and sitting down take at most, from 65 years on.
     static TRANSFER_MOST_S = "gait.transfer_most": 3.0, "s", [0.2, 20.0];
-    /// What getting up and sitting down take who is frail, at least.
+    /// How long getting up and sitting down take somebody frail, at least.
     static FRAIL_TRANSFER_LEAST_S = "gait.frail_transfer_least": 3.0, "s", [0.2, 60.0];
-    /// What getting up and sitting down take who is frail, at most.
+    /// How long getting up and sitting down take somebody frail, at most.
     static FRAIL_TRANSFER_MOST_S = "gait.frail_transfer_most": 5.0, "s", [0.2, 60.0];
     /// How far the trunk moves forward when it rises or is let down.
     static TRANSFER_AMPLITUDE_M = "gait.transfer_amplitude": 0.4, "m", [0.0, 1.0];
-    /// How far moves what moves when a body turns on the spot: shoulders and arms.
+    /// How far shoulders and arms move when a body turns on the spot.
     static TURN_AMPLITUDE_M = "gait.turn_amplitude": 0.3, "m", [0.0, 1.0];
     /// Turns sharper than this are made on the spot.
     static SHARP_TURN_DEG = "gait.sharp_turn": 60.0, "°", [10.0, 180.0];

@@ -61,7 +61,7 @@ homebody_core::numbers! {
     static NOISE_STEPS_LEAST = "wandering.noise_steps_least": 1.0, "1", [1.0, 50.0];
     /// The noise keeps its direction for fewer steps than this.
     static NOISE_STEPS_MOST = "wandering.noise_steps_most": 5.0, "1", [1.0, 50.0];
-    /// Who is this near to a goal has reached it.
+    /// A goal is reached by a body that is this near to it.
     static REACHED_M = "wandering.reached": 0.35, "m", [0.05, 1.0];
     /// A leg may take so many times what the planned way takes before it follows that way.
     static PATIENCE = "wandering.patience": 3.0, "1", [1.0, 20.0];
@@ -69,7 +69,7 @@ homebody_core::numbers! {
     static APART_M = "wandering.apart": 1.5, "m", [0.1, 10.0];
     /// Places to wander between are this far from things, if such are found.
     static ROOM_AROUND_M = "wandering.room_around": 0.5, "m", [0.0, 3.0];
-    /// How far who does not know where to go moves on the spot.
+    /// How far somebody who does not know where to go moves on the spot.
     static LOST_AMPLITUDE_M = "wandering.lost_amplitude": 0.3, "m", [0.0, 1.0];
 }
 

@@ -68,7 +68,7 @@ const MINUTE: f64 = 60.0;
 const HOUR: f64 = 3600.0;
 
 homebody_core::numbers! {
-    /// So long after getting up the morning's washing and dressing is over.
+    /// How long after getting up the morning's washing and dressing is over.
     static SOON_S = "day.soon": 3_600.0, "s", [0.0, 14_400.0];
     /// Outings shorter than this are left out.
     static LEAST_OUT_S = "day.least_out": 600.0, "s", [0.0, 7_200.0];

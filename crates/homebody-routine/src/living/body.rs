@@ -29,7 +29,7 @@ homebody_core::numbers! {
     /// Who walks slower than this is frail in rising and sitting, wholly so at half of it: 0.4-0.8 m/s is limited community
     /// walking.
     static FRAIL_MPS = "body.frail": 0.6, "m/s", [0.05, 2.0];
-    /// The median time that sitting up takes who lies.
+    /// The median time that sitting up takes somebody who lies.
     static SITTING_UP_S = "body.sitting_up": 8.0, "s", [0.5, 120.0];
     /// The standard deviation of the logarithm of that time.
     static SITTING_UP_SPREAD = "body.sitting_up_spread": 0.3, "1", [0.0, 2.0];

@@ -548,7 +548,7 @@ impl RoutineDriver {
 }
 
 homebody_core::numbers! {
-    /// So long somebody stands there who finds no way: what is tried takes time, so that no instant goes on for ever.
+    /// How long somebody who finds no way stands there: what is tried takes time, so that no instant goes on for ever.
     static AT_A_LOSS_S = "driver.at_a_loss": 60.0, "s", [1.0, 3_600.0];
     /// The sine of the sun's height below which lamps are lit.
     static DARK = "driver.dark": 0.08, "1", [-1.0, 1.0];

@@ -61,7 +61,7 @@ pub struct DayParameters {
     pub pace: f64,
     pub irregular: f64,
     pub restless: f64,
-    /// More than so many times the usual movement there never is.
+    /// Nobody moves more than so many times as much as usual.
     most_movement: f64,
     pub pulse: f64,
     pub respiration: f64,
@@ -335,7 +335,7 @@ homebody_core::numbers! {
     static DAY_SPREAD = "life.day_spread": 0.25, "1", [0.0, 2.0];
     /// Nobody moves more than so many times as much as usual.
     static MOST_MOVEMENT = "life.most_movement": 20.0, "1", [1.0, 100.0];
-    /// Gait slows by so much a week for so many weeks, not for years.
+    /// For how many weeks at most a gait that slows by so much a week goes on slowing.
     static MOST_WEEKS = "life.most_weeks": 26.0, "1", [1.0, 520.0];
     /// Nobody who walks at all is slower than this part of their pace.
     static LEAST_PACE = "life.least_pace": 0.33, "1", [0.05, 1.0];
@@ -344,10 +344,10 @@ homebody_core::numbers! {
 /// How long a change has lasted, and whose pace it changes.
 #[derive(Clone, Copy)]
 struct Span {
-    /// No more than count.
+    /// No more than [`MOST_WEEKS`].
     weeks: f64,
     pace_mps: f64,
-    /// Of that, nobody walks slower than this part.
+    /// Nobody walks slower than this part of `pace_mps`.
     least_pace: f64,
 }
 

@@ -24,11 +24,11 @@ pub struct Needs {
 }
 
 homebody_core::numbers! {
-    /// A drink is had so often while one is awake, beside meals.
+    /// How long after a drink the next is wanted, beside meals, while one is awake.
     static THIRST_H = "need.thirst": 4.0, "h", [0.25, 48.0];
-    /// A snack is had after so long without a meal.
+    /// How long after a meal a snack is wanted.
     static HUNGER_H = "need.hunger": 7.0, "h", [0.25, 48.0];
-    /// One is tired so long after getting up: naps have their peak at 14:30-15:00.
+    /// How long after getting up one is tired: naps have their peak at 14:30-15:00.
     static TIREDNESS_H = "need.tiredness": 7.2, "h", [0.5, 48.0];
     /// From when on tiredness may end in a nap.
     static NAPS_FROM_H = "need.naps_from": 12.5, "h", [0.0, 24.0];

@@ -20,7 +20,7 @@ homebody_core::numbers! {
     static LATENCY_MIN = "night.latency": 19.7, "min", [0.5, 180.0];
     /// The shape of the gamma distribution of that time.
     static LATENCY_SHAPE = "night.latency_shape": 3.2, "1", [0.5, 50.0];
-    /// Who lies awake in the night does so for about this long at a time.
+    /// How long somebody lies awake in the night at a time, on average.
     static AWAKE_BOUT_MIN = "night.awake_bout": 10.0, "min", [1.0, 120.0];
 }
 

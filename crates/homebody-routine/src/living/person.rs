@@ -14,7 +14,7 @@ homebody_core::numbers! {
     static TOILET_BY_DAY_SPREAD = "constitution.toilet_by_day_spread": 0.9, "1", [0.0, 3.0];
     /// The share of people who nap regularly (25 % of those of 75 and more).
     static NAPPERS = "constitution.nappers": 0.25, "1", [0.0, 1.0];
-    /// How likely tiredness in the afternoon ends in a nap for who naps regularly.
+    /// How likely tiredness in the afternoon ends in a nap for people who nap regularly.
     static NAPS_OF_NAPPERS = "constitution.naps_of_nappers": 0.8, "1", [0.0, 1.0];
     /// How likely tiredness in the afternoon ends in a nap for everybody else.
     static NAPS_OF_OTHERS = "constitution.naps_of_others": 0.1, "1", [0.0, 1.0];
@@ -33,7 +33,7 @@ homebody_core::numbers! {
     /// The standard deviation over people by which one of many is early or late with all (the time in bed of people of 73.9
     /// years has one of 62 minutes).
     static EARLY_S = "person.early": 3_100.0, "s", [0.0, 14_400.0];
-    /// The standard deviation over people by which one of many gets up and goes to bed otherwise besides.
+    /// The standard deviation over people by which one of many gets up and goes to bed earlier or later besides.
     static BED_TIMES_S = "person.bed_times": 2_800.0, "s", [0.0, 14_400.0];
     /// The standard deviation over people by which one of many does all else at another time besides.
     static CLOCK_S = "person.clock": 900.0, "s", [0.0, 14_400.0];
@@ -45,9 +45,9 @@ homebody_core::numbers! {
     static ACTIVITY = "person.activity": 0.3, "1", [0.0, 1.0];
     /// How much more or less the days of one of many differ: the standard deviation of the logarithm.
     static IRREGULAR = "person.irregular": 0.3, "1", [0.0, 1.0];
-    /// How likely who leaves out a meal leaves it out on a day.
+    /// How likely people who leave out a meal do so on a day.
     static LEFT_OUT = "person.left_out": 0.9, "1", [0.0, 1.0];
-    /// How likely who eats irregularly leaves out each meal.
+    /// How likely people who eat irregularly leave out each meal.
     static IRREGULAR_MEALS = "person.irregular_meals": 0.3, "1", [0.0, 1.0];
 }
 

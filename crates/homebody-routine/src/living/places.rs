@@ -40,8 +40,9 @@ pub struct Places {
     whose: String,
     /// The way out, inside the door, and the door.
     door: Option<(Spot, Option<usize>)>,
-    /// The things of the plan, in small letters, with the roles that the home says of them, and where the lamps begin among them.
+    /// The names of the plan's things, in small letters, each with the role that the home says of it.
     things: Vec<(String, Option<Role>)>,
+    /// Where the lamps begin among them.
     lamps: usize,
     /// What to look at or dust on a round through the home.
     stations: Vec<Spot>,

@@ -22,7 +22,7 @@ const FILLERS: [(Activity, f64, f64); 6] = [
     (Activity::UseComputer, 0.1, 14.0),
 ];
 
-/// The table that the numbers of these are of.
+/// What their numbers' names begin with.
 const TABLE: &str = "filler";
 
 homebody_core::numbers! {
@@ -46,7 +46,7 @@ pub(super) fn numbers() -> Vec<Number> {
     FILLERS.iter().flat_map(of).collect()
 }
 
-/// What fills the time, how often in comparison, and for how many minutes at a time.
+/// [`FILLERS`], as the scenario's numbers have them.
 fn fillers(numbers: &Numbers) -> [(Activity, f64, f64); 6] {
     if !numbers.are_set() {
         return FILLERS;
