@@ -53,7 +53,7 @@ pub struct HomeFile {
     #[serde(default)]
     #[schemars(length(max = 1_000))]
     pub places: Vec<PlaceFile>,
-    /// The sensors; at one instant they speak in this order.
+    /// What senses, in the order in which sensors speak at one instant.
     #[serde(default)]
     #[schemars(length(max = 1_024))]
     pub sensors: Vec<SensorFile>,

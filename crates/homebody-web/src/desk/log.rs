@@ -53,6 +53,10 @@ impl Desk {
 
     fn try_url(&self, url: &Url) -> Result<String, LogError> {
         let Some(file) = url.file() else { return try_place(url).map(|()| format!("{url} can be written.")) };
+        if file.is_absolute() {
+            try_place(url)?;
+            return Ok(format!("{} can be written. It is new: a log that is there is not replaced.", file.display()));
+        }
         // Each run has a folder of its own; what matters is whether it can be made.
         let there = self.shelf.runs.ancestors().find(|folder| folder.is_dir() || folder.as_os_str().is_empty());
         let base = there.filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));

@@ -2,7 +2,6 @@
 
 use super::{Report, Surroundings, did_you_mean, folded};
 use crate::problem::Problem;
-use crate::scenario::load::outside_folder;
 use crate::scenario::logger::LoggerFile;
 use crate::scenario::scheme::{NoPlace, Scheme};
 use crate::scenario::source::{Source, pointer_part};
@@ -25,10 +24,8 @@ fn check_targets(report: &mut Report, targets: &[String]) {
                 continue;
             }
         };
-        if outside_folder(path).is_some() {
-            let hint =
-                "name a file in there, such as \"sqlite:log.db\"; whoever runs it can say another place for that run";
-            report.hinted(&pointer, format!("{path:?} is no file inside the run's folder"), hint);
+        if path.chars().any(char::is_control) {
+            report.add(&pointer, "a file name must not hold control characters");
         } else if targets[..index].iter().any(|other| other.split_once(':').is_some_and(|(_, other)| other == path)) {
             report.add(&pointer, format!("two logs cannot go to the one file {path:?}"));
         }
