@@ -3,7 +3,7 @@
 use crate::cancel::Cancel;
 use crate::error::Error;
 use crate::pace::{Pace, Paced};
-use crate::profiles::{self, Profile};
+use crate::profiles::{self, MOST, Profile};
 use crate::recorded;
 use crate::run::{Length, LiveRun, Progress};
 use crate::scenario::OpenScenario;
@@ -13,13 +13,14 @@ use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::Micros;
 use homebody_log::fresh::{FreshFile, remove_parts};
+use homebody_log::lock::FolderLock;
 use homebody_log::places::{LIST, RECORDING};
 use homebody_log::{How, Places};
 use homebody_routine::household::Household;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -295,6 +296,7 @@ impl Cohort {
     /// Lives into a folder what is not there yet of the members, and then completes their list.
     fn live_into(&self, folder: PathBuf, progress: impl Fn(Progress) + Sync) -> Result<LivedCohort, Error> {
         let started = Instant::now();
+        let _lock = FolderLock::take(&folder)?;
         let Progress { length, .. } = self.progress();
         let in_all = AtomicI64::new(0);
         let members = self.live(|member, run| {
@@ -355,8 +357,12 @@ impl Cohort {
     fn write(&self, folder: &Path, members: Vec<ListedMember>, how: How) -> Result<CohortList, Error> {
         let (mut recording, asked) = (self.recording.clone(), self.members.asked());
         if let Members::Listed(profiles) = &self.members {
-            let texts = profiles.iter().flat_map(|profile| profile.texts().clone());
-            recording.files.extend(texts);
+            // The scenario's own stay as they are lived: numbers may have been set in them.
+            for (name, text) in profiles.iter().flat_map(|profile| profile.texts()) {
+                recording.files.entry(name.clone()).or_insert_with(|| text.clone());
+            }
+            let without: BTreeSet<&String> = profiles.iter().flat_map(|profile| &profile.without).collect();
+            recording.without = without.into_iter().cloned().collect();
         }
         let list = CohortList {
             scenario: self.scenario.name().to_owned(),
@@ -422,13 +428,17 @@ impl UnfinishedCohort {
         let path = folder.join(LIST);
         let text = recorded::text(&path)?;
         let wrong = |error: serde_json::Error| Error::Recording { path: path.clone(), why: error.to_string() };
-        let CohortFile { asked, recording, .. } = serde_json::from_str(&text).map_err(wrong)?;
+        let CohortFile { list, asked, recording } = serde_json::from_str(&text).map_err(wrong)?;
         if recording.version != env!("CARGO_PKG_VERSION") {
             return Err(Error::OtherVersion { folder: folder.into(), version: recording.version });
         }
         let scenario = Source::of_texts(recording.files, recording.entry).open()?;
         let members = match asked {
-            Asked::Residents(count) => Members::Many(count),
+            Asked::Residents(count @ 1..=MOST) => Members::Many(count),
+            Asked::Residents(count) => {
+                let why = format!("{count} residents are none, or more than {MOST}");
+                return Err(Error::Recording { path, why });
+            }
             Asked::Profiles(table) => Members::Listed(scenario.profiles_of(LIST, &table, &recording.without)?),
         };
         let setup = CohortSetup::new(scenario, members).seed(recording.seed).length(recording.length_us);
@@ -438,7 +448,8 @@ impl UnfinishedCohort {
             let recording = recorded::read(&folder.join(member.name).join(RECORDING));
             recording.is_ok_and(|recording| recording.unfinished().is_none())
         };
-        if (0..cohort.count()).all(whole) {
+        // One that was killed as it wrote the list has lived all of them.
+        if list.members.len() == cohort.count() && (0..cohort.count()).all(whole) {
             return Err(Error::Complete { folder: folder.into() });
         }
         Ok(UnfinishedCohort { cohort, folder: folder.into() })
@@ -463,6 +474,7 @@ impl UnfinishedCohort {
     /// [`Error::Log`] if what is there is not the beginning of these lives, or cannot be written.
     pub fn go_on(self, progress: impl Fn(Progress) + Sync) -> Result<LivedCohort, Error> {
         let list = self.folder.join(LIST);
+        drop(FolderLock::take(&self.folder)?);
         // A program that died while it wrote the list has left a part.
         remove_parts(&list)?;
         self.cohort.live_into(self.folder, progress)

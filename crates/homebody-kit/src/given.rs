@@ -54,7 +54,9 @@ impl Given {
             name_sensors(&mut log, scenario);
         }
         let zone = asked.or_else(|| Some(scenario.as_ref()?.calendar.local(0).time_zone().clone()));
-        let span = scenario.as_ref().zip(run.as_ref()).map(|(scenario, run)| {
+        // One that is being lived, or was killed, says how long it is to be, and not how far it has come.
+        let lived = run.as_ref().filter(|run| run.is_complete());
+        let span = scenario.as_ref().zip(lived).map(|(scenario, run)| {
             let instant = |at| scenario.calendar.timestamp(at).as_microsecond();
             let zone = scenario.calendar.local(0).time_zone().clone();
             on_wall(instant(0), &zone)..on_wall(instant(run.length_us), &zone)

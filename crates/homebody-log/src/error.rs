@@ -62,6 +62,20 @@ pub enum LogError {
         /// The database's file.
         place: String,
     },
+    /// Another program is living a run into the folder.
+    #[error("another program is writing into {place}\n  hint: let it come to its end, or stop it first")]
+    Busy {
+        /// The folder.
+        place: String,
+    },
+    /// A run that is gone on with was stopped before it had come as far as before.
+    #[error(
+        "{place} has come further than this time: it stays as it was\n  hint: go on with the run again, and longer"
+    )]
+    NotYet {
+        /// What has come further.
+        place: String,
+    },
     /// A name of the mapping is none that SQL takes: `^[a-z_][a-z0-9_]{0,62}$`, and not one of SQLite's own.
     #[error("{name:?} cannot name a {what} in a database\n  hint: use up to 63 of a-z, 0-9 and _, not a digit first")]
     Name {

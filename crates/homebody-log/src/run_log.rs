@@ -3,10 +3,12 @@
 
 use crate::error::LogError;
 use crate::fresh::{FreshFile, remove_parts};
+use crate::lock::FolderLock;
 use crate::logger::{Destination, Logger, RowsOfFirings, Stored, destinations};
 use crate::places::Places;
 use crate::run_info::RunInfo;
 use crate::sink::How;
+use crate::sink::database::remove_database;
 use crate::truth::TruthLog;
 use crate::url::Url;
 use homebody_core::event::Events;
@@ -25,6 +27,17 @@ pub struct RunLog {
     /// What is removed if the run fails and leaves no log by which it could be gone on with.
     given_up: Option<GivenUp>,
     digest: RunDigest,
+    /// The truth of a run that was stopped, which is written anew beside the old one.
+    anew: Option<Anew>,
+    how: How,
+    /// Of a run's folder, from the beginning to the end.
+    _lock: Option<FolderLock>,
+}
+
+/// A file that takes the place of another when it is complete.
+struct Anew {
+    beside: PathBuf,
+    place: PathBuf,
 }
 
 impl RunLog {
@@ -32,7 +45,8 @@ impl RunLog {
     /// which stands from now on.
     ///
     /// Going on, the run is lived again from its beginning: what is there already is compared, and what is missing is
-    /// written. The truth of a run that was stopped says what ended there and then, so it is written anew.
+    /// written. The truth of a run that was stopped says what ended there and then, so it is written anew, and replaces the
+    /// old one at the end.
     pub fn open(
         places: &Places,
         scenario: &Scenario,
@@ -53,13 +67,24 @@ impl RunLog {
         how: How,
     ) -> Result<RunLog, LogError> {
         let info = Arc::new(RunInfo::of(scenario, run, recording));
+        let folder = places.sensors.as_deref().and_then(Path::parent);
+        let lock = folder.map(FolderLock::take).transpose()?;
         if how == How::GoOn {
             for path in places.recording.iter().chain(&places.sensors) {
                 // A program that died while it wrote one of them has left a part.
                 remove_parts(path)?;
             }
         }
-        let truth_how = if how == How::GoOn && was_stopped(places) { How::Replace } else { how };
+        let (mut truth_url, mut truth_how, mut anew) = (places.truth.clone(), how, None);
+        if let Some(place) =
+            places.truth.as_ref().and_then(Url::file).filter(|_| how == How::GoOn && was_stopped(places))
+        {
+            let beside = beside(place);
+            // A program that died on its way has left one.
+            remove_database(&beside);
+            (truth_url, truth_how) = (places.truth.as_ref().map(|url| url.at(beside.clone())), How::New);
+            anew = Some(Anew { beside, place: place.to_owned() });
+        }
         if let (Some(path), false) = (&places.recording, how == How::GoOn) {
             // Before all else: whatever becomes of the run from now on, it can be gone on with.
             write_recording(path, recording, how)?;
@@ -67,7 +92,7 @@ impl RunLog {
         let mut all = destinations(&places.log, how)?;
         all.extend(own);
         let opened = Logger::open(all, &scenario.logger, &info, how).and_then(|logger| {
-            let truth = places.truth.as_ref();
+            let truth = truth_url.as_ref();
             let truth =
                 truth.map(|url| TruthLog::open(url, &places.log, &scenario.logger, &info, truth_how)).transpose()?;
             if let Some(path) = &places.sensors {
@@ -82,7 +107,8 @@ impl RunLog {
                 let is_folder = places.sensors.is_some();
                 let logs = places.log.iter().filter_map(Url::file).filter(|_| is_folder).map(Path::to_owned).collect();
                 let given_up = (how == How::New || !is_folder).then_some(GivenUp { beside, logs });
-                Ok(RunLog { logger: Some(logger), truth, record, given_up, digest: RunDigest::default() })
+                let (logger, digest) = (Some(logger), RunDigest::default());
+                Ok(RunLog { logger, truth, record, given_up, digest, anew, how, _lock: lock })
             }
             Err(error) => {
                 if let (Some(path), How::New) = (&places.recording, how) {
@@ -108,11 +134,20 @@ impl RunLog {
     /// Completes all places, and returns what was stored and the recording of what was lived: its length is where the run has
     /// come to, and its other fields are those of `recording`.
     pub fn finish(mut self, run: &Run, recording: Recording) -> Result<(Stored, Recording), LogError> {
-        let stored = self.logger.take().map(Logger::finish).transpose()?.unwrap_or_default();
+        // Who stops it earlier than before has changed nothing.
+        let is_early = self.how == How::GoOn && run.now() < run.length();
+        let early = |error| match error {
+            LogError::Changed { place, .. } if is_early => LogError::NotYet { place },
+            error => error,
+        };
+        let stored = self.logger.take().map(Logger::finish).transpose().map_err(early)?.unwrap_or_default();
         if let Some(mut truth) = self.truth.take() {
             let under_way = Events { facts: run.under_way().collect(), ..Events::default() };
             truth.store(&under_way, &RowsOfFirings::default())?;
-            truth.finish(run.now())?;
+            truth.finish(run.now()).map_err(early)?;
+        }
+        if let Some(Anew { beside, place }) = self.anew.take() {
+            std::fs::rename(&beside, &place).map_err(|error| LogError::file(&place, error))?;
         }
         let (firings, sha256) = (self.digest.firings(), self.digest.hex());
         let stopped_of_us = (run.now() < run.length()).then(|| run.length());
@@ -134,15 +169,25 @@ struct GivenUp {
 
 impl Drop for RunLog {
     fn drop(&mut self) {
-        let Some(GivenUp { beside, logs }) = self.given_up.take() else { return };
         // They decide first what stays of the logs.
         (self.logger, self.truth) = (None, None);
+        if let Some(anew) = self.anew.take() {
+            remove_database(&anew.beside);
+        }
+        let Some(GivenUp { beside, logs }) = self.given_up.take() else { return };
         if !logs.iter().any(|log| log.is_file()) {
             beside.iter().for_each(|path| {
                 let _ = std::fs::remove_file(path);
             });
         }
     }
+}
+
+/// Where a database is written that is to replace another.
+fn beside(place: &Path) -> PathBuf {
+    let mut name = place.file_name().unwrap_or_default().to_owned();
+    name.push(".anew");
+    place.with_file_name(name)
 }
 
 /// Whether the run that left these places was stopped, and not killed.

@@ -24,6 +24,11 @@ pub struct Asked {
 }
 
 impl Asked {
+    /// Whether anything but as fast as it can is asked for.
+    pub fn is_said(&self) -> bool {
+        self.control || self.speed != Speed::Max
+    }
+
     pub fn pace(&self) -> Pace {
         if self.paused { Pace::paused(self.speed) } else { Pace::new(self.speed) }
     }

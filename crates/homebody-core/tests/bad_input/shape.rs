@@ -64,7 +64,7 @@ fn types() {
         ("home.json", r#""at": [0.5, 1.5]"#, r#""at": [0.5]"#,
             r#"home.json:23:29: "at" must have exactly 2 items, but has 1; Where the point is on the floor"#),
         ("home.json", r#""at": [0.5, 1.5]"#, r#""at": { "x": 0.5, "y": 1.5 }"#,
-            r#"home.json:23:29: "at" must be a list of 2 numbers, but is an object"#),
+            r#"home.json:23:29: "at" must be a list of 2 numbers, but is an object; Where the point is on the floor"#),
         ("home.json", r#""at": [0.5, 1.5]"#, r#""at": [0.5, "1.5"]"#,
             r#"home.json:23:35: item 2 of "at" must be a number, but is the text "1.5"; remove the quotes"#),
         ("home.json", r#""open": false"#, r#""open": "no""#,

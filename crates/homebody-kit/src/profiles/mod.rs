@@ -13,6 +13,7 @@ use crate::error::Error;
 use homebody_core::problem::{Problem, Problems};
 pub(crate) use profile::Base;
 pub use profile::Profile;
+pub(crate) use rows::MOST;
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::ErrorKind;

@@ -22,7 +22,7 @@ const COLUMNS: [&str; 11] =
 const SHOWS: &str = "the person shows ";
 
 /// More members than this are refused.
-const MOST: usize = 100_000;
+pub(crate) const MOST: u32 = 100_000;
 
 /// The profiles of all rows, and all that is wrong with them.
 pub(crate) fn read(table: &Table, base: &Base, without: &[String]) -> (Vec<Profile>, Vec<Problem>) {
@@ -65,7 +65,7 @@ impl<'a> Reader<'a> {
             let hint = "write a row for each member below the names of the columns".to_owned();
             self.problems.push(self.table.problem_of_file("there is nobody in it", Some(hint)));
         }
-        if self.table.rows.len() > MOST {
+        if self.table.rows.len() > MOST as usize {
             let what = format!("{} members are more than {MOST}", self.table.rows.len());
             self.problems.push(self.table.problem_of_file(what, None));
             return Vec::new();

@@ -324,6 +324,12 @@ fn put_aside(path: &Path) -> Result<PathBuf, LogError> {
     Ok(aside.into())
 }
 
+/// Removes a database that nobody needs, as far as it is there.
+pub(crate) fn remove_database(path: &Path) {
+    let _ = fs::remove_file(path);
+    remove_companions(path);
+}
+
 /// Removes the files a database has beside itself.
 fn remove_companions(path: &Path) {
     for ending in ["-wal", "-shm", "-journal"] {

@@ -2,7 +2,7 @@
 
 mod casas;
 mod csv;
-mod database;
+pub(crate) mod database;
 mod open;
 mod sqlite;
 mod text;

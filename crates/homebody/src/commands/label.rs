@@ -44,8 +44,8 @@ impl Arguments {
         if !truth.is_file() {
             return Err(Failure::io(&truth, "there is no such truth\n  hint: name the truth of the run after its log"));
         }
-        let sources = [from.file(), Some(truth.as_path())];
-        if sources.into_iter().flatten().zip(self.to.file()).any(|(one, other)| same_file(one, other)) {
+        let mut sources = from.file().into_iter().chain([truth.as_path()]);
+        if sources.any(|source| self.to.file().is_some_and(|to| same_file(source, to))) {
             return Err(Failure::Io(format!("{} cannot become itself\n  hint: name another file", self.to)));
         }
         let mapping = LoggerFile::default();

@@ -127,6 +127,10 @@ impl Arguments {
     /// Goes on with a run or a cohort that was killed or stopped.
     fn go_on(&self, folder: &Path) -> Result<(), Failure> {
         if folder.join(LIST).is_file() {
+            if self.pace.is_said() {
+                let what = "the members of a cohort are lived as fast as they can";
+                return Err(Failure::usage(format!("{what}\n  hint: leave out --speed, --paused and --control")));
+            }
             let cohort = UnfinishedCohort::open(folder)?.cancel(&cancel_on_signal());
             let progress = self.output.progress(cohort.progress().length);
             let lived = cohort.go_on(|lived| show(&progress, lived));

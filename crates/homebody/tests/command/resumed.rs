@@ -126,6 +126,14 @@ fn a_cohort_goes_on_with_the_members_that_are_missing() {
         fs::remove_dir_all(folder.path(&format!("runs/tigerplace-1/{one}"))).unwrap();
         folder.run("run --resume runs/tigerplace-1 --quiet").ok();
         assert_eq!(differ(&folder, "tigerplace-1", &whole), Vec::<String>::new(), "{who}, without {one}");
+        // Nor is one complete that was killed as it wrote its list.
+        let list = folder.read("runs/tigerplace-1/cohort.json");
+        let mut without: Value = serde_json::from_str(&list).unwrap();
+        without["members"] = serde_json::json!([]);
+        folder.write("runs/tigerplace-1/cohort.json", without.to_string());
+        folder.run("run --resume runs/tigerplace-1 --speed 10").fails(2, "as fast as they can");
+        folder.run("run --resume runs/tigerplace-1 --quiet").ok();
+        assert_eq!(folder.read("runs/tigerplace-1/cohort.json"), list);
         // The control: a member of another cohort is not passed off as one of this.
         let recording = folder.read(&format!("runs/tigerplace-1/{one}/recording.json"));
         let mut other: Value = serde_json::from_str(&recording).unwrap();
@@ -133,6 +141,37 @@ fn a_cohort_goes_on_with_the_members_that_are_missing() {
         folder.write(&format!("runs/tigerplace-1/{one}/recording.json"), other.to_string());
         folder.run("run --resume runs/tigerplace-1").fails(2, "it is of another cohort");
         fs::remove_dir_all(folder.path("runs/tigerplace-1")).unwrap();
+    }
+}
+
+#[test]
+fn one_program_at_a_time_lives_a_run() {
+    let (folder, _) = undisturbed("csv", "log.csv");
+    let whole = left(&folder, "flat-1");
+    let mut running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));
+    folder.until("the run is begun", |folder| folder.path("runs/flat-2/recording.json").exists());
+    folder.run("run --resume runs/flat-2").fails(1, "another program is writing into");
+    running.say("step 20000\nstop\n");
+    running.finish().ok();
+    folder.run("run --resume runs/flat-2 --quiet").ok();
+    assert_eq!(differ(&folder, "flat-2", &whole), Vec::<String>::new());
+}
+
+#[test]
+fn who_stops_it_again_and_earlier_loses_nothing() {
+    for (scheme, log) in KINDS {
+        let (folder, _) = undisturbed(scheme, log);
+        let whole = left(&folder, "flat-1");
+        let mut running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));
+        running.say("step 20000\nstop\n");
+        running.finish().ok();
+        let before = left(&folder, "flat-2");
+        let mut again = folder.start("run --resume runs/flat-2 --quiet --control --paused");
+        again.say("step 2000\nstop\n");
+        again.finish().fails(1, "has come further than this time");
+        assert_eq!(differ(&folder, "flat-2", &before), Vec::<String>::new(), "{scheme}");
+        folder.run("run --resume runs/flat-2 --quiet").ok();
+        assert_eq!(differ(&folder, "flat-2", &whole), Vec::<String>::new(), "{scheme}");
     }
 }
 
@@ -258,6 +297,8 @@ fn labels_of_another_run_are_refused() {
     folder.edit("flat/home.json", "KitchenWall", "OtherWall");
     folder.run("run flat --for 30m --quiet").ok();
     folder.run("label runs/flat-1 runs/flat-3/truth.db --to csv:labelled.csv").fails(1, "is of another sensor");
-    folder.run("label runs/flat-1 --to sqlite:runs/flat-1/log.db").fails(1, "cannot become itself");
+    for source in ["sqlite:runs/flat-1/log.db", "csv:runs/flat-1/log.db", "csv:runs/flat-1/truth.db"] {
+        folder.run(&format!("label runs/flat-1 --force --to {source}")).fails(1, "cannot become itself");
+    }
     assert!(!folder.path("labelled.csv").exists());
 }
