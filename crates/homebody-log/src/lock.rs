@@ -27,11 +27,12 @@ impl FolderLock {
     }
 }
 
-#[cfg(all(test, unix))]
+#[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
+    #[cfg(unix)]
     fn one_at_a_time_has_a_folder() {
         let folder = std::env::temp_dir().join(format!("homebody-lock-{}", std::process::id()));
         std::fs::create_dir_all(&folder).unwrap();
