@@ -10,6 +10,7 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::SCHEMES;
 use homebody_core::time::Micros;
 use homebody_log::places::{LIST, RECORDING};
+use homebody_log::plain::{self, LARGEST_RECORDING_BYTES};
 use homebody_log::source::Clock;
 use homebody_log::source::recognise;
 use homebody_log::{Life, Log, LogError, Url, lives, read};
@@ -47,7 +48,7 @@ impl Given {
         let beside = |name: &str| Some(url.file()?.with_file_name(name)).filter(|path| path.is_file());
         let (truth, recording) = (beside("truth.db"), beside("recording.json"));
         let mut lives = truth.as_ref().map(|truth| lives(truth)).transpose()?.unwrap_or_default();
-        let run = recording.as_ref().and_then(|path| fs::read_to_string(path).ok());
+        let run = recording.as_ref().and_then(|path| plain::read_text(path, LARGEST_RECORDING_BYTES).ok());
         let run: Option<Recording> = run.and_then(|text| serde_json::from_str(&text).ok());
         let scenario = run.as_ref().and_then(|run| run.scenario().ok());
         if let Some(scenario) = &scenario {
@@ -110,7 +111,7 @@ pub fn place_of_log(text: &str) -> Result<Url, Error> {
 
 /// The log in a run's folder: where its recording says that it is, or under a usual name.
 fn log_in(folder: &Path) -> Option<Url> {
-    let recording = fs::read_to_string(folder.join(RECORDING)).ok();
+    let recording = plain::read_text(&folder.join(RECORDING), LARGEST_RECORDING_BYTES).ok();
     let recording: Option<Recording> = recording.and_then(|text| serde_json::from_str(&text).ok());
     let to = recording.and_then(|run| run.scenario().ok()).map(|scenario| scenario.logger.to).unwrap_or_default();
     let said = to.iter().filter_map(|place| place.parse::<Url>().ok());

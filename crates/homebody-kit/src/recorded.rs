@@ -8,9 +8,9 @@ use crate::store::Lived;
 use homebody_core::recording::{LONGEST, Recording};
 use homebody_core::scenario::load::Scenario;
 use homebody_log::places::RECORDING;
+use homebody_log::plain::{self, LARGEST_RECORDING_BYTES};
 use homebody_log::{How, Places};
 use homebody_routine::household::Household;
-use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -152,7 +152,7 @@ pub(crate) fn read(path: &Path) -> Result<Recording, Error> {
 
 /// The text of a recording, or of the list of a cohort.
 pub(crate) fn text(path: &Path) -> Result<String, Error> {
-    fs::read_to_string(path).map_err(|error| match error.kind() {
+    plain::read_text(path, LARGEST_RECORDING_BYTES).map_err(|error| match error.kind() {
         ErrorKind::NotFound => Error::NoRecording { path: path.into() },
         ErrorKind::IsADirectory => {
             let why = "it is a folder\n  hint: name the recording.json in it".into();

@@ -62,6 +62,12 @@ pub enum LogError {
         /// The database's file.
         place: String,
     },
+    /// A file of a run's folder is a link or a device, so that writing there would write elsewhere.
+    #[error("{place} leads out of the run's folder\n  hint: it is no file that a run has made; remove it, or live the run anew")]
+    LeadsOut {
+        /// The file.
+        place: String,
+    },
     /// Another program is living a run into the folder.
     #[error("another program is writing into {place}\n  hint: let it come to its end, or stop it first")]
     Busy {

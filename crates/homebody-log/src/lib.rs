@@ -18,6 +18,7 @@ pub mod url;
 pub mod error;
 
 pub mod fresh;
+pub mod plain;
 pub mod lock;
 pub mod places;
 

@@ -2,6 +2,7 @@
 
 use crate::error::{LogError, place_of};
 use crate::fresh::{all_can_be_written, same_file};
+use crate::plain::is_inside;
 use crate::url::Url;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::scheme::{self, Scheme};
@@ -69,7 +70,11 @@ impl Places {
     pub fn of_folder(folder: &Path, scenario: &Scenario) -> Result<Places, LogError> {
         let mut places = Places::nowhere();
         places.put_into(folder, scenario)?;
-        Ok(places)
+        // The folder may be anybody's: nothing in it leads elsewhere.
+        match places.files().into_iter().find(|path| leads_out(folder, path)) {
+            Some(path) => Err(LogError::LeadsOut { place: place_of(path) }),
+            None => Ok(places),
+        }
     }
 
     fn nowhere() -> Places {
@@ -162,6 +167,13 @@ pub fn can_be_written(files: &[&Path], sources: &[PathBuf], force: bool) -> Resu
         return Err(LogError::IsSource { place: place_of(path) });
     }
     all_can_be_written(files, force)
+}
+
+/// Whether a file of a run's folder is a link, a device, or in a folder that is a link to elsewhere. One that is not there yet
+/// is not.
+fn leads_out(folder: &Path, path: &Path) -> bool {
+    let is_odd = fs::symlink_metadata(path).is_ok_and(|found| !found.is_file());
+    is_odd || path.parent().is_some_and(|parent| parent.exists() && !is_inside(folder, parent))
 }
 
 /// A scenario's name as that of a folder.

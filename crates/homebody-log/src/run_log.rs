@@ -1,6 +1,7 @@
 //! All that a run leaves: its log, the truth apart from it, the table of its sensors, and the recording that lives it
 //! again.
 
+use crate::plain::{self, LARGEST_RECORDING_BYTES};
 use crate::error::LogError;
 use crate::fresh::{FreshFile, remove_parts};
 use crate::lock::FolderLock;
@@ -192,7 +193,7 @@ fn beside(place: &Path) -> PathBuf {
 
 /// Whether the run that left these places was stopped, and not killed.
 fn was_stopped(places: &Places) -> bool {
-    let text = places.recording.as_ref().and_then(|path| std::fs::read_to_string(path).ok());
+    let text = places.recording.as_ref().and_then(|path| plain::read_text(path, LARGEST_RECORDING_BYTES).ok());
     text.and_then(|text| serde_json::from_str::<Recording>(&text).ok()).is_some_and(|recording| recording.is_complete())
 }
 

@@ -3,6 +3,7 @@
 use super::activities::Notes;
 use super::instant::{Instant, Instants};
 use super::log::{Clock, Event, Log, Skipped};
+use crate::plain;
 use crate::error::{LogError, place_of};
 use foldhash::HashMap;
 use homebody_core::time::{DAY, Micros};
@@ -104,11 +105,7 @@ impl<'t> Reading<'t> {
 
 /// A file that may hold a log.
 pub(super) fn open(path: &Path) -> Result<File, LogError> {
-    let opened = File::open(path).and_then(|file| match file.metadata()?.is_dir() {
-        true => Err(std::io::ErrorKind::IsADirectory.into()),
-        false => Ok(file),
-    });
-    opened.map_err(|error| match error.kind() {
+    plain::open(path).map_err(|error| match error.kind() {
         std::io::ErrorKind::NotFound => LogError::Missing { place: place_of(path) },
         _ => LogError::file(path, error),
     })

@@ -20,6 +20,7 @@ mod plan;
 mod replay;
 mod routine;
 mod run;
+mod scenario;
 mod schema;
 mod serve;
 

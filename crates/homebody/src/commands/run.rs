@@ -2,12 +2,13 @@
 
 use super::check::tell_remark;
 use super::cohort;
+use super::scenario::Trust;
 use super::live::{Output, cancel_on_signal, live, report, show};
 use crate::failure::Failure;
 use crate::length::{Length, length};
 use crate::pace::Asked;
 use homebody_core::time::Micros;
-use homebody_kit::{LIST, OpenScenario, Unfinished, UnfinishedCohort, open};
+use homebody_kit::{LIST, OpenScenario, Unfinished, UnfinishedCohort};
 use std::path::{Path, PathBuf};
 
 /// Lives a scenario and stores what its sensors say.
@@ -42,6 +43,8 @@ pub struct Arguments {
     /// The scenario's folder, or its scenario.json
     #[arg(required_unless_present = "resume")]
     scenario: Option<PathBuf>,
+    #[command(flatten)]
+    trust: Trust,
     /// How long to live: 90s, 15m, 2h, 7d or 52w; the scenario's days without it
     ///
     /// Days and weeks are those of the calendar: a run of 7d ends at the hour at which it began, also where clocks change.
@@ -100,7 +103,8 @@ impl Arguments {
         if let Some(folder) = &self.resume {
             return self.go_on(folder);
         }
-        let opened = open(self.scenario.as_deref().unwrap_or(Path::new("")))?.with_numbers(self.numbers.clone())?;
+        let source = self.trust.source(self.scenario.as_deref().unwrap_or(Path::new("")))?;
+        let opened = source.open()?.with_numbers(self.numbers.clone())?;
         let scenario = opened.scenario();
         let seed = self.seed.unwrap_or(scenario.file.seed);
         let length = self.length.unwrap_or(Length::Days(scenario.file.days)).by(&scenario.calendar);

@@ -87,7 +87,7 @@ fn recordings(data: &Path) -> Result<Vec<(String, AnnotatedRun)>, Failure> {
 fn recording(folder: &Path) -> Result<Option<(String, AnnotatedRun)>, Failure> {
     let read = |name: &str| {
         let path = folder.join(name);
-        fs::read_to_string(&path).map_err(|error| (error.kind(), Failure::io(&path, error)))
+        plain::read_text(&path, LARGEST_RECORDING_BYTES).map_err(|error| (error.kind(), Failure::io(&path, error)))
     };
     let needed = |name: &str| read(name).map_err(|(_, failure)| failure);
     let (location, annotations, pir) = (needed("location_0.csv")?, needed("annotations_0.csv")?, needed("pir.csv")?);
