@@ -42,7 +42,7 @@ mod given;
 pub use cancel::Cancel;
 pub use cohort::{Cohort, CohortList, CohortSetup, ListedMember, LivedCohort, Member, UnfinishedCohort};
 pub use error::{BoxError, Error};
-pub use given::{Given, place_of_log};
+pub use given::{Given, NamedLog};
 pub use homebody_log::places::LIST;
 pub use homebody_log::{Destination, Policy, Sink, Url};
 pub use profiles::Profile;

@@ -2,7 +2,8 @@
 
 use crate::error::Error;
 use homebody_core::scenario::load::{Files, Scenario};
-use homebody_log::plain::{self, LARGEST_OF_SCENARIO_BYTES};
+use homebody_log::limits::LARGEST_OF_SCENARIO_BYTES;
+use homebody_log::plain;
 use homebody_routine::household::RoutineLanguage;
 use include_dir::{Dir, include_dir};
 use std::collections::BTreeMap;
@@ -52,13 +53,19 @@ impl Source {
             let why = "there is no such file\n  hint: a scenario folder holds a scenario.json";
             return Err(Error::file(&file, why));
         }
-        Ok(Source { files: Arc::new(Folder { path: folder.to_owned(), is_trusted: false }), entry, folder: Some(folder.to_owned()) })
+        Ok(Source {
+            files: Arc::new(Folder { path: folder.to_owned(), is_trusted: false }),
+            entry,
+            folder: Some(folder.to_owned()),
+        })
     }
 
     /// The same, as one's own: links may lead out of its folder, and its files are of any size.
     pub fn trusted(self) -> Source {
         match self.folder {
-            Some(path) => Source { files: Arc::new(Folder { path: path.clone(), is_trusted: true }), folder: Some(path), ..self },
+            Some(path) => {
+                Source { files: Arc::new(Folder { path: path.clone(), is_trusted: true }), folder: Some(path), ..self }
+            }
             None => self,
         }
     }

@@ -6,12 +6,6 @@ use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
-/// No file of a scenario is larger, in bytes (ours). A list of profiles is one, too.
-pub const LARGEST_OF_SCENARIO_BYTES: u64 = 8 << 20;
-
-/// No recording and no list of a cohort's members is larger, in bytes (ours): it holds all files of a scenario.
-pub const LARGEST_RECORDING_BYTES: u64 = 64 << 20;
-
 /// Opens a plain file to be read.
 ///
 /// # Errors

@@ -1,9 +1,9 @@
 //! The beginning of a log as its readers find it, and whether there can be one at a place.
 
-use crate::plain;
 use crate::error::LogError;
 use crate::fresh::{Found, FreshFile};
 use crate::mapping::Columns;
+use crate::plain;
 use crate::source::text;
 use crate::url::Url;
 use homebody_core::scenario::logger::LoggerFile;

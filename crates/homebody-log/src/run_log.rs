@@ -1,12 +1,13 @@
 //! All that a run leaves: its log, the truth apart from it, the table of its sensors, and the recording that lives it
 //! again.
 
-use crate::plain::{self, LARGEST_RECORDING_BYTES};
 use crate::error::LogError;
 use crate::fresh::{FreshFile, remove_parts};
+use crate::limits::LARGEST_RECORDING_BYTES;
 use crate::lock::FolderLock;
 use crate::logger::{Destination, Logger, RowsOfFirings, Stored, destinations};
 use crate::places::Places;
+use crate::plain;
 use crate::run_info::RunInfo;
 use crate::sink::How;
 use crate::sink::database::remove_database;

@@ -5,7 +5,8 @@
 
 use homebody_core::recording::{LONGEST, Recording};
 use homebody_core::scenario::load::Files;
-use homebody_log::plain::{self, LARGEST_OF_SCENARIO_BYTES, LARGEST_RECORDING_BYTES};
+use homebody_log::limits::{LARGEST_OF_SCENARIO_BYTES, LARGEST_RECORDING_BYTES};
+use homebody_log::plain;
 use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
@@ -80,7 +81,8 @@ impl Shelf {
     /// The recording of a run, or why there is none.
     pub fn recording(&self, run: &str) -> Result<Recording, String> {
         let path = self.file_of_run(run, RECORDING).ok_or_else(|| format!("there is no run {run:?}"))?;
-        let text = plain::read_text(&path, LARGEST_RECORDING_BYTES).map_err(|error| format!("the recording of {run:?}: {error}"))?;
+        let text = plain::read_text(&path, LARGEST_RECORDING_BYTES)
+            .map_err(|error| format!("the recording of {run:?}: {error}"))?;
         let recording: Recording =
             serde_json::from_str(&text).map_err(|error| format!("{run:?} has no sound recording: {error}"))?;
         let length = recording.length_us;

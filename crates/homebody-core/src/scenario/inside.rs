@@ -24,7 +24,19 @@ mod tests {
         for name in ["log.db", "logs/log.db", "a b/ö.csv", "..log", "log..db", "./log.db", "~/log.db"] {
             assert_eq!(outside_folder(name, "it"), None, "{name}");
         }
-        for name in ["", " ", "/etc/passwd", "..", "../log.db", "a/../../b", "a/..", "C:log", "\\\\host\\log", "a\\..\\b", "a\nb"] {
+        for name in [
+            "",
+            " ",
+            "/etc/passwd",
+            "..",
+            "../log.db",
+            "a/../../b",
+            "a/..",
+            "C:log",
+            "\\\\host\\log",
+            "a\\..\\b",
+            "a\nb",
+        ] {
             assert!(outside_folder(name, "it").is_some(), "{name}");
         }
     }

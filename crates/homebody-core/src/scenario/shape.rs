@@ -129,8 +129,14 @@ impl<'a> Walk<'a> {
         let properties = schema.get("properties").and_then(Schema::as_object);
         let known: Vec<&str> = properties.into_iter().flatten().map(|(key, _)| key.as_str()).collect();
         let property = |key: &str| properties.and_then(|properties| properties.get(key));
-        if let Some(most) = schema.get("maxProperties").and_then(Schema::as_u64).filter(|&most| entries.len() as u64 > most) {
-            self.report(node.start, format!("{subject} must have at most {most} keys, but has {}", entries.len()), None);
+        if let Some(most) =
+            schema.get("maxProperties").and_then(Schema::as_u64).filter(|&most| entries.len() as u64 > most)
+        {
+            self.report(
+                node.start,
+                format!("{subject} must have at most {most} keys, but has {}", entries.len()),
+                None,
+            );
         }
         let mut meant = Vec::new();
         let names: HashSet<&str> = entries.iter().map(|(key, _)| &*key.name).collect();

@@ -256,7 +256,11 @@ fn scan(text: &str) -> Result<(), (usize, String, Option<String>)> {
             (Some(_), _) if escaped => escaped = false,
             (Some(_), b'\\') => escaped = true,
             (Some(start), b'"') if at - start > LONGEST_TEXT_BYTES => {
-                return Err((start, format!("this text is longer than {}", counted(LONGEST_TEXT_BYTES, "byte", "bytes")), None));
+                return Err((
+                    start,
+                    format!("this text is longer than {}", counted(LONGEST_TEXT_BYTES, "byte", "bytes")),
+                    None,
+                ));
             }
             (Some(_), b'"') => quote = None,
             (Some(_), _) => {}

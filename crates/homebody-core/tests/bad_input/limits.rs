@@ -24,7 +24,9 @@ const GROWN: [Grown; 12] = [
     ("misspelt keys", |n| with("home.json", format!("{{{}}}", list(n, |i| format!("\"nam{i}\":0"))))),
     ("a list of a wrong type", |n| with("home.json", format!("{{\"rooms\":[{}]}}", list(n, |_| "0".into())))),
     ("numbers where an object belongs", |n| with("home.json", format!("[{}]", list(n, |_| "0".into())))),
-    ("ids of nobody", |n| with("logger.json", format!("{{\"ids\":{{{}}}}}", list(n / 8, |i| format!("\"s{i}\":\"{i}\""))))),
+    ("ids of nobody", |n| {
+        with("logger.json", format!("{{\"ids\":{{{}}}}}", list(n / 8, |i| format!("\"s{i}\":\"{i}\""))))
+    }),
     ("a path of many steps", |n| path(n / 8, |_| "{\"wait\":{\"for_s\":1}}".into())),
     ("a path to places that are none", |n| path(n / 8, |i| format!("{{\"go\":{{\"to\":[\"x{i}\"]}}}}"))),
     ("activities", |n| path(n / 8, |i| format!("{{\"activity\":\"a{i}\"}}"))),
@@ -63,15 +65,26 @@ fn reading_and_checking_cost_no_more_than_a_small_multiple_of_the_size() {
 #[test]
 fn what_is_too_long_is_refused_in_words() {
     let (text, values) = (format!("\"{}\"", "x".repeat(10_001)), list(500_001, |_| "0".into()));
-    check(&[
-        ("scenario.json", r#""home": "home.json""#, &format!(r#""home": {text}"#),
-            "scenario.json:6:11: this text is longer than 10000 bytes"),
-    ]);
-    assert_eq!(said(&with("home.json", format!("[{values}]"))), "home.json:1:1000001: the file has more than 500000 values");
+    check(&[(
+        "scenario.json",
+        r#""home": "home.json""#,
+        &format!(r#""home": {text}"#),
+        "scenario.json:6:11: this text is longer than 10000 bytes",
+    )]);
+    assert_eq!(
+        said(&with("home.json", format!("[{values}]"))),
+        "home.json:1:1000001: the file has more than 500000 values"
+    );
     let steps = said(&path(10_001, |_| "{\"wait\":{\"for_s\":1}}".into()));
-    assert_eq!(steps, r#"ann.path.json:1:24: "steps" must have at most 10000 items, but has 10001; What the resident does, in this order"#);
+    assert_eq!(
+        steps,
+        r#"ann.path.json:1:24: "steps" must have at most 10000 items, but has 10001; What the resident does, in this order"#
+    );
     let waypoints = said(&path(20, |_| format!("{{\"go\":{{\"to\":[{}]}}}}", list(600, |i| format!("[1.{i},1]")))));
-    assert_eq!(waypoints, "ann.path.json:1:24: the path has more than 10000 steps and waypoints together; let what comes again be repeated, or say a life as a routine");
+    assert_eq!(
+        waypoints,
+        "ann.path.json:1:24: the path has more than 10000 steps and waypoints together; let what comes again be repeated, or say a life as a routine"
+    );
 }
 
 #[test]

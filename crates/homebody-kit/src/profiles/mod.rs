@@ -11,7 +11,8 @@ mod table;
 
 use crate::error::Error;
 use homebody_core::problem::{Problem, Problems};
-use homebody_log::plain::{self, LARGEST_OF_SCENARIO_BYTES};
+use homebody_log::limits::LARGEST_OF_SCENARIO_BYTES;
+use homebody_log::plain;
 pub(crate) use profile::Base;
 pub use profile::Profile;
 pub(crate) use rows::MOST;

@@ -2,8 +2,8 @@
 
 use super::check::tell_remark;
 use super::cohort;
-use super::scenario::Trust;
 use super::live::{Output, cancel_on_signal, live, report, show};
+use super::scenario::Trust;
 use crate::failure::Failure;
 use crate::length::{Length, length};
 use crate::pace::Asked;

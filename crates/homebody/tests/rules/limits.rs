@@ -62,7 +62,10 @@ fn every_list_and_every_map_of_a_scenario_is_bounded() {
 
 #[test]
 fn a_limit_is_told_by_its_name() {
-    let file = File::new("crates/a/src/a.rs", "/// No more (ours).\nconst MOST_DOORS: usize = 3;\n/// At least (ours).\nconst LEAST: u8 = 1;\n");
+    let file = File::new(
+        "crates/a/src/a.rs",
+        "/// No more (ours).\nconst MOST_DOORS: usize = 3;\n/// At least (ours).\nconst LEAST: u8 = 1;\n",
+    );
     let names: Vec<String> = limits(&[file]).map(|limit| limit.name).collect();
     assert_eq!(names, ["MOST_DOORS"]);
 }
@@ -95,7 +98,9 @@ fn document(files: &[File]) -> String {
             let most = [("maxItems", "items"), ("maxProperties", "keys"), ("maxLength", "characters")];
             let most = most.into_iter().filter_map(|(most, of)| Some((value.get(most)?.as_u64()?, of)));
             // A point is always two numbers.
-            for (most, of) in most.filter(|_| value.get("minItems") != value.get("maxItems") || value.get("maxItems").is_none()) {
+            for (most, of) in
+                most.filter(|_| value.get("minItems") != value.get("maxItems") || value.get("maxItems").is_none())
+            {
                 rows += &format!("| {object} | `{key}` | {most} {of} |\n");
             }
         }

@@ -9,7 +9,8 @@ use crate::scenario::source::{Source, pointer_part};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 /// What to do about a place that leads out of the folder.
-const INSIDE: &str = "name a file in there, such as \"sqlite:log.db\"; whoever runs it may say another place for that run";
+const INSIDE: &str =
+    "name a file in there, such as \"sqlite:log.db\"; whoever runs it may say another place for that run";
 
 pub fn check(source: &Source, file: &LoggerFile, surroundings: &Surroundings, problems: &mut Vec<Problem>) {
     let report = &mut Report { source, problems };

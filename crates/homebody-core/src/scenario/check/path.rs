@@ -157,7 +157,10 @@ impl Walk<'_> {
         } else if outcome.moves > outcome.lasts_s * MOST_MOVES_PER_S
             && outcome.moves * repeat.times.map_or(f64::INFINITY, f64::from) > FEW_MOVES
         {
-            let what = format!("{} moves in {} s are repeated: nobody makes more than {MOST_MOVES_PER_S} a second", outcome.moves, outcome.lasts_s);
+            let what = format!(
+                "{} moves in {} s are repeated: nobody makes more than {MOST_MOVES_PER_S} a second",
+                outcome.moves, outcome.lasts_s
+            );
             self.report.hinted(pointer, what, "let them take longer, or repeat them less often");
         }
         outcome.ends = repeat.times.is_some();

@@ -5,6 +5,8 @@ use crate::failure::Failure;
 use crate::print::tell;
 use homebody_experiment::sphere::{AnnotatedRun, Experiment, Interval, Recording, Texts, parse};
 use homebody_kit::{Source, Template};
+use homebody_log::limits::LARGEST_RECORDING_BYTES;
+use homebody_log::plain;
 use homebody_picture::{Lane, Panel, span_chart};
 use std::fs;
 use std::io::ErrorKind;
