@@ -76,7 +76,7 @@ impl Places {
         places.put_into(folder, scenario)?;
         // The folder may be anybody's: nothing in it leads elsewhere.
         match places.files().into_iter().find(|path| leads_out(folder, path)) {
-            Some(path) => Err(LogError::LeadsOut { place: place_of(path) }),
+            Some(path) => Err(LogError::LeadsOut { place: place_of(&path) }),
             None => Ok(places),
         }
     }

@@ -6,7 +6,7 @@ use super::nearest::nearest;
 use super::source::{Key, Misspelt, Node, Source, Value};
 use crate::problem::Problem;
 use serde_json::Value as Schema;
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// No more is looked for in a file (ours): nobody reads so much.
 const MOST_FOUND: usize = 1_000;
@@ -139,8 +139,8 @@ impl<'a> Walk<'a> {
             );
         }
         let mut meant = Vec::new();
-        let names: HashSet<&str> = entries.iter().map(|(key, _)| &*key.name).collect();
-        let mut given: HashMap<&str, usize> = HashMap::with_capacity(entries.len());
+        let names: BTreeSet<&str> = entries.iter().map(|(key, _)| &*key.name).collect();
+        let mut given: BTreeMap<&str, usize> = BTreeMap::new();
         for (key, value) in entries {
             if let Some(&first) = given.get(&*key.name) {
                 let hint = format!("it is already given on line {}", self.source.line(first));

@@ -8,6 +8,7 @@ use homebody_core::home::plan::Plan;
 use homebody_core::problem::{Problems, counted};
 use homebody_core::scenario::load::Scenario;
 use homebody_import::{MOST_BYTES, sweet_home};
+use homebody_log::plain;
 use homebody_routine::household::Household;
 use serde_json::json;
 use std::collections::BTreeMap;

@@ -6,7 +6,7 @@ use crate::scenario::inside::outside_folder;
 use crate::scenario::logger::LoggerFile;
 use crate::scenario::scheme::{NoPlace, Scheme};
 use crate::scenario::source::{Source, pointer_part};
-use std::collections::{BTreeMap, BTreeSet, HashSet};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What to do about a place that leads out of the folder.
 const INSIDE: &str =
@@ -78,7 +78,7 @@ fn check_ids(report: &mut Report, ids: &BTreeMap<String, String>, surroundings: 
     let mut owners: BTreeMap<String, &str> = BTreeMap::new();
     if let Some(home) = surroundings.home {
         let names = home.sensors.iter().map(|sensor| sensor.name());
-        let known: HashSet<&str> = names.clone().collect();
+        let known: BTreeSet<&str> = names.clone().collect();
         for sensor in ids.keys().filter(|id| !known.contains(id.as_str())) {
             let hint = report.did_you_mean(sensor, names.clone());
             let pointer = format!("/ids/{}", pointer_part(sensor));
