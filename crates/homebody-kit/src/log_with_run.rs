@@ -19,7 +19,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// A log on the clock on the wall of its home.
-pub struct Given {
+pub struct LogWithRun {
     /// What it is called.
     pub name: String,
     /// Its rows; `log.clock` says whether they could be put on the wall.
@@ -32,7 +32,7 @@ pub struct Given {
     pub sources: Vec<PathBuf>,
 }
 
-impl Given {
+impl LogWithRun {
     /// Reads a log by its URL, by its path alone, or by the folder of its run. One in UTC is put on the wall of `zone`, or
     /// of its run's; where neither is known, it stays in UTC.
     ///
@@ -40,7 +40,7 @@ impl Given {
     ///
     /// [`Error::TimeZone`] if no zone has this name, [`Error::NoLog`] or [`Error::IsCohort`] if it is a folder without one log,
     /// [`Error::Log`] if the log or the truth beside it cannot be read.
-    pub fn read(text: &str, zone: Option<&str>) -> Result<Given, Error> {
+    pub fn read(text: &str, zone: Option<&str>) -> Result<LogWithRun, Error> {
         let asked = zone.map(Calendar::zone).transpose().map_err(Error::TimeZone)?;
         let url = place_of_log(text)?;
         let mut log = read(&url, &LoggerFile::default())?;
@@ -70,7 +70,7 @@ impl Given {
         // A recording that lies there by chance is of another time.
         let recorded = span.filter(|span| log.events.iter().all(|event| span.contains(&event.at)));
         let sources = [url.file().map(Path::to_owned), truth, recording].into_iter().flatten().collect();
-        Ok(Given { name: named(text), log, lives, recorded, sources })
+        Ok(LogWithRun { name: named(text), log, lives, recorded, sources })
     }
 
     /// The first and the last of its dates: those of its run, on which nothing may have been said, else those of its rows.
