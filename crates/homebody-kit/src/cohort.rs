@@ -1,6 +1,7 @@
 //! Cohorts: many lives of one scenario side by side, on all processors.
 
 use crate::cancel::Cancel;
+use crate::cohort_list::{Asked, CohortFile, CohortList, ListedMember};
 use crate::error::Error;
 use crate::pace::{Pace, Paced};
 use crate::profiles::{self, MOST, OwnRoutine, Profile};
@@ -18,7 +19,6 @@ use homebody_log::places::{LIST, RECORDING};
 use homebody_log::{How, Places};
 use homebody_routine::household::Household;
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -99,37 +99,6 @@ impl LivedCohort {
     }
 }
 
-/// The list of a cohort's members, as it is written into the file [`LIST`].
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct CohortList {
-    /// The scenario's name.
-    pub scenario: String,
-    /// The seed of the cohort, from which those of its members follow.
-    pub seed: u64,
-    /// How many days each was to live.
-    pub days: f64,
-    /// Those who were lived, in order of their numbers or as they are listed; nobody until the cohort is over.
-    pub members: Vec<ListedMember>,
-}
-
-/// What has become of one member.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ListedMember {
-    /// The name of the member's folder.
-    pub name: String,
-    /// The number all randomness of this life comes from.
-    pub seed: u64,
-    /// How many firings there were.
-    pub firings: u64,
-    /// How many rows are in each place of the log.
-    pub rows: u64,
-    /// How many days were lived.
-    pub days: f64,
-    /// What the list said of the member, by column.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub profile: Option<BTreeMap<String, String>>,
-}
-
 /// What has become of one member, as the cohort counts it.
 #[derive(Clone)]
 struct Ended {
@@ -142,27 +111,6 @@ struct Ended {
 /// How much of a cohort was lived before, in microseconds.
 fn lived_before(found: &[Option<Ended>]) -> Micros {
     found.iter().flatten().map(|member| member.length).sum()
-}
-
-/// The file [`LIST`]: the list, and all that the cohort is gone on with by, which stands from the first instant on.
-#[derive(Serialize, Deserialize)]
-struct CohortFile {
-    #[serde(flatten)]
-    list: CohortList,
-    /// Who is to live.
-    asked: Asked,
-    /// What is recorded of each member, but for what is their own; with all texts that any of them needs.
-    recording: Recording,
-}
-
-/// Who is to live, as it is written.
-#[derive(Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-enum Asked {
-    /// So many.
-    Residents(u32),
-    /// Those of this table of profiles.
-    Profiles(String),
 }
 
 impl OpenScenario {

@@ -1,7 +1,8 @@
-//! Destinations of the caller's own: what one needs to write a [`Sink`], and to say what becomes of the run if it fails.
+//! Destinations of the caller's own: what one needs to write a [`Sink`] that takes the rows of a log, and to say by a [`Policy`]
+//! what becomes of the run if it fails or does not answer.
 //!
 //! ```
-//! use homebody_kit::destination::{Batch, Begin, Cell, Destination, LogError, Micros, Policy, Sink, Watermark};
+//! use homebody_kit::destination::{Batch, Begin, Cell, ColumnKind, Destination, LogError, Micros, Policy, Sink, Watermark};
 //! use homebody_kit::Destinations;
 //! use std::sync::{Arc, Mutex};
 //! use std::time::Duration;
@@ -12,9 +13,9 @@
 //!
 //! impl Sink for Instants {
 //!     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
-//!         match begin.tables[0].column("fired_at") {
-//!             Some(_) => Ok(Watermark::none()),
-//!             None => Err(LogError::destination("instants", "the log has no such column")),
+//!         match begin.tables[0].columns.iter().any(|column| column.kind == ColumnKind::Instant) {
+//!             true => Ok(Watermark::none()),
+//!             false => Err(LogError::destination("instants", "rows of this log have no instant")),
 //!         }
 //!     }
 //!

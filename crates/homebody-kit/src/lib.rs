@@ -36,12 +36,14 @@ mod store;
 mod recorded;
 
 mod profiles;
+mod cohort_list;
 mod cohort;
 
 mod log_with_run;
 
 pub use cancel::Cancel;
-pub use cohort::{Cohort, CohortList, CohortSetup, ListedMember, LivedCohort, Member, UnfinishedCohort};
+pub use cohort::{Cohort, CohortSetup, LivedCohort, Member, UnfinishedCohort};
+pub use cohort_list::{CohortList, ListedMember};
 pub use destination::{Destination, Policy, Sink};
 pub use error::{BoxError, Error};
 pub use homebody_log::Url;
