@@ -165,8 +165,11 @@ fn left_in(path: &Path) -> Option<PathBuf> {
     };
     let folder = above(path);
     let cohort = if folder.file_name().is_some() { above(&folder) } else { folder.join("..") };
-    let left = [(cohort, LIST), (folder.clone(), LIST), (folder, SENSORS)];
-    left.into_iter().find(|(folder, file)| folder.join(file).is_file()).map(|(folder, _)| folder)
+    // A run that was killed at its very beginning has left its recording alone.
+    let is_recording = path.file_name().is_some_and(|name| name == RECORDING);
+    let left = [(cohort, LIST), (folder.clone(), LIST), (folder.clone(), SENSORS)];
+    let left = left.into_iter().find(|(folder, file)| folder.join(file).is_file()).map(|(folder, _)| folder);
+    left.or(is_recording.then_some(folder))
 }
 
 /// Another version may live a run otherwise than the one that began it.

@@ -176,7 +176,11 @@ fn a_cohort_that_is_gone_on_with_counts_what_is_lived_now() {
 
     // Of those who end early, too, it is said.
     let cancel = Cancel::new();
-    let stop = |now: homebody_kit::Progress| drop((now.lived > 0).then(|| cancel.cancel()));
+    let stop = |now: homebody_kit::Progress| {
+        if now.lived > 0 {
+            cancel.cancel();
+        }
+    };
     let cohort = tigerplace().cohort(2).days(400).cancel(&cancel).start().unwrap();
     let lived = cohort.store_in(folder.path().join("stopped"), stop).unwrap();
     assert!(lived.is_stopped() && lived.ended_early == lived.list.members.len(), "{:?}", lived.list);

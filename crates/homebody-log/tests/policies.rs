@@ -202,3 +202,23 @@ fn one_that_hangs_is_waited_for_once_and_no_longer() {
         }
     });
 }
+
+/// This very test, in a program of its own that is given no thread: a stack of this size has room on no machine.
+#[test]
+fn where_there_is_no_thread_it_is_said() {
+    const ALONE: &str = "HOMEBODY_TEST_WITHOUT_THREADS";
+    if std::env::var_os(ALONE).is_some() {
+        let folder = Folder::new("no-thread");
+        let error = stage::open(&[folder.url("csv:log.csv")], &LoggerFile::default(), false).err().unwrap();
+        assert!(matches!(error, LogError::NoThread { .. }), "{error}");
+        assert!(folder.files().is_empty());
+        return;
+    }
+    let itself = std::env::current_exe().unwrap();
+    let name = "where_there_is_no_thread_it_is_said";
+    let mut alone = std::process::Command::new(itself);
+    alone.args([name, "--exact", "--test-threads=1", "--nocapture"]).env(ALONE, "1");
+    let output = alone.env("RUST_MIN_STACK", (1_u64 << 46).to_string()).output().unwrap();
+    let told = String::from_utf8_lossy(&output.stdout);
+    assert!(output.status.success() && told.contains("1 passed"), "{told}{}", String::from_utf8_lossy(&output.stderr));
+}

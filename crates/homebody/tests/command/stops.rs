@@ -159,7 +159,7 @@ fn an_interrupted_cohort_says_what_it_came_to() {
         let done = running.finish_listening();
         assert_eq!(done.code, Some(code), "{}", done.err);
         if words.is_empty() {
-            assert!(done.out.starts_with("tigerplace: 3 lives, stopped, in "), "{}", done.out);
+            assert!(done.out.starts_with("tigerplace: 3 lives, stopped in "), "{}", done.out);
             assert!(last_line(&done.out).ends_with("homebody run --resume runs/tigerplace-1"), "{}", done.out);
         } else {
             let json = done.json();

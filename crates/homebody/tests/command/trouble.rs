@@ -126,40 +126,25 @@ fn where_no_room_is_left_nothing_is_half_written() {
     cramped(&folder, 100_000, "run flat --for 1h --out sqlite:log.db --truth truth.db --record r.json --quiet").ok();
 }
 
-/// Nobody is let have a second thread; who may everything first becomes somebody who may not.
-#[cfg(target_os = "linux")]
 #[test]
 fn where_there_are_no_threads_it_is_said() {
     let folder = flat();
-    let binary = folder.path("homebody");
-    fs::copy(env!("CARGO_BIN_EXE_homebody"), &binary).unwrap();
-    for name in ["", "flat"] {
-        fs::set_permissions(folder.path(name), Permissions::from_mode(0o777)).unwrap();
+    let given = folder.files();
+    for words in [
+        "run flat --for 1s",
+        "run flat --for 1s --residents 2",
+        "run --resume flat",
+        "replay r.json",
+        "serve flat --no-open",
+    ] {
+        // A stack for which no machine has room.
+        let output = folder.command(words).env("RUST_MIN_STACK", (1_u64 << 46).to_string()).output().unwrap();
+        Done::new(words, output).fails(1, "hint: allow this user more threads or memory");
+        assert_eq!(folder.files(), given, "{words}");
     }
-    let limited = |limit: &str, words: &str| {
-        let run = format!("ulimit {limit}; exec \"$0\" \"$@\"");
-        let may_all = fs::write("/proc/self/oom_score_adj", "-1").is_ok();
-        let mut command = Command::new(if may_all { "setpriv" } else { "bash" });
-        if may_all {
-            command.args([
-                "--reuid=65534",
-                "--regid=65534",
-                "--clear-groups",
-                "--inh-caps=-all",
-                "--bounding-set=-all",
-                "bash",
-            ]);
-        }
-        command.args(["-c", &run]).arg(&binary).args(words.split_whitespace());
-        Done::new(words, command.current_dir(folder.path("")).output().unwrap())
-    };
-    // The control: with threads, all of it can be done.
-    limited("-u unlimited", "run flat --for 1s --quiet --out csv:fine.csv").ok();
-    for words in
-        ["run flat --for 1s", "run flat --for 1s --residents 2", "run flat --for 1s --control", "serve flat --no-open"]
-    {
-        limited("-u 1", words).fails(1, "hint: allow");
-    }
+    let mut experiment = folder.command("experiment daily-life --people 2 --days 2");
+    let output = experiment.env("RUST_MIN_STACK", (1_u64 << 46).to_string()).output().unwrap();
+    Done::new("experiment", output).fails(1, "there are no threads");
 }
 
 #[test]
