@@ -141,7 +141,8 @@ impl Sink for Kept {
 #[test]
 fn a_destination_of_ones_own_is_gone_on_with() {
     let folder = tempfile::tempdir().unwrap();
-    let (rows, how): (Arc<Mutex<Vec<i64>>>, Arc<Mutex<Option<How>>>) = Default::default();
+    let rows: Arc<Mutex<Vec<i64>>> = Arc::default();
+    let how: Arc<Mutex<Option<How>>> = Arc::default();
     let own = || Destination::own("kept", Kept { rows: rows.clone(), how: how.clone() }, Policy::default());
     let cancel = Cancel::new();
     let run = tigerplace().run().days(2).cancel(&cancel).start().unwrap();

@@ -288,3 +288,17 @@ impl LogError {
 pub(crate) fn place_of(path: &Path) -> String {
     path.display().to_string()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_may_not_be_read_and_what_may_not_be_written_are_told_apart() {
+        let denied = || io::Error::from(io::ErrorKind::PermissionDenied);
+        let path = Path::new("log.csv");
+        assert!(matches!(LogError::reading(path, denied()), LogError::Unreadable { .. }));
+        assert!(matches!(LogError::file(path, denied()), LogError::Denied { .. }));
+        assert!(matches!(LogError::reading(path, io::ErrorKind::IsADirectory.into()), LogError::IsFolder { .. }));
+    }
+}

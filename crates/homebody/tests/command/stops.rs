@@ -4,6 +4,7 @@ use crate::flat::flat;
 use crate::folder::Folder;
 use rusqlite::Connection;
 use std::fs::{self, File};
+use std::net::{TcpListener, TcpStream};
 use std::process::Command;
 use std::thread;
 use std::time::Duration;
@@ -165,6 +166,20 @@ fn an_interrupted_cohort_says_what_it_came_to() {
             let json = done.json();
             assert_eq!((json["stopped"].as_bool(), json["found_complete"].as_u64()), (Some(true), Some(0)), "{json}");
         }
+    }
+}
+
+/// To interrupt it is how one stops it.
+#[test]
+fn an_interrupted_server_ends_well() {
+    let folder = flat();
+    for signal in ["INT", "TERM"] {
+        let port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
+        let mut running = folder.start(&format!("serve flat --no-open --port {port}"));
+        folder.until("the server listens", |_| TcpStream::connect(("127.0.0.1", port)).is_ok());
+        assert!(running.is_alive());
+        running.signal(signal);
+        running.finish_listening().ok();
     }
 }
 
