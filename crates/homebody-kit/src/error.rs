@@ -98,6 +98,14 @@ pub enum Error {
         /// The folder.
         folder: PathBuf,
     },
+    /// A run was killed, or is being lived, and has not stored a row yet.
+    #[error("the run in {} has no rows yet", folder.display())]
+    NoRows {
+        /// The run's folder.
+        folder: PathBuf,
+        /// The folder by which it can be gone on with: the run's, or that of its cohort.
+        resume: PathBuf,
+    },
     /// A folder is a cohort's, in which each member has a log of their own.
     #[error("{} is a cohort: each member has a log of their own\n  hint: {}", folder.display(), first_of(member.as_deref()))]
     IsCohort {

@@ -48,7 +48,7 @@ pub use destination::{Destination, Policy, Sink};
 pub use error::{BoxError, Error};
 pub use homebody_log::Url;
 pub use homebody_log::places::LIST;
-pub use log_with_run::{LogWithRun, place_of_log};
+pub use log_with_run::{LogWithRun, NamedLog};
 pub use profiles::Profile;
 pub use recorded::{Recorded, Unfinished};
 pub use run::{Batch, BatchSink, LiveRun, Progress, RunSetup};

@@ -12,7 +12,8 @@ use homebody_core::time::Micros;
 use homebody_log::places::{LIST, RECORDING};
 use homebody_log::source::Clock;
 use homebody_log::source::recognise;
-use homebody_log::{Life, Log, LogError, Url, lives, read};
+use homebody_log::truth::tables;
+use homebody_log::{Life, Log, LogError, RunClock, Url, lives, read, survey, truth_beside};
 use jiff::civil::Date;
 use std::fs;
 use std::ops::Range;
@@ -38,18 +39,16 @@ impl LogWithRun {
     ///
     /// # Errors
     ///
-    /// [`Error::TimeZone`] if no zone has this name, [`Error::NoLog`] or [`Error::IsCohort`] if it is a folder without one log,
-    /// [`Error::Log`] if the log or the truth beside it cannot be read.
+    /// [`Error::TimeZone`] if no zone has this name, [`Error::Log`] if the log or the truth beside it cannot be read, and those of
+    /// [`NamedLog::find`] and [`NamedLog::read`].
     pub fn read(text: &str, zone: Option<&str>) -> Result<LogWithRun, Error> {
         let asked = zone.map(Calendar::zone).transpose().map_err(Error::TimeZone)?;
-        let url = place_of_log(text)?;
-        let mut log = read(&url, &LoggerFile::default())?;
-        let beside = |name: &str| Some(url.file()?.with_file_name(name)).filter(|path| path.is_file());
-        let (truth, recording) = (beside("truth.db"), beside("recording.json"));
-        let mut lives = truth.as_ref().map(|truth| lives(truth)).transpose()?.unwrap_or_default();
-        let run = recording.as_ref().and_then(|path| fs::read_to_string(path).ok());
-        let run: Option<Recording> = run.and_then(|text| serde_json::from_str(&text).ok());
-        let scenario = run.as_ref().and_then(|run| run.scenario().ok());
+        let named = NamedLog::find(text)?;
+        let mut log = named.read()?;
+        let truth = named.truth();
+        // Days are drawn on the wall, so these are the instants as the truth tells them.
+        let mut lives = truth.as_ref().map(|truth| lives(truth, &RunClock::as_told())).transpose()?.unwrap_or_default();
+        let NamedLog { place: url, run, scenario, .. } = named;
         if let Some(scenario) = &scenario {
             name_sensors(&mut log, scenario);
         }
@@ -69,8 +68,10 @@ impl LogWithRun {
         }
         // A recording that lies there by chance is of another time.
         let recorded = span.filter(|span| log.events.iter().all(|event| span.contains(&event.at)));
-        let sources = [url.file().map(Path::to_owned), truth, recording].into_iter().flatten().collect();
-        Ok(LogWithRun { name: named(text), log, lives, recorded, sources })
+        let beside = url.file().map(|file| file.with_file_name(RECORDING)).filter(|path| path.is_file());
+        let truth = truth.map(|truth| truth.files(&tables())).unwrap_or_default();
+        let sources = url.file().map(Path::to_owned).into_iter().chain(truth).chain(beside).collect();
+        Ok(LogWithRun { name: called(text), log, lives, recorded, sources })
     }
 
     /// The first and the last of its dates: those of its run, on which nothing may have been said, else those of its rows.
@@ -89,34 +90,144 @@ fn name_sensors(log: &mut Log, scenario: &Scenario) {
     }
 }
 
-/// Where a log is that is named by its URL, by its path alone, or by the folder of its run.
-///
-/// # Errors
-///
-/// [`Error::NoLog`] or [`Error::IsCohort`] if it is a folder without one log, [`Error::Log`] if it is no log at all.
-pub fn place_of_log(text: &str) -> Result<Url, Error> {
-    let path = PathBuf::from(text);
-    if path.join(LIST).is_file() {
-        return Err(Error::IsCohort { member: first_member(&path), folder: path });
+/// A log that somebody names, before it is read: where it is, and what is known of the run that left it.
+pub struct NamedLog {
+    /// Where it is.
+    pub place: Url,
+    /// What its table and columns are called, by the logger of its run; the usual names where that is not known.
+    pub mapping: LoggerFile,
+    /// The recording beside it.
+    run: Option<Recording>,
+    scenario: Option<Scenario>,
+}
+
+impl NamedLog {
+    /// Finds a log by its URL, by its path alone, or by the folder of its run.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NoLog`] or [`Error::IsCohort`] if it is a folder without one log, [`Error::NoRows`] if it is that of a run which
+    /// has not stored any, [`Error::Log`] if there is no such file.
+    pub fn find(text: &str) -> Result<NamedLog, Error> {
+        let path = PathBuf::from(text);
+        if path.join(LIST).is_file() {
+            return Err(Error::IsCohort { member: first_member(&path), folder: path });
+        }
+        if path.is_dir() {
+            let recording = recording_in(&path);
+            return match log_in(&path, recording.as_ref()) {
+                Some(place) => Ok(NamedLog::at(place, recording)),
+                None if recording.is_some_and(|run| !run.is_complete()) => Err(no_rows(path)),
+                None => Err(Error::NoLog { folder: path }),
+            };
+        }
+        let place = match path.exists() {
+            true => recognise(&path)?,
+            false => text.parse().or_else(|_| recognise(&path)).map_err(|error: LogError| error)?,
+        };
+        let beside = place.file().and_then(Path::parent).and_then(recording_in);
+        Ok(NamedLog::at(place, beside))
     }
-    if path.is_dir() {
-        return log_in(&path).ok_or(Error::NoLog { folder: path });
+
+    fn at(place: Url, run: Option<Recording>) -> NamedLog {
+        let scenario = run.as_ref().and_then(|run| run.scenario().ok());
+        let mapping = scenario.as_ref().map(|scenario| scenario.logger.clone()).unwrap_or_default();
+        NamedLog { place, mapping, run, scenario }
     }
-    if path.exists() {
-        return Ok(recognise(&path)?);
+
+    /// Reads it into memory.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NoRows`] if its run has not stored any yet, [`Error::Log`] if it cannot be read.
+    pub fn read(&self) -> Result<Log, Error> {
+        self.with_rows(read(&self.place, &self.mapping))
     }
-    Ok(text.parse().or_else(|_| recognise(&path)).map_err(|error: LogError| error)?)
+
+    /// Reads it through and keeps no rows.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`NamedLog::read`].
+    pub fn survey(&self) -> Result<Log, Error> {
+        self.with_rows(survey(&self.place, &self.mapping))
+    }
+
+    /// A run that has no rows yet is told as such, whatever its log is without them.
+    fn with_rows(&self, read: Result<Log, LogError>) -> Result<Log, Error> {
+        let file = self.place.file().unwrap_or(Path::new(""));
+        let is_empty = match &read {
+            Ok(log) => log.rows == 0 && log.skipped == 0,
+            Err(LogError::Missing { .. } | LogError::NoTables { .. }) => true,
+            Err(_) => fs::metadata(file).is_ok_and(|found| found.len() == 0),
+        };
+        match self.run.as_ref().is_some_and(|run| is_empty && !run.is_complete() && self.is_of_its_run()) {
+            true => Err(no_rows(file.parent().unwrap_or(Path::new("")).to_owned())),
+            false => Ok(read?),
+        }
+    }
+
+    /// Whether the recording beside it says that the run's log is here.
+    fn is_of_its_run(&self) -> bool {
+        let Some(file) = self.place.file() else { return false };
+        let folder = file.parent().unwrap_or(Path::new(""));
+        places(self.scenario.as_ref()).any(|url| url.within(folder).file() == Some(file))
+    }
+
+    /// The truth that lies beside it.
+    pub fn truth(&self) -> Option<Url> {
+        truth_beside(self.place.file()?)
+    }
+
+    /// Reads instants of its run from the truth beside it. Where the run is not known, they are as they are told.
+    pub fn clock(&self) -> RunClock {
+        clock(self.scenario.as_ref(), self.run.as_ref())
+    }
+
+    /// Reads instants of its run from a truth that may be elsewhere, by whichever of the two has a recording beside it.
+    pub fn clock_beside(&self, truth: &Url) -> RunClock {
+        if self.scenario.is_some() {
+            return self.clock();
+        }
+        let run = truth.file().and_then(Path::parent).and_then(recording_in);
+        clock(run.as_ref().and_then(|run| run.scenario().ok()).as_ref(), run.as_ref())
+    }
+
+    /// Reads instants of its run from the log itself, which has the clock `told_by`.
+    pub fn clock_of(&self, told_by: Clock) -> RunClock {
+        let known = self.scenario.as_ref().zip(self.run.as_ref());
+        known
+            .map_or_else(RunClock::as_told, |(scenario, run)| RunClock::new(&scenario.calendar, run.length_us, told_by))
+    }
+}
+
+fn clock(scenario: Option<&Scenario>, run: Option<&Recording>) -> RunClock {
+    scenario.zip(run).map_or_else(RunClock::as_told, |(scenario, run)| RunClock::of(scenario, run.length_us))
+}
+
+/// The recording in a folder, if one can be read.
+fn recording_in(folder: &Path) -> Option<Recording> {
+    serde_json::from_str(&fs::read_to_string(folder.join(RECORDING)).ok()?).ok()
+}
+
+/// A run that has no rows yet, and the folder by which it can be gone on with: its cohort's, if it is a member of one.
+fn no_rows(folder: PathBuf) -> Error {
+    let cohort = folder.parent().filter(|parent| parent.join(LIST).is_file());
+    Error::NoRows { resume: cohort.unwrap_or(&folder).to_owned(), folder }
 }
 
 /// The log in a run's folder: where its recording says that it is, or under a usual name.
-fn log_in(folder: &Path) -> Option<Url> {
-    let recording = fs::read_to_string(folder.join(RECORDING)).ok();
-    let recording: Option<Recording> = recording.and_then(|text| serde_json::from_str(&text).ok());
-    let to = recording.and_then(|run| run.scenario().ok()).map(|scenario| scenario.logger.to).unwrap_or_default();
-    let said = to.iter().filter_map(|place| place.parse::<Url>().ok());
-    let usual = SCHEMES.iter().map(|row| Url::new(row.scheme, row.usual));
-    let mut all = said.chain(usual).map(|url| url.within(folder));
+fn log_in(folder: &Path, recording: Option<&Recording>) -> Option<Url> {
+    let scenario = recording.and_then(|run| run.scenario().ok());
+    let mut all = places(scenario.as_ref()).map(|url| url.within(folder));
     all.find(|url| url.file().is_some_and(Path::is_file))
+}
+
+/// Where a run's log may be, within its folder.
+fn places(scenario: Option<&Scenario>) -> impl Iterator<Item = Url> {
+    let to = scenario.map(|scenario| &scenario.logger.to[..]).unwrap_or_default();
+    let said = to.iter().filter_map(|place| place.parse::<Url>().ok());
+    said.chain(SCHEMES.iter().map(|row| Url::new(row.scheme, row.usual)))
 }
 
 /// The first member of a cohort who was lived.
@@ -127,7 +238,7 @@ fn first_member(folder: &Path) -> Option<PathBuf> {
 }
 
 /// What a log is called: as its file, or as the folder of its run.
-fn named(text: &str) -> String {
+fn called(text: &str) -> String {
     let path =
         PathBuf::from(text.split_once(':').filter(|(scheme, _)| scheme.len() > 1).map_or(text, |(_, path)| path));
     path.file_name().map_or(text.into(), |name| name.to_string_lossy().into_owned())

@@ -1,5 +1,7 @@
 //! What can go wrong with a log.
 
+use crate::limits::LONGEST_ROW;
+use crate::skipped::Skipped;
 use homebody_core::scenario::scheme::NoPlace;
 use std::error::Error;
 use std::fs::{File, OpenOptions};
@@ -130,6 +132,58 @@ pub enum LogError {
         place: String,
         /// Why not, as a part of a sentence.
         why: String,
+    },
+    /// A database has no tables: a run has only just begun in it, or it is none of a log.
+    #[error(
+        "{place} has no tables, so no log\n  hint: name one that has; what is computed, such as a view, is not read"
+    )]
+    NoTables {
+        /// The file.
+        place: String,
+    },
+    /// A row or a cell is longer than any of a log's, so it is not read into memory.
+    #[error("{place}: {what}\n  hint: no log has that: name one")]
+    TooLong {
+        /// The file, with the line where it is known.
+        place: String,
+        /// What is too long, as a sentence.
+        what: String,
+    },
+    /// What is to be read is no truth of a run.
+    #[error(
+        "{place} has no truth: {why}\n  hint: name the database that the log's run has left, or csv:FILE where its tables are texts"
+    )]
+    NoTruth {
+        /// The place.
+        place: String,
+        /// Why not, as a part of a sentence.
+        why: String,
+    },
+    /// A truth tells of another run than the log's.
+    #[error("{truth} is not the truth of this log: {what}\n  hint: name the truth that the same run has left")]
+    OtherRun {
+        /// The truth.
+        truth: String,
+        /// In what they differ, as a part of a sentence.
+        what: String,
+    },
+    /// Lines of a log are not understood, so that nobody can tell which row is which.
+    #[error("{}\n  hint: the truth counts the log's rows: take the log as its run has left it", told(.place, .problems, *.skipped))]
+    Gaps {
+        /// The log.
+        place: String,
+        /// The first of the lines.
+        problems: Vec<Skipped>,
+        /// How many they are.
+        skipped: u64,
+    },
+    /// What is to be written would replace a file that a run has left, or is writing.
+    #[error("{place} is a file of the run in {folder}\n  hint: name a file elsewhere, or by another name")]
+    OfRun {
+        /// The file.
+        place: String,
+        /// The run's folder.
+        folder: String,
     },
     /// The system could not read or write a file, for a reason that none of the others names.
     #[error("{place}: {source}")]
@@ -269,6 +323,10 @@ impl LogError {
         match source.sqlite_error_code() {
             Some(DatabaseBusy | DatabaseLocked) => LogError::Locked { place },
             Some(DiskFull) => LogError::Full { place },
+            Some(TooBig) => {
+                let what = format!("a row or a cell of it is longer than {LONGEST_ROW} bytes");
+                LogError::TooLong { place, what }
+            }
             Some(ReadOnly | PermissionDenied) => LogError::Denied { place },
             // It does not say why; the system does.
             Some(CannotOpen) => match (File::open(path), OpenOptions::new().write(true).open(path)) {
@@ -287,6 +345,16 @@ impl LogError {
 /// A file, as errors tell it.
 pub(crate) fn place_of(path: &Path) -> String {
     path.display().to_string()
+}
+
+/// The lines that are not understood, each by its place, as far as they are listed.
+fn told(place: &str, problems: &[Skipped], skipped: u64) -> String {
+    let mut lines: Vec<String> = problems.iter().map(|line| format!("{place}:{}: {}", line.line, line.why)).collect();
+    let rest = skipped.saturating_sub(lines.len() as u64);
+    if rest > 0 {
+        lines.push(format!("{place}: {rest} more lines are not understood"));
+    }
+    lines.join("\n")
 }
 
 #[cfg(test)]

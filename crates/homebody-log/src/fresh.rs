@@ -61,11 +61,13 @@ pub fn all_can_be_written(paths: &[&Path], force: bool) -> Result<(), LogError> 
 
 /// Whether two paths lead to one file, be it there yet or not.
 pub fn same_file(one: &Path, other: &Path) -> bool {
-    let whole = |path: &Path| {
-        let named = || Some(folder(path).canonicalize().ok()?.join(path.file_name()?));
-        path.canonicalize().ok().or_else(named)
-    };
-    one == other || whole(one).is_some_and(|one| Some(one) == whole(other))
+    let led = |path: &Path| path.canonicalize().ok().or_else(|| whole(path));
+    one == other || led(one).is_some_and(|one| Some(one) == led(other))
+}
+
+/// A file's path from the root on, without detours; of a link it is the link's. None where its folder is not there.
+pub(crate) fn whole(path: &Path) -> Option<PathBuf> {
+    Some(folder(path).canonicalize().ok()?.join(path.file_name()?))
 }
 
 /// A text file that takes its name only when it is whole; dropped before, it leaves nothing behind.

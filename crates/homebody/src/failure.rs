@@ -66,6 +66,10 @@ impl From<Error> for Failure {
                 Ok(error) => (*error).into(),
                 Err(error) => Failure::Io(error.to_string()),
             },
+            Error::NoRows { ref resume, .. } => Failure::Io(format!(
+                "{error}\n  hint: homebody run --resume {} goes on with it, where nobody lives it now",
+                resume.display()
+            )),
             Error::File { .. }
             | Error::NoLog { .. }
             | Error::NoRecording { .. }
