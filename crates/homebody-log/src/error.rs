@@ -4,6 +4,7 @@ use crate::limits::LONGEST_ROW_BYTES;
 use crate::skipped::Skipped;
 use homebody_core::scenario::scheme::NoPlace;
 use std::error::Error;
+use std::fs::{File, OpenOptions};
 use std::io;
 use std::path::Path;
 
@@ -46,6 +47,12 @@ pub enum LogError {
         /// The file.
         place: String,
     },
+    /// The system does not let this program read it.
+    #[error("{place} may not be read\n  hint: check who may read it")]
+    Unreadable {
+        /// The file or folder.
+        place: String,
+    },
     /// The disk is full, or what this user may use of it.
     #[error("no space is left for {place}\n  hint: what it held before is safe; make room and run again")]
     Full {
@@ -72,11 +79,19 @@ pub enum LogError {
         /// The file.
         place: String,
     },
-    /// Another program is living a run into the folder.
+    /// Another program is living a run into the folder, or writing the file.
     #[error("another program is writing into {place}\n  hint: let it come to its end, or stop it first")]
     Busy {
-        /// The folder.
+        /// The folder or file.
         place: String,
+    },
+    /// The system gives no thread to a destination.
+    #[error("there is no thread to write {place}: {source}\n  hint: allow more threads or memory, or run less at once")]
+    NoThread {
+        /// The destination.
+        place: String,
+        /// What the system says.
+        source: io::Error,
     },
     /// A run that is gone on with was stopped before it had come as far as before.
     #[error(
@@ -235,8 +250,8 @@ pub enum LogError {
     },
     /// What is there already cannot be gone on with: it is no beginning of this run.
     #[error(
-        "{place} is not the beginning of this run: {what}\n  hint: it was changed since, or made from other files; \
-         begin the run anew"
+        "{place} is not the beginning of this run: {what}\n  hint: it was changed since, or the recording is of another run; put \
+         back what was there, or begin the run anew"
     )]
     Changed {
         /// The destination.
@@ -300,6 +315,14 @@ impl LogError {
         }
     }
 
+    /// What an error of reading a file means.
+    pub(crate) fn reading(path: &Path, source: io::Error) -> LogError {
+        match source.kind() {
+            io::ErrorKind::PermissionDenied => LogError::Unreadable { place: place_of(path) },
+            _ => LogError::file(path, source),
+        }
+    }
+
     /// What an error of a database means.
     pub(crate) fn database(path: &Path, source: rusqlite::Error) -> LogError {
         use rusqlite::ErrorCode::*;
@@ -313,6 +336,12 @@ impl LogError {
                 LogError::TooLong { place, what }
             }
             Some(ReadOnly | PermissionDenied) => LogError::Denied { place },
+            // It does not say why; the system does.
+            Some(CannotOpen) => match (File::open(path), OpenOptions::new().write(true).open(path)) {
+                (Err(error), _) => LogError::reading(path, error),
+                (_, Err(error)) => LogError::file(path, error),
+                _ => LogError::Database { place, source: source.into() },
+            },
             _ if source.sqlite_error().is_some_and(|error| error.extended_code == SQLITE_IOERR_WRITE) => {
                 LogError::Unwritten { place }
             }
@@ -334,4 +363,18 @@ fn told(place: &str, problems: &[Skipped], skipped: u64) -> String {
         lines.push(format!("{place}: {rest} more lines are not understood"));
     }
     lines.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_may_not_be_read_and_what_may_not_be_written_are_told_apart() {
+        let denied = || io::Error::from(io::ErrorKind::PermissionDenied);
+        let path = Path::new("log.csv");
+        assert!(matches!(LogError::reading(path, denied()), LogError::Unreadable { .. }));
+        assert!(matches!(LogError::file(path, denied()), LogError::Denied { .. }));
+        assert!(matches!(LogError::reading(path, io::ErrorKind::IsADirectory.into()), LogError::IsFolder { .. }));
+    }
 }

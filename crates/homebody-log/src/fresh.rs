@@ -95,12 +95,13 @@ impl FreshFile {
     /// Opens what a program that died has left of a file, be it whole already or not; None where there is nothing. Its
     /// text is read from its beginning, and may be cut and added to.
     pub fn reopen(path: &Path) -> Result<Option<(FreshFile, File)>, LogError> {
-        let wrong = |error| LogError::file(path, error);
         let is_whole = path.is_file();
-        let left = if is_whole { Some(path.to_owned()) } else { largest_part(path).map_err(wrong)? };
+        let unread = |error| LogError::reading(path, error);
+        let left = if is_whole { Some(path.to_owned()) } else { largest_part(path).map_err(unread)? };
         let Some(left) = left else { return Ok(None) };
-        let read = File::open(&left).map_err(wrong)?;
-        let file = OpenOptions::new().write(true).open(&left).map_err(wrong)?;
+        let read = File::open(&left).map_err(unread)?;
+        let unwritten = |error| LogError::file(path, error);
+        let file = OpenOptions::new().write(true).open(&left).map_err(unwritten)?;
         let part = (!is_whole).then_some(left);
         let out = BufWriter::with_capacity(1 << 16, file);
         Ok(Some((FreshFile { path: path.into(), place: Found::Free, part, out }, read)))

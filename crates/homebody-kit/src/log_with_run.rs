@@ -22,7 +22,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// A log on the clock on the wall of its home.
-pub struct Given {
+pub struct LogWithRun {
     /// What it is called.
     pub name: String,
     /// Its rows; `log.clock` says whether they could be put on the wall.
@@ -35,7 +35,7 @@ pub struct Given {
     pub sources: Vec<PathBuf>,
 }
 
-impl Given {
+impl LogWithRun {
     /// Reads a log by its URL, by its path alone, or by the folder of its run. One in UTC is put on the wall of `zone`, or
     /// of its run's; where neither is known, it stays in UTC.
     ///
@@ -43,7 +43,7 @@ impl Given {
     ///
     /// [`Error::TimeZone`] if no zone has this name, [`Error::Log`] if the log or the truth beside it cannot be read, and those of
     /// [`NamedLog::find`] and [`NamedLog::read`].
-    pub fn read(text: &str, zone: Option<&str>) -> Result<Given, Error> {
+    pub fn read(text: &str, zone: Option<&str>) -> Result<LogWithRun, Error> {
         let asked = zone.map(Calendar::zone).transpose().map_err(Error::TimeZone)?;
         let named = NamedLog::find(text)?;
         let mut log = named.read()?;
@@ -73,7 +73,7 @@ impl Given {
         let beside = url.file().map(|file| file.with_file_name(RECORDING)).filter(|path| path.is_file());
         let truth = truth.map(|truth| truth.files(&tables())).unwrap_or_default();
         let sources = url.file().map(Path::to_owned).into_iter().chain(truth).chain(beside).collect();
-        Ok(Given { name: called(text), log, lives, recorded, sources })
+        Ok(LogWithRun { name: called(text), log, lives, recorded, sources })
     }
 
     /// The first and the last of its dates: those of its run, on which nothing may have been said, else those of its rows.
