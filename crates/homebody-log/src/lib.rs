@@ -32,6 +32,7 @@ pub mod sink;
 
 mod clock;
 mod word;
+mod spreadsheet;
 mod mapping;
 mod messages;
 mod writer;

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// `logger.json`: maps the log onto a real network's database.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Default)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 #[schemars(title = "logger")]
 pub struct LoggerFile {
@@ -25,8 +25,31 @@ pub struct LoggerFile {
     pub ids: BTreeMap<String, String>,
     /// What of a firing becomes rows.
     pub messages: MessagesFile,
+    /// Whether a text that a spreadsheet would take for a formula has a ' before it in CSV: one that begins with =, +, -, or @.
+    /// Default `true`.
+    #[serde(skip_serializing_if = "is_true")]
+    pub spreadsheet_safe: bool,
     /// How the instants of the log and of the truth are written.
     pub time: TimeFormat,
+}
+
+impl Default for LoggerFile {
+    fn default() -> Self {
+        LoggerFile {
+            schema: None,
+            to: Vec::new(),
+            table: None,
+            columns: ColumnsFile::default(),
+            ids: BTreeMap::new(),
+            messages: MessagesFile::default(),
+            spreadsheet_safe: true,
+            time: TimeFormat::default(),
+        }
+    }
+}
+
+fn is_true(value: &bool) -> bool {
+    *value
 }
 
 /// Column names; `run` and `seq` make the key under which a row is stored once only.

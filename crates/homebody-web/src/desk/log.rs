@@ -6,6 +6,7 @@ use homebody_core::event::Events;
 use homebody_core::problem::Problem;
 use homebody_core::recording::Recording;
 use homebody_core::run::Run;
+use homebody_core::scenario::inside::outside_folder;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::scheme::{self, NoPlace, SCHEMES};
 use homebody_core::time::{DAY, SECOND};
@@ -53,9 +54,8 @@ impl Desk {
 
     fn try_url(&self, url: &Url) -> Result<String, LogError> {
         let Some(file) = url.file() else { return try_place(url).map(|()| format!("{url} can be written.")) };
-        if file.is_absolute() {
-            try_place(url)?;
-            return Ok(format!("{} can be written. It is new: a log that is there is not replaced.", file.display()));
+        if let Some(what) = outside_folder(&file.to_string_lossy(), "the run's folder") {
+            return Err(LogError::NoPlace(NoPlace { what, hint: "name a file in there".into() }));
         }
         // Each run has a folder of its own; what matters is whether it can be made.
         let there = self.shelf.runs.ancestors().find(|folder| folder.is_dir() || folder.as_os_str().is_empty());

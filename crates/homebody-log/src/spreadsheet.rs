@@ -1,0 +1,56 @@
+//! Texts that a spreadsheet would take for a formula, and run: whoever names a sensor writes into it.
+//!
+//! Such a text has a `'` before it in CSV, which spreadsheets take for "this is text". It is taken away when our own files
+//! are read. A number, such as -3.5, is no formula.
+
+use std::borrow::Cow;
+
+/// How a formula begins, or what spreadsheets pass over before one.
+const BEGINS: [char; 6] = ['=', '+', '-', '@', '\t', '\r'];
+
+/// A text as it stands in a cell.
+pub(crate) fn escaped(text: &str) -> Cow<'_, str> {
+    // What looks escaped already is escaped once more, so that each text comes back as it was.
+    match is_formula(text) || is_escaped(text) {
+        true => format!("'{text}").into(),
+        false => text.into(),
+    }
+}
+
+/// What a cell says.
+pub(crate) fn plain(cell: &str) -> &str {
+    if is_escaped(cell) { &cell[1..] } else { cell }
+}
+
+fn is_escaped(cell: &str) -> bool {
+    cell.starts_with('\'') && is_formula(cell.trim_start_matches('\''))
+}
+
+fn is_formula(text: &str) -> bool {
+    text.starts_with(BEGINS) && text.parse::<f64>().is_err()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn formulas_are_escaped_and_come_back() {
+        for (text, cell) in [
+            ("=1+1", "'=1+1"),
+            ("+A1", "'+A1"),
+            ("-cmd|' /C calc'!A0", "'-cmd|' /C calc'!A0"),
+            ("@SUM(A1)", "'@SUM(A1)"),
+            ("\t=1", "'\t=1"),
+            ("'=1", "''=1"),
+            ("''=1", "'''=1"),
+            ("-3.5", "-3.5"),
+            ("'tis", "'tis"),
+            ("bedroom motion", "bedroom motion"),
+            ("", ""),
+        ] {
+            assert_eq!(escaped(text), cell);
+            assert_eq!(plain(&escaped(text)), text, "{cell}");
+        }
+    }
+}
