@@ -25,6 +25,7 @@ pub mod stage;
 pub mod playback;
 
 /// Who may ask what, and who answers.
+mod visit;
 pub mod guard;
 mod connections;
 mod page;

@@ -8,9 +8,9 @@ use crate::playback::{Playback, Refusal};
 use crate::shelf::{RECORDING, Shelf};
 use crate::socket;
 use crate::stage::Stage;
+use crate::visit::{STUCK, Visit};
 use crate::wire::{Connect, Draft, Explain, Month, Save};
-use axum::Json;
-use axum::Router;
+use axum::{Extension, Json, Router};
 use axum::body::Body;
 use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::{DefaultBodyLimit, Path, State};
@@ -28,6 +28,7 @@ use std::time::Duration;
 use tokio::io::{AsyncRead, AsyncReadExt};
 use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
+use tower_http::timeout::RequestBodyTimeoutLayer;
 
 pub use crate::guard::SOCKET;
 
@@ -35,7 +36,7 @@ pub use crate::guard::SOCKET;
 const LARGEST_BODY: usize = 8 << 20;
 
 /// So many pages may look at once (ours).
-const SOCKETS: usize = 32;
+const PAGES: usize = 32;
 
 /// What to serve, and where.
 #[derive(Clone, Debug)]
@@ -88,8 +89,8 @@ pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(&str)) -> Res
         let stage = Stage::open(options.shelf.clone()).map_err(ServeError::Scenario)?;
         let playback = Playback::new(options.shelf.clone());
         let desk = Desk::new(options.shelf.clone());
-        let sockets = Arc::new(Semaphore::new(SOCKETS));
-        let house = House { guard, stage: stage.clone(), shelf: options.shelf, playback, desk, sockets };
+        let pages = Arc::new(Semaphore::new(PAGES));
+        let house = House { guard, stage: stage.clone(), shelf: options.shelf, playback, desk, pages };
         ready(&format!("http://{address}/#token={}", house.guard.token()));
         let served = tokio::select! {
             error = connections::serve(listener, routes(house)) => Err(error),
@@ -132,7 +133,7 @@ struct House {
     shelf: Shelf,
     playback: Playback,
     desk: Desk,
-    sockets: Arc<Semaphore>,
+    pages: Arc<Semaphore>,
 }
 
 fn routes(house: House) -> Router {
@@ -154,21 +155,26 @@ fn routes(house: House) -> Router {
         .route("/api/runs/{run}/{what}", get(file_of_run))
         .fallback(get(page::file))
         .layer(DefaultBodyLimit::max(LARGEST_BODY))
+        .layer(RequestBodyTimeoutLayer::new(STUCK))
         .layer(axum::middleware::from_fn_with_state(house.guard.clone(), guard::watch))
         .with_state(house)
 }
 
-async fn live(State(house): State<House>, headers: HeaderMap, upgrade: WebSocketUpgrade) -> Response {
+async fn live(
+    State(house): State<House>,
+    Extension(visit): Extension<Visit>,
+    headers: HeaderMap,
+    upgrade: WebSocketUpgrade,
+) -> Response {
     if !house.guard.is_socket_from_us(&headers) {
         return (StatusCode::FORBIDDEN, "Only its own page may ask this server.").into_response();
     }
-    let Ok(place) = house.sockets.try_acquire_owned() else {
-        return (StatusCode::SERVICE_UNAVAILABLE, "Too many pages look already.").into_response();
-    };
     let upgrade = upgrade.max_message_size(socket::LONGEST).max_frame_size(socket::LONGEST);
     upgrade.on_upgrade(async move |socket| {
-        socket::serve(socket, house.guard, house.stage).await;
-        drop(place);
+        tokio::select! {
+            () = socket::serve(socket, visit.clone(), house.guard, house.pages, house.stage) => {}
+            () = visit.sent_away() => {}
+        }
     })
 }
 
