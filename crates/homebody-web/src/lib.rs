@@ -16,6 +16,7 @@ pub mod staged_run;
 mod dates;
 mod draw;
 mod growth;
+mod input_keeper;
 
 /// Files that are written in the page.
 pub mod desk;

@@ -3,6 +3,7 @@
 use crate::dates;
 use crate::draw;
 use crate::growth::Growth;
+use crate::input_keeper::{InputKeeper, input_text};
 use crate::shelf::Shelf;
 use crate::wire::{FiringView, Frame, Key, Posture, ResidentView, RunView, State};
 use homebody_core::drivers::input::Input;
@@ -20,8 +21,9 @@ use homebody_core::scene::Scene;
 use homebody_core::sensors::Sensor;
 use homebody_core::snapshots::Snapshots;
 use homebody_core::time::{DAY, Micros, SECOND, micros, seconds};
-use homebody_log::{How, LogError, Places, RowText, Rows, RunLog};
+use homebody_log::{How, LogError, Places, RowText, Rows, RunLog, Stored};
 use homebody_routine::household::Household;
+use std::collections::VecDeque;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -46,6 +48,8 @@ pub struct StagedRun {
     recording: Recording,
     /// The file that the keys are recorded into, if somebody is driven.
     keys: Option<String>,
+    /// How much of what is done at the keys was in the scenario when the run began.
+    known_input: usize,
     /// The keys that are held.
     held: KeysFile,
     files: Option<Written>,
@@ -92,6 +96,55 @@ struct Written {
     places: Places,
     /// Until they are complete.
     log: Option<RunLog>,
+    /// Until then, if somebody is driven.
+    input: Option<InputKeeper>,
+    /// What has happened and is not stored before the input that it comes of.
+    waiting: VecDeque<Waiting>,
+    /// Up to here all is stored.
+    stored_to: Micros,
+}
+
+/// What has happened in a part of a run.
+struct Waiting {
+    /// How many lines of input there were.
+    lines: usize,
+    now: Micros,
+    settled: Micros,
+    events: Events,
+}
+
+impl Written {
+    /// Takes what has happened by now, and stores all of which the recording has the input.
+    fn store(&mut self, run: &Run, events: &Events, input: &[KeysFile]) -> Result<(), LogError> {
+        let Some(log) = &mut self.log else { return Ok(()) };
+        let Some(keeper) = &mut self.input else {
+            log.store(run, events)?;
+            self.stored_to = run.now();
+            return Ok(());
+        };
+        if *events != Events::default() || run.now() > self.waiting.back().map_or(self.stored_to, |last| last.now) {
+            let (now, settled) = (run.now(), run.settled());
+            self.waiting.push_back(Waiting { lines: input.len(), now, settled, events: events.clone() });
+        }
+        let kept = keeper.keep(input)?;
+        while let Some(first) = self.waiting.front().filter(|first| first.lines <= kept) {
+            log.store_settled(first.settled, &first.events)?;
+            self.stored_to = first.now;
+            self.waiting.pop_front();
+        }
+        Ok(())
+    }
+
+    /// Ends the log, with all that has waited, which the recording is about to explain. Returns it with where it ends.
+    fn end(&mut self) -> Result<Option<(RunLog, Micros)>, LogError> {
+        self.input = None;
+        let Some(mut log) = self.log.take() else { return Ok(None) };
+        for Waiting { now, settled, events, .. } in self.waiting.drain(..) {
+            log.store_settled(settled, &events)?;
+            self.stored_to = now;
+        }
+        Ok(Some((log, self.stored_to)))
+    }
 }
 
 impl StagedRun {
@@ -147,6 +200,7 @@ impl StagedRun {
         let growth = Growth::new(&scenario.calendar, run.length(), is_motion);
         Ok(StagedRun {
             growth: Arc::new(Mutex::new(growth)),
+            known_input: start.input.len(),
             start,
             scenario,
             conditions,
@@ -227,9 +281,8 @@ impl StagedRun {
         if self.is_replay {
             self.digest.add(&self.events.firings);
         }
-        let log = self.files.as_mut().and_then(|files| files.log.as_mut());
-        if let Some(log) = log.filter(|_| stored.is_none()) {
-            log.store(&self.run, &self.events).map_err(|error| error.to_string())?;
+        if let Some(files) = self.files.as_mut().filter(|_| stored.is_none()) {
+            files.store(&self.run, &self.events, &self.start.input).map_err(|error| error.to_string())?;
         }
         self.furthest.take_if(|furthest| furthest.now() <= self.run.now());
         self.growth.lock().unwrap_or_else(PoisonError::into_inner).add(&self.events.firings, self.run.now());
@@ -283,7 +336,21 @@ impl StagedRun {
     fn open(&self, shelf: &Shelf) -> Result<Written, LogError> {
         let places = Places::run(&shelf.runs, &self.scenario)?;
         let log = RunLog::open(&places, &self.scenario, &self.run, &self.recording, How::New)?;
-        Ok(Written { places, log: Some(log) })
+        let input = match (&places.recording, &self.keys) {
+            (Some(place), Some(keys)) => {
+                let unmade = |source| LogError::File { place: place.display().to_string(), source };
+                let keeper = InputKeeper::new(place.clone(), self.recording.clone(), keys.clone(), self.known_input);
+                Some(keeper.map_err(unmade)?)
+            }
+            _ => None,
+        };
+        Ok(Written { places, log: Some(log), input, waiting: VecDeque::new(), stored_to: 0 })
+    }
+
+    /// Has what was done at the keys be written, though the run may be paused.
+    pub fn keep_input(&mut self) -> Result<(), String> {
+        let Some(files) = self.files.as_mut().filter(|files| files.input.is_some()) else { return Ok(()) };
+        files.store(&self.run, &Events::default(), &self.start.input).map_err(|error| error.to_string())
     }
 
     /// From now on these keys are held.
@@ -346,13 +413,28 @@ impl StagedRun {
                 (true, false) => Err("The replay differs from the recording.".into()),
             };
         }
-        let Some(log) = self.files.as_mut().and_then(|files| files.log.take()) else { return Ok(None) };
+        self.complete(|log, _, recording, run| log.finish(run, recording))
+    }
+
+    /// Ends a run that broke: nothing is asked of it any more, and what it has stored is completed as far as it came.
+    pub fn give_up(&mut self) -> Result<Option<String>, String> {
+        (self.is_over, self.furthest) = (true, None);
+        self.events.clear();
+        self.complete(|log, now, recording, _| log.give_up(now, recording))
+    }
+
+    fn complete(
+        &mut self,
+        end: impl FnOnce(RunLog, Micros, Recording, &Run) -> Result<(Stored, Recording), LogError>,
+    ) -> Result<Option<String>, String> {
+        let Some(files) = &mut self.files else { return Ok(None) };
+        let Some((log, now)) = files.end().map_err(|error| error.to_string())? else { return Ok(None) };
         let mut recording = self.recording.clone();
         if let Some(keys) = &self.keys {
             recording.files.insert(keys.clone(), input_text(&self.start.input));
         }
         let furthest = self.furthest.as_ref().unwrap_or(&self.run);
-        let (stored, recording) = log.finish(furthest, recording).map_err(|error| error.to_string())?;
+        let (stored, recording) = end(log, now, recording, furthest).map_err(|error| error.to_string())?;
         self.recording = recording;
         let folder = self.folder().map(|folder| folder.display().to_string());
         Ok(Some(format!("{} rows are in {}.", stored.rows, folder.unwrap_or_default())))
@@ -403,6 +485,15 @@ impl StagedRun {
     }
 }
 
+#[cfg(test)]
+impl StagedRun {
+    /// The same with other drivers.
+    pub fn driven_by(mut self, drivers: &dyn homebody_core::run::DriverProvider) -> StagedRun {
+        self.run = Run::new(&self.scenario, drivers, self.recording.seed, self.recording.length_us);
+        self
+    }
+}
+
 fn firing_view(row: RowText) -> FiringView {
     let RowText { seq, at, sensor, time, id, value } = row;
     FiringView { seq, at_us: at, sensor: sensor.0, value: value.clone(), row: Some([time, id, value]) }
@@ -421,11 +512,6 @@ fn key_of(key: Key) -> input::Key {
         Key::Fast => input::Key::Fast,
         Key::Slow => input::Key::Slow,
     }
-}
-
-fn input_text(input: &[KeysFile]) -> String {
-    let file = InputFile { schema: None, keys: input.to_vec() };
-    serde_json::to_string_pretty(&file).unwrap_or_default() + "\n"
 }
 
 /// Makes a resident one who is moved by keys; returns also the name of the file that holds them.
