@@ -17,6 +17,7 @@ mod dates;
 mod draw;
 mod growth;
 mod input_keeper;
+mod stretch;
 
 /// Files that are written in the page.
 pub mod desk;
@@ -29,8 +30,9 @@ pub mod playback;
 mod visit;
 pub mod guard;
 mod connections;
+mod doorway;
 mod page;
 pub mod server;
 mod socket;
 
-pub use server::{Options, ServeError, serve};
+pub use server::{Address, Options, ServeError, serve};

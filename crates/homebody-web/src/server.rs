@@ -2,6 +2,7 @@
 
 use crate::connections;
 use crate::desk::Desk;
+use crate::doorway::Doorway;
 use crate::guard::{self, Guard};
 use crate::page;
 use crate::playback::{Playback, Refusal};
@@ -46,12 +47,26 @@ pub struct Options {
     pub ip: IpAddr,
     /// Nothing for the first one that is free, from [`FIRST_PORT`] on.
     pub port: Option<u16>,
+    /// Whether a browser is going to be opened: then there is a file for it.
+    pub browser: bool,
+}
+
+/// Where the page is.
+#[derive(Clone, Copy, Debug)]
+pub struct Address<'a> {
+    /// For its user's eyes: it holds the token, behind the sign that no server sees what follows.
+    pub url: &'a str,
+    /// For a browser: a file that only its user can read, and which leads there. It is removed once somebody has come with the
+    /// token, and after a minute. `None` where no browser is to be opened, and where no file could be made.
+    pub file: Option<&'a std::path::Path>,
 }
 
 /// Where free ports are looked for first.
 pub const FIRST_PORT: u16 = 8642;
 /// How long is waited at the end for answers that are on their way (ours).
 const FAREWELL: Duration = Duration::from_millis(500);
+/// How long the file stands that leads a browser to the page, if none comes (ours).
+const DOORWAY: Duration = Duration::from_secs(60);
 /// How many ports are tried.
 const PORTS: u16 = 20;
 
@@ -73,13 +88,12 @@ pub enum ServeError {
 impl Options {
     /// The scenario and the runs on this machine's loopback.
     pub fn new(shelf: Shelf) -> Options {
-        Options { shelf, ip: Ipv4Addr::LOCALHOST.into(), port: None }
+        Options { shelf, ip: Ipv4Addr::LOCALHOST.into(), port: None, browser: false }
     }
 }
 
-/// Serves until it is cancelled, then completes the files of the run; `ready` hears the address to open, with the token where no
-/// server sees it.
-pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(&str)) -> Result<(), ServeError> {
+/// Serves until it is cancelled, then completes the files of the run; `ready` hears where the page is.
+pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(Address)) -> Result<(), ServeError> {
     let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build();
     let runtime = runtime.map_err(ServeError::Broken)?;
     let served = runtime.block_on(async {
@@ -91,7 +105,15 @@ pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(&str)) -> Res
         let desk = Desk::new(options.shelf.clone());
         let pages = Arc::new(Semaphore::new(PAGES));
         let house = House { guard, stage: stage.clone(), shelf: options.shelf, playback, desk, pages };
-        ready(&format!("http://{address}/#token={}", house.guard.token()));
+        let url = format!("http://{address}/#token={}", house.guard.token());
+        let doorway = if options.browser { Doorway::to(&url).ok() } else { None };
+        ready(Address { url: &url, file: doorway.as_ref().map(Doorway::file) });
+        let guard = house.guard.clone();
+        tokio::spawn(async move {
+            // A cancelled task drops it as well.
+            let _doorway = doorway;
+            let _ = tokio::time::timeout(DOORWAY, guard.entered()).await;
+        });
         let served = tokio::select! {
             error = connections::serve(listener, routes(house)) => Err(error),
             () = cancelled(cancel) => Ok(()),
@@ -111,7 +133,8 @@ async fn cancelled(cancel: &Cancel) {
 }
 
 async fn listen(options: &Options) -> Result<TcpListener, ServeError> {
-    let ip = options.ip;
+    // A page has one name: that of an address of version 4 in the clothes of version 6 is the plain one.
+    let ip = options.ip.to_canonical();
     if let Some(port) = options.port {
         let address = SocketAddr::new(ip, port);
         return TcpListener::bind(address).await.map_err(|source| ServeError::Port { address, source });
@@ -186,6 +209,22 @@ async fn found<T: Send + 'static>(find: impl FnOnce() -> T + Send + 'static) -> 
     tokio::task::spawn_blocking(find).await.map_err(|error| (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()))
 }
 
+/// The same for work that stops when nobody waits for it any more.
+async fn found_while_waited_for<T: Send + 'static>(
+    find: impl FnOnce(&Cancel) -> T + Send + 'static,
+) -> Result<T, Refused> {
+    struct Waits(Cancel);
+    impl Drop for Waits {
+        fn drop(&mut self) {
+            self.0.cancel();
+        }
+    }
+    // An answer is dropped on its way when its connection ends.
+    let waits = Waits(Cancel::new());
+    let cancel = waits.0.clone();
+    found(move || find(&cancel)).await
+}
+
 fn json(found: Result<impl Serialize, Refused>) -> Response {
     found.map_or_else(Refused::into_response, |found| Json(found).into_response())
 }
@@ -239,11 +278,11 @@ async fn explain(State(house): State<House>, Json(asked): Json<Explain>) -> Resp
 }
 
 async fn month(State(house): State<House>, Json(asked): Json<Month>) -> Response {
-    packed(found(move || house.desk.month(asked)).await)
+    packed(found_while_waited_for(move |cancel| house.desk.month(asked, cancel)).await)
 }
 
 async fn rows(State(house): State<House>, Json(draft): Json<Draft>) -> Response {
-    json(found(move || house.desk.rows(draft)).await)
+    json(found_while_waited_for(move |cancel| house.desk.rows(draft, cancel)).await)
 }
 
 async fn connect(State(house): State<House>, Json(asked): Json<Connect>) -> Response {

@@ -10,7 +10,7 @@ use crate::growth::Growth;
 use crate::shelf::Shelf;
 use crate::staged_run::{StagedRun, Start};
 use crate::wire::{FiringView, Frame, GrowthView, RunView, Say, State, Tell};
-use homebody_core::time::{Micros, SECOND, micros};
+use homebody_core::time::{Micros, micros};
 use homebody_kit::pace::{Pace, Speed};
 use std::any::Any;
 use std::collections::VecDeque;
@@ -23,9 +23,6 @@ use tokio::sync::watch;
 
 /// How often the run is advanced, and looked at.
 const FRAME: Duration = Duration::from_micros(16_667);
-
-/// How much is lived at once where it goes as fast as it can, before the clock is looked at again.
-const STRETCH: Micros = 60 * SECOND;
 
 /// How often a paused run looks after its log.
 const IDLE: Duration = Duration::from_millis(250);
@@ -385,8 +382,7 @@ impl Director {
         let begun = Instant::now();
         let due = self.pace.due().min(self.act.length());
         while self.act.now() < due && !self.is_paused() {
-            let until = due.min(self.act.now() + STRETCH);
-            match self.act.advance(until, &self.shelf) {
+            match self.act.advance(due, &self.shelf) {
                 Ok(true) => self.tell_run_again(),
                 Ok(false) => {}
                 Err(why) => self.fail(why),
@@ -456,6 +452,7 @@ mod tests {
     use homebody_core::recording::{Recording, RunDigest};
     use homebody_core::run::{DriverProvider, Guest};
     use homebody_core::scenario::path::Posture;
+    use homebody_core::time::SECOND;
     use homebody_kit::Template;
     use homebody_routine::household::Household;
     use tempfile::TempDir;

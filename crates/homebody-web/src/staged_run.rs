@@ -5,6 +5,7 @@ use crate::draw;
 use crate::growth::Growth;
 use crate::input_keeper::{InputKeeper, input_text};
 use crate::shelf::Shelf;
+use crate::stretch::Stretch;
 use crate::wire::{FiringView, Frame, Key, Posture, ResidentView, RunView, State};
 use homebody_core::drivers::input::Input;
 use homebody_core::event::{Events, Fact};
@@ -68,6 +69,8 @@ pub struct StagedRun {
     /// Its files are complete.
     is_over: bool,
     events: Events,
+    /// How much is lived at once where it goes as fast as it can, before the clock is looked at again.
+    stretch: Stretch,
     /// What it was like every few days. Nobody is driven in it.
     moments: Snapshots<Moment>,
     /// Who has gone back looks at what is stored already: how far the run had come before.
@@ -88,6 +91,9 @@ struct Moment {
 
 /// How far apart moments are kept at first (ours): to live them takes some milliseconds.
 const MOMENTS: Micros = 4 * DAY;
+
+/// So much is lived at once, at most (ours).
+const LONGEST: Micros = 60 * SECOND;
 
 /// So much before where one goes back to is lived, too, for the rows that are shown (ours).
 const SHOWN_BEFORE: Micros = 6 * 3600 * SECOND;
@@ -218,6 +224,7 @@ impl StagedRun {
             headings: vec![0.0; bodies],
             is_over: false,
             events: Events::default(),
+            stretch: Stretch::new(LONGEST),
             moments: Snapshots::new(MOMENTS),
             furthest: None,
         })
@@ -260,10 +267,10 @@ impl StagedRun {
         }
     }
 
-    /// Lives until `until`, or as far as it had come before somebody went back; true if files have been begun for it, so that
+    /// Lives a stretch, at most until `until`, or as far as it had come before somebody went back; true if files have been begun for it, so that
     /// its view is another.
     pub fn advance(&mut self, until: Micros, shelf: &Shelf) -> Result<bool, String> {
-        let until = until.min(self.run.length());
+        let until = until.min(self.run.length()).min(self.stretch.from(self.run.now()));
         if until <= self.run.now() || self.is_over {
             return Ok(false);
         }
@@ -295,6 +302,7 @@ impl StagedRun {
             self.counts[row.sensor.index()] += 1;
             self.fresh.push(firing_view(row));
         }
+        self.stretch.brought(&self.events);
         self.events.clear();
         lived.map(|()| begins).map_err(|error| error.to_string())
     }

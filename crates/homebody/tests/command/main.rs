@@ -20,3 +20,4 @@ mod figures;
 mod lives;
 mod truths;
 mod cohorts;
+mod serving;
