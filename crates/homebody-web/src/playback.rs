@@ -414,8 +414,8 @@ mod tests {
     fn of_a_log_that_is_too_long_the_first_rows_are_kept_and_it_is_said() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("log.csv");
-        let rows: String = (10..30).map(|s| format!("2026-01-05T09:00:{s}Z,hall motion,ON\n")).collect();
-        fs::write(&file, format!("time,sensor,message\n{rows}")).unwrap();
+        let rows: String = (10..30).map(|s| format!("2026-01-05T09:00:{s},hall motion,ON\n")).collect();
+        fs::write(&file, format!("time,sensor,value\n{rows}")).unwrap();
         let url = format!("csv:{}", file.display()).parse().unwrap();
         let all = first_rows(&url, &LoggerFile::default(), 20).unwrap();
         assert_eq!((all.events.len(), all.remarks.len()), (20, 0), "{:?}", all.remarks);

@@ -27,7 +27,7 @@ use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::io::{AsyncRead, AsyncReadExt};
-use tokio::net::TcpListener;
+use tokio::net::{TcpListener, TcpSocket};
 use tokio::sync::Semaphore;
 use tower_http::timeout::RequestBodyTimeoutLayer;
 
@@ -67,6 +67,10 @@ pub const FIRST_PORT: u16 = 8642;
 const FAREWELL: Duration = Duration::from_millis(500);
 /// How long the file stands that leads a browser to the page, if none comes (ours).
 const DOORWAY: Duration = Duration::from_secs(60);
+/// How many bytes of an answer the system keeps for who does not read them (ours): else it would be megabytes for each.
+const SENT_AHEAD: u32 = 256 << 10;
+/// How many may have come and not been let in yet (ours).
+const WAITING: u32 = 1024;
 /// How many ports are tried.
 const PORTS: u16 = 20;
 
@@ -97,7 +101,7 @@ pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(Address)) -> 
     let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build();
     let runtime = runtime.map_err(ServeError::Broken)?;
     let served = runtime.block_on(async {
-        let listener = listen(&options).await?;
+        let listener = listen(&options)?;
         let address = listener.local_addr().map_err(ServeError::Broken)?;
         let guard = Guard::new(address).map_err(ServeError::Token)?;
         let stage = Stage::open(options.shelf.clone()).map_err(ServeError::Scenario)?;
@@ -132,20 +136,31 @@ async fn cancelled(cancel: &Cancel) {
     }
 }
 
-async fn listen(options: &Options) -> Result<TcpListener, ServeError> {
+fn listen(options: &Options) -> Result<TcpListener, ServeError> {
     // A page has one name: that of an address of version 4 in the clothes of version 6 is the plain one.
     let ip = options.ip.to_canonical();
     if let Some(port) = options.port {
         let address = SocketAddr::new(ip, port);
-        return TcpListener::bind(address).await.map_err(|source| ServeError::Port { address, source });
+        return bind(address).map_err(|source| ServeError::Port { address, source });
     }
     let last = FIRST_PORT + PORTS - 1;
     for port in FIRST_PORT..=last {
-        if let Ok(listener) = TcpListener::bind(SocketAddr::new(ip, port)).await {
+        if let Ok(listener) = bind(SocketAddr::new(ip, port)) {
             return Ok(listener);
         }
     }
     Err(ServeError::NoPort { ip, first: FIRST_PORT, last })
+}
+
+fn bind(address: SocketAddr) -> io::Result<TcpListener> {
+    let socket = if address.is_ipv4() { TcpSocket::new_v4()? } else { TcpSocket::new_v6()? };
+    // A server that has just ended leaves connections that block its port. Elsewhere than on Unix the option means another thing.
+    #[cfg(unix)]
+    socket.set_reuseaddr(true)?;
+    // Connections have what their listener has.
+    socket.set_send_buffer_size(SENT_AHEAD)?;
+    socket.bind(address)?;
+    socket.listen(WAITING)
 }
 
 /// What answers are made from.

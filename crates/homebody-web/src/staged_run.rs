@@ -27,6 +27,7 @@ use homebody_routine::household::Household;
 use std::collections::VecDeque;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Instant;
 
 /// What a run is begun with.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -284,7 +285,9 @@ impl StagedRun {
             self.moments = moments;
         }
         let stored = self.furthest.as_ref().map(Run::now);
+        let begun = Instant::now();
         let lived = self.run.advance(stored.unwrap_or(until).min(until), &mut self.events);
+        self.stretch.brought(&self.events, begun.elapsed());
         if self.is_replay {
             self.digest.add(&self.events.firings);
         }
@@ -302,7 +305,6 @@ impl StagedRun {
             self.counts[row.sensor.index()] += 1;
             self.fresh.push(firing_view(row));
         }
-        self.stretch.brought(&self.events);
         self.events.clear();
         lived.map(|()| begins).map_err(|error| error.to_string())
     }

@@ -75,14 +75,17 @@ impl Moment {
     fn live(&mut self, until: Micros, view: &mut MonthView, effort: &mut Effort) -> Result<bool, DriverError> {
         let mut events = Events::default();
         while self.run.now() < until {
-            view.cut = effort.ends(view.spans.iter().chain(&view.stays).map(Vec::len).sum());
-            if view.cut.is_some() {
-                return Ok(false);
-            }
-            let lived = self.run.advance(until.min(effort.stretch.from(self.run.now())), &mut events);
+            let next = match effort.next(self.run.now(), view.spans.iter().chain(&view.stays).map(Vec::len).sum()) {
+                Ok(next) => next,
+                Err(why) => {
+                    view.cut = Some(why);
+                    return Ok(false);
+                }
+            };
+            let lived = self.run.advance(until.min(next), &mut events);
             self.known.learn(&events, &mut self.activities, view);
             self.growth.add(&events.firings, self.run.now());
-            effort.brought(&events);
+            effort.brought(&events, self.run.now());
             events.clear();
             lived?;
         }

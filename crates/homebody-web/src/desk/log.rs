@@ -96,14 +96,16 @@ fn first_rows(
     let mut effort = Effort::new(cancel, STRETCH);
     // Of messages that a link delays, and of OFFs that are held, some rows come later than their firings.
     while count < 2 * ROWS && run.now() < run.length() {
-        cut = effort.ends(0).map(|why| {
-            format!("Rows are looked for until {}. {why}", dates::wall_clock(&scenario.calendar, run.now()))
-        });
-        if cut.is_some() {
-            break;
-        }
-        let lived = run.advance(effort.stretch.from(run.now()), &mut events);
-        effort.brought(&events);
+        let next = match effort.next(run.now(), 0) {
+            Ok(next) => next,
+            Err(why) => {
+                let clock = dates::wall_clock(&scenario.calendar, run.now());
+                cut = Some(format!("Rows are looked for until {clock}. {why}"));
+                break;
+            }
+        };
+        let lived = run.advance(next, &mut events);
+        effort.brought(&events, run.now());
         logger.store(&events.firings, run.settled())?;
         count += events.firings.len();
         events.clear();
