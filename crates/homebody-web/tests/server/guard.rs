@@ -58,7 +58,8 @@ fn other_names_are_refused_on_every_route() {
 /// A server answers under the address that it has, whichever of the machine's it is, and under no other.
 #[test]
 fn a_server_knows_its_own_address() {
-    for (ip, name) in [("127.0.0.2", "127.0.0.2"), ("::ffff:127.0.0.3", "127.0.0.3"), ("::ffff:127.0.0.1", "localhost")] {
+    for (ip, name) in [("127.0.0.2", "127.0.0.2"), ("::ffff:127.0.0.3", "127.0.0.3"), ("::ffff:127.0.0.1", "localhost")]
+    {
         let served = Served::at("by-hand", ip.parse().unwrap());
         let port = served.address.port();
         assert_eq!(served.get("/", "").code, 200, "{ip}");

@@ -62,7 +62,9 @@ fn the_token_is_on_no_command_line() {
     // A stranger does not use it up; the page does.
     let ask = |token: &str| {
         let mut stream = TcpStream::connect(address).unwrap();
-        let head = format!("GET /api/runs HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\nx-homebody-token: {token}\r\n\r\n");
+        let head = format!(
+            "GET /api/runs HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\nx-homebody-token: {token}\r\n\r\n"
+        );
         stream.write_all(head.as_bytes()).unwrap();
         let mut answer = String::new();
         stream.read_to_string(&mut answer).unwrap();
