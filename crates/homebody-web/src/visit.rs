@@ -32,8 +32,18 @@ const STRANGERS_TIME: Duration = Duration::from_secs(30);
 pub const STUCK: Duration = Duration::from_secs(60);
 
 /// The places of all who are connected. A clone has the same places.
-#[derive(Clone, Default)]
-pub struct Places(Arc<Mutex<Taken>>);
+#[derive(Clone)]
+pub struct Places {
+    taken: Arc<Mutex<Taken>>,
+    strangers_time: Duration,
+    stuck: Duration,
+}
+
+impl Default for Places {
+    fn default() -> Places {
+        Places { taken: Arc::default(), strangers_time: STRANGERS_TIME, stuck: STUCK }
+    }
+}
 
 #[derive(Default)]
 struct Taken {
@@ -67,7 +77,7 @@ impl Places {
 
     fn taken(&self) -> MutexGuard<'_, Taken> {
         // What it holds is whole between any two of its changes.
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+        self.taken.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -117,7 +127,7 @@ impl Visit {
     /// Comes back when it has to go: a stranger who is in the way of others, or has been here too long.
     pub async fn sent_away(&self) {
         let mut goes = self.0.goes.clone();
-        let told = timeout_at(self.0.since + STRANGERS_TIME, goes.wait_for(|goes| *goes)).await;
+        let told = timeout_at(self.0.since + self.0.places.strangers_time, goes.wait_for(|goes| *goes)).await;
         let is_known = matches!(told, Ok(Err(_)));
         drop(told);
         if is_known {
@@ -155,7 +165,8 @@ impl Stream {
             self.stuck = None;
             return done;
         }
-        let stuck = self.stuck.get_or_insert_with(|| Box::pin(sleep(STUCK)));
+        let patience = self.visit.0.places.stuck;
+        let stuck = self.stuck.get_or_insert_with(|| Box::pin(sleep(patience)));
         ready!(stuck.as_mut().poll(context));
         Poll::Ready(Err(io::ErrorKind::TimedOut.into()))
     }
@@ -199,6 +210,8 @@ impl AsyncWrite for Stream {
 mod tests {
     use super::*;
     use std::net::Ipv4Addr;
+    use tokio::io::AsyncWriteExt;
+    use tokio::net::TcpListener;
     use tokio::time::timeout;
 
     async fn goes(visit: &Visit) -> bool {
@@ -237,5 +250,40 @@ mod tests {
         late.is_known_now();
         assert_eq!(places.taken().known, KNOWN);
         assert!(!goes(&all[1]).await);
+    }
+
+    const SOON: Duration = Duration::from_millis(50);
+
+    fn hasty() -> Places {
+        Places { strangers_time: SOON, stuck: SOON, ..Places::default() }
+    }
+
+    #[tokio::test]
+    async fn a_stranger_has_so_much_time_and_who_is_known_has_all() {
+        let places = hasty();
+        let (stranger, known) = (places.enter(Ipv4Addr::LOCALHOST.into()), places.enter(Ipv4Addr::LOCALHOST.into()));
+        known.is_known_now();
+        assert!(!goes(&stranger).await);
+        assert!(timeout(10 * SOON, stranger.sent_away()).await.is_ok());
+        assert!(timeout(4 * SOON, known.sent_away()).await.is_err());
+    }
+
+    /// Writes more than anybody takes.
+    async fn written(is_page: bool) -> Option<io::Error> {
+        let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0)).await.unwrap();
+        let _reader = TcpStream::connect(listener.local_addr().unwrap()).await.unwrap();
+        let visit = hasty().enter(Ipv4Addr::LOCALHOST.into());
+        visit.is_known_now();
+        if is_page {
+            visit.is_page_now();
+        }
+        let mut stream = Stream::new(listener.accept().await.unwrap().0, visit);
+        timeout(10 * SOON, stream.write_all(&vec![0; 64 << 20])).await.ok()?.err()
+    }
+
+    #[tokio::test]
+    async fn who_takes_nothing_is_gone_but_for_a_page_which_is_waited_for_elsewhere() {
+        assert_eq!(written(false).await.map(|error| error.kind()), Some(io::ErrorKind::TimedOut));
+        assert!(written(true).await.is_none());
     }
 }
