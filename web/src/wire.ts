@@ -480,13 +480,21 @@ stays: Array<Array<[number, number, number]>>,
 /**
  * How often motion sensors fired in each hour of the clock, by day.
  */
-hours: Array<Array<number>>, };
+hours: Array<Array<number>>, 
+/**
+ * Where and why it ends before the last day, in sentences.
+ */
+cut: string | null, };
 
 export type RowsView = { problems: Array<ProblemView>, 
 /**
  * One for each place that the log goes to.
  */
 places: Array<PlaceRowsView>, 
+/**
+ * Until when rows were looked for and why no longer, in sentences.
+ */
+cut: string | null, 
 /**
  * How the URLs of places begin, and what each is.
  */
@@ -518,4 +526,8 @@ hours: Array<Array<number>>,
 /**
  * The firings of the day that is being lived: instant and sensor.
  */
-today: Array<[number, number]>, };
+today: Array<[number, number]>, 
+/**
+ * How many of them are counted in `hours` alone.
+ */
+left_out: number, };

@@ -13,10 +13,11 @@ use crate::sink::How;
 use crate::sink::database::remove_database;
 use crate::truth::TruthLog;
 use crate::url::Url;
-use homebody_core::event::Events;
+use homebody_core::event::{Events, Fact};
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
+use homebody_core::time::Micros;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -131,9 +132,14 @@ impl RunLog {
 
     /// Hands on what has happened in the run since the last time.
     pub fn store(&mut self, run: &Run, events: &Events) -> Result<(), LogError> {
+        self.store_settled(run.settled(), events)
+    }
+
+    /// The same for what happened a while ago, when all firings up to `settled` had been told.
+    pub fn store_settled(&mut self, settled: Micros, events: &Events) -> Result<(), LogError> {
         self.digest.add(&events.firings);
         let Some(logger) = &mut self.logger else { return Ok(()) };
-        let joined = logger.store(&events.firings, run.settled())?;
+        let joined = logger.store(&events.firings, settled)?;
         match &mut self.truth {
             Some(truth) => truth.store(events, joined),
             None => Ok(()),
@@ -142,25 +148,41 @@ impl RunLog {
 
     /// Completes all places, and returns what was stored and the recording of what was lived: its length is where the run has
     /// come to, and its other fields are those of `recording`.
-    pub fn finish(mut self, run: &Run, recording: Recording) -> Result<(Stored, Recording), LogError> {
+    pub fn finish(self, run: &Run, recording: Recording) -> Result<(Stored, Recording), LogError> {
+        self.complete(run.now(), run.length(), run.under_way().collect(), recording)
+    }
+
+    /// The same for a run that broke and cannot be asked any more: `now` is where it had come to when it was stored last. Its
+    /// length is that of `recording`.
+    pub fn give_up(self, now: Micros, recording: Recording) -> Result<(Stored, Recording), LogError> {
+        self.complete(now, recording.length_us, Vec::new(), recording)
+    }
+
+    fn complete(
+        mut self,
+        now: Micros,
+        length: Micros,
+        under_way: Vec<Fact>,
+        recording: Recording,
+    ) -> Result<(Stored, Recording), LogError> {
         // Who stops it earlier than before has changed nothing.
-        let is_early = self.how == How::GoOn && run.now() < run.length();
+        let is_early = self.how == How::GoOn && now < length;
         let early = |error| match error {
             LogError::Changed { place, .. } if is_early => LogError::NotYet { place },
             error => error,
         };
         let stored = self.logger.take().map(Logger::finish).transpose().map_err(early)?.unwrap_or_default();
         if let Some(mut truth) = self.truth.take() {
-            let under_way = Events { facts: run.under_way().collect(), ..Events::default() };
+            let under_way = Events { facts: under_way, ..Events::default() };
             truth.store(&under_way, &RowsOfFirings::default())?;
-            truth.finish(run.now()).map_err(early)?;
+            truth.finish(now).map_err(early)?;
         }
         if let Some(Anew { beside, place }) = self.anew.take() {
             std::fs::rename(&beside, &place).map_err(|error| LogError::file(&place, error))?;
         }
         let (firings, sha256) = (self.digest.firings(), self.digest.hex());
-        let stopped_of_us = (run.now() < run.length()).then(|| run.length());
-        let (length_us, rows) = (run.now(), Some(stored.rows));
+        let stopped_of_us = (now < length).then_some(length);
+        let (length_us, rows) = (now, Some(stored.rows));
         let recording = Recording { length_us, stopped_of_us, rows, firings, sha256, ..recording };
         if let Some(path) = &self.record {
             write_recording(path, &recording, How::Replace)?;
@@ -203,6 +225,11 @@ fn beside(place: &Path) -> PathBuf {
 fn was_stopped(places: &Places) -> bool {
     let text = places.recording.as_ref().and_then(|path| plain::read_text(path, LARGEST_RECORDING_BYTES).ok());
     text.and_then(|text| serde_json::from_str::<Recording>(&text).ok()).is_some_and(|recording| recording.is_complete())
+}
+
+/// Writes the recording of a run that goes on over what was written of it before, in one piece.
+pub fn write_over(path: &Path, recording: &Recording) -> Result<(), LogError> {
+    write_recording(path, recording, How::Replace)
 }
 
 /// Writes a recording in one piece.

@@ -1,49 +1,53 @@
-//! The connections of a server: so many at once, and none that says nothing.
+//! The connections of a server: nobody waits to be let in, and nobody stays who says or takes nothing.
 
+use crate::visit::{Places, Stream};
 use axum::Router;
+use axum::extract::Request;
 use hyper::server::conn::http1;
+use hyper::service::service_fn;
 use hyper_util::rt::{TokioIo, TokioTimer};
-use hyper_util::service::TowerToHyperService;
 use std::io;
-use std::sync::Arc;
 use std::time::Duration;
 use tokio::net::TcpListener;
-use tokio::sync::Semaphore;
+use tower_service::Service;
 
-/// So many are open at once; others wait to be let in (ours).
-const MOST: usize = 256;
-
-/// The head of a request comes within this time, or the connection is closed (ours).
+/// The head of a request comes within this time, or the connection is closed (ours). Between two requests it is as long.
 const PATIENCE: Duration = Duration::from_secs(10);
 
 /// How long to wait where the system has no more room for connections.
 const REST: Duration = Duration::from_millis(100);
 
-/// Serves whoever comes, for as long as it is polled.
+/// Serves whoever comes, for as long as it is polled. Each request says whose visit it is of.
 pub async fn serve(listener: TcpListener, routes: Router) -> io::Error {
-    let places = Arc::new(Semaphore::new(MOST));
+    let places = Places::default();
     loop {
-        let Ok(place) = places.clone().acquire_owned().await else {
-            return io::Error::other("the server is closed");
-        };
-        let stream = match listener.accept().await {
-            Ok((stream, _)) => stream,
+        let (stream, from) = match listener.accept().await {
+            Ok(accepted) => accepted,
             Err(error) if is_of_one(&error) => continue,
             Err(error) if error.kind() == io::ErrorKind::InvalidInput => return error,
             Err(_) => {
+                places.send_oldest_away();
                 tokio::time::sleep(REST).await;
                 continue;
             }
         };
         // Keys and frames are small, and each is wanted at once.
         let _ = stream.set_nodelay(true);
-        let service = TowerToHyperService::new(routes.clone());
+        let visit = places.enter(from.ip().to_canonical());
+        let (routes, visitor) = (routes.clone(), visit.clone());
+        let service = service_fn(move |mut request: Request<hyper::body::Incoming>| {
+            request.extensions_mut().insert(visitor.clone());
+            routes.clone().call(request)
+        });
         tokio::spawn(async move {
             let mut http = http1::Builder::new();
             http.timer(TokioTimer::new()).header_read_timeout(PATIENCE);
-            // Who breaks off has nobody to be told of it.
-            let _ = http.serve_connection(TokioIo::new(stream), service).with_upgrades().await;
-            drop(place);
+            let stream = TokioIo::new(Stream::new(stream, visit.clone()));
+            tokio::select! {
+                // Who breaks off has nobody to be told of it.
+                _ = http.serve_connection(stream, service).with_upgrades() => {}
+                () = visit.sent_away() => {}
+            }
         });
     }
 }

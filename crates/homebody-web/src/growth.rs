@@ -9,6 +9,9 @@ use std::ops::Range;
 
 const HOUR: Micros = 3600 * SECOND;
 
+/// So many firings of a day are kept one by one (ours).
+const TODAY: usize = 100_000;
+
 /// How often motion sensors have fired, by day and hour, and all firings of the last day.
 #[derive(Clone, Debug)]
 pub struct Growth {
@@ -17,7 +20,10 @@ pub struct Growth {
     turns: Vec<Micros>,
     is_motion: Vec<bool>,
     hours: Vec<Vec<u32>>,
+    /// No more than [`TODAY`].
     today: Vec<(Micros, u32)>,
+    /// How many there are besides.
+    left_out: u64,
     /// An hour on the clock: from when to when, of which day, and which.
     now: (Range<Micros>, usize, usize),
 }
@@ -31,6 +37,7 @@ impl Growth {
             is_motion,
             hours: vec![vec![0; 24]],
             today: Vec::new(),
+            left_out: 0,
             now: (0..0, 0, 0),
         };
         growth.come_to(0);
@@ -46,7 +53,11 @@ impl Growth {
                 self.hours[day][hour] += 1;
             }
             if day + 1 == self.hours.len() {
-                self.today.push((firing.at, firing.sensor.0));
+                if self.today.len() < TODAY {
+                    self.today.push((firing.at, firing.sensor.0));
+                } else {
+                    self.left_out += 1;
+                }
             }
         }
         // Midnight itself is of a day that has not begun.
@@ -54,7 +65,7 @@ impl Growth {
     }
 
     pub fn view(&self) -> GrowthView {
-        GrowthView { hours: self.hours.clone(), today: self.today.clone() }
+        GrowthView { hours: self.hours.clone(), today: self.today.clone(), left_out: self.left_out }
     }
 
     /// Finds the hour of an instant, where it is another than that of the one before.
@@ -70,6 +81,7 @@ impl Growth {
         if day >= self.hours.len() {
             self.hours.resize(day + 1, vec![0; 24]);
             self.today.clear();
+            self.left_out = 0;
         }
         // An hour in which clocks are set is cut short there.
         let turned = self.turns.partition_point(|&turn| turn <= at);

@@ -6,15 +6,18 @@
 //! server began. The token comes in a header or, over the socket, in the first message: never in an address, which is logged and
 //! kept.
 
+use crate::visit::Visit;
+use axum::Extension;
 use axum::extract::{Request, State};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, Uri, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
-use std::net::{IpAddr, SocketAddr};
-use std::sync::Arc;
+use std::collections::HashMap;
+use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 use subtle::ConstantTimeEq;
-use tokio::sync::Mutex;
+use tokio::sync::watch;
 
 /// The header that the token comes in.
 pub const TOKEN: HeaderName = HeaderName::from_static("x-homebody-token");
@@ -35,9 +38,13 @@ pub struct Guard {
     /// The names under which it may be asked, each with its port.
     hosts: Vec<String>,
     token: String,
-    /// Held by the one whose wrong token is being answered.
-    wrong: Arc<Mutex<()>>,
+    /// By where they come from: held by the one whose wrong token is being answered.
+    wrong: Arc<Mutex<HashMap<IpAddr, Turn>>>,
+    /// Whether somebody has come with the token.
+    has_entered: watch::Sender<bool>,
 }
+
+type Turn = Arc<tokio::sync::Mutex<()>>;
 
 impl Guard {
     /// A guard with a new token of 256 bits.
@@ -45,22 +52,39 @@ impl Guard {
         let mut bytes = [0; 32];
         getrandom::fill(&mut bytes)?;
         let token = bytes.iter().map(|byte| format!("{byte:02x}")).collect();
-        Ok(Guard { hosts: hosts(address), token, wrong: Arc::default() })
+        let has_entered = watch::Sender::new(false);
+        Ok(Guard { hosts: hosts(address), token, wrong: Arc::default(), has_entered })
     }
 
     pub fn token(&self) -> &str {
         &self.token
     }
 
-    /// Whether this is the token; how long that takes says nothing about it.
-    pub fn knows(&self, token: &str) -> bool {
-        token.as_bytes().ct_eq(self.token.as_bytes()).into()
+    /// Whether this is the token; how long that takes says nothing about it. Whose visit it is is known from then on.
+    pub fn knows(&self, token: &str, visit: &Visit) -> bool {
+        let is_known = token.as_bytes().ct_eq(self.token.as_bytes()).into();
+        if is_known {
+            visit.is_known_now();
+            self.has_entered.send_if_modified(|entered| !std::mem::replace(entered, true));
+        }
+        is_known
     }
 
-    /// Takes its time with a token that is wrong, one after the other: who guesses has ten guesses a second, who knows the token
-    /// does not wait.
-    pub async fn delay(&self) {
-        let _turn = self.wrong.lock().await;
+    /// Comes back when somebody has come with the token.
+    pub async fn entered(&self) {
+        // The sender lives as long as this.
+        let _ = self.has_entered.subscribe().wait_for(|entered| *entered).await;
+    }
+
+    /// Takes its time with a token that is wrong, one after the other of those from the same place: who guesses has ten guesses a
+    /// second. Who comes from elsewhere does not wait for them, and who knows the token for nobody.
+    pub async fn delay(&self, from: IpAddr) {
+        let turn = {
+            let mut wrong = self.wrong.lock().unwrap_or_else(PoisonError::into_inner);
+            wrong.retain(|_, turn| Arc::strong_count(turn) > 1);
+            wrong.entry(place_of(from)).or_default().clone()
+        };
+        let _turn = turn.lock().await;
         tokio::time::sleep(DELAY).await;
     }
 
@@ -92,23 +116,38 @@ impl Guard {
     }
 }
 
-/// The names of a server at an address: loopback has three.
+/// Whence somebody comes. Who has an address of version 6 has a whole network of them.
+fn place_of(from: IpAddr) -> IpAddr {
+    match from {
+        IpAddr::V6(ip) if !ip.is_loopback() => Ipv6Addr::from_bits(ip.to_bits() >> 64 << 64).into(),
+        ip => ip,
+    }
+}
+
+/// The names of a server at an address. What `localhost` stands for has three.
 fn hosts(address: SocketAddr) -> Vec<String> {
     let port = address.port();
     let named = |name: &str| if port == 80 { name.to_owned() } else { format!("{name}:{port}") };
     match address.ip() {
-        ip if ip.is_loopback() => ["127.0.0.1", "localhost", "[::1]"].map(named).to_vec(),
+        IpAddr::V4(Ipv4Addr::LOCALHOST) | IpAddr::V6(Ipv6Addr::LOCALHOST) => {
+            ["127.0.0.1", "localhost", "[::1]"].map(named).to_vec()
+        }
         IpAddr::V4(ip) => vec![named(&ip.to_string())],
         IpAddr::V6(ip) => vec![named(&format!("[{ip}]"))],
     }
 }
 
 /// Lets a request through, or says why not; whatever the answer is, it tells the browser to be strict.
-pub async fn watch(State(guard): State<Guard>, request: Request, next: Next) -> Response {
+pub async fn watch(
+    State(guard): State<Guard>,
+    Extension(visit): Extension<Visit>,
+    request: Request,
+    next: Next,
+) -> Response {
     let (headers, path) = (request.headers(), request.uri().path());
     let has_token = || {
         let given = headers.get(TOKEN).and_then(|token| token.to_str().ok());
-        given.is_some_and(|token| guard.knows(token))
+        given.is_some_and(|token| guard.knows(token, &visit))
     };
     // The socket's token comes in its first message.
     let is_open = !path.starts_with("/api/") || path == SOCKET;
@@ -117,7 +156,7 @@ pub async fn watch(State(guard): State<Guard>, request: Request, next: Next) -> 
     } else if !guard.is_from_us(headers) {
         (StatusCode::FORBIDDEN, "Only its own page may ask this server.").into_response()
     } else if !is_open && !has_token() {
-        guard.delay().await;
+        guard.delay(visit.from()).await;
         (StatusCode::UNAUTHORIZED, "The token is missing or wrong.").into_response()
     } else {
         next.run(request).await

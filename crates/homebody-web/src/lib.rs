@@ -16,6 +16,8 @@ pub mod staged_run;
 mod dates;
 mod draw;
 mod growth;
+mod input_keeper;
+mod stretch;
 
 /// Files that are written in the page.
 pub mod desk;
@@ -25,10 +27,12 @@ pub mod stage;
 pub mod playback;
 
 /// Who may ask what, and who answers.
+mod visit;
 pub mod guard;
 mod connections;
+mod doorway;
 mod page;
 pub mod server;
 mod socket;
 
-pub use server::{Options, ServeError, serve};
+pub use server::{Address, Options, ServeError, serve};

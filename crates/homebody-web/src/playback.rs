@@ -9,6 +9,7 @@ use crate::shelf::{RECORDING, Shelf};
 use crate::wire::{DateView, DayView, LifeView, MotionState, MovementView, PlaybackView, ResidentView, StoredView};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::path::Posture;
 use homebody_core::scenario::scheme::{self, Scheme};
 use homebody_core::time::{Micros, SECOND};
@@ -22,6 +23,9 @@ use std::time::SystemTime;
 
 /// So many runs stay open: two side by side, and the one looked at before (ours).
 const KEPT: usize = 3;
+
+/// So many rows of a log are kept in memory (ours): some years of a home's.
+const ROWS: usize = 5_000_000;
 
 /// So many spans of activities are told of a whole run; of a year they would be tens of thousands (ours).
 const SPANS: usize = 6000;
@@ -174,7 +178,7 @@ impl Playback {
         view.days = dates::all(calendar, length);
         let rows = match &log {
             Some(url) => {
-                let log = match homebody_log::read(url, &scenario.logger) {
+                let log = match first_rows(url, &scenario.logger, ROWS) {
                     // A run that was killed before its first row, or has only just begun.
                     Err(LogError::NoTables { .. }) if !recording.is_complete() => Log::default(),
                     log => log.map_err(damaged)?,
@@ -298,6 +302,19 @@ fn whole(name: &str, run: &Run, scenario: &Scenario) -> PlaybackView {
     }
 }
 
+/// A log with so many of its rows at most, and a remark if there are more.
+fn first_rows(url: &Url, logger: &LoggerFile, most: usize) -> Result<Log, LogError> {
+    let mut events = Vec::new();
+    let mut log = homebody_log::stream(url, logger, &mut |part| {
+        events.extend(part.events.iter().take(most - events.len()));
+        Ok(())
+    })?;
+    if log.rows > events.len() as u64 {
+        log.remarks.push(format!("The log has {} rows, of which the first {most} are shown.", log.rows));
+    }
+    Ok(Log { events, ..log })
+}
+
 /// A log's rows on the run's own clock, with the view's sensors.
 fn rows_of(log: Log, url: &Url, scenario: &Scenario, clock: &RunClock, view: &mut PlaybackView) -> Vec<Event> {
     let names: Vec<String> = view.home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
@@ -391,4 +408,23 @@ fn told(movement: &Movement) -> MovementView {
     };
     let (from, to) = (movement.from.map(draw::at), movement.to.map(draw::at));
     (movement.begin, movement.end, doing, draw::posture(movement.posture), from, to)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_a_log_that_is_too_long_the_first_rows_are_kept_and_it_is_said() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("log.csv");
+        let rows: String = (10..30).map(|s| format!("2026-01-05T09:00:{s},hall motion,ON\n")).collect();
+        fs::write(&file, format!("time,sensor,value\n{rows}")).unwrap();
+        let url = format!("csv:{}", file.display()).parse().unwrap();
+        let all = first_rows(&url, &LoggerFile::default(), 20).unwrap();
+        assert_eq!((all.events.len(), all.remarks.len()), (20, 0), "{:?}", all.remarks);
+        let some = first_rows(&url, &LoggerFile::default(), 7).unwrap();
+        assert_eq!(some.events, all.events[..7]);
+        assert_eq!(some.remarks, ["The log has 20 rows, of which the first 7 are shown."]);
+    }
 }

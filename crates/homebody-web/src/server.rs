@@ -2,21 +2,22 @@
 
 use crate::connections;
 use crate::desk::Desk;
+use crate::doorway::Doorway;
 use crate::guard::{self, Guard};
 use crate::page;
 use crate::playback::{Playback, Refusal};
 use crate::shelf::{RECORDING, Shelf};
 use crate::socket;
 use crate::stage::Stage;
+use crate::visit::{STUCK, Visit};
 use crate::wire::{Connect, Draft, Explain, Month, Save};
-use axum::Json;
-use axum::Router;
 use axum::body::Body;
 use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::{DefaultBodyLimit, Path, State};
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
+use axum::{Extension, Json, Router};
 use futures_util::stream::{Stream, try_unfold};
 use homebody_import::{MOST_BYTES, NotImported};
 use homebody_kit::Cancel;
@@ -26,8 +27,9 @@ use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::io::{AsyncRead, AsyncReadExt};
-use tokio::net::TcpListener;
+use tokio::net::{TcpListener, TcpSocket};
 use tokio::sync::Semaphore;
+use tower_http::timeout::RequestBodyTimeoutLayer;
 
 pub use crate::guard::SOCKET;
 
@@ -35,7 +37,7 @@ pub use crate::guard::SOCKET;
 const LARGEST_BODY: usize = 8 << 20;
 
 /// So many pages may look at once (ours).
-const SOCKETS: usize = 32;
+const PAGES: usize = 32;
 
 /// What to serve, and where.
 #[derive(Clone, Debug)]
@@ -45,12 +47,30 @@ pub struct Options {
     pub ip: IpAddr,
     /// Nothing for the first one that is free, from [`FIRST_PORT`] on.
     pub port: Option<u16>,
+    /// Whether a browser is going to be opened: then there is a file for it.
+    pub browser: bool,
+}
+
+/// Where the page is.
+#[derive(Clone, Copy, Debug)]
+pub struct Address<'a> {
+    /// For its user's eyes: it holds the token, behind the sign that no server sees what follows.
+    pub url: &'a str,
+    /// For a browser: a file that only its user can read, and which leads there. It is removed once somebody has come with the
+    /// token, and after a minute. `None` where no browser is to be opened, and where no file could be made.
+    pub file: Option<&'a std::path::Path>,
 }
 
 /// Where free ports are looked for first.
 pub const FIRST_PORT: u16 = 8642;
 /// How long is waited at the end for answers that are on their way (ours).
 const FAREWELL: Duration = Duration::from_millis(500);
+/// How long the file stands that leads a browser to the page, if none comes (ours).
+const DOORWAY: Duration = Duration::from_secs(60);
+/// How many bytes of an answer the system keeps for who does not read them (ours): else it would be megabytes for each.
+const SENT_AHEAD: u32 = 256 << 10;
+/// How many may have come and not been let in yet (ours).
+const WAITING: u32 = 1024;
 /// How many ports are tried.
 const PORTS: u16 = 20;
 
@@ -72,25 +92,32 @@ pub enum ServeError {
 impl Options {
     /// The scenario and the runs on this machine's loopback.
     pub fn new(shelf: Shelf) -> Options {
-        Options { shelf, ip: Ipv4Addr::LOCALHOST.into(), port: None }
+        Options { shelf, ip: Ipv4Addr::LOCALHOST.into(), port: None, browser: false }
     }
 }
 
-/// Serves until it is cancelled, then completes the files of the run; `ready` hears the address to open, with the token where no
-/// server sees it.
-pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(&str)) -> Result<(), ServeError> {
+/// Serves until it is cancelled, then completes the files of the run; `ready` hears where the page is.
+pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(Address)) -> Result<(), ServeError> {
     let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build();
     let runtime = runtime.map_err(ServeError::Broken)?;
     let served = runtime.block_on(async {
-        let listener = listen(&options).await?;
+        let listener = listen(&options)?;
         let address = listener.local_addr().map_err(ServeError::Broken)?;
         let guard = Guard::new(address).map_err(ServeError::Token)?;
         let stage = Stage::open(options.shelf.clone()).map_err(ServeError::Scenario)?;
         let playback = Playback::new(options.shelf.clone());
         let desk = Desk::new(options.shelf.clone());
-        let sockets = Arc::new(Semaphore::new(SOCKETS));
-        let house = House { guard, stage: stage.clone(), shelf: options.shelf, playback, desk, sockets };
-        ready(&format!("http://{address}/#token={}", house.guard.token()));
+        let pages = Arc::new(Semaphore::new(PAGES));
+        let house = House { guard, stage: stage.clone(), shelf: options.shelf, playback, desk, pages };
+        let url = format!("http://{address}/#token={}", house.guard.token());
+        let doorway = if options.browser { Doorway::to(&url).ok() } else { None };
+        ready(Address { url: &url, file: doorway.as_ref().map(Doorway::file) });
+        let guard = house.guard.clone();
+        tokio::spawn(async move {
+            // A cancelled task drops it as well.
+            let _doorway = doorway;
+            let _ = tokio::time::timeout(DOORWAY, guard.entered()).await;
+        });
         let served = tokio::select! {
             error = connections::serve(listener, routes(house)) => Err(error),
             () = cancelled(cancel) => Ok(()),
@@ -109,19 +136,31 @@ async fn cancelled(cancel: &Cancel) {
     }
 }
 
-async fn listen(options: &Options) -> Result<TcpListener, ServeError> {
-    let ip = options.ip;
+fn listen(options: &Options) -> Result<TcpListener, ServeError> {
+    // A page has one name: that of an address of version 4 in the clothes of version 6 is the plain one.
+    let ip = options.ip.to_canonical();
     if let Some(port) = options.port {
         let address = SocketAddr::new(ip, port);
-        return TcpListener::bind(address).await.map_err(|source| ServeError::Port { address, source });
+        return bind(address).map_err(|source| ServeError::Port { address, source });
     }
     let last = FIRST_PORT + PORTS - 1;
     for port in FIRST_PORT..=last {
-        if let Ok(listener) = TcpListener::bind(SocketAddr::new(ip, port)).await {
+        if let Ok(listener) = bind(SocketAddr::new(ip, port)) {
             return Ok(listener);
         }
     }
     Err(ServeError::NoPort { ip, first: FIRST_PORT, last })
+}
+
+fn bind(address: SocketAddr) -> io::Result<TcpListener> {
+    let socket = if address.is_ipv4() { TcpSocket::new_v4()? } else { TcpSocket::new_v6()? };
+    // A server that has just ended leaves connections that block its port. Elsewhere than on Unix the option means another thing.
+    #[cfg(unix)]
+    socket.set_reuseaddr(true)?;
+    // Connections have what their listener has.
+    socket.set_send_buffer_size(SENT_AHEAD)?;
+    socket.bind(address)?;
+    socket.listen(WAITING)
 }
 
 /// What answers are made from.
@@ -132,7 +171,7 @@ struct House {
     shelf: Shelf,
     playback: Playback,
     desk: Desk,
-    sockets: Arc<Semaphore>,
+    pages: Arc<Semaphore>,
 }
 
 fn routes(house: House) -> Router {
@@ -154,21 +193,26 @@ fn routes(house: House) -> Router {
         .route("/api/runs/{run}/{what}", get(file_of_run))
         .fallback(get(page::file))
         .layer(DefaultBodyLimit::max(LARGEST_BODY))
+        .layer(RequestBodyTimeoutLayer::new(STUCK))
         .layer(axum::middleware::from_fn_with_state(house.guard.clone(), guard::watch))
         .with_state(house)
 }
 
-async fn live(State(house): State<House>, headers: HeaderMap, upgrade: WebSocketUpgrade) -> Response {
+async fn live(
+    State(house): State<House>,
+    Extension(visit): Extension<Visit>,
+    headers: HeaderMap,
+    upgrade: WebSocketUpgrade,
+) -> Response {
     if !house.guard.is_socket_from_us(&headers) {
         return (StatusCode::FORBIDDEN, "Only its own page may ask this server.").into_response();
     }
-    let Ok(place) = house.sockets.try_acquire_owned() else {
-        return (StatusCode::SERVICE_UNAVAILABLE, "Too many pages look already.").into_response();
-    };
     let upgrade = upgrade.max_message_size(socket::LONGEST).max_frame_size(socket::LONGEST);
     upgrade.on_upgrade(async move |socket| {
-        socket::serve(socket, house.guard, house.stage).await;
-        drop(place);
+        tokio::select! {
+            () = socket::serve(socket, visit.clone(), house.guard, house.pages, house.stage) => {}
+            () = visit.sent_away() => {}
+        }
     })
 }
 
@@ -178,6 +222,22 @@ type Refused = (StatusCode, String);
 /// What a thread for work that takes its time has found.
 async fn found<T: Send + 'static>(find: impl FnOnce() -> T + Send + 'static) -> Result<T, Refused> {
     tokio::task::spawn_blocking(find).await.map_err(|error| (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()))
+}
+
+/// The same for work that stops when nobody waits for it any more.
+async fn found_while_waited_for<T: Send + 'static>(
+    find: impl FnOnce(&Cancel) -> T + Send + 'static,
+) -> Result<T, Refused> {
+    struct Waits(Cancel);
+    impl Drop for Waits {
+        fn drop(&mut self) {
+            self.0.cancel();
+        }
+    }
+    // An answer is dropped on its way when its connection ends.
+    let waits = Waits(Cancel::new());
+    let cancel = waits.0.clone();
+    found(move || find(&cancel)).await
 }
 
 fn json(found: Result<impl Serialize, Refused>) -> Response {
@@ -233,11 +293,11 @@ async fn explain(State(house): State<House>, Json(asked): Json<Explain>) -> Resp
 }
 
 async fn month(State(house): State<House>, Json(asked): Json<Month>) -> Response {
-    packed(found(move || house.desk.month(asked)).await)
+    packed(found_while_waited_for(move |cancel| house.desk.month(asked, cancel)).await)
 }
 
 async fn rows(State(house): State<House>, Json(draft): Json<Draft>) -> Response {
-    json(found(move || house.desk.rows(draft)).await)
+    json(found_while_waited_for(move |cancel| house.desk.rows(draft, cancel)).await)
 }
 
 async fn connect(State(house): State<House>, Json(asked): Json<Connect>) -> Response {

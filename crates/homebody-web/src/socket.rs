@@ -4,10 +4,13 @@
 
 use crate::guard::Guard;
 use crate::stage::{Seen, Stage};
+use crate::visit::Visit;
 use crate::wire::Say;
 use axum::extract::ws::{CloseFrame, Message, WebSocket};
 use futures_util::StreamExt;
+use std::sync::Arc;
 use std::time::Duration;
+use tokio::sync::Semaphore;
 use tokio::time::{Instant, interval, sleep_until, timeout};
 
 /// A message of a page is no longer than this (ours).
@@ -25,28 +28,37 @@ const PATIENCE: Duration = Duration::from_secs(10);
 /// What a socket is closed with whose token is wrong.
 const WRONG_TOKEN: u16 = 4401;
 
+/// What a socket is closed with where too many pages look already: it may try again later.
+const TOO_MANY: u16 = 1013;
+
 /// A page that has not read what was sent to it for so long is gone (ours).
 const STUCK: Duration = Duration::from_secs(900);
 
-/// Serves a page until it goes.
-pub async fn serve(mut socket: WebSocket, guard: Guard, stage: Stage) {
+/// Serves a page until it goes. It takes one of `pages` once it has said the token.
+pub async fn serve(mut socket: WebSocket, visit: Visit, guard: Guard, pages: Arc<Semaphore>, stage: Stage) {
     let hello = timeout(PATIENCE, socket.recv()).await;
     let is_known = match &hello {
         Ok(Some(Ok(Message::Text(text)))) => match serde_json::from_str(text) {
-            Ok(Say::Hello { token }) => guard.knows(&token),
+            Ok(Say::Hello { token }) => guard.knows(&token, &visit),
             _ => false,
         },
         _ => false,
     };
     if !is_known {
-        guard.delay().await;
-        let reason = "the token is missing or wrong".into();
-        let _ = socket.send(Message::Close(Some(CloseFrame { code: WRONG_TOKEN, reason }))).await;
-        return;
+        guard.delay(visit.from()).await;
+        return close(socket, WRONG_TOKEN, "the token is missing or wrong").await;
     }
+    let Ok(_place) = pages.try_acquire() else {
+        return close(socket, TOO_MANY, "too many pages look already").await;
+    };
+    visit.is_page_now();
     let held = Held { stage: &stage, keys: false };
     // The page is gone when either side of it is.
     let _ = talk(socket, held).await;
+}
+
+async fn close(mut socket: WebSocket, code: u16, reason: &'static str) {
+    let _ = socket.send(Message::Close(Some(CloseFrame { code, reason: reason.into() }))).await;
 }
 
 /// The keys that a page holds, which are let go when it goes.

@@ -2,14 +2,19 @@
 //!
 //! It never waits for a page. What pages look at is put on a board; a page that is slow finds the next picture there when it
 //! comes for it.
+//!
+//! The thread outlives its runs: one that fails, or breaks in the middle, is told about, its files are completed as far as it
+//! came, and another can be begun.
 
 use crate::growth::Growth;
 use crate::shelf::Shelf;
 use crate::staged_run::{StagedRun, Start};
 use crate::wire::{FiringView, Frame, GrowthView, RunView, Say, State, Tell};
-use homebody_core::time::{Micros, SECOND, micros};
+use homebody_core::time::{Micros, micros};
 use homebody_kit::pace::{Pace, Speed};
+use std::any::Any;
 use std::collections::VecDeque;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
@@ -18,9 +23,6 @@ use tokio::sync::watch;
 
 /// How often the run is advanced, and looked at.
 const FRAME: Duration = Duration::from_micros(16_667);
-
-/// How much is lived at once where it goes as fast as it can, before the clock is looked at again.
-const STRETCH: Micros = 60 * SECOND;
 
 /// How often a paused run looks after its log.
 const IDLE: Duration = Duration::from_millis(250);
@@ -59,6 +61,8 @@ struct Board {
     /// What was told, numbered from 0.
     notes: VecDeque<(u64, Tell)>,
     next_note: u64,
+    /// Why the run has ended, if it failed: a page that comes later is told, too.
+    failure: Option<String>,
 }
 
 impl Board {
@@ -86,7 +90,12 @@ pub struct News {
 impl Stage {
     /// Opens the scenario on the shelf, and keeps its run at its start until somebody says so.
     pub fn open(shelf: Shelf) -> Result<Stage, String> {
-        let mut act = StagedRun::new(&shelf, &shelf.entry, Start::default())?;
+        let act = caught(|| StagedRun::new(&shelf, &shelf.entry, Start::default()))?;
+        Stage::of(shelf, act)
+    }
+
+    /// Keeps this run at its start.
+    fn of(shelf: Shelf, mut act: StagedRun) -> Result<Stage, String> {
         let board = Board {
             run: 0,
             number: 0,
@@ -96,14 +105,15 @@ impl Stage {
             rows: VecDeque::new(),
             notes: VecDeque::new(),
             next_note: 0,
+            failure: None,
         };
         let board = Arc::new(Mutex::new(board));
         let (wishes, heard) = channel();
         let (change, changed) = watch::channel(0);
-        let director =
-            Director { shelf, act, pace: Pace::paused(Speed::Times(1.0)), heard, board: board.clone(), change };
-        let begun = thread::Builder::new().spawn(move || director.direct());
-        begun.map_err(|error| format!("there is no thread to live on: {error}"))?;
+        let pace = Pace::paused(Speed::Times(1.0));
+        let director = Director { shelf, act, is_broken: false, pace, heard, board: board.clone(), change };
+        let thread = thread::Builder::new().name("stage".into()).spawn(move || director.direct());
+        thread.map_err(|error| format!("there is no thread to live a run on: {error}"))?;
         Ok(Stage { wishes, board, changed })
     }
 
@@ -142,6 +152,9 @@ impl Stage {
             seen.number = Some(board.number);
             tells.push(Tell::Run { run: Box::new((*board.view).clone()) });
         }
+        if let (None, Some(text)) = (seen.note, board.failure.clone()) {
+            tells.push(Tell::Note { text, bad: true });
+        }
         let first = seen.note.unwrap_or(board.next_note);
         tells.extend(board.notes.iter().filter(|(number, _)| *number >= first).map(|(_, tell)| tell.clone()));
         seen.note = Some(board.next_note);
@@ -171,10 +184,24 @@ fn locked<T>(held: &Mutex<T>) -> MutexGuard<'_, T> {
     held.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
+/// What is made, or why not, be it by a mistake of the program.
+fn caught<T>(make: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
+    catch_unwind(AssertUnwindSafe(make))
+        .unwrap_or_else(|broken| Err(format!("That cannot be begun, by a mistake of the program: {}.", said(&*broken))))
+}
+
+/// What somebody said who panicked.
+fn said(broken: &(dyn Any + Send)) -> String {
+    let text = broken.downcast_ref::<&str>().copied().or_else(|| broken.downcast_ref::<String>().map(String::as_str));
+    text.unwrap_or("it does not say where").trim_end_matches('.').to_owned()
+}
+
 /// Who decides when the run is advanced, and how far.
 struct Director {
     shelf: Shelf,
     act: StagedRun,
+    /// It broke in the middle: nothing is asked of it any more but what it is made of.
+    is_broken: bool,
     pace: Pace,
     heard: Receiver<Wish>,
     board: Arc<Mutex<Board>>,
@@ -184,20 +211,28 @@ struct Director {
 impl Director {
     fn direct(mut self) {
         loop {
-            match self.heard.recv_timeout(self.wait()) {
-                Ok(wish) => {
-                    self.fulfil(wish);
-                    // What else was said meanwhile is done before the next picture.
-                    while let Ok(wish) = self.heard.try_recv() {
-                        self.fulfil(wish);
-                    }
-                }
-                Err(RecvTimeoutError::Timeout) => {}
+            let wish = match self.heard.recv_timeout(self.wait()) {
+                Ok(wish) => Some(wish),
+                Err(RecvTimeoutError::Timeout) => None,
                 Err(RecvTimeoutError::Disconnected) => return,
+            };
+            if let Err(broken) = catch_unwind(AssertUnwindSafe(|| self.take_turn(wish))) {
+                self.give_up(&said(&*broken));
             }
-            self.go_on();
-            self.show();
         }
+    }
+
+    fn take_turn(&mut self, mut wish: Option<Wish>) {
+        // What else was said meanwhile is done before the next picture.
+        while let Some(next) = wish {
+            self.fulfil(next);
+            wish = self.heard.try_recv().ok();
+        }
+        self.go_on();
+        if let Err(why) = self.act.keep_input() {
+            self.fail(why);
+        }
+        self.show();
     }
 
     fn wait(&self) -> Duration {
@@ -255,12 +290,12 @@ impl Director {
             }
             Say::Start { driven, without, seed } => {
                 let start = Start { driven, without, seed, input: Vec::new() };
-                let act = StagedRun::new(&self.shelf, &self.shelf.entry, start);
+                let act = caught(|| StagedRun::new(&self.shelf, &self.shelf.entry, start));
                 self.change_act(act);
             }
             Say::Stop => self.finish(),
             Say::Replay { run } => {
-                let act = self.shelf.recording(&run).and_then(StagedRun::again);
+                let act = caught(|| self.shelf.recording(&run).and_then(StagedRun::again));
                 if self.change_act(act) {
                     self.pace.resume(0);
                 }
@@ -276,7 +311,7 @@ impl Director {
                 self.pace = Pace::paused(self.pace.speed());
                 self.begin_anew();
             } else {
-                let act = self.act.anew(to);
+                let act = caught(|| self.act.anew(to));
                 if !self.change_act(act) {
                     return;
                 }
@@ -311,6 +346,34 @@ impl Director {
         self.pace.pause(self.act.now());
     }
 
+    /// The run cannot go on; what it has stored is completed.
+    fn fail(&mut self, why: String) {
+        locked(&self.board).failure = Some(why.clone());
+        self.note(why, true);
+        self.finish();
+    }
+
+    /// The run broke in the middle. What it has stored is completed, and everybody is told.
+    fn give_up(&mut self, why: &str) {
+        // What is asked of it now may break as well.
+        let kept = catch_unwind(AssertUnwindSafe(|| self.act.give_up()));
+        let kept = kept.unwrap_or_else(|broken| Err(said(&*broken)));
+        let kept = match kept {
+            Ok(Some(stored)) => format!("What it had come to is kept: {stored}"),
+            Ok(None) => String::from("It had no files of its own to complete."),
+            Err(why) => format!("What it had stored is kept as it was; it could not be completed: {why}"),
+        };
+        let text = format!("The run broke, by a mistake of the program: {why}. {kept} Another run can be begun.");
+        self.is_broken = true;
+        self.pace.pause(self.act.now());
+        let mut board = locked(&self.board);
+        board.failure = Some(text.clone());
+        board.frame.state = State::Over;
+        drop(board);
+        self.note(text, true);
+        self.change.send_modify(|change| *change += 1);
+    }
+
     /// Lives what is due by now.
     fn go_on(&mut self) {
         if self.is_paused() || self.act.is_over() {
@@ -319,14 +382,10 @@ impl Director {
         let begun = Instant::now();
         let due = self.pace.due().min(self.act.length());
         while self.act.now() < due && !self.is_paused() {
-            let until = due.min(self.act.now() + STRETCH);
-            match self.act.advance(until, &self.shelf) {
+            match self.act.advance(due, &self.shelf) {
                 Ok(true) => self.tell_run_again(),
                 Ok(false) => {}
-                Err(why) => {
-                    self.note(why, true);
-                    self.finish();
-                }
+                Err(why) => self.fail(why),
             }
             if begun.elapsed() >= FRAME {
                 break;
@@ -340,6 +399,9 @@ impl Director {
 
     /// Puts on the board what there is to be seen.
     fn show(&mut self) {
+        if self.is_broken {
+            return;
+        }
         let frame = self.act.frame(self.state(), times(self.pace.speed()));
         let mut board = locked(&self.board);
         board.frame = frame;
@@ -352,10 +414,12 @@ impl Director {
 
     /// Nobody sees a frame of the run before under the name of this one.
     fn begin_anew(&mut self) {
+        self.is_broken = false;
         let (view, frame) = (Arc::new(self.act.view()), self.act.frame(self.state(), times(self.pace.speed())));
         let mut board = locked(&self.board);
         board.run += 1;
         board.rows.clear();
+        board.failure = None;
         board.frame = frame;
         board.tell_again(view, self.act.growth());
         drop(board);
@@ -374,6 +438,139 @@ impl Director {
         board.next_note += 1;
         if board.notes.len() > NOTES {
             board.notes.pop_front();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
+    use homebody_core::event::{Events, MotionState};
+    use homebody_core::geometry::Point;
+    use homebody_core::home::Home;
+    use homebody_core::recording::{Recording, RunDigest};
+    use homebody_core::run::{DriverProvider, Guest};
+    use homebody_core::scenario::path::Posture;
+    use homebody_core::time::SECOND;
+    use homebody_kit::Template;
+    use homebody_routine::household::Household;
+    use tempfile::TempDir;
+
+    /// How long everything goes well.
+    const WELL: Micros = 9 * 3600 * SECOND;
+
+    /// Lives as the routine says, and then does what nobody can, or nothing that a program should.
+    #[derive(Clone, Debug)]
+    struct Doomed {
+        routine: Box<dyn Driver>,
+        panics: bool,
+    }
+
+    impl Driver for Doomed {
+        fn next(&mut self, around: &Surroundings) -> Next {
+            if around.now() < WELL {
+                return self.routine.next(around);
+            }
+            assert!(!self.panics, "nobody has thought of this");
+            let nowhere = MotionState::Rest { at: Point::new(f64::NAN, 0.0) };
+            let (begin, posture) = (around.now(), Posture::Standing);
+            Next::Segment(MotionSegment { begin, end: begin + SECOND, doing: nowhere, posture })
+        }
+
+        fn copy(&self) -> Box<dyn Driver> {
+            Box::new(self.clone())
+        }
+    }
+
+    struct AllDoomed<'h> {
+        household: &'h Household,
+        panics: bool,
+    }
+
+    impl DriverProvider for AllDoomed<'_> {
+        fn guests(&self) -> Vec<Guest> {
+            self.household.guests()
+        }
+
+        fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn Driver>> {
+            let routine = self.household.driver(body, home, seed)?;
+            Some(Box::new(Doomed { routine, panics: self.panics }))
+        }
+    }
+
+    fn shelf(folder: &TempDir) -> Shelf {
+        let scenario = folder.path().join("home");
+        std::fs::create_dir(&scenario).unwrap();
+        for (file, text) in Template::named("tigerplace").unwrap().files() {
+            std::fs::write(scenario.join(file), text).unwrap();
+        }
+        Shelf { scenario, entry: "scenario.json".into(), runs: folder.path().join("runs") }
+    }
+
+    /// Looks until there is what is wished.
+    fn look(stage: &Stage, seen: &mut Seen, is_wished: impl Fn(&News) -> bool) -> News {
+        let begun = Instant::now();
+        loop {
+            let news = stage.news(seen, 10);
+            if is_wished(&news) {
+                return news;
+            }
+            assert!(begun.elapsed() < Duration::from_secs(60), "{:?} at {}", news.frame.state, news.frame.now_us);
+            thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    fn told(news: &News) -> Option<&str> {
+        news.tells.iter().find_map(|tell| match tell {
+            Tell::Note { text, bad: true } => Some(text.as_str()),
+            _ => None,
+        })
+    }
+
+    /// A run whose driver panics, or says what no body can do, is over; what it stored is a whole run up to there, whoever looks
+    /// is told, and another begins.
+    #[test]
+    fn a_run_that_dies_is_told_of_and_kept_and_another_begins() {
+        for panics in [true, false] {
+            let folder = tempfile::tempdir().unwrap();
+            let shelf = shelf(&folder);
+            let act = StagedRun::new(&shelf, &shelf.entry, Start::default()).unwrap();
+            let household = Household::load(&shelf, &shelf.entry, &[]).unwrap().1;
+            let act = act.driven_by(&AllDoomed { household: &household, panics });
+            let stage = Stage::of(shelf.clone(), act).unwrap();
+            let mut seen = Seen::default();
+            stage.say(Say::Speed { times: None });
+            stage.say(Say::Play);
+            let news = look(&stage, &mut seen, |news| told(news).is_some());
+            let why = told(&news).unwrap().to_owned();
+            assert!(why.contains(if panics { "nobody has thought of this" } else { "margaret" }), "{why}");
+            look(&stage, &mut seen, |news| news.frame.state == State::Over);
+            let late = stage.news(&mut Seen::default(), 10);
+            assert_eq!(told(&late), Some(&why[..]), "who comes later is told, too");
+            assert!(stage.changed().has_changed().is_ok(), "nobody's socket is closed");
+
+            // What is kept is the run up to there.
+            let run = shelf.runs().pop().unwrap();
+            let recording: Recording = shelf.recording(&run).unwrap();
+            assert!(recording.is_complete() && recording.firings > 0, "{recording:?}");
+            assert!(recording.length_us <= WELL + 3600 * SECOND && recording.length_us > WELL / 2);
+            let (scenario, household) = Household::recorded(&recording).unwrap();
+            let mut again = recording.run(&scenario, &household);
+            let (mut events, mut digest) = (Events::default(), RunDigest::default());
+            again.advance(recording.length_us, &mut events).unwrap();
+            digest.add(&events.firings);
+            assert_eq!((digest.firings(), digest.hex()), (recording.firings, recording.sha256.clone()));
+            let log = rusqlite::Connection::open(shelf.runs.join(&run).join("log.db")).unwrap();
+            let rows: i64 = log.query_row("SELECT count(*) FROM event", [], |row| row.get(0)).unwrap();
+            assert_eq!(rows as u64, recording.firings);
+
+            stage.say(Say::Start { driven: None, without: Vec::new(), seed: None });
+            stage.say(Say::Speed { times: None });
+            stage.say(Say::Play);
+            look(&stage, &mut seen, |news| news.frame.state == State::Playing && news.frame.now_us > WELL + SECOND);
+            assert_eq!(told(&stage.news(&mut Seen::default(), 10)), None, "what was, is over");
+            stage.close();
         }
     }
 }

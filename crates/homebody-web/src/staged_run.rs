@@ -3,7 +3,9 @@
 use crate::dates;
 use crate::draw;
 use crate::growth::Growth;
+use crate::input_keeper::{InputKeeper, input_text};
 use crate::shelf::Shelf;
+use crate::stretch::Stretch;
 use crate::wire::{FiringView, Frame, Key, Posture, ResidentView, RunView, State};
 use homebody_core::drivers::input::Input;
 use homebody_core::event::{Events, Fact};
@@ -20,10 +22,12 @@ use homebody_core::scene::Scene;
 use homebody_core::sensors::Sensor;
 use homebody_core::snapshots::Snapshots;
 use homebody_core::time::{DAY, Micros, SECOND, micros, seconds};
-use homebody_log::{How, LogError, Places, RowText, Rows, RunLog};
+use homebody_log::{How, LogError, Places, RowText, Rows, RunLog, Stored};
 use homebody_routine::household::Household;
+use std::collections::VecDeque;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Instant;
 
 /// What a run is begun with.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -46,6 +50,8 @@ pub struct StagedRun {
     recording: Recording,
     /// The file that the keys are recorded into, if somebody is driven.
     keys: Option<String>,
+    /// How much of what is done at the keys was in the scenario when the run began.
+    known_input: usize,
     /// The keys that are held.
     held: KeysFile,
     files: Option<Written>,
@@ -64,6 +70,8 @@ pub struct StagedRun {
     /// Its files are complete.
     is_over: bool,
     events: Events,
+    /// How much is lived at once where it goes as fast as it can, before the clock is looked at again.
+    stretch: Stretch,
     /// What it was like every few days. Nobody is driven in it.
     moments: Snapshots<Moment>,
     /// Who has gone back looks at what is stored already: how far the run had come before.
@@ -85,6 +93,9 @@ struct Moment {
 /// How far apart moments are kept at first (ours): to live them takes some milliseconds.
 const MOMENTS: Micros = 4 * DAY;
 
+/// So much is lived at once, at most (ours).
+const LONGEST: Micros = 60 * SECOND;
+
 /// So much before where one goes back to is lived, too, for the rows that are shown (ours).
 const SHOWN_BEFORE: Micros = 6 * 3600 * SECOND;
 
@@ -92,6 +103,55 @@ struct Written {
     places: Places,
     /// Until they are complete.
     log: Option<RunLog>,
+    /// Until then, if somebody is driven.
+    input: Option<InputKeeper>,
+    /// What has happened and is not stored before the input that it comes of.
+    waiting: VecDeque<Waiting>,
+    /// Up to here all is stored.
+    stored_to: Micros,
+}
+
+/// What has happened in a part of a run.
+struct Waiting {
+    /// How many lines of input there were.
+    lines: usize,
+    now: Micros,
+    settled: Micros,
+    events: Events,
+}
+
+impl Written {
+    /// Takes what has happened by now, and stores all of which the recording has the input.
+    fn store(&mut self, run: &Run, events: &Events, input: &[KeysFile]) -> Result<(), LogError> {
+        let Some(log) = &mut self.log else { return Ok(()) };
+        let Some(keeper) = &mut self.input else {
+            log.store(run, events)?;
+            self.stored_to = run.now();
+            return Ok(());
+        };
+        if *events != Events::default() || run.now() > self.waiting.back().map_or(self.stored_to, |last| last.now) {
+            let (now, settled) = (run.now(), run.settled());
+            self.waiting.push_back(Waiting { lines: input.len(), now, settled, events: events.clone() });
+        }
+        let kept = keeper.keep(input)?;
+        while let Some(first) = self.waiting.front().filter(|first| first.lines <= kept) {
+            log.store_settled(first.settled, &first.events)?;
+            self.stored_to = first.now;
+            self.waiting.pop_front();
+        }
+        Ok(())
+    }
+
+    /// Ends the log, with all that has waited, which the recording is about to explain. Returns it with where it ends.
+    fn end(&mut self) -> Result<Option<(RunLog, Micros)>, LogError> {
+        self.input = None;
+        let Some(mut log) = self.log.take() else { return Ok(None) };
+        for Waiting { now, settled, events, .. } in self.waiting.drain(..) {
+            log.store_settled(settled, &events)?;
+            self.stored_to = now;
+        }
+        Ok(Some((log, self.stored_to)))
+    }
 }
 
 impl StagedRun {
@@ -147,6 +207,7 @@ impl StagedRun {
         let growth = Growth::new(&scenario.calendar, run.length(), is_motion);
         Ok(StagedRun {
             growth: Arc::new(Mutex::new(growth)),
+            known_input: start.input.len(),
             start,
             scenario,
             conditions,
@@ -164,6 +225,7 @@ impl StagedRun {
             headings: vec![0.0; bodies],
             is_over: false,
             events: Events::default(),
+            stretch: Stretch::new(LONGEST),
             moments: Snapshots::new(MOMENTS),
             furthest: None,
         })
@@ -206,10 +268,10 @@ impl StagedRun {
         }
     }
 
-    /// Lives until `until`, or as far as it had come before somebody went back; true if files have been begun for it, so that
+    /// Lives a stretch, at most until `until`, or as far as it had come before somebody went back; true if files have been begun for it, so that
     /// its view is another.
     pub fn advance(&mut self, until: Micros, shelf: &Shelf) -> Result<bool, String> {
-        let until = until.min(self.run.length());
+        let until = until.min(self.run.length()).min(self.stretch.from(self.run.now()));
         if until <= self.run.now() || self.is_over {
             return Ok(false);
         }
@@ -223,13 +285,14 @@ impl StagedRun {
             self.moments = moments;
         }
         let stored = self.furthest.as_ref().map(Run::now);
+        let begun = Instant::now();
         let lived = self.run.advance(stored.unwrap_or(until).min(until), &mut self.events);
+        self.stretch.brought(&self.events, begun.elapsed());
         if self.is_replay {
             self.digest.add(&self.events.firings);
         }
-        let log = self.files.as_mut().and_then(|files| files.log.as_mut());
-        if let Some(log) = log.filter(|_| stored.is_none()) {
-            log.store(&self.run, &self.events).map_err(|error| error.to_string())?;
+        if let Some(files) = self.files.as_mut().filter(|_| stored.is_none()) {
+            files.store(&self.run, &self.events, &self.start.input).map_err(|error| error.to_string())?;
         }
         self.furthest.take_if(|furthest| furthest.now() <= self.run.now());
         self.growth.lock().unwrap_or_else(PoisonError::into_inner).add(&self.events.firings, self.run.now());
@@ -283,7 +346,21 @@ impl StagedRun {
     fn open(&self, shelf: &Shelf) -> Result<Written, LogError> {
         let places = Places::run(&shelf.runs, &self.scenario)?;
         let log = RunLog::open(&places, &self.scenario, &self.run, &self.recording, How::New)?;
-        Ok(Written { places, log: Some(log) })
+        let input = match (&places.recording, &self.keys) {
+            (Some(place), Some(keys)) => {
+                let unmade = |source| LogError::File { place: place.display().to_string(), source };
+                let keeper = InputKeeper::new(place.clone(), self.recording.clone(), keys.clone(), self.known_input);
+                Some(keeper.map_err(unmade)?)
+            }
+            _ => None,
+        };
+        Ok(Written { places, log: Some(log), input, waiting: VecDeque::new(), stored_to: 0 })
+    }
+
+    /// Has what was done at the keys be written, though the run may be paused.
+    pub fn keep_input(&mut self) -> Result<(), String> {
+        let Some(files) = self.files.as_mut().filter(|files| files.input.is_some()) else { return Ok(()) };
+        files.store(&self.run, &Events::default(), &self.start.input).map_err(|error| error.to_string())
     }
 
     /// From now on these keys are held.
@@ -346,13 +423,28 @@ impl StagedRun {
                 (true, false) => Err("The replay differs from the recording.".into()),
             };
         }
-        let Some(log) = self.files.as_mut().and_then(|files| files.log.take()) else { return Ok(None) };
+        self.complete(|log, _, recording, run| log.finish(run, recording))
+    }
+
+    /// Ends a run that broke: nothing is asked of it any more, and what it has stored is completed as far as it came.
+    pub fn give_up(&mut self) -> Result<Option<String>, String> {
+        (self.is_over, self.furthest) = (true, None);
+        self.events.clear();
+        self.complete(|log, now, recording, _| log.give_up(now, recording))
+    }
+
+    fn complete(
+        &mut self,
+        end: impl FnOnce(RunLog, Micros, Recording, &Run) -> Result<(Stored, Recording), LogError>,
+    ) -> Result<Option<String>, String> {
+        let Some(files) = &mut self.files else { return Ok(None) };
+        let Some((log, now)) = files.end().map_err(|error| error.to_string())? else { return Ok(None) };
         let mut recording = self.recording.clone();
         if let Some(keys) = &self.keys {
             recording.files.insert(keys.clone(), input_text(&self.start.input));
         }
         let furthest = self.furthest.as_ref().unwrap_or(&self.run);
-        let (stored, recording) = log.finish(furthest, recording).map_err(|error| error.to_string())?;
+        let (stored, recording) = end(log, now, recording, furthest).map_err(|error| error.to_string())?;
         self.recording = recording;
         let folder = self.folder().map(|folder| folder.display().to_string());
         Ok(Some(format!("{} rows are in {}.", stored.rows, folder.unwrap_or_default())))
@@ -403,6 +495,15 @@ impl StagedRun {
     }
 }
 
+#[cfg(test)]
+impl StagedRun {
+    /// The same with other drivers.
+    pub fn driven_by(mut self, drivers: &dyn homebody_core::run::DriverProvider) -> StagedRun {
+        self.run = Run::new(&self.scenario, drivers, self.recording.seed, self.recording.length_us);
+        self
+    }
+}
+
 fn firing_view(row: RowText) -> FiringView {
     let RowText { seq, at, sensor, time, id, value } = row;
     FiringView { seq, at_us: at, sensor: sensor.0, value: value.clone(), row: Some([time, id, value]) }
@@ -421,11 +522,6 @@ fn key_of(key: Key) -> input::Key {
         Key::Fast => input::Key::Fast,
         Key::Slow => input::Key::Slow,
     }
-}
-
-fn input_text(input: &[KeysFile]) -> String {
-    let file = InputFile { schema: None, keys: input.to_vec() };
-    serde_json::to_string_pretty(&file).unwrap_or_default() + "\n"
 }
 
 /// Makes a resident one who is moved by keys; returns also the name of the file that holds them.

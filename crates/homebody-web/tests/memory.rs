@@ -29,9 +29,10 @@ fn memory_kb() -> u64 {
 }
 
 #[test]
-fn neither_huge_bodies_nor_late_months_nor_stuck_browsers_take_memory() {
+fn neither_huge_bodies_nor_late_or_hasty_months_nor_stuck_browsers_take_memory() {
     huge_bodies();
     late_months();
+    hasty_months();
     stuck_browsers();
 }
 
@@ -97,6 +98,36 @@ fn late_months() {
     let growth = memory_kb().saturating_sub(before);
     println!("memory grows by {growth} kB over a late month");
     assert!(growth < MOST_KB, "{growth} kB");
+}
+
+/// Of somebody who does a million things a second the page shows as much as fits, and says where it ends.
+fn hasty_months() {
+    let served = Served::scenario("by-hand");
+    let text = |name: &str| fs::read_to_string(served.folder.path().join("by-hand").join(name)).unwrap();
+    let keys = r#""driver": { "live": { "keys": "keys.json", "start": [0.6, 0.6] } }"#;
+    let draft = serde_json::json!({ "texts": {
+        "scenario.json": text("scenario.json").replace("\"days\": 0.001", "\"days\": 30"),
+        "visitor.json": text("visitor.json").replace(keys, r#""driver": { "path": "visitor.path.json" }"#),
+        "visitor.path.json": r#"{"start":[0.6,0.6],"steps":[{"repeat":{"steps":[{"wait":{"for_s":1e-6}}]}}]}"#,
+    } });
+    let month = serde_json::json!({ "draft": draft, "from": 0, "days": 5, "without": [] });
+    for (path, asked) in [("/api/month", month), ("/api/rows", draft)] {
+        let asked = asked.to_string();
+        let head = format!(
+            "POST {path} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\nx-homebody-token: {}\r\nContent-Type: application/json\r\nContent-Length: {}\r\n\r\n",
+            served.address,
+            served.token,
+            asked.len()
+        );
+        let (before, begun) = (memory_kb(), Instant::now());
+        let answer = served.ask((head + &asked).as_bytes());
+        let growth = memory_kb().saturating_sub(before);
+        println!("memory grows by {growth} kB over {path} of a hasty life, in {:?}", begun.elapsed());
+        assert_eq!(answer.code, 200, "after {:?}", begun.elapsed());
+        let said = String::from_utf8_lossy(&answer.body);
+        assert!(said.contains("To come so far has taken"), "{said}");
+        assert!(growth < 4 * MOST_KB, "{growth} kB");
+    }
 }
 
 /// A page that reads a message a second holds up neither the run nor another page, and nothing is kept for it.

@@ -28,7 +28,7 @@ impl Stored {
         copy(&scenarios().join("../conditions"), &folder.path().join("conditions"), &change);
         let shelf = Shelf { scenario: own, entry: "scenario.json".into(), runs: folder.path().join("runs") };
         let mut act = StagedRun::new(&shelf, &shelf.entry, Start::default()).unwrap();
-        act.advance(length, &shelf).unwrap();
+        live(&mut act, length, &shelf);
         act.finish().unwrap();
         let playback = Playback::new(shelf);
         Stored { folder, playback }
@@ -49,6 +49,14 @@ impl Stored {
     fn days(&self) -> Vec<DayView> {
         let name = self.name();
         (0..self.view().days.len()).map(|day| self.playback.day(&name, day).unwrap()).collect()
+    }
+}
+
+/// Lives until an instant, or to the end.
+fn live(act: &mut StagedRun, until: Micros, shelf: &Shelf) {
+    let until = until.min(act.length());
+    while act.now() < until {
+        act.advance(until, shelf).unwrap();
     }
 }
 
@@ -283,18 +291,13 @@ fn going_back_is_going_on_from_there_as_it_was() {
         copy(&scenarios().join("tigerplace"), &own, &as_it_is);
         let shelf = Shelf { scenario: own, entry: "scenario.json".into(), runs: folder.path().join("runs") };
         let mut act = StagedRun::new(&shelf, &shelf.entry, Start::default()).unwrap();
-        let live = |act: &mut StagedRun, until: Micros| {
-            while act.now() < until {
-                act.advance(until.min(act.now() + HOUR), &shelf).unwrap();
-            }
-        };
-        live(&mut act, 12 * DAY + 5 * HOUR);
+        live(&mut act, 12 * DAY + 5 * HOUR, &shelf);
         for &to in back {
             assert!(act.go_back(to));
             assert!(act.now() <= to && act.now() >= to - 5 * DAY, "{} is far from {to}", act.now());
-            live(&mut act, to);
+            live(&mut act, to, &shelf);
         }
-        live(&mut act, stop);
+        live(&mut act, stop, &shelf);
         let frame = act.frame(State::Paused, None);
         let growth = act.growth().lock().unwrap().view();
         act.finish().unwrap();
@@ -342,7 +345,7 @@ fn who_is_driven_does_not_go_back_to_a_moment() {
     let shelf = Shelf { scenario: own, entry: "scenario.json".into(), runs: folder.path().join("runs") };
     let start = Start { driven: Some(0), ..Start::default() };
     let mut act = StagedRun::new(&shelf, &shelf.entry, start).unwrap();
-    act.advance(10 * SECOND, &shelf).unwrap();
+    live(&mut act, 10 * SECOND, &shelf);
     assert!(!act.go_back(SECOND));
     assert_eq!((act.now(), act.anew(SECOND).unwrap().now()), (10 * SECOND, 0));
 }

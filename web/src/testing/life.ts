@@ -83,6 +83,7 @@ function lived({ from, days, without }: Month, shows: boolean, names: string[]):
     rooms: ['bedroom', 'living room'],
     stays: names.map(() => dates.flatMap(({ begin_us }): [number, number, number][] => [[begin_us, begin_us + 7 * HOUR_US, 0], [begin_us + 12 * HOUR_US, begin_us + 23 * HOUR_US, 1]])),
     hours: dates.map((_, day) => Array.from({ length: 24 }, (_, hour) => (hour < 7 ? 1 : 20 + ((hour * 5 + day) % 30) - later / HOUR_US))),
+    cut: null,
   };
 }
 

@@ -31,9 +31,10 @@ export function madeUpLogger(home: HomeView): { texts: Record<string, string>; a
         { to: 'casas:log.txt', table: null, columns: [], rows: fired },
       ],
       kinds: [['sqlite:', 'a database file, with a table as the network has it'], ['csv:', 'comma-separated values with a header line'], ['casas:', 'the text of the CASAS homes']],
+      cut: null,
     }),
     '/api/connect': () => ({ works: true, said: 'Each run writes its own, in a new folder in runs, which can be written.' }),
-    '/api/growth': () => ({ days, hours, today }),
+    '/api/growth': () => ({ days, hours, today, left_out: 0 }),
   };
   return { texts, answers };
 }

@@ -8,6 +8,7 @@ use crate::wire::{
 };
 use homebody_core::problem::Problem;
 use homebody_core::scenario::load::{Driver, Scenario};
+use homebody_kit::Cancel;
 use homebody_routine::completion;
 use homebody_routine::explain::{self, Kind, Spread, explain};
 use homebody_routine::household::{Household, Understood};
@@ -50,8 +51,8 @@ impl Desk {
         }
     }
 
-    /// Some days of a draft, lived without leaving a file.
-    pub fn month(&self, Month { draft, from, days, without }: Month) -> MonthView {
+    /// Some days of a draft, lived without leaving a file, for as long as somebody waits for them.
+    pub fn month(&self, Month { draft, from, days, without }: Month, cancel: &Cancel) -> MonthView {
         let (scenario, household) = match self.lives(&self.with(draft), &without) {
             Ok(lives) => lives,
             Err(wrong) => return MonthView { problems: problems(&wrong), ..MonthView::default() },
@@ -59,7 +60,7 @@ impl Desk {
         let mut living = self.living.lock().unwrap_or_else(PoisonError::into_inner);
         let same = living.take().filter(|last| last.is(&scenario, &without));
         let mut draft = same.unwrap_or_else(|| LivedDraft::new(&scenario, without));
-        let month = draft.month(&scenario, &household, from, days.clamp(1, LONGEST));
+        let month = draft.month(&scenario, &household, from, days.clamp(1, LONGEST), cancel);
         *living = Some(draft);
         month.unwrap_or_else(|error| {
             let unlived = Problem::of_file(&self.shelf.entry, error.to_string(), None);

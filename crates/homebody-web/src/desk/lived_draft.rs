@@ -2,6 +2,7 @@
 
 use crate::dates;
 use crate::growth::Growth;
+use crate::stretch::Effort;
 use crate::wire::MonthView;
 use homebody_core::drivers::error::DriverError;
 use homebody_core::event::{Events, Fact};
@@ -9,7 +10,8 @@ use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::sensors::Sensor;
 use homebody_core::snapshots::Snapshots;
-use homebody_core::time::{DAY, Micros};
+use homebody_core::time::{DAY, Micros, SECOND};
+use homebody_kit::Cancel;
 use homebody_routine::household::Household;
 use std::collections::BTreeMap;
 
@@ -32,20 +34,24 @@ impl LivedDraft {
         self.sources == scenario.sources && self.without == without
     }
 
-    /// Some days of its life.
+    /// Some days of its life, as far as they go into an answer, and as long as somebody waits for it.
     pub fn month(
         &mut self,
         scenario: &Scenario,
         household: &Household,
         from: u32,
         days: u32,
+        cancel: &Cancel,
     ) -> Result<MonthView, DriverError> {
-        lived(scenario, household, from, days, &mut self.moments)
+        lived(scenario, household, from, days, &mut self.moments, &mut Effort::new(cancel, LONGEST))
     }
 }
 
 /// How far apart moments are kept at first (ours): to live them takes some milliseconds.
 const MOMENTS: Micros = 4 * DAY;
+
+/// So much is lived at once, at most.
+const LONGEST: Micros = 3600 * SECOND;
 
 /// A life at an instant, and what is known of it by then.
 #[derive(Clone)]
@@ -65,13 +71,25 @@ impl Moment {
         Moment { run, known, growth: Growth::new(&scenario.calendar, length, is_motion), activities: Vec::new() }
     }
 
-    /// Lives on, and adds what has ended to the view.
-    fn live(&mut self, until: Micros, view: &mut MonthView) -> Result<(), DriverError> {
+    /// Lives on, and adds what has ended to the view; false if it went no further than the view now says.
+    fn live(&mut self, until: Micros, view: &mut MonthView, effort: &mut Effort) -> Result<bool, DriverError> {
         let mut events = Events::default();
-        let lived = self.run.advance(until, &mut events);
-        self.known.learn(&events, &mut self.activities, view);
-        self.growth.add(&events.firings, self.run.now());
-        lived
+        while self.run.now() < until {
+            let next = match effort.next(self.run.now(), view.spans.iter().chain(&view.stays).map(Vec::len).sum()) {
+                Ok(next) => next,
+                Err(why) => {
+                    view.cut = Some(why);
+                    return Ok(false);
+                }
+            };
+            let lived = self.run.advance(until.min(next), &mut events);
+            self.known.learn(&events, &mut self.activities, view);
+            self.growth.add(&events.firings, self.run.now());
+            effort.brought(&events, self.run.now());
+            events.clear();
+            lived?;
+        }
+        Ok(true)
     }
 }
 
@@ -81,6 +99,7 @@ fn lived(
     from: u32,
     days: u32,
     moments: &mut Snapshots<Moment>,
+    effort: &mut Effort,
 ) -> Result<MonthView, DriverError> {
     let calendar = &scenario.calendar;
     let length = calendar.span_of_days(scenario.file.days);
@@ -99,19 +118,28 @@ fn lived(
         ..MonthView::default()
     };
     // What was before the first day is only lived to come to it.
-    while life.run.now() < begin {
+    let mut goes_on = true;
+    while goes_on && life.run.now() < begin {
         moments.keep(life.run.now(), || life.clone());
-        life.live(begin.min(life.run.now() + DAY), &mut view)?;
+        goes_on = life.live(begin.min(life.run.now() + DAY), &mut view, effort)?;
         view.spans.iter_mut().chain(&mut view.stays).for_each(Vec::clear);
     }
     for day in 0..view.days.len() {
-        moments.keep(life.run.now(), || life.clone());
-        life.live(view.days[day].end_us, &mut view)?;
+        if goes_on {
+            moments.keep(life.run.now(), || life.clone());
+            goes_on = life.live(view.days[day].end_us, &mut view, effort)?;
+        }
     }
+    let end = end.min(life.run.now());
     life.known.end(end, &mut view);
+    if let Some(why) = &mut view.cut {
+        *why = format!("The days are shown until {}. {why}", dates::wall_clock(calendar, end));
+    }
     // A stride may come to another room later.
     view.stays.iter_mut().flatten().for_each(|stay| stay.1 = stay.1.min(end));
-    (view.activities, view.hours) = (life.activities, life.growth.view().hours.split_off(from as usize));
+    let mut hours = life.growth.view().hours;
+    hours.resize(hours.len().max(from as usize + view.days.len()), vec![0; 24]);
+    (view.activities, view.hours) = (life.activities, hours.split_off(from as usize));
     Ok(view)
 }
 

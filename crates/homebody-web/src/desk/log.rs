@@ -1,6 +1,8 @@
 //! A logger's file that is being written: its first rows, as they would be stored, and whether its places take a log.
 
 use super::{Desk, problems};
+use crate::dates;
+use crate::stretch::Effort;
 use crate::wire::{Connect, ConnectView, Draft, PlaceRowsView, RowsView};
 use homebody_core::event::Events;
 use homebody_core::problem::Problem;
@@ -9,7 +11,8 @@ use homebody_core::run::Run;
 use homebody_core::scenario::inside::outside_folder;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::scheme::{self, NoPlace, SCHEMES};
-use homebody_core::time::{DAY, SECOND};
+use homebody_core::time::{DAY, Micros, SECOND};
+use homebody_kit::Cancel;
 use homebody_log::logger::destinations;
 use homebody_log::preview::{preview, try_place};
 use homebody_log::{How, LogError, Logger, RunInfo, Url};
@@ -23,24 +26,27 @@ const ROWS: usize = 40;
 /// Who makes no rows in so long has none to show.
 const LONGEST: i64 = 3 * DAY;
 
+/// So much is lived at once, at most.
+const STRETCH: Micros = 600 * SECOND;
+
 impl Desk {
-    /// The first rows of a draft's log, written where nobody else looks and read back.
-    pub fn rows(&self, draft: Draft) -> RowsView {
+    /// The first rows of a draft's log, written where nobody else looks and read back, for as long as somebody waits for them.
+    pub fn rows(&self, draft: Draft, cancel: &Cancel) -> RowsView {
         let kinds = SCHEMES.map(|row| (format!("{}:", row.name), row.what.to_owned())).to_vec();
-        let (problems, places) = match self.lives(&self.with(draft), &[]) {
-            Err(wrong) => (problems(&wrong), Vec::new()),
+        let (problems, places, cut) = match self.lives(&self.with(draft), &[]) {
+            Err(wrong) => (problems(&wrong), Vec::new(), None),
             Ok((scenario, household)) => {
                 let _living = self.living.lock().unwrap_or_else(PoisonError::into_inner);
-                match first_rows(&scenario, &household) {
-                    Ok(places) => (Vec::new(), places),
+                match first_rows(&scenario, &household, cancel) {
+                    Ok((places, cut)) => (Vec::new(), places, cut),
                     Err(error) => {
                         let file = scenario.file.logger.as_deref().unwrap_or(&self.shelf.entry);
-                        (problems(&[Problem::of_file(file, error.to_string(), None)]), Vec::new())
+                        (problems(&[Problem::of_file(file, error.to_string(), None)]), Vec::new(), None)
                     }
                 }
             }
         };
-        RowsView { problems, places, kinds }
+        RowsView { problems, places, cut, kinds }
     }
 
     /// Whether a log can be begun at a place.
@@ -66,7 +72,12 @@ impl Desk {
     }
 }
 
-fn first_rows(scenario: &Scenario, household: &Household) -> Result<Vec<PlaceRowsView>, LogError> {
+/// The rows of each place, and why there may be more that are not looked for.
+fn first_rows(
+    scenario: &Scenario,
+    household: &Household,
+    cancel: &Cancel,
+) -> Result<(Vec<PlaceRowsView>, Option<String>), LogError> {
     let unmade = |source| LogError::Unmade { place: std::env::temp_dir().display().to_string(), source };
     let folder = tempfile::tempdir().map_err(unmade)?;
     let usual = [String::from(scheme::USUAL)];
@@ -81,10 +92,20 @@ fn first_rows(scenario: &Scenario, household: &Household) -> Result<Vec<PlaceRow
     let recording = Recording::of(scenario, env!("CARGO_PKG_VERSION"), "", seed, length);
     let info = Arc::new(RunInfo::of(scenario, &run, &recording));
     let mut logger = Logger::open(destinations(&hidden, How::New)?, &scenario.logger, &info, How::New)?;
-    let (mut events, mut count) = (Events::default(), 0);
+    let (mut events, mut count, mut cut) = (Events::default(), 0, None);
+    let mut effort = Effort::new(cancel, STRETCH);
     // Of messages that a link delays, and of OFFs that are held, some rows come later than their firings.
     while count < 2 * ROWS && run.now() < run.length() {
-        let lived = run.advance(run.now() + 600 * SECOND, &mut events);
+        let next = match effort.next(run.now(), 0) {
+            Ok(next) => next,
+            Err(why) => {
+                let clock = dates::wall_clock(&scenario.calendar, run.now());
+                cut = Some(format!("Rows are looked for until {clock}. {why}"));
+                break;
+            }
+        };
+        let lived = run.advance(next, &mut events);
+        effort.brought(&events, run.now());
         logger.store(&events.firings, run.settled())?;
         count += events.firings.len();
         events.clear();
@@ -99,5 +120,6 @@ fn first_rows(scenario: &Scenario, household: &Household) -> Result<Vec<PlaceRow
         let first = preview(url, &scenario.logger, ROWS)?;
         Ok(PlaceRowsView { to: to.clone(), table: first.table, columns: first.columns, rows: first.rows })
     };
-    to.iter().zip(&hidden).map(shown).collect()
+    let places: Result<Vec<_>, LogError> = to.iter().zip(&hidden).map(shown).collect();
+    Ok((places?, cut))
 }

@@ -258,6 +258,8 @@ pub struct MonthView {
     pub stays: Vec<Vec<(i64, i64, u32)>>,
     /// How often motion sensors fired in each hour of the clock, by day.
     pub hours: Vec<Vec<u32>>,
+    /// Where and why it ends before the last day, in sentences.
+    pub cut: Option<String>,
 }
 
 /// The first rows of a log, as the network that a logger's file describes would have them.
@@ -266,6 +268,8 @@ pub struct RowsView {
     pub problems: Vec<ProblemView>,
     /// One for each place that the log goes to.
     pub places: Vec<PlaceRowsView>,
+    /// Until when rows were looked for and why no longer, in sentences.
+    pub cut: Option<String>,
     /// How the URLs of places begin, and what each is.
     #[ts(type = "Array<[string, string]>")]
     pub kinds: Vec<(String, String)>,
@@ -304,4 +308,7 @@ pub struct GrowthView {
     /// The firings of the day that is being lived: instant and sensor.
     #[ts(type = "Array<[number, number]>")]
     pub today: Vec<(i64, u32)>,
+    /// How many of them are counted in `hours` alone.
+    #[ts(type = "number")]
+    pub left_out: u64,
 }

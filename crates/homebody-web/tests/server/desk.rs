@@ -25,7 +25,7 @@ impl Served {
         self.ask((head + &body).as_bytes())
     }
 
-    fn told(&self, path: &str, body: &Value) -> Value {
+    pub fn told(&self, path: &str, body: &Value) -> Value {
         let answer = self.post(path, body);
         assert_eq!(answer.code, 200, "{path}: {}", String::from_utf8_lossy(&answer.body));
         match answer.head.contains("msgpack") {

@@ -55,6 +55,27 @@ fn other_names_are_refused_on_every_route() {
     }
 }
 
+/// A server answers under the address that it has, whichever of the machine's it is, and under no other.
+#[test]
+fn a_server_knows_its_own_address() {
+    for (ip, name) in [("127.0.0.2", "127.0.0.2"), ("::ffff:127.0.0.3", "127.0.0.3"), ("::ffff:127.0.0.1", "localhost")]
+    {
+        let served = Served::at("by-hand", ip.parse().unwrap());
+        let port = served.address.port();
+        assert_eq!(served.get("/", "").code, 200, "{ip}");
+        assert_eq!(served.api("/api/runs").code, 200, "{ip}");
+        served.page().until(|_| true);
+        let asked = |name: &str| {
+            served.ask(format!("GET / HTTP/1.1\r\nHost: {name}:{port}\r\nConnection: close\r\n\r\n").as_bytes()).code
+        };
+        assert_eq!(asked(name), 200, "{name}");
+        assert_eq!(asked("127.0.0.4"), 403);
+        if name != "localhost" {
+            assert_eq!(asked("localhost"), 403, "that is another address than {ip}");
+        }
+    }
+}
+
 fn is_ours(name: &str, port: u16) -> bool {
     ["127.0.0.1", "localhost", "[::1]"].iter().any(|ours| name.eq_ignore_ascii_case(&format!("{ours}:{port}")))
 }

@@ -1,6 +1,8 @@
 //! Those who would keep the server busy for nothing.
 
 use super::served::Served;
+use serde_json::{Value, json};
+use std::fs;
 use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::sync::Arc;
@@ -55,4 +57,47 @@ fn guesses_of_the_token_wait_for_each_other_and_who_knows_it_does_not() {
     let all = begun.elapsed();
     assert!(all >= Duration::from_millis(2400), "{all:?}");
     assert!(known < all / 2, "who knows the token waits {known:?} of {all:?}");
+}
+
+/// A draft that keeps somebody busy with a million things a second.
+fn hasty(served: &Served) -> Value {
+    let text = |name: &str| fs::read_to_string(served.file("by-hand", name)).unwrap();
+    let path = json!({ "start": [0.6, 0.6], "steps": [{ "repeat": { "steps": [{ "wait": { "for_s": 1e-6 } }] } }] });
+    let visitor = text("visitor.json").replace(
+        r#""driver": { "live": { "keys": "keys.json", "start": [0.6, 0.6] } }"#,
+        r#""driver": { "path": "visitor.path.json" }"#,
+    );
+    json!({ "texts": {
+        "scenario.json": text("scenario.json").replace("\"days\": 0.001", "\"days\": 30"),
+        "visitor.json": visitor,
+        "visitor.path.json": path.to_string(),
+    } })
+}
+
+/// Who goes away while a month is lived stops it, so that the next is not waited for.
+#[test]
+fn what_nobody_waits_for_is_not_lived() {
+    let served = Served::scenario("by-hand");
+    let asked = json!({ "draft": hasty(&served), "from": 29, "days": 1, "without": [] }).to_string();
+    for path in ["/api/month", "/api/rows"] {
+        let asked = if path == "/api/rows" { hasty(&served).to_string() } else { asked.clone() };
+        let head = format!(
+            "POST {path} HTTP/1.1\r\nHost: {}\r\nx-homebody-token: {}\r\nContent-Type: application/json\r\nContent-Length: {}\r\n\r\n",
+            served.address,
+            served.token,
+            asked.len()
+        );
+        let mut streams: Vec<TcpStream> = (0..20).map(|_| TcpStream::connect(served.address).unwrap()).collect();
+        for stream in &mut streams {
+            stream.write_all((head.clone() + &asked).as_bytes()).unwrap();
+        }
+        streams[0].set_read_timeout(Some(Duration::from_millis(500))).unwrap();
+        assert!(streams[0].read(&mut [0; 1]).is_err(), "{path} takes longer than this test");
+        drop(streams);
+        let begun = Instant::now();
+        let month = json!({ "draft": { "texts": {} }, "from": 0, "days": 1, "without": [] });
+        let known = served.told("/api/month", &month);
+        assert!(known["days"].as_array().is_some_and(|days| days.len() == 1), "{known}");
+        assert!(begun.elapsed() < Duration::from_secs(2), "{path}: the next month waits for {:?}", begun.elapsed());
+    }
 }

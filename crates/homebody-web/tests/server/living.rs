@@ -189,3 +189,53 @@ fn a_jump_back_lives_the_same_again() {
     let again = page.until(|frame| frame["now_us"] == 36_000_000_000_i64).frame;
     assert_eq!((&again["told"], &again["bodies"]), (&there["told"], &there["bodies"]));
 }
+
+/// What is done at the keys outlives the program: it is in the recording while the run goes on.
+#[test]
+fn what_is_done_at_the_keys_is_on_disk_within_a_second() {
+    let served = Served::scenario("by-hand");
+    let mut page = served.page();
+    page.say(r#"{"say":"start","driven":0,"without":[],"seed":null}"#);
+    page.say(r#"{"say":"play"}"#);
+    page.until(|frame| frame["now_us"].as_i64() > Some(100_000));
+    for (number, key) in ["right", "up", "left"].into_iter().enumerate() {
+        page.say(&format!(r#"{{"say":"hold","keys":["{key}"]}}"#));
+        thread::sleep(Duration::from_secs(1));
+        let recording = recording(&served.only_run());
+        let keys = &recording.files["visitor.keys.json"];
+        assert_eq!(keys.matches("\"held\": [").count(), number + 1, "{keys}");
+        assert!(keys.contains(&format!("\"{key}\"")) && !recording.is_complete(), "{keys}");
+    }
+    // With the rows that come of it, and a whole recording at the end.
+    page.say(r#"{"say":"stop"}"#);
+    let seen = page.until(is("over"));
+    let recording = recording(&served.only_run());
+    assert!(recording.is_complete());
+    assert_eq!(rows(&served.only_run()).len() as u64, recording.firings);
+    assert_eq!(seen.frame["told"].as_u64(), Some(recording.firings));
+}
+
+/// A run that fails in the middle, here since somebody spoils its log, is told of to whoever looks, then or later, and another
+/// begins on the same socket.
+#[test]
+fn a_run_that_fails_says_so_and_another_begins() {
+    let served = Served::scenario("tigerplace");
+    let mut page = served.page();
+    page.say(r#"{"say":"play"}"#);
+    page.until(|frame| frame["now_us"].as_i64() > Some(0));
+    let log = served.only_run().join("log.db");
+    for file in [log.clone(), log.with_extension("db-wal")] {
+        if let Ok(length) = fs::metadata(&file).map(|file| file.len()) {
+            fs::write(&file, vec![b'?'; length as usize]).unwrap();
+        }
+    }
+    page.say(r#"{"say":"speed","times":null}"#);
+    let seen = page.until(is("over"));
+    assert!(seen.frame["now_us"].as_i64() < seen.run["length_us"].as_i64().or(Some(i64::MAX)));
+    let why = seen.notes.iter().find(|note| note.contains("log.db")).expect("words").clone();
+    let late = served.page().until_told("log.db");
+    assert_eq!(late.notes, [why]);
+    page.say(r#"{"say":"start","driven":null,"without":[],"seed":null}"#);
+    page.say(r#"{"say":"play"}"#);
+    page.until(|frame| frame["state"] == "playing" && frame["now_us"].as_i64() > Some(3_600_000_000));
+}

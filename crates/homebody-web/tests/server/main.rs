@@ -5,3 +5,4 @@ mod guard;
 mod limits;
 mod living;
 mod served;
+mod slow;

@@ -6,7 +6,7 @@ use homebody_web::shelf::Shelf;
 use homebody_web::{Options, serve};
 use std::fs;
 use std::io::{Read, Write};
-use std::net::{SocketAddr, TcpStream};
+use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpStream};
 use std::path::PathBuf;
 use std::sync::mpsc::channel;
 use std::thread::{self, JoinHandle};
@@ -37,6 +37,11 @@ pub type Socket = WebSocket<TcpStream>;
 impl Served {
     /// Serves a copy of a scenario of the repository.
     pub fn scenario(name: &str) -> Served {
+        Served::at(name, Ipv4Addr::LOCALHOST.into())
+    }
+
+    /// The same at another address of this machine.
+    pub fn at(name: &str, ip: IpAddr) -> Served {
         let folder = tempfile::tempdir().unwrap();
         let scenario = folder.path().join(name);
         fs::create_dir(&scenario).unwrap();
@@ -46,10 +51,10 @@ impl Served {
         let shelf = Shelf { scenario, entry: "scenario.json".into(), runs: folder.path().join("runs") };
         let cancel = Cancel::new();
         let (ready, is_ready) = channel();
-        let options = Options { port: Some(0), ..Options::new(shelf) };
+        let options = Options { ip, port: Some(0), ..Options::new(shelf) };
         let handle = cancel.clone();
         let thread = thread::spawn(move || {
-            serve(options, &handle, |address| ready.send(address.to_owned()).unwrap()).unwrap();
+            serve(options, &handle, |address| ready.send(address.url.to_owned()).unwrap()).unwrap();
         });
         let address = is_ready.recv_timeout(Duration::from_secs(60)).expect("a server");
         let (address, token) = address.strip_prefix("http://").unwrap().split_once("/#token=").unwrap();

@@ -6,15 +6,16 @@ use crate::signals::{Signals, begin_other};
 use homebody_kit::Source;
 use homebody_log::places::RUNS;
 use homebody_web::shelf::Shelf;
-use homebody_web::{Options, ServeError};
+use homebody_web::{Address, Options, ServeError};
 use std::net::{IpAddr, Ipv4Addr};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// Opens a page on which a scenario is lived: seen, driven by keys, recorded and played again.
 ///
-/// The page is served to this machine alone, and only to who has the address that is printed: it holds a token. Runs go into
-/// new folders under runs/, as those of homebody run. Ctrl-C ends the run and the server, and that is no failure: the exit code is 0.
+/// The page is served to this machine alone, and only to who has the address that is printed: it holds a token. A browser is led
+/// there by a file that only you can read, and which is removed when it has come. Runs go into new folders under runs/, as those
+/// of homebody run. Ctrl-C ends the run and the server, and that is no failure: the exit code is 0.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody serve scenarios/tigerplace
@@ -28,7 +29,7 @@ pub struct Arguments {
     /// Only print the address, and open no browser
     #[arg(long)]
     no_open: bool,
-    /// Let others than this machine come: listen on this address of it
+    /// Listen on this address of the machine, and under its name alone; others than this machine can come unless it is loopback
     #[arg(long, value_name = "IP")]
     bind: Option<IpAddr>,
 }
@@ -40,7 +41,7 @@ impl Arguments {
         let scenario = source.folder().unwrap_or(Path::new("")).to_owned();
         let shelf = Shelf { scenario, entry: source.entry().to_owned(), runs: Path::new(RUNS).into() };
         source.open()?;
-        let ip = self.bind.unwrap_or(Ipv4Addr::LOCALHOST.into());
+        let ip = self.bind.unwrap_or(Ipv4Addr::LOCALHOST.into()).to_canonical();
         if ip.is_unspecified() {
             return Err(Failure::Usage(format!(
                 "{ip} is every address of this machine, and the page must come under a single one\n  hint: name the one that others reach this machine by"
@@ -51,27 +52,26 @@ impl Arguments {
                 "warning: who can reach {ip} can reach this server, and what is said to it can be overheard on the way"
             ));
         }
-        let options = Options { ip, port: self.port, ..Options::new(shelf) };
-        let opens = !self.no_open;
-        let ready = |address: &str| {
+        let browser = !self.no_open;
+        let options = Options { ip, port: self.port, browser, ..Options::new(shelf) };
+        let ready = |address: Address| {
             // Nobody is there to read it where standard output is closed.
-            let _ = print_text(&format!("{address}\n"));
-            if opens {
-                open(address);
+            let _ = print_text(&format!("{}\n", address.url));
+            if browser && !address.file.is_some_and(open) {
+                tell("open this address in a browser");
             }
         };
         Ok(homebody_web::serve(options, signals.cancel(), ready)?)
     }
 }
 
-/// Opens the address in the browser that this machine has, if it has one.
-fn open(address: &str) {
+/// Opens the file that leads to the page in the browser that this machine has, if it has one: everybody may read what a
+/// program is started with, so that the address itself, with its token, is not said there.
+fn open(file: &Path) -> bool {
     let opener = if cfg!(target_os = "macos") { "open" } else { "xdg-open" };
     let mut command = Command::new(opener);
-    command.arg(address).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-    if begin_other(|| command.spawn()).is_err() {
-        tell("open this address in a browser");
-    }
+    command.arg(file).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    begin_other(|| command.spawn()).is_ok()
 }
 
 impl From<ServeError> for Failure {

@@ -21,3 +21,4 @@ mod labels;
 mod lives;
 mod truths;
 mod cohorts;
+mod serving;

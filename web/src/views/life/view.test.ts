@@ -1,3 +1,4 @@
+import { decode, encode } from '@msgpack/msgpack';
 import { flushSync, mount, unmount } from 'svelte';
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { Live } from '../../live.svelte';
@@ -74,6 +75,17 @@ test('what is wrong is underlined and told, and so is that the days are those of
   expect(region('Problems').textContent).toContain('did you mean "watches television"?');
   expect(region('Days').textContent).toContain('Drawn as it was before the mistake.');
   expect([button('Watch it').disabled, button('Live all of it').disabled]).toEqual([true, true]);
+});
+
+test('where the days are not lived to their end, it is said until when', async () => {
+  const cut = 'The days are shown until 2026-01-05 09:00:50. To come so far has taken 5 seconds: too much happens.';
+  const whole = fakeLives();
+  await begin(async (path, init) => {
+    const answer = await whole(path, init);
+    if (path !== '/api/month') return answer;
+    return new Response(encode({ ...(decode(await answer.arrayBuffer()) as object), cut }) as BodyInit);
+  });
+  expect(region('Days').textContent).toContain(cut);
 });
 
 test('a day is chosen by keys and told as a table', async () => {

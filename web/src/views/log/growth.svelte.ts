@@ -18,6 +18,8 @@ export type Grown = {
   /** By sensor: when it fired on that day. */
   fired: number[][];
   until_us: number;
+  /** How many firings of the day are in `density` alone. */
+  leftOut: number;
 };
 
 export class Growth {
@@ -65,7 +67,7 @@ export function grown(run: RunView, view: GrowthView, now_us: number): Grown {
   const last = view.today.at(-1)?.[0];
   const until_us = Math.max(now_us, last ?? 0);
   return {
-    run, fired, until_us,
+    run, fired, until_us, leftOut: view.left_out,
     density: { days: run.days, hours, until_us, most: scaleOf(hours) },
     number: dayAt(run, last ?? now_us),
   };

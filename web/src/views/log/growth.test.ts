@@ -10,13 +10,13 @@ const DAY = 24 * HOUR;
 const run: RunView = { ...madeUpRun(1, 3), days: daysFrom('2009-03-02', 3 * DAY), length_us: 3 * DAY };
 
 test('what is not lived yet is no data, and an hour without a firing is none', () => {
-  const now = grown(run, { hours: [[5, 0, 7], [9]], today: [[DAY + 5, 1], [DAY + 9, 2], [DAY + 9, 1]] }, DAY + HOUR / 2);
+  const now = grown(run, { hours: [[5, 0, 7], [9]], today: [[DAY + 5, 1], [DAY + 9, 2], [DAY + 9, 1]], left_out: 4 }, DAY + HOUR / 2);
   const { density } = now;
   expect([countAt(density, 0, 0), countAt(density, 0, 1), countAt(density, 1, 0), countAt(density, 1, 1), countAt(density, 2, 0)]).toEqual([5, 0, 9, null, null]);
   expect(words(density, 0, 0)).toBe('Mon, 2 March 2009, 00 to 01 h: 5 firings');
   expect(words(density, 0, 1)).toBe('Mon, 2 March 2009, 01 to 02 h: no firing');
   expect(words(density, 2, 7)).toBe('Wed, 4 March 2009, 07 to 08 h: no data');
-  expect(now.number).toBe(1);
+  expect([now.number, now.leftOut]).toEqual([1, 4]);
   expect(now.fired).toEqual([[], [DAY + 5, DAY + 9], [DAY + 9]]);
 });
 
@@ -43,7 +43,7 @@ test('it is asked while the run goes on, and once when it does not', async () =>
   let asked = 0;
   const live = {
     run, latest: { now_us: 0 },
-    server: { json: async () => ((asked += 1), { hours: [], today: [] }) },
+    server: { json: async () => ((asked += 1), { hours: [], today: [], left_out: 0 }) },
   };
   const growth = new Growth(live as never);
   await growth.look();
@@ -59,7 +59,7 @@ test('it is asked while the run goes on, and once when it does not', async () =>
 
 test('what the server refuses is said, and asked again', async () => {
   let works = false;
-  const live = { run, latest: { now_us: 0 }, server: { json: async () => (works ? { hours: [], today: [] } : Promise.reject(new Error('no run'))) } };
+  const live = { run, latest: { now_us: 0 }, server: { json: async () => (works ? { hours: [], today: [], left_out: 0 } : Promise.reject(new Error('no run'))) } };
   const growth = new Growth(live as never);
   await growth.look();
   expect([growth.problem, growth.now]).toEqual(['no run', null]);

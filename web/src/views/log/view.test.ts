@@ -21,8 +21,9 @@ const ROWS: RowsView = {
     { to: 'casas:log.txt', table: null, columns: [], rows: [['07:12', 'Bed', 'ON']] },
   ],
   kinds: [['sqlite:', 'a database file'], ['csv:', 'values'], ['casas:', 'text']],
+  cut: null,
 };
-const GROWTH: GrowthView = { hours: [[1, 2, 3]], today: [[5, 0]] };
+const GROWTH: GrowthView = { hours: [[1, 2, 3]], today: [[5, 0]], left_out: 0 };
 
 let live: Live;
 let wire: Wire;
@@ -126,6 +127,13 @@ test('the first rows are shown: a table of a database, the lines of a text', asy
 test('where no row comes it is said of how many days', async () => {
   await begin({}, {}, { ...ROWS, places: [{ ...ROWS.places[0]!, rows: [] }] });
   expect(document.body.textContent).toContain('No sensor says anything in the first three days.');
+});
+
+test('where rows were not looked for to the end, it is said until when', async () => {
+  const cut = 'Rows are looked for until 2026-01-05 09:00:50. To come so far has taken 5 seconds: too much happens.';
+  await begin({}, {}, { ...ROWS, places: [{ ...ROWS.places[0]!, rows: [] }], cut });
+  expect(document.body.textContent).toContain(cut);
+  expect(document.body.textContent).not.toContain('No sensor says anything');
 });
 
 test('while something is wrong, the rows from before stay, and what is wrong is said', async () => {
@@ -250,7 +258,7 @@ test('hostile names and odd files are text', async () => {
   const evil = JSON.stringify({ to: [EVIL, 'constructor', '__proto__'], table: EVIL, columns: { time: EVIL }, ids: { [EVIL]: EVIL, __proto__: 'x' }, messages: EVIL, time: EVIL });
   await begin(
     { 'logger.json': evil, 'home.json': JSON.stringify({ sensors: [{ name: `${EVIL}${'x'.repeat(4000)}`, kind: EVIL }, { name: '‮a\nb', kind: 'motion' }] }) }, {},
-    { problems: [{ file: EVIL, line: 1, column: 1, width: 1, what: EVIL, hint: EVIL }], places: [{ to: EVIL, table: EVIL, columns: [EVIL], rows: [[EVIL]] }], kinds: [] },
+    { problems: [{ file: EVIL, line: 1, column: 1, width: 1, what: EVIL, hint: EVIL }], places: [{ to: EVIL, table: EVIL, columns: [EVIL], rows: [[EVIL]] }], kinds: [], cut: EVIL },
   );
   expect(document.body.textContent).toContain(EVIL);
   expect(document.querySelectorAll('img, script')).toHaveLength(0);

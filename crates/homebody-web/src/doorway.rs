@@ -1,0 +1,55 @@
+//! How a browser is sent to the page without the token on its command line, which everybody on a machine may read.
+//!
+//! It opens a file that only its user can read, and which sends it on. Its path may be known to anybody: the folder is closed to
+//! others, too. A code on the command line that dies on its first use would not do, since somebody who watches the list of
+//! processes can be faster than a browser that has to start.
+
+use std::fs::{self, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use tempfile::TempDir;
+
+/// A file that leads to the page; it is gone when this is dropped.
+pub struct Doorway {
+    /// Removed with what is in it.
+    _folder: TempDir,
+    file: PathBuf,
+}
+
+impl Doorway {
+    /// Of an address with its token, in the folder that the system has for what a user's programs share while they run, or in one
+    /// for temporary files.
+    pub fn to(address: &str) -> io::Result<Doorway> {
+        let own = std::env::var_os("XDG_RUNTIME_DIR").map(PathBuf::from).filter(|folder| folder.is_absolute());
+        let folder = own.and_then(|own| folder_in(&own).ok()).map_or_else(|| folder_in(&std::env::temp_dir()), Ok)?;
+        let file = folder.path().join("homebody.html");
+        let mut options = OpenOptions::new();
+        options.write(true).create_new(true);
+        #[cfg(unix)]
+        std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+        options.open(&file)?.write_all(text(address).as_bytes())?;
+        Ok(Doorway { _folder: folder, file })
+    }
+
+    /// What a browser opens.
+    pub fn file(&self) -> &Path {
+        &self.file
+    }
+}
+
+/// A new folder that is closed to others.
+fn folder_in(place: &Path) -> io::Result<TempDir> {
+    let folder = tempfile::Builder::new().prefix("homebody-").tempdir_in(place)?;
+    #[cfg(unix)]
+    fs::set_permissions(folder.path(), std::os::unix::fs::PermissionsExt::from_mode(0o700))?;
+    Ok(folder)
+}
+
+/// An address is letters, digits, and signs that HTML leaves as they are.
+fn text(address: &str) -> String {
+    format!(
+        "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<meta name=\"referrer\" content=\"no-referrer\">\n\
+         <meta http-equiv=\"refresh\" content=\"0; url={address}\">\n<title>Homebody</title>\n\
+         <p><a href=\"{address}\">Open the page</a></p>\n</html>\n"
+    )
+}

@@ -1,0 +1,161 @@
+//! Those who hold the server's connections and do nothing with them, while somebody is driven in the page.
+//!
+//! `HOMEBODY_SLOW_S=60 cargo test --release -p homebody-web --test server slow -- --nocapture` has a minute of each kind.
+
+use super::served::{Page, Served};
+use serde_json::Value;
+use std::io::{ErrorKind, Read, Write};
+use std::net::{SocketAddr, TcpStream};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// So many of a kind at once: more than there are places for strangers.
+const CLIENTS: usize = 300;
+
+/// From a key to the picture of it.
+const MOST: Duration = Duration::from_millis(100);
+
+/// How somebody keeps a connection.
+struct Kind {
+    name: &'static str,
+    /// What they begin with, and say again each second.
+    opening: Vec<u8>,
+    drip: Vec<u8>,
+    /// Whether they take what they are answered.
+    reads: bool,
+}
+
+fn kinds(served: &Served) -> Vec<Kind> {
+    let address = served.address;
+    let get = |path: &str, more: &str| format!("GET {path} HTTP/1.1\r\nHost: {address}\r\n{more}").into_bytes();
+    let beginning = String::from_utf8(served.get("/", "").body).unwrap();
+    let asset = beginning.split('"').find(|part| part.contains("assets/") && part.ends_with(".js"));
+    let asset = get(&format!("/{}", asset.unwrap_or("").trim_start_matches(['.', '/'])), "\r\n");
+    let socket = format!(
+        "Origin: http://{address}\r\nConnection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n\
+         Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"
+    );
+    let body = format!("POST /api/check HTTP/1.1\r\nHost: {address}\r\nContent-Length: 1000\r\n\r\n{{");
+    let kind = |name, opening, drip: &[u8], reads| Kind { name, opening, drip: drip.to_vec(), reads };
+    vec![
+        kind("ask and never read", asset.repeat(200), &asset, false),
+        kind("never end a head", get("/", ""), b"X-More: more\r\n", true),
+        kind("never end a body", body.into_bytes(), b" ", true),
+        kind("say no hello", get("/api/live", &socket), b"", true),
+        kind("guess the token", get("/api/runs", &format!("x-homebody-token: {}\r\n\r\n", "0".repeat(64))), b"", true),
+    ]
+}
+
+impl Kind {
+    /// Connects, and begins.
+    fn connect(&self, address: SocketAddr) -> Option<TcpStream> {
+        let mut stream = TcpStream::connect(address).ok()?;
+        stream.set_nonblocking(true).ok()?;
+        // What is not taken at once is not needed.
+        let _ = stream.write(&self.opening);
+        Some(stream)
+    }
+
+    /// Whether the server still has it.
+    fn holds(&self, mut stream: &TcpStream, drips: bool) -> bool {
+        let is_open = |done: std::io::Result<usize>| match done {
+            Ok(length) => length > 0,
+            Err(error) => error.kind() == ErrorKind::WouldBlock,
+        };
+        (!drips || self.drip.is_empty() || is_open(stream.write(&self.drip)))
+            && (!self.reads || is_open(stream.read(&mut [0; 4096])))
+    }
+
+    /// Keeps all of them there, and comes again with each that is sent away.
+    fn keep(&self, address: SocketAddr, is_over: &AtomicBool, connected: &AtomicUsize) {
+        let mut clients: Vec<Option<TcpStream>> = (0..CLIENTS).map(|_| None).collect();
+        for turn in 0.. {
+            for client in &mut clients {
+                if client.as_ref().is_none_or(|stream| !self.holds(stream, turn % 10 == 9)) {
+                    *client = self.connect(address);
+                    connected.fetch_add(1, Ordering::Relaxed);
+                }
+                if is_over.load(Ordering::Relaxed) {
+                    return;
+                }
+            }
+            thread::sleep(Duration::from_millis(100));
+        }
+    }
+}
+
+/// Where the driven one is in the next picture.
+fn next_x(page: &mut Page) -> f64 {
+    let x = |frame: &Value| frame["bodies"][0]["at"][0].as_f64();
+    x(&page.until(|frame| x(frame).is_some()).frame).unwrap()
+}
+
+/// How long it takes from each key to the first picture in which it has an effect.
+fn keys_to_pictures(page: &mut Page, length: Duration) -> Vec<Duration> {
+    let begun = Instant::now();
+    let mut took = Vec::new();
+    while begun.elapsed() < length {
+        let mut rest = next_x(page);
+        // A step that is on its way is taken to its end.
+        let mut still = 0;
+        while still < 3 {
+            let x = next_x(page);
+            still = if x == rest { still + 1 } else { 0 };
+            rest = x;
+        }
+        let key = if took.len() % 2 == 0 { "right" } else { "left" };
+        let pressed = Instant::now();
+        page.say(&format!(r#"{{"say":"hold","keys":["{key}"]}}"#));
+        while next_x(page) == rest {
+            assert!(pressed.elapsed() < Duration::from_secs(5), "a key has no effect");
+        }
+        took.push(pressed.elapsed());
+        page.say(r#"{"say":"hold","keys":[]}"#);
+    }
+    took.sort();
+    took
+}
+
+/// Whoever holds connections without the token keeps out nobody who has it: pages open, questions are answered, keys move.
+#[test]
+fn slow_clients_of_every_kind_are_in_nobodys_way() {
+    let wished = std::env::var("HOMEBODY_SLOW_S").ok().and_then(|text| text.parse().ok());
+    let length = Duration::from_secs_f64(wished.unwrap_or(0.6));
+    let served = Served::scenario("by-hand");
+    for kind in kinds(&served) {
+        let (is_over, connected) = (Arc::new(AtomicBool::new(false)), Arc::new(AtomicUsize::new(0)));
+        thread::scope(|scope| {
+            let keeps = scope.spawn(|| kind.keep(served.address, &is_over, &connected));
+            while connected.load(Ordering::Relaxed) < CLIENTS {
+                thread::sleep(Duration::from_millis(5));
+            }
+            let asked = Instant::now();
+            assert_eq!(served.api("/api/runs").code, 200, "{}", kind.name);
+            assert_eq!(served.get("/", "").code, 200, "{}", kind.name);
+            let mut page = served.page();
+            page.say(r#"{"say":"start","driven":0,"without":[],"seed":null}"#);
+            page.say(r#"{"say":"play"}"#);
+            page.until(|frame| frame["state"] == "playing");
+            let opened = asked.elapsed();
+            let took = keys_to_pictures(&mut page, length);
+            let of = |share: usize| took[(took.len() - 1) * share / 100];
+            println!(
+                "{CLIENTS} who {}: open after {opened:?}; {} keys, p50 {:?}, p95 {:?}, longest {:?}; {} connections",
+                kind.name,
+                took.len(),
+                of(50),
+                of(95),
+                of(100),
+                connected.load(Ordering::Relaxed)
+            );
+            page.say(r#"{"say":"stop"}"#);
+            is_over.store(true, Ordering::Relaxed);
+            keeps.join().unwrap();
+            assert!(opened < Duration::from_secs(2), "{}: a page opens after {opened:?}", kind.name);
+            // Of a machine that does other things as well, the one in twenty that takes longest says more of those.
+            assert!(of(95) < MOST, "{}: {took:?}", kind.name);
+        });
+    }
+}

@@ -1,0 +1,83 @@
+//! `homebody serve`, and the browser that it opens.
+
+use crate::folder::Folder;
+use std::fs;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::os::unix::fs::PermissionsExt;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// Stands in for a browser's opener: says what it was started with, and keeps what it was led to.
+const OPENER: &str = "#!/bin/sh\nprintf '%s\\n' \"$@\" > opened.tmp\ncp \"$1\" led.html\nmv opened.tmp opened\n";
+
+fn until(what: &str, is_so: impl Fn() -> bool) {
+    let begun = Instant::now();
+    while !is_so() {
+        assert!(begun.elapsed() < Duration::from_secs(20), "{what}");
+        thread::sleep(Duration::from_millis(20));
+    }
+}
+
+fn mode(path: &Path) -> u32 {
+    fs::metadata(path).unwrap().permissions().mode() & 0o777
+}
+
+/// Nobody else on the machine learns the token: it is in no program's command line, and the file that holds it is its user's
+/// alone, for as long as it is needed.
+#[test]
+fn the_token_is_on_no_command_line() {
+    let folder = Folder::new();
+    folder.copy_scenario("by-hand");
+    folder.write("bin/xdg-open", OPENER);
+    folder.write("bin/open", OPENER);
+    fs::create_dir(folder.path("runtime")).unwrap();
+    for opener in ["bin/xdg-open", "bin/open"] {
+        fs::set_permissions(folder.path(opener), fs::Permissions::from_mode(0o755)).unwrap();
+    }
+    let path = format!("{}:{}", folder.path("bin").display(), std::env::var("PATH").unwrap());
+    let mut command = Command::new(env!("CARGO_BIN_EXE_homebody"));
+    command.args(["serve", "by-hand", "--bind", "127.0.0.2"]).current_dir(folder.path("")).env("PATH", path);
+    command.env("XDG_RUNTIME_DIR", folder.path("runtime")).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut served = command.spawn().unwrap();
+    let mut said = String::new();
+    BufReader::new(served.stdout.take().unwrap()).read_line(&mut said).unwrap();
+    let (address, token) = said.trim().strip_prefix("http://").unwrap().split_once("/#token=").unwrap();
+
+    until("a browser is opened", || folder.path("opened").exists());
+    let opened = folder.read("opened");
+    assert!(!opened.contains(token), "{opened}");
+    let file = PathBuf::from(opened.trim());
+    assert!(file.starts_with(folder.path("runtime")) && file.is_absolute(), "{opened}");
+    assert_eq!((mode(&file), mode(file.parent().unwrap())), (0o600, 0o700));
+    assert!(folder.read("led.html").contains(&format!("url=http://{address}/#token={token}\"")));
+    #[cfg(target_os = "linux")]
+    for line in ["cmdline", "environ"] {
+        let line = fs::read(format!("/proc/{}/{line}", served.id())).unwrap();
+        assert!(!String::from_utf8_lossy(&line).contains(token));
+    }
+
+    // A stranger does not use it up; the page does.
+    let ask = |token: &str| {
+        let mut stream = TcpStream::connect(address).unwrap();
+        let head = format!(
+            "GET /api/runs HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\nx-homebody-token: {token}\r\n\r\n"
+        );
+        stream.write_all(head.as_bytes()).unwrap();
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer).unwrap();
+        answer[9..12].to_owned()
+    };
+    assert_eq!(ask("wrong"), "401");
+    assert!(file.exists());
+    assert_eq!(ask(token), "200");
+    until("the file is removed", || !file.exists() && !file.parent().unwrap().exists());
+
+    served.kill().unwrap();
+    let mut errors = String::new();
+    served.stderr.take().unwrap().read_to_string(&mut errors).unwrap();
+    assert!(!errors.contains(token), "{errors}");
+    served.wait().unwrap();
+}
