@@ -110,6 +110,7 @@ impl Logger {
             tables: Arc::new(vec![columns.log_table()]),
             time: shown.time,
             run_column: columns.run,
+            spreadsheet_safe: file.spreadsheet_safe,
             how,
         };
         let mut stored = Stored { by_sensor: vec![0; sensors.len()], ..Stored::default() };

@@ -11,6 +11,7 @@ use crate::plain;
 use crate::run_info::RunInfo;
 use crate::sink::How;
 use crate::sink::database::remove_database;
+use crate::spreadsheet::escaped;
 use crate::truth::TruthLog;
 use crate::url::Url;
 use homebody_core::event::{Events, Fact};
@@ -248,7 +249,8 @@ fn write_sensors(path: &Path, run: &RunInfo) -> Result<(), LogError> {
     for sensor in &run.sensors {
         let [x, y] = sensor.at_m.map(|metres| format!("{metres:.3}"));
         let room = sensor.room.as_deref().unwrap_or_default();
-        writer.write_record([&sensor.id, &sensor.name, &sensor.kind, room, &x, &y]).map_err(wrong)?;
+        let [id, name, room] = [&sensor.id, &sensor.name, room].map(escaped);
+        writer.write_record([&*id, &*name, &sensor.kind, &*room, &x, &y]).map_err(wrong)?;
     }
     let written = writer.into_inner().map_err(|error| LogError::file(path, error.into_error()))?;
     let mut file = FreshFile::create(path, true)?;

@@ -73,7 +73,8 @@ impl Transfer<'_> {
         all_can_be_written(&self.to.file().into_iter().collect::<Vec<_>>(), self.how == How::Replace)?;
         let mut sink = sink::open(self.to);
         let (width, tables) = (table.columns.len(), [table]);
-        sink.begin(&Begin { run: &run, tables: &tables, time, run_column: &columns.run, how: self.how })?;
+        let (run_column, spreadsheet_safe) = (columns.run.as_str(), self.mapping.spreadsheet_safe);
+        sink.begin(&Begin { run: &run, tables: &tables, time, run_column, spreadsheet_safe, how: self.how })?;
         let mut texts = Texts::default();
         let (mut sensors, mut values): (Vec<TextId>, Vec<TextId>) = (Vec::new(), Vec::new());
         let (mut seq, mut last, mut cells) = (0, start, Vec::with_capacity(width));

@@ -63,6 +63,7 @@ pub(crate) struct Beginning {
     pub tables: Arc<Vec<Table>>,
     pub time: TimeFormat,
     pub run_column: String,
+    pub spreadsheet_safe: bool,
     pub how: How,
 }
 
@@ -239,6 +240,7 @@ impl Work {
             tables: &beginning.tables,
             time: beginning.time,
             run_column: &beginning.run_column,
+            spreadsheet_safe: beginning.spreadsheet_safe,
             how: beginning.how,
         };
         let Work { sink, policy, shared, .. } = &mut self;

@@ -247,3 +247,21 @@ fn a_logger_without_places_counts_alone() {
     let logger = stage::open(&[], &LoggerFile::default(), false);
     assert_eq!(stage::store(logger.unwrap(), &stage::firings(10), 3).unwrap().rows, 10);
 }
+
+#[test]
+fn what_a_spreadsheet_would_run_is_escaped_and_read_back_as_it_was() {
+    for (is_safe, cell) in [(true, "'=1+1"), (false, "=1+1")] {
+        let folder = Folder::new(&format!("formula-{is_safe}"));
+        let mut file = LoggerFile { spreadsheet_safe: is_safe, ..Default::default() };
+        file.ids.insert("fridge".into(), "=1+1".into());
+        let urls = [folder.url("csv:log.csv"), folder.url("sqlite:log.db")];
+        let mut logger = stage::open(&urls, &file, false).unwrap();
+        logger.store(&[Firing { seq: 0, at: SECOND, sensor: SensorId(2), value: Value::Fire }], 100 * SECOND).unwrap();
+        logger.finish().unwrap();
+        let text = std::fs::read_to_string(folder.path().join("log.csv")).unwrap();
+        assert!(text.contains(&format!(",{cell},")), "{text}");
+        for url in &urls {
+            assert_eq!(homebody_log::read(url, &file).unwrap().sensors, ["=1+1"]);
+        }
+    }
+}

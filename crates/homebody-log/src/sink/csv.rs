@@ -5,6 +5,7 @@ use super::text::TextFile;
 use super::{Begin, Sink, Watermark};
 use crate::clock::Clock;
 use crate::error::{LogError, place_of};
+use crate::spreadsheet::escaped;
 use crate::table::{Batch, Cell, TextId, thousandths};
 use crate::url::Url;
 use ::csv::{QuoteStyle, Terminator, WriterBuilder};
@@ -23,6 +24,7 @@ struct Open {
     clock: Clock,
     /// Texts with quotes where they need them.
     texts: Vec<String>,
+    spreadsheet_safe: bool,
     line: Vec<u8>,
     number: String,
     rows: Vec<u64>,
@@ -45,14 +47,17 @@ impl Sink for Csv {
         }
         let rows = vec![0; files.len()];
         let (line, number, texts) = (Vec::new(), String::new(), Vec::new());
-        self.open = Some(Open { files, clock: begin.clock(), texts, line, number, rows });
+        let (clock, spreadsheet_safe) = (begin.clock(), begin.spreadsheet_safe);
+        self.open = Some(Open { files, clock, texts, spreadsheet_safe, line, number, rows });
         Ok(Watermark::none())
     }
 
     fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
         let stopped = || LogError::Stopped { place: place_of(&self.path) };
-        let Open { files, clock, texts, line, number, rows } = self.open.as_mut().ok_or_else(stopped)?;
-        texts.extend(batch.texts_from(texts.len()).map(|text| quoted(&text)));
+        let Open { files, clock, texts, spreadsheet_safe, line, number, rows } =
+            self.open.as_mut().ok_or_else(stopped)?;
+        let cell = |text: &str| if *spreadsheet_safe { quoted(&escaped(text)) } else { quoted(text) };
+        texts.extend(batch.texts_from(texts.len()).map(|text| cell(&text)));
         for row in batch.rows() {
             line.clear();
             for (column, cell) in row.cells.iter().enumerate() {

@@ -53,6 +53,8 @@ pub struct Begin<'a> {
     pub time: TimeFormat,
     /// The name of the column of the run's id, by the run's mapping.
     pub run_column: &'a str,
+    /// Whether texts that a spreadsheet would run are escaped where they go into CSV, by the run's mapping.
+    pub spreadsheet_safe: bool,
     /// What becomes of what is there already.
     pub how: How,
 }

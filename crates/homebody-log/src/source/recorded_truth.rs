@@ -6,6 +6,7 @@ use super::reading::open;
 use super::records::Records;
 use crate::error::{LogError, place_of};
 use crate::places::TRUTH;
+use crate::spreadsheet::plain;
 use crate::table::{Column, ColumnKind, Table};
 use crate::truth::{Truth, tables};
 use crate::url::{Url, table_file};
@@ -130,7 +131,8 @@ fn cell(kind: ColumnKind, said: &[u8]) -> Option<Value> {
         _ if text.is_empty() => Value::Null,
         ColumnKind::Integer => Value::Integer(text.parse().ok()?),
         ColumnKind::Real => Value::Real(text.parse().ok()?),
-        ColumnKind::Instant | ColumnKind::Text => Value::Text(text.into_owned()),
+        ColumnKind::Instant => Value::Text(text.into_owned()),
+        ColumnKind::Text => Value::Text(plain(&text).to_owned()),
     })
 }
 

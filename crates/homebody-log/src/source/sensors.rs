@@ -3,6 +3,7 @@
 use crate::error::LogError;
 use crate::places::SENSORS;
 use crate::sensor_info::SensorInfo;
+use crate::spreadsheet::plain;
 use homebody_core::sensors::kinds::KINDS;
 use serde::Deserialize;
 use std::fs;
@@ -38,6 +39,7 @@ pub(crate) fn beside(log: &Path) -> Result<Vec<SensorInfo>, LogError> {
 impl Row {
     fn info(self) -> SensorInfo {
         let Row { id, name, kind, room, x_m, y_m } = self;
+        let [id, name, room] = [id, name, room].map(|cell| plain(&cell).to_owned());
         let row = KINDS.iter().find(|row| row.key == kind);
         SensorInfo {
             name,

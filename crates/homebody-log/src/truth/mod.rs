@@ -83,6 +83,7 @@ impl TruthLog {
             tables: Arc::new(tables()),
             time: file.time,
             run_column: RUN_COLUMN.into(),
+            spreadsheet_safe: file.spreadsheet_safe,
             how,
         };
         let Destination { place, sink, policy } = destination;

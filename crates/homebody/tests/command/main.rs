@@ -14,6 +14,7 @@ mod trouble;
 mod stops;
 mod resumed;
 mod bad_input;
+mod hostile;
 mod logs;
 mod days;
 mod figures;
