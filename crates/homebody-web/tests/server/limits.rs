@@ -59,10 +59,10 @@ fn guesses_of_the_token_wait_for_each_other_and_who_knows_it_does_not() {
     assert!(known < all / 2, "who knows the token waits {known:?} of {all:?}");
 }
 
-/// A draft that keeps somebody busy with a million things a second.
+/// A draft that keeps somebody busy with as many things a second as may be.
 fn hasty(served: &Served) -> Value {
     let text = |name: &str| fs::read_to_string(served.file("by-hand", name)).unwrap();
-    let path = json!({ "start": [0.6, 0.6], "steps": [{ "repeat": { "steps": [{ "wait": { "for_s": 1e-6 } }] } }] });
+    let path = json!({ "start": [0.6, 0.6], "steps": [{ "repeat": { "steps": [{ "wait": { "for_s": 0.011 } }] } }] });
     let visitor = text("visitor.json").replace(
         r#""driver": { "live": { "keys": "keys.json", "start": [0.6, 0.6] } }"#,
         r#""driver": { "path": "visitor.path.json" }"#,
