@@ -41,7 +41,7 @@ fn whatever_kills_a_run_nothing_stored_is_lost_or_doubled() {
             .unwrap();
         let database = base.with_extension("sqlite");
         wait_for(&database);
-        std::thread::sleep(Duration::from_millis(kill * 7919 % 400));
+        std::thread::sleep(Duration::from_millis(kill * 7919 % 1_000));
         child.kill().unwrap();
         assert!(!child.wait().unwrap().success(), "killed before its end");
         longest = longest.max(check(&database, &firings));

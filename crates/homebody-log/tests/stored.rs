@@ -150,6 +150,38 @@ fn a_live_run_can_be_watched_and_goes_on_while_it_is() {
     assert_eq!(count(), 4);
 }
 
+#[test]
+fn whoever_reads_for_seconds_ends_no_run_however_fast_rows_come() {
+    for settled in [0, 60_000] {
+        let folder = Folder::new(&format!("reader-{settled}"));
+        let firings = stage::firings(200_000);
+        let mut logger = stage::open(&[folder.url("sqlite:log.db")], &LoggerFile::default(), false).unwrap();
+        let (first, rest) = firings.split_at(settled);
+        if let Some(last) = first.last() {
+            logger.store(first, last.at + 1).unwrap();
+        }
+        let watcher = Connection::open(folder.path().join("log.db")).unwrap();
+        watcher.busy_timeout(std::time::Duration::from_secs(10)).unwrap();
+        let count = || watcher.query_row("SELECT count(*) FROM firing", [], |row| row.get::<_, i64>(0)).unwrap();
+        while settled > 0 && count() == 0 {
+            std::thread::sleep(std::time::Duration::from_millis(20));
+        }
+        watcher.execute_batch("BEGIN; SELECT count(*) FROM firing").unwrap();
+        let reader = std::thread::spawn(move || {
+            std::thread::sleep(std::time::Duration::from_secs(4));
+            watcher.execute_batch("COMMIT").unwrap();
+            watcher
+        });
+        for part in rest.chunks(5_000) {
+            logger.store(part, part[part.len() - 1].at + 1).unwrap();
+        }
+        logger.finish().unwrap();
+        let watcher = reader.join().unwrap();
+        let all = watcher.query_row("SELECT count(*) FROM firing", [], |row| row.get::<_, i64>(0)).unwrap();
+        assert_eq!(all, 200_000);
+    }
+}
+
 fn truth(folder: &Folder, places: &[Url], events: &Events) -> Result<(), LogError> {
     let path = folder.path().join("truth.db");
     let mut log = stage::open_truth(&path, places, &LoggerFile::default())?;

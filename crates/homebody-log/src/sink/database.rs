@@ -5,7 +5,7 @@
 //!
 //! Rows that pour in go through a rollback journal: it writes a new page once, a write-ahead log twice. Rows that
 //! trickle in, as those of a live run, go through a write-ahead log: it lets others read for as long as they like.
-//! After the run the database is one file.
+//! A new run begins as one that trickles, and nobody who reads ends one. After the run the database is one file.
 
 use crate::error::{LogError, place_of};
 use crate::fresh::Found;
@@ -15,10 +15,16 @@ use std::fs::{self, OpenOptions};
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::slice::ChunksExact;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-/// How long another program may keep the database locked before that is an error. Ours.
+/// How long another program may be about to write the database before that is an error (ours).
 const BUSY: Duration = Duration::from_secs(2);
+
+/// How long somebody who reads may keep rows waiting that pour in (ours): where rows trickle, nobody who reads holds them up.
+const READERS: Duration = Duration::from_secs(100);
+
+/// Who has waited this long for a reader lets rows trickle from then on, so that no reader is in the way again (ours).
+const WATCHED: Duration = Duration::from_secs(1);
 
 /// Fewer rows in a transaction trickle, more pour. A transaction of a live run holds those of a second. Ours.
 const TRICKLE: usize = 10_000;
@@ -38,6 +44,8 @@ pub(crate) struct Database {
     unsettled: usize,
     has_rows: bool,
     flow: Flow,
+    /// Whether somebody who reads has been in the way.
+    is_watched: bool,
     /// The file that this one replaces, put aside until the first rows are safe.
     replaced: Option<PathBuf>,
     _lock: FileLock,
@@ -83,7 +91,8 @@ impl Database {
             connection: None,
             unsettled: 0,
             has_rows: false,
-            flow: Flow::Pouring,
+            flow: Flow::Trickling,
+            is_watched: false,
             replaced,
             _lock: lock,
         };
@@ -142,6 +151,7 @@ impl Database {
             unsettled: 0,
             has_rows: true,
             flow: Flow::Pouring,
+            is_watched: false,
             replaced: None,
             _lock: lock,
         }))
@@ -167,7 +177,11 @@ impl Database {
         change: impl FnOnce(&Connection) -> rusqlite::Result<()>,
     ) -> Result<(), LogError> {
         let connection = self.connection();
-        let begun = if connection.is_autocommit() { connection.execute_batch("BEGIN IMMEDIATE") } else { Ok(()) };
+        let begun = match connection.is_autocommit() {
+            // From then on only those who read can be in the way.
+            true => connection.execute_batch("BEGIN IMMEDIATE").and_then(|()| connection.busy_timeout(READERS)),
+            false => Ok(()),
+        };
         begun.and_then(|()| change(connection)).map_err(|error| LogError::database(&self.path, error))?;
         self.unsettled += rows;
         Ok(())
@@ -175,7 +189,7 @@ impl Database {
 
     /// Ends the transaction: what was changed is safe now.
     pub fn settle(&mut self) -> Result<(), LogError> {
-        let flow = Flow::of(self.unsettled);
+        let flow = if self.is_watched { Flow::Trickling } else { Flow::of(self.unsettled) };
         if self.commit()? && flow != self.flow && self.without_waiting(flow.journal()) {
             self.flow = flow;
         }
@@ -213,7 +227,10 @@ impl Database {
         if connection.is_autocommit() {
             return Ok(false);
         }
-        connection.execute_batch("COMMIT").map_err(|error| LogError::database(&self.path, error))?;
+        let begun = Instant::now();
+        let committed = connection.execute_batch("COMMIT").and_then(|()| connection.busy_timeout(BUSY));
+        committed.map_err(|error| LogError::database(&self.path, error))?;
+        self.is_watched |= begun.elapsed() > WATCHED && self.flow == Flow::Pouring;
         self.unsettled = 0;
         self.keep();
         Ok(true)
