@@ -326,7 +326,9 @@ impl LogError {
     /// What an error of a database means.
     pub(crate) fn database(path: &Path, source: rusqlite::Error) -> LogError {
         use rusqlite::ErrorCode::*;
-        use rusqlite::ffi::SQLITE_IOERR_WRITE;
+        use rusqlite::ffi::{SQLITE_IOERR_FSYNC, SQLITE_IOERR_SHMSIZE, SQLITE_IOERR_TRUNCATE, SQLITE_IOERR_WRITE};
+        /// What SQLite says where the system could not write.
+        const WRITING: [i32; 4] = [SQLITE_IOERR_WRITE, SQLITE_IOERR_SHMSIZE, SQLITE_IOERR_TRUNCATE, SQLITE_IOERR_FSYNC];
         let place = place_of(path);
         match source.sqlite_error_code() {
             Some(DatabaseBusy | DatabaseLocked) => LogError::Locked { place },
@@ -342,7 +344,7 @@ impl LogError {
                 (_, Err(error)) => LogError::file(path, error),
                 _ => LogError::Database { place, source: source.into() },
             },
-            _ if source.sqlite_error().is_some_and(|error| error.extended_code == SQLITE_IOERR_WRITE) => {
+            _ if source.sqlite_error().is_some_and(|error| WRITING.contains(&error.extended_code)) => {
                 LogError::Unwritten { place }
             }
             _ => LogError::Database { place, source: source.into() },
