@@ -1,7 +1,7 @@
-//! What pieces of furniture are for: the one table of roles, which lives, check, page and documents read.
+//! What pieces of furniture are for: one table of roles. Routines, the check, the page and the documents read it.
 //!
-//! A piece fills the roles that its name implies, `couch` that of a sofa, unless `home.json` says its `role`: then it fills
-//! that one and no other.
+//! The name of a piece implies its roles: a `couch` is a sofa. If `home.json` gives the piece a `role`, it has that role
+//! alone.
 
 use crate::scenario::path::Posture;
 use schemars::JsonSchema;
@@ -12,19 +12,20 @@ use serde::{Deserialize, Serialize};
 pub struct RoleRow {
     /// The role that the row is about.
     pub role: Role,
-    /// What it is for, a sentence.
+    /// What a piece with this role is for, in one sentence.
     pub about: &'static str,
-    /// The names that homes have for what fills it, in small letters, the best first.
+    /// The names of pieces that have this role, in lower case, the best first.
     pub names: &'static [&'static str],
-    /// What will do where nothing fills it, the best first.
+    /// The roles that are taken instead where no piece has this one, the best first.
     pub instead: &'static [Role],
-    /// How a body is in an enterable piece that says this role; `None`: as the piece's name says.
+    /// The posture of a body in an enterable piece to which `home.json` gives this role; `None`: the posture that the piece's
+    /// name implies.
     pub posture: Option<Posture>,
 }
 
 macro_rules! roles {
     ($(#[doc = $about:literal] $(#[$more:meta])* $role:ident $names:tt or [$($instead:ident),*], $posture:expr;)*) => {
-        /// What an activity needs, and what a piece of furniture can be for.
+        /// What a piece of furniture is for, and what an activity needs.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
         #[serde(rename_all = "snake_case")]
         #[schemars(title = "role")]
@@ -50,7 +51,7 @@ const STANDING: Option<Posture> = Some(Posture::Standing);
 roles! {
     /// Where somebody sleeps.
     Bed ["bed", "double bed", "single bed"] or [Sofa, Armchair], LYING;
-    /// What is flushed.
+    /// The toilet.
     Toilet ["toilet", "wc", "lavatory", "loo", "bathroom"] or [], SITTING;
     /// Where somebody washes.
     Washbasin ["washbasin", "basin", "bathroom sink", "bathroom"] or [Toilet], STANDING;
@@ -60,7 +61,7 @@ roles! {
     Wardrobe ["wardrobe", "closet", "dresser", "chest of drawers", "bedside", "bedroom"] or [Bed], STANDING;
     /// Where food is kept cold.
     Fridge ["fridge", "refrigerator", "freezer", "kitchen"] or [], STANDING;
-    /// What is cooked on.
+    /// Where food is cooked.
     Stove ["stove", "cooker", "oven", "hob", "kettle", "kitchen"] or [], STANDING;
     /// Where food is cut and mixed.
     Counter ["counter", "kitchen counter", "worktop", "kitchen table", "kitchen"] or [Stove], STANDING;
@@ -76,15 +77,15 @@ roles! {
     Armchair ["armchair", "recliner", "easy chair", "rocking chair", "living room"] or [Sofa, DiningSeat], SITTING;
     /// A seat for several.
     Sofa ["sofa", "couch", "settee"] or [Armchair, DiningSeat], SITTING;
-    /// Where who visits sits.
+    /// Where a visitor sits.
     GuestSeat ["guest chair", "second armchair", "sofa", "couch", "settee"] or [DiningSeat, Armchair], SITTING;
-    /// What is turned on to watch television.
+    /// The television set.
     Television ["tv", "television", "tv bench", "tv set", "tv stand"] or [], STANDING;
-    /// Where somebody is on the telephone.
+    /// Where somebody talks on the telephone.
     Telephone ["telephone", "phone"] or [Sofa, Armchair, DiningSeat], None;
     /// Where somebody uses a computer.
     Desk ["desk chair", "computer chair", "desk", "computer", "study"] or [DiningSeat, Armchair], SITTING;
-    /// What clothes are washed in.
+    /// Where clothes are washed.
     WashingMachine ["washing machine", "washer", "laundry", "laundry closet"] or [Washbasin], STANDING;
     /// Where clothes are dried.
     Dryer ["dryer", "tumble dryer", "clothes line"] or [WashingMachine, Washbasin], STANDING;
@@ -92,10 +93,10 @@ roles! {
     Coats ["coats", "coat rack", "coat cupboard", "coat hooks"] or [FrontDoor], STANDING;
     /// Where books are kept.
     Bookcase ["bookcase", "bookshelf", "shelf"] or [Armchair], STANDING;
-    /// The way out, which is a door or a place, and no piece of furniture.
+    /// The way out: a door or a place, not a piece of furniture.
     #[serde(skip)]
     FrontDoor ["front door", "entrance", "apartment door", "door", "entrance door", "hall"] or [], STANDING;
-    /// What a pet eats from.
+    /// Where a pet eats.
     FoodBowl ["food bowl", "bowl"] or [Fridge, Sink], STANDING;
     /// Where a pet sleeps.
     Basket ["basket", "cat bed", "dog bed"] or [Sofa, Armchair, Bed], None;
@@ -107,13 +108,13 @@ impl Role {
         &ROLES[self as usize]
     }
 
-    /// What `home.json` calls it, such as `dining_seat`; `None` for the way out, which no piece of furniture is.
+    /// What `home.json` calls it, such as `dining_seat`; `None` for the way out, which is not furniture.
     pub fn key(self) -> Option<String> {
         let key = serde_json::to_value(self).ok()?;
         key.as_str().map(str::to_owned)
     }
 
-    /// The roles that a name implies, in small letters, in the order of the table.
+    /// The roles that a name in lower case implies, in the order of the table.
     pub fn of_name(name: &str) -> impl Iterator<Item = Role> {
         ROLES.iter().filter(move |row| row.names.contains(&name)).map(|row| row.role)
     }

@@ -1,9 +1,10 @@
 //! Cohorts: many lives of one scenario side by side, on all processors.
 
 use crate::cancel::Cancel;
+use crate::cohort_list::{Asked, CohortFile, CohortList, ListedMember};
 use crate::error::Error;
 use crate::pace::{Pace, Paced};
-use crate::profiles::{self, MOST, Profile};
+use crate::profiles::{self, MOST, OwnRoutine, Profile};
 use crate::recorded;
 use crate::run::{Length, LiveRun, Progress};
 use crate::scenario::OpenScenario;
@@ -18,7 +19,6 @@ use homebody_log::places::{LIST, RECORDING};
 use homebody_log::{How, Places};
 use homebody_routine::household::Household;
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -82,62 +82,35 @@ pub struct LivedCohort {
     pub list: CohortList,
     /// How many members there were to be: more than are listed if it was cancelled.
     pub asked: usize,
-    /// How much was lived in all, in microseconds.
+    /// How many of those who are listed ended early, as it was cancelled.
+    pub ended_early: usize,
+    /// How many of those who are listed were lived to their end before: of a cohort that was gone on with.
+    pub found: usize,
+    /// How much was lived now, in microseconds: nothing of those who were found.
     pub lived: Micros,
     /// How long that took.
     pub took: Duration,
 }
 
-/// The list of a cohort's members, as it is written into the file [`LIST`].
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct CohortList {
-    /// The scenario's name.
-    pub scenario: String,
-    /// The seed of the cohort, from which those of its members follow.
-    pub seed: u64,
-    /// How many days each was to live.
-    pub days: f64,
-    /// Those who were lived, in order of their numbers or as they are listed; nobody until the cohort is over.
-    pub members: Vec<ListedMember>,
+impl LivedCohort {
+    /// Whether it was ended early: somebody was not begun, or not lived to the end.
+    pub fn is_stopped(&self) -> bool {
+        self.list.members.len() < self.asked || self.ended_early > 0
+    }
 }
 
-/// What has become of one member.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ListedMember {
-    /// The name of the member's folder.
-    pub name: String,
-    /// The number all randomness of this life comes from.
-    pub seed: u64,
-    /// How many firings there were.
-    pub firings: u64,
-    /// How many rows are in each place of the log.
-    pub rows: u64,
-    /// How many days were lived.
-    pub days: f64,
-    /// What the list said of the member, by column.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub profile: Option<BTreeMap<String, String>>,
+/// What has become of one member, as the cohort counts it.
+#[derive(Clone)]
+struct Ended {
+    listed: ListedMember,
+    /// How much was lived, in microseconds.
+    length: Micros,
+    is_early: bool,
 }
 
-/// The file [`LIST`]: the list, and all that the cohort is gone on with by, which stands from the first instant on.
-#[derive(Serialize, Deserialize)]
-struct CohortFile {
-    #[serde(flatten)]
-    list: CohortList,
-    /// Who is to live.
-    asked: Asked,
-    /// What is recorded of each member, but for what is their own; with all texts that any of them needs.
-    recording: Recording,
-}
-
-/// Who is to live, as it is written.
-#[derive(Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-enum Asked {
-    /// So many.
-    Residents(u32),
-    /// Those of this table of profiles.
-    Profiles(String),
+/// How much of a cohort was lived before, in microseconds.
+fn lived_before(found: &[Option<Ended>]) -> Micros {
+    found.iter().flatten().map(|member| member.length).sum()
 }
 
 impl OpenScenario {
@@ -251,11 +224,23 @@ impl Cohort {
         &self,
         live: impl Fn(&Member, LiveRun) -> Result<T, E> + Sync,
     ) -> Result<Vec<T>, E> {
+        self.live_but(|_| None, live)
+    }
+
+    /// The same, but for those of whom there is already what is made of them, by index: their homes are not even made.
+    fn live_but<T: Send, E: From<Error> + Send>(
+        &self,
+        found: impl Fn(usize) -> Option<T> + Sync,
+        live: impl Fn(&Member, LiveRun) -> Result<T, E> + Sync,
+    ) -> Result<Vec<T>, E> {
         // More threads than processors: who waits for the disk lets others go on.
         let threads = std::thread::available_parallelism().map_or(1, usize::from) * THREADS_EACH;
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         let pool = pool.map_err(|error| Error::Threads(error.to_string()))?;
         let one = |index| {
+            if let Some(found) = found(index) {
+                return Ok(Some(found));
+            }
             if self.cancel.is_cancelled() {
                 return Ok(None);
             }
@@ -290,26 +275,117 @@ impl Cohort {
         let folder = folder.into();
         fs::create_dir_all(&folder).map_err(|error| Error::io(&folder, error))?;
         self.write(&folder, Vec::new(), How::New)?;
-        self.live_into(folder, progress)
+        let found = self.found_in(&folder)?;
+        self.live_into(folder, found, progress)
     }
 
     /// Lives into a folder what is not there yet of the members, and then completes their list.
-    fn live_into(&self, folder: PathBuf, progress: impl Fn(Progress) + Sync) -> Result<LivedCohort, Error> {
+    fn live_into(
+        &self,
+        folder: PathBuf,
+        found: Vec<Option<Ended>>,
+        progress: impl Fn(Progress) + Sync,
+    ) -> Result<LivedCohort, Error> {
         let started = Instant::now();
         let _lock = FolderLock::take(&folder)?;
         let Progress { length, .. } = self.progress();
-        let in_all = AtomicI64::new(0);
-        let members = self.live(|member, run| {
-            let mut before = 0;
-            let lived_on = |lived| {
-                let more = lived - std::mem::replace(&mut before, lived);
-                let lived = in_all.fetch_add(more, Ordering::Relaxed) + more;
-                progress(Progress { lived, length });
+        let before = lived_before(&found);
+        let in_all = AtomicI64::new(before);
+        let ended = self.live_but(
+            |index| found[index].clone(),
+            |member, run| {
+                let mut before = 0;
+                let lived_on = |lived| {
+                    let more = lived - std::mem::replace(&mut before, lived);
+                    let lived = in_all.fetch_add(more, Ordering::Relaxed) + more;
+                    progress(Progress { lived, length });
+                };
+                self.member_into(&folder, member, run, lived_on)
+            },
+        )?;
+        let ended_early = ended.iter().filter(|member| member.is_early).count();
+        let list = self.write(&folder, ended.into_iter().map(|member| member.listed).collect(), How::Replace)?;
+        Ok(LivedCohort {
+            folder,
+            list,
+            asked: self.count(),
+            ended_early,
+            found: found.iter().flatten().count(),
+            lived: in_all.into_inner() - before,
+            took: started.elapsed(),
+        })
+    }
+
+    /// By member: what has become of those who were lived to their end in this folder. No home is made for it.
+    fn found_in(&self, folder: &Path) -> Result<Vec<Option<Ended>>, Error> {
+        let found = |index| {
+            let member = self.members.who(self.recording.seed, index);
+            let left = self.left_of(folder, &member, index)?;
+            Ok(left.filter(|left| left.unfinished().is_none()).map(|left| self.ended(&member, &left)))
+        };
+        (0..self.count()).map(found).collect()
+    }
+
+    /// The recording that a member has left, complete or not; [`Error::Member`] if what is there is none of this member.
+    fn left_of(&self, folder: &Path, member: &Member, index: usize) -> Result<Option<Recording>, Error> {
+        let folder = folder.join(&member.name);
+        let wrong = |why: String| Error::Member { folder: folder.clone(), why };
+        if folder.is_file() {
+            return Err(wrong(format!("{} is a file, and a member's folder is to be there", folder.display())));
+        }
+        let path = folder.join(RECORDING);
+        match recorded::read(&path) {
+            Err(Error::NoRecording { .. }) => Ok(None),
+            Err(error) => Err(wrong(error.to_string())),
+            Ok(left) if self.is_of(&left, member, index) => Ok(Some(left)),
+            Ok(_) => Err(wrong(format!("{}: it is of another cohort", path.display()))),
+        }
+    }
+
+    /// Whether a recording is of this member's life, by its texts alone.
+    fn is_of(&self, left: &Recording, member: &Member, index: usize) -> bool {
+        let own = match &self.members {
+            Members::Many(_) => None,
+            Members::Listed(profiles) => Some((&profiles[index], self.scenario.base().own_routine(&profiles[index]))),
+        };
+        let without = own.as_ref().map_or(&self.recording.without, |(profile, _)| &profile.without).clone();
+        let mut expected = Recording { without, ..self.recording_of(member) };
+        if let Some((_, Some(OwnRoutine { resident, file, text }))) = own {
+            // Which texts are left over where a routine is another's only loading tells.
+            let resident = &self.scenario.scenario().file.residents[resident];
+            let is_same = |(name, text): (&String, &String)| {
+                name == resident || expected.files.get(name).is_none_or(|expected| expected == text)
             };
-            self.member_into(&folder, member, run, lived_on)
-        })?;
-        let list = self.write(&folder, members, How::Replace)?;
-        Ok(LivedCohort { folder, list, asked: self.count(), lived: in_all.into_inner(), took: started.elapsed() })
+            if left.files.get(&file) != Some(&text)
+                || !left.files.iter().filter(|(name, _)| **name != file).all(is_same)
+            {
+                return false;
+            }
+            expected.files = left.files.clone();
+        }
+        let length = left.stopped_of_us.unwrap_or(left.length_us);
+        left.run_id() == expected.run_id() && length == expected.length_us
+    }
+
+    /// What is recorded of a member, with the scenario's own texts.
+    fn recording_of(&self, member: &Member) -> Recording {
+        Recording { seed: member.seed, home: Some(member.name.clone()), ..self.recording.clone() }
+    }
+
+    /// What has become of a member.
+    fn ended(&self, member: &Member, recording: &Recording) -> Ended {
+        Ended {
+            listed: ListedMember {
+                name: member.name.clone(),
+                seed: member.seed,
+                firings: recording.firings,
+                rows: recording.rows.unwrap_or(recording.firings),
+                days: self.scenario.scenario.calendar.days_lived(recording.length_us),
+                profile: member.row.clone(),
+            },
+            length: recording.length_us,
+            is_early: recording.stopped_of_us.is_some(),
+        }
     }
 
     /// Lives what is not there yet of one member; `lived_on` is told how far it has come.
@@ -319,38 +395,16 @@ impl Cohort {
         member: &Member,
         run: LiveRun,
         mut lived_on: impl FnMut(Micros),
-    ) -> Result<ListedMember, Error> {
+    ) -> Result<Ended, Error> {
         let places = Places::member(folder, &member.name, &run.scenario)?;
         let recorded = folder.join(&member.name).join(RECORDING);
-        let before = match recorded::read(&recorded) {
-            Err(Error::NoRecording { .. }) => {
-                // A program that died while it wrote it has left a part.
-                remove_parts(&recorded)?;
-                None
-            }
-            before => Some(before?),
-        };
-        if before.as_ref().is_some_and(|before| before.run_id() != run.recording.run_id()) {
-            return Err(Error::Recording { path: recorded, why: "it is of another cohort".into() });
+        let how = if recorded.exists() { How::GoOn } else { How::New };
+        if how == How::New {
+            // A program that died while it wrote it has left a part.
+            remove_parts(&recorded)?;
         }
-        let recording = match before {
-            Some(before) if before.unfinished().is_none() => {
-                lived_on(before.length_us);
-                before
-            }
-            before => {
-                let how = if before.is_some() { How::GoOn } else { How::New };
-                run.store_at(&places, how, |progress| lived_on(progress.lived))?.recording
-            }
-        };
-        Ok(ListedMember {
-            name: member.name.clone(),
-            seed: member.seed,
-            firings: recording.firings,
-            rows: recording.rows.unwrap_or(recording.firings),
-            days: self.scenario.scenario.calendar.days_lived(recording.length_us),
-            profile: member.row.clone(),
-        })
+        let lived = run.store_into(&places, Vec::new(), how, |progress| lived_on(progress.lived))?;
+        Ok(self.ended(member, &lived.recording))
     }
 
     /// Writes the list of the members, as text with a line for each value, and returns it.
@@ -381,8 +435,7 @@ impl Cohort {
 
     /// A member's run at its beginning.
     fn run(&self, member: &Member, index: usize) -> Result<LiveRun, Error> {
-        let home = Some(member.name.clone());
-        let recording = Recording { seed: member.seed, home, ..self.recording.clone() };
+        let recording = self.recording_of(member);
         match &self.members {
             Members::Many(_) => Ok(self.live_run(self.scenario.scenario.clone(), &self.household, recording)),
             Members::Listed(profiles) => {
@@ -413,25 +466,29 @@ impl Cohort {
 pub struct UnfinishedCohort {
     cohort: Cohort,
     folder: PathBuf,
+    found: Vec<Option<Ended>>,
 }
+
+/// What errors call a cohort.
+const COHORT: &str = "cohort";
 
 impl UnfinishedCohort {
     /// Finds out who was to be lived in a cohort's folder.
     ///
     /// # Errors
     ///
-    /// [`Error::NoRecording`], [`Error::File`] or [`Error::Recording`] if the folder has no list of a cohort, [`Error::Complete`]
-    /// if all were lived to their end, [`Error::OtherVersion`] if another version of the program began it, [`Error::Problems`]
-    /// if something is wrong with the scenario in it.
+    /// [`Error::NotFolder`] if it is a file, [`Error::NoRecording`], [`Error::File`] or [`Error::Recording`] if the folder has no
+    /// list of a cohort, [`Error::Complete`] if all were lived to their end, [`Error::OtherVersion`] if another version of the
+    /// program began it, [`Error::Problems`] if something is wrong with the scenario in it, [`Error::Member`] if what is in the
+    /// place of a member is of somebody else.
     pub fn open(folder: impl AsRef<Path>) -> Result<UnfinishedCohort, Error> {
         let folder = folder.as_ref();
+        recorded::is_folder(folder)?;
         let path = folder.join(LIST);
         let text = recorded::text(&path)?;
         let wrong = |error: serde_json::Error| Error::Recording { path: path.clone(), why: error.to_string() };
         let CohortFile { list, asked, recording } = serde_json::from_str(&text).map_err(wrong)?;
-        if recording.version != env!("CARGO_PKG_VERSION") {
-            return Err(Error::OtherVersion { folder: folder.into(), version: recording.version });
-        }
+        recorded::is_of_this_version(COHORT, folder, &recording)?;
         let scenario = Source::of_texts(recording.files, recording.entry).open()?;
         let members = match asked {
             Asked::Residents(count @ 1..=MOST) => Members::Many(count),
@@ -443,16 +500,12 @@ impl UnfinishedCohort {
         };
         let setup = CohortSetup::new(scenario, members).seed(recording.seed).length(recording.length_us);
         let cohort = setup.without(recording.without).start()?;
-        let whole = |index| {
-            let member = cohort.members.who(recording.seed, index);
-            let recording = recorded::read(&folder.join(member.name).join(RECORDING));
-            recording.is_ok_and(|recording| recording.unfinished().is_none())
-        };
+        let found = cohort.found_in(folder)?;
         // One that was killed as it wrote the list has lived all of them.
-        if list.members.len() == cohort.count() && (0..cohort.count()).all(whole) {
-            return Err(Error::Complete { folder: folder.into() });
+        if list.members.len() == cohort.count() && found.iter().all(Option::is_some) {
+            return Err(Error::Complete { what: COHORT, folder: folder.into() });
         }
-        Ok(UnfinishedCohort { cohort, folder: folder.into() })
+        Ok(UnfinishedCohort { cohort, folder: folder.into(), found })
     }
 
     /// Nobody else is begun, and those who are lived end early, once this handle says so.
@@ -461,9 +514,9 @@ impl UnfinishedCohort {
         self
     }
 
-    /// How long all lives together are, those that are lived already among them.
+    /// How long all lives together are, and how much of that was lived to its end already.
     pub fn progress(&self) -> Progress {
-        self.cohort.progress()
+        Progress { lived: lived_before(&self.found), ..self.cohort.progress() }
     }
 
     /// Lives all members to their ends, or until it is cancelled; `progress` is called after each batch of anybody's, from
@@ -477,7 +530,7 @@ impl UnfinishedCohort {
         drop(FolderLock::take(&self.folder)?);
         // A program that died while it wrote the list has left a part.
         remove_parts(&list)?;
-        self.cohort.live_into(self.folder, progress)
+        self.cohort.live_into(self.folder, self.found, progress)
     }
 }
 

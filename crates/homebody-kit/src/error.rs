@@ -50,16 +50,44 @@ pub enum Error {
         /// What is wrong with it.
         why: String,
     },
-    /// A run was lived to its end: nothing of it is left to do.
-    #[error("the run in {} is complete: there is nothing to go on with", folder.display())]
+    /// A run was killed, or is still being lived: its recording does not say what it came to.
+    #[error("{} is no recording of a whole run: it was not completed", path.display())]
+    Unfinished {
+        /// The recording.
+        path: PathBuf,
+        /// The folder in which the run can be gone on with, be it the run's own or its cohort's.
+        folder: Option<PathBuf>,
+    },
+    /// A file is where the folder of a run or a cohort was to be.
+    #[error("{} is a file{}", path.display(), folder_of(folder.as_deref()))]
+    NotFolder {
+        /// The file.
+        path: PathBuf,
+        /// The folder that it is in, if that is the folder of a run or a cohort.
+        folder: Option<PathBuf>,
+    },
+    /// What is in the place of a cohort's member is nothing to go on with.
+    #[error("{why}\n  hint: move {} away; then this member is lived anew", folder.display())]
+    Member {
+        /// Where the member's folder is to be.
+        folder: PathBuf,
+        /// What is wrong with it.
+        why: String,
+    },
+    /// A run or a cohort was lived to its end: nothing of it is left to do.
+    #[error("the {what} in {} is complete: there is nothing to go on with", folder.display())]
     Complete {
-        /// The run's folder.
+        /// What it is: `run` or `cohort`.
+        what: &'static str,
+        /// Its folder.
         folder: PathBuf,
     },
-    /// A run was begun by another version of the program, which may live it otherwise.
-    #[error("the run in {} was begun by version {version}\n  hint: go on with that version, or begin it anew", folder.display())]
+    /// A run or a cohort was begun by another version of the program, which may live it otherwise.
+    #[error("the {what} in {} was begun by version {version}\n  hint: go on with that version, or begin it anew", folder.display())]
     OtherVersion {
-        /// The run's folder.
+        /// What it is: `run` or `cohort`.
+        what: &'static str,
+        /// Its folder.
         folder: PathBuf,
         /// What began it.
         version: String,
@@ -69,6 +97,14 @@ pub enum Error {
     NoLog {
         /// The folder.
         folder: PathBuf,
+    },
+    /// A run was killed, or is being lived, and has not stored a row yet.
+    #[error("the run in {} has no rows yet", folder.display())]
+    NoRows {
+        /// The run's folder.
+        folder: PathBuf,
+        /// The folder by which it can be gone on with: the run's, or that of its cohort.
+        resume: PathBuf,
     },
     /// A folder is a cohort's, in which each member has a log of their own.
     #[error("{} is a cohort: each member has a log of their own\n  hint: {}", folder.display(), first_of(member.as_deref()))]
@@ -112,8 +148,15 @@ pub enum Error {
     #[error("a sink failed: {0}")]
     Sink(#[source] BoxError),
     /// There are no threads to live on.
-    #[error("there are no threads: {0}")]
+    #[error("there are no threads: {0}\n  hint: allow more threads or memory, or run less at once")]
     Threads(String),
+}
+
+fn folder_of(folder: Option<&Path>) -> String {
+    match folder {
+        Some(folder) => format!("\n  hint: name its folder, {}", folder.display()),
+        None => ", and no run or cohort has left it\n  hint: name the folder of one".into(),
+    }
 }
 
 fn first_of(member: Option<&Path>) -> String {

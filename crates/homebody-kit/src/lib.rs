@@ -15,7 +15,7 @@
 //!
 //! The same run goes into files with [`LiveRun::store`], and many lives side by side are a [`Cohort`]. A resident can be
 //! moved by a driver of the caller's own ([`RunSetup::driver`]), and a sink of the caller's own can take what happens
-//! ([`LiveRun::give_to`]). Instants and spans are whole microseconds since the run's start, lengths are metres.
+//! ([`LiveRun::give_to`]), or the rows of the log ([`destination`]). Instants and spans are whole microseconds since the run's start, lengths are metres.
 //!
 //! This crate does not know the command line, nor who looks at a run: progress is a callback, a [`Cancel`] ends runs from
 //! elsewhere, and a [`Pace`](pace::Pace) says how fast they go. Reading order:
@@ -31,20 +31,24 @@ pub mod pace;
 mod cancel;
 mod own_driver;
 mod run;
+pub mod destination;
 mod store;
 mod recorded;
 
 mod profiles;
+mod cohort_list;
 mod cohort;
 
-mod given;
+mod log_with_run;
 
 pub use cancel::Cancel;
-pub use cohort::{Cohort, CohortList, CohortSetup, ListedMember, LivedCohort, Member, UnfinishedCohort};
+pub use cohort::{Cohort, CohortSetup, LivedCohort, Member, UnfinishedCohort};
+pub use cohort_list::{CohortList, ListedMember};
+pub use destination::{Destination, Policy, Sink};
 pub use error::{BoxError, Error};
-pub use given::{Given, place_of_log};
+pub use homebody_log::Url;
 pub use homebody_log::places::LIST;
-pub use homebody_log::{Destination, Policy, Sink, Url};
+pub use log_with_run::{LogWithRun, NamedLog};
 pub use profiles::Profile;
 pub use recorded::{Recorded, Unfinished};
 pub use run::{Batch, BatchSink, LiveRun, Progress, RunSetup};

@@ -7,8 +7,8 @@ use crate::run::{LiveRun, Progress};
 use crate::store::Lived;
 use homebody_core::recording::{LONGEST, Recording};
 use homebody_core::scenario::load::Scenario;
-use homebody_log::places::RECORDING;
-use homebody_log::{How, Places};
+use homebody_log::places::{LIST, RECORDING, SENSORS};
+use homebody_log::{Destination, How, Places};
 use homebody_routine::household::Household;
 use std::fs;
 use std::io::ErrorKind;
@@ -38,14 +38,13 @@ impl Recorded {
     ///
     /// # Errors
     ///
-    /// [`Error::NoRecording`], [`Error::File`] or [`Error::Recording`] if there is none in this file, [`Error::Problems`] if
-    /// something is wrong with the scenario in it.
+    /// [`Error::NoRecording`], [`Error::File`] or [`Error::Recording`] if there is none in this file, [`Error::Unfinished`] if the
+    /// run was killed or is still lived, [`Error::Problems`] if something is wrong with the scenario in it.
     pub fn open(path: impl AsRef<Path>) -> Result<Recorded, Error> {
         let path = path.as_ref();
         let recording = read(path)?;
         if !recording.is_complete() {
-            let why = "the SHA-256 of its firings is missing: the run was not completed".into();
-            return Err(Error::Recording { path: path.into(), why });
+            return Err(Error::Unfinished { path: path.into(), folder: left_in(path) });
         }
         let (scenario, household) = Household::recorded(&recording)?;
         let paced = Paced::new(Pace::default(), Cancel::new(), None);
@@ -95,17 +94,16 @@ impl Unfinished {
     ///
     /// # Errors
     ///
-    /// [`Error::NoRecording`], [`Error::File`] or [`Error::Recording`] if the folder has no recording, [`Error::Complete`] if the
-    /// run was lived to its end, [`Error::OtherVersion`] if another version of the program began it, [`Error::Problems`] if
-    /// something is wrong with the scenario in it.
+    /// [`Error::NotFolder`] if it is a file, [`Error::NoRecording`], [`Error::File`] or [`Error::Recording`] if the folder has no
+    /// recording, [`Error::Complete`] if the run was lived to its end, [`Error::OtherVersion`] if another version of the program
+    /// began it, [`Error::Problems`] if something is wrong with the scenario in it.
     pub fn open(folder: impl AsRef<Path>) -> Result<Unfinished, Error> {
         let folder = folder.as_ref();
-        let path = folder.join(RECORDING);
-        let recording = read(&path)?;
-        let Some(recording) = recording.unfinished() else { return Err(Error::Complete { folder: folder.into() }) };
-        if recording.version != env!("CARGO_PKG_VERSION") {
-            return Err(Error::OtherVersion { folder: folder.into(), version: recording.version });
-        }
+        is_folder(folder)?;
+        let recording = read(&folder.join(RECORDING))?;
+        let complete = || Error::Complete { what: RUN, folder: folder.into() };
+        let recording = recording.unfinished().ok_or_else(complete)?;
+        is_of_this_version(RUN, folder, &recording)?;
         let (scenario, household) = Household::recorded(&recording)?;
         let places = Places::of_folder(folder, &scenario)?;
         let run = recording.run(&scenario, &household);
@@ -134,7 +132,51 @@ impl Unfinished {
     ///
     /// [`Error::Log`] if what is there is not the beginning of this run, or cannot be written: then it stays as it was.
     pub fn go_on(self, progress: impl FnMut(Progress)) -> Result<Lived, Error> {
-        self.run.store_at(&self.places, How::GoOn, progress)
+        self.go_on_with(Vec::new(), progress)
+    }
+
+    /// The same with destinations of the caller's own beside, as [`LiveRun::store_with`] has them. They are begun with
+    /// [`How::GoOn`]: each says how many rows it holds already, and gets those behind them.
+    ///
+    /// # Errors
+    ///
+    /// As [`Unfinished::go_on`]; [`Error::Log`], too, if a destination that is required fails.
+    pub fn go_on_with(self, own: Vec<Destination>, progress: impl FnMut(Progress)) -> Result<Lived, Error> {
+        self.run.store_into(&self.places, own, How::GoOn, progress)
+    }
+}
+
+/// What errors call a run.
+const RUN: &str = "run";
+
+/// A file is not taken for the folder of a run or a cohort; the error names the folder that it is in.
+pub(crate) fn is_folder(path: &Path) -> Result<(), Error> {
+    match path.is_file() {
+        true => Err(Error::NotFolder { path: path.into(), folder: left_in(path) }),
+        false => Ok(()),
+    }
+}
+
+/// The folder of the run or the cohort that has left a file; of a member, the cohort's.
+fn left_in(path: &Path) -> Option<PathBuf> {
+    let above = |path: &Path| match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
+        _ => ".".into(),
+    };
+    let folder = above(path);
+    let cohort = if folder.file_name().is_some() { above(&folder) } else { folder.join("..") };
+    // A run that was killed at its very beginning has left its recording alone.
+    let is_recording = path.file_name().is_some_and(|name| name == RECORDING);
+    let left = [(cohort, LIST), (folder.clone(), LIST), (folder.clone(), SENSORS)];
+    let left = left.into_iter().find(|(folder, file)| folder.join(file).is_file()).map(|(folder, _)| folder);
+    left.or(is_recording.then_some(folder))
+}
+
+/// Another version may live a run otherwise than the one that began it.
+pub(crate) fn is_of_this_version(what: &'static str, folder: &Path, recording: &Recording) -> Result<(), Error> {
+    match recording.version == env!("CARGO_PKG_VERSION") {
+        true => Ok(()),
+        false => Err(Error::OtherVersion { what, folder: folder.into(), version: recording.version.clone() }),
     }
 }
 
@@ -152,7 +194,11 @@ pub(crate) fn read(path: &Path) -> Result<Recording, Error> {
 
 /// The text of a recording, or of the list of a cohort.
 pub(crate) fn text(path: &Path) -> Result<String, Error> {
-    fs::read_to_string(path).map_err(|error| match error.kind() {
+    let text = fs::read_to_string(path);
+    if text.as_ref().is_ok_and(|text| text.trim().is_empty()) {
+        return Err(Error::Recording { path: path.into(), why: "it is empty".into() });
+    }
+    text.map_err(|error| match error.kind() {
         ErrorKind::NotFound => Error::NoRecording { path: path.into() },
         ErrorKind::IsADirectory => {
             let why = "it is a folder\n  hint: name the recording.json in it".into();

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::run::{LiveRun, Progress};
 use homebody_core::recording::Recording;
-use homebody_log::places::{RUNS, can_be_written};
+use homebody_log::places::{RECORDING, RUNS, TRUTH, can_be_written};
 use homebody_log::{Destination, How, Places, RunLog, Stored, Url};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -96,6 +96,9 @@ pub struct Lived {
     pub truth: Option<Url>,
     /// The file of the recording, if there is one.
     pub recorded: Option<PathBuf>,
+    /// The folder in which it can be gone on with ([`Unfinished`](crate::Unfinished)) if it was ended early; `None` where not all
+    /// of it went into one.
+    pub folder: Option<PathBuf>,
     /// How far it has come: less than its length if it was cancelled.
     pub progress: Progress,
     /// Of a recording that was lived again to its end: whether every firing is the same.
@@ -174,11 +177,7 @@ impl LiveRun {
         lived
     }
 
-    pub(crate) fn store_at(self, places: &Places, how: How, progress: impl FnMut(Progress)) -> Result<Lived, Error> {
-        self.store_into(places, Vec::new(), how, progress)
-    }
-
-    fn store_into(
+    pub(crate) fn store_into(
         mut self,
         places: &Places,
         own: Vec<Destination>,
@@ -210,10 +209,20 @@ impl LiveRun {
             sensors: self.sensors().map(str::to_owned).collect(),
             truth: places.truth.clone(),
             recorded: places.recording.clone(),
+            folder: folder_of(places),
             progress: self.progress(),
             recording,
             stored,
             took: started.elapsed(),
         })
     }
+}
+
+/// The folder that all of a run goes into, where there is one.
+fn folder_of(places: &Places) -> Option<PathBuf> {
+    let folder = places.sensors.as_deref()?.parent()?;
+    let is_here = |path: &Path, name: &str| path == folder.join(name);
+    let is_whole = places.recording.as_deref().is_some_and(|path| is_here(path, RECORDING))
+        && places.truth.as_ref().and_then(Url::file).is_some_and(|path| is_here(path, TRUTH));
+    is_whole.then(|| folder.to_owned())
 }

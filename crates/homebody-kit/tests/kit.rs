@@ -8,11 +8,15 @@ use homebody_core::ids::ThingId;
 use homebody_core::run::Run;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros, NEVER, SECOND};
+use homebody_kit::destination::{self, Begin, Cell, Destination, How, LogError, Policy, Sink, Watermark};
 use homebody_kit::pace::{Command, Pace, Speed};
-use homebody_kit::{BoxError, Cancel, Destinations, Error, LiveRun, OpenScenario, Recorded, template};
+use homebody_kit::{
+    BoxError, Cancel, Destinations, Error, LiveRun, OpenScenario, Recorded, Unfinished, UnfinishedCohort, template,
+};
 use std::fs;
 use std::path::Path;
 use std::sync::mpsc::channel;
+use std::sync::{Arc, Mutex};
 
 fn tigerplace() -> OpenScenario {
     template("tigerplace").unwrap()
@@ -104,6 +108,83 @@ fn a_run_stops_between_batches_and_what_it_stored_is_whole() {
     let lived = lived.unwrap();
     assert!(lived.is_stopped() && lived.recording.length_us == DAY);
     assert_eq!(lived.recording.firings, firings(tigerplace().run().days(1).start().unwrap()).len() as u64);
+}
+
+/// Keeps the numbers of the rows that it gets, as many as it says to hold already left out.
+struct Kept {
+    rows: Arc<Mutex<Vec<i64>>>,
+    how: Arc<Mutex<Option<How>>>,
+}
+
+impl Sink for Kept {
+    fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
+        *self.how.lock().unwrap() = Some(begin.how);
+        Ok(Watermark(vec![self.rows.lock().unwrap().len() as u64]))
+    }
+
+    fn write(&mut self, batch: &destination::Batch) -> Result<(), LogError> {
+        let number =
+            |cell: Cell| if let Cell::Integer(number) = cell { number } else { panic!("{cell:?} numbers no row") };
+        self.rows.lock().unwrap().extend(batch.rows().map(|row| number(row.cells[0])));
+        Ok(())
+    }
+
+    fn settle(&mut self) -> Result<Watermark, LogError> {
+        Ok(Watermark(vec![self.rows.lock().unwrap().len() as u64]))
+    }
+
+    fn finish(&mut self, _: Micros) -> Result<(), LogError> {
+        Ok(())
+    }
+}
+
+#[test]
+fn a_destination_of_ones_own_is_gone_on_with() {
+    let folder = tempfile::tempdir().unwrap();
+    let rows: Arc<Mutex<Vec<i64>>> = Arc::default();
+    let how: Arc<Mutex<Option<How>>> = Arc::default();
+    let own = || Destination::own("kept", Kept { rows: rows.clone(), how: how.clone() }, Policy::default());
+    let cancel = Cancel::new();
+    let run = tigerplace().run().days(2).cancel(&cancel).start().unwrap();
+    let to = Destinations::new_folder_in(folder.path());
+    let stopped = run.store_with(&to, vec![own()], |now| {
+        if now.lived >= DAY {
+            cancel.cancel();
+        }
+    });
+    let stopped = stopped.unwrap();
+    let before = rows.lock().unwrap().len() as u64;
+    assert_eq!((before, *how.lock().unwrap()), (stopped.stored.rows, Some(How::New)));
+    let unfinished = Unfinished::open(stopped.folder.unwrap()).unwrap();
+    let whole = unfinished.go_on_with(vec![own()], |_| ()).unwrap();
+    assert_eq!(*how.lock().unwrap(), Some(How::GoOn));
+    let rows = rows.lock().unwrap();
+    assert!(whole.stored.rows > before && rows.iter().copied().eq(0..whole.stored.rows as i64), "each row once");
+}
+
+#[test]
+fn a_cohort_that_is_gone_on_with_counts_what_is_lived_now() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path().join("cohort");
+    let lived = tigerplace().cohort(3).days(1).start().unwrap().store_in(&place, |_| ()).unwrap();
+    assert_eq!((lived.lived, lived.found, lived.is_stopped()), (3 * DAY, 0, false));
+    assert!(matches!(UnfinishedCohort::open(&place), Err(Error::Complete { what: "cohort", .. })));
+    fs::remove_dir_all(place.join("0002")).unwrap();
+    let unfinished = UnfinishedCohort::open(&place).unwrap();
+    assert_eq!(unfinished.progress().lived, 2 * DAY);
+    let again = unfinished.go_on(|now| assert!(now.lived > 2 * DAY && now.lived <= 3 * DAY)).unwrap();
+    assert_eq!((again.lived, again.found, again.list), (DAY, 2, lived.list));
+
+    // Of those who end early, too, it is said.
+    let cancel = Cancel::new();
+    let stop = |now: homebody_kit::Progress| {
+        if now.lived > 0 {
+            cancel.cancel();
+        }
+    };
+    let cohort = tigerplace().cohort(2).days(400).cancel(&cancel).start().unwrap();
+    let lived = cohort.store_in(folder.path().join("stopped"), stop).unwrap();
+    assert!(lived.is_stopped() && lived.ended_early == lived.list.members.len(), "{:?}", lived.list);
 }
 
 #[test]

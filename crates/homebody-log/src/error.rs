@@ -1,7 +1,10 @@
 //! What can go wrong with a log.
 
+use crate::limits::LONGEST_ROW;
+use crate::skipped::Skipped;
 use homebody_core::scenario::scheme::NoPlace;
 use std::error::Error;
+use std::fs::{File, OpenOptions};
 use std::io;
 use std::path::Path;
 
@@ -44,6 +47,12 @@ pub enum LogError {
         /// The file.
         place: String,
     },
+    /// The system does not let this program read it.
+    #[error("{place} may not be read\n  hint: check who may read it")]
+    Unreadable {
+        /// The file or folder.
+        place: String,
+    },
     /// The disk is full, or what this user may use of it.
     #[error("no space is left for {place}\n  hint: what it held before is safe; make room and run again")]
     Full {
@@ -62,11 +71,19 @@ pub enum LogError {
         /// The database's file.
         place: String,
     },
-    /// Another program is living a run into the folder.
+    /// Another program is living a run into the folder, or writing the file.
     #[error("another program is writing into {place}\n  hint: let it come to its end, or stop it first")]
     Busy {
-        /// The folder.
+        /// The folder or file.
         place: String,
+    },
+    /// The system gives no thread to a destination.
+    #[error("there is no thread to write {place}: {source}\n  hint: allow more threads or memory, or run less at once")]
+    NoThread {
+        /// The destination.
+        place: String,
+        /// What the system says.
+        source: io::Error,
     },
     /// A run that is gone on with was stopped before it had come as far as before.
     #[error(
@@ -115,6 +132,58 @@ pub enum LogError {
         place: String,
         /// Why not, as a part of a sentence.
         why: String,
+    },
+    /// A database has no tables: a run has only just begun in it, or it is none of a log.
+    #[error(
+        "{place} has no tables, so no log\n  hint: name one that has; what is computed, such as a view, is not read"
+    )]
+    NoTables {
+        /// The file.
+        place: String,
+    },
+    /// A row or a cell is longer than any of a log's, so it is not read into memory.
+    #[error("{place}: {what}\n  hint: no log has that: name one")]
+    TooLong {
+        /// The file, with the line where it is known.
+        place: String,
+        /// What is too long, as a sentence.
+        what: String,
+    },
+    /// What is to be read is no truth of a run.
+    #[error(
+        "{place} has no truth: {why}\n  hint: name the database that the log's run has left, or csv:FILE where its tables are texts"
+    )]
+    NoTruth {
+        /// The place.
+        place: String,
+        /// Why not, as a part of a sentence.
+        why: String,
+    },
+    /// A truth tells of another run than the log's.
+    #[error("{truth} is not the truth of this log: {what}\n  hint: name the truth that the same run has left")]
+    OtherRun {
+        /// The truth.
+        truth: String,
+        /// In what they differ, as a part of a sentence.
+        what: String,
+    },
+    /// Lines of a log are not understood, so that nobody can tell which row is which.
+    #[error("{}\n  hint: the truth counts the log's rows: take the log as its run has left it", told(.place, .problems, *.skipped))]
+    Gaps {
+        /// The log.
+        place: String,
+        /// The first of the lines.
+        problems: Vec<Skipped>,
+        /// How many they are.
+        skipped: u64,
+    },
+    /// What is to be written would replace a file that a run has left, or is writing.
+    #[error("{place} is a file of the run in {folder}\n  hint: name a file elsewhere, or by another name")]
+    OfRun {
+        /// The file.
+        place: String,
+        /// The run's folder.
+        folder: String,
     },
     /// The system could not read or write a file, for a reason that none of the others names.
     #[error("{place}: {source}")]
@@ -173,8 +242,8 @@ pub enum LogError {
     },
     /// What is there already cannot be gone on with: it is no beginning of this run.
     #[error(
-        "{place} is not the beginning of this run: {what}\n  hint: it was changed since, or made from other files; \
-         begin the run anew"
+        "{place} is not the beginning of this run: {what}\n  hint: it was changed since, or the recording is of another run; put \
+         back what was there, or begin the run anew"
     )]
     Changed {
         /// The destination.
@@ -238,6 +307,14 @@ impl LogError {
         }
     }
 
+    /// What an error of reading a file means.
+    pub(crate) fn reading(path: &Path, source: io::Error) -> LogError {
+        match source.kind() {
+            io::ErrorKind::PermissionDenied => LogError::Unreadable { place: place_of(path) },
+            _ => LogError::file(path, source),
+        }
+    }
+
     /// What an error of a database means.
     pub(crate) fn database(path: &Path, source: rusqlite::Error) -> LogError {
         use rusqlite::ErrorCode::*;
@@ -246,7 +323,17 @@ impl LogError {
         match source.sqlite_error_code() {
             Some(DatabaseBusy | DatabaseLocked) => LogError::Locked { place },
             Some(DiskFull) => LogError::Full { place },
+            Some(TooBig) => {
+                let what = format!("a row or a cell of it is longer than {LONGEST_ROW} bytes");
+                LogError::TooLong { place, what }
+            }
             Some(ReadOnly | PermissionDenied) => LogError::Denied { place },
+            // It does not say why; the system does.
+            Some(CannotOpen) => match (File::open(path), OpenOptions::new().write(true).open(path)) {
+                (Err(error), _) => LogError::reading(path, error),
+                (_, Err(error)) => LogError::file(path, error),
+                _ => LogError::Database { place, source: source.into() },
+            },
             _ if source.sqlite_error().is_some_and(|error| error.extended_code == SQLITE_IOERR_WRITE) => {
                 LogError::Unwritten { place }
             }
@@ -258,4 +345,28 @@ impl LogError {
 /// A file, as errors tell it.
 pub(crate) fn place_of(path: &Path) -> String {
     path.display().to_string()
+}
+
+/// The lines that are not understood, each by its place, as far as they are listed.
+fn told(place: &str, problems: &[Skipped], skipped: u64) -> String {
+    let mut lines: Vec<String> = problems.iter().map(|line| format!("{place}:{}: {}", line.line, line.why)).collect();
+    let rest = skipped.saturating_sub(lines.len() as u64);
+    if rest > 0 {
+        lines.push(format!("{place}: {rest} more lines are not understood"));
+    }
+    lines.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_may_not_be_read_and_what_may_not_be_written_are_told_apart() {
+        let denied = || io::Error::from(io::ErrorKind::PermissionDenied);
+        let path = Path::new("log.csv");
+        assert!(matches!(LogError::reading(path, denied()), LogError::Unreadable { .. }));
+        assert!(matches!(LogError::file(path, denied()), LogError::Denied { .. }));
+        assert!(matches!(LogError::reading(path, io::ErrorKind::IsADirectory.into()), LogError::IsFolder { .. }));
+    }
 }

@@ -61,11 +61,13 @@ pub fn all_can_be_written(paths: &[&Path], force: bool) -> Result<(), LogError> 
 
 /// Whether two paths lead to one file, be it there yet or not.
 pub fn same_file(one: &Path, other: &Path) -> bool {
-    let whole = |path: &Path| {
-        let named = || Some(folder(path).canonicalize().ok()?.join(path.file_name()?));
-        path.canonicalize().ok().or_else(named)
-    };
-    one == other || whole(one).is_some_and(|one| Some(one) == whole(other))
+    let led = |path: &Path| path.canonicalize().ok().or_else(|| whole(path));
+    one == other || led(one).is_some_and(|one| Some(one) == led(other))
+}
+
+/// A file's path from the root on, without detours; of a link it is the link's. None where its folder is not there.
+pub(crate) fn whole(path: &Path) -> Option<PathBuf> {
+    Some(folder(path).canonicalize().ok()?.join(path.file_name()?))
 }
 
 /// A text file that takes its name only when it is whole; dropped before, it leaves nothing behind.
@@ -93,12 +95,13 @@ impl FreshFile {
     /// Opens what a program that died has left of a file, be it whole already or not; None where there is nothing. Its
     /// text is read from its beginning, and may be cut and added to.
     pub fn reopen(path: &Path) -> Result<Option<(FreshFile, File)>, LogError> {
-        let wrong = |error| LogError::file(path, error);
         let is_whole = path.is_file();
-        let left = if is_whole { Some(path.to_owned()) } else { largest_part(path).map_err(wrong)? };
+        let unread = |error| LogError::reading(path, error);
+        let left = if is_whole { Some(path.to_owned()) } else { largest_part(path).map_err(unread)? };
         let Some(left) = left else { return Ok(None) };
-        let read = File::open(&left).map_err(wrong)?;
-        let file = OpenOptions::new().write(true).open(&left).map_err(wrong)?;
+        let read = File::open(&left).map_err(unread)?;
+        let unwritten = |error| LogError::file(path, error);
+        let file = OpenOptions::new().write(true).open(&left).map_err(unwritten)?;
         let part = (!is_whole).then_some(left);
         let out = BufWriter::with_capacity(1 << 16, file);
         Ok(Some((FreshFile { path: path.into(), place: Found::Free, part, out }, read)))

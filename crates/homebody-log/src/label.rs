@@ -6,15 +6,18 @@
 //! activity are those of the resident at the instant at which the cause began to be noticed, which a link may have delayed.
 //!
 //! We assume that the log is whole and in its order, in whatever form; its sensors are compared with those of the truth. Both are
-//! read as streams, so neither has to fit into memory.
+//! read as streams, so neither has to fit into memory. Instants are the run's own, so that an hour that clocks tell twice is two.
 
-use crate::error::{LogError, place_of};
-use crate::source::{Activity, Cause, Causes, Event, Life, Log, lives, stream};
+use crate::error::LogError;
+use crate::limits::beginning;
+use crate::source::{
+    Activity, Cause, Causes, Event, LABEL_TABLES, Life, Log, RecordedTruth, RunClock, lives_of, stream,
+};
 use crate::table::{Cell, Column, ColumnKind, Texts};
 use crate::transfer::{Besides, Transfer};
+use crate::url::Url;
 use crate::word::one_word;
 use homebody_core::time::Micros;
-use std::path::Path;
 
 /// What has become of a join.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -30,20 +33,31 @@ pub struct Labelled {
 }
 
 /// Writes the rows of a log with what the truth of its run says of each; `about` is the log's
-/// [`survey`](crate::source::survey), and `progress` is told how many rows have been written. Nothing is written where the truth
-/// is of another run.
+/// [`survey`](crate::source::survey), `clock` reads the instants of the truth, and `progress` is told how many rows have been
+/// written. Nothing is written where an error is found before.
+///
+/// # Errors
+///
+/// [`LogError::NoTruth`] if there is no truth in its place, [`LogError::Gaps`] if lines of the log are not understood,
+/// [`LogError::OtherRun`] if the truth is of another run.
 pub fn label(
     transfer: &Transfer,
     about: &Log,
-    truth: &Path,
+    truth: &Url,
+    clock: &RunClock,
     mut progress: impl FnMut(u64),
 ) -> Result<Labelled, LogError> {
-    make_sure(transfer, about, truth)?;
-    let lives = lives(truth)?;
-    let mut causes = Causes::open(truth)?;
+    if about.skipped > 0 {
+        let (place, problems) = (transfer.from.to_string(), about.problems.clone());
+        return Err(LogError::Gaps { place, problems, skipped: about.skipped });
+    }
+    let (place, truth) = (truth.to_string(), RecordedTruth::open(truth, &LABEL_TABLES)?);
+    make_sure(transfer, about, Causes::of(&truth, clock)?, &place)?;
+    let lives = lives_of(&truth, clock)?;
+    let mut causes = Causes::of(&truth, clock)?;
     let mut labelled = Labelled::default();
     let mut label = |row: u64, _: &Event, _: &Log, texts: &mut Texts, cells: &mut Vec<Cell>| {
-        let cause = causes.of(row)?;
+        let cause = causes.of_row(row)?;
         match &cause {
             None => labelled.unexplained += 1,
             Some(Cause { resident: Some(_), .. }) => labelled.somebodys += 1,
@@ -83,22 +97,21 @@ fn besides() -> Besides {
 }
 
 /// Makes sure that log and truth are of one run: that the truth tells of rows that there are, each of the same sensor.
-fn make_sure(transfer: &Transfer, about: &Log, truth: &Path) -> Result<(), LogError> {
-    let another = |what: String| LogError::Changed { place: place_of(truth), what };
-    if about.skipped > 0 {
-        let what = format!("{} lines of the log are not understood, so its rows cannot be counted", about.skipped);
-        return Err(another(what));
-    }
-    let mut causes = Causes::open(truth)?;
-    if let Some(row) = causes.last_row()?.filter(|&row| row >= about.rows) {
-        return Err(another(format!("it tells of row {row}, and the log has {}", about.rows)));
+fn make_sure(transfer: &Transfer, about: &Log, mut causes: Causes<'_>, truth: &str) -> Result<(), LogError> {
+    let another = |what: String| LogError::OtherRun { truth: truth.into(), what };
+    match causes.last_row()? {
+        Some(row) if row >= about.rows => {
+            return Err(another(format!("it tells of row {row}, and the log has {}", about.rows)));
+        }
+        None if about.rows > 0 => return Err(another("it tells of no row".into())),
+        _ => {}
     }
     let mut row = 0;
     stream(transfer.from, transfer.mapping, &mut |part| {
         for event in &part.events {
-            let (sensor, named) = (causes.of(row)?.and_then(|cause| cause.sensor), part.sensor(event));
+            let (sensor, named) = (causes.of_row(row)?.and_then(|cause| cause.sensor), part.sensor(event));
             if sensor.is_some_and(|sensor| sensor != named && one_word(&sensor) != named) {
-                return Err(another(format!("its row {row} is of another sensor than {named:?}")));
+                return Err(another(format!("its row {row} is of another sensor than {}", beginning(named))));
             }
             row += 1;
         }

@@ -15,6 +15,8 @@
 
 pub mod url;
 
+pub mod limits;
+pub mod skipped;
 pub mod error;
 
 pub mod fresh;
@@ -59,7 +61,7 @@ pub use sensor_info::SensorInfo;
 pub use sink::{Begin, How, Sink, Watermark};
 pub use source::{
     Activity, Event, Life, Log, Movement, MovementKind, Movements, RunClock, activities, ids, lives, read, stream,
-    survey,
+    survey, truth_at, truth_beside,
 };
 pub use transfer::Transfer;
 pub use truth::TruthLog;

@@ -1,8 +1,9 @@
-//! One program at a time writes into the folder of a run.
+//! One program at a time writes into the folder of a run, and one into a file.
 
 use crate::error::{LogError, place_of};
-use std::fs::{File, TryLockError};
-use std::path::Path;
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
 
 /// A folder that nobody else writes into while this lives. It ends with the program, however that ends.
 #[derive(Debug)]
@@ -27,9 +28,118 @@ impl FolderLock {
     }
 }
 
+/// A file that nobody else writes while this lives. A lock file beside it says so; it goes when this does. One that a killed
+/// program has left holds nobody up.
+#[derive(Debug)]
+pub struct FileLock {
+    /// Closed after it is removed.
+    held: Option<(PathBuf, File)>,
+}
+
+impl FileLock {
+    /// Takes a file that is to be written, be it there yet or not. Nothing is held of a device or a pipe, nor where a system
+    /// has no locks.
+    ///
+    /// # Errors
+    ///
+    /// [`LogError::Busy`] if another program, or another run of this one, writes it; [`LogError::Denied`] if nothing may be
+    /// made beside it, which each file needs while it is written.
+    pub fn take(path: &Path) -> Result<FileLock, LogError> {
+        let nothing = Ok(FileLock { held: None });
+        if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
+            return nothing;
+        }
+        let beside = beside(path);
+        loop {
+            let file = match OpenOptions::new().write(true).create(true).truncate(false).open(&beside) {
+                Ok(file) => file,
+                Err(error) if matches!(error.kind(), ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem) => {
+                    return Err(LogError::file(path, error));
+                }
+                Err(_) => return nothing,
+            };
+            match file.try_lock() {
+                Err(TryLockError::WouldBlock) => return Err(LogError::Busy { place: place_of(path) }),
+                Err(TryLockError::Error(_)) => {
+                    let _ = fs::remove_file(&beside);
+                    return nothing;
+                }
+                Ok(()) if is_at(&file, &beside) => return Ok(FileLock { held: Some((beside, file)) }),
+                // Who held it has removed it since it was opened.
+                Ok(()) => {}
+            }
+        }
+    }
+}
+
+impl Drop for FileLock {
+    fn drop(&mut self) {
+        if let Some((beside, _file)) = self.held.take() {
+            let _ = fs::remove_file(beside);
+        }
+    }
+}
+
+/// The lock file of a file.
+fn beside(path: &Path) -> PathBuf {
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    name.push(".lock");
+    path.with_file_name(name)
+}
+
+/// Whether an open file is the one at a path.
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let which = |found: fs::Metadata| (found.dev(), found.ino());
+    file.metadata().ok().map(which) == fs::metadata(path).ok().map(which)
+}
+
+/// Elsewhere a file that is removed while it is open cannot be opened again.
+#[cfg(not(unix))]
+fn is_at(_file: &File, _path: &Path) -> bool {
+    true
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    use std::thread;
+
+    #[test]
+    #[cfg(unix)]
+    fn one_at_a_time_has_a_file() {
+        let folder = std::env::temp_dir().join(format!("homebody-file-lock-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let path = folder.join("log.db");
+        // What a killed program has left.
+        fs::write(folder.join("log.db.lock"), "").unwrap();
+        let lock = FileLock::take(&path).unwrap();
+        assert!(matches!(FileLock::take(&path), Err(LogError::Busy { .. })));
+        assert!(matches!(
+            FileLock::take(&folder.join("../").join(folder.file_name().unwrap()).join("log.db")),
+            Err(LogError::Busy { .. })
+        ));
+        assert!(FileLock::take(&folder.join("other.db")).is_ok());
+        drop(lock);
+        assert!(fs::read_dir(&folder).unwrap().next().is_none(), "no lock stays");
+        // Taken and given back by many at once, nobody has it together with another.
+        let inside = AtomicUsize::new(0);
+        thread::scope(|scope| {
+            for _ in 0..8 {
+                scope.spawn(|| {
+                    for _ in 0..500 {
+                        let Ok(_lock) = FileLock::take(&path) else { continue };
+                        assert_eq!(inside.fetch_add(1, Ordering::SeqCst), 0);
+                        thread::yield_now();
+                        inside.fetch_sub(1, Ordering::SeqCst);
+                    }
+                });
+            }
+        });
+        fs::remove_dir(&folder).unwrap();
+    }
 
     #[test]
     #[cfg(unix)]

@@ -117,10 +117,7 @@ impl Logger {
         for Destination { place, sink, policy } in destinations {
             let is_required = policy.required;
             match Writer::spawn(place.clone(), sink, policy, &beginning) {
-                Ok(writer) => {
-                    stored.places.push(place);
-                    writers.push(writer);
-                }
+                Ok(writer) => writers.push(writer),
                 Err(error) if is_required => return Err(error),
                 Err(error) => stored.failed.push((place, error)),
             }
@@ -177,15 +174,16 @@ impl Logger {
     pub fn finish(mut self) -> Result<Stored, LogError> {
         self.store(&[], self.until)?;
         self.send()?;
+        let mut stored = std::mem::take(&mut self.stored);
         for writer in std::mem::take(&mut self.writers) {
             let (place, is_required) = (writer.place().to_owned(), writer.is_required());
             match writer.finish(self.until) {
                 Err(error) if is_required => return Err(error),
-                Err(error) => self.leave_behind(place, error),
-                Ok(()) => {}
+                Err(error) => stored.failed.push((place, error)),
+                Ok(()) => stored.places.push(place),
             }
         }
-        Ok(std::mem::take(&mut self.stored))
+        Ok(stored)
     }
 
     /// Puts what was made into the batch; `own` is the row of the firing that was stored, the others end a hold.
@@ -230,18 +228,13 @@ impl Logger {
                     return Err(error);
                 }
                 Err(error) => {
+                    // From now on the run does without it.
                     let place = self.writers.remove(index).place().to_owned();
-                    self.leave_behind(place, error);
+                    self.stored.failed.push((place, error));
                 }
             }
         }
         Ok(())
-    }
-
-    /// From now on the run does without a place.
-    fn leave_behind(&mut self, place: String, error: LogError) {
-        self.stored.places.retain(|other| *other != place);
-        self.stored.failed.push((place, error));
     }
 }
 

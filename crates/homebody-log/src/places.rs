@@ -1,10 +1,12 @@
 //! The files of a run: where they go, and that they can, before the run begins.
 
 use crate::error::{LogError, place_of};
-use crate::fresh::{all_can_be_written, same_file};
+use crate::fresh::{all_can_be_written, same_file, whole};
+use crate::truth::tables;
 use crate::url::Url;
+use homebody_core::recording::Recording;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::scenario::scheme::{self, Scheme};
+use homebody_core::scenario::scheme::{self, SCHEMES, Scheme};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -47,7 +49,8 @@ impl Places {
         force: bool,
     ) -> Result<Places, LogError> {
         let places = Places { log, truth, recording, sensors: None, made: Vec::new() };
-        can_be_written(&places.files(), sources, force)?;
+        let files = places.files();
+        can_be_written(&files.iter().map(PathBuf::as_path).collect::<Vec<_>>(), sources, force)?;
         Ok(places)
     }
 
@@ -147,10 +150,11 @@ impl Places {
         Ok(())
     }
 
-    /// All files that are going to be written.
-    fn files(&self) -> Vec<&Path> {
-        let urls = self.log.iter().chain(&self.truth).filter_map(Url::file);
-        urls.chain(self.recording.as_deref()).chain(self.sensors.as_deref()).collect()
+    /// All files that are going to be written, those of the truth's tables too.
+    fn files(&self) -> Vec<PathBuf> {
+        let logs = self.log.iter().filter_map(Url::file).map(Path::to_owned);
+        let truth = self.truth.iter().flat_map(|truth| truth.files(&tables()));
+        logs.chain(truth).chain(self.recording.clone()).chain(self.sensors.clone()).collect()
     }
 }
 
@@ -162,6 +166,43 @@ pub fn can_be_written(files: &[&Path], sources: &[PathBuf], force: bool) -> Resu
         return Err(LogError::IsSource { place: place_of(path) });
     }
     all_can_be_written(files, force)
+}
+
+/// Makes sure that what is to be written is no file that a run has left in its folder, or is going to.
+///
+/// # Errors
+///
+/// [`LogError::OfRun`] if it is one, by whatever path it is named.
+pub fn not_of_a_run(to: &Url) -> Result<(), LogError> {
+    let Some(file) = to.file() else { return Ok(()) };
+    // Of a link, both where it is and where it leads to.
+    for place in [whole(file), file.canonicalize().ok()].into_iter().flatten() {
+        for folder in place.ancestors().skip(1) {
+            let path = folder.join(RECORDING);
+            if !path.is_file() {
+                continue;
+            }
+            let text = fs::read_to_string(path).unwrap_or_default();
+            let recording = serde_json::from_str::<Recording>(&text).ok();
+            let is_under_way = recording.as_ref().is_some_and(|recording| !recording.is_complete());
+            let is_it = |known: &PathBuf| (is_under_way || known.exists()) && same_file(known, &place);
+            if files_of_run(folder, recording.as_ref()).iter().any(is_it) {
+                return Err(LogError::OfRun { place: place_of(file), folder: place_of(folder) });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// What a run leaves in its folder, be it there yet or not.
+fn files_of_run(folder: &Path, recording: Option<&Recording>) -> Vec<PathBuf> {
+    let scenario = recording.and_then(|recording| recording.scenario().ok());
+    let to = scenario.map(|scenario| scenario.logger.to).unwrap_or_default();
+    let said = to.iter().filter_map(|place| place.parse::<Url>().ok());
+    let usual = SCHEMES.iter().map(|row| Url::new(row.scheme, row.usual));
+    let logs = said.chain(usual).filter_map(|url| Some(folder.join(url.file()?)));
+    let truth = Url::new(Scheme::Csv, folder.join(TRUTH).with_extension("csv")).files(&tables());
+    logs.chain(truth).chain([RECORDING, TRUTH, SENSORS].map(|name| folder.join(name))).collect()
 }
 
 /// A scenario's name as that of a folder.

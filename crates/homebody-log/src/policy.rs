@@ -16,8 +16,8 @@ pub struct Policy {
     pub retry_after: Duration,
     /// How many batches of at most 4,096 rows may wait for it. When they are that many, the run waits.
     pub batches_waiting: usize,
-    /// A destination that takes nothing for so long hangs: that is an error, and nobody waits for it any more. Retries count:
-    /// this should be longer than they may take.
+    /// A destination that does not begin within this time, or takes nothing for so long, hangs: that is an error, and nobody waits
+    /// for it any more. Retries count: this should be longer than they may take.
     pub answers_within: Duration,
 }
 

@@ -3,7 +3,7 @@
 
 use crate::error::LogError;
 use crate::fresh::{FreshFile, remove_parts};
-use crate::lock::FolderLock;
+use crate::lock::{FileLock, FolderLock};
 use crate::logger::{Destination, Logger, RowsOfFirings, Stored, destinations};
 use crate::places::Places;
 use crate::run_info::RunInfo;
@@ -30,8 +30,8 @@ pub struct RunLog {
     /// The truth of a run that was stopped, which is written anew beside the old one.
     anew: Option<Anew>,
     how: How,
-    /// Of a run's folder, from the beginning to the end.
-    _lock: Option<FolderLock>,
+    /// Of a run's folder, or of a recording elsewhere, from the beginning to the end.
+    _lock: (Option<FolderLock>, Option<FileLock>),
 }
 
 /// A file that takes the place of another when it is complete.
@@ -68,7 +68,14 @@ impl RunLog {
     ) -> Result<RunLog, LogError> {
         let info = Arc::new(RunInfo::of(scenario, run, recording));
         let folder = places.sensors.as_deref().and_then(Path::parent);
-        let lock = folder.map(FolderLock::take).transpose()?;
+        let lock = (
+            folder.map(FolderLock::take).transpose()?,
+            places.recording.as_deref().filter(|_| folder.is_none()).map(FileLock::take).transpose()?,
+        );
+        for file in places.log.iter().chain(&places.truth).filter_map(Url::file) {
+            // Its sink takes it for as long as it writes. Asked here, nothing is touched if one of them is another's.
+            FileLock::take(file)?;
+        }
         if how == How::GoOn {
             for path in places.recording.iter().chain(&places.sensors) {
                 // A program that died while it wrote one of them has left a part.

@@ -4,6 +4,7 @@
 use crate::error::LogError;
 use crate::fresh::all_can_be_written;
 use crate::mapping::Columns;
+use crate::places::not_of_a_run;
 use crate::run_info::RunInfo;
 use crate::sink::{self, Begin, How};
 use crate::source::{Clock, Event, Log, stream};
@@ -55,6 +56,7 @@ impl Transfer<'_> {
         more: &mut More,
         progress: &mut dyn FnMut(u64),
     ) -> Result<u64, LogError> {
+        not_of_a_run(self.to)?;
         let (zone, time) = match about.clock {
             Clock::Local => ("UTC", TimeFormat::Local),
             Clock::Utc => (self.zone, TimeFormat::Utc),

@@ -1,5 +1,6 @@
 //! A place for a log, as a user writes it: `sqlite:log.db`, `csv:log.csv`, `casas:log.txt`.
 
+use crate::table::Table;
 use homebody_core::scenario::scheme::{NoPlace, Scheme};
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -30,6 +31,16 @@ impl Url {
         }
     }
 
+    /// The files of what is made of these tables: of several, comma-separated values have one for each, such as
+    /// `truth.room.csv`. None for places that are no files.
+    pub fn files(&self, tables: &[Table]) -> Vec<PathBuf> {
+        let of_table = |table: &Table| table_file(&self.at, &table.name);
+        match self.scheme {
+            Scheme::Csv if tables.len() > 1 => tables.iter().map(of_table).collect(),
+            Scheme::Sqlite | Scheme::Csv | Scheme::Casas => vec![self.at.clone()],
+        }
+    }
+
     /// The same place; a file's path is taken from `base` if it is relative.
     pub fn within(&self, base: &Path) -> Url {
         match self.file() {
@@ -42,6 +53,12 @@ impl Url {
     pub fn at(&self, at: PathBuf) -> Url {
         Url::new(self.scheme, at)
     }
+}
+
+/// The file of one table of several, which have the name of `path` between them.
+pub(crate) fn table_file(path: &Path, table: &str) -> PathBuf {
+    let ending = path.extension().map_or("csv".into(), |ending| ending.to_string_lossy().into_owned());
+    path.with_extension(format!("{table}.{ending}"))
 }
 
 impl FromStr for Url {
@@ -70,6 +87,12 @@ mod tests {
         assert_eq!("sqlite:///data/log.db".parse(), Ok(Url::new(Scheme::Sqlite, "/data/log.db")));
         assert_eq!("csv:a:b.csv".parse(), Ok(Url::new(Scheme::Csv, "a:b.csv")));
         assert_eq!("casas:x y.txt".parse::<Url>().unwrap().to_string(), "casas:x y.txt");
+    }
+
+    #[test]
+    fn tables_have_files_of_their_own() {
+        assert_eq!(table_file(Path::new("a/truth.csv"), "room"), Path::new("a/truth.room.csv"));
+        assert_eq!(table_file(Path::new("truth"), "room"), Path::new("truth.room.csv"));
     }
 
     #[test]

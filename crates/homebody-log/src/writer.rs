@@ -67,27 +67,38 @@ pub(crate) struct Beginning {
 }
 
 impl Writer {
-    /// Begins the sink here, so that its error is told at once, and hands it to its thread.
+    /// Begins the sink in a thread of its own. Waits until it has begun, as long as its policy says, so that its error is
+    /// told at once.
     pub fn spawn(
         place: String,
-        mut sink: Box<dyn Sink>,
+        sink: Box<dyn Sink>,
         policy: Policy,
         beginning: &Beginning,
     ) -> Result<Writer, LogError> {
-        let begin = Begin {
-            run: &beginning.run,
-            tables: &beginning.tables,
-            time: beginning.time,
-            run_column: &beginning.run_column,
-            how: beginning.how,
-        };
-        let there = policy.with_retries(|| sink.begin(&begin))?;
         let (messages, incoming) = sync_channel(policy.batches_waiting);
+        let (begun, begins) = sync_channel(1);
         let shared = Arc::new(Shared::default());
-        *shared.durable.lock().unwrap_or_else(PoisonError::into_inner) = there.clone();
-        let work = Work { sink, policy: policy.clone(), shared: shared.clone(), there: there.0 };
-        let thread = thread::spawn(move || work.write(incoming));
-        Ok(Writer { place, policy, messages: Some(messages), thread: Some(thread), shared, hangs: false })
+        let work = Work { sink, policy: policy.clone(), shared: shared.clone(), there: Vec::new() };
+        let beginning = beginning.clone();
+        let thread = thread::Builder::new().spawn(move || work.live(&beginning, &begun, incoming));
+        let thread = thread.map_err(|source| LogError::NoThread { place: place.clone(), source })?;
+        let mut writer = Writer { place, policy, messages: Some(messages), thread: Some(thread), shared, hangs: false };
+        match begins.recv_timeout(writer.policy.answers_within) {
+            Ok(()) => Ok(writer),
+            Err(RecvTimeoutError::Timeout) => {
+                writer.hangs = true;
+                Err(writer.hangs_error())
+            }
+            // The thread has ended.
+            Err(RecvTimeoutError::Disconnected) => {
+                writer.join()?;
+                Err(LogError::Stopped { place: writer.place.clone() })
+            }
+        }
+    }
+
+    fn hangs_error(&self) -> LogError {
+        LogError::Hangs { place: self.place.clone(), seconds: self.policy.answers_within.as_secs() }
     }
 
     /// What errors call the destination.
@@ -200,9 +211,7 @@ impl Patience {
             *self = Patience { answers, since: Instant::now() };
         }
         match self.since.elapsed() > writer.policy.answers_within {
-            true => {
-                Err(LogError::Hangs { place: writer.place.clone(), seconds: writer.policy.answers_within.as_secs() })
-            }
+            true => Err(writer.hangs_error()),
             false => Ok(()),
         }
     }
@@ -218,6 +227,31 @@ struct Work {
 }
 
 impl Work {
+    /// The thread's life: begins the sink, says so, and writes what comes.
+    fn live(
+        mut self,
+        beginning: &Beginning,
+        begun: &SyncSender<()>,
+        incoming: Receiver<Message>,
+    ) -> Result<(), LogError> {
+        let begin = Begin {
+            run: &beginning.run,
+            tables: &beginning.tables,
+            time: beginning.time,
+            run_column: &beginning.run_column,
+            how: beginning.how,
+        };
+        let Work { sink, policy, shared, .. } = &mut self;
+        let there = policy.with_retries(|| sink.begin(&begin))?;
+        *shared.durable.lock().unwrap_or_else(PoisonError::into_inner) = there.clone();
+        self.there = there.0;
+        // Nobody waits any more for one that has begun too late: then it is dropped as it is.
+        match begun.send(()) {
+            Ok(()) => self.write(incoming),
+            Err(_) => Ok(()),
+        }
+    }
+
     fn write(mut self, incoming: Receiver<Message>) -> Result<(), LogError> {
         let mut unsettled = 0;
         let mut settle_at = None;

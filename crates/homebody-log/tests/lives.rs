@@ -2,14 +2,21 @@
 
 mod stage;
 
-use homebody_core::event::{Events, Fact};
+use homebody_core::event::{Events, Fact, MotionState};
+use homebody_core::geometry::Point;
 use homebody_core::ids::{ResidentId, RoomId};
+use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
+use homebody_core::scenario::path::Posture;
+use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::{Micros, SECOND};
-use homebody_log::{Activity, Life, RowsOfFirings, lives};
+use homebody_log::source::Clock;
+use homebody_log::{Activity, How, Life, RowsOfFirings, RunClock, RunInfo, TruthLog, Url, lives};
 use stage::Folder;
+use std::sync::Arc;
 
 const HOUR: Micros = 3600 * SECOND;
+const MINUTE: Micros = 60 * SECOND;
 
 #[test]
 fn each_residents_activities_and_rooms_are_told() {
@@ -39,6 +46,55 @@ fn each_residents_activities_and_rooms_are_told() {
             rooms: vec![span("bedroom", 0, HOUR), span("kitchen", HOUR + SECOND, 3 * HOUR)],
         };
         let bob = Life { resident: "walter".into(), activities: vec![], rooms: vec![span("kitchen", 0, 3 * HOUR)] };
-        assert_eq!(lives(&path).unwrap(), [ann, bob], "{time:?}");
+        assert_eq!(lives(&Url::new(Scheme::Sqlite, &path), &RunClock::as_told()).unwrap(), [ann, bob], "{time:?}");
+    }
+}
+
+/// Who sleeps through the first of the two hours from one to two, and gets up in the second.
+#[test]
+fn an_hour_that_is_told_twice_is_known_by_who_moves() {
+    let calendar = Calendar::new("2009-11-01T00:00:00", "America/Chicago").unwrap();
+    let margaret = ResidentId(0);
+    let up = 150 * MINUTE;
+    let movement =
+        |begin, end, doing| Fact::Movement { resident: margaret, begin, end, doing, posture: Posture::Lying };
+    let [bed, kitchen] = [Point::new(1.0, 1.0), Point::new(4.0, 1.0)];
+    let activity = |at, name: Option<&str>| Fact::Activity { resident: margaret, at, name: name.map(String::from) };
+    let mut facts =
+        vec![Fact::Room { resident: margaret, at: 0, room: Some(RoomId(0)) }, activity(0, Some("sleeping"))];
+    // Now and then somebody turns over.
+    let turns = [0, 40, 80, 118, 140].map(|minute| minute * MINUTE);
+    for (index, &turn) in turns.iter().enumerate() {
+        let until = turns.get(index + 1).copied().unwrap_or(up);
+        facts.push(movement(turn, turn + SECOND, MotionState::InPlace { at: bed, amplitude_m: 0.1 }));
+        facts.push(movement(turn + SECOND, until, MotionState::Rest { at: bed }));
+    }
+    facts.push(activity(up, Some("drinking")));
+    facts.push(Fact::Room { resident: margaret, at: up + 2 * SECOND, room: Some(RoomId(1)) });
+    facts.push(movement(up, up + 3 * SECOND, MotionState::Stride { from: bed, to: kitchen }));
+    facts.push(movement(up + 3 * SECOND, 5 * HOUR, MotionState::Rest { at: kitchen }));
+
+    let span = |name: &str, begin, end| Activity { name: name.into(), begin, end };
+    let lived = Life {
+        resident: "margaret".into(),
+        activities: vec![span("sleeping", 0, up), span("drinking", up, 5 * HOUR)],
+        rooms: vec![span("bedroom", 0, up + 2 * SECOND), span("kitchen", up + 2 * SECOND, 5 * HOUR)],
+    };
+    for (time, told_by) in [(TimeFormat::Local, Clock::Local), (TimeFormat::Utc, Clock::Utc)] {
+        for scheme in [Scheme::Sqlite, Scheme::Csv] {
+            let folder = Folder::new(&format!("turns-{time:?}-{scheme:?}"));
+            let run = Arc::new(RunInfo { calendar: calendar.clone(), ..stage::run() });
+            let url = Url::new(scheme, folder.path().join("truth"));
+            let file = LoggerFile { time, ..LoggerFile::default() };
+            let mut log = TruthLog::open(&url, &[], &file, &run, How::New).unwrap();
+            log.store(&Events { firings: Vec::new(), facts: facts.clone() }, &RowsOfFirings::default()).unwrap();
+            log.finish(5 * HOUR).unwrap();
+            let clock = RunClock::new(&calendar, 5 * HOUR, told_by);
+            assert_eq!(lives(&url, &clock).unwrap(), std::slice::from_ref(&lived), "{time:?}, {scheme:?}");
+            // The control: what is told alone makes the night an hour shorter where clocks on the wall tell it.
+            let told = lives(&url, &RunClock::as_told()).unwrap();
+            let slept = told[0].activities[0].end - told[0].activities[0].begin;
+            assert_eq!(slept, if time == TimeFormat::Local { up - HOUR } else { up });
+        }
     }
 }

@@ -8,6 +8,7 @@ use homebody_log::logger::destinations;
 use homebody_log::table::{Batch, Cell};
 use homebody_log::{Begin, Destination, How, LogError, Logger, Policy, Sink, Stored, Watermark};
 use stage::Folder;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -19,7 +20,7 @@ struct Got {
     ended: bool,
 }
 
-/// What a destination does with its n-th batch.
+/// What a destination does with its n-th batch, or, for 0, as it begins.
 type Deed = fn(usize) -> Result<(), LogError>;
 
 struct Own {
@@ -30,6 +31,7 @@ struct Own {
 
 impl Sink for Own {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
+        (self.deed)(0)?;
         assert_eq!(begin.run.sensor_names(), stage::sensors());
         Ok(Watermark::none())
     }
@@ -64,8 +66,8 @@ fn stored(name: &str, deed: Deed, policy: Policy) -> (Folder, Arc<Mutex<Got>>, R
     let own = Own { got: got.clone(), batches: 0, deed };
     let mut all = destinations(&[folder.url("csv:log.csv")], How::New).unwrap();
     all.push(Destination::own("a broker", own, policy));
-    let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), How::New).unwrap();
-    let stored = stage::store(logger, &stage::firings(ROWS), 1000);
+    let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), How::New);
+    let stored = logger.and_then(|logger| stage::store(logger, &stage::firings(ROWS), 1000));
     (folder, got, stored)
 }
 
@@ -89,8 +91,25 @@ fn away(batch: usize) -> Result<(), LogError> {
 }
 
 fn hangs(batch: usize) -> Result<(), LogError> {
-    if batch == 3 {
+    hangs_at(3, batch)
+}
+
+fn hangs_at_the_beginning(batch: usize) -> Result<(), LogError> {
+    hangs_at(0, batch)
+}
+
+fn hangs_at(which: usize, batch: usize) -> Result<(), LogError> {
+    if batch == which {
         thread::sleep(Duration::from_secs(3600));
+    }
+    Ok(())
+}
+
+/// Is away as it is begun for the first time, and there when it is begun again.
+fn late(batch: usize) -> Result<(), LogError> {
+    static BEGUN: AtomicUsize = AtomicUsize::new(0);
+    if batch == 0 && BEGUN.fetch_add(1, Ordering::Relaxed) == 0 {
+        return Err(LogError::destination("a broker", "it is away").passing());
     }
     Ok(())
 }
@@ -133,20 +152,73 @@ fn one_that_comes_back_gets_every_row_once() {
 }
 
 #[test]
+fn one_that_is_away_as_it_is_begun_is_begun_again() {
+    let patient =
+        Policy { retry_for: Duration::from_secs(60), retry_after: Duration::from_millis(2), ..Policy::default() };
+    let (folder, got, stored) = stored("late", late, patient);
+    assert_eq!((stored.unwrap().rows, lines(&folder), is_whole(&got)), (ROWS, ROWS, true));
+}
+
+/// Both of one name: only the one that fails is left behind.
+#[test]
+fn of_two_of_one_name_the_right_one_is_left_behind() {
+    let folder = Folder::new("one-name");
+    let own = |deed: Deed, policy| Destination::own("a broker", Own { got: Arc::default(), batches: 0, deed }, policy);
+    let all = vec![
+        own(|_| Ok(()), Policy::default()),
+        own(full, Policy::optional()),
+        Destination::of(&folder.url("csv:log.csv")),
+    ];
+    let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), How::New).unwrap();
+    let stored = stage::store(logger, &stage::firings(ROWS), 1000).unwrap();
+    assert_eq!((stored.places.len(), stored.places[0].as_str(), stored.failed.len()), (2, "a broker", 1));
+}
+
+#[test]
 fn one_that_hangs_is_waited_for_once_and_no_longer() {
-    let within = Duration::from_millis(300);
-    for (name, required) in [("hangs-required", true), ("hangs-optional", false)] {
-        let begun = Instant::now();
-        let policy = Policy { answers_within: within, required, ..Policy::default() };
-        let (folder, _, stored) = stored(name, hangs, policy);
-        // Waiting twice, for the run and on leaving, would take as long again; a machine may be slow.
-        assert!(begun.elapsed() >= within && begun.elapsed() < Duration::from_secs(60), "{:?}", begun.elapsed());
-        if required {
-            assert!(matches!(stored.unwrap_err(), LogError::Hangs { .. }));
-        } else {
-            let stored = stored.unwrap();
-            assert_eq!((lines(&folder), stored.failed.len()), (ROWS, 1));
-            assert!(matches!(stored.failed[0].1, LogError::Hangs { .. }));
+    let (within, limit) = (Duration::from_secs(5), Duration::from_secs(9));
+    thread::scope(|scope| {
+        for (name, required, deed) in [
+            ("hangs-required", true, hangs as Deed),
+            ("hangs-optional", false, hangs),
+            ("begin-hangs-required", true, hangs_at_the_beginning),
+            ("begin-hangs-optional", false, hangs_at_the_beginning),
+        ] {
+            scope.spawn(move || {
+                let begun = Instant::now();
+                let policy = Policy { answers_within: within, required, ..Policy::default() };
+                let (folder, _, stored) = stored(name, deed, policy);
+                // Waiting twice, for the run and on leaving, would take ten seconds.
+                let took = begun.elapsed();
+                assert!(took >= within && took < limit, "{name}: {took:?}");
+                if required {
+                    assert!(matches!(stored.unwrap_err(), LogError::Hangs { .. }));
+                } else {
+                    let stored = stored.unwrap();
+                    assert_eq!((lines(&folder), stored.failed.len()), (ROWS, 1));
+                    assert!(matches!(stored.failed[0].1, LogError::Hangs { .. }));
+                }
+            });
         }
+    });
+}
+
+/// This very test, in a program of its own that is given no thread: a stack of this size has room on no machine.
+#[test]
+fn where_there_is_no_thread_it_is_said() {
+    const ALONE: &str = "HOMEBODY_TEST_WITHOUT_THREADS";
+    if std::env::var_os(ALONE).is_some() {
+        let folder = Folder::new("no-thread");
+        let error = stage::open(&[folder.url("csv:log.csv")], &LoggerFile::default(), false).err().unwrap();
+        assert!(matches!(error, LogError::NoThread { .. }), "{error}");
+        assert!(folder.files().is_empty());
+        return;
     }
+    let itself = std::env::current_exe().unwrap();
+    let name = "where_there_is_no_thread_it_is_said";
+    let mut alone = std::process::Command::new(itself);
+    alone.args([name, "--exact", "--test-threads=1", "--nocapture"]).env(ALONE, "1");
+    let output = alone.env("RUST_MIN_STACK", (1_u64 << 46).to_string()).output().unwrap();
+    let told = String::from_utf8_lossy(&output.stdout);
+    assert!(output.status.success() && told.contains("1 passed"), "{told}{}", String::from_utf8_lossy(&output.stderr));
 }

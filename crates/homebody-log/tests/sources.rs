@@ -4,6 +4,7 @@ mod stage;
 
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, OnOffFile, TimeFormat};
 use homebody_core::scenario::scheme::Scheme;
+use homebody_log::limits::{LONGEST_ID, LONGEST_ROW, LONGEST_VALUE, MOST_CELLS};
 use homebody_log::source::{Clock, recognise};
 use homebody_log::{How, Log, LogError, Transfer, Url, convert, read, stream, survey};
 use rusqlite::Connection;
@@ -321,6 +322,77 @@ fn dirt_never_panics() {
     fs::write(url.file().unwrap(), long).unwrap();
     let log = read(&url, &LoggerFile::default()).unwrap();
     assert_eq!((log.events.len(), log.skipped, log.problems[0].line), (1, 1, 1));
+}
+
+#[test]
+fn what_is_longer_than_a_log_has_it_ends_the_reading() {
+    let folder = Folder::new("long");
+    let head = "time,sensor,value\n2009-03-02 07:12:03,M1,ON\n";
+    let row = |cell: &str| format!("{head}2009-03-02 07:12:04,M1,{cell}\n");
+    for (text, said) in [
+        (",".repeat(3 << 20), "log.csv:1: the row is longer than 1048576 bytes"),
+        ("x".repeat(3 << 20), "log.csv:1: the row is longer than 1048576 bytes"),
+        (format!("{head}{},\n", ",".repeat(MOST_CELLS)), "log.csv:3: the row has more than 1000 cells"),
+        // One quote that nothing closes makes a row of all that follows.
+        (format!("{}{}", row("\"ON"), "2009-03-02 07:12:05,M1,ON\n".repeat(100_000)), "log.csv:3: the row is longer"),
+        (row(&"é".repeat(LONGEST_VALUE + 1)), "log.csv:3: the value \"é"),
+        (row("ON").replace("04,M1", &format!("04,{}", "M".repeat(LONGEST_ID + 1))), "log.csv:3: the sensor \"MMM"),
+    ] {
+        let url = folder.url("csv:log.csv");
+        fs::write(url.file().unwrap(), &text).unwrap();
+        let error = read(&url, &LoggerFile::default()).unwrap_err();
+        assert!(matches!(error, LogError::TooLong { .. }), "{error}");
+        let error = error.to_string();
+        assert!(error.contains(said) && error.contains("hint: ") && error.len() < 400, "{said}: {error}");
+    }
+    // The control: what is as long as it may be is read.
+    for text in [
+        row(&"é".repeat(LONGEST_VALUE)),
+        row("ON").replace("04,M1", &format!("04,{}", "M".repeat(LONGEST_ID))),
+        row(&format!("ON{}", ",".repeat(MOST_CELLS - 3))),
+        row(&format!("ON,{}", "x".repeat(LONGEST_ROW - 100))),
+    ] {
+        let log = from_text(&folder, "csv:log.csv", &text).unwrap();
+        assert_eq!((log.events.len(), log.skipped), (2, 0));
+    }
+}
+
+#[test]
+fn of_a_database_only_tables_are_read_and_no_long_cells() {
+    let folder = Folder::new("views");
+    let endless = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n)
+                   SELECT '2009-03-02 07:12:03' AS time, 'M1' AS sensor, 'ON' AS value FROM n";
+    let large = "SELECT '2009-03-02 07:12:03' AS time, 'M1' AS sensor, hex(zeroblob(400000000)) AS value";
+    for (name, view) in [("endless", endless), ("large", large)] {
+        let url = folder.url(&format!("sqlite:{name}.db"));
+        let database = Connection::open(url.file().unwrap()).unwrap();
+        database.execute_batch(&format!("CREATE VIEW firing AS {view}; CREATE TABLE other (a, b)")).unwrap();
+        let read = || read(&url, &LoggerFile::default());
+        assert!(matches!(read(), Err(LogError::NoLog { .. })), "{name}");
+        let log = "CREATE TABLE log (time, sensor, value); INSERT INTO log VALUES ('2009-03-02 07:12:03', 'M1', 'ON')";
+        database.execute_batch(log).unwrap();
+        assert_eq!(told(&read().unwrap()), [(1_235_977_923_000_000, "M1", "ON")], "{name}");
+        for long in [format!("hex(zeroblob({LONGEST_ROW}))"), format!("hex(zeroblob({LONGEST_VALUE}))")] {
+            let sql = format!("UPDATE log SET value = {long}");
+            database.execute_batch(&sql).unwrap();
+            assert!(matches!(read(), Err(LogError::TooLong { .. })), "{name}, {long}");
+        }
+    }
+}
+
+#[test]
+fn a_database_is_read_and_left_as_it_was() {
+    let folder = Folder::new("left");
+    let url = folder.url("sqlite:log.db");
+    stage::store(
+        stage::open(std::slice::from_ref(&url), &LoggerFile::default(), false).unwrap(),
+        &stage::firings(10),
+        3,
+    )
+    .unwrap();
+    let before = (fs::read(url.file().unwrap()).unwrap(), folder.files());
+    assert_eq!(read(&url, &LoggerFile::default()).unwrap().events.len(), 10);
+    assert_eq!((fs::read(url.file().unwrap()).unwrap(), folder.files()), before);
 }
 
 /// A file that a real home recorded, where HOMEBODY_DATA names the folder of such; none is in the repository.

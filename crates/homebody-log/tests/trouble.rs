@@ -147,9 +147,14 @@ fn a_locked_database_is_told() {
     let other = Connection::open(&path).unwrap();
     other.execute_batch("BEGIN IMMEDIATE").unwrap();
     let replaced = stage::open(std::slice::from_ref(&url), &LoggerFile::default(), true);
-    assert!(matches!(replaced, Err(LogError::Locked { .. })));
+    assert!(matches!(replaced, Err(LogError::Busy { .. })));
     let error = stage::store(logger, &stage::firings(3), 1).unwrap_err();
     assert!(error.to_string().contains("is locked by another program"), "{error}");
+    fs::write(&path, "").unwrap();
+    let other = Connection::open(&path).unwrap();
+    other.execute_batch("BEGIN IMMEDIATE").unwrap();
+    let replaced = stage::open(std::slice::from_ref(&url), &LoggerFile::default(), true);
+    assert!(matches!(replaced, Err(LogError::Locked { .. })));
 }
 
 #[test]

@@ -9,11 +9,9 @@ use crate::shelf::{RECORDING, Shelf};
 use crate::wire::{DateView, DayView, LifeView, MotionState, MovementView, PlaybackView, ResidentView, StoredView};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::scenario::path::Posture;
-use homebody_core::scenario::scheme;
+use homebody_core::scenario::scheme::{self, Scheme};
 use homebody_core::time::{Micros, SECOND};
-use homebody_log::source::Clock;
 use homebody_log::{Event, Log, LogError, Movement, MovementKind, Movements, RunClock, Url};
 use homebody_routine::household::Household;
 use std::collections::HashMap;
@@ -176,7 +174,14 @@ impl Playback {
         view.days = dates::all(calendar, length);
         let rows = match &log {
             Some(url) => {
-                let log = homebody_log::read(url, &scenario.logger).map_err(damaged)?;
+                let log = match homebody_log::read(url, &scenario.logger) {
+                    // A run that was killed before its first row, or has only just begun.
+                    Err(LogError::NoTables { .. }) if !recording.is_complete() => Log::default(),
+                    log => log.map_err(damaged)?,
+                };
+                if log.rows == 0 && !recording.is_complete() {
+                    view.remarks.push("The run has no rows yet.".into());
+                }
                 let clock = RunClock::new(calendar, length, log.clock);
                 rows_of(log, url, &scenario, &clock, &mut view)
             }
@@ -199,7 +204,10 @@ impl Playback {
         };
         if let Some(truth) = &truth {
             view.has_truth = true;
-            run.learn(truth, &scenario, &mut view).map_err(damaged)?;
+            match run.learn(truth, &scenario, &mut view) {
+                Err(LogError::NoTruth { .. }) if !recording.is_complete() => view.has_truth = false,
+                learnt => learnt.map_err(damaged)?,
+            }
         }
         run.view = Arc::new(view);
         Ok(run)
@@ -225,34 +233,29 @@ impl Playback {
 impl Opened {
     /// Reads what the truth tells of the whole run.
     fn learn(&mut self, truth: &Path, scenario: &Scenario, view: &mut PlaybackView) -> Result<(), LogError> {
-        let told_by = if scenario.logger.time == TimeFormat::Local { Clock::Local } else { Clock::Utc };
-        let clock = RunClock::new(&scenario.calendar, view.length_us, told_by);
+        let clock = RunClock::of(scenario, view.length_us);
         let names: Vec<String> = view.residents.iter().map(|resident| resident.name.clone()).collect();
         let rooms: HashMap<&str, u32> = view.home.rooms.iter().map(|room| room.name.as_str()).zip(0..).collect();
         let mut known: HashMap<String, u32> = HashMap::new();
         self.rooms = vec![Vec::new(); names.len()];
         self.activities = vec![Vec::new(); names.len()];
-        for life in homebody_log::lives(truth)? {
+        let truth = Url::new(Scheme::Sqlite, truth);
+        for life in homebody_log::lives(&truth, &clock)? {
             let Some(resident) = names.iter().position(|name| *name == life.resident) else { continue };
-            let mut last = Micros::MIN;
             for room in &life.rooms {
-                let begin = clock.instant(room.begin, last);
-                last = clock.instant(room.end, begin);
-                self.rooms[resident].extend(rooms.get(room.name.as_str()).map(|&room| (begin, last, room)));
+                let number = rooms.get(room.name.as_str());
+                self.rooms[resident].extend(number.map(|&number| (room.begin, room.end, number)));
             }
-            last = Micros::MIN;
             for activity in &life.activities {
-                let begin = clock.instant(activity.begin, last);
-                last = clock.instant(activity.end, begin);
                 let number = *known.entry(activity.name.clone()).or_insert_with(|| {
                     view.activities.push(activity.name.clone());
                     view.activities.len() as u32 - 1
                 });
-                self.activities[resident].push((begin, last, number));
+                self.activities[resident].push((activity.begin, activity.end, number));
             }
         }
         view.spans = few(&self.activities);
-        self.movements = Some(Mutex::new(Movements::open(truth, &names, clock)?));
+        self.movements = Some(Mutex::new(Movements::open(&truth, &names, clock)?));
         Ok(())
     }
 }

@@ -102,7 +102,8 @@ impl Stage {
         let (change, changed) = watch::channel(0);
         let director =
             Director { shelf, act, pace: Pace::paused(Speed::Times(1.0)), heard, board: board.clone(), change };
-        thread::spawn(move || director.direct());
+        let begun = thread::Builder::new().spawn(move || director.direct());
+        begun.map_err(|error| format!("there is no thread to live on: {error}"))?;
         Ok(Stage { wishes, board, changed })
     }
 

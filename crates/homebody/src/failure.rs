@@ -15,6 +15,8 @@ pub enum Failure {
     Usage(String),
     /// A file could not be read or written.
     Io(String),
+    /// A signal has ended it early, which was told; this is the exit code.
+    Signal(u8),
 }
 
 impl Failure {
@@ -64,9 +66,15 @@ impl From<Error> for Failure {
                 Ok(error) => (*error).into(),
                 Err(error) => Failure::Io(error.to_string()),
             },
-            Error::File { .. } | Error::NoLog { .. } | Error::NoRecording { .. } | Error::Threads(_) => {
-                Failure::Io(error.to_string())
-            }
+            Error::NoRows { ref resume, .. } => Failure::Io(format!(
+                "{error}\n  hint: homebody run --resume {} goes on with it, where nobody lives it now",
+                resume.display()
+            )),
+            Error::File { .. }
+            | Error::NoLog { .. }
+            | Error::NoRecording { .. }
+            | Error::NotFolder { .. }
+            | Error::Threads(_) => Failure::Io(error.to_string()),
             error => Failure::usage(error),
         }
     }

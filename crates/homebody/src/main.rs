@@ -6,6 +6,7 @@ mod failure;
 mod length;
 mod pace;
 mod print;
+mod signals;
 
 use clap::{CommandFactory, Parser};
 use commands::Command;
@@ -29,9 +30,11 @@ Examples:
   homebody run my-home                         live it, into SQLite
   homebody coverage my-home --png map.png      see what the sensors see
 
-Exit codes: 0 done, 1 a file could not be read or written, 2 what was asked or written is wrong.";
+Exit codes: 0 done, 1 a file could not be read or written, 2 what was asked or written is wrong,
+130 or 143 a run was interrupted or terminated early, and what was lived is stored.";
 
 fn main() -> ExitCode {
+    signals::outlive_full_files();
     match Arguments::parse().command.run(Arguments::command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => report(&failure),
@@ -53,5 +56,6 @@ fn report(failure: &Failure) -> ExitCode {
             tell(format_args!("error: {what}"));
             ExitCode::from(1)
         }
+        Failure::Signal(code) => ExitCode::from(*code),
     }
 }

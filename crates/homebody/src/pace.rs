@@ -1,6 +1,8 @@
 //! How fast a run is asked to go, and who may change that by lines on standard input.
 
+use crate::failure::Failure;
 use crate::print::tell;
+use crate::signals::THREADS;
 use homebody_kit::pace::{Command, Pace, Speed};
 use std::io::BufRead;
 use std::sync::mpsc::{Receiver, channel};
@@ -34,19 +36,22 @@ impl Asked {
     }
 
     /// The commands that come by lines, if any may.
-    pub fn commands(&self) -> Option<Receiver<Command>> {
-        self.control.then(|| {
-            let (sender, commands) = channel();
-            thread::spawn(move || {
-                for line in std::io::stdin().lock().split(b'\n').map_while(Result::ok) {
-                    match String::from_utf8_lossy(&line).trim_end().parse() {
-                        Ok(command) if sender.send(command).is_err() => break,
-                        Ok(_) => {}
-                        Err(error) => tell(error),
-                    }
+    pub fn commands(&self) -> Result<Option<Receiver<Command>>, Failure> {
+        if !self.control {
+            return Ok(None);
+        }
+        let (sender, commands) = channel();
+        let listen = move || {
+            for line in std::io::stdin().lock().split(b'\n').map_while(Result::ok) {
+                match String::from_utf8_lossy(&line).trim_end().parse() {
+                    Ok(command) if sender.send(command).is_err() => break,
+                    Ok(_) => {}
+                    Err(error) => tell(error),
                 }
-            });
-            commands
-        })
+            }
+        };
+        let none = |error| Failure::Io(format!("there is no thread to take commands: {error}\n  hint: {THREADS}"));
+        thread::Builder::new().spawn(listen).map_err(none)?;
+        Ok(Some(commands))
     }
 }

@@ -39,13 +39,13 @@ struct Sending {
 
 crate::numbers! {
     /// A message that would have to wait longer for its own sensor to be free is forgotten.
-    static LONGEST_WAIT = "radio.longest_wait": 5.0, "s", [0.0, 600.0];
+    static LONGEST_WAIT_S = "radio.longest_wait": 5.0, "s", [0.0, 600.0];
 }
 
 impl Radio {
     /// A silent channel, with the frames of a file and the numbers of a scenario.
     pub fn new(file: &RadioFile, numbers: &Numbers) -> Radio {
-        let (frame, longest_wait) = (micros(file.frame_s), micros(numbers.of(&LONGEST_WAIT)));
+        let (frame, longest_wait) = (micros(file.frame_s), micros(numbers.of(&LONGEST_WAIT_S)));
         Radio { copies: file.copies, frame, period: frame + micros(file.gap_s), longest_wait, on_air: Vec::new() }
     }
 

@@ -1,22 +1,23 @@
 //! A pneumatic strip in a bed.
 //!
-//! The device is a tube of air across the bed under the trunk. Its pressure tells whether somebody is there, how long each
-//! movement persists, and, of somebody who keeps still, whether pulse and respiration are low, normal or high (Godsey &
+//! The device is a tube of air across the bed under the trunk. Its pressure shows whether somebody is in the bed, how long
+//! each movement lasts, and whether pulse and respiration of somebody who lies still are low, normal or high (Godsey &
 //! Skubic 2009, section III.D; the University of Virginia's page on ALARM-NET).
 //!
-//! We assume that who sits or lies with their middle within the bed's outline is in it, and nobody who stands or walks
-//! there; that every stir of somebody who lies is felt; and that of two people the strip lies under the one who came first,
-//! whose pulse and respiration it tells. A stranger to the truth has a pulse of 62 and 15 breaths a minute, and each reading
-//! is off by a normal deviation of 2 and 1 (all ours).
+//! We assume that a body is in the bed if it sits or lies with its middle within the bed's outline; a body that stands or
+//! walks there is not. Every movement of a body that lies is felt. Of two people, the strip measures the one who came first.
+//! Somebody whose vitals the truth does not know has a pulse of 62 and 15 breaths a minute. The error of a reading is normal,
+//! with a standard deviation of 2 beats and 1 breath a minute (all ours).
 //!
-//! A movement begins when the first of those who lie there stirs and ends when all keep still; stirs that follow each other
-//! at once are one. It is `RESTLESS_1` to `RESTLESS_4` as soon as it has lasted so long. Once the one whose vitals it tells
-//! has lain there for a while without a movement in the bed, there is a reading of both, then one every so often; one that
-//! fell into a movement comes as soon as all have kept still again for the while, and so does one that is early because
-//! the truth has come into another class. What is so at one instant is settled after all that happens then was told.
+//! A movement begins when somebody who lies there begins to move, and ends when all lie still. Movements without a pause
+//! between them are one. The sensor says `RESTLESS_1` to `RESTLESS_4` when a movement reaches the length of each level. Pulse
+//! and respiration are read first when the person measured has lain there for `still_s` without any movement in the bed, and
+//! then every `vitals_every_s`. A reading that is due during a movement waits until all have lain still for `still_s` again. A
+//! change of the true vitals into another class brings the next reading forward. What happens at one instant is taken in
+//! completely before the sensor decides what to say.
 //!
-//! Left out: who lies beside the strip, pets, how strong a movement is, what breathing does to the pulse's signal, drift of
-//! the pressure.
+//! Left out: people who lie beside the strip, pets, how strong a movement is, the effect of breathing on the pulse's signal,
+//! drift of the pressure.
 
 use super::form::{Bearer, Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site, Wrong};
 use super::outbox::{Change, DeviceModel, Outbox};
@@ -123,14 +124,14 @@ impl DeviceForm for BedFile {
 }
 
 crate::numbers! {
-    /// The pulse of somebody of whose heart the truth says nothing.
-    static PULSE = "bed.pulse": 62.0, "1/min", [40.0, 120.0];
-    /// The respiration of somebody of whose lungs the truth says nothing.
-    static RESPIRATION = "bed.respiration": 15.0, "1/min", [8.0, 30.0];
-    /// The standard deviation by which readings of the pulse are off.
-    static PULSE_NOISE = "bed.pulse_noise": 2.0, "1/min", [0.0, 20.0];
-    /// The standard deviation by which readings of the respiration are off.
-    static RESPIRATION_NOISE = "bed.respiration_noise": 1.0, "1/min", [0.0, 10.0];
+    /// The pulse of somebody whose pulse the truth does not know.
+    static PULSE_BPM = "bed.pulse": 62.0, "1/min", [40.0, 120.0];
+    /// The respiration of somebody whose respiration the truth does not know.
+    static RESPIRATION_PM = "bed.respiration": 15.0, "1/min", [8.0, 30.0];
+    /// The standard deviation of the error of a reading of the pulse.
+    static PULSE_NOISE_BPM = "bed.pulse_noise": 2.0, "1/min", [0.0, 20.0];
+    /// The standard deviation of the error of a reading of the respiration.
+    static RESPIRATION_NOISE_PM = "bed.respiration_noise": 1.0, "1/min", [0.0, 10.0];
 }
 
 /// A bed sensor.
@@ -141,17 +142,17 @@ pub struct Bed {
     every: Micros,
     still: Micros,
     limits: Limits,
-    /// Of whom the truth says nothing, and how far readings are off.
+    /// The vitals of somebody whose vitals the truth does not know, and the standard deviations of readings.
     ordinary: Vitals,
     noise: Vitals,
     stream: Stream,
     timer: Micros,
     /// What it knows of each resident.
     sleepers: Vec<Sleeper>,
-    /// Who is in the bed, the one who came first; what it last said.
+    /// The one in the bed who came first.
     first: Option<usize>,
     movement: Option<Movement>,
-    /// Since when there is somebody to measure, and nobody moves.
+    /// Since when somebody lies there and nobody moves.
     still_since: Option<Micros>,
     read_at: Option<Micros>,
 }
@@ -169,14 +170,14 @@ struct Sleeper {
     lies: bool,
     stirs: bool,
     vitals: Vitals,
-    /// Since when the truth is in another class than when it was last read.
+    /// When the true vitals changed into another class, if no reading has come since.
     news: Option<Micros>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Movement {
     onset: Micros,
-    /// How many of its levels were said.
+    /// How many levels of restlessness were said.
     said: usize,
 }
 
@@ -189,7 +190,7 @@ impl Bed {
             every: micros(file.vitals_every_s),
             still: micros(file.still_s),
             limits: Limits { pulse: file.pulse_bpm, respiration: file.respiration_pm },
-            ordinary: Vitals { pulse: PULSE.value, respiration: RESPIRATION.value },
+            ordinary: Vitals { pulse: PULSE_BPM.value, respiration: RESPIRATION_PM.value },
             noise: Vitals { pulse: 0.0, respiration: 0.0 },
             stream: no_stream(),
             timer: NEVER,
@@ -205,7 +206,7 @@ impl Bed {
 impl DeviceModel for Bed {
     fn begin(&self, stream: Stream, _sun: Sun, numbers: &Numbers) -> Bed {
         let vitals = |pulse, respiration| Vitals { pulse: numbers.of(pulse), respiration: numbers.of(respiration) };
-        let (ordinary, noise) = (vitals(&PULSE, &RESPIRATION), vitals(&PULSE_NOISE, &RESPIRATION_NOISE));
+        let (ordinary, noise) = (vitals(&PULSE_BPM, &RESPIRATION_PM), vitals(&PULSE_NOISE_BPM, &RESPIRATION_NOISE_PM));
         Bed { stream, ordinary, noise, ..self.clone() }
     }
 

@@ -1,14 +1,13 @@
 //! A thermometer in a room.
 //!
-//! The device measures every so often, and says the temperature, in steps, when it has changed by one.
+//! The device measures at a fixed interval, and reports the temperature, rounded to a step, when it has changed by a step.
 //!
-//! We assume that the room's temperature is a mean; and a daily swing, which is at its height three hours after the sun; and a
-//! slow wander, normal with a deviation of 0.4 degrees and a memory that fades with a time constant of 6 hours (all ours).
+//! We assume that the room's temperature is the sum of a mean, a daily swing that peaks three hours after solar noon, and a slow
+//! random wander. The wander is normal, with a standard deviation of 0.4 degrees and a time constant of 6 hours (all ours).
 //!
-//! The swing is a cosine of the hour. The wander goes on from measurement to measurement: what is left of the last,
-//! exp(-every / 6 h) of it, and as much chance as keeps the deviation (an autoregression of the first order). What is said is
-//! rounded to a step, and said when the temperature is a whole step or more from what was said last. Its first measurement is
-//! always said.
+//! The swing is a cosine of the solar time. The wander is a first-order autoregression: each measurement keeps exp(-interval /
+//! 6 h) of the last value, and adds a normal random number such that the standard deviation stays. The temperature is reported
+//! if it differs from the last report by a step or more. The first measurement is always reported.
 //!
 //! Left out: seasons, heating and its thermostat, cooking, open windows, other rooms.
 
@@ -78,11 +77,11 @@ impl DeviceForm for TemperatureFile {
 }
 
 crate::numbers! {
-    /// How long after the sun a room is at its warmest.
-    static LAG = "temperature.lag": 3.0 * 3600.0, "s", [0.0, 43_200.0];
+    /// How long after solar noon a room is at its warmest.
+    static LAG_S = "temperature.lag": 3.0 * 3600.0, "s", [0.0, 43_200.0];
     /// The standard deviation of the slow wander of a room's temperature.
     static WANDER_C = "temperature.wander": 0.4, "°C", [0.0, 10.0];
-    /// The time constant with which the wander's memory fades.
+    /// The time constant of the slow wander.
     static MEMORY_S = "temperature.memory": 6.0 * 3600.0, "s", [60.0, 2_592_000.0];
 }
 
@@ -127,7 +126,7 @@ impl DeviceModel for Temperature {
     fn begin(&self, mut stream: Stream, sun: Sun, numbers: &Numbers) -> Temperature {
         let rounds = self.rounds.begin(&mut stream);
         let [spread_c, memory_s] = [&WANDER_C, &MEMORY_S].map(|number| numbers.of(number));
-        let (lag, wander_c) = (micros(numbers.of(&LAG)), stream.normal(0.0, spread_c));
+        let (lag, wander_c) = (micros(numbers.of(&LAG_S)), stream.normal(0.0, spread_c));
         let measures = rounds.first();
         Temperature { sun, rounds, lag, spread_c, memory_s, wander_c, stream, measures, ..self.clone() }
     }

@@ -11,8 +11,8 @@ mod table;
 
 use crate::error::Error;
 use homebody_core::problem::{Problem, Problems};
-pub(crate) use profile::Base;
 pub use profile::Profile;
+pub(crate) use profile::{Base, OwnRoutine};
 pub(crate) use rows::MOST;
 use std::collections::BTreeSet;
 use std::fs;

@@ -35,6 +35,14 @@ pub(super) struct Other {
     pub text: String,
 }
 
+/// A routine that a member lives by instead of the scenario's.
+pub(crate) struct OwnRoutine {
+    /// Index of the resident.
+    pub resident: usize,
+    pub file: String,
+    pub text: String,
+}
+
 /// A scenario that members differ from.
 pub(crate) struct Base<'a> {
     pub scenario: &'a Scenario,
@@ -58,24 +66,27 @@ impl Base<'_> {
 
     /// The scenario with what a profile says in it, and without these conditions.
     pub(super) fn with(&self, profile: &Profile, without: &[String]) -> Result<(Scenario, Household), Problems> {
-        let Some((resident, edit)) = profile.resident.map(|resident| (resident, self.scenario.edit())) else {
+        let Some(OwnRoutine { resident, file, text }) = self.own_routine(profile) else {
             return Ok((self.scenario.clone(), self.household.without(without)?));
         };
-        let Driver::Routine { file, text } = &self.scenario.residents[resident].driver else {
-            return Ok((self.scenario.clone(), self.household.without(without)?));
-        };
+        let edit = self.scenario.edit().routine(resident, &file, text);
+        Household::load(&edit.over(self.files), &self.scenario.entry, without)
+    }
+
+    /// What a profile has its resident live by; `None` where it is what the scenario says. Nothing is loaded for it.
+    pub fn own_routine(&self, profile: &Profile) -> Option<OwnRoutine> {
+        let resident = profile.resident?;
+        let Driver::Routine { file, text } = &self.scenario.residents[resident].driver else { return None };
         let other = profile.routine.as_deref();
         let routine = other.map(|other| &other.routine).or(self.household.routine(resident));
         let (file, text) = other.map_or((file, text), |other| (&other.routine.file, &other.text));
-        let edit = match routine.filter(|_| profile.said != OwnSentences::default()) {
+        match routine.filter(|_| profile.said != OwnSentences::default()) {
             Some(routine) => {
                 let own = file_of_own(self.scenario, resident, file);
-                edit.routine(resident, &own, profile.said.within(text, routine))
+                Some(OwnRoutine { resident, file: own, text: profile.said.within(text, routine) })
             }
-            None if other.is_some() => edit.routine(resident, file, text),
-            None => return Ok((self.scenario.clone(), self.household.without(without)?)),
-        };
-        Household::load(&edit.over(self.files), &self.scenario.entry, without)
+            None => other.map(|_| OwnRoutine { resident, file: file.clone(), text: text.clone() }),
+        }
     }
 
     /// Another routine for a resident, if it is sound.

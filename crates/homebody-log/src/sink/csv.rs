@@ -6,9 +6,11 @@ use super::{Begin, Sink, Watermark};
 use crate::clock::Clock;
 use crate::error::{LogError, place_of};
 use crate::table::{Batch, Cell, TextId, thousandths};
+use crate::url::Url;
 use ::csv::{QuoteStyle, Terminator, WriterBuilder};
+use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::Micros;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Text files of a row a line, one for each table.
 pub(crate) struct Csv {
@@ -35,8 +37,7 @@ impl Csv {
 impl Sink for Csv {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
         let mut files = Vec::new();
-        for table in begin.tables {
-            let path = if begin.tables.len() == 1 { self.path.clone() } else { path_of(&self.path, &table.name) };
+        for (table, path) in begin.tables.iter().zip(Url::new(Scheme::Csv, &self.path).files(begin.tables)) {
             let mut file = TextFile::begin(&path, begin)?;
             let header: Vec<String> = table.columns.iter().map(|column| quoted(&column.name)).collect();
             file.line(format!("{}\n", header.join(",")).as_bytes())?;
@@ -88,12 +89,6 @@ impl Sink for Csv {
     }
 }
 
-/// The file of one table of several.
-fn path_of(path: &Path, table: &str) -> PathBuf {
-    let ending = path.extension().map_or("csv".into(), |ending| ending.to_string_lossy().into_owned());
-    path.with_extension(format!("{table}.{ending}"))
-}
-
 /// A field, in quotes where it needs them.
 fn quoted(field: &str) -> String {
     let mut writer = WriterBuilder::new()
@@ -120,11 +115,5 @@ mod tests {
         assert_eq!(quoted("the \"old\" one"), "\"the \"\"old\"\" one\"");
         assert_eq!(quoted("two\nlines"), "\"two\nlines\"");
         assert_eq!(quoted(""), "");
-    }
-
-    #[test]
-    fn tables_have_files_of_their_own() {
-        assert_eq!(path_of(Path::new("a/truth.csv"), "room"), Path::new("a/truth.room.csv"));
-        assert_eq!(path_of(Path::new("truth"), "room"), Path::new("truth.room.csv"));
     }
 }

@@ -9,9 +9,10 @@
 
 use crate::error::{LogError, place_of};
 use crate::fresh::Found;
+use crate::lock::FileLock;
 use rusqlite::{CachedStatement, Connection, OpenFlags, ToSql};
 use std::fs::{self, OpenOptions};
-use std::io::{Seek, SeekFrom, Write};
+use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::slice::ChunksExact;
 use std::time::Duration;
@@ -39,6 +40,7 @@ pub(crate) struct Database {
     flow: Flow,
     /// The file that this one replaces, put aside until the first rows are safe.
     replaced: Option<PathBuf>,
+    _lock: FileLock,
 }
 
 /// How rows come in.
@@ -70,6 +72,7 @@ impl Database {
         tables: &[&str],
         begin: impl FnOnce(&Connection) -> rusqlite::Result<()>,
     ) -> Result<Database, LogError> {
+        let lock = FileLock::take(path)?;
         let replaced = match Found::at(path, force)? {
             Found::Free => None,
             Found::Replaced => Some(put_aside(path)?),
@@ -82,6 +85,7 @@ impl Database {
             has_rows: false,
             flow: Flow::Pouring,
             replaced,
+            _lock: lock,
         };
         // The database's own way to create a file does not tell why it could not.
         OpenOptions::new().write(true).create_new(true).open(path).map_err(|error| LogError::file(path, error))?;
@@ -106,10 +110,14 @@ impl Database {
     /// Opens a database that a run has left unfinished, to go on with it; None where the run was not begun in it: then
     /// nothing is left there.
     pub fn reopen(path: &Path) -> Result<Option<Database>, LogError> {
-        if fs::metadata(path).map_or(0, |found| found.len()) == 0 {
-            let _ = fs::remove_file(path);
-            remove_companions(path);
-            return Ok(None);
+        let lock = FileLock::take(path)?;
+        match fs::metadata(path) {
+            Ok(found) if found.len() > 0 => {}
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(LogError::reading(path, error)),
+            _ => {
+                remove_database(path);
+                return Ok(None);
+            }
         }
         let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
         let opened = Connection::open_with_flags(path, flags).and_then(|connection| {
@@ -135,6 +143,7 @@ impl Database {
             has_rows: true,
             flow: Flow::Pouring,
             replaced: None,
+            _lock: lock,
         }))
     }
 
@@ -230,7 +239,12 @@ impl Database {
 
 impl Drop for Database {
     fn drop(&mut self) {
-        self.connection = None;
+        if let Some(connection) = self.connection.take().filter(|_| self.has_rows) {
+            // What was not settled is undone, and what was is one file, as far as nobody is reading it.
+            let _ = connection.execute_batch("ROLLBACK");
+            let _ = connection.busy_timeout(Duration::ZERO);
+            let _ = connection.execute_batch("PRAGMA journal_mode = DELETE");
+        }
         if !self.has_rows {
             let _ = fs::remove_file(&self.path);
             remove_companions(&self.path);

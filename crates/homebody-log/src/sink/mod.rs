@@ -19,7 +19,8 @@ pub use open::open;
 ///
 /// Its life: [`begin`](Sink::begin) once, then any number of [`write`](Sink::write) and [`settle`](Sink::settle), then
 /// [`finish`](Sink::finish), or drop where the run is given up. All calls come from one thread, which is the destination's own:
-/// a slow one makes the run wait, or lets it go on, as its [`Policy`](crate::Policy) says.
+/// a slow one makes the run wait, or lets it go on, as its [`Policy`](crate::Policy) says. A run waits for `begin` in any case,
+/// for at most as long as the policy has it answer within.
 ///
 /// Rows come in the order in which they were made, without gaps. After an error that [`passes`](LogError::passes) the same
 /// call is made again, if the policy says so: what a destination has kept of it must not be kept twice. After any other

@@ -1,7 +1,7 @@
 //! A database file: the run's tables, and the table `run` beside them.
 //!
-//! Rows are inserted in an order that follows from their own alone, in however many batches they come: so the same run
-//! gives the same bytes. Going on, rows that are there already are compared with those that are lived again.
+//! The order in which rows are inserted depends on the rows alone, and not on how they are split into batches: so the same run
+//! gives the same bytes. When a run is gone on with, the rows in the file are compared with those that it makes again.
 
 use super::database::{Binding, Database, Insert};
 use super::{Begin, How, Sink, Watermark};
@@ -16,7 +16,7 @@ use rusqlite::{Connection, ToSql, params};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// A database file of a row a row.
+/// A database file with a table for each table of the run.
 pub(crate) struct Sqlite {
     path: PathBuf,
     /// Once it is begun.
@@ -39,19 +39,20 @@ struct InTable {
     is_numbered: bool,
     run_column: String,
     insert: Insert,
-    /// Rows that wait for others, so that several go in at once: a fixed number of them, whatever the batches.
+    /// Rows that are not inserted yet. They are inserted `at_once` together, whatever the batches.
     waiting: Vec<Cell>,
-    /// How many rows the database holds; those before that are compared.
+    /// How many rows the file had at the beginning. So many of the rows that come are compared with them.
     there: u64,
-    /// How many have come by now.
+    /// How many rows have come by now.
     come: u64,
+    /// How many rows are inserted together.
     at_once: usize,
 }
 
-/// How many rows of a log, which has but one table, are bound before they are inserted (ours).
+/// How many rows are inserted together where there is one table only, as in a log (ours).
 const ALONE: usize = 64 * Insert::AT_ONCE;
 
-/// The same of a table among others that rows come to often (ours).
+/// The same for a table with many rows among other tables (ours).
 const FREQUENT: usize = 4 * Insert::AT_ONCE;
 
 impl Sqlite {
@@ -136,7 +137,7 @@ impl Open {
             }
         }
         if self.tables.len() == 1 && new > 0 {
-            // Of one table, how many rows go in at once changes nothing.
+            // With one table only, it changes no byte how many rows are inserted together.
             self.insert_waiting(0)?;
         }
         for (table, rows) in known.iter().enumerate().filter(|(_, rows)| !rows.is_empty()) {
@@ -168,7 +169,7 @@ impl Open {
         Ok(())
     }
 
-    /// Makes sure that the next rows of a table, which are there already, are these.
+    /// Checks that the next rows of a table in the file are these.
     fn compare(&mut self, index: usize, rows: &[&[Cell]]) -> Result<(), LogError> {
         let Open { database, tables, clock, buffer, texts, run, .. } = self;
         let table = &tables[index];
@@ -213,8 +214,8 @@ impl InTable {
             waiting: Vec::new(),
             there: 0,
             come: 0,
-            // Which table has which page of the file depends on the order of insertions: it must follow from the rows alone,
-            // not from how they come in batches. What comes rarely does not wait.
+            // The order of insertions decides which page of the file belongs to which table. So it must depend on the rows
+            // alone, not on batches. Tables with few rows insert each at once.
             at_once: match (begin.tables.len(), table.is_frequent) {
                 (1, _) => ALONE,
                 (_, true) => FREQUENT,

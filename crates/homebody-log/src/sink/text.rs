@@ -3,6 +3,7 @@
 use super::{Begin, How};
 use crate::error::{LogError, place_of};
 use crate::fresh::FreshFile;
+use crate::lock::FileLock;
 use std::fs::File;
 use std::io::{BufReader, Read};
 use std::path::Path;
@@ -19,16 +20,19 @@ pub(super) struct TextFile {
     compared: u64,
     lines: u64,
     found: Vec<u8>,
+    /// Given back last, once the file has its name or its part is gone.
+    _lock: FileLock,
 }
 
 impl TextFile {
     pub fn begin(path: &Path, begin: &Begin) -> Result<TextFile, LogError> {
+        let lock = FileLock::take(path)?;
         let left = if begin.how == How::GoOn { FreshFile::reopen(path)? } else { None };
         let (file, left) = match left {
             Some((file, left)) => (file, Some(BufReader::with_capacity(1 << 16, left))),
             None => (FreshFile::create(path, begin.how == How::Replace)?, None),
         };
-        Ok(TextFile { file, left, compared: 0, lines: 0, found: Vec::new() })
+        Ok(TextFile { file, left, compared: 0, lines: 0, found: Vec::new(), _lock: lock })
     }
 
     /// Takes a line with its end.
@@ -36,7 +40,7 @@ impl TextFile {
         let Some(left) = &mut self.left else { return self.file.write(line) };
         self.found.clear();
         let read = left.by_ref().take(line.len() as u64).read_to_end(&mut self.found);
-        read.map_err(|error| LogError::file(self.file.path(), error))?;
+        read.map_err(|error| LogError::reading(self.file.path(), error))?;
         if !line.starts_with(&self.found) {
             return Err(self.changed(format!("line {} is another", self.lines + 1)));
         }
@@ -59,7 +63,7 @@ impl TextFile {
     pub fn finish(mut self) -> Result<(), LogError> {
         if let Some(left) = &mut self.left {
             let mut next = [0];
-            let more = left.read(&mut next).map_err(|error| LogError::file(self.file.path(), error))?;
+            let more = left.read(&mut next).map_err(|error| LogError::reading(self.file.path(), error))?;
             if more > 0 {
                 return Err(self.changed(format!("it has more than the {} lines of the run", self.lines)));
             }

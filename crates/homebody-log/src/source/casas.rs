@@ -67,7 +67,7 @@ mod tests {
 
     fn read(text: &str) -> Log {
         let mut take = |_: &Log| Ok(());
-        let mut reading = Reading::new(&mut take);
+        let mut reading = Reading::new(Path::new("log.txt"), &mut take);
         for (index, line) in text.lines().enumerate() {
             understand(index as u64 + 1, line, &mut reading).unwrap();
         }

@@ -2,27 +2,23 @@
 //! and files whose header line is unknown or missing, in which sensor and value come right after the time.
 
 use super::columns::Places;
-use super::reading::{Reading, open};
+use super::reading::Reading;
+use super::records::Records;
 use crate::error::{LogError, place_of};
-use ::csv::{ByteRecord, ReaderBuilder, Terminator};
 use homebody_core::scenario::logger::LoggerFile;
-use std::io::BufReader;
 use std::path::Path;
 
 /// What some programs begin a text with.
 const MARK: char = '\u{feff}';
 
+/// How many characters of an unknown header are told (ours).
+const TOLD: usize = 200;
+
 pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
-    let source = BufReader::new(open(path)?);
-    // Lines end as on Windows, too: what is before their end is blank. So they are counted as people count them.
-    let mut builder = ReaderBuilder::new();
-    builder.has_headers(false).flexible(true).terminator(Terminator::Any(b'\n'));
-    let mut records = builder.from_reader(source);
-    let mut record = ByteRecord::new();
+    let mut records = Records::open(path)?;
     let mut places = None;
     let mut unknown_header: Option<String> = None;
-    while records.read_byte_record(&mut record).map_err(|error| LogError::file(path, error.into()))? {
-        let line = record.position().map_or(0, |position| position.line());
+    while let Some((line, record)) = records.next()? {
         let field = |place: usize| {
             record.get(place).map(|field| String::from_utf8_lossy(field.trim_ascii())).unwrap_or_default()
         };
@@ -53,6 +49,7 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) ->
     }
     match unknown_header {
         Some(names) if places.is_none() => {
+            let names: String = names.chars().take(TOLD).collect();
             let why = format!("no columns of time, sensor and value are among {names}");
             Err(LogError::NoLog { place: place_of(path), why })
         }

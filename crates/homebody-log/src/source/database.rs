@@ -1,7 +1,13 @@
 //! Database files that somebody else has written, or a run of ours, opened to be read.
+//!
+//! Only tables are read: a view can compute without an end, or make gigabytes of nothing.
 
+use super::instant::{Instant, Instants, since_1970};
+use crate::limits::LONGEST_ROW;
+use homebody_core::time::Micros;
+use rusqlite::limits::Limit;
 use rusqlite::types::ValueRef;
-use rusqlite::{Connection, OpenFlags};
+use rusqlite::{Connection, OpenFlags, Row};
 use std::borrow::Cow;
 use std::path::Path;
 use std::time::Duration;
@@ -11,6 +17,8 @@ pub(super) fn connect(path: &Path) -> rusqlite::Result<Connection> {
     let open = |flags| {
         let connection = Connection::open_with_flags(path, flags)?;
         connection.busy_timeout(Duration::from_secs(2))?;
+        connection.set_limit(Limit::SQLITE_LIMIT_LENGTH, LONGEST_ROW as i32)?;
+        connection.execute_batch("PRAGMA trusted_schema = OFF")?;
         Ok(connection)
     };
     let connection = open(OpenFlags::SQLITE_OPEN_READ_ONLY)?;
@@ -21,6 +29,24 @@ pub(super) fn connect(path: &Path) -> rusqlite::Result<Connection> {
         }
         _ => Ok(connection),
     }
+}
+
+/// The tables of a database in the order in which they were made: neither views nor virtual tables.
+pub(super) fn tables(connection: &Connection) -> rusqlite::Result<Vec<String>> {
+    let sql = "SELECT name FROM sqlite_schema JOIN pragma_table_list USING (name)
+               WHERE pragma_table_list.schema = 'main' AND pragma_table_list.type = 'table'
+                 AND sqlite_schema.type = 'table' ORDER BY sqlite_schema.rowid";
+    connection.prepare(sql)?.query_map([], |row| row.get(0))?.collect()
+}
+
+/// What a cell of a row tells as an instant: microseconds since 1970, on whichever clock.
+pub(super) fn instant(row: &Row, column: usize, instants: &mut Instants) -> rusqlite::Result<Option<Micros>> {
+    let instant = match row.get_ref(column)? {
+        ValueRef::Integer(number) => since_1970(number as f64),
+        ValueRef::Real(number) => since_1970(number),
+        other => instants.read(&text(other)),
+    };
+    Ok(instant.map(|(Instant::Local(at) | Instant::Utc(at))| at))
 }
 
 /// What a cell says, as text.

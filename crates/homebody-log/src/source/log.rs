@@ -2,6 +2,7 @@
 
 use super::activities::Activity;
 use crate::sensor_info::SensorInfo;
+use crate::skipped::Skipped;
 use homebody_core::time::Micros;
 use serde::Serialize;
 
@@ -50,15 +51,6 @@ pub enum Clock {
     Local,
     /// The same everywhere on earth.
     Utc,
-}
-
-/// A line that could not be understood.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Skipped {
-    /// Counted from 1; in a database, the row.
-    pub line: u64,
-    /// What could not be understood, as a part of a sentence.
-    pub why: String,
 }
 
 impl Log {

@@ -3,32 +3,43 @@
 //! A log is read into memory, or streamed where it may be of any size. Beside a run's log lies a table of its sensors; what it
 //! tells comes with the log.
 //!
-//! Whatever is in a file, reading does not fail because of a line: what cannot be understood is skipped and told.
+//! Whatever is in a file, reading does not fail because of a line: what cannot be understood is skipped and told. Only what is
+//! longer than anything that a log has ends it, before it fills the memory.
 
 mod activities;
 mod casas;
+mod causes;
 mod columns;
 mod csv;
 mod database;
 mod instant;
+mod lives;
 mod log;
 mod movements;
 mod reading;
+mod recorded_truth;
+mod records;
 mod run_clock;
 mod sensors;
 mod sqlite;
+mod turns;
 
 use crate::error::{LogError, place_of};
+pub use crate::skipped::Skipped;
 use crate::url::Url;
 use crate::word::one_word;
-pub use activities::{Activity, Life, activities, lives};
-pub(crate) use activities::{Cause, Causes};
+pub use activities::Activity;
+pub(crate) use causes::{Cause, Causes};
 pub(crate) use database::text;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::Scheme;
-pub use log::{Clock, Event, Log, Skipped};
+pub(crate) use lives::lives_of;
+pub use lives::{Life, activities, lives};
+pub use log::{Clock, Event, Log};
 pub use movements::{Movement, MovementKind, Movements};
 use reading::{Reading, open};
+pub(crate) use recorded_truth::{LABEL_TABLES, RecordedTruth};
+pub use recorded_truth::{truth_at, truth_beside};
 pub use run_clock::RunClock;
 use std::io::Read;
 use std::path::Path;
@@ -57,7 +68,7 @@ pub fn stream(
     take: &mut dyn FnMut(&Log) -> Result<(), LogError>,
 ) -> Result<Log, LogError> {
     let path = url.file().unwrap_or(Path::new(""));
-    let mut reading = Reading::new(take);
+    let mut reading = Reading::new(path, take);
     reading.log.known = sensors::beside(path)?;
     match url.scheme() {
         Scheme::Sqlite => sqlite::read(path, file, &mut reading)?,

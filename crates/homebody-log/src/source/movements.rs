@@ -4,16 +4,18 @@
 //! and those of a span are found by halving. The one in which somebody is as the span ends may be long, such as a
 //! visitor's absence of weeks; it is looked for further on, once.
 
-use super::database::{connect, text};
-use super::instant::{Instant, Instants, since_1970};
+use super::database::{instant, text};
+use super::instant::Instants;
+use super::recorded_truth::RecordedTruth;
 use super::run_clock::RunClock;
 use crate::error::LogError;
+use crate::truth::Truth;
+use crate::url::Url;
 use homebody_core::geometry::Point;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND};
 use rusqlite::types::ValueRef;
-use rusqlite::{Connection, OptionalExtension, Row};
-use std::path::{Path, PathBuf};
+use rusqlite::{OptionalExtension, Row};
 
 /// Beyond the end of a span by this, what is not found yet is looked for by name (ours).
 const FURTHER: Micros = 3600 * SECOND;
@@ -50,8 +52,7 @@ pub enum MovementKind {
 
 /// Finds a run's movements.
 pub struct Movements {
-    path: PathBuf,
-    connection: Connection,
+    truth: RecordedTruth,
     clock: RunClock,
     residents: Vec<String>,
     rows: i64,
@@ -64,14 +65,16 @@ const COLUMNS: &str = "resident, begin_at, end_at, kind, from_x, from_y, to_x, t
 
 impl Movements {
     /// The movements of these residents; whoever else is in the truth is passed over.
-    pub fn open(truth: &Path, residents: &[String], clock: RunClock) -> Result<Movements, LogError> {
-        let database = |error| LogError::database(truth, error);
-        let connection = connect(truth).map_err(database)?;
+    ///
+    /// # Errors
+    ///
+    /// [`LogError::NoTruth`] if there is none in this place.
+    pub fn open(truth: &Url, residents: &[String], clock: RunClock) -> Result<Movements, LogError> {
+        let truth = RecordedTruth::open(truth, &[Truth::Movement])?;
         let sql = "SELECT coalesce(max(rowid), 0) FROM movement";
-        let rows = connection.query_row(sql, [], |row| row.get(0)).map_err(database)?;
+        let rows = truth.connection.query_row(sql, [], |row| row.get(0)).map_err(|error| truth.error(error))?;
         Ok(Movements {
-            path: truth.into(),
-            connection,
+            truth,
             clock,
             residents: residents.to_vec(),
             rows,
@@ -82,12 +85,12 @@ impl Movements {
 
     /// What each resident did between two instants of the run, in order; first and last may reach beyond.
     pub fn of(&mut self, begin: Micros, end: Micros) -> Result<Vec<Vec<Movement>>, LogError> {
-        self.read(begin, end).map_err(|error| LogError::database(&self.path, error))
+        self.read(begin, end).map_err(|error| self.truth.error(error))
     }
 
     fn read(&mut self, begin: Micros, end: Micros) -> rusqlite::Result<Vec<Vec<Movement>>> {
         let first = self.first_that_ends_after(begin)?;
-        let Movements { connection, clock, residents, instants, long, .. } = self;
+        let Movements { truth: RecordedTruth { connection, .. }, clock, residents, instants, long, .. } = self;
         let mut of: Vec<Vec<Movement>> = vec![Vec::new(); residents.len()];
         let mut last_row = first;
         let sql = format!("SELECT {COLUMNS}, rowid FROM movement WHERE rowid >= ? ORDER BY rowid");
@@ -134,7 +137,7 @@ impl Movements {
     /// for an hour before.
     fn first_that_ends_after(&mut self, at: Micros) -> rusqlite::Result<i64> {
         let sql = "SELECT end_at FROM movement WHERE rowid >= ? ORDER BY rowid LIMIT 1";
-        let mut statement = self.connection.prepare_cached(sql)?;
+        let mut statement = self.truth.connection.prepare_cached(sql)?;
         let (mut low, mut high) = (1, self.rows + 1);
         while low < high {
             let middle = low + (high - low) / 2;
@@ -167,7 +170,7 @@ fn movement(row: &Row, instants: &mut Instants, clock: &RunClock, last: Micros) 
     };
     let point = |x| Ok::<_, rusqlite::Error>(number(row, x)?.zip(number(row, x + 1)?).map(|(x, y)| Point::new(x, y)));
     let (from, to) = (point(4)?, point(6)?);
-    Ok(Some(Movement { begin, end: clock.instant(end, begin), kind, from, to, posture }))
+    Ok(Some(Movement { begin, end: clock.instant_from(end, begin), kind, from, to, posture }))
 }
 
 /// A finite number.
@@ -177,14 +180,4 @@ fn number(row: &Row, column: usize) -> rusqlite::Result<Option<f64>> {
         ValueRef::Real(number) => Some(number).filter(|number| number.is_finite()),
         _ => None,
     })
-}
-
-/// Microseconds since 1970, on whichever clock.
-fn instant(row: &Row, column: usize, instants: &mut Instants) -> rusqlite::Result<Option<Micros>> {
-    let instant = match row.get_ref(column)? {
-        ValueRef::Integer(number) => since_1970(number as f64),
-        ValueRef::Real(number) => since_1970(number),
-        other => instants.read(&text(other)),
-    };
-    Ok(instant.map(|(Instant::Local(at) | Instant::Utc(at))| at))
 }

@@ -2,8 +2,10 @@
 
 use super::activities::Notes;
 use super::instant::{Instant, Instants};
-use super::log::{Clock, Event, Log, Skipped};
+use super::log::{Clock, Event, Log};
 use crate::error::{LogError, place_of};
+use crate::limits::{LONGEST_ID, LONGEST_VALUE, beginning};
+use crate::skipped::Skipped;
 use foldhash::HashMap;
 use homebody_core::time::{DAY, Micros};
 use jiff::Timestamp;
@@ -20,6 +22,7 @@ const PART: usize = 8192;
 pub(super) struct Reading<'t> {
     /// With the rows that have not been handed over yet.
     pub log: Log,
+    path: &'t Path,
     take: &'t mut dyn FnMut(&Log) -> Result<(), LogError>,
     sensors: HashMap<String, u32>,
     values: HashMap<String, u32>,
@@ -30,17 +33,17 @@ pub(super) struct Reading<'t> {
 }
 
 impl<'t> Reading<'t> {
-    pub fn new(take: &'t mut dyn FnMut(&Log) -> Result<(), LogError>) -> Reading<'t> {
+    pub fn new(path: &'t Path, take: &'t mut dyn FnMut(&Log) -> Result<(), LogError>) -> Reading<'t> {
         let (sensors, values) = (HashMap::default(), HashMap::default());
         let (instants, notes) = (Instants::default(), Notes::default());
-        Reading { log: Log::default(), take, sensors, values, instants, notes, last: 0 }
+        Reading { log: Log::default(), path, take, sensors, values, instants, notes, last: 0 }
     }
 
     /// Takes a row as a file writes it.
     pub fn row(&mut self, line: u64, time: &str, sensor: &str, value: &str) -> Result<(), LogError> {
         match self.instants.read(time) {
             Some(instant) => self.event(line, instant, sensor, value)?,
-            None => self.skip(line, format!("{time:?} is no date and time")),
+            None => self.skip(line, format!("{} is no date and time", beginning(time))),
         }
         Ok(())
     }
@@ -65,6 +68,13 @@ impl<'t> Reading<'t> {
         if let Some(fault) = fault {
             self.skip(line, fault.into());
             return Ok(());
+        }
+        for (what, text, most) in [("sensor", sensor, LONGEST_ID), ("value", value, LONGEST_VALUE)] {
+            // Characters are counted only where they may be too many.
+            if text.len() > most && text.chars().count() > most {
+                let what = format!("the {what} {} has more than {most} characters", beginning(text));
+                return Err(LogError::TooLong { place: format!("{}:{line}", place_of(self.path)), what });
+            }
         }
         self.log.clock = clock;
         let sensor = number(&mut self.sensors, &mut self.log.sensors, sensor);

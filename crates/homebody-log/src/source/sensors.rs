@@ -5,7 +5,11 @@ use crate::places::SENSORS;
 use crate::sensor_info::SensorInfo;
 use homebody_core::sensors::kinds::KINDS;
 use serde::Deserialize;
+use std::fs;
 use std::path::Path;
+
+/// No table of sensors has more bytes (ours): a home of a thousand has a tenth of a mebibyte.
+const LONGEST: u64 = 4 << 20;
 
 /// A row of the table.
 #[derive(Deserialize)]
@@ -21,7 +25,8 @@ struct Row {
 /// The sensors of the table beside a log; none where no table of ours lies there.
 pub(crate) fn beside(log: &Path) -> Result<Vec<SensorInfo>, LogError> {
     let path = log.with_file_name(SENSORS);
-    if !path.is_file() || path == log {
+    let is_table = fs::metadata(&path).is_ok_and(|found| found.is_file() && found.len() <= LONGEST);
+    if !is_table || path == log {
         return Ok(Vec::new());
     }
     let wrong = |error: csv::Error| LogError::file(&path, error.into());

@@ -1,7 +1,7 @@
 //! A database file: a table by the mapping's names or ours, or whichever looks like a log.
 
 use super::columns::Places;
-use super::database::{connect, text};
+use super::database::{connect, tables, text};
 use super::instant::since_1970;
 use super::reading::{Reading, open};
 use crate::error::{LogError, place_of};
@@ -28,7 +28,13 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) ->
         _ => LogError::database(path, error),
     })?;
     let why = || "no table in it has columns of time, sensor and value".to_string();
-    let table = table.ok_or_else(|| LogError::NoLog { place: place_of(path), why: why() })?;
+    let table = match table {
+        Some(table) => table,
+        None if tables(&connection).map_err(database)?.is_empty() => {
+            return Err(LogError::NoTables { place: place_of(path) });
+        }
+        None => return Err(LogError::NoLog { place: place_of(path), why: why() }),
+    };
     let sql = rows_of(&connection, file, &table, reading).map_err(database)?;
     let mut statement = connection.prepare(&sql).map_err(database)?;
     let mut rows = statement.query([]).map_err(database)?;
@@ -55,10 +61,7 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) ->
 
 /// The table named by the mapping, ours, or the first that looks like a log.
 fn find(connection: &Connection, file: &LoggerFile, reading: &mut Reading<'_>) -> rusqlite::Result<Option<Table>> {
-    let mut names: Vec<String> = connection
-        .prepare("SELECT name FROM sqlite_schema WHERE type IN ('table', 'view') ORDER BY rowid")?
-        .query_map([], |row| row.get(0))?
-        .collect::<rusqlite::Result<_>>()?;
+    let mut names = tables(connection)?;
     let wanted = file.table.as_deref().unwrap_or("firing");
     names.sort_by_key(|name| name != wanted);
     for by_content in [false, true] {

@@ -9,7 +9,7 @@
 mod names;
 mod tables;
 
-use crate::error::LogError;
+use crate::error::{LogError, place_of};
 use crate::fresh::{all_can_be_written, same_file};
 use crate::logger::{Destination, RowsOfFirings};
 use crate::mapping::Shown;
@@ -26,6 +26,7 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Micros;
 use names::{loss_name, need_name, posture_name};
 use std::collections::VecDeque;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 pub use tables::{Truth, tables};
@@ -58,12 +59,13 @@ impl TruthLog {
         run: &Arc<RunInfo>,
         how: How,
     ) -> Result<TruthLog, LogError> {
-        let is_same = |place: &Url| place.file().zip(url.file()).is_some_and(|(one, other)| same_file(one, other));
-        if places.iter().any(is_same) {
-            return Err(LogError::SameFile { place: url.to_string() });
+        let files = url.files(&tables());
+        let logs: Vec<&Path> = places.iter().filter_map(Url::file).collect();
+        if let Some(file) = files.iter().find(|file| logs.iter().any(|log| same_file(log, file))) {
+            return Err(LogError::SameFile { place: place_of(file) });
         }
         if how != How::GoOn {
-            all_can_be_written(&url.file().into_iter().collect::<Vec<_>>(), how == How::Replace)?;
+            all_can_be_written(&files.iter().map(PathBuf::as_path).collect::<Vec<_>>(), how == How::Replace)?;
         }
         TruthLog::into(Destination::of(url), file, run, how)
     }

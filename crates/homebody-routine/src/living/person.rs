@@ -23,13 +23,13 @@ homebody_core::numbers! {
     /// The shape of the gamma distribution of that time over people.
     static AWAKE_SHAPE = "constitution.awake_shape": 4.0, "1", [0.5, 50.0];
     /// The pulse of a sleeper, on average.
-    static PULSE = "constitution.pulse": 62.0, "1/min", [48.0, 80.0];
+    static PULSE_BPM = "constitution.pulse": 62.0, "1/min", [48.0, 80.0];
     /// The standard deviation of the pulse over people.
-    static PULSE_SPREAD = "constitution.pulse_spread": 5.0, "1/min", [0.0, 20.0];
+    static PULSE_SPREAD_BPM = "constitution.pulse_spread": 5.0, "1/min", [0.0, 20.0];
     /// The respiration of a sleeper, on average.
-    static RESPIRATION = "constitution.respiration": 15.0, "1/min", [11.0, 20.0];
+    static RESPIRATION_PM = "constitution.respiration": 15.0, "1/min", [11.0, 20.0];
     /// The standard deviation of the respiration over people.
-    static RESPIRATION_SPREAD = "constitution.respiration_spread": 1.2, "1/min", [0.0, 5.0];
+    static RESPIRATION_SPREAD_PM = "constitution.respiration_spread": 1.2, "1/min", [0.0, 5.0];
     /// The standard deviation over people by which one of many is early or late with all (the time in bed of people of 73.9
     /// years has one of 62 minutes).
     static EARLY_S = "person.early": 3_100.0, "s", [0.0, 14_400.0];
@@ -74,8 +74,8 @@ impl Constitution {
             toilet_by_day: stream.normal(of(&TOILET_BY_DAY), of(&TOILET_BY_DAY_SPREAD)).clamp(3.0, 8.0),
             naps: of(if stream.chance(of(&NAPPERS)) { &NAPS_OF_NAPPERS } else { &NAPS_OF_OTHERS }),
             awake_min: stream.gamma(of(&AWAKE_SHAPE), of(&AWAKE_MIN)).clamp(5.0, 150.0),
-            pulse: stream.normal(of(&PULSE), of(&PULSE_SPREAD)).clamp(48.0, 80.0),
-            respiration: stream.normal(of(&RESPIRATION), of(&RESPIRATION_SPREAD)).clamp(11.0, 20.0),
+            pulse: stream.normal(of(&PULSE_BPM), of(&PULSE_SPREAD_BPM)).clamp(48.0, 80.0),
+            respiration: stream.normal(of(&RESPIRATION_PM), of(&RESPIRATION_SPREAD_PM)).clamp(11.0, 20.0),
         }
     }
 }

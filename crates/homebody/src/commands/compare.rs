@@ -4,9 +4,9 @@ use super::convert::tell_remarks;
 use crate::failure::Failure;
 use crate::print::{print_json, print_text, tell};
 use homebody_analysis::compare::{MEASURES, begins, compare};
-use homebody_core::scenario::logger::LoggerFile;
-use homebody_kit::place_of_log;
-use homebody_log::{Log, activities, read};
+use homebody_core::time::Micros;
+use homebody_kit::NamedLog;
+use homebody_log::{Log, RunClock, activities};
 
 /// Compares the firings of two logs: by sensor and in all, the agreement of their numbers, and how their times between
 /// firings are spread. The second is the reference. Where activities are known, from a truth.db beside the log or from
@@ -37,11 +37,12 @@ impl Arguments {
 
 /// The log, with the activities that the truth of its run tells.
 fn log(text: &str) -> Result<Log, Failure> {
-    let place = place_of_log(text)?;
-    let mut log = read(&place, &LoggerFile::default())?;
-    let truth = place.file().unwrap_or(std::path::Path::new("")).with_file_name("truth.db");
-    if truth.is_file() {
-        log.activities = activities(&truth)?;
+    let named = NamedLog::find(text)?;
+    let mut log = named.read()?;
+    if let Some(truth) = named.truth() {
+        log.activities = activities(&truth, &named.clock())?;
+        let clock = named.clock_of(log.clock);
+        put_on_run(&mut log, &clock);
     }
     tell_remarks(text, &log);
     if log.skipped > 0 {
@@ -51,6 +52,15 @@ fn log(text: &str) -> Result<Log, Failure> {
         tell(format_args!("{text}: no row says that something began; its values are {}", listed(&log.values)));
     }
     Ok(log)
+}
+
+/// Puts the rows of a log on the clock of its run, which is never set, as the activities of the truth are.
+fn put_on_run(log: &mut Log, clock: &RunClock) {
+    let mut last = Micros::MIN;
+    for event in &mut log.events {
+        last = clock.instant(event.at, last);
+        event.at = last;
+    }
 }
 
 /// The first of the values.

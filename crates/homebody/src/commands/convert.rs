@@ -3,20 +3,46 @@
 use crate::failure::Failure;
 use crate::print::tell;
 use homebody_core::scenario::calendar::Calendar;
-use homebody_core::scenario::logger::LoggerFile;
-use homebody_kit::place_of_log;
+use homebody_core::scenario::scheme::{SCHEMES, SchemeRow};
+use homebody_kit::NamedLog;
 use homebody_log::fresh::same_file;
-use homebody_log::{How, Log, Transfer, Url, convert, survey};
+use homebody_log::places::not_of_a_run;
+use homebody_log::truth::tables;
+use homebody_log::{How, Log, Transfer, Url, convert};
 use indicatif::{ProgressBar, ProgressStyle};
+use std::path::{Path, PathBuf};
+
+/// What the forms of a log are, for a help.
+pub fn forms_of_logs() -> String {
+    let form = |row: SchemeRow| format!("  {:<12} {}\n", format!("{}:{}", row.name, row.at), row.what);
+    let forms = SCHEMES.map(form).concat();
+    format!("Forms:\n{forms}\nA log that is named by its path alone is known by how it begins.")
+}
+
+/// The columns of a log that is written anew.
+pub const LOG_COLUMNS: &str = "seq, fired_at, sensor, value";
+
+/// What the exit codes of a transfer say.
+pub const EXIT_CODES: &str = "Exit codes: 0 done, 1 a file could not be read or written, 2 what was asked is wrong.";
 
 /// Carries a log from one form into another. Instants stay the same to the microsecond, and names and values what they
 /// were, as far as the form can write them: that of CASAS knows local time only, and no blanks in names.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_help = format!("Examples:
   homebody convert log.db --to casas:log.txt
-  homebody convert aruba.txt --to sqlite:aruba.db")]
+  homebody convert runs/tigerplace-1 --to csv:week.csv
+  homebody convert aruba.txt --to sqlite:aruba.db
+
+{forms}
+
+Columns: {LOG_COLUMNS}; in SQLite in the table firing, behind run_id.
+The form of CASAS has time, sensor and value, without a header.
+
+Rows that are not understood are left out, and told. No file of a run's folder is replaced.
+
+{EXIT_CODES}", forms = forms_of_logs()))]
 pub struct Arguments {
-    /// The log: a file, or sqlite:FILE, csv:FILE or casas:FILE
+    /// The log: the folder of its run, a file, or sqlite:FILE, csv:FILE or casas:FILE
     log: String,
     /// Where to: sqlite:FILE, csv:FILE or casas:FILE
     #[arg(long, value_name = "URL")]
@@ -32,12 +58,9 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         Calendar::zone(&self.time_zone).map_err(Failure::usage)?;
-        let from = place_of_log(&self.log)?;
-        let mapping = LoggerFile::default();
-        let log = survey(&from, &mapping)?;
-        if from.file().zip(self.to.file()).is_some_and(|(one, other)| same_file(one, other)) {
-            return Err(Failure::Io(format!("{} cannot become itself\n  hint: name another file", self.log)));
-        }
+        let named = NamedLog::find(&self.log)?;
+        keep(&self.to, &[&named.place])?;
+        let log = named.survey()?;
         tell_remarks(&self.log, &log);
         for skipped in &log.problems {
             tell(format_args!("{}:{}: left out: {}", self.log, skipped.line, skipped.why));
@@ -48,7 +71,7 @@ impl Arguments {
         }
         let how = if self.force { How::Replace } else { How::New };
         let (name, zone) = (&self.log, &self.time_zone);
-        let transfer = Transfer { from: &from, mapping: &mapping, to: &self.to, name, zone, how };
+        let transfer = Transfer { from: &named.place, mapping: &named.mapping, to: &self.to, name, zone, how };
         let progress = rows_bar(log.rows);
         let rows = convert(&transfer, &log, |rows| progress.set_position(rows));
         progress.finish_and_clear();
@@ -56,6 +79,19 @@ impl Arguments {
         tell(format_args!("{}: {rows} rows of {} sensors", self.to, log.sensors.len()));
         Ok(())
     }
+}
+
+/// Makes sure that an output replaces neither what the command reads nor what a run has left in its folder.
+pub fn keep(to: &Url, sources: &[&Url]) -> Result<(), Failure> {
+    let mut read = sources.iter().flat_map(|source| source.files(&tables()).into_iter().chain(own_file(source)));
+    if read.any(|source| to.file().is_some_and(|to| same_file(&source, to))) {
+        return Err(Failure::Io(format!("{to} cannot become itself\n  hint: name another file")));
+    }
+    Ok(not_of_a_run(to)?)
+}
+
+fn own_file(url: &Url) -> Option<PathBuf> {
+    url.file().map(Path::to_owned)
 }
 
 /// A bar that shows how many rows have been written, where somebody looks.

@@ -1,7 +1,7 @@
 //! `homebody day`: one day of a log.
 
 use super::answer::Answer;
-use super::given::given;
+use super::read_log::read_log;
 use crate::failure::Failure;
 use homebody_analysis::dates::Asked;
 use homebody_analysis::day::Day;
@@ -28,7 +28,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let given = given(&self.log, self.time_zone.as_deref())?;
+        let given = read_log(&self.log, self.time_zone.as_deref())?;
         let answer = self.answer.check([""], &given.sources)?;
         let no_rows = || Failure::usage(format!("{}: it has no rows, so no day", self.log));
         let there = given.dates().ok_or_else(no_rows)?;

@@ -1,7 +1,7 @@
 //! `homebody density`: how much somebody moves in each hour of each day.
 
 use super::answer::Answer;
-use super::given::given;
+use super::read_log::read_log;
 use crate::failure::Failure;
 use crate::length::span;
 use crate::print::tell;
@@ -9,7 +9,7 @@ use homebody_analysis::dates;
 use homebody_analysis::density::{Asked, Chosen, Measured, NoMap, density};
 use homebody_core::scenario::nearest::nearest;
 use homebody_core::time::Micros;
-use homebody_kit::Given;
+use homebody_kit::LogWithRun;
 use homebody_picture::density_map;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -55,14 +55,14 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let zone = self.time_zone.as_deref();
-        let log = given(&self.log, zone)?;
-        let other = self.against.as_deref().map(|other| given(other, zone)).transpose()?;
+        let log = read_log(&self.log, zone)?;
+        let other = self.against.as_deref().map(|other| read_log(other, zone)).transpose()?;
         let sources: Vec<PathBuf> =
             [Some(&log), other.as_ref()].into_iter().flatten().flat_map(|log| log.sources.clone()).collect();
         let csv = self.csv.as_deref();
         let answer = self.answer.check_beside([""], csv, &sources)?;
 
-        let known: Vec<&Given> = [Some(&log), other.as_ref()].into_iter().flatten().collect();
+        let known: Vec<&LogWithRun> = [Some(&log), other.as_ref()].into_iter().flatten().collect();
         let problems: Vec<String> = self.unknown_doors(&known).chain(self.unknown_day(&log)).collect();
         if !problems.is_empty() {
             return Err(Failure::usage(problems.join("\nerror: ")));
@@ -72,7 +72,7 @@ impl Arguments {
         let (doors, away_after) = (self.doors(&log), self.away_after);
         let asked = Asked { doors, away_after, recorded: log.recorded.clone(), from, days };
         // The days of the other log are its own.
-        let asked_of = |other: &Given| Asked {
+        let asked_of = |other: &LogWithRun| Asked {
             doors: self.doors(other),
             recorded: other.recorded.clone(),
             from: None,
@@ -96,12 +96,12 @@ impl Arguments {
     }
 
     /// Of the doors that are asked for those that a log has.
-    fn doors(&self, log: &Given) -> Vec<String> {
+    fn doors(&self, log: &LogWithRun) -> Vec<String> {
         self.door.iter().filter(|door| log.log.sensors.contains(door)).cloned().collect()
     }
 
     /// A problem for each door that no log has.
-    fn unknown_doors(&self, logs: &[&Given]) -> impl Iterator<Item = String> {
+    fn unknown_doors(&self, logs: &[&LogWithRun]) -> impl Iterator<Item = String> {
         let sensors = || logs.iter().flat_map(|log| log.log.sensors.iter().map(String::as_str));
         let unknown = self.door.iter().filter(move |door| !sensors().any(|sensor| sensor == **door));
         unknown.map(move |door| {
@@ -116,7 +116,7 @@ impl Arguments {
         })
     }
 
-    fn unknown_day(&self, log: &Given) -> Option<String> {
+    fn unknown_day(&self, log: &LogWithRun) -> Option<String> {
         let (asked, there) = (self.from?, log.dates()?);
         let problem = || {
             let (first, last) = there;

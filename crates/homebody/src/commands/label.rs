@@ -1,29 +1,46 @@
 //! `homebody label`: a log with what the truth says of each row.
 
-use super::convert::{rows_bar, tell_remarks};
+use super::convert::{EXIT_CODES, LOG_COLUMNS, forms_of_logs, keep, rows_bar, tell_remarks};
 use crate::failure::Failure;
 use crate::print::tell;
 use homebody_core::scenario::calendar::Calendar;
-use homebody_core::scenario::logger::LoggerFile;
-use homebody_kit::place_of_log;
-use homebody_log::fresh::same_file;
-use homebody_log::places::TRUTH;
-use homebody_log::{How, Labelled, Transfer, Url, label, survey};
-use std::path::{Path, PathBuf};
+use homebody_kit::NamedLog;
+use homebody_log::{How, Labelled, Transfer, Url, label, truth_at};
+
+/// What to do where the truth is not found.
+const NAME_IT: &str = "name the run's truth after the log: its database, or csv:FILE where its tables are texts";
 
 /// Joins a log with the truth of its run: each row with whose doing it was, in which room they were, what they were doing,
 /// and why the sensor spoke. That is what recognisers are trained on.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_help = format!("Examples:
   homebody label runs/tigerplace-1 --to csv:labelled.csv
   homebody label week.csv truth.db --to casas:labelled.txt
+  homebody label log.db csv:truth.csv --to sqlite:labelled.db
 
-Columns: those of the log, then resident, room, activity, cause and thing. The form of CASAS has the activity alone.")]
+{forms}
+
+The truth is the database that the run has left, or csv:FILE where --truth csv:FILE
+has made a file for each table, such as truth.cause.csv beside truth.csv.
+
+Columns: {LOG_COLUMNS}, then
+  resident  whose doing it was; empty where it was nobody's
+  room      the room that they were in; empty between rooms
+  activity  what they were doing
+  cause     movement, act, reading, duplicate or false
+  thing     what was used, of an act
+In SQLite they are in the table labelled, behind run_id. The form of CASAS has time, sensor,
+value and activity, without a header.
+
+The log must be whole, as its run has left it: rows are joined by their numbers. No file of
+a run's folder is replaced.
+
+{EXIT_CODES}", forms = forms_of_logs()))]
 pub struct Arguments {
     /// The log: the folder of its run, a file, or sqlite:FILE, csv:FILE or casas:FILE
     log: String,
-    /// The truth of the same run; truth.db beside the log without it
-    truth: Option<PathBuf>,
+    /// The truth of the same run: a database, or csv:FILE with a file for each table; the one beside the log without it
+    truth: Option<String>,
     /// Where to: sqlite:FILE, csv:FILE or casas:FILE
     #[arg(long, value_name = "URL")]
     to: Url,
@@ -38,24 +55,18 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         Calendar::zone(&self.time_zone).map_err(Failure::usage)?;
-        let from = place_of_log(&self.log)?;
-        let beside = || from.file().unwrap_or(Path::new("")).with_file_name(TRUTH);
-        let truth = self.truth.clone().unwrap_or_else(beside);
-        if !truth.is_file() {
-            return Err(Failure::io(&truth, "there is no such truth\n  hint: name the truth of the run after its log"));
-        }
-        let mut sources = from.file().into_iter().chain([truth.as_path()]);
-        if sources.any(|source| self.to.file().is_some_and(|to| same_file(source, to))) {
-            return Err(Failure::Io(format!("{} cannot become itself\n  hint: name another file", self.to)));
-        }
-        let mapping = LoggerFile::default();
-        let log = survey(&from, &mapping)?;
+        let named = NamedLog::find(&self.log)?;
+        let Some(truth) = self.truth.as_deref().map(truth_at).or_else(|| named.truth()) else {
+            return Err(Failure::Io(format!("no truth lies beside {}\n  hint: {NAME_IT}", named.place)));
+        };
+        keep(&self.to, &[&named.place, &truth])?;
+        let log = named.survey()?;
         tell_remarks(&self.log, &log);
         let how = if self.force { How::Replace } else { How::New };
         let (name, zone) = (&self.log, &self.time_zone);
-        let transfer = Transfer { from: &from, mapping: &mapping, to: &self.to, name, zone, how };
+        let transfer = Transfer { from: &named.place, mapping: &named.mapping, to: &self.to, name, zone, how };
         let progress = rows_bar(log.rows);
-        let labelled = label(&transfer, &log, &truth, |rows| progress.set_position(rows));
+        let labelled = label(&transfer, &log, &truth, &named.clock_beside(&truth), |rows| progress.set_position(rows));
         progress.finish_and_clear();
         let Labelled { rows, somebodys, nobodys, unexplained } = labelled?;
         tell(format_args!("{}: {rows} rows, {somebodys} of somebody's doing, {nobodys} of nobody's", self.to));

@@ -2,13 +2,14 @@
 
 use crate::failure::Failure;
 use crate::print::{print_json, print_text};
+use crate::signals::Signals;
 use homebody_core::recording::Recording;
 use homebody_core::scenario::scheme::{NoPlace, SCHEMES, Scheme};
 use homebody_core::time::{Micros, SECOND, seconds};
-use homebody_kit::{Cancel, Destinations, LiveRun, Lived, Progress, Url};
+use homebody_kit::{Destinations, LiveRun, Lived, Progress, Url};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -45,7 +46,7 @@ impl Output {
 }
 
 /// Lives a run to its end, or until it is told to stop, and tells what has become of it.
-pub fn live(run: LiveRun, record: Option<PathBuf>, output: &Output) -> Result<(), Failure> {
+pub fn live(run: LiveRun, record: Option<PathBuf>, output: &Output, signals: &Signals) -> Result<(), Failure> {
     let Output { out, truth, force, .. } = output;
     let to = Destinations {
         log: out.clone(),
@@ -56,16 +57,18 @@ pub fn live(run: LiveRun, record: Option<PathBuf>, output: &Output) -> Result<()
     };
     let name = run.scenario().file.name.clone();
     let progress = output.progress(run.progress().length);
-    let lived = run.store(&to, |lived| show(&progress, lived));
+    let lived = run.store(&to, |lived| show(&progress, 0, lived));
     progress.finish_and_clear();
-    report(&name, &lived?, output)
+    let lived = lived?;
+    report(&name, &lived, output)?;
+    signals.ended(lived.is_stopped())
 }
 
-/// Shows how far it is, where somebody looks.
-pub fn show(progress: &ProgressBar, Progress { lived, length }: Progress) {
+/// Shows how far it is, where somebody looks; `before` of it was lived before this program began.
+pub fn show(progress: &ProgressBar, before: Micros, Progress { lived, length }: Progress) {
     if !progress.is_hidden() {
         progress.set_position(lived as u64);
-        let speed = speed_in_words(lived, progress.elapsed());
+        let speed = speed_in_words(lived - before, progress.elapsed());
         progress.set_message(format!("{} of {}, {speed}", span_in_words(lived), span_in_words(length)));
     }
 }
@@ -91,6 +94,7 @@ pub fn report(name: &str, lived: &Lived, output: &Output) -> Result<(), Failure>
             "log": stored.places,
             "truth": truth.as_ref().map(told),
             "recording": path(recorded),
+            "folder": path(&lived.folder),
         }))?;
     } else if !output.quiet {
         print_text(&summary(name, lived))?;
@@ -137,6 +141,9 @@ fn summary(name: &str, lived: &Lived) -> String {
     if *agrees == Some(true) {
         text += "replay     the same as the recording, firing by firing\n";
     }
+    if let Some(folder) = lived.folder.as_ref().filter(|_| lived.is_stopped()) {
+        text += &go_on_in(folder);
+    }
     text
 }
 
@@ -157,17 +164,9 @@ fn told(truth: &Url) -> String {
     }
 }
 
-/// A handle that the first interrupt cancels; the second ends the program at once.
-pub fn cancel_on_signal() -> Cancel {
-    let cancel = Cancel::new();
-    let handle = cancel.clone();
-    // Without a handler an interrupt just ends the program, which loses nothing that was committed.
-    let _ = ctrlc::set_handler(move || {
-        if handle.cancel() {
-            std::process::exit(130);
-        }
-    });
-    cancel
+/// The last line of what is told of a run or a cohort that was stopped: how to go on with it.
+pub fn go_on_in(folder: &Path) -> String {
+    format!("go on      homebody run --resume {}\n", folder.display())
 }
 
 /// How fast it goes: as a pace that one may ask for, or beyond those in what goes by in a second.

@@ -6,6 +6,7 @@ use homebody_core::numbers::Number;
 use homebody_core::scenario::nearest::nearest;
 use homebody_kit::numbers;
 use serde_json::json;
+use std::collections::BTreeSet;
 
 /// Lists the numbers that the models of people, sensors and the link are made of, with units and ranges. Each can be set for a
 /// run, or in a scenario's own file under "numbers".
@@ -28,10 +29,10 @@ impl Arguments {
         let (all, group) = (numbers(), self.group.unwrap_or_default());
         let found: Vec<&Number> = all.iter().filter(|number| is_in(&number.name, &group)).collect();
         if found.is_empty() {
-            let groups = all.iter().filter_map(|number| Some(number.name.split_once('.')?.0));
-            let hint = nearest(&group, groups.chain(all.iter().map(|number| &*number.name)));
-            let hint = hint.map(|near| format!("\n  hint: did you mean {near:?}?")).unwrap_or_default();
-            return Err(Failure::Usage(format!("no number's name begins with {group:?}{hint}")));
+            return Err(Failure::Usage(format!(
+                "no number's name begins with {group:?}\n  hint: {}",
+                hint(&group, &all)
+            )));
         }
         if self.json {
             return print_json(&json!({ "numbers": found.into_iter().map(row).collect::<Vec<_>>() }));
@@ -48,6 +49,24 @@ impl Arguments {
         print_text(&text)
     }
 }
+
+/// What may be meant: the name most like this one, else the names that it is a part of, else all groups.
+fn hint(asked: &str, all: &[Number]) -> String {
+    let names = || all.iter().map(|number| &*number.name);
+    let groups: BTreeSet<&str> = names().map(|name| name.split('.').next().unwrap_or(name)).collect();
+    if let Some(near) = nearest(asked, groups.iter().copied().chain(names())) {
+        return format!("did you mean {near:?}?");
+    }
+    let part = asked.trim_matches('.').to_lowercase();
+    let has_it: Vec<&str> = names().filter(|name| !part.is_empty() && name.contains(&part)).take(FEW).collect();
+    match has_it.is_empty() {
+        false => format!("there are {}", has_it.join(", ")),
+        true => format!("names begin with {}", groups.into_iter().collect::<Vec<_>>().join(", ")),
+    }
+}
+
+/// How many names a hint has (ours).
+const FEW: usize = 5;
 
 /// Whether a name is this, or begins with it at one of its dots.
 fn is_in(name: &str, group: &str) -> bool {

@@ -1,8 +1,9 @@
 //! `homebody replay`: live a recording again.
 
-use super::live::{Output, cancel_on_signal, live};
+use super::live::{Output, live};
 use crate::failure::Failure;
 use crate::pace::Asked;
+use crate::signals::Signals;
 use homebody_kit::{Error, Recorded};
 use std::path::PathBuf;
 
@@ -22,14 +23,19 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
+        let signals = Signals::listen()?;
         let recorded = Recorded::open(&self.recording).map_err(|error| match error {
             Error::NoRecording { .. } => Failure::Io(format!("{error}{MADE}")),
             Error::Recording { .. } => Failure::usage(format!("{error}{MADE}")),
+            Error::Unfinished { folder: Some(ref folder), .. } => {
+                let go_on = format!("homebody run --resume {} goes on with it first", folder.display());
+                Failure::usage(format!("{error}\n  hint: {go_on}"))
+            }
+            Error::Unfinished { .. } => Failure::usage(format!("{error}{MADE} of a run that comes to its end")),
             error => error.into(),
         })?;
-        let cancel = cancel_on_signal();
-        let recorded = recorded.paced(self.pace.pace(), self.pace.commands(), &cancel);
-        live(recorded.start(), None, &self.output)
+        let recorded = recorded.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
+        live(recorded.start(), None, &self.output, &signals)
     }
 }
 

@@ -2,12 +2,14 @@
 
 use super::check::tell_remark;
 use super::cohort;
-use super::live::{Output, cancel_on_signal, live, report, show};
+use super::live::{Output, live, report, show};
 use crate::failure::Failure;
 use crate::length::{Length, length};
 use crate::pace::Asked;
+use crate::signals::Signals;
 use homebody_core::time::Micros;
-use homebody_kit::{LIST, OpenScenario, Unfinished, UnfinishedCohort, open};
+use homebody_kit::{Error, LIST, LivedCohort, OpenScenario, Unfinished, UnfinishedCohort, open};
+use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 
 /// Lives a scenario and stores what its sensors say.
@@ -95,11 +97,37 @@ fn number(text: &str) -> Result<(String, f64), String> {
     if number.is_finite() { Ok((name.trim().to_owned(), number)) } else { Err(format!("{value:?} is no number")) }
 }
 
+/// Nobody can mean two values of one number.
+fn all_different(numbers: &[(String, f64)]) -> Result<(), Failure> {
+    let mut twice = Vec::new();
+    for (index, (name, value)) in numbers.iter().enumerate() {
+        if let Some((_, first)) = numbers[..index].iter().find(|(other, _)| other == name) {
+            twice.push(format!("--set {name}={first} and --set {name}={value} set one number"));
+        }
+    }
+    if twice.is_empty() { Ok(()) } else { Err(Failure::Usage(twice.join("\n") + "\n  hint: say each number once")) }
+}
+
+/// Why a folder's run or cohort cannot be gone on with, and what to do instead.
+fn not_gone_on_with(error: Error) -> Failure {
+    match error {
+        Error::NoRecording { .. } => {
+            Failure::Io(format!("{error}\n  hint: name the folder of a run or a cohort that homebody run has left"))
+        }
+        Error::Recording { .. } => Failure::usage(format!(
+            "{error}\n  hint: without it nobody can go on; what is in the logs can still be read, and homebody run begins anew"
+        )),
+        error => error.into(),
+    }
+}
+
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
+        let signals = Signals::listen()?;
         if let Some(folder) = &self.resume {
-            return self.go_on(folder);
+            return self.go_on(folder, &signals);
         }
+        all_different(&self.numbers)?;
         let opened = open(self.scenario.as_deref().unwrap_or(Path::new("")))?.with_numbers(self.numbers.clone())?;
         let scenario = opened.scenario();
         let seed = self.seed.unwrap_or(scenario.file.seed);
@@ -109,40 +137,48 @@ impl Arguments {
             (Some(file), _) => Some(opened.cohort_of(opened.profiles(file, &self.without)?)),
             (None, residents) => residents.map(|count| opened.cohort(count)),
         };
-        let cancel = cancel_on_signal();
+        let cancel = signals.cancel();
         if let Some(cohort) = cohort {
-            let cohort = cohort.seed(seed).length(length).without(&self.without).cancel(&cancel).start()?;
+            let cohort = cohort.seed(seed).length(length).without(&self.without).cancel(cancel).start()?;
             self.remark(&opened, length);
             let progress = self.output.progress(cohort.progress().length);
-            let lived = cohort.store(|lived| show(&progress, lived));
-            progress.finish_and_clear();
-            return cohort::report(&self.output, &lived?);
+            let lived = cohort.store(|lived| show(&progress, 0, lived));
+            return self.tell_cohort(&progress, &lived?, &signals);
         }
         let run = opened.run().seed(seed).length(length).without(&self.without);
-        let run = run.pace(self.pace.pace()).commands(self.pace.commands()).cancel(&cancel).start()?;
+        let run = run.pace(self.pace.pace()).commands(self.pace.commands()?).cancel(cancel).start()?;
         self.remark(&opened, length);
-        live(run, self.record, &self.output)
+        live(run, self.record, &self.output, &signals)
     }
 
     /// Goes on with a run or a cohort that was killed or stopped.
-    fn go_on(&self, folder: &Path) -> Result<(), Failure> {
+    fn go_on(&self, folder: &Path, signals: &Signals) -> Result<(), Failure> {
         if folder.join(LIST).is_file() {
             if self.pace.is_said() {
                 let what = "the members of a cohort are lived as fast as they can";
                 return Err(Failure::usage(format!("{what}\n  hint: leave out --speed, --paused and --control")));
             }
-            let cohort = UnfinishedCohort::open(folder)?.cancel(&cancel_on_signal());
+            let cohort = UnfinishedCohort::open(folder).map_err(not_gone_on_with)?.cancel(signals.cancel());
+            let before = cohort.progress().lived;
             let progress = self.output.progress(cohort.progress().length);
-            let lived = cohort.go_on(|lived| show(&progress, lived));
-            progress.finish_and_clear();
-            return cohort::report(&self.output, &lived?);
+            let lived = cohort.go_on(|lived| show(&progress, before, lived));
+            return self.tell_cohort(&progress, &lived?, signals);
         }
-        let run = Unfinished::open(folder)?.paced(self.pace.pace(), self.pace.commands(), &cancel_on_signal());
+        let run = Unfinished::open(folder).map_err(not_gone_on_with)?;
+        let run = run.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
         let name = run.scenario().file.name.clone();
         let progress = self.output.progress(run.progress().length);
-        let lived = run.go_on(|lived| show(&progress, lived));
+        let lived = run.go_on(|lived| show(&progress, 0, lived));
         progress.finish_and_clear();
-        report(&name, &lived?, &self.output)
+        let lived = lived?;
+        report(&name, &lived, &self.output)?;
+        signals.ended(lived.is_stopped())
+    }
+
+    fn tell_cohort(&self, progress: &ProgressBar, lived: &LivedCohort, signals: &Signals) -> Result<(), Failure> {
+        progress.finish_and_clear();
+        cohort::report(&self.output, lived)?;
+        signals.ended(lived.is_stopped())
     }
 
     /// Warns of what is hardly meant.

@@ -1,8 +1,8 @@
 //! `homebody serve`: the web app, on this machine.
 
-use super::live::cancel_on_signal;
 use crate::failure::Failure;
 use crate::print::{print_text, tell};
+use crate::signals::{Signals, begin_other};
 use homebody_kit::Source;
 use homebody_log::places::RUNS;
 use homebody_web::shelf::Shelf;
@@ -14,7 +14,7 @@ use std::process::{Command, Stdio};
 /// Opens a page on which a scenario is lived: seen, driven by keys, recorded and played again.
 ///
 /// The page is served to this machine alone, and only to who has the address that is printed: it holds a token. Runs go into
-/// new folders under runs/, as those of homebody run. Ctrl-C ends the run and the server.
+/// new folders under runs/, as those of homebody run. Ctrl-C ends the run and the server, and that is no failure: the exit code is 0.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody serve scenarios/tigerplace
@@ -35,6 +35,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
+        let signals = Signals::listen()?;
         let source = Source::at(&self.scenario)?;
         let scenario = source.folder().unwrap_or(Path::new("")).to_owned();
         let shelf = Shelf { scenario, entry: source.entry().to_owned(), runs: Path::new(RUNS).into() };
@@ -59,7 +60,7 @@ impl Arguments {
                 open(address);
             }
         };
-        Ok(homebody_web::serve(options, &cancel_on_signal(), ready)?)
+        Ok(homebody_web::serve(options, signals.cancel(), ready)?)
     }
 }
 
@@ -67,7 +68,8 @@ impl Arguments {
 fn open(address: &str) {
     let opener = if cfg!(target_os = "macos") { "open" } else { "xdg-open" };
     let mut command = Command::new(opener);
-    if command.arg(address).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn().is_err() {
+    command.arg(address).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    if begin_other(|| command.spawn()).is_err() {
         tell("open this address in a browser");
     }
 }

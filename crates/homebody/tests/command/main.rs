@@ -17,6 +17,7 @@ mod bad_input;
 mod logs;
 mod days;
 mod figures;
+mod labels;
 mod lives;
 mod truths;
 mod cohorts;

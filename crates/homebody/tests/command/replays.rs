@@ -71,7 +71,7 @@ fn a_changed_recording_is_refused() {
         ("/files/bob.keys.json", file("bob.keys.json", "right", "down"), "the replay differs from the recording"),
         ("/files/home.json", file("home.json", "0.05, 1.5", "0.05, 1.0"), "the replay differs from the recording"),
         // It cannot be lived.
-        ("/sha256", json!(""), "is no recording"),
+        ("/sha256", json!(""), "was not completed\n  hint: homebody run makes one"),
         ("/length_us", json!(-1), "is no recording"),
         ("/length_us", json!(i64::MAX), "a run is at most 100 years long"),
         ("/seed", json!("seven"), "is no recording"),
@@ -154,6 +154,9 @@ fn a_number_that_cannot_be_set_is_refused_with_its_place() {
     folder.run("run home --set gait.slowest=9").fails(2, "must be at most 0.6");
     folder.run("run home --set gait.slowest").fails(2, "write NAME=VALUE");
     folder.run("run home --set gait.slowest=slow").fails(2, "is no number");
+    let twice = "run home --set gait.slowest=0.25 --set need.thirst=3 --set gait.slowest=0.3 --set need.thirst=3";
+    let done = folder.run(twice).fails(2, "--set gait.slowest=0.25 and --set gait.slowest=0.3 set one number");
+    assert!(done.err.contains("--set need.thirst=3 and --set need.thirst=3") && !folder.path("runs").exists());
     let text = folder.read("home/scenario.json");
     let with = |numbers: &str| text.replacen('{', &format!("{{\n  \"numbers\": {numbers},"), 1);
     folder.write("home/scenario.json", with("{\n    \"gait.slowest\": 0.3,\n    \"gait.slowst\": 0.3\n  }"));
@@ -181,5 +184,11 @@ fn numbers_are_listed() {
         (&json!(0.2), &json!("m/s"), &json!("homebody-walk"))
     );
     assert!(rows.len() > 200, "{}", rows.len());
-    folder.run("numbers gaitt").fails(2, "did you mean \"gait\"?");
+    for (asked, said) in [
+        ("gaitt", "hint: did you mean \"gait\"?"),
+        ("slowest", "hint: there are gait.slowest"),
+        ("xyzzy", "hint: names begin with "),
+    ] {
+        folder.run(&format!("numbers {asked}")).fails(2, said);
+    }
 }

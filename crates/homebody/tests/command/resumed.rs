@@ -205,6 +205,121 @@ fn what_was_changed_is_not_gone_on_with() {
     folder.run("run flat --resume runs/flat-2").fails(2, "cannot be used with");
 }
 
+/// Each hint is followed, and works.
+#[test]
+fn what_cannot_be_gone_on_with_says_what_can_be_done() {
+    let (folder, _) = undisturbed("sqlite", "log.db");
+    let whole = left(&folder, "flat-1");
+    let running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));
+    folder.until("the run is begun", |folder| folder.path("runs/flat-2/recording.json").exists());
+    running.kill();
+
+    // A recording that is not complete is replayed once the run is; a file is in a folder.
+    let hint = "hint: homebody run --resume runs/flat-2 goes on with it first";
+    folder.run("replay runs/flat-2/recording.json").fails(2, hint);
+    let hint = "runs/flat-2/recording.json is a file\n  hint: name its folder, runs/flat-2";
+    folder.run("run --resume runs/flat-2/recording.json").fails(1, hint);
+    folder.run("run --resume flat/home.json").fails(1, "flat/home.json is a file, and no run or cohort has left it");
+    folder.run("run --resume runs/flat-2 --quiet").ok();
+    assert_eq!(differ(&folder, "flat-2", &whole), Vec::<String>::new());
+    folder.run("replay runs/flat-2/recording.json --quiet --out csv:again.csv").ok();
+
+    // An empty recording, and that of another scenario's run, which is put back.
+    let recording = folder.read("runs/flat-2/recording.json");
+    folder.write("runs/flat-2/recording.json", "");
+    let done =
+        folder.run("run --resume runs/flat-2").fails(2, "is no recording: it is empty\n  hint: without it nobody can");
+    assert!(done.err.contains("can still be read"));
+    folder.run("convert sqlite:runs/flat-2/log.db --to csv:read.csv").ok();
+    let mut running = folder.start(&format!("run flat --for {SPAN} --seed 8 --quiet --control --paused"));
+    running.say("step 20000\nstop\n");
+    running.finish().ok();
+    folder.write("runs/flat-2/recording.json", folder.read("runs/flat-3/recording.json"));
+    let before = left(&folder, "flat-2");
+    folder
+        .run("run --resume runs/flat-2")
+        .fails(1, "it holds another run\n  hint: it was changed since, or the recording is of");
+    assert_eq!(differ(&folder, "flat-2", &before), Vec::<String>::new(), "and no journal is left");
+    folder.write("runs/flat-2/recording.json", &recording);
+    folder.run("run --resume runs/flat-2").fails(2, "the run in runs/flat-2 is complete");
+    assert_eq!(differ(&folder, "flat-2", &whole), Vec::<String>::new());
+}
+
+/// A refusal on the way, once rows have been added to other tables, leaves databases without journals.
+#[test]
+fn a_refused_run_leaves_no_journals() {
+    let (folder, _) = undisturbed("sqlite", "log.db");
+    let mut running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));
+    running.say("step 20000\n");
+    folder.until("rows are stored", |folder| folder.stored_rows("runs/flat-2/log.db") > 100);
+    folder.until("the truth is stored", |folder| {
+        folder.query("runs/flat-2/truth.db", "SELECT count(*) FROM movement") != ["0"]
+    });
+    running.kill();
+    let companions = |folder: &Folder| {
+        let is_one = |name: &String| ["-journal", "-wal", "-shm", ".lock"].iter().any(|end| name.ends_with(end));
+        folder.files().into_iter().filter(is_one).collect::<Vec<_>>()
+    };
+    assert!(!companions(&folder).is_empty(), "the killed run has left some");
+    let database = Connection::open(folder.path("runs/flat-2/truth.db")).unwrap();
+    let last = "UPDATE movement SET kind = 'flight' WHERE rowid = (SELECT max(rowid) FROM movement)";
+    assert_eq!(database.execute(last, []).unwrap(), 1);
+    drop(database);
+    folder.run("run --resume runs/flat-2").fails(1, "of \"movement\" is another");
+    assert_eq!(companions(&folder), Vec::<String>::new());
+    assert_eq!(folder.query("runs/flat-2/log.db", "PRAGMA integrity_check"), ["ok"]);
+}
+
+/// What is found in a member's place is moved away, as the hint says; the member is lived anew.
+#[test]
+fn a_member_that_is_none_is_moved_away() {
+    let folder = Folder::new();
+    folder.copy_scenario("tigerplace");
+    folder.write("people.csv", "name,age\nanna,75\nbea,88\ncarl,\n");
+    for (who, member, other) in [("--residents 3", "0002", "0001"), ("--profiles people.csv", "bea", "anna")] {
+        folder.run(&format!("run tigerplace {who} --for 1d --quiet")).ok();
+        let whole = left(&folder, "tigerplace-1");
+        let place = format!("runs/tigerplace-1/{member}");
+        let recording = format!("{place}/recording.json");
+        let others: [(&str, &dyn Fn()); 4] = [
+            ("is a file, and a member's folder is to be there", &|| {
+                fs::remove_dir_all(folder.path(&place)).unwrap();
+                folder.write(&place, "a file");
+            }),
+            ("is no recording: it is empty", &|| folder.write(&recording, "")),
+            ("it is of another cohort", &|| {
+                folder.write(&recording, folder.read(&format!("runs/tigerplace-1/{other}/recording.json")));
+            }),
+            ("it is of another cohort", &|| {
+                // Whole, of the same name and seed, but of another life.
+                let text = folder.read(&recording);
+                let mut changed: Value = serde_json::from_str(&text).unwrap();
+                let files = changed["files"].as_object_mut().unwrap();
+                for (_, text) in files.iter_mut().filter(|(name, _)| name.ends_with("margaret.routine")) {
+                    *text = (text.as_str().unwrap().to_owned() + "\nThe person is 99.\n").into();
+                }
+                folder.write(&recording, changed.to_string());
+            }),
+        ];
+        for (said, spoil) in others {
+            spoil();
+            let done = folder.run("run --resume runs/tigerplace-1").fails(2, said);
+            let hint = format!("hint: move {place} away; then this member is lived anew");
+            assert!(done.err.contains(&hint), "{}", done.err);
+            fs::rename(folder.path(&place), folder.path("away")).unwrap();
+            let told = folder.run("run --resume runs/tigerplace-1").ok().out;
+            assert!(told.starts_with("tigerplace: 3 lives, 2 of them complete before in "), "{told}");
+            assert_eq!(differ(&folder, "tigerplace-1", &whole), Vec::<String>::new(), "{who}, {said}");
+            let _ = fs::remove_dir_all(folder.path("away"));
+            let _ = fs::remove_file(folder.path("away"));
+        }
+        folder.run("run --resume runs/tigerplace-1").fails(2, "the cohort in runs/tigerplace-1 is complete");
+        folder.run(&format!("run --resume {recording}")).fails(1, "hint: name its folder, runs/tigerplace-1\n");
+        folder.run("run --resume runs/tigerplace-1/cohort.json").fails(1, "hint: name its folder, runs/tigerplace-1\n");
+        fs::remove_dir_all(folder.path("runs")).unwrap();
+    }
+}
+
 /// A row as SQL tells it, cut into its cells.
 fn cells(rows: Vec<String>) -> Vec<Vec<String>> {
     rows.iter().map(|row| row.split('|').map(str::to_owned).collect()).collect()

@@ -4,6 +4,7 @@ use crate::flat::flat;
 use crate::folder::Folder;
 use rusqlite::Connection;
 use std::fs::{self, File};
+use std::net::{TcpListener, TcpStream};
 use std::process::Command;
 use std::thread;
 use std::time::Duration;
@@ -81,7 +82,9 @@ fn a_killed_fast_run_leaves_a_beginning() {
 fn an_interrupted_run_ends_well() {
     let folder = flat();
     let whole = undisturbed(&folder, "20m");
-    for (signal, speed, more) in [("INT", "50", ""), ("TERM", "100", ""), ("INT", "1", "--control --paused")] {
+    for (signal, code, speed, more) in
+        [("INT", 130, "50", ""), ("TERM", 143, "100", ""), ("INT", 130, "1", "--control --paused")]
+    {
         let words = "--out sqlite:log.db --out csv:log.csv --truth truth.db --record r.json --force";
         let _ = fs::remove_file(folder.path("log.db"));
         let mut running = folder.start(&format!("run flat --for 20m --speed {speed} {words} {more}"));
@@ -89,7 +92,8 @@ fn an_interrupted_run_ends_well() {
         thread::sleep(Duration::from_millis(300));
         assert!(running.is_alive());
         running.signal(signal);
-        let done = running.finish_listening().ok();
+        let done = running.finish_listening();
+        assert_eq!((done.code, done.err.as_str()), (Some(code), ""), "{signal}");
         assert!(done.out.starts_with("flat: stopped after "), "{}", done.out);
         assert!(done.out.contains("of 20 minutes"), "{}", done.out);
 
@@ -107,6 +111,75 @@ fn an_interrupted_run_ends_well() {
         assert_eq!(again["agrees_with_recording"].as_bool(), Some(true));
         assert_eq!(folder.sha256("again.csv"), folder.sha256("log.csv"));
         fs::remove_file(folder.path("again.csv")).unwrap();
+    }
+}
+
+/// The last line of what a command has said.
+fn last_line(out: &str) -> &str {
+    out.lines().last().unwrap_or_default()
+}
+
+#[test]
+fn the_last_line_of_an_interrupted_run_says_how_to_go_on() {
+    let folder = flat();
+    folder.run("run flat --for 20m --quiet").ok();
+    let mut running = folder.start("run flat --for 20m --speed 50");
+    folder.until("rows are stored", |folder| folder.stored_rows("runs/flat-2/log.db") > 0);
+    assert!(running.is_alive());
+    running.signal("TERM");
+    let done = running.finish_listening();
+    assert_eq!(done.code, Some(143), "{}", done.err);
+    let (_, go_on) = last_line(&done.out).split_once("homebody ").unwrap();
+    assert_eq!(go_on, "run --resume runs/flat-2");
+    folder.run(&format!("{go_on} --quiet")).ok();
+    assert_eq!(folder.sha256("runs/flat-2/log.db"), folder.sha256("runs/flat-1/log.db"));
+    // One that was told to stop has done what it was asked, and says the same.
+    let done = folder.say("run flat --for 20m --control --paused", "step 60\nstop\n").ok();
+    assert!(last_line(&done.out).ends_with("homebody run --resume runs/flat-3"), "{}", done.out);
+    let json = folder.say("run flat --for 20m --control --paused --json", "step 60\nstop\n").ok().json();
+    assert_eq!((json["stopped"].as_bool(), json["folder"].as_str()), (Some(true), Some("runs/flat-4")));
+    // The control: a whole run says nothing of that.
+    let done = folder.run("run flat --for 1m").ok();
+    assert!(!done.out.contains("--resume"), "{}", done.out);
+}
+
+#[test]
+fn an_interrupted_cohort_says_what_it_came_to() {
+    let folder = Folder::new();
+    folder.copy_scenario("tigerplace");
+    let live = "run tigerplace --residents 3 --for 2000d";
+    for (words, signal, code) in [("", "INT", 130), (" --json", "TERM", 143)] {
+        let mut running = folder.start(&format!("{live}{words}"));
+        let run = if words.is_empty() { "tigerplace-1" } else { "tigerplace-2" };
+        folder.until("a member is lived", |folder| {
+            folder.stored_rows(&format!("runs/{run}/0001/log.db")) > 0
+                || fs::metadata(folder.path(&format!("runs/{run}/0001/log.db"))).is_ok_and(|log| log.len() > 100_000)
+        });
+        assert!(running.is_alive());
+        running.signal(signal);
+        let done = running.finish_listening();
+        assert_eq!(done.code, Some(code), "{}", done.err);
+        if words.is_empty() {
+            assert!(done.out.starts_with("tigerplace: 3 lives, stopped in "), "{}", done.out);
+            assert!(last_line(&done.out).ends_with("homebody run --resume runs/tigerplace-1"), "{}", done.out);
+        } else {
+            let json = done.json();
+            assert_eq!((json["stopped"].as_bool(), json["found_complete"].as_u64()), (Some(true), Some(0)), "{json}");
+        }
+    }
+}
+
+/// To interrupt it is how one stops it.
+#[test]
+fn an_interrupted_server_ends_well() {
+    let folder = flat();
+    for signal in ["INT", "TERM"] {
+        let port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
+        let mut running = folder.start(&format!("serve flat --no-open --port {port}"));
+        folder.until("the server listens", |_| TcpStream::connect(("127.0.0.1", port)).is_ok());
+        assert!(running.is_alive());
+        running.signal(signal);
+        running.finish_listening().ok();
     }
 }
 

@@ -81,9 +81,9 @@ fn a_folder_that_may_not_be_written_says_so() {
     assert!(!folder.files().contains(&"log.csv".into()));
 }
 
-/// Runs the command where no file can grow beyond so many KiB.
+/// Runs the command where no file can grow beyond so many KiB. The system's signal for that has its usual meaning.
 fn cramped(folder: &Folder, kib: u32, words: &str) -> Done {
-    let limit = format!("trap '' XFSZ; ulimit -f {kib}; exec \"$0\" \"$@\"");
+    let limit = format!("ulimit -f {kib}; exec \"$0\" \"$@\"");
     let mut command = Command::new("bash");
     command.args(["-c", &limit, env!("CARGO_BIN_EXE_homebody")]).args(words.split_whitespace());
     Done::new(words, command.current_dir(folder.path("")).output().unwrap())
@@ -124,6 +124,27 @@ fn where_no_room_is_left_nothing_is_half_written() {
     assert!(!folder.files().iter().any(|name| name.starts_with("r.json")), "{:?}", folder.files());
     // Given room, all of it can be done.
     cramped(&folder, 100_000, "run flat --for 1h --out sqlite:log.db --truth truth.db --record r.json --quiet").ok();
+}
+
+#[test]
+fn where_there_are_no_threads_it_is_said() {
+    let folder = flat();
+    let given = folder.files();
+    for words in [
+        "run flat --for 1s",
+        "run flat --for 1s --residents 2",
+        "run --resume flat",
+        "replay r.json",
+        "serve flat --no-open",
+    ] {
+        // A stack for which no machine has room.
+        let output = folder.command(words).env("RUST_MIN_STACK", (1_u64 << 46).to_string()).output().unwrap();
+        Done::new(words, output).fails(1, "hint: allow this user more threads or memory");
+        assert_eq!(folder.files(), given, "{words}");
+    }
+    let mut experiment = folder.command("experiment daily-life --people 2 --days 2");
+    let output = experiment.env("RUST_MIN_STACK", (1_u64 << 46).to_string()).output().unwrap();
+    Done::new("experiment", output).fails(1, "there are no threads");
 }
 
 #[test]
@@ -176,6 +197,37 @@ fn one_full_device_ends_the_run() {
         assert_eq!(folder.files(), given);
     }
     folder.run("run flat --for 1s --out sqlite:/dev/full").fails(1, "no file that a database can be in");
+}
+
+/// What may be replaced, may not while somebody writes it: neither what was there, nor what is to come, nor the recording.
+#[test]
+fn two_programs_never_write_one_file() {
+    for scheme in SCHEMES {
+        let folder = flat();
+        let words = format!("--out {scheme}:log --truth truth.db --record r.json --force");
+        folder.run(&format!("run flat --for 30m --quiet {words}")).ok();
+        let whole = ["log", "truth.db", "r.json"].map(|name| folder.sha256(name));
+        let mut running = folder.start(&format!("run flat --for 30m --quiet --control --paused {words}"));
+        running.say("step 60\n");
+        folder.until("it is begun", |folder| folder.path("truth.db.lock").exists());
+        let begun = folder.files();
+        for other in [
+            words.clone(),
+            format!("--out {scheme}:flat/../log --force"),
+            "--out csv:other --truth truth.db --force".into(),
+            "--out csv:other --record r.json --force".into(),
+        ] {
+            let said = folder.run(&format!("run flat --for 1m --seed 9 {other}"));
+            said.fails(1, "another program is writing into ");
+            assert_eq!(folder.files(), begun, "{other}");
+        }
+        running.say("resume\n");
+        running.finish().ok();
+        assert_eq!(["log", "truth.db", "r.json"].map(|name| folder.sha256(name)), whole, "{scheme}");
+        assert!(!folder.files().iter().any(|name| name.ends_with(".lock")), "{:?}", folder.files());
+        // The control: once it is over, another may.
+        folder.run(&format!("run flat --for 1m --seed 9 --quiet {words}")).ok();
+    }
 }
 
 #[test]

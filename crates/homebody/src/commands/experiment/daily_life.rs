@@ -12,6 +12,7 @@ use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::MessagesFile;
 use homebody_core::time::{DAY, micros};
 use homebody_experiment::daily_life::{Experiment, Lived, Person};
+use homebody_kit::Error;
 use homebody_routine::household::Household;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
@@ -55,7 +56,10 @@ impl Arguments {
             Ok(person)
         };
         // In order of their numbers, whichever is done first.
-        let persons: Result<Vec<Person>, DriverError> = (0..self.people).into_par_iter().map(live).collect();
+        let pool = rayon::ThreadPoolBuilder::new().build();
+        let pool = pool.map_err(|error| Error::Threads(error.to_string()))?;
+        let persons: Result<Vec<Person>, DriverError> =
+            pool.install(|| (0..self.people).into_par_iter().map(live).collect());
         progress.finish_and_clear();
         let persons = persons?;
         let experiment = Experiment::of(persons, self.seed);

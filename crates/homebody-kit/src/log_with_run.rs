@@ -1,0 +1,245 @@
+//! A log that somebody names, and what lies beside it where a run left it: the truth, and the recording, which knows the
+//! sensors' own names, the time zone, and from when to when the run was.
+
+use crate::error::Error;
+use homebody_analysis::dates::{date_of, dates, on_wall, put_on_wall};
+use homebody_core::recording::Recording;
+use homebody_core::scenario::calendar::Calendar;
+use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::scenario::scheme::SCHEMES;
+use homebody_core::time::Micros;
+use homebody_log::places::{LIST, RECORDING};
+use homebody_log::source::Clock;
+use homebody_log::source::recognise;
+use homebody_log::truth::tables;
+use homebody_log::{Life, Log, LogError, RunClock, Url, lives, read, survey, truth_beside};
+use jiff::civil::Date;
+use std::fs;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+/// A log on the clock on the wall of its home.
+pub struct LogWithRun {
+    /// What it is called.
+    pub name: String,
+    /// Its rows; `log.clock` says whether they could be put on the wall.
+    pub log: Log,
+    /// What the truth tells, where there is one.
+    pub lives: Vec<Life>,
+    /// From when to when the run was, if that is known.
+    pub recorded: Option<Range<Micros>>,
+    /// The files that it comes from, which nothing replaces.
+    pub sources: Vec<PathBuf>,
+}
+
+impl LogWithRun {
+    /// Reads a log by its URL, by its path alone, or by the folder of its run. One in UTC is put on the wall of `zone`, or
+    /// of its run's; where neither is known, it stays in UTC.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::TimeZone`] if no zone has this name, [`Error::Log`] if the log or the truth beside it cannot be read, and those of
+    /// [`NamedLog::find`] and [`NamedLog::read`].
+    pub fn read(text: &str, zone: Option<&str>) -> Result<LogWithRun, Error> {
+        let asked = zone.map(Calendar::zone).transpose().map_err(Error::TimeZone)?;
+        let named = NamedLog::find(text)?;
+        let mut log = named.read()?;
+        let truth = named.truth();
+        // Days are drawn on the wall, so these are the instants as the truth tells them.
+        let mut lives = truth.as_ref().map(|truth| lives(truth, &RunClock::as_told())).transpose()?.unwrap_or_default();
+        let NamedLog { place: url, run, scenario, .. } = named;
+        if let Some(scenario) = &scenario {
+            name_sensors(&mut log, scenario);
+        }
+        let zone = asked.or_else(|| Some(scenario.as_ref()?.calendar.local(0).time_zone().clone()));
+        // One that is being lived, or was killed, says how long it is to be, and not how far it has come.
+        let lived = run.as_ref().filter(|run| run.is_complete());
+        let span = scenario.as_ref().zip(lived).map(|(scenario, run)| {
+            let instant = |at| scenario.calendar.timestamp(at).as_microsecond();
+            let zone = scenario.calendar.local(0).time_zone().clone();
+            on_wall(instant(0), &zone)..on_wall(instant(run.length_us), &zone)
+        });
+        if let Some(zone) = zone.filter(|_| log.clock == Clock::Utc) {
+            for part in lives.iter_mut().flat_map(|life| life.activities.iter_mut().chain(&mut life.rooms)) {
+                (part.begin, part.end) = (on_wall(part.begin, &zone), on_wall(part.end, &zone));
+            }
+            put_on_wall(&mut log, &zone);
+        }
+        // A recording that lies there by chance is of another time.
+        let recorded = span.filter(|span| log.events.iter().all(|event| span.contains(&event.at)));
+        let beside = url.file().map(|file| file.with_file_name(RECORDING)).filter(|path| path.is_file());
+        let truth = truth.map(|truth| truth.files(&tables())).unwrap_or_default();
+        let sources = url.file().map(Path::to_owned).into_iter().chain(truth).chain(beside).collect();
+        Ok(LogWithRun { name: called(text), log, lives, recorded, sources })
+    }
+
+    /// The first and the last of its dates: those of its run, on which nothing may have been said, else those of its rows.
+    pub fn dates(&self) -> Option<(Date, Date)> {
+        let of_run = self.recorded.as_ref().map(|run| (date_of(run.start), date_of(run.end - 1)));
+        of_run.or_else(|| dates(&self.log))
+    }
+}
+
+/// Gives the sensors their names in the home for the ids that they have in the log.
+fn name_sensors(log: &mut Log, scenario: &Scenario) {
+    for sensor in &mut log.sensors {
+        if let Some((name, _)) = scenario.logger.ids.iter().find(|(_, id)| *id == sensor) {
+            sensor.clone_from(name);
+        }
+    }
+}
+
+/// A log that somebody names, before it is read: where it is, and what is known of the run that left it.
+pub struct NamedLog {
+    /// Where it is.
+    pub place: Url,
+    /// What its table and columns are called, by the logger of its run; the usual names where that is not known.
+    pub mapping: LoggerFile,
+    /// The recording beside it.
+    run: Option<Recording>,
+    scenario: Option<Scenario>,
+}
+
+impl NamedLog {
+    /// Finds a log by its URL, by its path alone, or by the folder of its run.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NoLog`] or [`Error::IsCohort`] if it is a folder without one log, [`Error::NoRows`] if it is that of a run which
+    /// has not stored any, [`Error::Log`] if there is no such file.
+    pub fn find(text: &str) -> Result<NamedLog, Error> {
+        let path = PathBuf::from(text);
+        if path.join(LIST).is_file() {
+            return Err(Error::IsCohort { member: first_member(&path), folder: path });
+        }
+        if path.is_dir() {
+            let recording = recording_in(&path);
+            return match log_in(&path, recording.as_ref()) {
+                Some(place) => Ok(NamedLog::at(place, recording)),
+                None if recording.is_some_and(|run| !run.is_complete()) => Err(no_rows(path)),
+                None => Err(Error::NoLog { folder: path }),
+            };
+        }
+        let place = match path.exists() {
+            true => recognise(&path)?,
+            false => text.parse().or_else(|_| recognise(&path)).map_err(|error: LogError| error)?,
+        };
+        let beside = place.file().and_then(Path::parent).and_then(recording_in);
+        Ok(NamedLog::at(place, beside))
+    }
+
+    fn at(place: Url, run: Option<Recording>) -> NamedLog {
+        let scenario = run.as_ref().and_then(|run| run.scenario().ok());
+        let mapping = scenario.as_ref().map(|scenario| scenario.logger.clone()).unwrap_or_default();
+        NamedLog { place, mapping, run, scenario }
+    }
+
+    /// Reads it into memory.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NoRows`] if its run has not stored any yet, [`Error::Log`] if it cannot be read.
+    pub fn read(&self) -> Result<Log, Error> {
+        self.with_rows(read(&self.place, &self.mapping))
+    }
+
+    /// Reads it through and keeps no rows.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`NamedLog::read`].
+    pub fn survey(&self) -> Result<Log, Error> {
+        self.with_rows(survey(&self.place, &self.mapping))
+    }
+
+    /// A run that has no rows yet is told as such, whatever its log is without them.
+    fn with_rows(&self, read: Result<Log, LogError>) -> Result<Log, Error> {
+        let file = self.place.file().unwrap_or(Path::new(""));
+        let is_empty = match &read {
+            Ok(log) => log.rows == 0 && log.skipped == 0,
+            Err(LogError::Missing { .. } | LogError::NoTables { .. }) => true,
+            Err(_) => fs::metadata(file).is_ok_and(|found| found.len() == 0),
+        };
+        match self.run.as_ref().is_some_and(|run| is_empty && !run.is_complete() && self.is_of_its_run()) {
+            true => Err(no_rows(file.parent().unwrap_or(Path::new("")).to_owned())),
+            false => Ok(read?),
+        }
+    }
+
+    /// Whether the recording beside it says that the run's log is here.
+    fn is_of_its_run(&self) -> bool {
+        let Some(file) = self.place.file() else { return false };
+        let folder = file.parent().unwrap_or(Path::new(""));
+        places(self.scenario.as_ref()).any(|url| url.within(folder).file() == Some(file))
+    }
+
+    /// The truth that lies beside it.
+    pub fn truth(&self) -> Option<Url> {
+        truth_beside(self.place.file()?)
+    }
+
+    /// Reads instants of its run from the truth beside it. Where the run is not known, they are as they are told.
+    pub fn clock(&self) -> RunClock {
+        clock(self.scenario.as_ref(), self.run.as_ref())
+    }
+
+    /// Reads instants of its run from a truth that may be elsewhere, by whichever of the two has a recording beside it.
+    pub fn clock_beside(&self, truth: &Url) -> RunClock {
+        if self.scenario.is_some() {
+            return self.clock();
+        }
+        let run = truth.file().and_then(Path::parent).and_then(recording_in);
+        clock(run.as_ref().and_then(|run| run.scenario().ok()).as_ref(), run.as_ref())
+    }
+
+    /// Reads instants of its run from the log itself, which has the clock `told_by`.
+    pub fn clock_of(&self, told_by: Clock) -> RunClock {
+        let known = self.scenario.as_ref().zip(self.run.as_ref());
+        known
+            .map_or_else(RunClock::as_told, |(scenario, run)| RunClock::new(&scenario.calendar, run.length_us, told_by))
+    }
+}
+
+fn clock(scenario: Option<&Scenario>, run: Option<&Recording>) -> RunClock {
+    scenario.zip(run).map_or_else(RunClock::as_told, |(scenario, run)| RunClock::of(scenario, run.length_us))
+}
+
+/// The recording in a folder, if one can be read.
+fn recording_in(folder: &Path) -> Option<Recording> {
+    serde_json::from_str(&fs::read_to_string(folder.join(RECORDING)).ok()?).ok()
+}
+
+/// A run that has no rows yet, and the folder by which it can be gone on with: its cohort's, if it is a member of one.
+fn no_rows(folder: PathBuf) -> Error {
+    let cohort = folder.parent().filter(|parent| parent.join(LIST).is_file());
+    Error::NoRows { resume: cohort.unwrap_or(&folder).to_owned(), folder }
+}
+
+/// The log in a run's folder: where its recording says that it is, or under a usual name.
+fn log_in(folder: &Path, recording: Option<&Recording>) -> Option<Url> {
+    let scenario = recording.and_then(|run| run.scenario().ok());
+    let mut all = places(scenario.as_ref()).map(|url| url.within(folder));
+    all.find(|url| url.file().is_some_and(Path::is_file))
+}
+
+/// Where a run's log may be, within its folder.
+fn places(scenario: Option<&Scenario>) -> impl Iterator<Item = Url> {
+    let to = scenario.map(|scenario| &scenario.logger.to[..]).unwrap_or_default();
+    let said = to.iter().filter_map(|place| place.parse::<Url>().ok());
+    said.chain(SCHEMES.iter().map(|row| Url::new(row.scheme, row.usual)))
+}
+
+/// The first member of a cohort who was lived.
+fn first_member(folder: &Path) -> Option<PathBuf> {
+    let is_member = |path: &PathBuf| path.join("recording.json").is_file();
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    entries.filter(is_member).min()
+}
+
+/// What a log is called: as its file, or as the folder of its run.
+fn called(text: &str) -> String {
+    let path =
+        PathBuf::from(text.split_once(':').filter(|(scheme, _)| scheme.len() > 1).map_or(text, |(_, path)| path));
+    path.file_name().map_or(text.into(), |name| name.to_string_lossy().into_owned())
+}

@@ -1,0 +1,35 @@
+//! How long what is read may be: whoever writes a file decides what is in it, and nobody's memory is to be filled by it.
+
+/// No row of a log or a truth has more bytes (ours): a mebibyte.
+pub const LONGEST_ROW: usize = 1 << 20;
+
+/// No row has more cells (ours).
+pub const MOST_CELLS: usize = 1000;
+
+/// No sensor's id has more characters, which is the most that Home Assistant takes.
+pub const LONGEST_ID: usize = 255;
+
+/// Nothing that a sensor says has more characters (ours).
+pub const LONGEST_VALUE: usize = 4096;
+
+/// How many characters of a text an error quotes (ours).
+const QUOTED: usize = 40;
+
+/// The beginning of a text, in quotes.
+pub(crate) fn beginning(text: &str) -> String {
+    match text.char_indices().nth(QUOTED) {
+        Some((end, _)) => format!("{:?}...", &text[..end]),
+        None => format!("{text:?}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_the_beginning_is_quoted() {
+        assert_eq!(beginning("hall \"1\""), r#""hall \"1\"""#);
+        assert_eq!(beginning(&"é".repeat(50)), format!("{:?}...", "é".repeat(40)));
+    }
+}

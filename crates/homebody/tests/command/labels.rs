@@ -1,0 +1,237 @@
+//! Logs are labelled by the truth of their run, whatever clock both tell, and what cannot be labelled is said.
+
+use crate::flat::flat;
+use crate::folder::Folder;
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_log::{How, RunClock, Transfer, Url, label, survey};
+use rusqlite::Connection;
+use std::fs;
+
+/// What a labelled file says of each row, but for the row's number and instant.
+fn labels(folder: &Folder, name: &str) -> Vec<String> {
+    let rest = |line: &str| line.splitn(3, ',').nth(2).unwrap().to_owned();
+    folder.read(name).lines().skip(1).map(rest).collect()
+}
+
+fn differing(one: &[String], other: &[String]) -> usize {
+    assert_eq!(one.len(), other.len());
+    one.iter().zip(other).filter(|(one, other)| one != other).count()
+}
+
+/// A day and night of November in which clocks go back, by the clock on the wall and by the world's.
+#[test]
+fn the_hour_that_clocks_tell_twice_is_labelled_as_two() {
+    let folder = Folder::new();
+    folder.copy_scenario("tigerplace");
+    let mut scenario: serde_json::Value = serde_json::from_str(&folder.read("tigerplace/scenario.json")).unwrap();
+    scenario["start"] = "2009-10-31T12:00:00".into();
+    folder.write("tigerplace/scenario.json", scenario.to_string());
+    let mut logger: serde_json::Value = serde_json::from_str(&folder.read("tigerplace/logger.json")).unwrap();
+    for (number, time) in ["utc", "local"].into_iter().enumerate() {
+        logger["time"] = time.into();
+        folder.write("tigerplace/logger.json", logger.to_string());
+        folder.run("run tigerplace --for 24h --quiet").ok();
+        folder.run(&format!("label runs/tigerplace-{} --to csv:{time}.csv", number + 1)).ok();
+    }
+    let reference = labels(&folder, "utc.csv");
+    assert!(reference.len() > 3000);
+    assert_eq!(differing(&labels(&folder, "local.csv"), &reference), 0);
+
+    // The control: by what the files tell alone, the two hours are one.
+    let [from, truth, to] = ["sqlite:runs/tigerplace-2/log.db", "sqlite:runs/tigerplace-2/truth.db", "csv:told.csv"]
+        .map(|url| url.parse::<Url>().unwrap().within(&folder.path("")));
+    let mapping = LoggerFile::default();
+    let about = survey(&from, &mapping).unwrap();
+    let transfer = Transfer { from: &from, mapping: &mapping, to: &to, name: "told", zone: "UTC", how: How::New };
+    label(&transfer, &about, &truth, &RunClock::as_told(), |_| ()).unwrap();
+    let wrong = differing(&labels(&folder, "told.csv"), &reference);
+    println!("{} rows, {wrong} wrong by what is told alone", reference.len());
+    assert!(wrong > 50, "{wrong}");
+}
+
+#[test]
+fn a_truth_of_texts_labels_as_a_database_does() {
+    let folder = flat();
+    folder.run("run flat --for 20m --quiet --out csv:log.csv --truth truth.db").ok();
+    folder.run("run flat --for 20m --quiet --out csv:same.csv --truth csv:texts.csv").ok();
+    folder.run("label log.csv truth.db --to csv:wanted.csv").ok();
+    let wanted = folder.read("wanted.csv");
+    assert!(wanted.lines().count() > 300 && wanted.contains(",movement,"));
+    for truth in ["csv:texts.csv", "texts.csv", "texts.cause.csv"] {
+        folder.run(&format!("label log.csv {truth} --to csv:found.csv --force")).ok();
+        assert_eq!(folder.read("found.csv"), wanted, "{truth}");
+    }
+    // Beside its log it is found.
+    folder.run("run flat --for 20m --quiet --out csv:beside/log.csv --truth csv:beside/truth.csv").fails(1, "folder");
+    fs::create_dir(folder.path("beside")).unwrap();
+    folder.run("run flat --for 20m --quiet --out csv:beside/log.csv --truth csv:beside/truth.csv").ok();
+    folder.run("label beside/log.csv --to csv:found.csv --force").ok();
+    assert_eq!(folder.read("found.csv"), wanted);
+    // What is missing of it is told, and so is what is no row of it.
+    folder.run("label log.csv csv:texts.csv --to csv:texts.room.csv --force").fails(1, "cannot become itself");
+    folder.edit("texts.room.csv", "resident,at,room", "resident,at,place");
+    folder
+        .run("label log.csv csv:texts.csv --to csv:x.csv")
+        .fails(1, "texts.room.csv has no truth: no column \"room\"");
+    fs::remove_file(folder.path("texts.off.csv")).unwrap();
+    folder
+        .run("label log.csv csv:texts.csv --to csv:x.csv")
+        .fails(1, "csv:texts.csv has no truth: no file texts.off.csv");
+    assert!(!folder.path("x.csv").exists());
+}
+
+#[test]
+fn what_is_wrong_with_a_log_is_not_blamed_on_the_truth() {
+    let folder = flat();
+    folder.run("run flat --for 10m --quiet --out csv:log.csv --truth truth.db").ok();
+    let text = folder.read("log.csv");
+    let lines: Vec<&str> = text.lines().collect();
+    let dirty = [&lines[..3], &["3,never,Fridge,ON", "nonsense"], &lines[3..]].concat().join("\n");
+    folder.write("dirty.csv", dirty);
+    let said = folder.run("label dirty.csv truth.db --to csv:x.csv").fails(1, "dirty.csv:4: \"never\" is no date").err;
+    assert!(said.contains("dirty.csv:5: ") && said.contains("hint: ") && !said.contains("truth.db"), "{said}");
+
+    folder.write("empty.db", "");
+    Connection::open(folder.path("other.db")).unwrap().execute_batch("CREATE TABLE cause (row)").unwrap();
+    folder.write("text.txt", "no truth at all, but a text that is long enough to be looked at");
+    for (truth, said) in [
+        ("empty.db", "has no truth: no table \"cause\", no table \"off\""),
+        ("other.db", "has no truth: no column \"firing\" of \"cause\""),
+        ("text.txt", "text.txt has no truth: it is no database"),
+        ("none.db", "none.db does not exist"),
+        ("casas:log.csv", "has no truth"),
+    ] {
+        let said = folder.run(&format!("label log.csv {truth} --to csv:x.csv")).fails(1, said).err;
+        assert!(said.contains("\n  hint: "), "{said}");
+    }
+    fs::rename(folder.path("truth.db"), folder.path("moved.db")).unwrap();
+    folder
+        .run("label log.csv --to csv:x.csv")
+        .fails(1, "no truth lies beside csv:log.csv\n  hint: name the run's truth");
+    assert!(!folder.path("x.csv").exists());
+    // Who follows the hints gets there.
+    folder.run("label log.csv moved.db --to csv:x.csv").ok();
+}
+
+/// The commands that read a run's folder.
+const READERS: [&str; 6] = [
+    "label RUN --to csv:x.csv",
+    "convert RUN --to csv:x.csv",
+    "compare RUN RUN",
+    "density RUN",
+    "day RUN first",
+    "convert RUN/LOG --to csv:x.csv",
+];
+
+#[test]
+fn a_run_without_rows_yet_is_told_as_such() {
+    for (log, without) in
+        [("sqlite:log.db", true), ("sqlite:log.db", false), ("csv:log.csv", true), ("casas:log.txt", true)]
+    {
+        let folder = flat();
+        let mut logger: serde_json::Value = serde_json::from_str(&folder.read("flat/logger.json")).unwrap();
+        logger["to"] = serde_json::json!([log]);
+        // Names that nobody guesses.
+        logger["table"] = "hits".into();
+        logger["columns"] = serde_json::json!({ "time": "zeit", "sensor": "wer", "value": "was" });
+        folder.write("flat/logger.json", logger.to_string());
+        folder.run("run flat --for 10m --quiet").ok();
+        let name = log.split_once(':').unwrap().1;
+        // A database that was emptied has other pages.
+        let left = || match log.starts_with("sqlite") {
+            true => folder.dump("runs/flat-1/log.db"),
+            false => folder.read(&format!("runs/flat-1/{name}")),
+        };
+        let whole = left();
+        // As a kill leaves it before the first rows.
+        let recording = folder.read("runs/flat-1/recording.json");
+        let mut begun: serde_json::Value = serde_json::from_str(&recording).unwrap();
+        (begun["sha256"], begun["firings"]) = ("".into(), 0.into());
+        begun.as_object_mut().unwrap().remove("rows");
+        folder.write("runs/flat-1/recording.json", begun.to_string());
+        match (without, log) {
+            (false, _) => {
+                let database = Connection::open(folder.path("runs/flat-1/log.db")).unwrap();
+                database.execute_batch("DELETE FROM hits; UPDATE run SET ended_at = NULL").unwrap();
+            }
+            (true, "sqlite:log.db") => folder.write("runs/flat-1/log.db", ""),
+            (true, _) => fs::remove_file(folder.path(&format!("runs/flat-1/{name}"))).unwrap(),
+        }
+        for words in READERS
+            .iter()
+            .filter(|words| folder.path(&format!("runs/flat-1/{name}")).exists() || !words.contains("LOG"))
+        {
+            let words = words.replace("LOG", name).replace("RUN", "runs/flat-1");
+            let said =
+                "the run in runs/flat-1 has no rows yet\n  hint: homebody run --resume runs/flat-1 goes on with it";
+            folder.run(&words).fails(1, said);
+        }
+        fs::remove_file(folder.path("runs/flat-1/truth.db")).unwrap();
+        folder.run("run --resume runs/flat-1 --quiet").ok();
+        assert!(left() == whole, "{log}");
+        folder.run("convert runs/flat-1 --to csv:x.csv").ok();
+    }
+}
+
+/// Each file of a folder with its bytes.
+fn all(folder: &Folder) -> Vec<(String, Vec<u8>)> {
+    folder.files().into_iter().map(|name| (name.clone(), fs::read(folder.path(&name)).unwrap())).collect()
+}
+
+#[test]
+fn no_file_of_a_run_is_replaced() {
+    let folder = flat();
+    folder.run("run flat --for 5m --quiet").ok();
+    folder.run("convert runs/flat-1 --to csv:elsewhere.csv").ok();
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("runs/flat-1/truth.db", folder.path("link.db")).unwrap();
+        std::os::unix::fs::symlink("runs/flat-1", folder.path("linked")).unwrap();
+    }
+    let before = all(&folder);
+    let files = [
+        "sqlite:runs/flat-1/truth.db",
+        "csv:runs/flat-1/recording.json",
+        "csv:runs/../runs/flat-1/sensors.csv",
+        "sqlite:./runs/flat-1/x/../truth.db",
+        "sqlite:link.db",
+        "sqlite:linked/truth.db",
+    ];
+    fs::create_dir(folder.path("runs/flat-1/x")).unwrap();
+    for to in if cfg!(unix) { &files[..] } else { &files[..4] } {
+        folder.run(&format!("convert elsewhere.csv --to {to} --force")).fails(1, "is a file of the run in ");
+        let said = if to.ends_with(".db") { "cannot become itself" } else { "is a file of the run in " };
+        folder.run(&format!("label runs/flat-1 --to {to} --force")).fails(1, said);
+    }
+    fs::remove_dir(folder.path("runs/flat-1/x")).unwrap();
+    assert_eq!(all(&folder), before);
+    // What the run has not left is anybody's.
+    folder.run("convert elsewhere.csv --to csv:runs/flat-1/log.csv").ok();
+    // A run that is under way is going to have its log.
+    let mut logger: serde_json::Value = serde_json::from_str(&folder.read("flat/logger.json")).unwrap();
+    logger["to"] = serde_json::json!(["csv:own/name.csv"]);
+    folder.write("flat/logger.json", logger.to_string());
+    let mut running = folder.start("run flat --for 10m --quiet --control --paused");
+    folder.until("the run is begun", |folder| folder.path("runs/flat-2/recording.json").exists());
+    folder.run("convert elsewhere.csv --to csv:runs/flat-2/own/name.csv").fails(1, "is a file of the run in ");
+    running.say("stop\n");
+    running.finish().ok();
+    assert!(folder.path("runs/flat-2/own/name.csv").exists());
+}
+
+#[test]
+fn a_log_and_the_tables_of_a_truth_have_files_of_their_own() {
+    let folder = flat();
+    let before = folder.files();
+    folder
+        .run("run flat --for 5m --quiet --out csv:t.room.csv --truth csv:./t.csv")
+        .fails(2, "two outputs have the same file");
+    assert_eq!(folder.files(), before);
+    folder.write("t.cause.csv", "somebody's");
+    folder.run("run flat --for 5m --quiet --out csv:t.csv --truth csv:t.csv").fails(1, "t.cause.csv exists already");
+    assert_eq!(folder.read("t.cause.csv"), "somebody's");
+    fs::remove_file(folder.path("t.cause.csv")).unwrap();
+    // Of one name, but of files of their own.
+    folder.run("run flat --for 5m --quiet --out csv:t.csv --truth csv:t.csv").ok();
+    folder.run("label t.csv csv:t.csv --to csv:labelled.csv").ok();
+}
