@@ -291,6 +291,16 @@ pub struct Events {
 }
 
 impl Events {
+    /// How many firings and facts there are together.
+    pub fn len(&self) -> usize {
+        self.firings.len() + self.facts.len()
+    }
+
+    /// Whether nothing has happened.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
     /// Takes away all firings and facts, and keeps the memory for the next advance.
     pub fn clear(&mut self) {
         self.firings.clear();

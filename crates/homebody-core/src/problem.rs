@@ -38,6 +38,12 @@ fn is_one(width: &u32) -> bool {
     *width == 1
 }
 
+/// So many problems of a file are told (ours): one that is wrong throughout would bury the others.
+pub const MOST_PER_FILE: usize = 100;
+
+/// No message is longer, in bytes (ours): what it quotes may be.
+const LONGEST_MESSAGE_BYTES: usize = 600;
+
 /// Everything that is wrong, in the order of files and places.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Problems(pub Vec<Problem>);
@@ -45,8 +51,6 @@ pub struct Problems(pub Vec<Problem>);
 impl Problems {
     /// Of each file, whose problems stand together, no more than anybody reads, and how many more there are.
     pub fn truncated(problems: &[Problem]) -> Problems {
-        /// A file that is wrong throughout would bury the others.
-        const MOST_PER_FILE: usize = 100;
         let mut kept = Vec::new();
         for of_file in problems.chunk_by(|a, b| a.file == b.file) {
             kept.extend_from_slice(&of_file[..of_file.len().min(MOST_PER_FILE)]);
@@ -67,7 +71,8 @@ impl Problems {
 impl Problem {
     /// A problem with a file as a whole.
     pub fn of_file(file: &str, what: impl Into<String>, hint: Option<String>) -> Problem {
-        Problem { file: file.into(), line: 0, column: 0, what: what.into(), hint, excerpt: None }
+        let (what, hint) = (short(what.into()), hint.map(short));
+        Problem { file: file.into(), line: 0, column: 0, what, hint, excerpt: None }
     }
 
     fn render(&self) -> String {
@@ -92,14 +97,24 @@ impl Problem {
 }
 
 impl Excerpt {
-    /// Cuts a line to what fits beside a line number, with the column (counted from 1) in sight.
-    pub fn new(line: &str, column: u32) -> Excerpt {
+    /// What is on a line around a byte of it that has a problem: so much as fits beside a line number. A line may be as long
+    /// as its file: only what is near the place is looked at.
+    pub fn around(line: &str, at: usize) -> Excerpt {
         const WIDTH: usize = 120;
         const BEFORE: usize = 80;
-        let place = (column as usize).saturating_sub(1);
-        let start = if line.chars().count() <= WIDTH { 0 } else { place.saturating_sub(BEFORE) };
-        let text = line.chars().skip(start).take(WIDTH).map(|c| if c.is_control() { ' ' } else { c }).collect();
-        Excerpt { text, before: (place - start) as u32, width: 1 }
+        /// A character has at most so many bytes.
+        const WIDEST_BYTES: usize = 4;
+        let at = boundary_before(line, at);
+        // Blanks at the end say nothing; a line that ends further away than that is cut all the same.
+        let end = boundary_before(line, at + (WIDTH + 1) * WIDEST_BYTES);
+        let line = if end == line.len() { line.trim_end() } else { &line[..end] };
+        let at = at.min(line.len());
+        let start = match line.chars().nth(WIDTH) {
+            None => 0,
+            Some(_) => line[..at].char_indices().rev().nth(BEFORE - 1).map_or(0, |(start, _)| start),
+        };
+        let text = line[start..].chars().take(WIDTH).map(|c| if c.is_control() { ' ' } else { c }).collect();
+        Excerpt { text, before: line[start..at].chars().count() as u32, width: 1 }
     }
 
     /// The same with so many characters underlined, as far as they are in sight.
@@ -132,6 +147,20 @@ impl fmt::Display for Problems {
 }
 
 impl std::error::Error for Problems {}
+
+/// The nearest place at or before a byte offset at which a character begins, or the text ends.
+pub fn boundary_before(text: &str, at: usize) -> usize {
+    (0..=at.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0)
+}
+
+/// A message without its middle, where it is longer than people read.
+fn short(mut text: String) -> String {
+    if text.len() > LONGEST_MESSAGE_BYTES {
+        let (first, last) = (LONGEST_MESSAGE_BYTES / 2, text.len() - LONGEST_MESSAGE_BYTES / 3);
+        text.replace_range(boundary_before(&text, first)..boundary_before(&text, last), " ... ");
+    }
+    text
+}
 
 /// How many of what, as a sentence has it.
 pub fn counted(count: usize, one: &str, many: &str) -> String {

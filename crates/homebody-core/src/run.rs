@@ -204,10 +204,20 @@ impl Run {
     /// If a driver answers with what no body can do. The run has come to the instant at which it was asked, `events` has what
     /// happened before, and the run goes no further: it gives the same error from then on.
     pub fn advance(&mut self, until: Micros, events: &mut Events) -> Result<(), DriverError> {
+        self.advance_within(until, usize::MAX, events)
+    }
+
+    /// As [`Run::advance`], but goes no further once `events` has `most` firings and facts or more, so that a resident who does
+    /// a million things a second needs time and not memory. [`Run::now`] says how far it has come.
+    ///
+    /// # Errors
+    ///
+    /// As [`Run::advance`].
+    pub fn advance_within(&mut self, until: Micros, most: usize, events: &mut Events) -> Result<(), DriverError> {
         let until = until.min(self.length);
         let mut link = self.link.take();
         let mut said = Events::default();
-        while self.now() < until && self.failure.is_none() {
+        while self.now() < until && self.failure.is_none() && events.len() < most {
             self.failure = self.begin_due(events).err();
             if self.failure.is_some() {
                 break;

@@ -9,7 +9,9 @@ use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::SCHEMES;
 use homebody_core::time::Micros;
+use homebody_log::limits::LARGEST_RECORDING_BYTES;
 use homebody_log::places::{LIST, RECORDING};
+use homebody_log::plain;
 use homebody_log::source::Clock;
 use homebody_log::source::recognise;
 use homebody_log::truth::tables;
@@ -207,7 +209,7 @@ fn clock(scenario: Option<&Scenario>, run: Option<&Recording>) -> RunClock {
 
 /// The recording in a folder, if one can be read.
 fn recording_in(folder: &Path) -> Option<Recording> {
-    serde_json::from_str(&fs::read_to_string(folder.join(RECORDING)).ok()?).ok()
+    serde_json::from_str(&plain::read_text(&folder.join(RECORDING), LARGEST_RECORDING_BYTES).ok()?).ok()
 }
 
 /// A run that has no rows yet, and the folder by which it can be gone on with: its cohort's, if it is a member of one.

@@ -7,10 +7,11 @@ use crate::run::{LiveRun, Progress};
 use crate::store::Lived;
 use homebody_core::recording::{LONGEST, Recording};
 use homebody_core::scenario::load::Scenario;
+use homebody_log::limits::LARGEST_RECORDING_BYTES;
 use homebody_log::places::{LIST, RECORDING, SENSORS};
+use homebody_log::plain;
 use homebody_log::{Destination, How, Places};
 use homebody_routine::household::Household;
-use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -194,7 +195,7 @@ pub(crate) fn read(path: &Path) -> Result<Recording, Error> {
 
 /// The text of a recording, or of the list of a cohort.
 pub(crate) fn text(path: &Path) -> Result<String, Error> {
-    let text = fs::read_to_string(path);
+    let text = plain::read_text(path, LARGEST_RECORDING_BYTES);
     if text.as_ref().is_ok_and(|text| text.trim().is_empty()) {
         return Err(Error::Recording { path: path.into(), why: "it is empty".into() });
     }

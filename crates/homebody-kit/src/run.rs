@@ -202,6 +202,9 @@ impl RunSetup {
     }
 }
 
+/// A batch has not many more firings and facts than this (ours), whatever drivers decide: some tens of megabytes.
+const MOST_EVENTS: usize = 200_000;
+
 /// A run that is being lived.
 pub struct LiveRun {
     pub(crate) scenario: Arc<Scenario>,
@@ -346,9 +349,10 @@ impl LiveRun {
             return Ok(false);
         }
         let Some(until) = self.paced.next(self.begin) else { return Ok(false) };
-        let lived = self.run.advance(until, &mut self.events);
+        let lived = self.run.advance_within(until, MOST_EVENTS, &mut self.events);
+        self.paced.handed(self.events.len());
         // What happened before a driver went wrong is handed on first; asked again, the run says the same with nothing new.
-        if self.events == Events::default() {
+        if self.events.is_empty() {
             lived?;
         }
         Ok(true)

@@ -2,6 +2,8 @@
 
 use crate::error::Error;
 use homebody_core::scenario::load::{Files, Scenario};
+use homebody_log::limits::LARGEST_OF_SCENARIO_BYTES;
+use homebody_log::plain;
 use homebody_routine::household::RoutineLanguage;
 use include_dir::{Dir, include_dir};
 use std::collections::BTreeMap;
@@ -26,7 +28,8 @@ pub struct Source {
 }
 
 impl Source {
-    /// A scenario on disk, named by its folder or by its `scenario.json`.
+    /// A scenario on disk, named by its folder or by its `scenario.json`. It may be anybody's: its files are plain ones in
+    /// there, each of at most [`LARGEST_OF_SCENARIO_BYTES`].
     ///
     /// # Errors
     ///
@@ -50,7 +53,21 @@ impl Source {
             let why = "there is no such file\n  hint: a scenario folder holds a scenario.json";
             return Err(Error::file(&file, why));
         }
-        Ok(Source { files: Arc::new(Folder(folder.to_owned())), entry, folder: Some(folder.to_owned()) })
+        Ok(Source {
+            files: Arc::new(Folder { path: folder.to_owned(), is_trusted: false }),
+            entry,
+            folder: Some(folder.to_owned()),
+        })
+    }
+
+    /// The same, as one's own: links may lead out of its folder, and its files are of any size.
+    pub fn trusted(self) -> Source {
+        match self.folder {
+            Some(path) => {
+                Source { files: Arc::new(Folder { path: path.clone(), is_trusted: true }), folder: Some(path), ..self }
+            }
+            None => self,
+        }
     }
 
     /// A scenario whose files are these texts, by name; `entry` is the name of its own file among them.
@@ -131,17 +148,24 @@ impl Template {
 }
 
 /// The files of a folder.
-struct Folder(PathBuf);
+struct Folder {
+    path: PathBuf,
+    /// Whether links may lead out of it, and files be of any size.
+    is_trusted: bool,
+}
 
 impl Files for Folder {
     fn read(&self, name: &str) -> Result<String, String> {
-        let bytes = fs::read(self.0.join(name)).map_err(|error| match error.kind() {
+        let path = self.path.join(name);
+        let largest = if self.is_trusted { u64::MAX } else { LARGEST_OF_SCENARIO_BYTES };
+        let text = plain::read_text(&path, largest).map_err(|error| match error.kind() {
             ErrorKind::NotFound => "there is no such file".to_owned(),
             ErrorKind::IsADirectory => "it is a folder".to_owned(),
             _ => error.to_string(),
         })?;
-        let text = String::from_utf8(bytes).map_err(|_| "it is not text in UTF-8")?;
-        // A byte order mark says nothing.
-        Ok(text.strip_prefix('\u{feff}').map_or(text.clone(), str::to_owned))
+        match self.is_trusted || plain::is_inside(&self.path, &path) {
+            true => Ok(text),
+            false => Err("it is a link that leads out of the scenario's folder".to_owned()),
+        }
     }
 }

@@ -78,7 +78,7 @@ fn a_stored_run_is_lived_again_and_a_changed_recording_is_found() {
     let run = tigerplace().run().seed(5).days(1.5).start().unwrap();
     let lived = run.store(&to, |now| progress.push(now)).unwrap();
     assert_eq!(progress.last(), Some(&lived.progress));
-    assert!(progress.is_sorted_by_key(|now| now.lived) && progress.len() == 36);
+    assert!(progress.is_sorted_by_key(|now| now.lived) && progress.len() >= 36);
     assert_eq!((lived.agrees, lived.is_stopped()), (None, false));
     assert_eq!(lived.rows_by_sensor().map(|(_, rows)| rows).sum::<u64>(), lived.stored.rows);
     let path = lived.recorded.clone().unwrap();
@@ -106,8 +106,9 @@ fn a_run_stops_between_batches_and_what_it_stored_is_whole() {
         }
     });
     let lived = lived.unwrap();
-    assert!(lived.is_stopped() && lived.recording.length_us == DAY);
-    assert_eq!(lived.recording.firings, firings(tigerplace().run().days(1).start().unwrap()).len() as u64);
+    let length = lived.recording.length_us;
+    assert!(lived.is_stopped() && (DAY..DAY + DAY / 24).contains(&length));
+    assert_eq!(lived.recording.firings, firings(tigerplace().run().length(length).start().unwrap()).len() as u64);
 }
 
 /// Keeps the numbers of the rows that it gets, as many as it says to hold already left out.
@@ -342,4 +343,20 @@ fn a_cohort_that_is_cancelled_lists_whom_it_lived() {
     let lived = cohort.store_in(folder.path(), |_| assert!(cancel.cancel() || cancel.is_cancelled())).unwrap();
     assert!(lived.list.members.len() < 40 && lived.lived < 40 * DAY);
     assert!(lived.folder.join("cohort.json").is_file());
+}
+
+#[test]
+fn a_resident_who_does_a_million_things_a_second_needs_time_and_not_memory() {
+    let restless = |now: Micros| {
+        let amplitude_m = if now % 2 == 0 { 0.2 } else { 0.3 };
+        segment(now, now + 1, MotionState::InPlace { at: Point::new(6.0, 4.0), amplitude_m })
+    };
+    let opened = tigerplace();
+    let run = opened.run().days(1).driver("margaret", move |_, _| Odd(restless));
+    let mut run = run.start().unwrap();
+    for _ in 0..20 {
+        let batch = run.next_batch().unwrap().unwrap();
+        assert!(batch.firings.len() + batch.facts.len() <= 200_100, "{} to {}", batch.begin, batch.end);
+        assert!(batch.begin < batch.end, "a run always goes on");
+    }
 }

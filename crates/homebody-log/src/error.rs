@@ -1,6 +1,6 @@
 //! What can go wrong with a log.
 
-use crate::limits::LONGEST_ROW;
+use crate::limits::LONGEST_ROW_BYTES;
 use crate::skipped::Skipped;
 use homebody_core::scenario::scheme::NoPlace;
 use std::error::Error;
@@ -69,6 +69,14 @@ pub enum LogError {
     #[error("{place} is locked by another program\n  hint: close that program, or write to another file")]
     Locked {
         /// The database's file.
+        place: String,
+    },
+    /// A file of a run's folder is a link or a device, so that writing there would write elsewhere.
+    #[error(
+        "{place} leads out of the run's folder\n  hint: it is no file that a run has made; remove it, or live the run anew"
+    )]
+    LeadsOut {
+        /// The file.
         place: String,
     },
     /// Another program is living a run into the folder, or writing the file.
@@ -324,7 +332,7 @@ impl LogError {
             Some(DatabaseBusy | DatabaseLocked) => LogError::Locked { place },
             Some(DiskFull) => LogError::Full { place },
             Some(TooBig) => {
-                let what = format!("a row or a cell of it is longer than {LONGEST_ROW} bytes");
+                let what = format!("a row or a cell of it is longer than {LONGEST_ROW_BYTES} bytes");
                 LogError::TooLong { place, what }
             }
             Some(ReadOnly | PermissionDenied) => LogError::Denied { place },

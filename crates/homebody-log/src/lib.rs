@@ -20,6 +20,7 @@ pub mod skipped;
 pub mod error;
 
 pub mod fresh;
+pub mod plain;
 pub mod lock;
 pub mod places;
 

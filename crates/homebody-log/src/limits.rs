@@ -1,7 +1,13 @@
 //! How long what is read may be: whoever writes a file decides what is in it, and nobody's memory is to be filled by it.
 
+/// No file of a scenario is larger, in bytes (ours). A list of profiles is one, too.
+pub const LARGEST_OF_SCENARIO_BYTES: u64 = 8 << 20;
+
+/// No recording and no list of a cohort's members is larger, in bytes (ours): it holds all files of a scenario.
+pub const LARGEST_RECORDING_BYTES: u64 = 64 << 20;
+
 /// No row of a log or a truth has more bytes (ours): a mebibyte.
-pub const LONGEST_ROW: usize = 1 << 20;
+pub const LONGEST_ROW_BYTES: usize = 1 << 20;
 
 /// No row has more cells (ours).
 pub const MOST_CELLS: usize = 1000;

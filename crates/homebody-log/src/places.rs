@@ -2,6 +2,8 @@
 
 use crate::error::{LogError, place_of};
 use crate::fresh::{all_can_be_written, same_file, whole};
+use crate::limits::LARGEST_RECORDING_BYTES;
+use crate::plain::{self, is_inside};
 use crate::truth::tables;
 use crate::url::Url;
 use homebody_core::recording::Recording;
@@ -72,7 +74,11 @@ impl Places {
     pub fn of_folder(folder: &Path, scenario: &Scenario) -> Result<Places, LogError> {
         let mut places = Places::nowhere();
         places.put_into(folder, scenario)?;
-        Ok(places)
+        // The folder may be anybody's: nothing in it leads elsewhere.
+        match places.files().into_iter().find(|path| leads_out(folder, path)) {
+            Some(path) => Err(LogError::LeadsOut { place: place_of(&path) }),
+            None => Ok(places),
+        }
     }
 
     fn nowhere() -> Places {
@@ -168,6 +174,13 @@ pub fn can_be_written(files: &[&Path], sources: &[PathBuf], force: bool) -> Resu
     all_can_be_written(files, force)
 }
 
+/// Whether a file of a run's folder is a link, a device, or in a folder that is a link to elsewhere. One that is not there yet
+/// is not.
+fn leads_out(folder: &Path, path: &Path) -> bool {
+    let is_odd = fs::symlink_metadata(path).is_ok_and(|found| !found.is_file());
+    is_odd || path.parent().is_some_and(|parent| parent.exists() && !is_inside(folder, parent))
+}
+
 /// Makes sure that what is to be written is no file that a run has left in its folder, or is going to.
 ///
 /// # Errors
@@ -182,7 +195,7 @@ pub fn not_of_a_run(to: &Url) -> Result<(), LogError> {
             if !path.is_file() {
                 continue;
             }
-            let text = fs::read_to_string(path).unwrap_or_default();
+            let text = plain::read_text(&path, LARGEST_RECORDING_BYTES).unwrap_or_default();
             let recording = serde_json::from_str::<Recording>(&text).ok();
             let is_under_way = recording.as_ref().is_some_and(|recording| !recording.is_complete());
             let is_it = |known: &PathBuf| (is_under_way || known.exists()) && same_file(known, &place);

@@ -3,12 +3,12 @@
 use crate::error::LogError;
 use crate::fresh::{Found, FreshFile};
 use crate::mapping::Columns;
+use crate::plain;
 use crate::source::text;
 use crate::url::Url;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::Scheme;
 use rusqlite::{Connection, OpenFlags};
-use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 
@@ -64,7 +64,7 @@ fn database(path: &Path, table: &str, most: usize) -> rusqlite::Result<Preview> 
 }
 
 fn values(path: &Path, most: usize) -> Result<Preview, LogError> {
-    let file = File::open(path).map_err(|error| LogError::file(path, error))?;
+    let file = plain::open(path).map_err(|error| LogError::file(path, error))?;
     let mut records = csv::ReaderBuilder::new().has_headers(false).from_reader(BufReader::new(file)).into_records();
     let fields = |record: csv::StringRecord| record.iter().map(str::to_owned).collect::<Vec<_>>();
     let wrong = |error: csv::Error| LogError::file(path, error.into());
@@ -74,7 +74,7 @@ fn values(path: &Path, most: usize) -> Result<Preview, LogError> {
 }
 
 fn lines(path: &Path, most: usize) -> Result<Preview, LogError> {
-    let file = File::open(path).map_err(|error| LogError::file(path, error))?;
+    let file = plain::open(path).map_err(|error| LogError::file(path, error))?;
     let lines = BufReader::new(file).lines().take(most);
     let fields = |line: String| line.split('\t').map(str::to_owned).collect();
     let rows = lines.map(|line| line.map(fields).map_err(|error| LogError::file(path, error)));

@@ -3,9 +3,11 @@
 
 use crate::error::LogError;
 use crate::fresh::{FreshFile, remove_parts};
+use crate::limits::LARGEST_RECORDING_BYTES;
 use crate::lock::{FileLock, FolderLock};
 use crate::logger::{Destination, Logger, RowsOfFirings, Stored, destinations};
 use crate::places::Places;
+use crate::plain;
 use crate::run_info::RunInfo;
 use crate::sink::How;
 use crate::sink::database::remove_database;
@@ -199,7 +201,7 @@ fn beside(place: &Path) -> PathBuf {
 
 /// Whether the run that left these places was stopped, and not killed.
 fn was_stopped(places: &Places) -> bool {
-    let text = places.recording.as_ref().and_then(|path| std::fs::read_to_string(path).ok());
+    let text = places.recording.as_ref().and_then(|path| plain::read_text(path, LARGEST_RECORDING_BYTES).ok());
     text.and_then(|text| serde_json::from_str::<Recording>(&text).ok()).is_some_and(|recording| recording.is_complete())
 }
 

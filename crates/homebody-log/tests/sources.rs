@@ -4,7 +4,7 @@ mod stage;
 
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, OnOffFile, TimeFormat};
 use homebody_core::scenario::scheme::Scheme;
-use homebody_log::limits::{LONGEST_ID, LONGEST_ROW, LONGEST_VALUE, MOST_CELLS};
+use homebody_log::limits::{LONGEST_ID, LONGEST_ROW_BYTES, LONGEST_VALUE, MOST_CELLS};
 use homebody_log::source::{Clock, recognise};
 use homebody_log::{How, Log, LogError, Transfer, Url, convert, read, stream, survey};
 use rusqlite::Connection;
@@ -350,7 +350,7 @@ fn what_is_longer_than_a_log_has_it_ends_the_reading() {
         row(&"é".repeat(LONGEST_VALUE)),
         row("ON").replace("04,M1", &format!("04,{}", "M".repeat(LONGEST_ID))),
         row(&format!("ON{}", ",".repeat(MOST_CELLS - 3))),
-        row(&format!("ON,{}", "x".repeat(LONGEST_ROW - 100))),
+        row(&format!("ON,{}", "x".repeat(LONGEST_ROW_BYTES - 100))),
     ] {
         let log = from_text(&folder, "csv:log.csv", &text).unwrap();
         assert_eq!((log.events.len(), log.skipped), (2, 0));
@@ -372,7 +372,7 @@ fn of_a_database_only_tables_are_read_and_no_long_cells() {
         let log = "CREATE TABLE log (time, sensor, value); INSERT INTO log VALUES ('2009-03-02 07:12:03', 'M1', 'ON')";
         database.execute_batch(log).unwrap();
         assert_eq!(told(&read().unwrap()), [(1_235_977_923_000_000, "M1", "ON")], "{name}");
-        for long in [format!("hex(zeroblob({LONGEST_ROW}))"), format!("hex(zeroblob({LONGEST_VALUE}))")] {
+        for long in [format!("hex(zeroblob({LONGEST_ROW_BYTES}))"), format!("hex(zeroblob({LONGEST_VALUE}))")] {
             let sql = format!("UPDATE log SET value = {long}");
             database.execute_batch(&sql).unwrap();
             assert!(matches!(read(), Err(LogError::TooLong { .. })), "{name}, {long}");

@@ -5,13 +5,12 @@
 
 use homebody_core::recording::{LONGEST, Recording};
 use homebody_core::scenario::load::Files;
+use homebody_log::limits::{LARGEST_OF_SCENARIO_BYTES, LARGEST_RECORDING_BYTES};
+use homebody_log::plain;
 use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 use std::time::SystemTime;
-
-/// No file of a scenario is larger (ours).
-const LARGEST: u64 = 8 << 20;
 
 /// Where scenario and runs are.
 #[derive(Clone, Debug)]
@@ -82,7 +81,8 @@ impl Shelf {
     /// The recording of a run, or why there is none.
     pub fn recording(&self, run: &str) -> Result<Recording, String> {
         let path = self.file_of_run(run, RECORDING).ok_or_else(|| format!("there is no run {run:?}"))?;
-        let text = fs::read_to_string(&path).map_err(|error| format!("the recording of {run:?}: {error}"))?;
+        let text = plain::read_text(&path, LARGEST_RECORDING_BYTES)
+            .map_err(|error| format!("the recording of {run:?}: {error}"))?;
         let recording: Recording =
             serde_json::from_str(&text).map_err(|error| format!("{run:?} has no sound recording: {error}"))?;
         let length = recording.length_us;
@@ -97,14 +97,7 @@ impl Shelf {
 impl Files for Shelf {
     fn read(&self, name: &str) -> Result<String, String> {
         let path = plain_file(self.scenario.clone(), Path::new(name)).ok_or("there is no such file")?;
-        let length = fs::metadata(&path).map_err(|error| error.to_string())?.len();
-        if length > LARGEST {
-            return Err(format!("it is larger than {} MB", LARGEST >> 20));
-        }
-        let text = fs::read(&path).map_err(|error| error.to_string())?;
-        let text = String::from_utf8(text).map_err(|_| "it is not text in UTF-8")?;
-        // A byte order mark says nothing.
-        Ok(text.strip_prefix('\u{feff}').map_or(text.clone(), str::to_owned))
+        plain::read_text(&path, LARGEST_OF_SCENARIO_BYTES).map_err(|error| error.to_string())
     }
 }
 

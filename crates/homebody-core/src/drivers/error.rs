@@ -74,6 +74,7 @@ pub const MOST_ANSWERS: usize = 100_000;
 impl DriverFault {
     /// What is wrong with an answer that was asked for at `now`, of a body that is at `here` (`None` while it is away) in a
     /// home of so many things. Whether its place is in the home is not looked at.
+    #[inline]
     pub(crate) fn of(answer: &Next, now: Micros, here: Option<Point>, things: usize) -> Option<DriverFault> {
         let no_number = |what| Some(DriverFault::NoNumber { what });
         match answer {
@@ -90,6 +91,7 @@ impl DriverFault {
         }
     }
 
+    #[inline]
     fn of_segment(segment: &MotionSegment, now: Micros, here: Option<Point>) -> Option<DriverFault> {
         let &MotionSegment { begin, end, doing, .. } = segment;
         if begin != now {
@@ -108,7 +110,7 @@ impl DriverFault {
         if !(from.is_finite() && to.is_finite()) {
             return Some(DriverFault::NoNumber { what: "the place" });
         }
-        let here = here.filter(|&here| here.distance(from) > JUMP_M)?;
+        let here = here.filter(|&here| here.distance_squared(from) > JUMP_M * JUMP_M)?;
         Some(DriverFault::Jump { from: here, to: from })
     }
 

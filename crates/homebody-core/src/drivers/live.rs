@@ -468,4 +468,14 @@ mod tests {
         let Next::Segment(walked) = ask(&mut driver, sat.end, &[], &doors_as_planned()) else { panic!("no move") };
         assert!(matches!(walked.doing, MotionState::Stride { .. }) && walked.posture == Posture::Standing);
     }
+
+    #[test]
+    fn what_is_a_point_to_the_engine_stops_nobody() {
+        let tiny = [point([1.0, 1.0]), point([1.0 + 1e-308, 1.0]), point([1.0, 1.0 + 1e-9])];
+        assert_eq!(obstacles::corners(&tiny).len(), 1);
+        let mut home = plan().clone();
+        home.solids.iter_mut().for_each(|solid| solid.outline = tiny.to_vec());
+        let mut driver = LiveDriver::new(&home, Point::new(1.0, 2.0), RADIUS_M, PACE_MPS, KeyTrack::live());
+        assert!(!walk(&mut driver, &[Key::Up], 0, SECOND, &[]).is_empty());
+    }
 }

@@ -13,6 +13,7 @@ pub struct InputFile {
     #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
     pub schema: Option<String>,
     /// Every change, in order of time.
+    #[schemars(length(max = 200_000))]
     pub keys: Vec<KeysFile>,
 }
 
@@ -25,6 +26,7 @@ pub struct KeysFile {
     #[schemars(range(min = 0, max = 3_200_000_000_i64))]
     pub at_s: f64,
     /// The keys that are held down from then on.
+    #[schemars(length(max = 6))]
     pub held: Vec<Key>,
     /// How the body is from then on; without it, it stands, whatever it was before. Who sits or lies does not walk.
     #[serde(default, skip_serializing_if = "is_standing")]
@@ -32,7 +34,7 @@ pub struct KeysFile {
     pub posture: Posture,
     /// The things that are used then.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    #[schemars(extend("default" = []))]
+    #[schemars(length(max = 100), extend("default" = []))]
     pub uses: Vec<UseFile>,
 }
 

@@ -46,6 +46,7 @@ pub struct LinkFile {
     pub radio: Option<RadioFile>,
     /// Sensors that differ, by their name.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    #[schemars(extend("maxProperties" = 2_000))]
     pub sensors: BTreeMap<String, SensorLinkFile>,
     /// What goes wrong, and when.
     #[serde(skip_serializing_if = "Vec::is_empty")]

@@ -5,6 +5,7 @@ use super::calendar::Calendar;
 use super::check;
 use super::home::HomeFile;
 use super::input::InputFile;
+use super::inside::{WHERE, outside_folder};
 use super::link::LinkFile;
 use super::logger::LoggerFile;
 use super::path::PathFile;
@@ -158,9 +159,6 @@ impl Scenario {
     }
 }
 
-/// What to do about a link that leads out of the folder.
-pub const WHERE: &str = "name a file relative to the scenario's folder, with / between folders";
-
 struct Loader<'a> {
     files: &'a dyn Files,
     language: &'a mut dyn Language,
@@ -303,7 +301,7 @@ impl Loader<'_> {
 
     /// Reads a linked file that is no JSON.
     fn text(&mut self, from: &Source, link: &str, name: &str) -> Option<String> {
-        let problem = match outside_folder(name) {
+        let problem = match outside_folder(name, "the scenario's folder") {
             Some(what) => Some((what, Some(WHERE.to_string()))),
             None if self.order.iter().any(|(known, _)| known == name) => {
                 Some((format!("{name:?} is a routine and another file at once"), None))
@@ -336,7 +334,7 @@ impl Loader<'_> {
         name: &str,
         kind: FileKind,
     ) -> Option<Read<T>> {
-        if let Some(what) = outside_folder(name) {
+        if let Some(what) = outside_folder(name, "the scenario's folder") {
             self.problems.push(from.problem(link, what, Some(WHERE.to_string())));
             return None;
         }
@@ -419,7 +417,7 @@ impl Loader<'_> {
         let mut problems = self.problems;
         // Routines come last: they are read when the home is known.
         let rank = |file: &str| self.order.iter().position(|(known, _)| known == file).unwrap_or(usize::MAX);
-        problems.sort_by_key(|problem| (rank(&problem.file), problem.line, problem.column));
+        problems.sort_by_cached_key(|problem| (rank(&problem.file), problem.line, problem.column));
         // What two link is looked at twice.
         let mut seen: Vec<Problem> = Vec::new();
         for problem in problems {
@@ -432,17 +430,6 @@ impl Loader<'_> {
         }
         Problems::truncated(&seen)
     }
-}
-
-/// Why a file's name is refused: nothing outside the scenario's folder is ever read.
-pub fn outside_folder(name: &str) -> Option<String> {
-    if name.trim().is_empty() {
-        return Some("a file name must not be empty".into());
-    }
-    let leaves = name.split(['/', '\\']).any(|part| part == "..");
-    let is_absolute = name.starts_with(['/', '\\']) || name.contains(':');
-    let is_odd = name.contains('\\') || name.chars().any(char::is_control);
-    (leaves || is_absolute || is_odd).then(|| format!("{name:?} is no file name inside the scenario's folder"))
 }
 
 /// The other kind of file that this one is a faultless example of.

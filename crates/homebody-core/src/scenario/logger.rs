@@ -13,6 +13,7 @@ pub struct LoggerFile {
     #[serde(rename = "$schema", skip_serializing_if = "Option::is_none")]
     pub schema: Option<String>,
     /// Where to write: `sqlite:FILE`, `csv:FILE`, `casas:FILE`; relative to the run's folder. Default `sqlite:log.db`.
+    #[schemars(length(max = 16))]
     pub to: Vec<String>,
     /// The table's name. Default `firing`.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -20,6 +21,7 @@ pub struct LoggerFile {
     /// What the columns of the log are called.
     pub columns: ColumnsFile,
     /// The network's own id of a sensor, such as an X10 code, by the sensor's name. Others keep their name.
+    #[schemars(extend("maxProperties" = 2_000))]
     pub ids: BTreeMap<String, String>,
     /// What of a firing becomes rows.
     pub messages: MessagesFile,

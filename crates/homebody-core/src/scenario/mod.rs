@@ -11,6 +11,7 @@ mod check;
 pub mod edit;
 pub mod home;
 pub mod input;
+pub mod inside;
 pub mod link;
 pub mod load;
 pub mod logger;
@@ -36,7 +37,7 @@ pub struct ScenarioFile {
     #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
     pub schema: Option<String>,
     /// What people call this scenario.
-    #[schemars(length(min = 1))]
+    #[schemars(length(min = 1, max = 100))]
     pub name: String,
     /// What it shows, in a sentence or two.
     #[serde(default, skip_serializing_if = "String::is_empty")]
@@ -68,7 +69,7 @@ pub struct ScenarioFile {
     /// Numbers of the models that are otherwise in this scenario, by name: `homebody numbers` lists them, with units and
     /// ranges.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    #[schemars(extend("default" = serde_json::json!({})))]
+    #[schemars(extend("default" = serde_json::json!({}), "maxProperties" = 1_000))]
     pub numbers: BTreeMap<String, f64>,
 }
 

@@ -1,15 +1,30 @@
 //! The known name that someone probably meant.
 
+/// For longer names, in characters, nothing is looked for (ours): nobody mistypes them by a letter or two, and each comparison
+/// takes the square of the length.
+const LONGEST: usize = 40;
+
 /// The known name most like this one, if any is like enough.
 pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let is_short = |name: &str| name.len() <= 4 * LONGEST && name.chars().count() <= LONGEST;
+    if !is_short(name) {
+        return None;
+    }
     let folded = name.trim().to_lowercase();
     let allowed = (folded.chars().count() / 3).max(1);
     let distance = |known: &str| {
         let known = known.to_lowercase();
         // `height` for `height_m` is a unit forgotten, not many letters wrong.
         let begins = folded.chars().count() >= 2 && known.strip_prefix(&folded).is_some_and(|r| r.starts_with('_'));
-        if begins { 1 } else { strsim::damerau_levenshtein(&folded, &known) }
+        if begins {
+            return 1;
+        }
+        // It takes at least as many letters more or less as one is longer.
+        match known.chars().count().abs_diff(folded.chars().count()) {
+            off if off > allowed => off,
+            _ => strsim::damerau_levenshtein(&folded, &known),
+        }
     };
-    let known = known.into_iter().map(|known| (distance(known), known));
+    let known = known.into_iter().filter(|known| is_short(known)).map(|known| (distance(known), known));
     known.filter(|(distance, _)| *distance <= allowed).min_by_key(|(distance, _)| *distance).map(|(_, known)| known)
 }

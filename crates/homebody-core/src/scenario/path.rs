@@ -18,6 +18,7 @@ pub struct PathFile {
     #[serde(default)]
     pub posture: Posture,
     /// What the resident does, in this order.
+    #[schemars(length(max = 10_000))]
     pub steps: Vec<Step>,
 }
 
@@ -55,7 +56,7 @@ pub enum Step {
 #[schemars(title = "walk")]
 pub struct Go {
     /// The waypoints, in order.
-    #[schemars(length(min = 1))]
+    #[schemars(length(min = 1, max = 1_000))]
     pub to: Vec<Spot>,
     /// Walking speed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -131,7 +132,7 @@ pub struct Repeat {
     #[schemars(range(min = 1, max = 1_000_000_000))]
     pub times: Option<u32>,
     /// What is done each time, in this order.
-    #[schemars(length(min = 1))]
+    #[schemars(length(min = 1, max = 10_000))]
     pub steps: Vec<Step>,
 }
 

@@ -6,6 +6,10 @@ use super::nearest::nearest;
 use super::source::{Key, Misspelt, Node, Source, Value};
 use crate::problem::Problem;
 use serde_json::Value as Schema;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// No more is looked for in a file (ours): nobody reads so much.
+const MOST_FOUND: usize = 1_000;
 
 /// What is wrong with a source's shape.
 #[derive(Debug, Default)]
@@ -55,7 +59,7 @@ impl<'a> Walk<'a> {
             }
             Value::Text(text) => self.text(node, text, schema, subject),
             Value::List(items) => self.list(node, items, schema, subject),
-            Value::Object(entries) => self.object(node, entries, schema),
+            Value::Object(entries) => self.object(node, entries, schema, subject),
             Value::Null | Value::Bool(_) => {}
         }
     }
@@ -120,19 +124,31 @@ impl<'a> Walk<'a> {
         }
     }
 
-    fn object(&mut self, node: &Node, entries: &[(Key, Node)], schema: &'a Schema) {
+    fn object(&mut self, node: &Node, entries: &[(Key, Node)], schema: &'a Schema, subject: &str) {
         let name = with_article(schema.get("title").and_then(Schema::as_str).unwrap_or("object"));
         let properties = schema.get("properties").and_then(Schema::as_object);
         let known: Vec<&str> = properties.into_iter().flatten().map(|(key, _)| key.as_str()).collect();
         let property = |key: &str| properties.and_then(|properties| properties.get(key));
+        if let Some(most) =
+            schema.get("maxProperties").and_then(Schema::as_u64).filter(|&most| entries.len() as u64 > most)
+        {
+            self.report(
+                node.start,
+                format!("{subject} must have at most {most} keys, but has {}", entries.len()),
+                None,
+            );
+        }
         let mut meant = Vec::new();
-        for (index, (key, value)) in entries.iter().enumerate() {
-            if let Some((first, _)) = entries[..index].iter().find(|(other, _)| other.name == key.name) {
-                let hint = format!("it is already given on line {}", self.source.line(first.start));
+        let names: BTreeSet<&str> = entries.iter().map(|(key, _)| &*key.name).collect();
+        let mut given: BTreeMap<&str, usize> = BTreeMap::new();
+        for (key, value) in entries {
+            if let Some(&first) = given.get(&*key.name) {
+                let hint = format!("it is already given on line {}", self.source.line(first));
                 self.report(key.start, format!("{:?} is given twice", key.name), Some(hint));
                 self.found.keys.insert(key.start, None);
                 continue;
             }
+            given.insert(&key.name, key.start);
             let subject = format!("{:?}", key.name);
             if let Some(schema) = property(&key.name) {
                 self.value(value, schema, &subject);
@@ -140,10 +156,12 @@ impl<'a> Walk<'a> {
                 self.value(value, schema, &subject);
             } else {
                 let near = nearest(&key.name, known.iter().copied());
-                let is_free = |near: &&str| !meant.contains(near) && entries.iter().all(|(key, _)| key.name != *near);
+                let is_free = |near: &&str| !meant.contains(near) && !names.contains(near);
                 let free = near.filter(is_free);
                 self.found.keys.insert(key.start, free.map(String::from));
-                meant.extend(near);
+                if !near.is_some_and(|near| meant.contains(&near)) {
+                    meant.extend(near);
+                }
                 let hint = match near {
                     Some(near) => format!("did you mean {near:?}?"),
                     None => format!("its keys are {}", list_of(&known)),
@@ -155,9 +173,8 @@ impl<'a> Walk<'a> {
             }
         }
         for key in branches(schema, "required").into_iter().flatten().filter_map(Schema::as_str) {
-            let given = entries.iter().any(|(entry, _)| entry.name == key);
             // A required key that was misspelt is one mistake, not two.
-            if !given && !meant.contains(&key) {
+            if !names.contains(key) && !meant.contains(&key) {
                 let hint = property(key).and_then(|schema| hint_of(self.resolve_keeping_hint(schema)));
                 self.report(node.start, format!("{name} needs the key {key:?}"), hint);
             }
@@ -311,7 +328,14 @@ impl<'a> Walk<'a> {
     }
 
     fn report(&mut self, at: usize, what: String, hint: Option<String>) {
-        self.found.problems.push(self.source.problem_at(at, what, hint));
+        match self.found.problems.len() {
+            ..MOST_FOUND => self.found.problems.push(self.source.problem_at(at, what, hint)),
+            MOST_FOUND => {
+                let what = format!("it has more than {MOST_FOUND} problems: here are the first");
+                self.found.problems.push(Problem::of_file(&self.source.file, what, None));
+            }
+            _ => {}
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The text of a file with its places: what was written, and on which line and column.
 
-use crate::problem::{Excerpt, Problem};
+use crate::problem::{Excerpt, Problem, boundary_before, counted};
 use jsonc_parser::ast;
 use jsonc_parser::common::Ranged;
 use jsonc_parser::errors::ParseErrorKind;
@@ -11,6 +11,16 @@ use std::collections::BTreeMap;
 /// Deeper nesting is refused before parsing, so that no text can overflow the stack.
 const GREATEST_DEPTH: usize = 64;
 
+/// No file of a scenario has more values: keys, items, objects and lists counted together (ours). Each takes some 200 bytes
+/// while the file is read.
+pub const MOST_VALUES: usize = 500_000;
+
+/// No text in a file is longer, in bytes (ours): names, sentences about something, times.
+pub const LONGEST_TEXT_BYTES: usize = 10_000;
+
+/// Columns are counted from the nearest place before, of which there is one each so many bytes.
+const STRIDE_BYTES: usize = 4096;
+
 /// A JSON file: its text and what the text says, with the place of everything.
 #[derive(Debug)]
 pub struct Source {
@@ -20,8 +30,16 @@ pub struct Source {
     pub text: String,
     /// What the text says.
     pub root: Node,
+    places: Places,
+}
+
+/// Where the lines and the characters of a text are, so that a place is found without reading all of the text again.
+#[derive(Debug)]
+struct Places {
     /// Byte offset at which each line starts.
     lines: Vec<usize>,
+    /// How many characters begin before each multiple of [`STRIDE_BYTES`].
+    chars: Vec<usize>,
 }
 
 /// A JSON value and where it starts in the text.
@@ -66,8 +84,8 @@ impl Source {
     /// Reads JSON by the letter of the standard; a byte order mark is passed over.
     pub fn parse(file: &str, text: &str) -> Result<Source, Problem> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let lines = line_starts(text);
-        let wrong = |at, what: String, hint| Err(problem(file, text, &lines, at, what, hint));
+        let places = Places::of(text);
+        let wrong = |at, what: String, hint| Err(places.problem(file, text, at, what, hint));
         if let Err((at, what, hint)) = scan(text) {
             return wrong(at, what, hint);
         }
@@ -84,12 +102,12 @@ impl Source {
         };
         // The first parser knows better what is meant, the second is stricter about white space and escapes.
         if let Err(error) = serde_json::from_str::<serde::de::IgnoredAny>(text) {
-            let at = lines[error.line().clamp(1, lines.len()) - 1] + error.column().saturating_sub(1);
+            let at = places.start(error.line()) + error.column().saturating_sub(1);
             let what = error.to_string();
             let what = what.split(" at line ").next().unwrap_or_default();
             return wrong(at, format!("this is no JSON: {what}"), None);
         }
-        Ok(Source { file: file.into(), text: text.into(), root: node(&root), lines })
+        Ok(Source { file: file.into(), text: text.into(), root: node(&root), places })
     }
 
     /// A problem with the value at a JSON pointer, or with the nearest value around it that is there.
@@ -104,12 +122,12 @@ impl Source {
 
     /// A problem at a byte offset.
     pub fn problem_at(&self, at: usize, what: impl Into<String>, hint: Option<String>) -> Problem {
-        problem(&self.file, &self.text, &self.lines, at, what.into(), hint)
+        self.places.problem(&self.file, &self.text, at, what.into(), hint)
     }
 
     /// The line of a byte offset, counted from 1.
     pub fn line(&self, at: usize) -> usize {
-        self.lines.partition_point(|&start| start <= at)
+        self.places.line(at)
     }
 
     /// Where the key and the value at a JSON pointer start.
@@ -169,28 +187,63 @@ pub fn pointer_part(name: &str) -> String {
     name.replace('~', "~0").replace('/', "~1")
 }
 
-fn problem(file: &str, text: &str, lines: &[usize], at: usize, what: String, hint: Option<String>) -> Problem {
-    let at = (0..=at.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0);
-    let line = lines.partition_point(|&start| start <= at);
-    let start = lines[line - 1];
-    let end = lines.get(line).copied().unwrap_or(text.len());
-    let column = text[start..at].chars().count() as u32 + 1;
-    let excerpt = Some(Excerpt::new(text[start..end].trim_end(), column));
-    Problem { file: file.into(), line: line as u32, column, what, hint, excerpt }
+impl Places {
+    fn of(text: &str) -> Places {
+        let bytes = text.as_bytes();
+        let ends = (0..bytes.len())
+            .filter(|&i| bytes[i] == b'\n' || bytes[i] == b'\r' && bytes.get(i + 1) != Some(&b'\n'))
+            .map(|end| end + 1);
+        let mut count = 0;
+        let chars = bytes.chunks(STRIDE_BYTES).map(|chunk| {
+            let before = count;
+            count += begun(chunk);
+            before
+        });
+        Places { chars: chars.collect(), lines: std::iter::once(0).chain(ends).collect() }
+    }
+
+    /// Byte offset at which a line starts that is counted from 1, or the nearest that there is.
+    fn start(&self, line: usize) -> usize {
+        self.lines[line.clamp(1, self.lines.len()) - 1]
+    }
+
+    /// The line of a byte offset, counted from 1.
+    fn line(&self, at: usize) -> usize {
+        self.lines.partition_point(|&start| start <= at)
+    }
+
+    /// How many characters begin before a byte offset.
+    fn chars_before(&self, text: &str, at: usize) -> usize {
+        let chunk = (at / STRIDE_BYTES).min(self.chars.len().saturating_sub(1));
+        self.chars.get(chunk).map_or(0, |before| before + begun(&text.as_bytes()[chunk * STRIDE_BYTES..at]))
+    }
+
+    fn problem(&self, file: &str, text: &str, at: usize, what: String, hint: Option<String>) -> Problem {
+        let at = boundary_before(text, at);
+        let line = self.line(at);
+        let start = self.start(line);
+        let end = self.lines.get(line).copied().unwrap_or(text.len());
+        let column = (self.chars_before(text, at) - self.chars_before(text, start)) as u32 + 1;
+        let excerpt = Some(Excerpt::around(&text[start..end], at - start));
+        Problem { line: line as u32, column, excerpt, ..Problem::of_file(file, what, hint) }
+    }
 }
 
-fn line_starts(text: &str) -> Vec<usize> {
-    let bytes = text.as_bytes();
-    let ends = (0..bytes.len())
-        .filter(|&i| bytes[i] == b'\n' || bytes[i] == b'\r' && bytes.get(i + 1) != Some(&b'\n'))
-        .map(|end| end + 1);
-    std::iter::once(0).chain(ends).collect()
+/// How many characters begin in a part of a text.
+fn begun(bytes: &[u8]) -> usize {
+    bytes.iter().filter(|&&byte| byte & 0xc0 != 0x80).count()
 }
 
-/// Looks for what the parser would not survive or would explain badly: deep nesting and quotes that are not closed.
+/// Looks for what the parser would not survive or would explain badly: deep nesting, values without end, and quotes that are
+/// not closed.
 fn scan(text: &str) -> Result<(), (usize, String, Option<String>)> {
-    let (mut depth, mut quote, mut escaped) = (0_usize, None, false);
+    let (mut depth, mut quote, mut escaped, mut values) = (0_usize, None, false, 0_usize);
     for (at, byte) in text.bytes().enumerate() {
+        // Each value but the first has a bracket, a colon or a comma before it.
+        values += usize::from(quote.is_none() && matches!(byte, b'[' | b'{' | b',' | b':'));
+        if values > MOST_VALUES {
+            return Err((at, format!("the file has more than {MOST_VALUES} values"), None));
+        }
         match (quote, byte) {
             (Some(start), b'\n' | b'\r') => {
                 let hint = "close it with \" on the same line".to_string();
@@ -202,6 +255,13 @@ fn scan(text: &str) -> Result<(), (usize, String, Option<String>)> {
             }
             (Some(_), _) if escaped => escaped = false,
             (Some(_), b'\\') => escaped = true,
+            (Some(start), b'"') if at - start > LONGEST_TEXT_BYTES => {
+                return Err((
+                    start,
+                    format!("this text is longer than {}", counted(LONGEST_TEXT_BYTES, "byte", "bytes")),
+                    None,
+                ));
+            }
             (Some(_), b'"') => quote = None,
             (Some(_), _) => {}
             (None, b'"') => quote = Some(at),

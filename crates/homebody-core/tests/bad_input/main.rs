@@ -3,6 +3,7 @@
 mod all_at_once;
 mod devices;
 mod good;
+mod limits;
 mod link;
 mod meaning;
 mod mutations;

@@ -11,11 +11,12 @@ mod table;
 
 use crate::error::Error;
 use homebody_core::problem::{Problem, Problems};
+use homebody_log::limits::LARGEST_OF_SCENARIO_BYTES;
+use homebody_log::plain;
 pub use profile::Profile;
 pub(crate) use profile::{Base, OwnRoutine};
 pub(crate) use rows::MOST;
 use std::collections::BTreeSet;
-use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 use table::Table;
@@ -23,7 +24,7 @@ use table::Table;
 /// Reads a file of profiles: all of them, or all that is wrong.
 pub(crate) fn read(path: &Path, base: &Base, without: &[String]) -> Result<Vec<Profile>, Error> {
     let file = path.display().to_string();
-    let bytes = fs::read(path).map_err(|error| match error.kind() {
+    let bytes = plain::read(path, LARGEST_OF_SCENARIO_BYTES).map_err(|error| match error.kind() {
         ErrorKind::NotFound => {
             Error::file(path, "there is no such file\n  hint: it is a CSV file with a row for each member")
         }

@@ -5,7 +5,7 @@ use super::sentences::OwnSentences;
 use super::table::{Cell, Table};
 use homebody_core::problem::Problem;
 use homebody_core::scenario::GREATEST_SEED;
-use homebody_core::scenario::load::{WHERE, outside_folder};
+use homebody_core::scenario::inside::{WHERE, outside_folder};
 use homebody_core::scenario::nearest::nearest;
 use homebody_log::places::LIST;
 use homebody_routine::household::CONDITIONS;
@@ -254,7 +254,7 @@ impl<'a> Reader<'a> {
     }
 
     fn read_routine(&mut self, resident: Option<usize>, cell: &Cell) -> Option<Other> {
-        if let Some(what) = outside_folder(&cell.text) {
+        if let Some(what) = outside_folder(&cell.text, "the scenario's folder") {
             self.fault(cell, what, WHERE);
             return None;
         }

@@ -45,7 +45,8 @@ impl<'t> Table<'t> {
     /// A problem with a cell.
     pub fn problem(&self, cell: &Cell, what: impl Into<String>, hint: Option<String>) -> Problem {
         let line = self.lines.get(cell.line as usize - 1).copied().unwrap_or_default();
-        let excerpt = Excerpt::new(line, cell.column).underlining(cell.text.chars().count());
+        let at = line.char_indices().nth(cell.column as usize - 1).map_or(line.len(), |(at, _)| at);
+        let excerpt = Excerpt::around(line, at).underlining(cell.text.chars().count());
         let Cell { line, column, .. } = *cell;
         Problem { line, column, excerpt: Some(excerpt), ..Problem::of_file(self.file, what, hint) }
     }

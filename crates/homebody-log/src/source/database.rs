@@ -3,7 +3,7 @@
 //! Only tables are read: a view can compute without an end, or make gigabytes of nothing.
 
 use super::instant::{Instant, Instants, since_1970};
-use crate::limits::LONGEST_ROW;
+use crate::limits::LONGEST_ROW_BYTES;
 use homebody_core::time::Micros;
 use rusqlite::limits::Limit;
 use rusqlite::types::ValueRef;
@@ -17,7 +17,7 @@ pub(super) fn connect(path: &Path) -> rusqlite::Result<Connection> {
     let open = |flags| {
         let connection = Connection::open_with_flags(path, flags)?;
         connection.busy_timeout(Duration::from_secs(2))?;
-        connection.set_limit(Limit::SQLITE_LIMIT_LENGTH, LONGEST_ROW as i32)?;
+        connection.set_limit(Limit::SQLITE_LIMIT_LENGTH, LONGEST_ROW_BYTES as i32)?;
         connection.execute_batch("PRAGMA trusted_schema = OFF")?;
         Ok(connection)
     };

@@ -5,6 +5,7 @@ use super::instant::{Instant, Instants};
 use super::log::{Clock, Event, Log};
 use crate::error::{LogError, place_of};
 use crate::limits::{LONGEST_ID, LONGEST_VALUE, beginning};
+use crate::plain;
 use crate::skipped::Skipped;
 use foldhash::HashMap;
 use homebody_core::time::{DAY, Micros};
@@ -114,11 +115,7 @@ impl<'t> Reading<'t> {
 
 /// A file that may hold a log.
 pub(super) fn open(path: &Path) -> Result<File, LogError> {
-    let opened = File::open(path).and_then(|file| match file.metadata()?.is_dir() {
-        true => Err(std::io::ErrorKind::IsADirectory.into()),
-        false => Ok(file),
-    });
-    opened.map_err(|error| match error.kind() {
+    plain::open(path).map_err(|error| match error.kind() {
         std::io::ErrorKind::NotFound => LogError::Missing { place: place_of(path) },
         _ => LogError::file(path, error),
     })

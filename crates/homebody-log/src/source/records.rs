@@ -2,7 +2,7 @@
 
 use super::reading::open;
 use crate::error::{LogError, place_of};
-use crate::limits::{LONGEST_ROW, MOST_CELLS};
+use crate::limits::{LONGEST_ROW_BYTES, MOST_CELLS};
 use ::csv::{ByteRecord, Reader, ReaderBuilder, Terminator};
 use std::cell::Cell;
 use std::fs::File;
@@ -30,7 +30,7 @@ struct Limited {
 
 impl Read for Limited {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        if self.come.get() > LONGEST_ROW + BUFFER {
+        if self.come.get() > LONGEST_ROW_BYTES + BUFFER {
             return Err(io::ErrorKind::InvalidData.into());
         }
         let read = self.file.read(buffer)?;
@@ -54,9 +54,9 @@ impl Records {
         let line = self.reader.position().line();
         let read = self.reader.read_byte_record(&mut self.record);
         let too_long = |what: String| LogError::TooLong { place: format!("{}:{line}", place_of(&self.path)), what };
-        if self.come.replace(0) > LONGEST_ROW + BUFFER || self.record.as_slice().len() > LONGEST_ROW {
+        if self.come.replace(0) > LONGEST_ROW_BYTES + BUFFER || self.record.as_slice().len() > LONGEST_ROW_BYTES {
             return Err(too_long(format!(
-                "the row is longer than {LONGEST_ROW} bytes, or a quote in it is never closed"
+                "the row is longer than {LONGEST_ROW_BYTES} bytes, or a quote in it is never closed"
             )));
         }
         if self.record.len() > MOST_CELLS {

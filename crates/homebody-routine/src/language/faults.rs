@@ -63,8 +63,8 @@ fn problem(file: &str, lines: &[Line], fault: Fault) -> Problem {
     let (start, end) = (within(fault.span.start), within(fault.span.end));
     let column = line.text.get(..start).map_or(0, |before| before.chars().count()) as u32 + 1;
     let width = line.text.get(start..end).map_or(1, |words| words.chars().count());
-    let excerpt = Some(Excerpt::new(line.text, column).underlining(width));
-    Problem { file: file.into(), line: index as u32 + 1, column, what: fault.what, hint: fault.hint, excerpt }
+    let excerpt = Some(Excerpt::around(line.text, start).underlining(width));
+    Problem { line: index as u32 + 1, column, excerpt, ..Problem::of_file(file, fault.what, fault.hint) }
 }
 
 /// The known name that was probably meant, or the names that there are.

@@ -1,22 +1,22 @@
 //! `homebody check`: everything that is wrong with a scenario, at once.
 
+use super::scenario::Chosen;
 use crate::failure::Failure;
 use crate::length::Length;
 use crate::print::{print_json, tell};
 use homebody_core::problem::{Problem, Problems, counted};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::remarks;
-use homebody_kit::{Error, OpenScenario, open};
+use homebody_kit::{Error, OpenScenario, Source};
 use serde_json::json;
-use std::path::{Path, PathBuf};
 
 /// Reports everything that is wrong with a scenario, with file, line and a hint; and warns of what is hardly meant, such as a
 /// fault that comes when the run is over.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  homebody check scenarios/tigerplace\n  homebody check my-home --json")]
 pub struct Arguments {
-    /// The scenario's folder, or its scenario.json
-    scenario: PathBuf,
+    #[command(flatten)]
+    scenario: Chosen,
     /// Print the problems as one JSON object
     #[arg(long)]
     json: bool,
@@ -26,7 +26,7 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let remarks =
             |scenario: &Scenario| remarks::of(scenario, Length::Days(scenario.file.days).by(&scenario.calendar));
-        let opened = load_and_say(&self.scenario, self.json, remarks)?;
+        let opened = load_and_say(self.scenario.source(), self.json, remarks)?;
         let scenario = opened.scenario();
         let home = &scenario.home;
         tell(format_args!(
@@ -45,11 +45,11 @@ impl Arguments {
 /// Loads a scenario with its routines, and warns of what there is to remark; as JSON, problems and warnings are said
 /// whether or not there are any.
 pub fn load_and_say(
-    path: &Path,
+    source: Result<Source, Error>,
     json: bool,
     remarks: impl Fn(&Scenario) -> Vec<Problem>,
 ) -> Result<OpenScenario, Failure> {
-    let opened = open(path);
+    let opened = source.and_then(Source::open);
     let remarks = opened.as_ref().map_or_else(|_| Vec::new(), |opened| remarks(opened.scenario()));
     let none = Problems::default();
     let problems = match &opened {

@@ -1,13 +1,12 @@
 //! `homebody coverage`: where in the home the sensors see.
 
 use super::answer::Answer;
+use super::scenario::Chosen;
 use crate::failure::Failure;
 use homebody_analysis::coverage::{self, STEP_M, Seen};
 use homebody_core::geometry::Point;
 use homebody_core::home::Build;
-use homebody_kit::Source;
 use homebody_picture::coverage_map;
-use std::path::PathBuf;
 
 /// Says which share of the floor is seen by no, one, two, three or more sensors, where the dead zones are, and how
 /// sensors overlap; from the very fields that a run senses with.
@@ -16,15 +15,15 @@ use std::path::PathBuf;
   homebody coverage scenarios/tigerplace
   homebody coverage my-home --png map.png --json coverage.json")]
 pub struct Arguments {
-    /// The scenario's folder, or its scenario.json
-    scenario: PathBuf,
+    #[command(flatten)]
+    scenario: Chosen,
     #[command(flatten)]
     answer: Answer,
 }
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let source = Source::at(&self.scenario)?;
+        let source = self.scenario.source()?;
         let scenario = source.scenario()?;
         let answer = self.answer.check([""], &source.paths(&scenario))?;
         let build = scenario.residents.first().map_or_else(Build::adult, |resident| Build::of(&resident.file));

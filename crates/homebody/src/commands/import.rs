@@ -8,10 +8,10 @@ use homebody_core::home::plan::Plan;
 use homebody_core::problem::{Problems, counted};
 use homebody_core::scenario::load::Scenario;
 use homebody_import::{MOST_BYTES, sweet_home};
+use homebody_log::plain;
 use homebody_routine::household::Household;
 use serde_json::json;
 use std::collections::BTreeMap;
-use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -70,7 +70,7 @@ impl Arguments {
 /// The bytes of a file, or one more than any plan has.
 fn read(path: &Path) -> Result<Vec<u8>, Failure> {
     let mut bytes = Vec::new();
-    let file = File::open(path).map_err(|error| Failure::io(path, error))?;
+    let file = plain::open(path).map_err(|error| Failure::io(path, error))?;
     file.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(|error| Failure::io(path, error))?;
     Ok(bytes)
 }

@@ -20,6 +20,7 @@ mod read_log;
 mod replay;
 mod routine;
 mod run;
+mod scenario;
 mod schema;
 mod serve;
 

@@ -1,10 +1,9 @@
 //! `homebody plan`: the floor plan of a scenario's home.
 
 use super::answer::Pictures;
+use super::scenario::Chosen;
 use crate::failure::Failure;
-use homebody_kit::Source;
 use homebody_picture::floor_plan;
-use std::path::PathBuf;
 
 /// Draws the floor plan: rooms, walls, doors, furniture and sensors, with their names. Furniture and ways in go without
 /// where there is no room for their names.
@@ -13,8 +12,8 @@ use std::path::PathBuf;
   homebody plan scenarios/tigerplace --svg plan.svg
   homebody plan my-home --png plan.png --force")]
 pub struct Arguments {
-    /// The scenario's folder, or its scenario.json
-    scenario: PathBuf,
+    #[command(flatten)]
+    scenario: Chosen,
     #[command(flatten)]
     pictures: Pictures,
 }
@@ -24,7 +23,7 @@ impl Arguments {
         if self.pictures.is_empty() {
             return Err(Failure::usage("there is no file to draw into\n  hint: name one with --svg or --png"));
         }
-        let source = Source::at(&self.scenario)?;
+        let source = self.scenario.source()?;
         let scenario = source.scenario()?;
         let pictures = self.pictures.check([""], &source.paths(&scenario))?;
         pictures.draw([&|| floor_plan(&scenario.home)])

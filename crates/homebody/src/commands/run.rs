@@ -3,12 +3,13 @@
 use super::check::tell_remark;
 use super::cohort;
 use super::live::{Output, live, report, show};
+use super::scenario::Trust;
 use crate::failure::Failure;
 use crate::length::{Length, length};
 use crate::pace::Asked;
 use crate::signals::Signals;
 use homebody_core::time::Micros;
-use homebody_kit::{Error, LIST, LivedCohort, OpenScenario, Unfinished, UnfinishedCohort, open};
+use homebody_kit::{Error, LIST, LivedCohort, OpenScenario, Unfinished, UnfinishedCohort};
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 
@@ -44,6 +45,8 @@ pub struct Arguments {
     /// The scenario's folder, or its scenario.json
     #[arg(required_unless_present = "resume")]
     scenario: Option<PathBuf>,
+    #[command(flatten)]
+    trust: Trust,
     /// How long to live: 90s, 15m, 2h, 7d or 52w; the scenario's days without it
     ///
     /// Days and weeks are those of the calendar: a run of 7d ends at the hour at which it began, also where clocks change.
@@ -128,7 +131,8 @@ impl Arguments {
             return self.go_on(folder, &signals);
         }
         all_different(&self.numbers)?;
-        let opened = open(self.scenario.as_deref().unwrap_or(Path::new("")))?.with_numbers(self.numbers.clone())?;
+        let source = self.trust.source(self.scenario.as_deref().unwrap_or(Path::new("")))?;
+        let opened = source.open()?.with_numbers(self.numbers.clone())?;
         let scenario = opened.scenario();
         let seed = self.seed.unwrap_or(scenario.file.seed);
         let length = self.length.unwrap_or(Length::Days(scenario.file.days)).by(&scenario.calendar);

@@ -8,6 +8,7 @@ mod circles;
 mod commands;
 mod documents;
 mod labels;
+mod limits;
 mod markdown;
 mod numbers;
 mod purity;

@@ -62,12 +62,12 @@ const FORMS: &str = "crates/homebody-core/src/scenario/";
 
 /// A constant whose comment says that it is ours.
 #[derive(Debug, PartialEq)]
-struct Fixed {
-    path: String,
-    name: String,
-    value: String,
-    unit: &'static str,
-    what: String,
+pub(super) struct Fixed {
+    pub path: String,
+    pub name: String,
+    pub value: String,
+    pub unit: &'static str,
+    pub what: String,
 }
 
 #[test]
@@ -145,6 +145,11 @@ fn code(files: &[File]) -> impl Iterator<Item = &File> {
         let is_code = file.path.starts_with("crates/") && file.path.contains("/src/") && file.is("rs");
         is_code && !is_for_tests(&file.path, files)
     })
+}
+
+/// All constants of ours, in the order of the files.
+pub(super) fn fixed(files: &[File]) -> impl Iterator<Item = Fixed> {
+    code(files).flat_map(|file| judged(file).0)
 }
 
 /// The lines before the tests within the file.
@@ -249,7 +254,7 @@ fn document(known: &[Number], files: &[File]) -> String {
     }
     text += &format!("\n{FIXED}");
     let mut group = String::new();
-    for Fixed { path, name, value, unit, what } in code(files).flat_map(|file| judged(file).0) {
+    for Fixed { path, name, value, unit, what } in fixed(files) {
         if path != group {
             text += &format!("\n`{path}`\n\n| name | value | unit | what it is |\n|---|---|---|---|\n");
             group = path;
@@ -259,6 +264,6 @@ fn document(known: &[Number], files: &[File]) -> String {
     text
 }
 
-fn cell(text: &str) -> String {
+pub(super) fn cell(text: &str) -> String {
     text.replace('|', "\\|")
 }

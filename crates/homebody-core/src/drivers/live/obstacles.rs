@@ -23,6 +23,9 @@ use rapier2d::pipeline::{QueryFilter, QueryPipeline};
 /// something, a cast is at its weakest.
 const CLEARANCE_M: f32 = 0.005;
 
+/// Corners nearer than this are one (ours): a tenth of a millimetre is nothing to a body.
+const SAME_CORNER_M: f32 = 1e-4;
+
 /// Enough for a way that bends round two things, or a push out of both.
 const MOST_TURNS: usize = 4;
 
@@ -60,6 +63,18 @@ struct Door {
     is_shut: bool,
 }
 
+/// The corners of an outline as the engine knows them, without those that it could not tell apart: it panics where an outline
+/// is a single point to it.
+pub(super) fn corners(outline: &[Point]) -> Vec<Vector> {
+    let mut corners: Vec<Vector> = Vec::new();
+    for corner in outline.iter().map(|corner| corner.as_vec2()) {
+        if corners.iter().all(|other| other.distance(corner) > SAME_CORNER_M) {
+            corners.push(corner);
+        }
+    }
+    corners
+}
+
 impl Obstacles {
     pub fn new(plan: &Plan, radius_m: f64) -> Obstacles {
         let leads_out = |outline: &[Point]| plan.leads_out(outline, radius_m);
@@ -82,8 +97,11 @@ impl Obstacles {
             near_count: 0,
         };
         for (outline, door) in solids.chain(openings) {
-            let corners: Vec<_> = outline.iter().map(|corner| corner.as_vec2()).collect();
+            let corners = corners(outline);
             // What has no area stops nobody.
+            if corners.len() < 3 {
+                continue;
+            }
             let Some(collider) = ColliderBuilder::convex_hull(&corners) else { continue };
             let collider = all.colliders.insert(collider);
             all.fixed.push(outline.clone());

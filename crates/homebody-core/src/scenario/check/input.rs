@@ -1,7 +1,7 @@
 //! Live input: times that run forward, keys that are held once, things that are there.
 
 use super::{Report, Surroundings};
-use crate::problem::Problem;
+use crate::problem::{MOST_PER_FILE, Problem};
 use crate::scenario::input::InputFile;
 use crate::scenario::nearest::nearest;
 use crate::scenario::source::Source;
@@ -24,7 +24,9 @@ pub fn check(source: &Source, file: &InputFile, surroundings: &Surroundings, pro
         let Some(plan) = surroundings.plan else { continue };
         for (number, used) in change.uses.iter().enumerate() {
             if plan.thing(&used.thing).is_none() {
-                let hint = match nearest(&used.thing, plan.things.iter().map(|thing| thing.name.as_str())) {
+                let things = plan.things.iter().map(|thing| thing.name.as_str());
+                let near = if report.count() < MOST_PER_FILE { nearest(&used.thing, things) } else { None };
+                let hint = match near {
                     Some(near) => format!("did you mean {near:?}?"),
                     None => "name a door, a piece of furniture or a room".into(),
                 };

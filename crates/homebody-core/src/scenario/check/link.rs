@@ -1,7 +1,7 @@
 //! `link.json`: sensors that there are, spans that run forward, faults that can be at once.
 
 use super::home::check_mounting;
-use super::{Report, Surroundings, did_you_mean};
+use super::{Report, Surroundings};
 use crate::link::moved_sensor;
 use crate::problem::Problem;
 use crate::scenario::calendar::time_of_day;
@@ -117,12 +117,14 @@ fn days(fault: &FaultFile) -> String {
 fn check_sensors(report: &mut Report, file: &LinkFile, home: &HomeFile) {
     let names = home.sensors.iter().map(|sensor| sensor.name());
     let of_name = |name: &str| home.sensors.iter().find(|sensor| sensor.name() == name);
-    let unknown = |name: &str| (format!("the home has no sensor {name:?}"), did_you_mean(name, names.clone()));
+    let unknown = |report: &Report, name: &str| {
+        (format!("the home has no sensor {name:?}"), report.did_you_mean(name, names.clone()))
+    };
     for (name, own) in &file.sensors {
         let pointer = format!("/sensors/{}", pointer_part(name));
         match of_name(name) {
             None => {
-                let (what, hint) = unknown(name);
+                let (what, hint) = unknown(report, name);
                 report.problems.push(report.source.problem_with_key(&pointer, what, hint));
             }
             Some(sensor) if own.false_fires_per_h.is_some() && !sensor.senses_motion() => {
@@ -137,7 +139,7 @@ fn check_sensors(report: &mut Report, file: &LinkFile, home: &HomeFile) {
         let pointer = format!("/faults/{index}/sensor");
         match (of_name(name), fault) {
             (None, _) => {
-                let (what, hint) = unknown(name);
+                let (what, hint) = unknown(report, name);
                 report.problem(&pointer, what, hint);
             }
             (Some(sensor), FaultFile::FalseFires(_)) if !sensor.senses_motion() => {

@@ -1,11 +1,16 @@
 //! `logger.json`: where the log goes, names that reach SQL, ids of sensors.
 
-use super::{Report, Surroundings, did_you_mean, folded};
+use super::{Report, Surroundings, folded};
 use crate::problem::Problem;
+use crate::scenario::inside::outside_folder;
 use crate::scenario::logger::LoggerFile;
 use crate::scenario::scheme::{NoPlace, Scheme};
 use crate::scenario::source::{Source, pointer_part};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What to do about a place that leads out of the folder.
+const INSIDE: &str =
+    "name a file in there, such as \"sqlite:log.db\"; whoever runs it may say another place for that run";
 
 pub fn check(source: &Source, file: &LoggerFile, surroundings: &Surroundings, problems: &mut Vec<Problem>) {
     let report = &mut Report { source, problems };
@@ -15,6 +20,7 @@ pub fn check(source: &Source, file: &LoggerFile, surroundings: &Surroundings, pr
 }
 
 fn check_targets(report: &mut Report, targets: &[String]) {
+    let mut paths = BTreeSet::new();
     for (index, target) in targets.iter().enumerate() {
         let pointer = format!("/to/{index}");
         let (_, path) = match Scheme::split(target) {
@@ -24,9 +30,9 @@ fn check_targets(report: &mut Report, targets: &[String]) {
                 continue;
             }
         };
-        if path.chars().any(char::is_control) {
-            report.add(&pointer, "a file name must not hold control characters");
-        } else if targets[..index].iter().any(|other| other.split_once(':').is_some_and(|(_, other)| other == path)) {
+        if let Some(what) = outside_folder(path, "the run's folder") {
+            report.hinted(&pointer, what, INSIDE);
+        } else if !paths.insert(path) {
             report.add(&pointer, format!("two logs cannot go to the one file {path:?}"));
         }
     }
@@ -72,8 +78,9 @@ fn check_ids(report: &mut Report, ids: &BTreeMap<String, String>, surroundings: 
     let mut owners: BTreeMap<String, &str> = BTreeMap::new();
     if let Some(home) = surroundings.home {
         let names = home.sensors.iter().map(|sensor| sensor.name());
-        for sensor in ids.keys().filter(|id| !names.clone().any(|name| name == *id)) {
-            let hint = did_you_mean(sensor, names.clone());
+        let known: BTreeSet<&str> = names.clone().collect();
+        for sensor in ids.keys().filter(|id| !known.contains(id.as_str())) {
+            let hint = report.did_you_mean(sensor, names.clone());
             let pointer = format!("/ids/{}", pointer_part(sensor));
             report.problems.push(report.source.problem_with_key(
                 &pointer,

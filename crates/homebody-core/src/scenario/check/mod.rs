@@ -13,7 +13,7 @@ use super::nearest::nearest;
 use super::source::Source;
 use crate::geometry::{self, Point};
 use crate::home::plan::{Origin, Plan, Solid};
-use crate::problem::Problem;
+use crate::problem::{MOST_PER_FILE, Problem};
 
 /// What the checks of other files know of the home.
 pub struct Surroundings<'a> {
@@ -47,6 +47,12 @@ impl Report<'_> {
 
     fn count(&self) -> usize {
         self.problems.len()
+    }
+
+    /// As [`did_you_mean`], as long as problems are few enough that anybody reads this one: looking takes long where both
+    /// lists are.
+    fn did_you_mean<'a>(&self, name: &str, known: impl Iterator<Item = &'a str> + Clone) -> Option<String> {
+        if self.count() < MOST_PER_FILE { did_you_mean(name, known) } else { None }
     }
 
     /// Names that are blank or hold what would break a table or a terminal.

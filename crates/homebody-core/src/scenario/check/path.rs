@@ -1,6 +1,6 @@
 //! A path: spots that exist, ways that are free, times that can be kept.
 
-use super::{Report, Surroundings, at, blocking, did_you_mean, is_within, solid_name};
+use super::{Report, Surroundings, at, blocking, is_within, solid_name};
 use crate::drivers::path::GREATEST_SPEED_MPS;
 use crate::geometry::{self, Point};
 use crate::home::plan::{Plan, Solid};
@@ -14,6 +14,15 @@ use crate::time::{DAY, Micros, micros, seconds};
 /// Who walks slower does not arrive when that was meant (ours): at this speed a room takes several minutes.
 const LEAST_SPEED_MPS: f64 = 0.01;
 
+/// More steps and waypoints than this are no path that anybody wrote (ours).
+const MOST_STEPS: usize = 10_000;
+
+/// More moves a second than this are none of a person (ours): a life of them has no end of rows.
+const MOST_MOVES_PER_S: f64 = 100.0;
+
+/// So many moves may come at once (ours).
+const FEW_MOVES: f64 = 1_000.0;
+
 /// Shorter ways may take no time at all, rounded to microseconds.
 const LEAST_WAY_M: f64 = 1e-4;
 
@@ -24,9 +33,25 @@ pub fn check(
     surroundings: &Surroundings,
     problems: &mut Vec<Problem>,
 ) {
+    if count(&file.steps) > MOST_STEPS {
+        let what = format!("the path has more than {MOST_STEPS} steps and waypoints together");
+        let hint = "let what comes again be repeated, or say a life as a routine";
+        problems.push(source.problem("/steps", what, Some(hint.into())));
+        return;
+    }
     let mut walk = Walk { report: Report { source, problems }, surroundings, resident };
     let start = walk.spot("/start", &file.start, &format!("{} starts", resident.name));
     walk.steps("/steps", &file.steps, start);
+}
+
+/// How many steps there are, the repeated ones once, and waypoints with them.
+fn count(steps: &[Step]) -> usize {
+    let of = |step: &Step| match step {
+        Step::Go(go) => go.to.len(),
+        Step::Repeat(repeat) => count(&repeat.steps),
+        Step::Wait(_) | Step::Activity(_) | Step::Away(_) => 0,
+    };
+    steps.iter().map(|step| 1 + of(step)).sum()
 }
 
 struct Walk<'a> {
@@ -43,13 +68,16 @@ struct Outcome {
     ends: bool,
     /// Whether it surely takes time, apart from the way to its first spot.
     takes_time: bool,
+    /// How many moves it has, and how many seconds they last; infinite where that is not known, or until a time of day.
+    moves: f64,
+    lasts_s: f64,
     /// The time of day at its end, in microseconds since midnight; nothing where that is not known.
     clock: Option<Micros>,
 }
 
 impl Walk<'_> {
     fn steps(&mut self, pointer: &str, steps: &[Step], from: Option<Point>) -> Outcome {
-        let mut outcome = Outcome { end: from, ends: true, takes_time: false, clock: None };
+        let mut outcome = Outcome { end: from, ends: true, takes_time: false, moves: 0.0, lasts_s: 0.0, clock: None };
         let mut has_walked = false;
         for (index, step) in steps.iter().enumerate() {
             let place = format!("{pointer}/{index}");
@@ -64,6 +92,10 @@ impl Walk<'_> {
                     let length = self.go(&format!("{place}/go"), go, &mut outcome, has_walked);
                     let timed = go.in_s.is_some() || go.arrive_at.is_some();
                     outcome.takes_time |= timed || length.is_none_or(|length| length > LEAST_WAY_M);
+                    let pace_mps = go.pace_mps.unwrap_or(self.resident.pace_mps);
+                    let by_pace = length.filter(|_| go.arrive_at.is_none()).map(|length| length / pace_mps);
+                    outcome.moves += go.to.len() as f64;
+                    outcome.lasts_s += go.in_s.or(by_pace).unwrap_or(f64::INFINITY);
                     has_walked = true;
                 }
                 Step::Wait(wait) => {
@@ -74,17 +106,24 @@ impl Walk<'_> {
                     }
                     // Until a time that it is already takes none.
                     outcome.takes_time |= wait.until.is_none();
+                    outcome.moves += 1.0;
+                    outcome.lasts_s += wait.for_s.unwrap_or(f64::INFINITY);
                 }
                 Step::Away(span) => {
                     outcome.clock =
                         self.span(&format!("{place}/away"), span.for_s, span.until.as_deref(), outcome.clock);
                     outcome.takes_time |= span.until.is_none();
+                    outcome.moves += 1.0;
+                    outcome.lasts_s += span.for_s.unwrap_or(f64::INFINITY);
                 }
                 Step::Repeat(repeat) => {
                     let inner = self.repeat(&format!("{place}/repeat"), repeat, before);
                     outcome.end = inner.end;
                     outcome.ends = inner.ends;
                     outcome.takes_time |= inner.takes_time;
+                    let times = repeat.times.map_or(f64::INFINITY, f64::from);
+                    outcome.moves += inner.moves * times;
+                    outcome.lasts_s += inner.lasts_s * times;
                     outcome.clock = inner.clock;
                     if let Some((_, first)) = first_spot(&repeat.steps) {
                         let way = before.zip(self.find(first)).map(|(before, first)| before.distance(first));
@@ -92,7 +131,7 @@ impl Walk<'_> {
                         has_walked = true;
                     }
                 }
-                Step::Activity(_) => {}
+                Step::Activity(_) => outcome.moves += 1.0,
             }
         }
         outcome
@@ -115,6 +154,14 @@ impl Walk<'_> {
         if !outcome.takes_time {
             let hint = "let it wait, or walk somewhere else and back";
             self.report.hinted(pointer, "the steps that are repeated take no time", hint);
+        } else if outcome.moves > outcome.lasts_s * MOST_MOVES_PER_S
+            && outcome.moves * repeat.times.map_or(f64::INFINITY, f64::from) > FEW_MOVES
+        {
+            let what = format!(
+                "{} moves in {} s are repeated: nobody makes more than {MOST_MOVES_PER_S} a second",
+                outcome.moves, outcome.lasts_s
+            );
+            self.report.hinted(pointer, what, "let them take longer, or repeat them less often");
         }
         outcome.ends = repeat.times.is_some();
         outcome
@@ -217,7 +264,7 @@ impl Walk<'_> {
             if !known.clone().any(|place| place == name) {
                 let hint = match home.furniture.iter().any(|piece| piece.name == *name) {
                     true => Some("nobody can be where it stands: add a place beside it".into()),
-                    false => did_you_mean(name, known),
+                    false => self.report.did_you_mean(name, known),
                 };
                 let what = format!("the home has no place {name:?}");
                 self.report.problems.push(self.report.source.problem(pointer, what, hint));

@@ -5,6 +5,8 @@ use crate::failure::Failure;
 use crate::print::tell;
 use homebody_experiment::sphere::{AnnotatedRun, Experiment, Interval, Recording, Texts, parse};
 use homebody_kit::{Source, Template};
+use homebody_log::limits::LARGEST_RECORDING_BYTES;
+use homebody_log::plain;
 use homebody_picture::{Lane, Panel, span_chart};
 use std::fs;
 use std::io::ErrorKind;
@@ -87,7 +89,7 @@ fn recordings(data: &Path) -> Result<Vec<(String, AnnotatedRun)>, Failure> {
 fn recording(folder: &Path) -> Result<Option<(String, AnnotatedRun)>, Failure> {
     let read = |name: &str| {
         let path = folder.join(name);
-        fs::read_to_string(&path).map_err(|error| (error.kind(), Failure::io(&path, error)))
+        plain::read_text(&path, LARGEST_RECORDING_BYTES).map_err(|error| (error.kind(), Failure::io(&path, error)))
     };
     let needed = |name: &str| read(name).map_err(|(_, failure)| failure);
     let (location, annotations, pir) = (needed("location_0.csv")?, needed("annotations_0.csv")?, needed("pir.csv")?);

@@ -1,10 +1,10 @@
 //! `homebody routine check`: everything that is wrong with routines.
 
 use crate::commands::check::load_and_say;
+use crate::commands::scenario::Chosen;
 use crate::failure::Failure;
 use crate::print::tell;
 use homebody_core::problem::counted;
-use std::path::PathBuf;
 
 /// Reports everything that is wrong with the routines of a scenario and the conditions that they show: each at its word,
 /// with what was expected and the nearest known name.
@@ -13,8 +13,8 @@ use std::path::PathBuf;
   homebody routine check scenarios/tigerplace
   homebody routine check my-home/scenario.json --json")]
 pub struct Arguments {
-    /// The scenario's folder, or its scenario.json
-    scenario: PathBuf,
+    #[command(flatten)]
+    scenario: Chosen,
     /// Print the problems as one JSON object
     #[arg(long)]
     json: bool,
@@ -22,7 +22,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let opened = load_and_say(&self.scenario, self.json, |_| Vec::new())?;
+        let opened = load_and_say(self.scenario.source(), self.json, |_| Vec::new())?;
         let (scenario, household) = (opened.scenario(), opened.household());
         let mut routines = 0;
         for (index, resident) in scenario.residents.iter().enumerate() {

@@ -1,6 +1,7 @@
 //! `homebody routine day`: one day, lived and told.
 
 use crate::commands::answer::Answer;
+use crate::commands::scenario::Chosen;
 use crate::failure::Failure;
 use homebody_analysis::dates::{date_of, on_wall};
 use homebody_analysis::day::Day;
@@ -9,7 +10,6 @@ use homebody_core::time::Micros;
 use homebody_kit::LiveRun;
 use homebody_log::{Activity, Life, Log};
 use homebody_picture::{DayChart, day_chart};
-use std::path::PathBuf;
 
 /// Lives a scenario as far as a day and says what was done on it, and in which rooms.
 ///
@@ -20,8 +20,8 @@ use std::path::PathBuf;
   homebody routine day scenarios/tigerplace-depression 2009-06-01 --svg day.svg
   homebody routine day scenarios/tigerplace-depression 2009-06-01 --without depression")]
 pub struct Arguments {
-    /// The scenario's folder, or its scenario.json
-    scenario: PathBuf,
+    #[command(flatten)]
+    scenario: Chosen,
     /// The day, such as 2009-03-02; the run's second without it, as the first begins in the night
     #[arg(value_name = "DATE")]
     date: Option<jiff::civil::Date>,
@@ -37,7 +37,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let opened = homebody_kit::open(&self.scenario)?;
+        let opened = self.scenario.source()?.open()?;
         let scenario = opened.scenario();
         let answer = self.answer.check([""], &opened.paths())?;
         let zone = scenario.calendar.local(0).time_zone().clone();

@@ -1,10 +1,10 @@
 //! `homebody routine explain`: how routines were understood.
 
+use crate::commands::scenario::Chosen;
 use crate::failure::Failure;
 use crate::print::{print_json, print_text};
 use homebody_routine::explain::explain;
 use serde_json::json;
-use std::path::PathBuf;
 
 /// Says how each sentence of the routines of a scenario was understood, and of the conditions that they show: in a table
 /// (how likely, when, for how long) and in words.
@@ -14,8 +14,8 @@ use std::path::PathBuf;
   homebody routine explain scenarios/tigerplace --unsaid
   homebody routine explain my-home --json")]
 pub struct Arguments {
-    /// The scenario's folder, or its scenario.json
-    scenario: PathBuf,
+    #[command(flatten)]
+    scenario: Chosen,
     /// Add what is not said, and goes as it usually does
     #[arg(long)]
     unsaid: bool,
@@ -26,7 +26,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let opened = homebody_kit::open(&self.scenario)?;
+        let opened = self.scenario.source()?.open()?;
         let (scenario, household) = (opened.scenario(), opened.household());
         let routines = (0..scenario.residents.len()).filter_map(|resident| household.routine(resident).cloned());
         let unsaid =

@@ -1,6 +1,5 @@
 //! Sensors that hang on things, lie under people or stand in rooms: what they need must be there, limits must be in order.
 
-use super::super::did_you_mean;
 use super::Report;
 use super::areas::{check_convex, is_flat, keeps_within};
 use crate::geometry::{At, Point, point};
@@ -64,7 +63,8 @@ fn known<'a>(
 ) {
     if !names.clone().any(|known| known == name) {
         let what = format!("the home has no {noun} {name:?}");
-        report.problem(&format!("{place}/{key}"), what, did_you_mean(name, names));
+        let hint = report.did_you_mean(name, names);
+        report.problem(&format!("{place}/{key}"), what, hint);
     }
 }
 

@@ -8,7 +8,17 @@ use crate::scenario::home::HomeFile;
 /// Outlines measured from both sides of a wall never agree better than this.
 const OVERLAP_TOLERANCE_M2: f64 = 0.01;
 
+/// The outlines of a home have no more corners together (ours): which of them overlap takes the square of that.
+const MOST_CORNERS: usize = 5_000;
+
+/// No more overlaps are looked for (ours).
+const MOST_OVERLAPS: usize = 200;
+
 pub fn check(report: &mut Report, home: &HomeFile) {
+    if home.rooms.iter().map(|room| room.outline.len()).sum::<usize>() > MOST_CORNERS {
+        let what = format!("the rooms have more than {MOST_CORNERS} corners together");
+        return report.hinted("/rooms", what, "a bay of ten corners is as round as sensors can tell");
+    }
     let mut sound: Vec<(usize, Vec<Point>)> = Vec::new();
     for (index, room) in home.rooms.iter().enumerate() {
         let outline: Vec<Point> = room.outline.iter().map(|&at| point(at)).collect();
@@ -27,7 +37,11 @@ pub fn check(report: &mut Report, home: &HomeFile) {
             sound.push((index, outline));
         }
     }
+    let before = report.count();
     for (i, (index, outline)) in sound.iter().enumerate() {
+        if report.count() - before > MOST_OVERLAPS {
+            return;
+        }
         for (other, other_outline) in &sound[..i] {
             let area = overlap::area(outline, other_outline);
             if area > OVERLAP_TOLERANCE_M2 {

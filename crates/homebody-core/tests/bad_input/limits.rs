@@ -1,0 +1,95 @@
+//! What is read is bounded, and what it costs grows as its size does.
+
+use crate::*;
+use std::fmt::Write;
+use std::time::{Duration, Instant};
+
+/// Something of the good scenario made as large as it is asked to be.
+type Grown = (&'static str, fn(usize) -> BTreeMap<String, String>);
+
+fn with(file: &str, text: String) -> BTreeMap<String, String> {
+    let mut files = good();
+    files.insert(file.into(), text);
+    files
+}
+
+fn list(count: usize, item: impl Fn(usize) -> String) -> String {
+    (0..count).map(item).collect::<Vec<_>>().join(",")
+}
+
+/// Each kind of input that can be long, right or wrong.
+const GROWN: [Grown; 12] = [
+    ("unknown keys", |n| with("home.json", format!("{{{}}}", list(n, |i| format!("\"k{i}\":0"))))),
+    ("repeated keys", |n| with("home.json", format!("{{{}}}", list(n, |_| "\"name\":0".into())))),
+    ("misspelt keys", |n| with("home.json", format!("{{{}}}", list(n, |i| format!("\"nam{i}\":0"))))),
+    ("a list of a wrong type", |n| with("home.json", format!("{{\"rooms\":[{}]}}", list(n, |_| "0".into())))),
+    ("numbers where an object belongs", |n| with("home.json", format!("[{}]", list(n, |_| "0".into())))),
+    ("ids of nobody", |n| {
+        with("logger.json", format!("{{\"ids\":{{{}}}}}", list(n / 8, |i| format!("\"s{i}\":\"{i}\""))))
+    }),
+    ("a path of many steps", |n| path(n / 8, |_| "{\"wait\":{\"for_s\":1}}".into())),
+    ("a path to places that are none", |n| path(n / 8, |i| format!("{{\"go\":{{\"to\":[\"x{i}\"]}}}}"))),
+    ("activities", |n| path(n / 8, |i| format!("{{\"activity\":\"a{i}\"}}"))),
+    ("blanks", |n| with("home.json", format!("{{{}}}", " ".repeat(8 * n)))),
+    ("lines", |n| with("home.json", format!("{{{}}}", "\n".repeat(8 * n)))),
+    ("brackets", |n| with("home.json", "[".repeat(8 * n))),
+];
+
+fn path(count: usize, step: impl Fn(usize) -> String) -> BTreeMap<String, String> {
+    with("ann.path.json", format!("{{\"start\":\"bed\",\"steps\":[{}]}}", list(count, step)))
+}
+
+/// The least of several times, which is the one that nothing else has disturbed.
+fn least_time(files: &BTreeMap<String, String>) -> Duration {
+    let time = |_| {
+        let begin = Instant::now();
+        let _ = problems(files);
+        begin.elapsed()
+    };
+    (0..5).map(time).min().unwrap()
+}
+
+#[test]
+fn reading_and_checking_cost_no_more_than_a_small_multiple_of_the_size() {
+    const SIZE: usize = 6_000;
+    let mut told = String::new();
+    for (what, grown) in GROWN {
+        let (small, large) = (least_time(&grown(SIZE)), least_time(&grown(8 * SIZE)));
+        let ratio = large.as_secs_f64() / small.as_secs_f64().max(1e-3);
+        writeln!(told, "{what}: {small:?}, {large:?}, {ratio:.1} times").unwrap();
+        // Eight times the size: what grows as its square takes 64 times as long.
+        assert!(ratio < 24.0, "{told}");
+    }
+}
+
+#[test]
+fn what_is_too_long_is_refused_in_words() {
+    let (text, values) = (format!("\"{}\"", "x".repeat(10_001)), list(500_001, |_| "0".into()));
+    check(&[(
+        "scenario.json",
+        r#""home": "home.json""#,
+        &format!(r#""home": {text}"#),
+        "scenario.json:6:11: this text is longer than 10000 bytes",
+    )]);
+    assert_eq!(
+        said(&with("home.json", format!("[{values}]"))),
+        "home.json:1:1000001: the file has more than 500000 values"
+    );
+    let steps = said(&path(10_001, |_| "{\"wait\":{\"for_s\":1}}".into()));
+    assert_eq!(
+        steps,
+        r#"ann.path.json:1:24: "steps" must have at most 10000 items, but has 10001; What the resident does, in this order"#
+    );
+    let waypoints = said(&path(20, |_| format!("{{\"go\":{{\"to\":[{}]}}}}", list(600, |i| format!("[1.{i},1]")))));
+    assert_eq!(
+        waypoints,
+        "ann.path.json:1:24: the path has more than 10000 steps and waypoints together; let what comes again be repeated, or say a life as a routine"
+    );
+}
+
+#[test]
+fn messages_quote_no_more_than_a_line() {
+    let long = "y".repeat(9_000);
+    let told = said(&with("home.json", format!("{{ \"{long}\": 0, \"name\": [] }}")));
+    assert!(told.len() < 4_000 && told.contains("yyy ... yyy"), "{told}");
+}

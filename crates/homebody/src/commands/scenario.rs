@@ -1,0 +1,36 @@
+//! A scenario that a command is given.
+
+use homebody_kit::{Error, Source};
+use std::path::{Path, PathBuf};
+
+/// Which scenario, and whose.
+#[derive(clap::Args)]
+pub struct Chosen {
+    /// The scenario's folder, or its scenario.json
+    scenario: PathBuf,
+    #[command(flatten)]
+    trust: Trust,
+}
+
+impl Chosen {
+    /// Where it comes from.
+    pub fn source(&self) -> Result<Source, Error> {
+        self.trust.source(&self.scenario)
+    }
+}
+
+/// Whether a scenario is taken as one's own.
+#[derive(clap::Args)]
+pub struct Trust {
+    /// Take the scenario as your own: follow links that lead out of its folder, and read files of any size
+    #[arg(long)]
+    trust: bool,
+}
+
+impl Trust {
+    /// Where a scenario on disk comes from.
+    pub fn source(&self, path: &Path) -> Result<Source, Error> {
+        let source = Source::at(path)?;
+        Ok(if self.trust { source.trusted() } else { source })
+    }
+}

@@ -1,0 +1,122 @@
+//! Every limit on what is read is in `docs/limits.md`: those of the scenario's files and those of the code.
+//!
+//! `HOMEBODY_REWRITE=1 cargo test -p homebody --test rules limits` writes it anew.
+
+use super::numbers::{Fixed, cell, fixed};
+use super::{File, files, repository};
+use homebody_core::scenario::schema::FileKind;
+use serde_json::Value;
+use std::fs;
+
+const DOCUMENT: &str = "docs/limits.md";
+
+const HEAD: &str = "\
+# Limits
+
+Made from the code by the test that `crates/homebody/tests/rules/limits.rs` holds.
+
+Scenarios, recordings, logs and plans may be anybody's. So only plain files are read, each up to a size; what they name is read and
+written inside their own folder; and of everything that can be given often there is a most. Who goes beyond is told, with the place in
+the file. A scenario of your own may be larger: `--trust` reads its files whatever their size, and follows links out of its folder.
+`homebody run --out` writes to any place that you name.
+
+## Of the files of a scenario
+
+How many items a list may have, how many keys an object, and how many characters a text.
+";
+
+const CODE: &str = "
+## Of the program
+
+What bounds reading, checking, drawing and living besides. The name's first word says that it is the most that is taken, the largest or
+the longest.
+";
+
+/// How the names of limits begin.
+const LIMITS: [&str; 4] = ["MOST", "LARGEST", "LONGEST", "GREATEST"];
+
+#[test]
+fn the_table_of_limits_is_that_of_the_code() {
+    let generated = document(&files());
+    let path = repository().join(DOCUMENT);
+    if std::env::var_os("HOMEBODY_REWRITE").is_some() {
+        fs::write(&path, &generated).expect("the table can be written");
+    }
+    let written = fs::read_to_string(&path).unwrap_or_default();
+    assert!(written == generated, "{DOCUMENT} is not what the code says; see the head of this test");
+}
+
+#[test]
+fn every_list_and_every_map_of_a_scenario_is_bounded() {
+    let unbounded = FileKind::ALL.into_iter().flat_map(|kind| {
+        let schema = kind.schema();
+        let of = |(object, key, value): (String, String, Value)| {
+            let is_open = |of: &str, most: &str| value["type"] == of && value.get(most).is_none();
+            let is_map = value["additionalProperties"].is_object() && value.get("maxProperties").is_none();
+            (is_open("array", "maxItems") || is_map).then(|| format!("{} of {object} in {}", key, kind.schema_name()))
+        };
+        properties(&schema).into_iter().filter_map(of).collect::<Vec<_>>()
+    });
+    super::expect_none(unbounded.collect());
+}
+
+#[test]
+fn a_limit_is_told_by_its_name() {
+    let file = File::new(
+        "crates/a/src/a.rs",
+        "/// No more (ours).\nconst MOST_DOORS: usize = 3;\n/// At least (ours).\nconst LEAST: u8 = 1;\n",
+    );
+    let names: Vec<String> = limits(&[file]).map(|limit| limit.name).collect();
+    assert_eq!(names, ["MOST_DOORS"]);
+}
+
+fn limits(files: &[File]) -> impl Iterator<Item = Fixed> {
+    fixed(files).filter(|constant| LIMITS.iter().any(|begin| constant.name.starts_with(begin)))
+}
+
+/// The keys of a schema's objects: the object, the key, and what the schema says of it.
+fn properties(schema: &Value) -> Vec<(String, String, Value)> {
+    let own = |object: &str, schema: &Value| {
+        let branches = ["oneOf", "anyOf"].into_iter().filter_map(|key| schema[key].as_array()).flatten();
+        let all = std::iter::once(schema).chain(branches).filter_map(|branch| branch["properties"].as_object());
+        let of = |(key, value): (&String, &Value)| (object.to_owned(), key.clone(), value.clone());
+        all.flatten().map(of).collect::<Vec<_>>()
+    };
+    let title = |schema: &Value, name: &str| schema["title"].as_str().unwrap_or(name).to_owned();
+    let mut all = own(&title(schema, "file"), schema);
+    for (name, definition) in schema["definitions"].as_object().into_iter().flatten() {
+        all.extend(own(&title(definition, name), definition));
+    }
+    all
+}
+
+fn document(files: &[File]) -> String {
+    let mut text = HEAD.to_owned();
+    for kind in FileKind::ALL {
+        let mut rows = String::new();
+        for (object, key, value) in properties(&kind.schema()) {
+            let most = [("maxItems", "items"), ("maxProperties", "keys"), ("maxLength", "characters")];
+            let most = most.into_iter().filter_map(|(most, of)| Some((value.get(most)?.as_u64()?, of)));
+            // A point is always two numbers.
+            for (most, of) in
+                most.filter(|_| value.get("minItems") != value.get("maxItems") || value.get("maxItems").is_none())
+            {
+                rows += &format!("| {object} | `{key}` | {most} {of} |\n");
+            }
+        }
+        if !rows.is_empty() {
+            text += &format!("\n### {}\n\n| in | key | at most |\n|---|---|---|\n{rows}", capitalised(kind.noun()));
+        }
+    }
+    text += CODE;
+    text += "\n| name | at most | unit | what it is | where |\n|---|---|---|---|---|\n";
+    for Fixed { path, name, value, unit, what } in limits(files) {
+        text += &format!("| `{name}` | `{}` | {unit} | {} | `{path}` |\n", cell(&value), cell(&what));
+    }
+    text
+}
+
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
+}
