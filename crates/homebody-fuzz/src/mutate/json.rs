@@ -20,7 +20,7 @@ enum Tree {
 pub fn json(text: &mut String, others: &[&str], dice: &mut Dice) -> bool {
     let Ok(value) = serde_json::from_str::<Value>(text) else { return false };
     let mut tree = Tree::of(value);
-    for _ in 0..dice.size(4) {
+    for _ in 0..dice.size(3) {
         once(&mut tree, others, dice);
     }
     text.clear();

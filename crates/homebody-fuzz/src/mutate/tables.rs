@@ -50,6 +50,9 @@ pub fn table(text: &mut String, dice: &mut Dice) {
 fn once(lines: &mut Vec<Vec<String>>, dice: &mut Dice) {
     let at = dice.below(lines.len());
     let Some(line) = lines.get_mut(at) else { return };
+    if line.is_empty() {
+        line.push(String::new());
+    }
     let column = dice.below(line.len());
     match dice.below(12) {
         0..=2 => line[column] = cell(&line[column], dice),

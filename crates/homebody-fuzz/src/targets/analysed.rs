@@ -7,8 +7,9 @@ use homebody_analysis::day::Day;
 use homebody_analysis::density::{Asked, density};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::Scheme;
-use homebody_kit::{Given, Url};
-use homebody_log::{How, Log, LogError, Transfer, activities, convert, label, read, survey};
+use homebody_kit::{LogWithRun, Url};
+use homebody_log::source::truth_at;
+use homebody_log::{How, Log, LogError, RunClock, Transfer, activities, convert, label, read, survey};
 use homebody_picture::{DayChart, day_chart, density_map, png};
 use std::path::Path;
 
@@ -39,13 +40,13 @@ pub fn all(from: &Url, mapping: &LoggerFile, truth: &Path, folder: &Path) -> Res
         carried(from, mapping, &survey, &log, scheme, folder)?;
     }
     labelled(from, mapping, &survey, truth, folder)?;
-    match activities(truth) {
+    match activities(&truth_at(&truth.to_string_lossy()), &RunClock::as_told()) {
         Ok(known) => log.activities = known,
         Err(error) => refused(&error)?,
     }
     let _ = compare(&log, &log).to_string();
     // As the commands for days and density read it, on the wall of a home.
-    match Given::read(&from.to_string(), Some(ZONE)) {
+    match LogWithRun::read(&from.to_string(), Some(ZONE)) {
         Ok(given) => drawn(&given)?,
         Err(error) => told::message(&error.to_string())?,
     }
@@ -97,14 +98,14 @@ fn carried(
 fn labelled(from: &Url, mapping: &LoggerFile, survey: &Log, truth: &Path, folder: &Path) -> Result<(), String> {
     let to = Url::new(Scheme::Csv, folder.join("labelled.csv"));
     let transfer = Transfer { from, mapping, to: &to, name: "a log", zone: ZONE, how: How::New };
-    match label(&transfer, survey, truth, |_| ()) {
+    match label(&transfer, survey, &truth_at(&truth.to_string_lossy()), &RunClock::as_told(), |_| ()) {
         Ok(labelled) if labelled.rows != survey.rows => Err(format!("{} rows of {}", labelled.rows, survey.rows)),
         Ok(_) => Ok(()),
         Err(error) => refused(&error),
     }
 }
 
-fn drawn(given: &Given) -> Result<(), String> {
+fn drawn(given: &LogWithRun) -> Result<(), String> {
     if let Some((first, last)) = given.dates() {
         for date in [first, last] {
             let day = Day::of(&given.name, &given.log, &given.lives, date);

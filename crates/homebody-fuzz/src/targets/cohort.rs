@@ -5,7 +5,7 @@ use crate::corpus;
 use crate::dice::Dice;
 use crate::mutate::json;
 use homebody_core::time::SECOND;
-use homebody_kit::{CohortList, LIST, UnfinishedCohort, place_of_log, template};
+use homebody_kit::{CohortList, LIST, NamedLog, UnfinishedCohort, template};
 use std::fs;
 use std::path::Path;
 
@@ -42,7 +42,7 @@ fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
 fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
     fs::write(folder.join(LIST), files.get(LIST).map(Vec::as_slice).unwrap_or_default())
         .map_err(|error| error.to_string())?;
-    if let Err(error) = place_of_log(&folder.to_string_lossy()) {
+    if let Err(error) = NamedLog::find(&folder.to_string_lossy()) {
         told::message(&error.to_string())?;
     }
     let _ = serde_json::from_str::<CohortList>(super::text(files, LIST));

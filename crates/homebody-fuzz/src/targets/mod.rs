@@ -105,7 +105,7 @@ fn change(files: &mut Files, corpus: &[Files], dice: &mut Dice, by: impl Fn(&str
     if names.is_empty() {
         return;
     }
-    for _ in 0..dice.size(3) {
+    for _ in 0..dice.size(2) {
         let name = dice.one(&names);
         let other = dice.one(corpus);
         let others: Vec<&str> = other.values().filter_map(|bytes| str::from_utf8(bytes).ok()).collect();

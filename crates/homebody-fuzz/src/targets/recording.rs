@@ -5,7 +5,7 @@ use crate::corpus;
 use crate::dice::Dice;
 use crate::mutate::{json, numbers};
 use homebody_core::time::SECOND;
-use homebody_kit::{Destinations, Given, Recorded, Template, Unfinished};
+use homebody_kit::{Destinations, LogWithRun, Recorded, Template, Unfinished};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -73,7 +73,7 @@ fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
     // A recording beside a log says what its sensors are called, and when it was.
     fs::write(folder.join("log.csv"), "time,sensor,value\n2009-03-02 07:12:03,bed motion,ON\n")
         .map_err(|error| error.to_string())?;
-    if let Err(error) = Given::read(&folder.join("log.csv").to_string_lossy(), None) {
+    if let Err(error) = LogWithRun::read(&folder.join("log.csv").to_string_lossy(), None) {
         told::message(&error.to_string())?;
     }
     // What is left to do in a folder is told before anything is done there.

@@ -16,6 +16,9 @@ pub const TARGET: Target =
 
 const FILE: &str = "texts";
 
+/// So many texts are enough for a case (ours).
+const MOST_LINES: usize = 200;
+
 fn corpus() -> Vec<Files> {
     let texts = corpus::of(TARGET.name).into_iter().flat_map(Files::into_values);
     texts.map(|text| Files::from([(FILE.to_owned(), text)])).collect()
@@ -35,6 +38,7 @@ fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
                 _ => texts::other(line, dice),
             };
         }
+        lines.truncate(MOST_LINES);
         *text = lines.join("\n");
     });
 }

@@ -4,8 +4,11 @@ use homebody_core::problem::Problem;
 use homebody_kit::Error;
 use std::collections::BTreeMap;
 
-/// No message says more, in bytes (ours): what it quotes may be of any length.
-const LONGEST_BYTES: usize = 2_000;
+/// No line of a message is longer, in bytes (ours): what it quotes may be of any length.
+const LONGEST_LINE_BYTES: usize = 2_000;
+
+/// No message is longer, in bytes (ours): some list a hundred places.
+const LONGEST_BYTES: usize = 32 << 10;
 
 /// Whether an error says where and why, for people.
 ///
@@ -59,7 +62,7 @@ pub fn message(text: &str) -> Result<(), String> {
     if text.trim().is_empty() {
         return Err("an error without words".into());
     }
-    if text.len() > LONGEST_BYTES {
+    if text.len() > LONGEST_BYTES || text.lines().any(|line| line.len() > LONGEST_LINE_BYTES) {
         return Err(format!("a message of {} bytes: {beginning:?} ...", text.len()));
     }
     if text.chars().any(|c| c.is_control() && c != '\n') {

@@ -4,8 +4,8 @@ use super::{Files, Target, Verdict, database, log, told};
 use crate::dice::Dice;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::{DAY, SECOND};
-use homebody_log::source::{Clock, RunClock};
-use homebody_log::{LogError, Movements, activities, lives};
+use homebody_log::source::{Clock, RunClock, truth_at};
+use homebody_log::{LogError, Movements, Url, activities, lives};
 use std::fs;
 use std::path::Path;
 
@@ -32,7 +32,8 @@ fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
     let path = folder.join(log::TRUTH);
     fs::write(&path, files.get(log::TRUTH).map(Vec::as_slice).unwrap_or_default())
         .map_err(|error| error.to_string())?;
-    let told = [activities(&path).map(drop), lives(&path).map(drop), movements(&path)];
+    let (url, as_told) = (truth_at(&path.to_string_lossy()), RunClock::as_told());
+    let told = [activities(&url, &as_told).map(drop), lives(&url, &as_told).map(drop), movements(&url)];
     for error in told.iter().filter_map(|told| told.as_ref().err()) {
         told::message(&error.to_string())?;
     }
@@ -40,7 +41,7 @@ fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
     Ok(if told.iter().all(Result::is_ok) { Verdict::Accepted } else { Verdict::Refused })
 }
 
-fn movements(truth: &Path) -> Result<(), LogError> {
+fn movements(truth: &Url) -> Result<(), LogError> {
     let calendar = Calendar::new("2009-03-02T00:00:00", "America/Chicago").expect("a date and a zone that there are");
     let clock = RunClock::new(&calendar, DAY, Clock::Local);
     let residents = ["Margaret".to_owned(), "a".to_owned()];
