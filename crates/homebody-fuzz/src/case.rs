@@ -36,7 +36,9 @@ static PANICS: Mutex<Vec<String>> = Mutex::new(Vec::new());
 pub fn keep_panics() {
     panic::set_hook(Box::new(|panic| {
         let place = panic.location().map(|place| format!("{}:{}", place.file(), place.line())).unwrap_or_default();
-        let what = panic.payload_as_str().unwrap_or("something");
+        let payload = panic.payload();
+        let text = payload.downcast_ref::<String>().map(String::as_str);
+        let what = text.or(payload.downcast_ref::<&str>().copied()).unwrap_or("something");
         panics().push(format!("panic at {place}: {what}"));
     }));
 }

@@ -289,6 +289,14 @@ mod tests {
     }
 
     #[test]
+    fn a_command_that_is_none_is_quoted_in_part() {
+        let why = |line: &str| line.parse::<Command>().unwrap_err().to_string();
+        assert_eq!(why("halt"), "\"halt\" is none of: pause, resume, step [SECONDS], speed X, stop");
+        assert!(why(&"x".repeat(1 << 20)).len() < 1000);
+        assert!(why(&format!("step {}", "9".repeat(1 << 20))).len() < 1000);
+    }
+
+    #[test]
     fn commands_are_done_in_order_and_a_run_goes_on_when_nobody_is_left_to_say_so() {
         let (say, commands) = channel();
         let mut paced = Paced::new(Pace::paused(Speed::Max), Cancel::new(), Some(commands));

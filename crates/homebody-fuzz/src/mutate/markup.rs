@@ -13,7 +13,7 @@ pub fn markup(xml: &mut String, dice: &mut Dice) {
             0 => tags(xml, dice),
             1 if dice.is(0.1) => deeper(xml, dice),
             2 => attributes(xml, dice, |was, dice| texts::other(was, dice).replace('\'', "")),
-            _ => attributes(xml, dice, |was, dice| number(was, dice)),
+            _ => attributes(xml, dice, number),
         }
     }
 }

@@ -112,7 +112,7 @@ fn drawn(given: &LogWithRun) -> Result<(), String> {
             let _ = day.to_string();
             let svg = day_chart(&DayChart::of(&day));
             // Pixels take their time: some days have to do.
-            if svg.len() % 32 == 0
+            if svg.len().is_multiple_of(32)
                 && let Err(error) = png(&svg, 400)
             {
                 told::message(&error.to_string())?;
