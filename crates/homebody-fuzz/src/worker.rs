@@ -54,8 +54,8 @@ pub fn work(target: &Target, share: Share) -> io::Result<()> {
     let done = thread::spawn(move || {
         let corpus = (target.corpus)();
         for number in (share.first..share.end).step_by(share.step as usize) {
-            let files = target.case(&corpus, share.seed, number);
             tell(&Said::Begun(number))?;
+            let files = target.case(&corpus, share.seed, number);
             tell(&Said::Done(number, case::run(&target, &files)))?;
         }
         Ok(())

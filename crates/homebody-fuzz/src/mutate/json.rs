@@ -80,7 +80,8 @@ fn keys(tree: &mut Tree, others: &[&str], dice: &mut Dice) {
         }
         6 => {
             let (key, value) = entries[at].clone();
-            entries.extend((0..dice.size(2_000)).map(|_| (key.clone(), value.clone())));
+            let most = super::times(key.len() + value.length(), 2_000);
+            entries.extend((0..dice.size(most)).map(|_| (key.clone(), value.clone())));
         }
         _ if dice.is(0.3) => {
             let zero = Tree::Other("0".into());
@@ -104,7 +105,7 @@ fn list(tree: &mut Tree, dice: &mut Dice) {
         3 => items.reverse(),
         4 => {
             // As many as a file of some hundred kilobytes holds.
-            let most = 300_000 / (item.length() + 1) + 1;
+            let most = super::times(item.length(), usize::MAX);
             items.extend((0..dice.size(most)).map(|_| item.clone()));
         }
         _ => {

@@ -23,7 +23,7 @@ fn tags(xml: &mut String, dice: &mut Dice) {
     let (tag, place) = (dice.one(&parts).clone(), dice.below(parts.len()));
     match dice.below(4) {
         0 => drop(parts.remove(place)),
-        1 => drop(parts.splice(place..place, (0..dice.size(3_000)).map(|_| tag.clone()))),
+        1 => drop(parts.splice(place..place, (0..dice.size(super::times(tag.len(), 3_000))).map(|_| tag.clone()))),
         _ => parts.insert(place, tag),
     }
     *xml = parts.join("<");

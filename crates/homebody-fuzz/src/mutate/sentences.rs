@@ -106,7 +106,7 @@ pub fn routine(dice: &mut Dice) -> String {
         text += *dice.one(&["\n", "\n", ".\n", ". ", "!\n", "\r\n", "\r", "", "; "]);
     }
     if dice.is(0.05) {
-        text = text.repeat(dice.size(2_000));
+        text = text.repeat(dice.size(super::times(text.len(), 2_000)));
     }
     text
 }

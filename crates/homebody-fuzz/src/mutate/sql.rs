@@ -163,7 +163,8 @@ fn table(dice: &mut Dice) -> String {
 fn row(dice: &mut Dice) -> String {
     let columns = columns(dice);
     let values: Vec<String> = columns.iter().map(|_| value(dice)).collect();
-    let times = if dice.is(0.2) { dice.size(300) } else { 1 };
+    let length = values.iter().map(String::len).sum();
+    let times = if dice.is(0.2) { dice.size(super::times(length, 300)) } else { 1 };
     let rows = vec![format!("({})", values.join(", ")); times].join(", ");
     format!("INSERT OR IGNORE INTO {}({}) VALUES {rows}", dice.one(&TABLES), columns.join(", "))
 }

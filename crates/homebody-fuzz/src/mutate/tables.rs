@@ -67,11 +67,12 @@ fn once(lines: &mut Vec<Vec<String>>, dice: &mut Dice) {
         8 => {
             // A column that is odd throughout.
             let odd = cell("", dice);
-            lines.iter_mut().filter_map(|line| line.get_mut(column)).for_each(|cell| cell.clone_from(&odd));
+            let most = super::times(odd.len(), lines.len());
+            lines.iter_mut().take(most).filter_map(|line| line.get_mut(column)).for_each(|cell| cell.clone_from(&odd));
         }
         9 => {
             let copy = line.clone();
-            let times = dice.size(5_000);
+            let times = dice.size(super::times(copy.iter().map(String::len).sum(), 5_000));
             lines.splice(at..at, (0..times).map(|_| copy.clone()));
         }
         10 if dice.is(0.3) => line.extend((0..dice.size(50_000)).map(|_| String::new())),
