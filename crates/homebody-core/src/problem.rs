@@ -71,7 +71,7 @@ impl Problems {
 impl Problem {
     /// A problem with a file as a whole.
     pub fn of_file(file: &str, what: impl Into<String>, hint: Option<String>) -> Problem {
-        let (what, hint) = (short(what.into()), hint.map(short));
+        let (what, hint) = (readable(what.into()), hint.map(readable));
         Problem { file: file.into(), line: 0, column: 0, what, hint, excerpt: None }
     }
 
@@ -153,8 +153,12 @@ pub fn boundary_before(text: &str, at: usize) -> usize {
     (0..=at.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0)
 }
 
-/// A message without its middle, where it is longer than people read.
-fn short(mut text: String) -> String {
+/// A message that may quote what anybody has written, as people can read it: without control characters but the ends of its
+/// lines, and without its middle where it is longer than 600 bytes.
+pub fn readable(mut text: String) -> String {
+    if text.contains(|c: char| c.is_control() && c != '\n') {
+        text = text.chars().map(|c| if c.is_control() && c != '\n' { ' ' } else { c }).collect();
+    }
     if text.len() > LONGEST_MESSAGE_BYTES {
         let (first, last) = (LONGEST_MESSAGE_BYTES / 2, text.len() - LONGEST_MESSAGE_BYTES / 3);
         text.replace_range(boundary_before(&text, first)..boundary_before(&text, last), " ... ");
@@ -165,4 +169,17 @@ fn short(mut text: String) -> String {
 /// How many of what, as a sentence has it.
 pub fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_message_is_readable_whatever_it_quotes() {
+        assert_eq!(readable("\"é\" is none\n  hint: write it".into()), "\"é\" is none\n  hint: write it");
+        assert_eq!(readable("a\u{1b}[31m\u{0}b\r".into()), "a [31m b ");
+        let long = readable(format!("{:?} is no number", "é".repeat(10_000)));
+        assert!(long.len() <= 600 && long.starts_with("\"é") && long.ends_with("is no number"), "{long}");
+    }
 }

@@ -9,6 +9,7 @@ use crate::recorded;
 use crate::run::{Length, LiveRun, Progress};
 use crate::scenario::OpenScenario;
 use crate::source::Source;
+use homebody_core::problem::readable;
 use homebody_core::recording::Recording;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
@@ -486,9 +487,11 @@ impl UnfinishedCohort {
         recorded::is_folder(folder)?;
         let path = folder.join(LIST);
         let text = recorded::text(&path)?;
-        let wrong = |error: serde_json::Error| Error::Recording { path: path.clone(), why: error.to_string() };
+        let wrong =
+            |error: serde_json::Error| Error::Recording { path: path.clone(), why: readable(error.to_string()) };
         let CohortFile { list, asked, recording } = serde_json::from_str(&text).map_err(wrong)?;
         recorded::is_of_this_version(COHORT, folder, &recording)?;
+        recorded::has_its_scenario(&path, &recording)?;
         let scenario = Source::of_texts(recording.files, recording.entry).open()?;
         let members = match asked {
             Asked::Residents(count @ 1..=MOST) => Members::Many(count),

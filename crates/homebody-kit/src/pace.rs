@@ -2,6 +2,7 @@
 //! it, so the log has the same bytes at any pace.
 
 use crate::cancel::Cancel;
+use homebody_core::problem::readable;
 use homebody_core::time::{Micros, SECOND, micros};
 use std::str::FromStr;
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
@@ -68,10 +69,12 @@ impl FromStr for Command {
             ["step"] => Ok(Command::Step(SECOND)),
             ["step", span] => match span.parse::<f64>() {
                 Ok(span) if span > 0.0 && span < 1e9 => Ok(Command::Step(micros(span))),
-                _ => Err(NotUnderstood(format!("{span:?} is no number of seconds"))),
+                _ => Err(NotUnderstood(readable(format!("{span:?} is no number of seconds")))),
             },
             ["speed", speed] => speed.parse().map(Command::Speed),
-            _ => Err(NotUnderstood(format!("{line:?} is none of: pause, resume, step [SECONDS], speed X, stop"))),
+            _ => Err(NotUnderstood(readable(format!(
+                "{line:?} is none of: pause, resume, step [SECONDS], speed X, stop"
+            )))),
         }
     }
 }
@@ -283,6 +286,14 @@ mod tests {
         assert!(pace.is_paused(91 * SECOND), "a jump to where it is takes no time");
         pace.resume(91 * SECOND);
         assert_eq!(pace.due(), Micros::MAX);
+    }
+
+    #[test]
+    fn a_command_that_is_none_is_quoted_in_part() {
+        let why = |line: &str| line.parse::<Command>().unwrap_err().to_string();
+        assert_eq!(why("halt"), "\"halt\" is none of: pause, resume, step [SECONDS], speed X, stop");
+        assert!(why(&"x".repeat(1 << 20)).len() < 1000);
+        assert!(why(&format!("step {}", "9".repeat(1 << 20))).len() < 1000);
     }
 
     #[test]

@@ -5,6 +5,7 @@ use crate::error::Error;
 use crate::pace::{Command, Pace, Paced};
 use crate::run::{LiveRun, Progress};
 use crate::store::Lived;
+use homebody_core::problem::readable;
 use homebody_core::recording::{LONGEST, Recording};
 use homebody_core::scenario::load::Scenario;
 use homebody_log::limits::LARGEST_RECORDING_BYTES;
@@ -177,7 +178,7 @@ fn left_in(path: &Path) -> Option<PathBuf> {
 pub(crate) fn is_of_this_version(what: &'static str, folder: &Path, recording: &Recording) -> Result<(), Error> {
     match recording.version == env!("CARGO_PKG_VERSION") {
         true => Ok(()),
-        false => Err(Error::OtherVersion { what, folder: folder.into(), version: recording.version.clone() }),
+        false => Err(Error::OtherVersion { what, folder: folder.into(), version: readable(recording.version.clone()) }),
     }
 }
 
@@ -185,12 +186,24 @@ pub(crate) fn is_of_this_version(what: &'static str, folder: &Path, recording: &
 pub(crate) fn read(path: &Path) -> Result<Recording, Error> {
     let text = text(path)?;
     let wrong = |why: String| Error::Recording { path: path.into(), why };
-    let recording: Recording = serde_json::from_str(&text).map_err(|error| wrong(error.to_string()))?;
+    let recording: Recording = serde_json::from_str(&text).map_err(|error| wrong(readable(error.to_string())))?;
     let lengths = [Some(recording.length_us), recording.stopped_of_us];
     if !lengths.into_iter().flatten().all(|length| (0..=LONGEST).contains(&length)) {
         return Err(wrong("a run is at most 100 years long".into()));
     }
+    has_its_scenario(path, &recording)?;
     Ok(recording)
+}
+
+/// A recording names which of its files is the scenario's own.
+pub(crate) fn has_its_scenario(path: &Path, recording: &Recording) -> Result<(), Error> {
+    match !recording.entry.is_empty() && recording.files.contains_key(&recording.entry) {
+        true => Ok(()),
+        false => {
+            let why = readable(format!("its scenario {:?} is not among its files", recording.entry));
+            Err(Error::Recording { path: path.into(), why })
+        }
+    }
 }
 
 /// The text of a recording, or of the list of a cohort.

@@ -93,6 +93,14 @@ fn a_stored_run_is_lived_again_and_a_changed_recording_is_found() {
     assert!(matches!(Recorded::open(folder.path().join("none.json")), Err(Error::NoRecording { .. })));
     fs::write(&other, "{}").unwrap();
     assert!(matches!(Recorded::open(&other), Err(Error::Recording { .. })));
+    for entry in ["", "none.json", &"long".repeat(1000)] {
+        let text = fs::read_to_string(&path).unwrap();
+        let entry = format!("\"entry\": {entry:?}");
+        assert!(text.contains("\"entry\": \"scenario.json\""));
+        fs::write(&other, text.replace("\"entry\": \"scenario.json\"", &entry)).unwrap();
+        let why = Recorded::open(&other).err().unwrap().to_string();
+        assert!(why.contains("is not among its files") && why.len() < 1000, "{why}");
+    }
 }
 
 #[test]

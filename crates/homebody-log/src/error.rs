@@ -2,6 +2,7 @@
 
 use crate::limits::LONGEST_ROW_BYTES;
 use crate::skipped::Skipped;
+use homebody_core::problem::readable;
 use homebody_core::scenario::scheme::NoPlace;
 use std::error::Error;
 use std::fs::{File, OpenOptions};
@@ -342,14 +343,21 @@ impl LogError {
             Some(CannotOpen) => match (File::open(path), OpenOptions::new().write(true).open(path)) {
                 (Err(error), _) => LogError::reading(path, error),
                 (_, Err(error)) => LogError::file(path, error),
-                _ => LogError::Database { place, source: source.into() },
+                _ => LogError::Database { place, source: said(source) },
             },
             _ if source.sqlite_error().is_some_and(|error| WRITING.contains(&error.extended_code)) => {
                 LogError::Unwritten { place }
             }
-            _ => LogError::Database { place, source: source.into() },
+            _ => LogError::Database { place, source: said(source) },
         }
     }
+}
+
+/// What a database says, as people can read it: it quotes whatever is in its file.
+fn said(source: rusqlite::Error) -> Box<dyn Error + Send + Sync> {
+    let text = source.to_string();
+    let told = readable(text.clone());
+    if told == text { source.into() } else { told.into() }
 }
 
 /// A file, as errors tell it.

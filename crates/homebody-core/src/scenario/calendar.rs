@@ -1,5 +1,6 @@
 //! Local time at the edges: the world itself knows only microseconds since the start.
 
+use crate::problem::readable;
 use crate::time::{DAY, Micros, SECOND};
 use jiff::civil::DateTime;
 use jiff::tz::{AmbiguousOffset, TimeZone, TimeZoneDatabase};
@@ -15,8 +16,9 @@ impl Calendar {
     /// The calendar of a scenario's `start` and `time_zone`, or the reason why there is none.
     pub fn new(start: &str, time_zone: &str) -> Result<Calendar, String> {
         let zone = Calendar::zone(time_zone)?;
-        let start: DateTime =
-            start.parse().map_err(|_| format!("{start:?} is no date and time; write it as 2009-03-02T00:00:00"))?;
+        let start: DateTime = start
+            .parse()
+            .map_err(|_| readable(format!("{start:?} is no date and time; write it as 2009-03-02T00:00:00")))?;
         let start = zone.into_ambiguous_zoned(start);
         if matches!(start.offset(), AmbiguousOffset::Gap { .. }) {
             return Err(format!(
@@ -30,9 +32,9 @@ impl Calendar {
 
     /// A time zone of the bundled database.
     pub fn zone(name: &str) -> Result<TimeZone, String> {
-        TimeZoneDatabase::bundled()
-            .get(name)
-            .map_err(|_| format!("there is no time zone {name:?}; write an IANA name such as America/Chicago"))
+        TimeZoneDatabase::bundled().get(name).map_err(|_| {
+            readable(format!("there is no time zone {name:?}; write an IANA name such as America/Chicago"))
+        })
     }
 
     /// The instant on the world's clock.

@@ -1,6 +1,7 @@
 //! The kinds of places that a log can go to and come from: one table, for the check, the command line and the page.
 
 use super::nearest::nearest;
+use crate::problem::readable;
 use std::error::Error;
 use std::fmt;
 
@@ -83,7 +84,8 @@ impl Scheme {
 
     /// Parts a place such as `csv:week.csv` into its kind and what comes after the colon.
     pub fn split(place: &str) -> Result<(Scheme, &str), NoPlace> {
-        let nowhere = |hint| NoPlace { what: format!("{place:?} is nowhere a log can go"), hint };
+        let nowhere =
+            |hint| NoPlace { what: readable(format!("{place:?} is nowhere a log can go")), hint: readable(hint) };
         // One letter before a colon is a drive, not a scheme.
         let (scheme, at) = place.split_once(':').filter(|(scheme, _)| scheme.len() > 1).unwrap_or((place, ""));
         let Some(row) = SCHEMES.iter().find(|row| row.name == scheme) else {
@@ -94,7 +96,7 @@ impl Scheme {
         };
         match at.trim().is_empty() {
             true => Err(NoPlace {
-                what: format!("{place:?} names no file"),
+                what: readable(format!("{place:?} names no file")),
                 hint: format!("write {}:{}", row.name, row.at),
             }),
             false => Ok((row.scheme, at)),

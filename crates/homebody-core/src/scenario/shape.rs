@@ -155,7 +155,9 @@ impl<'a> Walk<'a> {
             } else if let Some(schema) = schema.get("additionalProperties").filter(|schema| schema.is_object()) {
                 self.value(value, schema, &subject);
             } else {
-                let near = nearest(&key.name, known.iter().copied());
+                // Nobody is told more, so nothing is looked for.
+                let is_told = self.found.problems.len() <= MOST_FOUND;
+                let near = is_told.then(|| nearest(&key.name, known.iter().copied())).flatten();
                 let is_free = |near: &&str| !meant.contains(near) && !names.contains(near);
                 let free = near.filter(is_free);
                 self.found.keys.insert(key.start, free.map(String::from));

@@ -26,7 +26,8 @@ pub(crate) const MOST: u32 = 100_000;
 
 /// The profiles of all rows, and all that is wrong with them.
 pub(crate) fn read(table: &Table, base: &Base, without: &[String]) -> (Vec<Profile>, Vec<Problem>) {
-    let mut reader = Reader { table, base, problems: Vec::new(), routines: BTreeMap::new() };
+    let mut reader =
+        Reader { table, base, problems: Vec::new(), routines: BTreeMap::new(), understood: BTreeMap::new() };
     let profiles = reader.profiles(without);
     (profiles, reader.problems)
 }
@@ -38,6 +39,8 @@ struct Reader<'a> {
     problems: Vec<Problem>,
     /// The other routines of residents; nothing for those that are not sound.
     routines: BTreeMap<(Option<usize>, String), Option<Arc<Other>>>,
+    /// What is understood of sentences, with the condition of the scenario's own: many rows say the same.
+    understood: BTreeMap<(String, Option<String>), Routine>,
 }
 
 /// What is known of those who differ in the same way from the scenario.
@@ -391,6 +394,11 @@ impl<'a> Reader<'a> {
         }
         let text: String = pieces.iter().map(|(text, _)| *text).collect();
         let text = text[..1].to_uppercase() + &text[1..];
+        let key = (text, own.map(str::to_owned));
+        if let Some(routine) = self.understood.get(&key) {
+            return Some((key.0, routine.clone()));
+        }
+        let text = key.0.clone();
         let conditions = CONDITIONS.iter().map(|(name, _)| *name).chain(own).map(String::from).collect();
         let first_date = Some(self.base.scenario.calendar.date(0));
         let (routine, problems) = language::routine("", &text, &Known { conditions, first_date, ..Known::default() });
@@ -415,7 +423,10 @@ impl<'a> Reader<'a> {
                 "write plain words, with + between several",
             );
         }
-        (self.problems.len() == before).then_some((text, routine))
+        (self.problems.len() == before).then(|| {
+            self.understood.insert(key, routine.clone());
+            (text, routine)
+        })
     }
 }
 

@@ -6,6 +6,7 @@ use super::reading::Reading;
 use super::records::Records;
 use crate::error::{LogError, place_of};
 use crate::spreadsheet::plain;
+use homebody_core::problem::readable;
 use homebody_core::scenario::logger::LoggerFile;
 use std::path::Path;
 
@@ -52,7 +53,7 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) ->
     match unknown_header {
         Some(names) if places.is_none() => {
             let names: String = names.chars().take(TOLD).collect();
-            let why = format!("no columns of time, sensor and value are among {names}");
+            let why = readable(format!("no columns of time, sensor and value are among {names}"));
             Err(LogError::NoLog { place: place_of(path), why })
         }
         _ => Ok(()),

@@ -5,7 +5,7 @@ use std::fs;
 use toml::{Table, Value};
 
 /// On which of our crates each of them may depend.
-const ARROWS: [(&str, &[&str]); 11] = [
+const ARROWS: [(&str, &[&str]); 12] = [
     ("homebody-core", &[]),
     ("homebody-import", &["homebody-core"]),
     ("homebody-walk", &["homebody-core"]),
@@ -30,6 +30,20 @@ const ARROWS: [(&str, &[&str]); 11] = [
             "homebody-log",
             "homebody-picture",
             "homebody-routine",
+            "homebody-web",
+        ],
+    ),
+    (
+        "homebody-fuzz",
+        &[
+            "homebody-analysis",
+            "homebody-core",
+            "homebody-import",
+            "homebody-kit",
+            "homebody-log",
+            "homebody-picture",
+            "homebody-routine",
+            "homebody-walk",
             "homebody-web",
         ],
     ),

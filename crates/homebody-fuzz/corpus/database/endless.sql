@@ -1,0 +1,1 @@
+CREATE VIEW firing(time, sensor, value) AS WITH RECURSIVE n(x) AS (SELECT 0 UNION ALL SELECT x + 1 FROM n) SELECT '2009-03-02 07:12:03', 'a', x FROM n;

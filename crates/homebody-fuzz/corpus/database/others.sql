@@ -1,0 +1,4 @@
+CREATE TABLE sensors(id INTEGER PRIMARY KEY, name TEXT);
+INSERT INTO sensors VALUES (1, 'M001'), (2, 'M002');
+CREATE TABLE events(id INTEGER PRIMARY KEY, ts INTEGER, sensor TEXT, message TEXT);
+INSERT INTO events(ts, sensor, message) VALUES (1235977923, 'M001', 'ON'), (1235977924000, 'M002', 'OFF'), (NULL, x'00', 1.5);

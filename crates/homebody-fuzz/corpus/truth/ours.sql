@@ -1,0 +1,14 @@
+CREATE TABLE run(run_id INTEGER PRIMARY KEY, name TEXT, started_at TEXT, ended_at TEXT);
+INSERT INTO run VALUES (1, 'tigerplace', '2009-03-02 00:00:00', '2009-03-03 00:00:00');
+CREATE TABLE cause(firing INTEGER, row INTEGER, resident TEXT, seen_at TEXT, fired_at TEXT, sensor TEXT, why TEXT, thing TEXT);
+INSERT INTO cause VALUES (0, 0, 'Margaret', '2009-03-02 07:12:02.9', '2009-03-02 07:12:03', 'bed motion', 'movement', NULL), (1, 1, 'Margaret', '2009-03-02 07:12:05.4', '2009-03-02 07:12:05.5', 'hall motion', 'movement', NULL);
+CREATE TABLE off(row INTEGER, firing INTEGER);
+INSERT INTO off VALUES (2, 0);
+CREATE TABLE movement(resident TEXT, begin_at TEXT, end_at TEXT, kind TEXT, from_x REAL, from_y REAL, to_x REAL, to_y REAL, amplitude_m REAL, posture TEXT);
+INSERT INTO movement VALUES ('Margaret', '2009-03-02 07:12:02', '2009-03-02 07:12:04', 'stride', 1, 1, 2, 1, NULL, 'standing'), ('Margaret', '2009-03-02 07:12:04', '2009-03-02 08:00:00', 'rest', 2, 1, 2, 1, NULL, 'sitting');
+CREATE TABLE room(resident TEXT, at TEXT, room TEXT);
+INSERT INTO room VALUES ('Margaret', '2009-03-02 00:00:00', 'bedroom'), ('Margaret', '2009-03-02 07:12:05', 'hall');
+CREATE TABLE activity(resident TEXT, begin_at TEXT, end_at TEXT, name TEXT);
+INSERT INTO activity VALUES ('Margaret', '2009-03-02 00:00:00', '2009-03-02 07:12:00', 'sleeping'), ('Margaret', '2009-03-02 07:12:00', '2009-03-02 08:00:00', 'getting up');
+CREATE TABLE resident(resident TEXT, person TEXT);
+INSERT INTO resident VALUES ('Margaret', 'a/Margaret');

@@ -1,0 +1,98 @@
+//! Any bytes: flipped, cut, put elsewhere, repeated.
+
+use crate::dice::Dice;
+
+/// What formats and their readers hang on.
+const MARKS: [&[u8]; 40] = [
+    b"{",
+    b"}",
+    b"[",
+    b"]",
+    b",",
+    b":",
+    b"\"",
+    b"'",
+    b"-",
+    b".",
+    b"e",
+    b"\\",
+    b"\n",
+    b"\r\n",
+    b"\r",
+    b"\t",
+    b" ",
+    b"\0",
+    b"#",
+    b";",
+    b"=",
+    b"<",
+    b">",
+    b"&",
+    b"/",
+    b"//",
+    b"/*",
+    b"..",
+    b"null",
+    b"true",
+    b"\xff",
+    b"\xc3\x28",
+    b"\xed\xa0\x80",
+    b"\xef\xbb\xbf",
+    b"\x1b[31m",
+    "é".as_bytes(),
+    "\u{202e}".as_bytes(),
+    "\u{2028}".as_bytes(),
+    "\u{1f474}".as_bytes(),
+    "\u{0301}".as_bytes(),
+];
+
+/// No mutant is longer, in bytes: what readers do with large files is measured elsewhere, too.
+const LONGEST: usize = 2 << 20;
+
+/// Changes bytes in a few places; `other` is something to take from.
+pub fn bytes(bytes: &mut Vec<u8>, other: &[u8], dice: &mut Dice) {
+    for _ in 0..dice.size(4) {
+        once(bytes, other, dice);
+    }
+    bytes.truncate(LONGEST);
+}
+
+fn once(bytes: &mut Vec<u8>, other: &[u8], dice: &mut Dice) {
+    let at = dice.below(bytes.len());
+    let part = dice.part(bytes.len());
+    match dice.below(9) {
+        0 if !bytes.is_empty() => bytes[at] = dice.below(256) as u8,
+        1 if !bytes.is_empty() => bytes[at] ^= 1 << dice.below(8),
+        2 => drop(bytes.drain(part)),
+        3 => drop(bytes.splice(at..at, dice.one(&MARKS).iter().copied())),
+        4 => {
+            let copy = bytes[part].to_vec();
+            bytes.splice(at..at, copy);
+        }
+        5 => {
+            let more = &other[dice.part(other.len())];
+            bytes.splice(part, more.iter().copied());
+        }
+        6 => {
+            // Half of one, half of the other.
+            bytes.truncate(at);
+            bytes.extend_from_slice(&other[dice.below(other.len() + 1)..]);
+        }
+        7 if dice.is(0.2) => {
+            let times = dice.size(LONGEST / (part.len() + 1));
+            let many = bytes[part].repeat(times);
+            bytes.splice(at..at, many);
+        }
+        8 if dice.is(0.2) => bytes.truncate(at),
+        _ => {
+            if let Some(digit) = digit_from(bytes, at) {
+                bytes[digit] = *dice.one(b"0123456789-.e");
+            }
+        }
+    }
+}
+
+/// The first digit from a place on.
+fn digit_from(bytes: &[u8], at: usize) -> Option<usize> {
+    (at..bytes.len()).find(|&at| bytes[at].is_ascii_digit())
+}

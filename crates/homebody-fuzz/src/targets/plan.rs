@@ -1,0 +1,95 @@
+//! Plans of Sweet Home 3D: what is imported passes the check, and somebody can look for ways in it.
+
+use super::{Files, Target, Verdict, told};
+use crate::corpus;
+use crate::dice::Dice;
+use crate::mutate::markup;
+use homebody_core::geometry::{self, Point};
+use homebody_core::home::plan::Plan;
+use homebody_core::scenario::load::Scenario;
+use homebody_import::{Imported, sweet_home};
+use homebody_walk::Mesh;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+pub const TARGET: Target =
+    Target { name: "plan", about: "plans of Sweet Home 3D, archived and as XML", cases: 2_000, corpus, mutate, run };
+
+/// The plan, and the archive that it is in.
+const XML: &str = "Home.xml";
+const ARCHIVE: &str = "plan.sh3d";
+
+/// The smallest scenario in which a home can be checked.
+const SCENARIO: &str =
+    r#"{ "name": "a", "start": "2026-01-05T00:00:00", "days": 1, "home": "home.json", "residents": [] }"#;
+
+/// An older adult's body.
+const BODY_M: f64 = 0.22;
+
+/// Nobody reads more remarks (ours).
+const MOST_REMARKS: usize = 50;
+
+fn corpus() -> Vec<Files> {
+    let xmls = corpus::of(TARGET.name).into_iter().flat_map(Files::into_values);
+    let files = |xml: Vec<u8>| Files::from([(ARCHIVE.to_owned(), markup::archive(&xml)), (XML.to_owned(), xml)]);
+    xmls.map(files).collect()
+}
+
+fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
+    let mut xml = super::text(files, XML).to_owned();
+    if dice.is(0.9) {
+        markup::markup(&mut xml, dice);
+    }
+    let mut archive = markup::archive(xml.as_bytes());
+    if dice.is(0.2) {
+        archive = markup::odd_archive(xml.as_bytes(), dice);
+    }
+    if dice.is(0.15) {
+        let other = dice.one(corpus).get(ARCHIVE).map(Vec::as_slice).unwrap_or_default();
+        crate::mutate::bytes::bytes(&mut archive, other, dice);
+    }
+    files.insert(XML.to_owned(), xml.into_bytes());
+    files.insert(ARCHIVE.to_owned(), archive);
+}
+
+fn run(files: &Files, _: &Path) -> Result<Verdict, String> {
+    let mut verdict = Verdict::Refused;
+    for name in [XML, ARCHIVE] {
+        match sweet_home(files.get(name).map(Vec::as_slice).unwrap_or_default(), "a", None) {
+            Ok(Imported { home_json, remarks }) => {
+                if remarks.len() > MOST_REMARKS {
+                    return Err(format!("nobody reads {} remarks", remarks.len()));
+                }
+                find_ways(&home_json)?;
+                verdict = Verdict::Accepted;
+            }
+            Err(error) => {
+                told::message(&error.to_string())?;
+                if !error.to_string().contains("\n  hint: ") {
+                    return Err(format!("nobody says what to do: {error}"));
+                }
+            }
+        }
+    }
+    Ok(verdict)
+}
+
+/// Goes from each room and piece of furniture to the next, and in by each door.
+fn find_ways(home_json: &str) -> Result<(), String> {
+    let files = [("scenario.json", SCENARIO), ("home.json", home_json)];
+    let files: BTreeMap<String, String> = files.map(|(name, text)| (name.to_owned(), text.to_owned())).into();
+    let scenario = Scenario::load(&files, "scenario.json")
+        .map_err(|problems| format!("what was imported is refused: {}", problems.render()))?;
+    let home = scenario.home;
+    let plan = Plan::new(&home);
+    let mesh = Mesh::new(&plan, BODY_M);
+    let rooms = plan.rooms.iter().map(|room| geometry::inner_point(&room.outline));
+    let places: Vec<Point> = rooms.chain(home.furniture.iter().filter_map(|piece| piece.at.map(Point::from))).collect();
+    for ends in places.windows(2) {
+        mesh.path(ends[0], ends[1]);
+    }
+    for door in &home.doors {
+        mesh.inside_of((geometry::point(door.from) + geometry::point(door.to)) / 2.0);
+    }
+    Ok(())
+}

@@ -1,0 +1,98 @@
+//! Recordings: lived again, gone on with, or read beside a log.
+
+use super::{Files, Target, Verdict, told};
+use crate::corpus;
+use crate::dice::Dice;
+use crate::mutate::{json, numbers};
+use homebody_core::time::SECOND;
+use homebody_kit::{Destinations, LogWithRun, Recorded, Template, Unfinished};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+pub const TARGET: Target =
+    Target { name: "recording", about: "recordings, lived again", cases: 1_000, corpus, mutate, run };
+
+pub const FILE: &str = "recording.json";
+
+/// As long as we wait for a batch of a run that may be a hundred years long, and more (ours).
+const LONGEST: Duration = Duration::from_millis(250);
+
+fn corpus() -> Vec<Files> {
+    let own = Template::all().filter_map(|template| recorded(template, &template.name()));
+    corpus::of(TARGET.name).into_iter().chain(own).collect()
+}
+
+/// The recording of a minute of a scenario; one that is not complete where its name is long.
+fn recorded(template: Template, name: &str) -> Option<Files> {
+    let folder = tempfile::tempdir().ok()?;
+    let path = folder.path().join(FILE);
+    let to = Destinations { runs: None, recording: Some(path.clone()), ..Destinations::default() };
+    let run = template.source().open().ok()?.run().length(60 * SECOND).start().ok()?;
+    run.store(&to, |_| ()).ok()?;
+    let mut text = fs::read_to_string(path).ok()?;
+    if name.len() > 12 {
+        let mut recording: Value = serde_json::from_str(&text).ok()?;
+        recording["sha256"] = "".into();
+        recording["firings"] = 0.into();
+        text = recording.to_string();
+    }
+    Some(Files::from([(FILE.to_owned(), text.into_bytes())]))
+}
+
+fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
+    // Half of the mutants are of the scenario in it.
+    let recording = serde_json::from_str::<Value>(super::text(files, FILE));
+    if let (Ok(mut recording), true) = (recording, dice.is(0.5)) {
+        let names: Vec<String> =
+            recording["files"].as_object().into_iter().flat_map(|files| files.keys().cloned()).collect();
+        if !names.is_empty() {
+            let name = dice.one(&names);
+            let mut text = recording["files"][name].as_str().unwrap_or_default().to_owned();
+            json::json(&mut text, &[], dice);
+            recording["files"][name] = text.into();
+        }
+        let mut text = recording.to_string();
+        if dice.is(0.3) {
+            let length = numbers::other(60e6, dice);
+            text = text.replacen("\"length_us\":60000000", &format!("\"length_us\":{length}"), 1);
+        }
+        files.insert(FILE.to_owned(), text.into_bytes());
+        return;
+    }
+    super::change(files, corpus, dice, |_, text, others, dice| {
+        json::json(text, others, dice);
+    });
+}
+
+fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
+    let none = super::texts(&Files::new());
+    let path = folder.join(FILE);
+    fs::write(&path, files.get(FILE).map(Vec::as_slice).unwrap_or_default()).map_err(|error| error.to_string())?;
+    // A recording beside a log says what its sensors are called, and when it was.
+    fs::write(folder.join("log.csv"), "time,sensor,value\n2009-03-02 07:12:03,bed motion,ON\n")
+        .map_err(|error| error.to_string())?;
+    if let Err(error) = LogWithRun::read(&folder.join("log.csv").to_string_lossy(), None) {
+        told::message(&error.to_string())?;
+    }
+    // What is left to do in a folder is told before anything is done there.
+    if let Err(error) = Unfinished::open(folder) {
+        told::error(&error, &none)?;
+    }
+    let recorded = match Recorded::open(&path) {
+        Ok(recorded) => recorded,
+        Err(error) => return told::error(&error, &none).map(|()| Verdict::Refused),
+    };
+    let mut run = recorded.start();
+    let begun = Instant::now();
+    while begun.elapsed() < LONGEST {
+        match run.next_batch() {
+            Ok(Some(batch)) if batch.firings.windows(2).all(|two| two[0].seq < two[1].seq) => {}
+            Ok(Some(_)) => return Err("firings are not in order".into()),
+            Ok(None) => break,
+            Err(error) => return Err(format!("the check lets it pass, and the run says: {error}")),
+        }
+    }
+    Ok(Verdict::Accepted)
+}

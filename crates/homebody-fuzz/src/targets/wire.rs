@@ -1,0 +1,134 @@
+//! What the page says: about drafts, and to the run on the stage.
+
+use super::{Files, Target, Verdict, told};
+use crate::corpus;
+use crate::dice::Dice;
+use crate::mutate::{json, sentences};
+use homebody_web::desk::Desk;
+use homebody_web::shelf::Shelf;
+use homebody_web::stage::{Seen, Stage};
+use homebody_web::wire::{Connect, Draft, Explain, Month, ProblemView, Save, Say};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+pub const TARGET: Target =
+    Target { name: "wire", about: "what the page says, about drafts and to a run", cases: 2_000, corpus, mutate, run };
+
+const FILE: &str = "message.json";
+
+/// So long the stage has for what it was told, before it is closed (ours).
+const LONGEST: Duration = Duration::from_millis(30);
+
+fn corpus() -> Vec<Files> {
+    let texts = corpus::of(TARGET.name).into_iter().flat_map(Files::into_values);
+    texts.map(|text| Files::from([(FILE.to_owned(), text)])).collect()
+}
+
+fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
+    let message = serde_json::from_str::<Value>(super::text(files, FILE));
+    if let (Ok(mut message), true) = (message, dice.is(0.6))
+        && drafted(&mut message, dice)
+    {
+        files.insert(FILE.to_owned(), message.to_string().into_bytes());
+        return;
+    }
+    super::change(files, corpus, dice, |_, text, others, dice| {
+        json::json(text, others, dice);
+    });
+}
+
+/// Changes a text of a draft as its writer would; false where there is none.
+fn drafted(message: &mut Value, dice: &mut Dice) -> bool {
+    let at = if message["texts"].is_object() { "/texts" } else { "/draft/texts" };
+    let Some(Value::Object(texts)) = message.pointer_mut(at) else { return false };
+    let names: Vec<String> = texts.keys().cloned().collect();
+    let Some(name) = names.get(dice.below(names.len())) else { return false };
+    let mut text = texts[name].as_str().unwrap_or_default().to_owned();
+    if name.ends_with(".routine") {
+        sentences::lines(&mut text, dice);
+    } else if !json::json(&mut text, &[], dice) {
+        return false;
+    }
+    texts.insert(name.clone(), text.into());
+    true
+}
+
+fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
+    let shelf = shelf(folder).map_err(|error| format!("the folder of the case: {error}"))?;
+    let desk = Desk::new(shelf.clone());
+    let text = super::texts(files).remove(FILE).unwrap_or_default();
+    let mut is_understood = asked(&desk, &text)?;
+    // One message, or what a page says one after the other.
+    let says: Vec<Say> =
+        serde_json::from_str(&text).or_else(|_| serde_json::from_str(&text).map(|say| vec![say])).unwrap_or_default();
+    if !says.is_empty() {
+        is_understood = true;
+        staged(shelf, says)?;
+    }
+    // Anybody's plan is dropped onto the page.
+    if let Err(error) = desk.import(text.as_bytes()) {
+        told::message(&error.to_string())?;
+    }
+    Ok(if is_understood { Verdict::Accepted } else { Verdict::Refused })
+}
+
+/// Asks the desk what the message asks; whether it is a question.
+fn asked(desk: &Desk, text: &str) -> Result<bool, String> {
+    let mut is_understood = true;
+    if let Ok(draft) = serde_json::from_str::<Draft>(text) {
+        let checked = desk.check(draft.clone());
+        problems(&checked.problems)?;
+        let planned = desk.plan(draft.clone());
+        problems(&planned.problems)?;
+        problems(&desk.rows(draft).problems)?;
+    } else if let Ok(explain) = serde_json::from_str::<Explain>(text) {
+        problems(&desk.explain(explain).problems)?;
+    } else if let Ok(month) = serde_json::from_str::<Month>(text) {
+        problems(&desk.month(month).problems)?;
+    } else if let Ok(save) = serde_json::from_str::<Save>(text) {
+        if let Err(why) = desk.save(save) {
+            told::message(&why)?;
+        }
+        let _ = (desk.files(), desk.versions());
+    } else if let Ok(connect) = serde_json::from_str::<Connect>(text) {
+        told::message(&desk.connect(connect).said)?;
+    } else {
+        is_understood = false;
+    }
+    Ok(is_understood)
+}
+
+fn problems(problems: &[ProblemView]) -> Result<(), String> {
+    for problem in problems {
+        told::message(&problem.what)?;
+        problem.hint.as_deref().map_or(Ok(()), told::message)?;
+    }
+    Ok(())
+}
+
+/// Has a run on a stage of its own do what it is told.
+fn staged(shelf: Shelf, says: Vec<Say>) -> Result<(), String> {
+    let stage = Stage::open(shelf)?;
+    let mut seen = Seen::default();
+    says.into_iter().for_each(|say| stage.say(say));
+    let begun = Instant::now();
+    while begun.elapsed() < LONGEST {
+        let news = stage.news(&mut seen, 100);
+        serde_json::to_string(&news.frame).map_err(|error| format!("a frame that is no JSON: {error}"))?;
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    stage.close();
+    Ok(())
+}
+
+/// The flat that tests share, as a scenario on disk.
+fn shelf(folder: &Path) -> std::io::Result<Shelf> {
+    let scenario = folder.join("flat");
+    fs::create_dir_all(&scenario)?;
+    for (name, bytes) in corpus::flat() {
+        fs::write(scenario.join(name), bytes)?;
+    }
+    Ok(Shelf { scenario, entry: "scenario.json".into(), runs: folder.join("runs") })
+}
