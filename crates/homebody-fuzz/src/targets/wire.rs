@@ -4,6 +4,7 @@ use super::{Files, Target, Verdict, told};
 use crate::corpus;
 use crate::dice::Dice;
 use crate::mutate::{json, sentences};
+use homebody_kit::Cancel;
 use homebody_web::desk::Desk;
 use homebody_web::shelf::Shelf;
 use homebody_web::stage::{Seen, Stage};
@@ -82,11 +83,11 @@ fn asked(desk: &Desk, text: &str) -> Result<bool, String> {
         problems(&checked.problems)?;
         let planned = desk.plan(draft.clone());
         problems(&planned.problems)?;
-        problems(&desk.rows(draft).problems)?;
+        problems(&desk.rows(draft, &Cancel::new()).problems)?;
     } else if let Ok(explain) = serde_json::from_str::<Explain>(text) {
         problems(&desk.explain(explain).problems)?;
     } else if let Ok(month) = serde_json::from_str::<Month>(text) {
-        problems(&desk.month(month).problems)?;
+        problems(&desk.month(month, &Cancel::new()).problems)?;
     } else if let Ok(save) = serde_json::from_str::<Save>(text) {
         if let Err(why) = desk.save(save) {
             told::message(&why)?;
