@@ -1,7 +1,7 @@
 //! One case: done with all that is measured, and what became of it.
 
 use crate::memory::Memory;
-use crate::targets::{Files, Target, Verdict};
+use crate::target::{Files, Target, Verdict};
 use std::fs;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::{Mutex, PoisonError};

@@ -1,6 +1,6 @@
 //! What mutants are made of: files written by us for each target, and the scenarios that come with the program.
 
-use crate::targets::Files;
+use crate::target::Files;
 use homebody_kit::Template;
 use std::fs;
 use std::path::{Path, PathBuf};

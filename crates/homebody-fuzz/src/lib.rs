@@ -12,6 +12,8 @@
 
 #![warn(missing_docs)]
 
+/// What a target is.
+pub mod target;
 /// What is fuzzed.
 pub mod targets;
 

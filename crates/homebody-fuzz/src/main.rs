@@ -4,7 +4,8 @@ use clap::{Args, Parser, Subcommand};
 use homebody_fuzz::case::{self, Done, End};
 use homebody_fuzz::supervise::{Finding, LONGEST, MOST_BYTES, Plan, supervise};
 use homebody_fuzz::table::Table;
-use homebody_fuzz::targets::{TARGETS, Target};
+use homebody_fuzz::target::{Files, Target};
+use homebody_fuzz::targets::{self, TARGETS};
 use homebody_fuzz::worker::{Share, work};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::num::NonZero;
@@ -96,7 +97,7 @@ fn main() -> ExitCode {
 
 fn target(name: &str) -> Result<Target, String> {
     let known = || TARGETS.map(|target| target.name).join(", ");
-    Target::named(name).ok_or_else(|| format!("there is no such target\n  hint: the targets are {}", known()))
+    targets::named(name).ok_or_else(|| format!("there is no such target\n  hint: the targets are {}", known()))
 }
 
 impl Asked {
@@ -184,7 +185,7 @@ fn repeat(asked: &Asked, number: u64) -> io::Result<bool> {
     Ok(is_good)
 }
 
-fn save(folder: &Path, files: &homebody_fuzz::targets::Files) -> io::Result<()> {
+fn save(folder: &Path, files: &Files) -> io::Result<()> {
     fs::create_dir_all(folder)?;
     for (name, bytes) in files {
         let path = folder.join(name);

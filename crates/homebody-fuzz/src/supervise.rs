@@ -1,7 +1,7 @@
 //! Doing the cases of a target in processes that may die or hang: what became of all of them.
 
 use crate::case::{Done, End};
-use crate::targets::Target;
+use crate::target::Target;
 use crate::worker::{GREEDY, Said};
 use std::io::{self, BufRead, BufReader};
 use std::path::PathBuf;

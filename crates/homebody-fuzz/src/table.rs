@@ -1,7 +1,7 @@
 //! What became of all targets, for people.
 
 use crate::supervise::Outcome;
-use crate::targets::Target;
+use crate::target::Target;
 use std::fmt;
 
 /// The outcomes of targets, in their order.

@@ -4,7 +4,7 @@
 
 use crate::case::{self, Done, End};
 use crate::memory::Memory;
-use crate::targets::Target;
+use crate::target::Target;
 use serde_json::{Value, json};
 use std::io::Write;
 use std::time::Duration;

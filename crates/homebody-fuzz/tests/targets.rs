@@ -1,7 +1,7 @@
 //! Each target for some seconds, its corpus first; and that failures are found.
 
 use homebody_fuzz::supervise::{Outcome, Plan, supervise};
-use homebody_fuzz::targets::{TARGETS, Target};
+use homebody_fuzz::targets::{TARGETS, named};
 use std::time::Duration;
 
 /// Always the same, so that a failure is the same everywhere (ours).
@@ -25,7 +25,7 @@ fn plan(hangs_after_s: u64) -> Plan {
 }
 
 fn fuzzed(name: &str) -> Outcome {
-    let target = Target::named(name).unwrap();
+    let target = named(name).unwrap();
     let outcome = supervise(&target, &plan(60), &|| ()).unwrap();
     let findings: Vec<String> = outcome
         .findings
@@ -76,7 +76,7 @@ each! {
 
 #[test]
 fn what_panics_breaks_hangs_eats_or_dies_is_found_and_the_rest_is_done() {
-    let trial = Target::named("trial").unwrap();
+    let trial = named("trial").unwrap();
     let plan = Plan { cases: 9, until: None, is_measured: true, ..plan(2) };
     let outcome = supervise(&trial, &plan, &|| ()).unwrap();
     assert_eq!((outcome.cases, outcome.accepted, outcome.refused), (9, 2, 1), "{outcome:?}");

@@ -1,6 +1,7 @@
 //! All that the program does with a log that it can read, whatever its form.
 
-use super::{Verdict, told};
+use super::told;
+use crate::target::Verdict;
 use homebody_analysis::compare::compare;
 use homebody_analysis::dates;
 use homebody_analysis::day::Day;

@@ -1,9 +1,10 @@
 //! The list of a cohort's members, by which a cohort goes on.
 
-use super::{Files, Target, Verdict, told};
+use super::told;
 use crate::corpus;
 use crate::dice::Dice;
 use crate::mutate::json;
+use crate::target::{self, Files, Target, Verdict};
 use homebody_core::time::SECOND;
 use homebody_kit::{CohortList, LIST, NamedLog, UnfinishedCohort, template};
 use std::fs;
@@ -27,14 +28,14 @@ fn made(members: u32) -> Option<Files> {
 }
 
 fn unfinished(mut files: Files) -> Files {
-    let mut list: serde_json::Value = serde_json::from_str(super::text(&files, LIST)).unwrap_or_default();
+    let mut list: serde_json::Value = serde_json::from_str(target::text(&files, LIST)).unwrap_or_default();
     list["members"] = serde_json::json!([]);
     files.insert(LIST.to_owned(), list.to_string().into_bytes());
     files
 }
 
 fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
-    super::change(files, corpus, dice, |_, text, others, dice| {
+    target::change(files, corpus, dice, |_, text, others, dice| {
         json::json(text, others, dice);
     });
 }
@@ -45,12 +46,12 @@ fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
     if let Err(error) = NamedLog::find(&folder.to_string_lossy()) {
         told::message(&error.to_string())?;
     }
-    let _ = serde_json::from_str::<CohortList>(super::text(files, LIST));
+    let _ = serde_json::from_str::<CohortList>(target::text(files, LIST));
     match UnfinishedCohort::open(folder) {
         Ok(cohort) => {
             let _ = cohort.progress();
             Ok(Verdict::Accepted)
         }
-        Err(error) => told::error(&error, &super::texts(&Files::new())).map(|()| Verdict::Refused),
+        Err(error) => told::error(&error, &target::texts(&Files::new())).map(|()| Verdict::Refused),
     }
 }

@@ -1,9 +1,10 @@
 //! Logs in databases, ours and others'.
 
-use super::{Files, Target, Verdict, log};
+use super::log;
 use crate::corpus;
 use crate::dice::Dice;
 use crate::mutate::sql;
+use crate::target::{self, Files, Target, Verdict};
 use std::path::Path;
 
 pub const TARGET: Target =
@@ -27,7 +28,7 @@ pub fn scripts(target: &str, file: &str) -> Vec<Files> {
 
 /// Makes another database of a case's script.
 pub fn remade(files: &mut Files, file: &str, dice: &mut Dice) {
-    let database = sql::database(super::text(files, SCRIPT), dice);
+    let database = sql::database(target::text(files, SCRIPT), dice);
     files.insert(file.to_owned(), database);
 }
 

@@ -1,9 +1,10 @@
 //! Homes: what is seen of them, and how they are drawn.
 
-use super::{Files, Target, Verdict, told};
+use super::told;
 use crate::corpus;
 use crate::dice::Dice;
 use crate::mutate::json;
+use crate::target::{self, Files, Target, Verdict};
 use homebody_analysis::coverage::{STEP_M, of_home};
 use homebody_core::geometry;
 use homebody_core::home::Build;
@@ -29,13 +30,13 @@ fn corpus() -> Vec<Files> {
 }
 
 fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
-    super::change(files, corpus, dice, |_, text, others, dice| {
+    target::change(files, corpus, dice, |_, text, others, dice| {
         json::json(text, others, dice);
     });
 }
 
 fn run(files: &Files, _: &Path) -> Result<Verdict, String> {
-    let mut texts = super::texts(files);
+    let mut texts = target::texts(files);
     texts.insert("scenario.json".to_owned(), SCENARIO.to_owned());
     let scenario = match Source::of_texts(texts.clone(), "scenario.json").scenario() {
         Ok(scenario) => scenario,

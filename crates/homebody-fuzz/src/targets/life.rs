@@ -1,7 +1,7 @@
 //! Living what has passed the check: for an hour of the run's time, and once more into files.
 
-use super::Verdict;
 use super::told;
+use crate::target::Verdict;
 use homebody_core::time::{Micros, SECOND};
 use homebody_kit::{Cancel, Destinations, Error, OpenScenario, Progress, Recorded, Source, Url};
 use homebody_log::read;

@@ -1,9 +1,10 @@
 //! Logs in text: CSV as spreadsheets and we write it, and the form of CASAS.
 
-use super::{Files, Target, Verdict, analysed, told};
+use super::{analysed, told};
 use crate::corpus;
 use crate::dice::Dice;
 use crate::mutate::{json, sql, tables};
+use crate::target::{self, Files, Target, Verdict};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::source::recognise;
 use std::fs;
@@ -26,7 +27,7 @@ fn corpus() -> Vec<Files> {
 }
 
 fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
-    super::change(files, corpus, dice, |name, text, others, dice| {
+    target::change(files, corpus, dice, |name, text, others, dice| {
         if name == MAPPING {
             mapping(text, dice);
         } else if !json::json(text, others, dice) {
@@ -67,7 +68,7 @@ pub fn read_and_analyse(files: &Files, folder: &Path) -> Result<Verdict, String>
     };
     let failed = |error: std::io::Error| format!("the folder of the case: {error}");
     let (log, truth) = (write(FILE).map_err(failed)?, write(TRUTH).map_err(failed)?);
-    let mapping: LoggerFile = serde_json::from_str(super::text(files, MAPPING)).unwrap_or_default();
+    let mapping: LoggerFile = serde_json::from_str(target::text(files, MAPPING)).unwrap_or_default();
     match recognise(&log) {
         Ok(url) => analysed::all(&url, &mapping, &truth, folder),
         Err(error) => told::message(&error.to_string()).map(|()| Verdict::Refused),

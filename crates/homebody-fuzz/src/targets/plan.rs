@@ -1,9 +1,10 @@
 //! Plans of Sweet Home 3D: what is imported passes the check, and somebody can look for ways in it.
 
-use super::{Files, Target, Verdict, told};
+use super::told;
 use crate::corpus;
 use crate::dice::Dice;
 use crate::mutate::markup;
+use crate::target::{self, Files, Target, Verdict};
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::Plan;
 use homebody_core::scenario::load::Scenario;
@@ -36,7 +37,7 @@ fn corpus() -> Vec<Files> {
 }
 
 fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
-    let mut xml = super::text(files, XML).to_owned();
+    let mut xml = target::text(files, XML).to_owned();
     if dice.is(0.9) {
         markup::markup(&mut xml, dice);
     }

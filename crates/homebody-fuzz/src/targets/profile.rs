@@ -1,9 +1,10 @@
 //! Lists of profiles, of which cohorts are made.
 
-use super::{Files, Target, Verdict, life, told};
+use super::{life, told};
 use crate::corpus;
 use crate::dice::Dice;
 use crate::mutate::tables;
+use crate::target::{self, Files, Target, Verdict};
 use homebody_kit::{OpenScenario, template};
 use std::path::Path;
 use std::sync::OnceLock;
@@ -19,13 +20,13 @@ fn corpus() -> Vec<Files> {
 }
 
 fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
-    super::change(files, corpus, dice, |_, text, _, dice| tables::table(text, dice));
+    target::change(files, corpus, dice, |_, text, _, dice| tables::table(text, dice));
 }
 
 fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
     static BASE: OnceLock<OpenScenario> = OnceLock::new();
     let base = BASE.get_or_init(|| template("older-adult").expect("it comes with the program, and is tested"));
-    let texts = super::texts(files);
+    let texts = target::texts(files);
     let Some(table) = texts.get(FILE) else { return Ok(Verdict::Refused) };
     match base.profiles_of(FILE, table, &[]) {
         Ok(profiles) => {

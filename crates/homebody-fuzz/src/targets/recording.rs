@@ -1,9 +1,10 @@
 //! Recordings: lived again, gone on with, or read beside a log.
 
-use super::{Files, Target, Verdict, told};
+use super::told;
 use crate::corpus;
 use crate::dice::Dice;
 use crate::mutate::{json, numbers};
+use crate::target::{self, Files, Target, Verdict};
 use homebody_core::time::SECOND;
 use homebody_kit::{Destinations, LogWithRun, Recorded, Template, Unfinished};
 use serde_json::Value;
@@ -43,7 +44,7 @@ fn recorded(template: Template, name: &str) -> Option<Files> {
 
 fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
     // Half of the mutants are of the scenario in it.
-    let recording = serde_json::from_str::<Value>(super::text(files, FILE));
+    let recording = serde_json::from_str::<Value>(target::text(files, FILE));
     if let (Ok(mut recording), true) = (recording, dice.is(0.5)) {
         let names: Vec<String> =
             recording["files"].as_object().into_iter().flat_map(|files| files.keys().cloned()).collect();
@@ -61,13 +62,13 @@ fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
         files.insert(FILE.to_owned(), text.into_bytes());
         return;
     }
-    super::change(files, corpus, dice, |_, text, others, dice| {
+    target::change(files, corpus, dice, |_, text, others, dice| {
         json::json(text, others, dice);
     });
 }
 
 fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
-    let none = super::texts(&Files::new());
+    let none = target::texts(&Files::new());
     let path = folder.join(FILE);
     fs::write(&path, files.get(FILE).map(Vec::as_slice).unwrap_or_default()).map_err(|error| error.to_string())?;
     // A recording beside a log says what its sensors are called, and when it was.

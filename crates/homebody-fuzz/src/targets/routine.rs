@@ -1,9 +1,10 @@
 //! Routines and conditions: read, explained, completed, and lived in a home where there is all that they speak of.
 
-use super::{Files, Target, Verdict, life, told};
+use super::{life, told};
 use crate::corpus;
 use crate::dice::Dice;
 use crate::mutate::sentences;
+use crate::target::{self, Files, Target, Verdict};
 use homebody_core::problem::Problem;
 use homebody_kit::Template;
 use homebody_routine::completion::words;
@@ -38,11 +39,11 @@ fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
         files.insert(FILE.to_owned(), sentences::routine(dice).into_bytes());
         return;
     }
-    super::change(files, corpus, dice, |_, text, _, dice| sentences::lines(text, dice));
+    target::change(files, corpus, dice, |_, text, _, dice| sentences::lines(text, dice));
 }
 
 fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
-    let text = super::texts(files).remove(FILE).unwrap_or_default();
+    let text = target::texts(files).remove(FILE).unwrap_or_default();
     let known = known();
     let texts = BTreeMap::from([(FILE.to_owned(), text.clone())]);
     for (understood, problems) in [routine(FILE, &text, &known), condition(FILE, &text, &known)] {

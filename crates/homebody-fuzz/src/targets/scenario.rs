@@ -1,9 +1,10 @@
 //! Scenarios: their files of each kind, checked together, and lived.
 
-use super::{Files, Target, Verdict, life};
+use super::life;
 use crate::corpus;
 use crate::dice::Dice;
 use crate::mutate::{json, sentences};
+use crate::target::{self, Files, Target, Verdict};
 use std::path::Path;
 
 pub const TARGET: Target =
@@ -17,7 +18,7 @@ fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
     if dice.is(0.03) {
         links(files, dice);
     }
-    super::change(files, corpus, dice, |name, text, others, dice| {
+    target::change(files, corpus, dice, |name, text, others, dice| {
         if name.ends_with(".routine") {
             sentences::lines(text, dice);
         } else {
@@ -41,5 +42,5 @@ fn links(files: &mut Files, dice: &mut Dice) {
 }
 
 fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
-    life::check_and_live(&super::texts(files), folder)
+    life::check_and_live(&target::texts(files), folder)
 }

@@ -1,9 +1,10 @@
 //! Short texts that people say: places of logs, dates, time zones, speeds, commands for a run that is lived.
 
-use super::{Files, Target, Verdict, told};
+use super::told;
 use crate::corpus;
 use crate::dice::Dice;
 use crate::mutate::{numbers, tables, texts};
+use crate::target::{self, Files, Target, Verdict};
 use homebody_analysis::dates::Asked;
 use homebody_core::scenario::calendar::{Calendar, time_of_day};
 use homebody_kit::pace::{Command, Speed};
@@ -25,7 +26,7 @@ fn corpus() -> Vec<Files> {
 }
 
 fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
-    super::change(files, corpus, dice, |_, text, _, dice| {
+    target::change(files, corpus, dice, |_, text, _, dice| {
         let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
         for _ in 0..dice.size(20) {
             let at = dice.below(lines.len());
@@ -45,7 +46,7 @@ fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
 
 fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
     let mut verdict = Verdict::Refused;
-    for text in super::texts(files).values().flat_map(|text| text.lines()) {
+    for text in target::texts(files).values().flat_map(|text| text.lines()) {
         if understood(text, folder)? {
             verdict = Verdict::Accepted;
         }

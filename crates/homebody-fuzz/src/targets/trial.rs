@@ -1,7 +1,7 @@
 //! A target that fails in each way that there is, so that who looks for failures is seen to find them.
 
-use super::{Files, Target, Verdict};
 use crate::dice::Dice;
+use crate::target::{self, Files, Target, Verdict};
 use std::path::Path;
 use std::thread;
 use std::time::Duration;
@@ -21,7 +21,7 @@ fn mutate(files: &mut Files, _: &[Files], _: &mut Dice) {
 }
 
 fn run(files: &Files, _: &Path) -> Result<Verdict, String> {
-    match super::text(files, "way") {
+    match target::text(files, "way") {
         "accept" => Ok(Verdict::Accepted),
         "panic" => panic!("a panic"),
         "panic elsewhere" => {

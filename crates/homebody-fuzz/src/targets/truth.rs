@@ -1,7 +1,8 @@
 //! Truths: what residents did, why sensors spoke, how bodies moved.
 
-use super::{Files, Target, Verdict, database, log, told};
+use super::{database, log, told};
 use crate::dice::Dice;
+use crate::target::{Files, Target, Verdict};
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::{DAY, SECOND};
 use homebody_log::source::{Clock, RunClock, truth_at};

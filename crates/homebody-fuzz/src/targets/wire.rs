@@ -1,10 +1,14 @@
 //! What the page says: about drafts, and to the run on the stage.
 
-use super::{Files, Target, Verdict, told};
+use super::told;
 use crate::corpus;
 use crate::dice::Dice;
 use crate::mutate::{json, sentences};
+<<<<<<< HEAD
 use homebody_kit::Cancel;
+=======
+use crate::target::{self, Files, Target, Verdict};
+>>>>>>> fuzz
 use homebody_web::desk::Desk;
 use homebody_web::shelf::Shelf;
 use homebody_web::stage::{Seen, Stage};
@@ -28,14 +32,14 @@ fn corpus() -> Vec<Files> {
 }
 
 fn mutate(files: &mut Files, corpus: &[Files], dice: &mut Dice) {
-    let message = serde_json::from_str::<Value>(super::text(files, FILE));
+    let message = serde_json::from_str::<Value>(target::text(files, FILE));
     if let (Ok(mut message), true) = (message, dice.is(0.6))
         && drafted(&mut message, dice)
     {
         files.insert(FILE.to_owned(), message.to_string().into_bytes());
         return;
     }
-    super::change(files, corpus, dice, |_, text, others, dice| {
+    target::change(files, corpus, dice, |_, text, others, dice| {
         json::json(text, others, dice);
     });
 }
@@ -59,7 +63,7 @@ fn drafted(message: &mut Value, dice: &mut Dice) -> bool {
 fn run(files: &Files, folder: &Path) -> Result<Verdict, String> {
     let shelf = shelf(folder).map_err(|error| format!("the folder of the case: {error}"))?;
     let desk = Desk::new(shelf.clone());
-    let text = super::texts(files).remove(FILE).unwrap_or_default();
+    let text = target::texts(files).remove(FILE).unwrap_or_default();
     let mut is_understood = asked(&desk, &text)?;
     // One message, or what a page says one after the other.
     let says: Vec<Say> =
