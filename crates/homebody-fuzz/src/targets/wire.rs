@@ -4,11 +4,8 @@ use super::told;
 use crate::corpus;
 use crate::dice::Dice;
 use crate::mutate::{json, sentences};
-<<<<<<< HEAD
-use homebody_kit::Cancel;
-=======
 use crate::target::{self, Files, Target, Verdict};
->>>>>>> fuzz
+use homebody_kit::Cancel;
 use homebody_web::desk::Desk;
 use homebody_web::shelf::Shelf;
 use homebody_web::stage::{Seen, Stage};
