@@ -74,10 +74,15 @@ impl Places {
     pub fn of_folder(folder: &Path, scenario: &Scenario) -> Result<Places, LogError> {
         let mut places = Places::nowhere();
         places.put_into(folder, scenario)?;
-        // The folder may be anybody's: nothing in it leads elsewhere.
-        match places.files().into_iter().find(|path| leads_out(folder, path)) {
+        places.lead_nowhere_else(folder)?;
+        Ok(places)
+    }
+
+    /// Makes sure that no file of a folder, which may be anybody's, leads elsewhere.
+    fn lead_nowhere_else(&self, folder: &Path) -> Result<(), LogError> {
+        match self.files().into_iter().find(|path| leads_out(folder, path)) {
             Some(path) => Err(LogError::LeadsOut { place: place_of(&path) }),
-            None => Ok(places),
+            None => Ok(()),
         }
     }
 
@@ -95,8 +100,13 @@ impl Places {
     pub fn member(cohort: &Path, member: &str, scenario: &Scenario) -> Result<Places, LogError> {
         let mut places = Places::nowhere();
         let folder = cohort.join(member);
+        // The cohort may be anybody's, to be gone on with.
+        if fs::symlink_metadata(&folder).is_ok_and(|found| found.is_symlink()) {
+            return Err(LogError::LeadsOut { place: place_of(&folder) });
+        }
         places.make(&folder)?;
         places.put_into(&folder, scenario)?;
+        places.lead_nowhere_else(&folder)?;
         Ok(places)
     }
 

@@ -177,10 +177,13 @@ impl Database {
         change: impl FnOnce(&Connection) -> rusqlite::Result<()>,
     ) -> Result<(), LogError> {
         let connection = self.connection();
-        let begun = match connection.is_autocommit() {
+        let begun = match (connection.is_autocommit(), self.flow) {
             // From then on only those who read can be in the way.
-            true => connection.execute_batch("BEGIN IMMEDIATE").and_then(|()| connection.busy_timeout(READERS)),
-            false => Ok(()),
+            (true, Flow::Pouring) => {
+                connection.execute_batch("BEGIN IMMEDIATE").and_then(|()| connection.busy_timeout(READERS))
+            }
+            (true, Flow::Trickling) => connection.execute_batch("BEGIN IMMEDIATE"),
+            (false, _) => Ok(()),
         };
         begun.and_then(|()| change(connection)).map_err(|error| LogError::database(&self.path, error))?;
         self.unsettled += rows;

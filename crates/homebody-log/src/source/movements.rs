@@ -106,7 +106,7 @@ impl Movements {
                 of[resident].push(movement);
             }
             let is_there = |movements: &Vec<Movement>| movements.last().is_some_and(|last| last.end >= end);
-            if movement.end > end + FURTHER || of.iter().all(is_there) {
+            if movement.end > end.saturating_add(FURTHER) || of.iter().all(is_there) {
                 break;
             }
         }

@@ -92,3 +92,33 @@ fn who_goes_on_with_somebody_elses_run_writes_nowhere_else() {
     folder.run("run --resume runs/flat-1").fails(1, "leads out of the run's folder");
     assert_eq!(folder.sha256("secret.json"), secret);
 }
+
+#[test]
+fn who_goes_on_with_somebody_elses_cohort_writes_nowhere_else() {
+    let folder = beside_a_secret();
+    folder.run("run flat --for 2m --residents 2 --quiet").ok();
+    let list = folder.read("runs/flat-1/cohort.json");
+    let member = |unfinished: bool| {
+        let mut recording: serde_json::Value =
+            serde_json::from_str(&folder.read("runs/flat-1/0001/recording.json")).unwrap();
+        if unfinished {
+            recording["sha256"] = "".into();
+        }
+        recording.to_string()
+    };
+    let unfinished = member(true);
+    let secret = folder.sha256("secret.json");
+    // A file of a member that is a link.
+    folder.write("runs/flat-1/0001/recording.json", &unfinished);
+    fs::remove_file(folder.path("runs/flat-1/0001/log.db")).unwrap();
+    symlink("../../../secret.json", folder.path("runs/flat-1/0001/log.db")).unwrap();
+    folder.run("run --resume runs/flat-1").fails(1, "leads out of the run's folder");
+    // A member that is a link.
+    fs::rename(folder.path("runs/flat-1/0001"), folder.path("elsewhere")).unwrap();
+    fs::remove_file(folder.path("elsewhere/log.db")).unwrap();
+    symlink("../../elsewhere", folder.path("runs/flat-1/0001")).unwrap();
+    folder.run("run --resume runs/flat-1").fails(1, "leads out of the run's folder");
+    assert_eq!(folder.sha256("secret.json"), secret);
+    assert!(!folder.path("elsewhere/log.db").exists());
+    assert_eq!(folder.read("runs/flat-1/cohort.json"), list);
+}

@@ -75,9 +75,9 @@ fn a_changed_recording_is_refused() {
         ("/length_us", json!(-1), "is no recording"),
         ("/length_us", json!(i64::MAX), "a run is at most 100 years long"),
         ("/seed", json!("seven"), "is no recording"),
-        ("/entry", json!("other.json"), "other.json: cannot be read: there is no such file"),
+        ("/entry", json!("other.json"), "its scenario \"other.json\" is not among its files"),
         ("/files/home.json", json!("{"), "home.json:1:"),
-        ("/files", json!({}), "scenario.json: cannot be read"),
+        ("/files", json!({}), "its scenario \"scenario.json\" is not among its files"),
     ];
     for (pointer, value, said) in cases {
         let mut changed = recording.clone();
