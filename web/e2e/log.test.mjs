@@ -51,7 +51,7 @@ test('table, columns, ids, messages and time are changed, and the first rows sho
   assert.equal(logger(), expected, 'only what was changed is another');
 });
 
-test('what is wrong stands beside its field, and a folder that is not there is told', { timeout: 60_000 }, async () => {
+test('what is wrong stands beside its field, and a place outside the run is told', { timeout: 60_000 }, async () => {
   const { page } = served;
   const table = page.getByLabel('Table', { exact: true });
   await table.fill('My Table');
@@ -63,7 +63,7 @@ test('what is wrong stands beside its field, and a folder that is not there is t
   await page.getByText('which can be written').waitFor();
   await page.getByLabel('Address of place 1').fill('/nowhere/at/all/log.db');
   await page.getByRole('button', { name: 'Try' }).click();
-  await page.getByText('does not exist').waitFor();
+  await page.getByText("no file name inside the run's folder").first().waitFor();
   while (await page.getByRole('button', { name: 'Undo' }).isEnabled()) await page.getByRole('button', { name: 'Undo' }).click();
   while (await page.getByRole('button', { name: 'Redo' }).isEnabled()) await page.getByRole('button', { name: 'Redo' }).click();
   await page.getByLabel('Address of place 1').fill('log.db');
