@@ -5,7 +5,7 @@
 //!
 //! Rows that pour in go through a rollback journal: it writes a new page once, a write-ahead log twice. Rows that
 //! trickle in, as those of a live run, go through a write-ahead log: it lets others read for as long as they like.
-//! A new run begins as one that trickles, and nobody who reads ends one. After the run the database is one file.
+//! Where rows pour in, who reads is waited for. After the run the database is one file.
 
 use crate::error::{LogError, place_of};
 use crate::fresh::Found;
@@ -91,7 +91,7 @@ impl Database {
             connection: None,
             unsettled: 0,
             has_rows: false,
-            flow: Flow::Trickling,
+            flow: Flow::Pouring,
             is_watched: false,
             replaced,
             _lock: lock,
