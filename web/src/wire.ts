@@ -528,6 +528,6 @@ hours: Array<Array<number>>,
  */
 today: Array<[number, number]>, 
 /**
- * How many of them are counted in `hours` alone.
+ * How many firings of that day are not in `today`.
  */
 left_out: number, };

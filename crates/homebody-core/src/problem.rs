@@ -41,7 +41,7 @@ fn is_one(width: &u32) -> bool {
 /// So many problems of a file are told (ours): one that is wrong throughout would bury the others.
 pub const MOST_PER_FILE: usize = 100;
 
-/// No message is longer, in bytes (ours): what it quotes may be.
+/// A message is cut to this length, in bytes (ours): what it quotes may be longer.
 const LONGEST_MESSAGE_BYTES: usize = 600;
 
 /// Everything that is wrong, in the order of files and places.

@@ -85,9 +85,9 @@ pub struct LivedCohort {
     pub asked: usize,
     /// How many of those who are listed ended early, as it was cancelled.
     pub ended_early: usize,
-    /// How many of those who are listed were lived to their end before: of a cohort that was gone on with.
+    /// How many of those who are listed were complete before this program began: 0 unless the cohort was gone on with.
     pub found: usize,
-    /// How much was lived now, in microseconds: nothing of those who were found.
+    /// How much was lived by this program, in microseconds: not what those had lived who were complete before.
     pub lived: Micros,
     /// How long that took.
     pub took: Duration,
@@ -228,7 +228,7 @@ impl Cohort {
         self.live_but(|_| None, live)
     }
 
-    /// The same, but for those of whom there is already what is made of them, by index: their homes are not even made.
+    /// The same, but `found` may have the result of a member already, by index: that member is not lived, and no home is made.
     fn live_but<T: Send, E: From<Error> + Send>(
         &self,
         found: impl Fn(usize) -> Option<T> + Sync,
@@ -484,13 +484,13 @@ impl UnfinishedCohort {
     /// place of a member is of somebody else.
     pub fn open(folder: impl AsRef<Path>) -> Result<UnfinishedCohort, Error> {
         let folder = folder.as_ref();
-        recorded::is_folder(folder)?;
+        recorded::must_be_folder(folder)?;
         let path = folder.join(LIST);
         let text = recorded::text(&path)?;
         let wrong =
             |error: serde_json::Error| Error::Recording { path: path.clone(), why: readable(error.to_string()) };
         let CohortFile { list, asked, recording } = serde_json::from_str(&text).map_err(wrong)?;
-        recorded::is_of_this_version(COHORT, folder, &recording)?;
+        recorded::must_be_of_this_version(COHORT, folder, &recording)?;
         recorded::has_its_scenario(&path, &recording)?;
         let scenario = Source::of_texts(recording.files, recording.entry).open()?;
         let members = match asked {

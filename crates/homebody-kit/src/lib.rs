@@ -15,7 +15,8 @@
 //!
 //! The same run goes into files with [`LiveRun::store`], and many lives side by side are a [`Cohort`]. A resident can be
 //! moved by a driver of the caller's own ([`RunSetup::driver`]), and a sink of the caller's own can take what happens
-//! ([`LiveRun::give_to`]), or the rows of the log ([`destination`]). Instants and spans are whole microseconds since the run's start, lengths are metres.
+//! ([`LiveRun::give_to`]), or the rows of the log ([`destination`]). Instants and spans are whole microseconds since the run's
+//! start, lengths are metres.
 //!
 //! This crate does not know the command line, nor who looks at a run: progress is a callback, a [`Cancel`] ends runs from
 //! elsewhere, and a [`Pace`](pace::Pace) says how fast they go. Reading order:

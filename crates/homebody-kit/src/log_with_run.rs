@@ -234,7 +234,7 @@ fn places(scenario: Option<&Scenario>) -> impl Iterator<Item = Url> {
 
 /// The first member of a cohort who was lived.
 fn first_member(folder: &Path) -> Option<PathBuf> {
-    let is_member = |path: &PathBuf| path.join("recording.json").is_file();
+    let is_member = |path: &PathBuf| path.join(RECORDING).is_file();
     let entries = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
     entries.filter(is_member).min()
 }

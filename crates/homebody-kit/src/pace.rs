@@ -191,11 +191,13 @@ impl Pace {
     }
 }
 
-/// The most of a run that is advanced at once, and the least that is tried.
+/// No step of a run is longer, however little happens.
 const LONGEST_STEP: Micros = 3600 * SECOND;
+
+/// The first step, before it is known how much happens.
 const FIRST_STEP: Micros = SECOND;
 
-/// Steps are made such that a batch has no more firings and facts than this (ours): some megabytes.
+/// A step that brings more firings and facts than this is followed by a shorter one (ours): they take some megabytes.
 const MANY_EVENTS: usize = 20_000;
 
 /// How often a paced run is advanced.
@@ -215,7 +217,7 @@ impl Paced {
         Paced { pace, cancel, commands, step: FIRST_STEP }
     }
 
-    /// The last step brought so many firings and facts: the next is as long as memory is meant to be.
+    /// Takes in how many firings and facts the last step brought: after few the next is longer, after many shorter.
     pub fn handed(&mut self, events: usize) {
         self.step = match events {
             few if few < MANY_EVENTS / 2 => (self.step * 2).min(LONGEST_STEP),

@@ -101,11 +101,11 @@ impl Unfinished {
     /// began it, [`Error::Problems`] if something is wrong with the scenario in it.
     pub fn open(folder: impl AsRef<Path>) -> Result<Unfinished, Error> {
         let folder = folder.as_ref();
-        is_folder(folder)?;
+        must_be_folder(folder)?;
         let recording = read(&folder.join(RECORDING))?;
         let complete = || Error::Complete { what: RUN, folder: folder.into() };
         let recording = recording.unfinished().ok_or_else(complete)?;
-        is_of_this_version(RUN, folder, &recording)?;
+        must_be_of_this_version(RUN, folder, &recording)?;
         let (scenario, household) = Household::recorded(&recording)?;
         let places = Places::of_folder(folder, &scenario)?;
         let run = recording.run(&scenario, &household);
@@ -152,7 +152,7 @@ impl Unfinished {
 const RUN: &str = "run";
 
 /// A file is not taken for the folder of a run or a cohort; the error names the folder that it is in.
-pub(crate) fn is_folder(path: &Path) -> Result<(), Error> {
+pub(crate) fn must_be_folder(path: &Path) -> Result<(), Error> {
     match path.is_file() {
         true => Err(Error::NotFolder { path: path.into(), folder: left_in(path) }),
         false => Ok(()),
@@ -175,7 +175,7 @@ fn left_in(path: &Path) -> Option<PathBuf> {
 }
 
 /// Another version may live a run otherwise than the one that began it.
-pub(crate) fn is_of_this_version(what: &'static str, folder: &Path, recording: &Recording) -> Result<(), Error> {
+pub(crate) fn must_be_of_this_version(what: &'static str, folder: &Path, recording: &Recording) -> Result<(), Error> {
     match recording.version == env!("CARGO_PKG_VERSION") {
         true => Ok(()),
         false => Err(Error::OtherVersion { what, folder: folder.into(), version: readable(recording.version.clone()) }),

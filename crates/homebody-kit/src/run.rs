@@ -202,7 +202,7 @@ impl RunSetup {
     }
 }
 
-/// A batch has not many more firings and facts than this (ours), whatever drivers decide: some tens of megabytes.
+/// A batch ends once it has so many firings and facts (ours), whatever drivers decide: they take some tens of megabytes.
 const MOST_EVENTS: usize = 200_000;
 
 /// A run that is being lived.

@@ -1,4 +1,4 @@
-//! How long what is read may be: whoever writes a file decides what is in it, and nobody's memory is to be filled by it.
+//! Limits on what is read. Anybody may have written a file, and what is in it must not fill the memory.
 
 /// No file of a scenario is larger, in bytes (ours). A list of profiles is one, too.
 pub const LARGEST_OF_SCENARIO_BYTES: u64 = 8 << 20;

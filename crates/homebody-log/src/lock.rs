@@ -32,7 +32,7 @@ impl FolderLock {
 /// program has left holds nobody up.
 #[derive(Debug)]
 pub struct FileLock {
-    /// Closed after it is removed.
+    /// The lock file and its handle, which is closed after the file is removed; `None` where nothing is held.
     held: Option<(PathBuf, File)>,
 }
 

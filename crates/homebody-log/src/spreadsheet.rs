@@ -18,7 +18,7 @@ pub(crate) fn escaped(text: &str) -> Cow<'_, str> {
 }
 
 /// What a cell says.
-pub(crate) fn plain(cell: &str) -> &str {
+pub(crate) fn unescaped(cell: &str) -> &str {
     if is_escaped(cell) { &cell[1..] } else { cell }
 }
 
@@ -50,7 +50,7 @@ mod tests {
             ("", ""),
         ] {
             assert_eq!(escaped(text), cell);
-            assert_eq!(plain(&escaped(text)), text, "{cell}");
+            assert_eq!(unescaped(&escaped(text)), text, "{cell}");
         }
     }
 }

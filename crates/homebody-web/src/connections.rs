@@ -17,7 +17,7 @@ const PATIENCE: Duration = Duration::from_secs(10);
 /// How long to wait where the system has no more room for connections.
 const REST: Duration = Duration::from_millis(100);
 
-/// Serves whoever comes, for as long as it is polled. Each request says whose visit it is of.
+/// Serves whoever comes, for as long as it is polled. Each request carries the visit of its connection.
 pub async fn serve(listener: TcpListener, routes: Router) -> io::Error {
     let places = Places::default();
     loop {

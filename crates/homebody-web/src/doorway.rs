@@ -17,8 +17,8 @@ pub struct Doorway {
 }
 
 impl Doorway {
-    /// Of an address with its token, in the folder that the system has for what a user's programs share while they run, or in one
-    /// for temporary files.
+    /// Leads to an address with its token. The file is in the user's runtime folder (`XDG_RUNTIME_DIR`), or, where there is none,
+    /// among temporary files.
     pub fn to(address: &str) -> io::Result<Doorway> {
         let own = std::env::var_os("XDG_RUNTIME_DIR").map(PathBuf::from).filter(|folder| folder.is_absolute());
         let folder = own.and_then(|own| folder_in(&own).ok()).map_or_else(|| folder_in(&std::env::temp_dir()), Ok)?;

@@ -22,7 +22,7 @@ pub struct Growth {
     hours: Vec<Vec<u32>>,
     /// No more than [`TODAY`].
     today: Vec<(Micros, u32)>,
-    /// How many there are besides.
+    /// How many firings of the day are not in `today`.
     left_out: u64,
     /// An hour on the clock: from when to when, of which day, and which.
     now: (Range<Micros>, usize, usize),

@@ -60,11 +60,11 @@ impl Guard {
         &self.token
     }
 
-    /// Whether this is the token; how long that takes says nothing about it. Whose visit it is is known from then on.
+    /// Whether this is the token; how long that takes says nothing about it. If it is, the visit counts as known from then on.
     pub fn knows(&self, token: &str, visit: &Visit) -> bool {
         let is_known = token.as_bytes().ct_eq(self.token.as_bytes()).into();
         if is_known {
-            visit.is_known_now();
+            visit.mark_known();
             self.has_entered.send_if_modified(|entered| !std::mem::replace(entered, true));
         }
         is_known
@@ -116,7 +116,7 @@ impl Guard {
     }
 }
 
-/// Whence somebody comes. Who has an address of version 6 has a whole network of them.
+/// Where somebody comes from. Of an IPv6 address it is the network: whoever has one address has all of its network.
 fn place_of(from: IpAddr) -> IpAddr {
     match from {
         IpAddr::V6(ip) if !ip.is_loopback() => Ipv6Addr::from_bits(ip.to_bits() >> 64 << 64).into(),
@@ -124,7 +124,7 @@ fn place_of(from: IpAddr) -> IpAddr {
     }
 }
 
-/// The names of a server at an address. What `localhost` stands for has three.
+/// The names of a server at an address. The address that `localhost` stands for has three.
 fn hosts(address: SocketAddr) -> Vec<String> {
     let port = address.port();
     let named = |name: &str| if port == 80 { name.to_owned() } else { format!("{name}:{port}") };

@@ -45,7 +45,7 @@ impl InputKeeper {
         Ok(InputKeeper { lines: Some(lines), thread: Some(thread), done, given: (kept, None) })
     }
 
-    /// Has what was done be written, if it is time for it. Returns how many lines the recording has.
+    /// Gives the thread what was done, if it is time to write again. Returns how many lines of it are on disk.
     ///
     /// # Errors
     ///

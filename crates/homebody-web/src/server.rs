@@ -34,7 +34,7 @@ use tower_http::timeout::RequestBodyTimeoutLayer;
 pub use crate::guard::SOCKET;
 
 /// What a page may send by HTTP (ours).
-const LARGEST_BODY: usize = 8 << 20;
+const LARGEST_BODY_BYTES: usize = 8 << 20;
 
 /// So many pages may look at once (ours).
 const PAGES: usize = 32;
@@ -54,7 +54,7 @@ pub struct Options {
 /// Where the page is.
 #[derive(Clone, Copy, Debug)]
 pub struct Address<'a> {
-    /// For its user's eyes: it holds the token, behind the sign that no server sees what follows.
+    /// For its user alone: it holds the token, behind a `#`, and browsers send to no server what is behind that.
     pub url: &'a str,
     /// For a browser: a file that only its user can read, and which leads there. It is removed once somebody has come with the
     /// token, and after a minute. `None` where no browser is to be opened, and where no file could be made.
@@ -137,7 +137,7 @@ async fn cancelled(cancel: &Cancel) {
 }
 
 fn listen(options: &Options) -> Result<TcpListener, ServeError> {
-    // A page has one name: that of an address of version 4 in the clothes of version 6 is the plain one.
+    // The page has one name: an IPv4 address that is written as an IPv6 one is taken as IPv4.
     let ip = options.ip.to_canonical();
     if let Some(port) = options.port {
         let address = SocketAddr::new(ip, port);
@@ -192,7 +192,7 @@ fn routes(house: House) -> Router {
         .route("/api/runs/{run}/days/{day}", get(stored_day))
         .route("/api/runs/{run}/{what}", get(file_of_run))
         .fallback(get(page::file))
-        .layer(DefaultBodyLimit::max(LARGEST_BODY))
+        .layer(DefaultBodyLimit::max(LARGEST_BODY_BYTES))
         .layer(RequestBodyTimeoutLayer::new(STUCK))
         .layer(axum::middleware::from_fn_with_state(house.guard.clone(), guard::watch))
         .with_state(house)
@@ -207,7 +207,7 @@ async fn live(
     if !house.guard.is_socket_from_us(&headers) {
         return (StatusCode::FORBIDDEN, "Only its own page may ask this server.").into_response();
     }
-    let upgrade = upgrade.max_message_size(socket::LONGEST).max_frame_size(socket::LONGEST);
+    let upgrade = upgrade.max_message_size(socket::LONGEST_MESSAGE_BYTES).max_frame_size(socket::LONGEST_MESSAGE_BYTES);
     upgrade.on_upgrade(async move |socket| {
         tokio::select! {
             () = socket::serve(socket, visit.clone(), house.guard, house.pages, house.stage) => {}

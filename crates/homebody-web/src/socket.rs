@@ -14,7 +14,7 @@ use tokio::sync::Semaphore;
 use tokio::time::{Instant, interval, sleep_until, timeout};
 
 /// A message of a page is no longer than this (ours).
-pub const LONGEST: usize = 64 << 10;
+pub const LONGEST_MESSAGE_BYTES: usize = 64 << 10;
 
 /// No page sees more pictures than sixty a second.
 const FRAME: Duration = Duration::from_micros(16_000);
@@ -51,7 +51,7 @@ pub async fn serve(mut socket: WebSocket, visit: Visit, guard: Guard, pages: Arc
     let Ok(_place) = pages.try_acquire() else {
         return close(socket, TOO_MANY, "too many pages look already").await;
     };
-    visit.is_page_now();
+    visit.mark_page();
     let held = Held { stage: &stage, keys: false };
     // The page is gone when either side of it is.
     let _ = talk(socket, held).await;

@@ -184,13 +184,13 @@ fn locked<T>(held: &Mutex<T>) -> MutexGuard<'_, T> {
     held.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// What is made, or why not, be it by a mistake of the program.
+/// What is made, or why not in words, also where making it panics.
 fn caught<T>(make: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
     catch_unwind(AssertUnwindSafe(make))
         .unwrap_or_else(|broken| Err(format!("That cannot be begun, by a mistake of the program: {}.", said(&*broken))))
 }
 
-/// What somebody said who panicked.
+/// The message of a panic.
 fn said(broken: &(dyn Any + Send)) -> String {
     let text = broken.downcast_ref::<&str>().copied().or_else(|| broken.downcast_ref::<String>().map(String::as_str));
     text.unwrap_or("it does not say where").trim_end_matches('.').to_owned()
@@ -200,7 +200,7 @@ fn said(broken: &(dyn Any + Send)) -> String {
 struct Director {
     shelf: Shelf,
     act: StagedRun,
-    /// It broke in the middle: nothing is asked of it any more but what it is made of.
+    /// The run panicked: it is neither advanced nor looked at any more.
     is_broken: bool,
     pace: Pace,
     heard: Receiver<Wish>,

@@ -94,7 +94,7 @@ struct Moment {
 const MOMENTS: Micros = 4 * DAY;
 
 /// So much is lived at once, at most (ours).
-const LONGEST: Micros = 60 * SECOND;
+const LONGEST_STRETCH: Micros = 60 * SECOND;
 
 /// So much before where one goes back to is lived, too, for the rows that are shown (ours).
 const SHOWN_BEFORE: Micros = 6 * 3600 * SECOND;
@@ -105,7 +105,7 @@ struct Written {
     log: Option<RunLog>,
     /// Until then, if somebody is driven.
     input: Option<InputKeeper>,
-    /// What has happened and is not stored before the input that it comes of.
+    /// What has happened and waits to be stored until the recording has the input that caused it.
     waiting: VecDeque<Waiting>,
     /// Up to here all is stored.
     stored_to: Micros,
@@ -142,7 +142,7 @@ impl Written {
         Ok(())
     }
 
-    /// Ends the log, with all that has waited, which the recording is about to explain. Returns it with where it ends.
+    /// Stores all that has waited: the recording is completed next. Returns the log, and up to when it is stored.
     fn end(&mut self) -> Result<Option<(RunLog, Micros)>, LogError> {
         self.input = None;
         let Some(mut log) = self.log.take() else { return Ok(None) };
@@ -225,7 +225,7 @@ impl StagedRun {
             headings: vec![0.0; bodies],
             is_over: false,
             events: Events::default(),
-            stretch: Stretch::new(LONGEST),
+            stretch: Stretch::new(LONGEST_STRETCH),
             moments: Snapshots::new(MOMENTS),
             furthest: None,
         })
@@ -268,8 +268,8 @@ impl StagedRun {
         }
     }
 
-    /// Lives a stretch, at most until `until`, or as far as it had come before somebody went back; true if files have been begun for it, so that
-    /// its view is another.
+    /// Lives a stretch: at most until `until`, and at most as far as it had come before somebody went back. True if files have
+    /// been begun for it, so that its view is another.
     pub fn advance(&mut self, until: Micros, shelf: &Shelf) -> Result<bool, String> {
         let until = until.min(self.run.length()).min(self.stretch.from(self.run.now()));
         if until <= self.run.now() || self.is_over {
@@ -357,7 +357,7 @@ impl StagedRun {
         Ok(Written { places, log: Some(log), input, waiting: VecDeque::new(), stored_to: 0 })
     }
 
-    /// Has what was done at the keys be written, though the run may be paused.
+    /// Has what was done at the keys written, also while the run is paused.
     pub fn keep_input(&mut self) -> Result<(), String> {
         let Some(files) = self.files.as_mut().filter(|files| files.input.is_some()) else { return Ok(()) };
         files.store(&self.run, &Events::default(), &self.start.input).map_err(|error| error.to_string())

@@ -12,7 +12,7 @@ const EVENTS: usize = 50_000;
 /// So long is lived at once without a look at what else there is to do (ours).
 const AT_ONCE: Duration = Duration::from_millis(20);
 
-/// How much is lived first, in microseconds (ours); as much more as nothing happens.
+/// The first stretch, in microseconds (ours). Stretches become longer while little happens.
 const FIRST: Micros = SECOND / 100;
 
 /// So long is lived for one answer, and so much longer for each day of it (ours): many times what a home takes.
@@ -40,7 +40,7 @@ impl Stretch {
         now.saturating_add(self.span)
     }
 
-    /// This is what came of the last one, and how long it took.
+    /// Takes in what happened in the last stretch, and how long it took to live it.
     pub fn brought(&mut self, events: &Events, took: Duration) {
         let count = events.firings.len() + events.facts.len();
         let too_much = (count / EVENTS).max((took.as_micros() / AT_ONCE.as_micros()) as usize);
@@ -85,7 +85,7 @@ impl Effort<'_> {
         }
     }
 
-    /// This is what came of it, until now.
+    /// Takes in what happened in the last stretch, which ended at `now`.
     pub fn brought(&mut self, events: &Events, now: Micros) {
         let (begin, since) = self.last;
         self.lived += now - begin;

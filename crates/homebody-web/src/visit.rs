@@ -111,7 +111,7 @@ impl Visit {
     }
 
     /// The token has been shown.
-    pub fn is_known_now(&self) {
+    pub fn mark_known(&self) {
         let mut taken = self.0.places.taken();
         if taken.known < KNOWN && taken.strangers.remove(&self.0.number).is_some() {
             taken.known += 1;
@@ -119,8 +119,8 @@ impl Visit {
         }
     }
 
-    /// From now on it is a page's socket, which looks after those who do not read by itself.
-    pub fn is_page_now(&self) {
+    /// From now on it is a page's socket, which closes by itself when the page does not read.
+    pub fn mark_page(&self) {
         self.0.is_page.store(true, Ordering::Relaxed);
     }
 
@@ -224,7 +224,7 @@ mod tests {
         let places = Places::default();
         let enter = || places.enter(Ipv4Addr::LOCALHOST.into());
         let (known, first) = (enter(), enter());
-        known.is_known_now();
+        known.mark_known();
         let others: Vec<Visit> = (1..STRANGERS).map(|_| enter()).collect();
         assert!(!goes(&first).await, "there is room for {STRANGERS}");
         let last = enter();
@@ -243,11 +243,11 @@ mod tests {
         let places = Places::default();
         let all: Vec<Visit> = (0..=KNOWN).map(|_| places.enter(Ipv4Addr::LOCALHOST.into())).collect();
         for visit in &all[1..] {
-            visit.is_known_now();
+            visit.mark_known();
         }
         assert!(goes(&all[0]).await, "who was first was in the way of the last");
         let late = places.enter(Ipv4Addr::LOCALHOST.into());
-        late.is_known_now();
+        late.mark_known();
         assert_eq!(places.taken().known, KNOWN);
         assert!(!goes(&all[1]).await);
     }
@@ -262,7 +262,7 @@ mod tests {
     async fn a_stranger_has_so_much_time_and_who_is_known_has_all() {
         let places = hasty();
         let (stranger, known) = (places.enter(Ipv4Addr::LOCALHOST.into()), places.enter(Ipv4Addr::LOCALHOST.into()));
-        known.is_known_now();
+        known.mark_known();
         assert!(!goes(&stranger).await);
         assert!(timeout(10 * SOON, stranger.sent_away()).await.is_ok());
         assert!(timeout(4 * SOON, known.sent_away()).await.is_err());
@@ -273,9 +273,9 @@ mod tests {
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0)).await.unwrap();
         let _reader = TcpStream::connect(listener.local_addr().unwrap()).await.unwrap();
         let visit = hasty().enter(Ipv4Addr::LOCALHOST.into());
-        visit.is_known_now();
+        visit.mark_known();
         if is_page {
-            visit.is_page_now();
+            visit.mark_page();
         }
         let mut stream = Stream::new(listener.accept().await.unwrap().0, visit);
         timeout(10 * SOON, stream.write_all(&vec![0; 64 << 20])).await.ok()?.err()

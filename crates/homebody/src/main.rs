@@ -31,7 +31,7 @@ Examples:
   homebody coverage my-home --png map.png      see what the sensors see
 
 Exit codes: 0 done, 1 a file could not be read or written, 2 what was asked or written is wrong,
-130 or 143 a run was interrupted or terminated early, and what was lived is stored.";
+129, 130 or 143 a run was ended early by SIGHUP, SIGINT or SIGTERM, and what was lived is stored.";
 
 fn main() -> ExitCode {
     signals::outlive_full_files();

@@ -8,10 +8,10 @@ use std::sync::atomic::{AtomicBool, AtomicI32, Ordering};
 /// A program that a signal ends has this exit code and the signal's number in it, as shells count.
 const SIGNALLED: i32 = 128;
 
-/// Listens for the signals that ask a program to end: an interrupt (Ctrl-C), to terminate, and that the terminal is gone.
+/// Listens for the signals that ask a program to end: SIGINT (Ctrl-C), SIGTERM, and SIGHUP, for a terminal that is closed.
 ///
-/// Until the handle is taken, one of them ends the program at once. Then the first cancels, so that what was lived is stored, and
-/// the second ends the program at once.
+/// Until somebody takes the handle by [`Signals::cancel`], a signal ends the program at once. After that the first one cancels, so
+/// that what was lived is stored, and the second ends the program at once.
 #[derive(Clone, Default)]
 pub struct Signals {
     cancel: Cancel,
@@ -36,7 +36,7 @@ impl Signals {
         &self.cancel
     }
 
-    /// The failure as which a command ends that a signal has ended early.
+    /// A failure with the exit code of the first signal, if a signal has stopped the command early.
     pub fn ended(&self, is_stopped: bool) -> Result<(), Failure> {
         match self.first.load(Ordering::SeqCst) {
             number if number != 0 && is_stopped => Err(Failure::Signal((SIGNALLED + number) as u8)),

@@ -2,11 +2,11 @@
 
 /// For longer names, in characters, nothing is looked for (ours): nobody mistypes them by a letter or two, and each comparison
 /// takes the square of the length.
-const LONGEST: usize = 40;
+const LONGEST_CHARS: usize = 40;
 
 /// The known name most like this one, if any is like enough.
 pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let is_short = |name: &str| name.len() <= 4 * LONGEST && name.chars().count() <= LONGEST;
+    let is_short = |name: &str| name.len() <= 4 * LONGEST_CHARS && name.chars().count() <= LONGEST_CHARS;
     if !is_short(name) {
         return None;
     }
@@ -19,7 +19,7 @@ pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
         if begins {
             return 1;
         }
-        // It takes at least as many letters more or less as one is longer.
+        // The distance is at least the difference of the lengths.
         match known.chars().count().abs_diff(folded.chars().count()) {
             off if off > allowed => off,
             _ => strsim::damerau_levenshtein(&folded, &known),

@@ -5,7 +5,7 @@ use super::columns::Places;
 use super::reading::Reading;
 use super::records::Records;
 use crate::error::{LogError, place_of};
-use crate::spreadsheet::plain;
+use crate::spreadsheet::unescaped;
 use homebody_core::problem::readable;
 use homebody_core::scenario::logger::LoggerFile;
 use std::path::Path;
@@ -46,7 +46,7 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) ->
         if let Some(places) = places {
             let time = field(places.time);
             let (sensor, value) = (field(places.sensor), field(places.value));
-            let said = |cell| if file.spreadsheet_safe { plain(cell) } else { cell };
+            let said = |cell| if file.spreadsheet_safe { unescaped(cell) } else { cell };
             reading.row(line, time.trim_start_matches(MARK), said(&sensor), said(&value))?;
         }
     }

@@ -6,7 +6,7 @@ use super::reading::open;
 use super::records::Records;
 use crate::error::{LogError, place_of};
 use crate::places::TRUTH;
-use crate::spreadsheet::plain;
+use crate::spreadsheet::unescaped;
 use crate::table::{Column, ColumnKind, Table};
 use crate::truth::{Truth, tables};
 use crate::url::{Url, table_file};
@@ -47,7 +47,7 @@ impl RecordedTruth {
                     wanted.iter().map(|&table| (table, table_file(path, &table.name))).collect();
                 let missing = files.iter().filter(|(_, file)| !file.is_file());
                 let missing: Vec<String> = missing.map(|(_, file)| format!("no file {}", place_of(file))).collect();
-                (if missing.is_empty() { gathered(&files)? } else { in_memory(path)? }, missing)
+                (if missing.is_empty() { gathered(&files)? } else { temporary(path)? }, missing)
             }
             Scheme::Casas => return Err(no_truth("the form of CASAS cannot hold one".into())),
         };
@@ -82,14 +82,14 @@ fn missing(connection: &Connection, wanted: &[&Table]) -> rusqlite::Result<Vec<S
     Ok(missing)
 }
 
-/// A database of the system's own, on disk where it becomes large.
-fn in_memory(path: &Path) -> Result<Connection, LogError> {
+/// A temporary database without a name. SQLite puts it on disk where it becomes large.
+fn temporary(path: &Path) -> Result<Connection, LogError> {
     Connection::open("").map_err(|error| LogError::database(path, error))
 }
 
 /// A database of the rows of files.
 fn gathered(files: &[(&Table, PathBuf)]) -> Result<Connection, LogError> {
-    let connection = in_memory(Path::new(""))?;
+    let connection = temporary(Path::new(""))?;
     for (table, path) in files {
         gather(&connection, table, path)?;
     }
@@ -132,7 +132,7 @@ fn cell(kind: ColumnKind, said: &[u8]) -> Option<Value> {
         ColumnKind::Integer => Value::Integer(text.parse().ok()?),
         ColumnKind::Real => Value::Real(text.parse().ok()?),
         ColumnKind::Instant => Value::Text(text.into_owned()),
-        ColumnKind::Text => Value::Text(plain(&text).to_owned()),
+        ColumnKind::Text => Value::Text(unescaped(&text).to_owned()),
     })
 }
 

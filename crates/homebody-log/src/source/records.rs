@@ -22,7 +22,7 @@ pub(super) struct Records {
     come: Rc<Cell<usize>>,
 }
 
-/// A file of which no more comes at once than a row may have: where a quote is never closed, all of it is one row.
+/// A file that ends with an error where a row is too long: after a quote that is never closed, all the rest is one row.
 struct Limited {
     file: File,
     come: Rc<Cell<usize>>,

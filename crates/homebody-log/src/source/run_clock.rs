@@ -58,7 +58,7 @@ impl RunClock {
         self.all(at).find(|instant| *instant >= first).unwrap_or_else(|| self.instant(at, first))
     }
 
-    /// The run's instants that are told as `at`, in their order: two in an hour that comes twice, none in one that is skipped.
+    /// The run's instants that are told as `at`, in their order: two in an hour that is told twice, none in one that is skipped.
     pub(crate) fn all(&self, at: Micros) -> impl Iterator<Item = Micros> {
         let is_utc = self.clock == Clock::Utc;
         let local = self.offsets.iter().enumerate().filter_map(move |(index, &(from, offset))| {
@@ -81,7 +81,7 @@ impl RunClock {
         instant + self.start + if self.clock == Clock::Utc { 0 } else { offset }
     }
 
-    /// The spans of the run whose times the files tell twice, each with both of them: from when to when.
+    /// For each time that the clock goes back, the span of the run in which the files tell every time twice.
     pub(crate) fn told_twice(&self) -> impl Iterator<Item = Range<Micros>> {
         let is_local = self.clock == Clock::Local;
         self.turns().filter(move |turn| is_local && turn.1 < 0).map(|(at, by)| at + by..at - by)

@@ -3,14 +3,14 @@
 use crate::error::LogError;
 use crate::places::SENSORS;
 use crate::sensor_info::SensorInfo;
-use crate::spreadsheet::plain;
+use crate::spreadsheet::unescaped;
 use homebody_core::sensors::kinds::KINDS;
 use serde::Deserialize;
 use std::fs;
 use std::path::Path;
 
 /// No table of sensors has more bytes (ours): a home of a thousand has a tenth of a mebibyte.
-const LONGEST: u64 = 4 << 20;
+const LARGEST_BYTES: u64 = 4 << 20;
 
 /// A row of the table.
 #[derive(Deserialize)]
@@ -26,7 +26,7 @@ struct Row {
 /// The sensors of the table beside a log; none where no table of ours lies there.
 pub(crate) fn beside(log: &Path) -> Result<Vec<SensorInfo>, LogError> {
     let path = log.with_file_name(SENSORS);
-    let is_table = fs::metadata(&path).is_ok_and(|found| found.is_file() && found.len() <= LONGEST);
+    let is_table = fs::metadata(&path).is_ok_and(|found| found.is_file() && found.len() <= LARGEST_BYTES);
     if !is_table || path == log {
         return Ok(Vec::new());
     }
@@ -39,7 +39,7 @@ pub(crate) fn beside(log: &Path) -> Result<Vec<SensorInfo>, LogError> {
 impl Row {
     fn info(self) -> SensorInfo {
         let Row { id, name, kind, room, x_m, y_m } = self;
-        let [id, name, room] = [id, name, room].map(|cell| plain(&cell).to_owned());
+        let [id, name, room] = [id, name, room].map(|cell| unescaped(&cell).to_owned());
         let row = KINDS.iter().find(|row| row.key == kind);
         SensorInfo {
             name,

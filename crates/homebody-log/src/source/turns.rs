@@ -1,10 +1,10 @@
 //! The hour that a clock on the wall tells twice as it is set back: which of the two an instant of the truth is in.
 //!
-//! What somebody does, where they go and what notices them begins as they move. So of two instants that are told alike it is
-//! the one at which they moved. Movements follow each other without gaps, by which they themselves are known.
+//! An activity, a change of room or a sighting begins when the resident moves. So of the two instants that one time may mean, we
+//! take the one at which the resident moved. The times of movements themselves are known because movements follow each other
+//! without gaps.
 //!
-//! Left out: who keeps still for an hour or longer, from before it until its end, leaves no sign of the second; then the first is
-//! taken.
+//! Left out: a resident who keeps still through the whole of both hours gives no sign of the second. Then the first is taken.
 
 use super::database::instant;
 use super::instant::Instants;

@@ -43,7 +43,7 @@ impl LivedDraft {
         days: u32,
         cancel: &Cancel,
     ) -> Result<MonthView, DriverError> {
-        lived(scenario, household, from, days, &mut self.moments, &mut Effort::new(cancel, LONGEST))
+        lived(scenario, household, from, days, &mut self.moments, &mut Effort::new(cancel, LONGEST_STRETCH))
     }
 }
 
@@ -51,7 +51,7 @@ impl LivedDraft {
 const MOMENTS: Micros = 4 * DAY;
 
 /// So much is lived at once, at most.
-const LONGEST: Micros = 3600 * SECOND;
+const LONGEST_STRETCH: Micros = 3600 * SECOND;
 
 /// A life at an instant, and what is known of it by then.
 #[derive(Clone)]
@@ -71,7 +71,7 @@ impl Moment {
         Moment { run, known, growth: Growth::new(&scenario.calendar, length, is_motion), activities: Vec::new() }
     }
 
-    /// Lives on, and adds what has ended to the view; false if it went no further than the view now says.
+    /// Lives on, and adds what has ended to the view. Returns whether it came to `until`; if not, `view.cut` says why.
     fn live(&mut self, until: Micros, view: &mut MonthView, effort: &mut Effort) -> Result<bool, DriverError> {
         let mut events = Events::default();
         while self.run.now() < until {

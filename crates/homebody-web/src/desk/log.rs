@@ -24,10 +24,10 @@ use std::sync::{Arc, PoisonError};
 const ROWS: usize = 40;
 
 /// Who makes no rows in so long has none to show.
-const LONGEST: i64 = 3 * DAY;
+const LONGEST_LIVED: i64 = 3 * DAY;
 
 /// So much is lived at once, at most.
-const STRETCH: Micros = 600 * SECOND;
+const LONGEST_STRETCH: Micros = 600 * SECOND;
 
 impl Desk {
     /// The first rows of a draft's log, written where nobody else looks and read back, for as long as somebody waits for them.
@@ -87,13 +87,13 @@ fn first_rows(
     let hidden: Vec<Url> = hidden.collect();
 
     let seed = scenario.file.seed;
-    let length = scenario.calendar.span_of_days(scenario.file.days).min(LONGEST);
+    let length = scenario.calendar.span_of_days(scenario.file.days).min(LONGEST_LIVED);
     let mut run = Run::new(scenario, household, seed, length);
     let recording = Recording::of(scenario, env!("CARGO_PKG_VERSION"), "", seed, length);
     let info = Arc::new(RunInfo::of(scenario, &run, &recording));
     let mut logger = Logger::open(destinations(&hidden, How::New)?, &scenario.logger, &info, How::New)?;
     let (mut events, mut count, mut cut) = (Events::default(), 0, None);
-    let mut effort = Effort::new(cancel, STRETCH);
+    let mut effort = Effort::new(cancel, LONGEST_STRETCH);
     // Of messages that a link delays, and of OFFs that are held, some rows come later than their firings.
     while count < 2 * ROWS && run.now() < run.length() {
         let next = match effort.next(run.now(), 0) {

@@ -308,7 +308,7 @@ pub struct GrowthView {
     /// The firings of the day that is being lived: instant and sensor.
     #[ts(type = "Array<[number, number]>")]
     pub today: Vec<(i64, u32)>,
-    /// How many of them are counted in `hours` alone.
+    /// How many firings of that day are not in `today`.
     #[ts(type = "number")]
     pub left_out: u64,
 }

@@ -9,7 +9,7 @@ use homebody_kit::NamedLog;
 use homebody_log::{Log, RunClock, activities};
 
 /// Compares the firings of two logs: by sensor and in all, the agreement of their numbers, and how their times between
-/// firings are spread. The second is the reference. Where activities are known, from a truth.db beside the log or from
+/// firings are spread. The second is the reference. Where activities are known, from the truth beside the log or from
 /// notes in it, also by activity, as Godsey & Skubic have it.
 #[derive(clap::Args)]
 #[command(after_help = format!("Examples:

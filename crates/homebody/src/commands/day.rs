@@ -28,10 +28,10 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let given = read_log(&self.log, self.time_zone.as_deref())?;
-        let answer = self.answer.check([""], &given.sources)?;
+        let read = read_log(&self.log, self.time_zone.as_deref())?;
+        let answer = self.answer.check([""], &read.sources)?;
         let no_rows = || Failure::usage(format!("{}: it has no rows, so no day", self.log));
-        let there = given.dates().ok_or_else(no_rows)?;
+        let there = read.dates().ok_or_else(no_rows)?;
         let no_day = || {
             let ((first, last), asked, log) = (there, self.date, &self.log);
             Failure::usage(format!(
@@ -39,7 +39,7 @@ impl Arguments {
             ))
         };
         let date = self.date.within(there).ok_or_else(no_day)?;
-        let day = Day::of(&given.name, &given.log, &given.lives, date);
+        let day = Day::of(&read.name, &read.log, &read.lives, date);
         answer.give(&day, [&|| day_chart(&DayChart::of(&day))])
     }
 }

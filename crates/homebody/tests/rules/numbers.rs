@@ -39,7 +39,8 @@ what is lived. A unit is that of the name's end; `1` is a count, a share or a fa
 ";
 
 /// Ends of names, and the units that they stand for.
-const UNITS: [(&str, &str); 15] = [
+const UNITS: [(&str, &str); 16] = [
+    ("_PER_S", "1/s"),
     ("_MPS2", "m/s2"),
     ("_MPS", "m/s"),
     ("_M2", "m2"),

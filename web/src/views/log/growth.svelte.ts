@@ -18,7 +18,7 @@ export type Grown = {
   /** By sensor: when it fired on that day. */
   fired: number[][];
   until_us: number;
-  /** How many firings of the day are in `density` alone. */
+  /** How many firings of the day are not in `fired`. */
   leftOut: number;
 };
 

@@ -49,8 +49,8 @@ impl Report<'_> {
         self.problems.len()
     }
 
-    /// As [`did_you_mean`], as long as problems are few enough that anybody reads this one: looking takes long where both
-    /// lists are.
+    /// As [`did_you_mean`], but only for problems that are going to be shown: the search takes long where there are many names
+    /// on both sides.
     fn did_you_mean<'a>(&self, name: &str, known: impl Iterator<Item = &'a str> + Clone) -> Option<String> {
         if self.count() < MOST_PER_FILE { did_you_mean(name, known) } else { None }
     }

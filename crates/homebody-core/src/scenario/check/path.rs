@@ -17,10 +17,10 @@ const LEAST_SPEED_MPS: f64 = 0.01;
 /// More steps and waypoints than this are no path that anybody wrote (ours).
 const MOST_STEPS: usize = 10_000;
 
-/// More moves a second than this are none of a person (ours): a life of them has no end of rows.
+/// Nobody makes more moves a second (ours): with more, the truth has too many rows to be of use.
 const MOST_MOVES_PER_S: f64 = 100.0;
 
-/// So many moves may come at once (ours).
+/// Repetitions with no more moves than this in all may be of any speed (ours).
 const FEW_MOVES: f64 = 1_000.0;
 
 /// Shorter ways may take no time at all, rounded to microseconds.

@@ -8,7 +8,7 @@ use crate::scenario::home::HomeFile;
 /// Outlines measured from both sides of a wall never agree better than this.
 const OVERLAP_TOLERANCE_M2: f64 = 0.01;
 
-/// The outlines of a home have no more corners together (ours): which of them overlap takes the square of that.
+/// The rooms of a home have no more corners together (ours): to look for overlaps takes time with the square of their number.
 const MOST_CORNERS: usize = 5_000;
 
 /// No more overlaps are looked for (ours).
