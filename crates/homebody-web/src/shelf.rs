@@ -7,6 +7,7 @@ use homebody_core::recording::{LONGEST, Recording};
 use homebody_core::scenario::load::Files;
 use homebody_log::limits::{LARGEST_OF_SCENARIO_BYTES, LARGEST_RECORDING_BYTES};
 use homebody_log::plain;
+use homebody_routine::language::lexicon::OWN_FILE;
 use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
@@ -112,7 +113,7 @@ const LONGEST_NAME: usize = 100;
 
 /// Whether it is one of the files that people write.
 fn is_written(name: &str) -> bool {
-    name.ends_with(".json") || name.ends_with(".routine")
+    name.ends_with(".json") || name.ends_with(".routine") || name == OWN_FILE
 }
 
 /// A plain file below a folder, by its path.

@@ -1,14 +1,15 @@
 //! A clause: who does what, with what stands behind the verb in any order.
 
 use super::activities;
-use super::adverbs::Adverbs;
+use super::adverbs::{Adverbs, Slot};
 use super::amounts::{Unit, amount};
 use super::faults::did_you_mean;
+use super::helping;
 use super::measures::{Measure, measure};
 use super::predicates::{self, Predicate, Subject};
 use super::reader::{Reader, Sort};
 use super::words::{Span, Token};
-use crate::routine::Activity;
+use crate::routine::{Activity, PartOfDay};
 
 /// What a habit may be said to be done at.
 pub const PLACES: [Sort; 3] = [Sort::Place, Sort::Room, Sort::Thing];
@@ -23,10 +24,20 @@ pub struct Clause {
     pub place: Option<(String, Span)>,
     pub measure: Option<Measure>,
     pub adverbs: Adverbs,
+    /// Whether it is what somebody likes to do, or mostly does.
+    pub tends: bool,
 }
 
-/// Reads the rest of a clause. Nothing if it is not understood; else the "then" that another clause follows.
-pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<Span>> {
+/// What joins a clause with another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Join {
+    Then,
+    And,
+    Or,
+}
+
+/// Reads the rest of a clause. Nothing if it is not understood; else how another clause follows, and where that is said.
+pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<(Join, Span)>> {
     loop {
         reader.skip_commas();
         if reader.is_over() {
@@ -34,7 +45,17 @@ pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<Span>> {
         }
         let at = reader.at;
         if reader.eat("and then") || reader.eat("then") {
-            return Some(Some(reader.span(at)));
+            return Some(Some((Join::Then, reader.span(at))));
+        }
+        if let Some(join) = reader.eat_any(&[("and also", Join::And), ("and|but", Join::And), ("or", Join::Or)]) {
+            return Some(Some((join, reader.span(at))));
+        }
+        if matches!(clause.predicate, Predicate::Remark) {
+            not_understood(reader, clause);
+            return None;
+        }
+        if says_purpose(reader, clause) || says_alone(reader, clause) {
+            continue;
         }
         if let Some(measure) = measure(reader) {
             if clause.measure.is_some() {
@@ -50,6 +71,49 @@ pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<Span>> {
         not_understood(reader, clause);
         return None;
     }
+}
+
+/// "gets up to use the toilet", "goes to the kitchen to make tea": what for is what is done.
+fn says_purpose(reader: &mut Reader, clause: &mut Clause) -> bool {
+    let from = reader.at;
+    let found = reader.attempt(|reader| {
+        if !reader.eat("in order to") && !reader.eat("to") {
+            return None;
+        }
+        if clause.predicate == Predicate::Visits {
+            return helping::doing(reader);
+        }
+        let purpose = activities::activity(reader)?;
+        let goes = matches!(&clause.predicate, Predicate::Own(words) if predicates::is_way(words) || words == "stands");
+        match &clause.predicate {
+            Predicate::Does(Activity::GetUp | Activity::Relax) => Some(Predicate::Does(purpose)),
+            Predicate::Own(_) if goes && clause.place.is_some() => Some(Predicate::Does(purpose)),
+            Predicate::Does(Activity::Leave) => Some(Predicate::Does(Activity::Leave)),
+            _ => None,
+        }
+    });
+    let Some(found) = found else { return false };
+    let is_new = matches!(&found, Predicate::Does(activity) if Predicate::Does(activity.clone()) != clause.predicate);
+    // Who gets up for something and says no time does so in the night.
+    if clause.predicate == Predicate::Does(Activity::GetUp) && is_new {
+        clause.adverbs.all(reader);
+        if clause.adverbs.when.is_none() && clause.adverbs.part.is_none() {
+            clause.adverbs.part = Some(Slot { value: PartOfDay::Night, span: reader.span(from), own: true });
+        }
+    }
+    clause.predicate = found;
+    true
+}
+
+/// "On her own" is how everything is done where nobody is named, so it changes nothing but what is denied.
+fn says_alone(reader: &mut Reader, clause: &Clause) -> bool {
+    let is_done =
+        matches!(clause.predicate, Predicate::Does(_) | Predicate::Own(_)) && clause.subject == Subject::Person;
+    is_done
+        && (reader.eat("on her|his|their own")
+            || reader.eat("by herself|himself|themselves")
+            || reader.eat("alone|independently|unaided")
+            || reader.eat("without help|assistance"))
 }
 
 /// "in the armchair".
@@ -82,17 +146,6 @@ pub fn eat_preposition(reader: &mut Reader) -> bool {
 
 fn not_understood(reader: &mut Reader, clause: &Clause) {
     let (here, word) = (reader.here(), reader.peek(0).to_owned());
-    if word == "and" || word == "but" || word == "or" {
-        let hint = match reader.ahead(|reader| {
-            reader.at += 1;
-            Adverbs::default().next(reader)
-        }) {
-            true => "make two sentences, one for each",
-            false => "write \"then\" between things done one after another, or make two sentences",
-        };
-        let hint = hint.to_owned();
-        return reader.fault(here, format!("{word:?} joins more than one sentence can say"), hint);
-    }
     let at = reader.at;
     if reader.eat("to") && activities::activity(reader).is_some() {
         let (span, doing) = (reader.span(at), reader.said(reader.span(at + 1)));
@@ -119,12 +172,28 @@ fn not_understood(reader: &mut Reader, clause: &Clause) {
         return predicates::unknown_verb(reader, words, clause.predicate_span);
     }
     let what = format!("{:?} is not understood here", reader.said(here));
+    if reader.faults.is_trial {
+        return reader.fault(here, what, None);
+    }
     let hint = expected(reader, clause, &word);
     reader.fault(here, what, hint);
 }
 
 /// What could stand where a word is not understood.
 fn expected(reader: &mut Reader, clause: &Clause, word: &str) -> String {
+    if word == "when" && reader.peek(1) == "it" || ["weather", "rain", "snow"].contains(&reader.peek(1)) {
+        return "Homebody knows no weather: say in which season, \"in winter\", or how often, \"on 60 % of days\""
+            .into();
+    }
+    if clause.predicate == Predicate::Walks && ["slowly", "unsteadily", "carefully", "quickly"].contains(&word) {
+        return "say how fast, \"she walks at 0.5 m/s\", or how it changes: \"from week 10 she walks 10 % slower\""
+            .into();
+    }
+    if clause.predicate == Predicate::Is && word == "up" {
+        return "say what she does then: \"she goes to the bathroom 3 times a night\", \"she lies awake at night\", \"she wanders \
+            at night\""
+            .into();
+    }
     if ["when", "if", "whenever", "because", "unless"].contains(&word) {
         return "what depends on something begins with it: \"whenever she has been in bed for 10 hours, she gets up\""
             .into();
