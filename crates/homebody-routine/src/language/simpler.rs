@@ -3,7 +3,7 @@
 
 use super::draft::Draft;
 use super::faults::Faults;
-use super::reader::{Names, Reader};
+use super::reader::{Names, Reader, is_determiner};
 use super::rewording::reworded;
 use super::sentence;
 use super::words::{self, Span, Token, Word};
@@ -75,6 +75,9 @@ fn without(names: &Names, draft: &Draft, words: &[Word], at: Span) -> Option<Str
         (0..=last).flat_map(|from| (first.max(from) + 1..=words.len()).map(move |to| (from, to))).collect();
     // Something has to be left of who does what.
     windows.retain(|(from, to)| words.len() - (to - from) >= 2 && to - from <= words.len() * 2 / 3 + 1);
+    // No "a" or "her" without its noun.
+    let is_determiner = |index: usize| words.get(index).is_some_and(|word| is_determiner(&word.text));
+    windows.retain(|(from, _)| from.checked_sub(1).is_none_or(|before| !is_determiner(before)));
     windows.sort_by_key(|(from, to)| (to - from, std::cmp::Reverse(*from)));
     windows.into_iter().take(MOST_TRIES).find_map(|(from, to)| {
         let text = text_of(from..to);
