@@ -94,9 +94,10 @@ fn somebody(reader: &Reader, ahead: usize, from: usize) -> Option<usize> {
             || ["friends", "relatives", "family", "neighbours", "neighbors", "her", "him", "them"].contains(&word);
         return is_somebody.then_some(1);
     }
-    if word.is_empty() {
-        // "Calls her", where her is nobody's.
-        return None;
+    if word.is_empty() || is_beginning(word) || reader.token(ahead) != Some(Token::Word) || calendar::is_weekday(word) {
+        // "Calls her every morning", where her is nobody's.
+        let of_it = reader.peek(ahead - 1);
+        return (["her", "him", "them"].contains(&of_it)).then_some(0);
     }
     let which =
         usize::from(WHICH.split('|').any(|which| which == word) && reader.token(ahead + 1) == Some(Token::Word));
@@ -140,7 +141,9 @@ fn adjectives(reader: &Reader, from: usize, piece: &Piece) -> usize {
     let is_wanted = |ahead: usize| length(reader, piece, from + ahead, from + ahead).is_some();
     (0..=MOST)
         .take_while(|ahead| (0..*ahead).all(|ahead| is_plain(reader, from + ahead)))
-        .find(|ahead| is_wanted(*ahead))
+        // Of "quiz shows", the shows.
+        .filter(|ahead| is_wanted(*ahead))
+        .last()
         .unwrap_or(0)
 }
 
@@ -193,7 +196,7 @@ fn spell_out() -> Vec<String> {
         let is_open = |wanted: &str| {
             wanted == "*for" || wanted.trim_start_matches('*').chars().all(|c| c.is_ascii_uppercase() || c == '|')
         };
-        if said().any(is_open) {
+        if way.written.contains("...") || said().any(is_open) {
             continue;
         }
         let mut phrases = vec![String::new()];

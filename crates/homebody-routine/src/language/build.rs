@@ -24,6 +24,10 @@ pub fn build(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
             let activity = activity.clone();
             helps(reader, draft, clause, activity, help);
         }
+        Predicate::VisitedBy(ref who) => {
+            let subject = Subject::Visitor(who.clone());
+            habit(reader, draft, Clause { subject, predicate: Predicate::Visits, ..clause });
+        }
         Predicate::HelpedBy(ref who, ref activity) => {
             let (subject, activity) = (Subject::Visitor(who.clone()), activity.clone());
             helps(reader, draft, Clause { subject, ..clause }, activity, Help::Together);

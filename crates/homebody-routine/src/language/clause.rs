@@ -7,7 +7,8 @@ use super::faults::did_you_mean;
 use super::helping;
 use super::measures::{Measure, measure};
 use super::predicates::{self, Predicate, Subject};
-use super::reader::{Reader, Sort};
+use super::calendar::is_weekday;
+use super::reader::{Reader, Sort, begins_adverb, is_determiner};
 use super::words::{Span, Token};
 use crate::routine::{Activity, PartOfDay};
 
@@ -26,6 +27,8 @@ pub struct Clause {
     pub adverbs: Adverbs,
     /// Whether it is what somebody likes to do, or mostly does.
     pub tends: bool,
+    /// Whether it goes on with the verb of the clause before it.
+    pub again: bool,
 }
 
 /// What joins a clause with another.
@@ -54,7 +57,8 @@ pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<(Join, Sp
             not_understood(reader, clause);
             return None;
         }
-        if says_purpose(reader, clause) || says_alone(reader, clause) {
+        if says_purpose(reader, clause) || says_alone(reader, clause) || says_outside(reader, clause) || says_company(reader, clause)
+        {
             continue;
         }
         if let Some(measure) = measure(reader) {
@@ -103,6 +107,65 @@ fn says_purpose(reader: &mut Reader, clause: &mut Clause) -> bool {
     }
     clause.predicate = found;
     true
+}
+
+/// "plays bingo at the community centre": what is done out of the home is being out.
+fn says_outside(reader: &mut Reader, clause: &mut Clause) -> bool {
+    if !matches!(clause.predicate, Predicate::Does(_) | Predicate::Own(_)) || clause.place.is_some() {
+        return false;
+    }
+    let found = reader.attempt(|reader| {
+        if !reader.eat("at|in") {
+            return None;
+        }
+        reader.skip_determiners();
+        if reader.ahead(|reader| reader.name(&PLACES).is_some()) {
+            return None;
+        }
+        let lexicon = reader.names.lexicon.clone();
+        let length = (0..3).find_map(|before| {
+            let length = lexicon.list("OUTSIDE", |ahead| reader.peek(before + ahead))?;
+            Some(before + length)
+        });
+        reader.at += length?;
+        (reader.is_over() || reader.token(0) != Some(Token::Word) || begins_adverb(reader) || is_weekday(reader.peek(0))).then_some(())
+    });
+    if found.is_some() {
+        clause.predicate = Predicate::Does(Activity::Leave);
+    }
+    found.is_some()
+}
+
+/// "with her daughter", of who is out: who else is there no sensor of the home sees. "With help from a carer": who comes.
+fn says_company(reader: &mut Reader, clause: &mut Clause) -> bool {
+    let Predicate::Does(activity) = clause.predicate.clone() else { return false };
+    let from = reader.at;
+    if !reader.eat("with") {
+        return false;
+    }
+    let helped = reader.eat("the help|assistance of|from") || reader.eat("help|assistance from");
+    let starts = reader.at;
+    let with_determiner = is_determiner(reader.peek(0));
+    reader.skip_determiners();
+    let start = reader.at;
+    while reader.token(0) == Some(Token::Word) && !begins_adverb(reader) && !is_weekday(reader.peek(0)) && reader.at < start + 3 {
+        reader.at += 1;
+    }
+    let lexicon = reader.names.lexicon.clone();
+    let is_people = (start..reader.at).any(|at| {
+        let word = |ahead: usize| reader.words.get(at + ahead).map_or("", |word| word.text.as_str());
+        ["PEOPLE", "RELATIVES"].iter().any(|list| lexicon.list(list, word).is_some())
+    });
+    let is_who = reader.at > start && (is_people || helped && with_determiner);
+    if helped && is_who {
+        clause.predicate = Predicate::HelpedBy(reader.passed(start), activity);
+        return true;
+    }
+    if is_who && starts > from && activity == Activity::Leave {
+        return true;
+    }
+    reader.at = from;
+    false
 }
 
 /// "On her own" is how everything is done where nobody is named, so it changes nothing but what is denied.
@@ -181,7 +244,7 @@ fn not_understood(reader: &mut Reader, clause: &Clause) {
 
 /// What could stand where a word is not understood.
 fn expected(reader: &mut Reader, clause: &Clause, word: &str) -> String {
-    if word == "when" && reader.peek(1) == "it" || ["weather", "rain", "snow"].contains(&reader.peek(1)) {
+    if word == "when" && (reader.peek(1) == "it" || reader.peek(2) == "weather") || ["weather", "rain", "snow"].contains(&reader.peek(1)) {
         return "Homebody knows no weather: say in which season, \"in winter\", or how often, \"on 60 % of days\""
             .into();
     }

@@ -22,6 +22,7 @@ pub fn visiting(reader: &mut Reader) -> Option<Predicate> {
         let comes_to_help = reader.passed(from).contains("help");
         let more = reader.attempt(|reader| match comes_to_help {
             true => helped(reader),
+            false if reader.eat("for") => meal_shared(reader),
             false => reader.eat("to|and").then_some(()).and_then(|()| doing(reader)),
         });
         return Some(more.unwrap_or(Predicate::Visits));
@@ -29,8 +30,23 @@ pub fn visiting(reader: &mut Reader) -> Option<Predicate> {
     reader.attempt(doing)
 }
 
+/// "for coffee", "for Sunday lunch".
+fn meal_shared(reader: &mut Reader) -> Option<Predicate> {
+    reader.skip_determiners();
+    if reader.eat("chat|talk|gossip|visit|tea|coffee|drink") || reader.eat("cup of tea|coffee") {
+        return Some(Predicate::Visits);
+    }
+    let meal = activities::MEALS.into_iter().find(|(name, _)| reader.eat(name))?.1;
+    Some(Predicate::Helps(Activity::Eat(meal), Help::Together))
+}
+
 /// "help her wash", "cook dinner", "take her to church": whatever the form of the verb.
 pub fn doing(reader: &mut Reader) -> Option<Predicate> {
+    if reader.attempt(|reader| (reader.eat("checks|check on") && person(reader)).then_some(())).is_some()
+        || reader.attempt(|reader| (reader.eat("see|keep|sits|sit with") && person(reader)).then_some(())).is_some()
+    {
+        return Some(Predicate::Visits);
+    }
     for read in [helping, giving, taking, bringing, handling, other] {
         if let Some(found) = reader.attempt(read) {
             return Some(found);

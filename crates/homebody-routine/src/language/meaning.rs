@@ -91,6 +91,10 @@ impl Adverbs {
                 format!("{:?} and {:?} both say until when", reader.said(until.span), reader.said(for_days.span));
             reader.fault(for_days.span, what, "leave one of them out".to_owned());
         }
+        if let (Some(for_days), None, true) = (&self.for_days, from, self.months.is_some() || self.of_month.is_some()) {
+            let hint = "say from which day, such as \"from 2026-07-01, for 14 days\"".to_owned();
+            reader.fault(for_days.span, "it is not said from which day on", hint);
+        }
         let until = self.until.as_ref().map(|slot| slot.value);
         let until = until.or(days.map(|days| calendar::later(from.unwrap_or(Moment::Day(0)), days)));
         if let (Some(fading), None) = (&self.fading, until) {

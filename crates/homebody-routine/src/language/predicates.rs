@@ -10,6 +10,7 @@ use super::measures::{Measure, Of, measure, rises_by};
 use super::reader::{Reader, Sort, begins_adverb, is_determiner};
 use super::remarks::remark;
 use super::words::{Span, Token};
+use crate::fuzzy::Fuzzy;
 use crate::routine::{Activity, Kind, PartOfDay, When};
 use homebody_core::scenario::nearest::nearest;
 
@@ -57,6 +58,8 @@ pub enum Predicate {
     Helps(Activity, Help),
     /// Somebody who is named comes, and this is done.
     HelpedBy(String, Activity),
+    /// Somebody who is named comes.
+    VisitedBy(String),
     /// What is begun and not brought to its end.
     Unfinished(Activity),
     /// What somebody is, has or likes.
@@ -64,7 +67,13 @@ pub enum Predicate {
 }
 
 const HOURS: &str = "hours|times|days|day|routine";
-pub const VISITS: [&str; 11] = [
+pub const VISITS: [&str; 17] = [
+    "comes|come to stay with her|him|them",
+    "comes|come to stay",
+    "comes|come to the house|home|flat|apartment",
+    "pops|pop in|by|round|over",
+    "stops|stop by|in",
+    "looks|look in on her|him|them",
     "stays|stay with|at her|him|them",
     "stays|stay",
     "visits|visit her|him|them|it",
@@ -203,6 +212,59 @@ pub fn needs_to(reader: &mut Reader) -> bool {
         .is_some()
 }
 
+/// "spends the afternoon knitting", "spends most of the day in her armchair".
+fn spends(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
+    if !reader.eat("spends|spend") {
+        return None;
+    }
+    let start = reader.at;
+    let most_of_day = ["most of the day", "much of the day", "all day", "her|his|their days|day", "the day"];
+    let is_day = most_of_day.iter().any(|day| reader.eat(day));
+    let part = if is_day {
+        None
+    } else {
+        let _ = reader.eat("most|much of") || reader.eat("all");
+        reader.eat("the|her|his|each|every|most");
+        Some(reader.eat_any(&super::times::PARTS).filter(|part| *part != PartOfDay::Night)?)
+    };
+    let span = reader.span(start);
+    let activity = match activities::activity(reader) {
+        Some(activity) => activity,
+        None => reader.ahead(|reader| reader.eat("in|on|at|by") && reader.name(&[Sort::Place]).is_some()).then_some(Activity::Relax)?,
+    };
+    match part {
+        Some(part) => {
+            let (from, to) = part.hours();
+            let around = |at: f64| Fuzzy::around(at, super::times::ABOUT_TIME_S);
+            adverbs.when = Some(Slot { value: When::At(around(from)), span, own: true });
+            adverbs.until_time = Some(Slot { value: around(to), span, own: true });
+        }
+        None => {
+            adverbs.times = Some(Slot { value: DAY_TIMES, span, own: true });
+            adverbs.lasts = Some(Slot { value: DAY_LASTS_S, span, own: true });
+            adverbs.part = Some(Slot { value: PartOfDay::Day, span, own: true });
+        }
+    }
+    Some(Predicate::Does(activity))
+}
+
+/// Most of a day is so many times so long (ours): meals and the toilet go on beside it.
+const DAY_TIMES: (u32, u32) = (4, 4);
+const DAY_LASTS_S: Fuzzy = Fuzzy { low: 5_400.0, from: 7_200.0, to: 7_200.0, high: 9_000.0 };
+
+/// "is visited by a nurse": who comes.
+fn visited(reader: &mut Reader) -> Option<Predicate> {
+    if !(reader.eat("is|are visited|seen") && reader.eat("by")) {
+        return None;
+    }
+    reader.skip_determiners();
+    let start = reader.at;
+    while reader.token(0) == Some(Token::Word) && !begins_adverb(reader) && reader.at < start + 4 {
+        reader.at += 1;
+    }
+    (reader.at > start).then(|| Predicate::VisitedBy(reader.passed(start)))
+}
+
 /// What is said of the person, if it is understood; `adverbs` takes what stands within.
 pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
     if let Some(found) = reader
@@ -210,6 +272,9 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
         .or_else(|| reader.attempt(unfinished))
         .or_else(|| reader.attempt(|reader| is_helped(reader)))
     {
+        return Some(found);
+    }
+    if let Some(found) = reader.attempt(|reader| spends(reader, adverbs)).or_else(|| reader.attempt(visited)) {
         return Some(found);
     }
     if reader.ahead(|reader| reader.eat("is|are"))
@@ -242,7 +307,19 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
         let begins = reader.eat("starts|start|begins|begin") && (reader.eat("to") || !reader.is_over());
         (begins && reader.ahead(activities::activity).is_some()).then_some(())
     });
+    let wakes = ["wakes", "wake", "waking"].contains(&reader.peek(0));
     if let Some(activity) = activities::activity(reader) {
+        // Who wakes by night lies awake.
+        if wakes
+            && let Some(rest) = reader.attempt(|reader| {
+                let mut rest = adverbs.clone();
+                rest.all(reader);
+                rest.part.as_ref().is_some_and(|part| part.value == PartOfDay::Night).then_some(rest)
+            })
+        {
+            *adverbs = rest;
+            return Some(Predicate::Does(Activity::LieAwake));
+        }
         if activity == Activity::GetUp
             && let Some(purpose) = at_night_for(reader, adverbs)
         {
@@ -602,7 +679,9 @@ pub fn unknown_doing(reader: &mut Reader, words: &str, span: Span, example: Opti
         (None, Some(known)) => Some(format!("known are {known}")),
         (None, None) => None,
     };
-    let own = example.filter(|_| looks_like_doing(words)).or_else(|| own_example(reader, words)).map(|example| {
+    // What is done with something else is rather that than new.
+    let is_new = |_: &String| looks_like_doing(words);
+    let own = example.filter(is_new).or_else(|| own_example(reader, words).filter(|_| known.is_none())).map(|example| {
         format!("a new activity needs a place and a duration: {example:?}; out of the home, write \"she goes out for 2 hours\"")
     });
     let hint = match (known, own) {

@@ -18,17 +18,21 @@ enum Rest {
 }
 
 /// Verbs of states, and what may stand behind them.
-const STATES: [(&str, Rest); 23] = [
+const STATES: &[(&str, Rest)] = &[
     ("used to", Rest::Any),
-    ("worked|lived|moved|retired|died|married|emigrated|raised", Rest::Any),
+    ("worked|lived|moved|retired|died|married|emigrated|raised|fell|broke|served", Rest::Any),
+    ("never married", Rest::Any),
     ("grew up", Rest::Any),
-    ("had been", Rest::Any),
+    ("had", Rest::Any),
     ("wants|want|wishes|hopes", Rest::Any),
     ("would like", Rest::Any),
     ("fears|worries|worry|dreads", Rest::Any),
+    ("is|are afraid|scared|frightened|fearful|worried|anxious|fond|proud", Rest::Any),
     ("needs|need|requires|require help|assistance|support|supervision|prompting|reminding|encouragement", Rest::Any),
     ("needs|need to be reminded|prompted|encouraged|helped|supervised", Rest::Any),
     ("needs|need a lot of help", Rest::Any),
+    ("has|have difficulty|trouble|problems", Rest::Any),
+    ("has|have no|some|great|much difficulty|trouble|problems", Rest::Any),
     ("struggles|struggle", Rest::Any),
     ("finds|find it hard|difficult", Rest::Any),
     ("relies|rely|depends|depend on", Rest::Plain),
@@ -36,12 +40,12 @@ const STATES: [(&str, Rest); 23] = [
     ("likes|like|loves|love|enjoys|enjoy|prefers|prefer|dislikes|dislike|hates|hate", Rest::Plain),
     ("feels|feel|seems|seem|appears|appear", Rest::Plain),
     ("believes|believe|thinks|think|knows|know|understands|understand|remembers|remember|trusts|trust", Rest::Plain),
-    ("speaks|speak", Rest::Any),
-    ("owns|own|weighs|weigh|lacks|lack|values|value|hears|hear|sees|see", Rest::Plain),
+    ("owns|own|weighs|weigh|lacks|lack|values|value|hears|hear|sees|see|wears|wear|misses|miss", Rest::Plain),
     ("lives|live", Rest::Plain),
     ("works|work as", Rest::Plain),
     ("suffers|suffer from", Rest::Plain),
     ("identifies|identify as", Rest::Plain),
+    ("has|have lost|gained|become|undergone|suffered|had|never", Rest::Plain),
 ];
 
 /// Verbs that say a state where they are not so, too.
@@ -93,7 +97,10 @@ fn state(reader: &mut Reader) -> Option<Rest> {
     if reader.eat("can|could") || reader.eat("is|are able to") || reader.eat("was|were") && is(reader) {
         return Some(Rest::Plain);
     }
-    if reader.eat("has|have") {
+    if reader.eat("speaks|speak") {
+        return (!["to", "with", "on", "by", "about"].contains(&reader.peek(0))).then_some(Rest::Any);
+    }
+    if reader.eat("has|have|uses|use") || reader.eat("walks|walk with|using") {
         return has(reader).then_some(Rest::Plain);
     }
     if reader.eat("is|are") {

@@ -202,6 +202,7 @@ fn done(reader: &mut Reader, predicate: Predicate, from: usize, adverbs: &mut Ad
         measure: None,
         adverbs: adverbs.clone(),
         tends: false,
+        again: false,
     };
     let then = tail(reader, &mut clause)?;
     if let Some(span) = then.map(|(_, span)| span).or(clause.measure.map(|measure| measure.span)) {

@@ -123,7 +123,12 @@ fn clauses(reader: &mut Reader, draft: &mut Draft, front: Start, heading: Option
                 }
             }
             _ => {
-                joined::share(&mut group, joined.take());
+                joined::without_waking(&mut group);
+                if let Some(unclear) = joined::share(&mut group, joined.take()) {
+                    let what = format!("it is not clear whether {:?} is about both", reader.said(unclear));
+                    let hint = "make two sentences, or begin the sentence with it if it is about both".to_owned();
+                    return reader.fault(unclear, what, hint);
+                }
                 for clause in group.drain(..) {
                     let merged = match (&follows, heading) {
                         (Some(first), _) if count > 0 => clause.adverbs.clone().under(&days_of(first)),
@@ -182,7 +187,7 @@ fn clause(
         other => other,
     };
     // The person is who goes out, or is on the phone, whoever makes them.
-    let does_person = matches!(found, Predicate::Does(_) | Predicate::HelpedBy(..));
+    let does_person = matches!(found, Predicate::Does(_) | Predicate::HelpedBy(..) | Predicate::VisitedBy(_));
     let subject = if does_person && !is_person { Subject::Person } else { said.subject.clone() };
     Some(Clause {
         span: reader.span(start),
@@ -193,6 +198,7 @@ fn clause(
         measure: None,
         adverbs,
         tends,
+        again: false,
     })
 }
 
@@ -231,7 +237,7 @@ fn again(reader: &mut Reader, last: &Clause, adverbs: &mut Adverbs) -> Option<Cl
         if says_when {
             all.part = None;
         }
-        return Some(Clause { adverbs: all, ..last.clone() });
+        return Some(Clause { adverbs: all, again: true, ..last.clone() });
     }
     // Another verb begins something else.
     if reader.ahead(|reader| activities::activity(reader).is_some()) {
@@ -250,7 +256,9 @@ fn again(reader: &mut Reader, last: &Clause, adverbs: &mut Adverbs) -> Option<Cl
             part: None,
         };
         let activity = activities::activity(&mut joined)?;
-        (joined.at > length).then(|| (activity, joined.at - length))
+        let taken = joined.at.checked_sub(length).filter(|taken| *taken > 0)?;
+        // "Eats lunch and skips dinner" has another verb.
+        (taken == 1 || !is_third_person(reader.peek(0))).then_some((activity, taken))
     })?;
     reader.at = from + taken;
     let predicate = match &last.predicate {
@@ -260,7 +268,8 @@ fn again(reader: &mut Reader, last: &Clause, adverbs: &mut Adverbs) -> Option<Cl
         _ => return None,
     };
     let adverbs = Adverbs::default();
-    Some(Clause { predicate, adverbs, place: None, measure: None, predicate_span: reader.span(from), ..last.clone() })
+    let predicate_span = last.predicate_span.to(reader.span(from));
+    Some(Clause { predicate, predicate_span, adverbs, again: true, place: None, measure: None, ..last.clone() })
 }
 
 /// What "then" takes over from the first clause: the days.
@@ -287,12 +296,12 @@ fn predicate(
     cooked: Option<&crate::routine::Meal>,
 ) -> Option<(Predicate, Span)> {
     let from = reader.at;
-    let is_meal = |name: &str| MEALS.iter().any(|(meal, _)| meal.split('|').any(|meal| meal == name));
+    let lexicon = reader.names.lexicon.clone();
+    let is_done = |name: &str| lexicon.nouns.iter().find(|(noun, _)| noun.written.split('|').any(|noun| noun == name));
     let found = match subject {
-        Subject::Visitor(name) if is_meal(name) => {
-            let hint = format!(
-                "write \"she goes out for {name} on Sunday for 2 hours\", or who it is: \"her daughter visits\""
-            );
+        Subject::Visitor(name) if is_done(name).is_some() => {
+            let doing = is_done(name).map_or_else(String::new, |(_, activity)| activities::phrase(activity));
+            let hint = format!("write \"she {doing}\", or who comes: \"her daughter visits\"");
             reader.fault(who, format!("{:?} is nobody who visits", reader.said(who)), hint);
             return None;
         }

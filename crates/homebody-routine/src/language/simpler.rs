@@ -3,7 +3,7 @@
 
 use super::draft::Draft;
 use super::faults::Faults;
-use super::reader::{Names, Reader, is_determiner};
+use super::reader::{Names, Reader, is_beginning, is_determiner};
 use super::rewording::reworded;
 use super::sentence;
 use super::words::{self, Span, Token, Word};
@@ -56,9 +56,22 @@ fn understood(names: &Names, draft: &Draft, text: &str) -> Option<Routine> {
     (heading.is_none() && faults.count() == 0 && (says || routine.person.is_some())).then_some(routine)
 }
 
+/// Whether the verb after "she" stands in the form that goes with it.
+fn is_sentence(text: &str) -> bool {
+    const BEFORE: [&str; 10] =
+        ["often", "usually", "always", "never", "sometimes", "rarely", "seldom", "also", "mostly", "occasionally"];
+    let mut after = text.split(' ').skip_while(|word| !["she", "he"].contains(&word.to_lowercase().as_str())).skip(1);
+    after.find(|word| !BEFORE.contains(word)).is_none_or(|verb| verb.ends_with('s') && !verb.ends_with("ss"))
+}
+
 /// The sentence without the fewest words around a place that lets it be understood.
 fn without(names: &Names, draft: &Draft, words: &[Word], at: Span) -> Option<String> {
     let first = words.iter().position(|word| word.span.end > at.start).filter(|_| words.len() <= LONGEST)?;
+    // Without "alone", "she does not go out alone" says something else.
+    let denies = ["not", "never", "no", "cannot", "without", "hardly", "nor"];
+    if words.iter().any(|word| denies.contains(&word.text.as_str()) || word.text.ends_with("n't")) {
+        return None;
+    }
     let last = words.iter().rposition(|word| word.span.start < at.end).unwrap_or(first);
     let text_of = |left_out: std::ops::Range<usize>| -> String {
         let kept = words.iter().enumerate().filter(|(index, _)| !left_out.contains(index)).map(|(_, word)| word);
@@ -78,9 +91,16 @@ fn without(names: &Names, draft: &Draft, words: &[Word], at: Span) -> Option<Str
     // No "a" or "her" without its noun.
     let is_determiner = |index: usize| words.get(index).is_some_and(|word| is_determiner(&word.text));
     windows.retain(|(from, _)| from.checked_sub(1).is_none_or(|before| !is_determiner(before)));
-    windows.sort_by_key(|(from, to)| (to - from, std::cmp::Reverse(*from)));
+    // Nor "at" or "every", and best up to where something else begins.
+    let is_loose = |index: usize| words.get(index).is_some_and(|word| is_beginning(&word.text));
+    windows.retain(|(from, _)| from.checked_sub(1).is_none_or(|before| !is_loose(before)));
+    let is_natural = |to: usize| words.get(to).is_none_or(|word| word.token != Token::Word || is_beginning(&word.text));
+    windows.sort_by_key(|(from, to)| (!is_natural(*to), to - from, std::cmp::Reverse(*from)));
     windows.into_iter().take(MOST_TRIES).find_map(|(from, to)| {
         let text = text_of(from..to);
+        if !is_sentence(&text) {
+            return None;
+        }
         understood(names, draft, &text).map(|_| text)
     })
 }
