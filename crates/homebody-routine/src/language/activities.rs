@@ -120,18 +120,24 @@ fn is_here(reader: &Reader, word: &str) -> bool {
 }
 
 /// Words that turn what stands after them into something else, or join something to it.
-const TURNING: [&str; 22] = [
-    "no", "not", "never", "without", "nothing", "less", "fewer", "more", "because", "when", "so", "as", "that",
-    "which", "who", "if", "unless", "cannot", "she", "he", "they", "too",
-];
+const TURNING: &str = "no not never without nothing less fewer more because when so as that which who if unless cannot she he they \
+    too lot lots plenty much many little few two three four five six seven eight nine ten only";
+
+/// Times of the day, which are kept for those that read them but in the names of some things.
+const PARTS: &str = "morning afternoon evening night bedtime nighttime mornings afternoons evenings nights";
+const NAMED_BY_PARTS: &str =
+    "news programme programmes show shows paper film service prayer prayers meal mass class dress wear";
 
 /// Whether a word may stand among those of an activity.
 fn is_plain(reader: &Reader, ahead: usize) -> bool {
     let word = reader.peek(ahead);
+    let is_one = |list: &str, word: &str| list.split_whitespace().any(|one| one == word);
+    let is_time = is_one(PARTS, word) && !is_one(NAMED_BY_PARTS, reader.peek(ahead + 1));
     reader.token(ahead) == Some(Token::Word)
+        && !is_time
         && !is_determiner(word)
         && !is_beginning(word)
-        && !TURNING.contains(&word)
+        && !is_one(TURNING, word)
         && !(word.len() > 4 && word.ends_with("ly") && word != "family")
 }
 

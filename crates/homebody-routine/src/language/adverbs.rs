@@ -225,7 +225,10 @@ fn when_doing(reader: &mut Reader) -> Option<When> {
     reader.at += 1;
     let is_over = reader.eat("has|have");
     let event = activities::activity(reader)?;
-    if !reader.is_over() && reader.token(0) == Some(Token::Word) && !["then", "and"].contains(&reader.peek(0)) {
+    if !reader.is_over()
+        && reader.token(0) == Some(Token::Word)
+        && !["then", "and", "she", "he", "they"].contains(&reader.peek(0))
+    {
         return None;
     }
     Some(match event {

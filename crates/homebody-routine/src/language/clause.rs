@@ -3,11 +3,11 @@
 use super::activities;
 use super::adverbs::{Adverbs, Slot};
 use super::amounts::{Unit, amount};
+use super::calendar::is_weekday;
 use super::faults::did_you_mean;
 use super::helping;
 use super::measures::{Measure, measure};
 use super::predicates::{self, Predicate, Subject};
-use super::calendar::is_weekday;
 use super::reader::{Reader, Sort, begins_adverb, is_determiner};
 use super::words::{Span, Token};
 use crate::routine::{Activity, PartOfDay};
@@ -42,11 +42,23 @@ pub enum Join {
 /// Reads the rest of a clause. Nothing if it is not understood; else how another clause follows, and where that is said.
 pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<(Join, Span)>> {
     loop {
+        if let Some(join) = in_list(reader, clause) {
+            let span = reader.here();
+            reader.skip_commas();
+            return Some(Some((join, span)));
+        }
         reader.skip_commas();
         if reader.is_over() {
             return Some(None);
         }
         let at = reader.at;
+        if matches!(clause.predicate, Predicate::Remark | Predicate::Age(_) | Predicate::Kind(_)) && reader.eat("who") {
+            return Some(Some((Join::And, reader.span(at))));
+        }
+        // What is said to be done is done as it is said, and not besides.
+        if matches!(clause.predicate, Predicate::Does(_)) && reader.eat("only") {
+            continue;
+        }
         if reader.eat("and then") || reader.eat("then") {
             return Some(Some((Join::Then, reader.span(at))));
         }
@@ -57,7 +69,10 @@ pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<(Join, Sp
             not_understood(reader, clause);
             return None;
         }
-        if says_purpose(reader, clause) || says_alone(reader, clause) || says_outside(reader, clause) || says_company(reader, clause)
+        if says_purpose(reader, clause)
+            || says_alone(reader, clause)
+            || says_outside(reader, clause)
+            || says_company(reader, clause)
         {
             continue;
         }
@@ -75,6 +90,33 @@ pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<(Join, Sp
         not_understood(reader, clause);
         return None;
     }
+}
+
+/// Whether a comma stands for the "and" or "or" that comes later: "washes, dresses and has breakfast".
+fn in_list(reader: &mut Reader, clause: &Clause) -> Option<Join> {
+    if reader.token(0) != Some(Token::Comma) {
+        return None;
+    }
+    let rest = reader.words.get(reader.at..).unwrap_or_default();
+    let joins = |word: &str| rest.iter().any(|one| one.text == word);
+    let join = if joins("or") { Join::Or } else { Join::And };
+    if !(joins("or") || joins("and")) || rest.iter().any(|one| one.text == "then") {
+        return None;
+    }
+    let goes_on = reader.ahead(|reader| {
+        reader.skip_commas();
+        let from = reader.at;
+        let verb = activities::activity(reader).is_some();
+        reader.at = from;
+        let again = clause.adverbs.when.is_some() && {
+            let mut more = Adverbs::default();
+            more.next(reader) && more.when.is_some()
+        };
+        reader.at = from;
+        let object = activities::noun(reader).is_some() && matches!(clause.predicate, Predicate::Does(_));
+        verb || again || object
+    });
+    goes_on.then_some(join)
 }
 
 /// "gets up to use the toilet", "goes to the kitchen to make tea": what for is what is done.
@@ -128,7 +170,11 @@ fn says_outside(reader: &mut Reader, clause: &mut Clause) -> bool {
             Some(before + length)
         });
         reader.at += length?;
-        (reader.is_over() || reader.token(0) != Some(Token::Word) || begins_adverb(reader) || is_weekday(reader.peek(0))).then_some(())
+        (reader.is_over()
+            || reader.token(0) != Some(Token::Word)
+            || begins_adverb(reader)
+            || is_weekday(reader.peek(0)))
+        .then_some(())
     });
     if found.is_some() {
         clause.predicate = Predicate::Does(Activity::Leave);
@@ -148,7 +194,11 @@ fn says_company(reader: &mut Reader, clause: &mut Clause) -> bool {
     let with_determiner = is_determiner(reader.peek(0));
     reader.skip_determiners();
     let start = reader.at;
-    while reader.token(0) == Some(Token::Word) && !begins_adverb(reader) && !is_weekday(reader.peek(0)) && reader.at < start + 3 {
+    while reader.token(0) == Some(Token::Word)
+        && !begins_adverb(reader)
+        && !is_weekday(reader.peek(0))
+        && reader.at < start + 3
+    {
         reader.at += 1;
     }
     let lexicon = reader.names.lexicon.clone();
@@ -214,8 +264,9 @@ fn not_understood(reader: &mut Reader, clause: &Clause) {
         let (span, doing) = (reader.span(at), reader.said(reader.span(at + 1)));
         if let Predicate::Own(words) = &clause.predicate {
             let what = format!("{:?} says more than what is done", format!("{words} {}", reader.said(span)));
+            let is_not = words.split(' ').any(|word| word == "not");
             let hint = format!("write \"she {}\"", activities::in_third_person(&doing));
-            return reader.fault(clause.predicate_span.to(span), what, hint);
+            return reader.fault(clause.predicate_span.to(span), what, (!is_not).then_some(hint));
         }
         let hint = format!("say what she does, not what for: \"then she {}\"", activities::in_third_person(&doing));
         return reader.fault(span, format!("{:?} is a purpose", reader.said(span)), hint);
@@ -244,7 +295,9 @@ fn not_understood(reader: &mut Reader, clause: &Clause) {
 
 /// What could stand where a word is not understood.
 fn expected(reader: &mut Reader, clause: &Clause, word: &str) -> String {
-    if word == "when" && (reader.peek(1) == "it" || reader.peek(2) == "weather") || ["weather", "rain", "snow"].contains(&reader.peek(1)) {
+    if word == "when" && (reader.peek(1) == "it" || reader.peek(2) == "weather")
+        || ["weather", "rain", "snow"].contains(&reader.peek(1))
+    {
         return "Homebody knows no weather: say in which season, \"in winter\", or how often, \"on 60 % of days\""
             .into();
     }

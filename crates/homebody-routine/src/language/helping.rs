@@ -151,6 +151,12 @@ fn bringing(reader: &mut Reader) -> Option<Predicate> {
 
 /// "washes her", "puts her to bed", "gets her dressed".
 fn handling(reader: &mut Reader) -> Option<Predicate> {
+    let to_bed = |reader: &mut Reader| {
+        (reader.eat("puts|put|helps|help") && person(reader) && (reader.eat("to|into bed"))).then_some(())
+    };
+    if reader.attempt(to_bed).is_some() {
+        return Some(Predicate::Helps(Activity::GoToBed, Help::Together));
+    }
     if reader.eat("gets|get") && person(reader) {
         let up = reader.eat("up");
         let done = if up && !reader.ahead(|reader| reader.eat("and dressed")) {
@@ -197,9 +203,16 @@ fn other(reader: &mut Reader) -> Option<Predicate> {
         Activity::Leave if for_person || buys(reader.passed(from)) => Some(Predicate::Visits),
         Activity::Leave | Activity::ComeHome | Activity::GetUp | Activity::GoToBed => None,
         _ if TimeUse::of(label) == TimeUse::Household => Some(Predicate::Helps(found, Help::Instead)),
+        _ if is_chore(label) => Some(Predicate::Helps(found, Help::Instead)),
         _ if with_person || for_person || is_given(label) => Some(Predicate::Helps(found, Help::Together)),
         _ => None,
     }
+}
+
+/// Whether an activity is a chore that somebody else may do, which time-use surveys do not count as household.
+fn is_chore(label: &str) -> bool {
+    use homebody_core::activity::{CARING_FOR_PET, CARING_FOR_PLANTS, GARDENING};
+    [CARING_FOR_PET, CARING_FOR_PLANTS, GARDENING].contains(&label)
 }
 
 /// Whether an activity is one that is done to somebody.

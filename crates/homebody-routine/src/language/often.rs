@@ -119,7 +119,9 @@ fn every_so_many(reader: &mut Reader) -> Option<Often> {
         reader.fault(reader.span(from - 1), what, format!("say how many times, such as \"{a_day} times a day\""));
         return Some(Often::NOTHING);
     }
-    if !reader.eat("days|nights") {
+    let days = if reader.eat("weeks") { days * 7.0 } else { days };
+    let weeks = days >= 7.0 && reader.at > from && reader.passed(from).ends_with("weeks");
+    if !weeks && !reader.eat("days|nights") {
         return None;
     }
     let span = reader.span(from);

@@ -10,8 +10,8 @@ use super::measures::{Measure, Of, measure, rises_by};
 use super::reader::{Reader, Sort, begins_adverb, is_determiner};
 use super::remarks::remark;
 use super::words::{Span, Token};
-use crate::fuzzy::Fuzzy;
-use crate::routine::{Activity, Kind, PartOfDay, When};
+use crate::fuzzy::{Fuzzy, Quantifier};
+use crate::routine::{Activity, Chance, Kind, PartOfDay, When};
 use homebody_core::scenario::nearest::nearest;
 
 /// Who or what a sentence is about.
@@ -159,6 +159,10 @@ fn visitor(reader: &mut Reader) -> Option<Subject> {
         if reader.at > from && reader.ahead(visitor_verb) {
             return Some(Subject::Visitor(reader.passed(from)));
         }
+        // "Her niece lives nearby and visits" names no niece who lives nearby.
+        if reader.peek(0) == "and" && !is_determiner(reader.peek(1)) {
+            return None;
+        }
         reader.at += 1;
     }
     None
@@ -230,7 +234,9 @@ fn spends(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
     let span = reader.span(start);
     let activity = match activities::activity(reader) {
         Some(activity) => activity,
-        None => reader.ahead(|reader| reader.eat("in|on|at|by") && reader.name(&[Sort::Place]).is_some()).then_some(Activity::Relax)?,
+        None => reader
+            .ahead(|reader| reader.eat("in|on|at|by") && reader.name(&[Sort::Place]).is_some())
+            .then_some(Activity::Relax)?,
     };
     match part {
         Some(part) => {
@@ -251,6 +257,45 @@ fn spends(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
 /// Most of a day is so many times so long (ours): meals and the toilet go on beside it.
 const DAY_TIMES: (u32, u32) = (4, 4);
 const DAY_LASTS_S: Fuzzy = Fuzzy { low: 5_400.0, from: 7_200.0, to: 7_200.0, high: 9_000.0 };
+
+/// "tends not to eat breakfast": mostly it is left out.
+fn tends_not(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
+    let from = reader.at;
+    if !(reader.eat("tends|tend|prefers|prefer|likes|like not to")) {
+        return None;
+    }
+    let span = reader.span(from);
+    let activity = activities::activity(reader)?;
+    adverbs.chance.get_or_insert(Slot { value: Chance::of(Quantifier::Most), span, own: true });
+    Some(Predicate::Skips(activity))
+}
+
+/// "falls asleep": for the night where it is late, else a nap.
+fn falls_asleep(reader: &mut Reader, adverbs: &Adverbs) -> Option<Predicate> {
+    /// From then on, and until then, it is late (ours).
+    const LATE_S: f64 = 20.0 * 3600.0;
+    const EARLY_S: f64 = 5.0 * 3600.0;
+    if !reader.eat("falls|fall|falling|drifts|drift asleep|off") || reader.ahead(|reader| reader.eat("in front")) {
+        return None;
+    }
+    let mut rest = adverbs.clone();
+    let has_place = reader.ahead(|reader| {
+        rest.all(reader);
+        reader.eat("in|on|at") && reader.name(&[Sort::Place]).is_some()
+    });
+    let is_late = match rest.when.as_ref().map(|slot| &slot.value) {
+        Some(When::At(at)) => at.from >= LATE_S || at.from < EARLY_S,
+        _ => false,
+    };
+    match (has_place, is_late, rest.part.as_ref().map(|slot| slot.value)) {
+        (false, true, _) => Some(Predicate::Does(Activity::GoToBed)),
+        (true, false, _)
+        | (_, false, Some(PartOfDay::Morning | PartOfDay::Afternoon | PartOfDay::Evening | PartOfDay::Day)) => {
+            Some(Predicate::Does(Activity::Nap))
+        }
+        _ => None,
+    }
+}
 
 /// "is visited by a nurse": who comes.
 fn visited(reader: &mut Reader) -> Option<Predicate> {
@@ -274,11 +319,17 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
     {
         return Some(found);
     }
+    if let Some(found) = reader
+        .attempt(|reader| tends_not(reader, adverbs))
+        .or_else(|| reader.attempt(|reader| falls_asleep(reader, adverbs)))
+    {
+        return Some(found);
+    }
     if let Some(found) = reader.attempt(|reader| spends(reader, adverbs)).or_else(|| reader.attempt(visited)) {
         return Some(found);
     }
     if reader.ahead(|reader| reader.eat("is|are"))
-        && let Some(activity) = reader.attempt(|reader| is_doing(reader))
+        && let Some(activity) = reader.attempt(|reader| is_doing(reader, adverbs))
     {
         return Some(Predicate::Does(activity));
     }
@@ -378,12 +429,18 @@ fn is_helped(reader: &mut Reader) -> Option<Predicate> {
 }
 
 /// What "is" begins: being out, in hospital, awake.
-fn is_doing(reader: &mut Reader) -> Option<Activity> {
-    let by_then = |reader: &mut Reader| {
-        (reader.eat("is|are in bed") && ["by", "at"].contains(&reader.peek(0))).then_some(Activity::GoToBed)
-    };
-    if let Some(found) = reader.attempt(by_then) {
-        return Some(found);
+fn is_doing(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Activity> {
+    // "is usually up by 7:00", "is asleep by 23:00".
+    let mut rest = adverbs.clone();
+    let by_clock = reader.attempt(|reader| {
+        reader.eat("is|are").then_some(())?;
+        rest.all(reader);
+        let state = reader.eat_any(&[("up", true), ("out of bed", true), ("asleep", false), ("in bed", false)])?;
+        ["by", "at"].contains(&reader.peek(0)).then_some(state)
+    });
+    if let Some(is_up) = by_clock.filter(|_| !reader.ahead(|reader| reader.eat("at night"))) {
+        *adverbs = rest;
+        return Some(if is_up { Activity::GetUp } else { Activity::GoToBed });
     }
     activities::activity(reader)
 }

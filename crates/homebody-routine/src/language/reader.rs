@@ -8,15 +8,16 @@ use crate::routine::PartOfDay;
 use std::collections::BTreeMap;
 
 /// Words that say nothing where a thing is named.
-const DETERMINERS: [&str; 9] = ["a", "an", "the", "her", "his", "their", "its", "some", "my"];
+const DETERMINERS: [&str; 10] = ["a", "an", "the", "her", "his", "their", "its", "some", "my", "own"];
 
 pub fn is_determiner(word: &str) -> bool {
     DETERMINERS.contains(&word)
 }
 
 /// Words that begin a place, a time, how often or how much.
-const BEGINNINGS: [&str; 53] = [
+const BEGINNINGS: [&str; 54] = [
     "in",
+    "into",
     "on",
     "at",
     "by",

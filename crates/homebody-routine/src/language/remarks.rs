@@ -5,7 +5,8 @@
 
 use super::activities;
 use super::adverbs::Adverbs;
-use super::reader::{Reader, Sort, is_determiner};
+use super::predicates::visits;
+use super::reader::{Reader, Sort, is_beginning, is_determiner};
 use super::words::Token;
 
 /// What may stand in the rest of a remark.
@@ -136,9 +137,8 @@ fn has(reader: &mut Reader) -> bool {
     }) {
         return false;
     }
-    let is_over = |reader: &Reader, ahead: usize| {
-        reader.token(ahead) != Some(Token::Word) || ["and", "but"].contains(&reader.peek(ahead))
-    };
+    let is_over =
+        |reader: &Reader, ahead: usize| reader.token(ahead) != Some(Token::Word) || is_beginning(reader.peek(ahead));
     (0..NEAR)
         .take_while(|ahead| !is_over(reader, *ahead))
         .any(|ahead| lexicon.list("HAS", |at| reader.peek(ahead + at)).is_some())
@@ -168,6 +168,7 @@ fn begins_clause(reader: &mut Reader) -> bool {
             activities::activity(reader).is_some()
                 || state(reader).is_some()
                 || reader.eat("walks|walk|sleeps|sleep|does|do")
+                || visits(reader)
         })
         || comma
             && reader.ahead(|reader| {

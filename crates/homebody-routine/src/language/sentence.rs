@@ -164,7 +164,7 @@ fn clause(
     place: Option<(String, Span)>,
     start: usize,
 ) -> Option<Clause> {
-    reader.eat("also|still|again");
+    reader.eat("also|still|again|only");
     let _ = reader.attempt(|reader| (reader.eat("now") && reader.peek(0) != "and").then_some(()));
     adverbs.all(reader);
     let is_person = *said.subject == Subject::Person;
@@ -173,6 +173,26 @@ fn clause(
     let needs_to = is_person && predicates::needs_to(reader);
     let tends = is_person && !needs_to && predicates::tends(reader) || goes_on_liking;
     adverbs.all(reader);
+    let is_who = said.before.is_some_and(|before| matches!(before.predicate, Predicate::Age(_) | Predicate::Remark));
+    let from = reader.at;
+    if is_who && ["a", "an", "the"].contains(&reader.peek(0)) {
+        while reader.token(0) == Some(Token::Word) && !["and", "but", "who"].contains(&reader.peek(0)) {
+            reader.at += 1;
+        }
+        let (predicate, predicate_span) = (Predicate::Remark, reader.span(from));
+        let (span, subject) = (reader.span(start), said.subject.clone());
+        return Some(Clause {
+            span,
+            subject,
+            predicate,
+            predicate_span,
+            place,
+            measure: None,
+            adverbs,
+            tends,
+            again: false,
+        });
+    }
     let noun = if tends { noun_liked(reader) } else { None };
     let negated = said.before.is_some_and(|before| matches!(before.predicate, Predicate::Not(_)))
         && !is_third_person(reader.peek(0));
