@@ -51,6 +51,20 @@ fn killed(folder: &Folder, after: Duration) -> bool {
     folder.read("runs/flat-2/recording.json").contains("\"sha256\": \"\"")
 }
 
+/// Lives the same run anew in `runs/flat-2`, and stops it early.
+fn stopped(folder: &Folder) {
+    let _ = fs::remove_dir_all(folder.path("runs/flat-2"));
+    let mut running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));
+    running.say("step 20000\nstop\n");
+    running.finish().ok();
+}
+
+/// Goes on with `runs/flat-2` to its end, where it has the bytes of the whole run.
+fn goes_on_to(folder: &Folder, whole: &[(String, Vec<u8>)], what: &str) {
+    folder.run("run --resume runs/flat-2 --quiet").ok();
+    assert_eq!(differ(folder, "flat-2", whole), Vec::<String>::new(), "{what}");
+}
+
 #[test]
 fn whatever_kills_a_run_it_is_gone_on_with_to_the_same_bytes() {
     let kills = std::env::var("HOMEBODY_KILLS").ok().and_then(|kills| kills.parse().ok()).unwrap_or(KILLS);
@@ -64,12 +78,7 @@ fn whatever_kills_a_run_it_is_gone_on_with_to_the_same_bytes() {
                 fs::remove_dir_all(folder.path("runs/flat-2")).unwrap();
                 after /= 2;
             }
-            folder.run("run --resume runs/flat-2 --quiet").ok();
-            assert_eq!(
-                differ(&folder, "flat-2", &whole),
-                Vec::<String>::new(),
-                "{scheme}, kill {kill} after {after:?}"
-            );
+            goes_on_to(&folder, &whole, &format!("{scheme}, kill {kill} after {after:?}"));
             fs::remove_dir_all(folder.path("runs/flat-2")).unwrap();
         }
         println!("{scheme}: {kills} were gone on with");
@@ -81,12 +90,9 @@ fn a_run_that_was_stopped_is_gone_on_with() {
     for (scheme, log) in KINDS {
         let (folder, _) = undisturbed(scheme, log);
         let whole = left(&folder, "flat-1");
-        let mut running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));
-        running.say("step 20000\nstop\n");
-        running.finish().ok();
+        stopped(&folder);
         assert!(!differ(&folder, "flat-2", &whole).is_empty());
-        folder.run("run --resume runs/flat-2 --quiet").ok();
-        assert_eq!(differ(&folder, "flat-2", &whole), Vec::<String>::new(), "{scheme}");
+        goes_on_to(&folder, &whole, scheme);
         folder.run("run --resume runs/flat-2").fails(2, "is complete: there is nothing to go on with");
     }
 }
@@ -153,8 +159,7 @@ fn one_program_at_a_time_lives_a_run() {
     folder.run("run --resume runs/flat-2").fails(1, "another program is writing into");
     running.say("step 20000\nstop\n");
     running.finish().ok();
-    folder.run("run --resume runs/flat-2 --quiet").ok();
-    assert_eq!(differ(&folder, "flat-2", &whole), Vec::<String>::new());
+    goes_on_to(&folder, &whole, "of two programs");
 }
 
 #[test]
@@ -162,16 +167,13 @@ fn who_stops_it_again_and_earlier_loses_nothing() {
     for (scheme, log) in KINDS {
         let (folder, _) = undisturbed(scheme, log);
         let whole = left(&folder, "flat-1");
-        let mut running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));
-        running.say("step 20000\nstop\n");
-        running.finish().ok();
+        stopped(&folder);
         let before = left(&folder, "flat-2");
         let mut again = folder.start("run --resume runs/flat-2 --quiet --control --paused");
         again.say("step 2000\nstop\n");
         again.finish().fails(1, "has come further than this time");
         assert_eq!(differ(&folder, "flat-2", &before), Vec::<String>::new(), "{scheme}");
-        folder.run("run --resume runs/flat-2 --quiet").ok();
-        assert_eq!(differ(&folder, "flat-2", &whole), Vec::<String>::new(), "{scheme}");
+        goes_on_to(&folder, &whole, scheme);
     }
 }
 
@@ -179,12 +181,6 @@ fn who_stops_it_again_and_earlier_loses_nothing() {
 #[test]
 fn what_was_changed_is_not_gone_on_with() {
     let (folder, _) = undisturbed("sqlite", "log.db");
-    let stopped = |folder: &Folder| {
-        let _ = fs::remove_dir_all(folder.path("runs/flat-2"));
-        let mut running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));
-        running.say("step 20000\nstop\n");
-        running.finish().ok();
-    };
     let change = |sql: &str| {
         let database = Connection::open(folder.path("runs/flat-2/log.db")).unwrap();
         assert_eq!(database.execute(sql, []).unwrap(), 1, "{sql}");
@@ -220,8 +216,7 @@ fn what_cannot_be_gone_on_with_says_what_can_be_done() {
     let hint = "runs/flat-2/recording.json is a file\n  hint: name its folder, runs/flat-2";
     folder.run("run --resume runs/flat-2/recording.json").fails(1, hint);
     folder.run("run --resume flat/home.json").fails(1, "flat/home.json is a file, and no run or cohort has left it");
-    folder.run("run --resume runs/flat-2 --quiet").ok();
-    assert_eq!(differ(&folder, "flat-2", &whole), Vec::<String>::new());
+    goes_on_to(&folder, &whole, "after a kill");
     folder.run("replay runs/flat-2/recording.json --quiet --out csv:again.csv").ok();
 
     // An empty recording, and that of another scenario's run, which is put back.
