@@ -9,7 +9,7 @@ use crate::playback::{Playback, Refusal};
 use crate::shelf::{RECORDING, Shelf};
 use crate::socket;
 use crate::stage::Stage;
-use crate::visit::{STUCK, Visit};
+use crate::visit::{LONGEST_UNTAKEN, Visit};
 use crate::wire::{Connect, Draft, Explain, Month, Save};
 use axum::body::Body;
 use axum::extract::ws::WebSocketUpgrade;
@@ -37,7 +37,7 @@ pub use crate::guard::SOCKET;
 const LARGEST_BODY_BYTES: usize = 8 << 20;
 
 /// So many pages may look at once (ours).
-const PAGES: usize = 32;
+const MOST_PAGES: usize = 32;
 
 /// What to serve, and where.
 #[derive(Clone, Debug)]
@@ -68,9 +68,9 @@ const FAREWELL: Duration = Duration::from_millis(500);
 /// How long the file stands that leads a browser to the page, if none comes (ours).
 const DOORWAY: Duration = Duration::from_secs(60);
 /// How many bytes of an answer the system keeps for who does not read them (ours): else it would be megabytes for each.
-const SENT_AHEAD: u32 = 256 << 10;
+const MOST_SENT_AHEAD_BYTES: u32 = 256 << 10;
 /// How many may have come and not been let in yet (ours).
-const WAITING: u32 = 1024;
+const MOST_WAITING: u32 = 1024;
 /// How many ports are tried.
 const PORTS: u16 = 20;
 
@@ -107,7 +107,7 @@ pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(Address)) -> 
         let stage = Stage::open(options.shelf.clone()).map_err(ServeError::Scenario)?;
         let playback = Playback::new(options.shelf.clone());
         let desk = Desk::new(options.shelf.clone());
-        let pages = Arc::new(Semaphore::new(PAGES));
+        let pages = Arc::new(Semaphore::new(MOST_PAGES));
         let house = House { guard, stage: stage.clone(), shelf: options.shelf, playback, desk, pages };
         let url = format!("http://{address}/#token={}", house.guard.token());
         let doorway = if options.browser { Doorway::to(&url).ok() } else { None };
@@ -158,9 +158,9 @@ fn bind(address: SocketAddr) -> io::Result<TcpListener> {
     #[cfg(unix)]
     socket.set_reuseaddr(true)?;
     // Connections have what their listener has.
-    socket.set_send_buffer_size(SENT_AHEAD)?;
+    socket.set_send_buffer_size(MOST_SENT_AHEAD_BYTES)?;
     socket.bind(address)?;
-    socket.listen(WAITING)
+    socket.listen(MOST_WAITING)
 }
 
 /// What answers are made from.
@@ -193,7 +193,7 @@ fn routes(house: House) -> Router {
         .route("/api/runs/{run}/{what}", get(file_of_run))
         .fallback(get(page::file))
         .layer(DefaultBodyLimit::max(LARGEST_BODY_BYTES))
-        .layer(RequestBodyTimeoutLayer::new(STUCK))
+        .layer(RequestBodyTimeoutLayer::new(LONGEST_UNTAKEN))
         .layer(axum::middleware::from_fn_with_state(house.guard.clone(), guard::watch))
         .with_state(house)
 }

@@ -28,10 +28,10 @@ const FRAME: Duration = Duration::from_micros(16_667);
 const IDLE: Duration = Duration::from_millis(250);
 
 /// How many of the latest rows a page may still ask for (ours).
-const KEPT: usize = 2000;
+const MOST_ROWS: usize = 2000;
 
-/// How many notes (ours).
-const NOTES: usize = 20;
+/// How many of the latest notes (ours).
+const MOST_NOTES: usize = 20;
 
 /// The run that everybody looks at. A clone is another view of the same.
 #[derive(Clone)]
@@ -406,7 +406,7 @@ impl Director {
         let mut board = locked(&self.board);
         board.frame = frame;
         board.rows.extend(self.act.take_rows());
-        let superfluous = board.rows.len().saturating_sub(KEPT);
+        let superfluous = board.rows.len().saturating_sub(MOST_ROWS);
         board.rows.drain(..superfluous);
         drop(board);
         self.change.send_modify(|change| *change += 1);
@@ -436,7 +436,7 @@ impl Director {
         let number = board.next_note;
         board.notes.push_back((number, Tell::Note { text, bad }));
         board.next_note += 1;
-        if board.notes.len() > NOTES {
+        if board.notes.len() > MOST_NOTES {
             board.notes.pop_front();
         }
     }

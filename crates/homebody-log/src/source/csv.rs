@@ -14,7 +14,7 @@ use std::path::Path;
 const MARK: char = '\u{feff}';
 
 /// How many characters of an unknown header are told (ours).
-const TOLD: usize = 200;
+const LONGEST_TOLD: usize = 200;
 
 pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
     let mut records = Records::open(path)?;
@@ -52,7 +52,7 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) ->
     }
     match unknown_header {
         Some(names) if places.is_none() => {
-            let names: String = names.chars().take(TOLD).collect();
+            let names: String = names.chars().take(LONGEST_TOLD).collect();
             let why = readable(format!("no columns of time, sensor and value are among {names}"));
             Err(LogError::NoLog { place: place_of(path), why })
         }

@@ -14,7 +14,7 @@ use std::fs::File;
 use std::path::Path;
 
 /// How many skipped lines are told one by one.
-const TOLD: usize = 100;
+const MOST_TOLD: usize = 100;
 
 /// Rows that are handed over together.
 const PART: usize = 8192;
@@ -107,7 +107,7 @@ impl<'t> Reading<'t> {
 
     pub fn skip(&mut self, line: u64, why: String) {
         self.log.skipped += 1;
-        if self.log.problems.len() < TOLD {
+        if self.log.problems.len() < MOST_TOLD {
             self.log.problems.push(Skipped { line, why });
         }
     }
