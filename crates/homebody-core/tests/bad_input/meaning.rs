@@ -277,7 +277,7 @@ fn paths() {
             "ann.path.json:7:24: the way from (2.5, 0.2) to (5, 1.5) runs through the wall from (4, 0) to (4, 3) when it is repeated; add waypoints around it, such as one in a door"),
         ("ann.path.json", r#"{ "activity": "breakfast" }"#,
             r#"{ "repeat": { "times": 1000000, "steps": [{ "wait": { "for_s": 1e-6 } }] } }"#,
-            "ann.path.json:8:19: 1 moves in 0.000001 s are repeated: nobody makes more than 100 a second; let them take longer, or repeat them less often"),
+            "ann.path.json:8:19: 1 move in 0.000001 s, again and again: nobody makes more than 100 a second; let them take longer, or repeat them less often"),
         ("ann.path.json", r#"{ "activity": "breakfast" }"#,
             r#"{ "repeat": { "times": 2, "steps": [{ "go": { "to": ["sink"] } }, { "activity": "idle" }] } }"#,
             "ann.path.json:8:19: the steps that are repeated take no time; let it wait, or walk somewhere else and back"),
