@@ -176,7 +176,7 @@ fn of_two_of_one_name_the_right_one_is_left_behind() {
 
 #[test]
 fn one_that_hangs_is_waited_for_once_and_no_longer() {
-    let (within, limit) = (Duration::from_secs(5), Duration::from_secs(9));
+    let within = Duration::from_secs(8);
     thread::scope(|scope| {
         for (name, required, deed) in [
             ("hangs-required", true, hangs as Deed),
@@ -188,9 +188,9 @@ fn one_that_hangs_is_waited_for_once_and_no_longer() {
                 let begun = Instant::now();
                 let policy = Policy { answers_within: within, required, ..Policy::default() };
                 let (folder, _, stored) = stored(name, deed, policy);
-                // Waiting twice, for the run and on leaving, would take ten seconds.
+                // Who waited twice, for the run and on leaving, would have waited for twice as long.
                 let took = begun.elapsed();
-                assert!(took >= within && took < limit, "{name}: {took:?}");
+                assert!(took >= within && took < 2 * within, "{name}: {took:?}");
                 if required {
                     assert!(matches!(stored.unwrap_err(), LogError::Hangs { .. }));
                 } else {

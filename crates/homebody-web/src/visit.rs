@@ -219,7 +219,7 @@ mod tests {
     }
 
     /// Strangers take the places of strangers; who has shown the token is sent away by nobody, and leaves a place behind.
-    #[tokio::test]
+    #[tokio::test(start_paused = true)]
     async fn strangers_are_only_in_the_way_of_each_other() {
         let places = Places::default();
         let enter = || places.enter(Ipv4Addr::LOCALHOST.into());
@@ -238,7 +238,7 @@ mod tests {
         assert_eq!((taken.strangers.len(), taken.known), (0, 0));
     }
 
-    #[tokio::test]
+    #[tokio::test(start_paused = true)]
     async fn who_is_known_beyond_the_places_for_it_stays_a_stranger() {
         let places = Places::default();
         let all: Vec<Visit> = (0..=MOST_KNOWN).map(|_| places.enter(Ipv4Addr::LOCALHOST.into())).collect();
@@ -258,7 +258,7 @@ mod tests {
         Places { strangers_time: SOON, stuck: SOON, ..Places::default() }
     }
 
-    #[tokio::test]
+    #[tokio::test(start_paused = true)]
     async fn a_stranger_has_so_much_time_and_who_is_known_has_all() {
         let places = hasty();
         let (stranger, known) = (places.enter(Ipv4Addr::LOCALHOST.into()), places.enter(Ipv4Addr::LOCALHOST.into()));
@@ -281,7 +281,7 @@ mod tests {
         timeout(10 * SOON, stream.write_all(&vec![0; 64 << 20])).await.ok()?.err()
     }
 
-    #[tokio::test]
+    #[tokio::test(start_paused = true)]
     async fn who_takes_nothing_is_gone_but_for_a_page_which_is_waited_for_elsewhere() {
         assert_eq!(written(false).await.map(|error| error.kind()), Some(io::ErrorKind::TimedOut));
         assert!(written(true).await.is_none());
