@@ -156,16 +156,15 @@ struct Folder {
 
 impl Files for Folder {
     fn read(&self, name: &str) -> Result<String, String> {
-        let path = self.path.join(name);
-        let largest = if self.is_trusted { u64::MAX } else { LARGEST_OF_SCENARIO_BYTES };
-        let text = plain::read_text(&path, largest).map_err(|error| match error.kind() {
+        let (path, largest) = match self.is_trusted {
+            true => (Some(self.path.join(name)), u64::MAX),
+            false => (plain::within(&self.path, Path::new(name)), LARGEST_OF_SCENARIO_BYTES),
+        };
+        let path = path.ok_or("it is a link that leads out of the scenario's folder")?;
+        plain::read_text(&path, largest).map_err(|error| match error.kind() {
             ErrorKind::NotFound => "there is no such file".to_owned(),
             ErrorKind::IsADirectory => "it is a folder".to_owned(),
             _ => error.to_string(),
-        })?;
-        match self.is_trusted || plain::is_inside(&self.path, &path) {
-            true => Ok(text),
-            false => Err("it is a link that leads out of the scenario's folder".to_owned()),
-        }
+        })
     }
 }

@@ -3,7 +3,7 @@
 use crate::error::{LogError, place_of};
 use crate::fresh::{all_can_be_written, same_file, whole};
 use crate::limits::LARGEST_RECORDING_BYTES;
-use crate::plain::{self, is_inside};
+use crate::plain;
 use crate::truth::tables;
 use crate::url::Url;
 use homebody_core::recording::Recording;
@@ -184,11 +184,11 @@ pub fn can_be_written(files: &[&Path], sources: &[PathBuf], force: bool) -> Resu
     all_can_be_written(files, force)
 }
 
-/// Whether a file of a run's folder is a link, a device, or in a folder that is a link to elsewhere. One that is not there yet
-/// is not.
+/// Whether a file that is going to be written in a run's folder leads out of it, or is a link or a device itself. One that is not
+/// there yet is neither.
 fn leads_out(folder: &Path, path: &Path) -> bool {
     let is_odd = fs::symlink_metadata(path).is_ok_and(|found| !found.is_file());
-    is_odd || path.parent().is_some_and(|parent| parent.exists() && !is_inside(folder, parent))
+    is_odd || path.strip_prefix(folder).ok().and_then(|name| plain::within(folder, name)).is_none()
 }
 
 /// Makes sure that what is to be written is no file that a run has left in its folder, or is going to.
@@ -223,9 +223,14 @@ fn files_of_run(folder: &Path, recording: Option<&Recording>) -> Vec<PathBuf> {
     let to = scenario.map(|scenario| scenario.logger.to).unwrap_or_default();
     let said = to.iter().filter_map(|place| place.parse::<Url>().ok());
     let usual = SCHEMES.iter().map(|row| Url::new(row.scheme, row.usual));
-    let logs = said.chain(usual).filter_map(|url| Some(folder.join(url.file()?)));
-    let truth = Url::new(Scheme::Csv, folder.join(TRUTH).with_extension("csv")).files(&tables());
-    logs.chain(truth).chain([RECORDING, TRUTH, SENSORS].map(|name| folder.join(name))).collect()
+    let places = Places {
+        log: said.chain(usual).map(|url| url.within(folder)).collect(),
+        truth: Some(Url::new(Scheme::Csv, folder.join(TRUTH).with_extension("csv"))),
+        recording: Some(folder.join(RECORDING)),
+        sensors: Some(folder.join(SENSORS)),
+        made: Vec::new(),
+    };
+    places.files().into_iter().chain([folder.join(TRUTH)]).collect()
 }
 
 /// A scenario's name as that of a folder.

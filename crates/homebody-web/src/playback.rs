@@ -5,7 +5,7 @@
 
 use crate::dates;
 use crate::draw;
-use crate::shelf::{RECORDING, Shelf};
+use crate::shelf::Shelf;
 use crate::wire::{DateView, DayView, LifeView, MotionState, MovementView, PlaybackView, ResidentView, StoredView};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
@@ -13,6 +13,7 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::path::Posture;
 use homebody_core::scenario::scheme::{self, Scheme};
 use homebody_core::time::{Micros, SECOND};
+use homebody_log::places::RECORDING;
 use homebody_log::{Event, Log, LogError, Movement, MovementKind, Movements, RunClock, Url};
 use homebody_routine::household::Household;
 use std::collections::HashMap;

@@ -6,10 +6,11 @@
 use homebody_core::recording::{LONGEST, Recording};
 use homebody_core::scenario::load::Files;
 use homebody_log::limits::{LARGEST_OF_SCENARIO_BYTES, LARGEST_RECORDING_BYTES};
+use homebody_log::places::RECORDING;
 use homebody_log::plain;
 use std::fs;
 use std::io;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 /// Where scenario and runs are.
@@ -41,7 +42,7 @@ impl Shelf {
     pub fn place_of(&self, name: &str) -> Option<PathBuf> {
         let own = name.strip_prefix(CONDITIONS).and_then(|rest| rest.strip_prefix('/')).unwrap_or(name);
         let is_plain = own.len() <= LONGEST_NAME && !own.starts_with('.') && !own.contains(['/', '\\', ':', '\0']);
-        if is_plain && is_written(own) { within(self.scenario.clone(), Path::new(name)) } else { None }
+        if is_plain && is_written(own) { plain::within(&self.scenario, Path::new(name)) } else { None }
     }
 
     /// The names of all runs that have a recording, the latest first. The members of a cohort are in its folder: `cohort-1/0001`.
@@ -75,7 +76,7 @@ impl Shelf {
 
     /// A plain file of a run's folder or of plain folders in there, by its path.
     pub fn file_within_run(&self, run: &str, path: &Path) -> Option<PathBuf> {
-        plain_file(self.run(run)?, path)
+        plain_file(&self.run(run)?, path)
     }
 
     /// The recording of a run, or why there is none.
@@ -96,13 +97,10 @@ impl Shelf {
 /// The scenario's files.
 impl Files for Shelf {
     fn read(&self, name: &str) -> Result<String, String> {
-        let path = plain_file(self.scenario.clone(), Path::new(name)).ok_or("there is no such file")?;
+        let path = plain_file(&self.scenario, Path::new(name)).ok_or("there is no such file")?;
         plain::read_text(&path, LARGEST_OF_SCENARIO_BYTES).map_err(|error| error.to_string())
     }
 }
-
-/// What a run's recording is called in its folder.
-pub const RECORDING: &str = "recording.json";
 
 /// The folder of a scenario's own conditions.
 const CONDITIONS: &str = "conditions";
@@ -116,20 +114,8 @@ fn is_written(name: &str) -> bool {
 }
 
 /// A plain file below a folder, by its path.
-fn plain_file(folder: PathBuf, path: &Path) -> Option<PathBuf> {
-    within(folder, path).filter(|file| file.is_file())
-}
-
-/// Where a path leads below a folder, be something there or not: neither up, nor away, nor along a link.
-fn within(mut folder: PathBuf, path: &Path) -> Option<PathBuf> {
-    for part in path.components() {
-        let Component::Normal(part) = part else { return None };
-        folder.push(part);
-        if fs::symlink_metadata(&folder).is_ok_and(|found| found.is_symlink()) {
-            return None;
-        }
-    }
-    Some(folder)
+fn plain_file(folder: &Path, path: &Path) -> Option<PathBuf> {
+    plain::within(folder, path).filter(|file| file.is_file())
 }
 
 /// The folders in a folder, with when each was changed; links are none.
