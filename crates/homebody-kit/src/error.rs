@@ -4,6 +4,7 @@ use homebody_core::drivers::error::DriverError;
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::time::Micros;
 use homebody_log::LogError;
+use homebody_log::error::no_thread;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -148,7 +149,7 @@ pub enum Error {
     #[error("a sink failed: {0}")]
     Sink(#[source] BoxError),
     /// There are no threads to live on.
-    #[error("there are no threads: {0}\n  hint: allow more threads or memory, or run less at once")]
+    #[error("{}", no_thread("to live on", .0))]
     Threads(String),
 }
 

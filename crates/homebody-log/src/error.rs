@@ -5,9 +5,19 @@ use crate::skipped::Skipped;
 use homebody_core::problem::readable;
 use homebody_core::scenario::scheme::NoPlace;
 use std::error::Error;
+use std::fmt;
 use std::fs::{File, OpenOptions};
 use std::io;
 use std::path::Path;
+
+/// What to say where the system gives no thread `to` do something.
+pub fn no_thread(to: &str, why: impl fmt::Display) -> String {
+    format!("there is no thread {to}: {why}\n  hint: allow this user more threads or memory, or run less at once")
+}
+
+fn no_writer(place: &str, why: &io::Error) -> String {
+    no_thread(&format!("to write {place}"), why)
+}
 
 /// What went wrong, at which place, and what to do about it.
 #[derive(Debug, thiserror::Error)]
@@ -87,7 +97,7 @@ pub enum LogError {
         place: String,
     },
     /// The system gives no thread to a destination.
-    #[error("there is no thread to write {place}: {source}\n  hint: allow more threads or memory, or run less at once")]
+    #[error("{}", no_writer(.place, .source))]
     NoThread {
         /// The destination.
         place: String,
@@ -314,6 +324,11 @@ impl LogError {
             io::ErrorKind::IsADirectory => LogError::IsFolder { place },
             _ => LogError::File { place, source },
         }
+    }
+
+    /// What is too long in a line of a log, as a sentence.
+    pub(crate) fn too_long(path: &Path, line: u64, what: String) -> LogError {
+        LogError::TooLong { place: format!("{}:{line}", place_of(path)), what }
     }
 
     /// What an error of reading a file means.

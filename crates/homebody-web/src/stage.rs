@@ -12,6 +12,7 @@ use crate::staged_run::{StagedRun, Start};
 use crate::wire::{FiringView, Frame, GrowthView, RunView, Say, State, Tell};
 use homebody_core::time::{Micros, micros};
 use homebody_kit::pace::{Pace, Speed};
+use homebody_log::error::no_thread;
 use std::any::Any;
 use std::collections::VecDeque;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -113,7 +114,7 @@ impl Stage {
         let pace = Pace::paused(Speed::Times(1.0));
         let director = Director { shelf, act, is_broken: false, pace, heard, board: board.clone(), change };
         let thread = thread::Builder::new().name("stage".into()).spawn(move || director.direct());
-        thread.map_err(|error| format!("there is no thread to live a run on: {error}"))?;
+        thread.map_err(|error| no_thread("to live a run on", error))?;
         Ok(Stage { wishes, board, changed })
     }
 

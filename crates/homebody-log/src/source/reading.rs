@@ -74,7 +74,7 @@ impl<'t> Reading<'t> {
             // Characters are counted only where they may be too many.
             if text.len() > most && text.chars().count() > most {
                 let what = format!("the {what} {} has more than {most} characters", beginning(text));
-                return Err(LogError::TooLong { place: format!("{}:{line}", place_of(self.path)), what });
+                return Err(LogError::too_long(self.path, line, what));
             }
         }
         self.log.clock = clock;
