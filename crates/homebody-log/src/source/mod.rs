@@ -69,7 +69,7 @@ pub fn stream(
 ) -> Result<Log, LogError> {
     let path = url.file().unwrap_or(Path::new(""));
     let mut reading = Reading::new(path, take);
-    reading.log.known = sensors::beside(path)?;
+    reading.log.known = sensors::known_beside(path, &mut reading.log.remarks)?;
     match url.scheme() {
         Scheme::Sqlite => sqlite::read(path, file, &mut reading)?,
         Scheme::Csv => csv::read(path, file, &mut reading)?,
