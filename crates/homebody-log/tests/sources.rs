@@ -126,6 +126,11 @@ fn what_is_known_of_sensors_comes_with_the_log() {
         [("M 1", "hall wall", "motion", true, Some("hall")), ("D1", "front door", "contact", false, None)]
     );
     assert_eq!(known("what,somebody,else\nwrote,of,theirs\n"), []);
+    // One that is too large is not read, and that is told.
+    let large = format!("{head}M 1,{},motion,hall,1.5,2\n", "x".repeat(4 << 20));
+    assert_eq!(known(&large), []);
+    let [remark] = &from_text(&folder, "csv:log.csv", log).unwrap().remarks[..] else { panic!("one remark") };
+    assert!(remark.contains("sensors.csv: it is larger than 4 MB"), "{remark}");
 }
 
 #[test]
@@ -345,6 +350,12 @@ fn what_is_longer_than_a_log_has_it_ends_the_reading() {
         let error = error.to_string();
         assert!(error.contains(said) && error.contains("hint: ") && error.len() < 400, "{said}: {error}");
     }
+    let line = "2009-03-02 07:12:03 M1 ON\n";
+    let long = format!("{line}{line}{}\n{line}", "x".repeat(LONGEST_ROW_BYTES + 1));
+    let error = from_text(&folder, "casas:log.txt", &long).unwrap_err().to_string();
+    assert!(error.contains("log.txt:3: the line is longer than 1048576 bytes"), "{error}");
+    let whole = format!("{line}2009-03-02 07:12:04 M1 ON {}\n", "x".repeat(LONGEST_ROW_BYTES - 27));
+    assert_eq!(from_text(&folder, "casas:log.txt", &whole).unwrap().events.len(), 2);
     // The control: what is as long as it may be is read.
     for text in [
         row(&"é".repeat(LONGEST_VALUE)),

@@ -46,8 +46,7 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) ->
         if let Some(places) = places {
             let time = field(places.time);
             let (sensor, value) = (field(places.sensor), field(places.value));
-            let said = |cell| if file.spreadsheet_safe { unescaped(cell) } else { cell };
-            reading.row(line, time.trim_start_matches(MARK), said(&sensor), said(&value))?;
+            reading.row(line, time.trim_start_matches(MARK), unescaped(&sensor), unescaped(&value))?;
         }
     }
     match unknown_header {
