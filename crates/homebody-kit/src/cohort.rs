@@ -335,7 +335,7 @@ impl Cohort {
             return Err(wrong(format!("{} is a file, and a member's folder is to be there", folder.display())));
         }
         let path = folder.join(RECORDING);
-        match recorded::read(&path) {
+        match recorded::recording(&path) {
             Err(Error::NoRecording { .. }) => Ok(None),
             Err(error) => Err(wrong(error.to_string())),
             Ok(left) if self.is_of(&left, member, index) => Ok(Some(left)),

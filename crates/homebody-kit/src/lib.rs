@@ -52,7 +52,7 @@ pub use homebody_log::Url;
 pub use homebody_log::places::LIST;
 pub use log_with_run::{LogWithRun, NamedLog};
 pub use profiles::Profile;
-pub use recorded::{Recorded, Unfinished};
+pub use recorded::{Recorded, Unfinished, recording};
 pub use run::{Batch, BatchSink, LiveRun, Progress, RunSetup};
 pub use scenario::{OpenScenario, numbers, open, template};
 pub use source::{Source, Template};

@@ -44,7 +44,7 @@ impl Recorded {
     /// run was killed or is still lived, [`Error::Problems`] if something is wrong with the scenario in it.
     pub fn open(path: impl AsRef<Path>) -> Result<Recorded, Error> {
         let path = path.as_ref();
-        let recording = read(path)?;
+        let recording = recording(path)?;
         if !recording.is_complete() {
             return Err(Error::Unfinished { path: path.into(), folder: left_in(path) });
         }
@@ -102,7 +102,7 @@ impl Unfinished {
     pub fn open(folder: impl AsRef<Path>) -> Result<Unfinished, Error> {
         let folder = folder.as_ref();
         must_be_folder(folder)?;
-        let recording = read(&folder.join(RECORDING))?;
+        let recording = recording(&folder.join(RECORDING))?;
         let complete = || Error::Complete { what: RUN, folder: folder.into() };
         let recording = recording.unfinished().ok_or_else(complete)?;
         must_be_of_this_version(RUN, folder, &recording)?;
@@ -182,8 +182,12 @@ pub(crate) fn must_be_of_this_version(what: &'static str, folder: &Path, recordi
     }
 }
 
-/// Reads a recording, be it of a run that is complete or not.
-pub(crate) fn read(path: &Path) -> Result<Recording, Error> {
+/// Reads a recording, be it of a run that is complete or not. What is wrong with the scenario in it comes out when it is loaded.
+///
+/// # Errors
+///
+/// [`Error::NoRecording`], [`Error::File`] or [`Error::Recording`] if there is none in this file.
+pub fn recording(path: &Path) -> Result<Recording, Error> {
     let text = text(path)?;
     let wrong = |why: String| Error::Recording { path: path.into(), why };
     let recording: Recording = serde_json::from_str(&text).map_err(|error| wrong(readable(error.to_string())))?;

@@ -201,12 +201,10 @@ pub fn not_of_a_run(to: &Url) -> Result<(), LogError> {
     // Of a link, both where it is and where it leads to.
     for place in [whole(file), file.canonicalize().ok()].into_iter().flatten() {
         for folder in place.ancestors().skip(1) {
-            let path = folder.join(RECORDING);
-            if !path.is_file() {
+            if !folder.join(RECORDING).is_file() {
                 continue;
             }
-            let text = plain::read_text(&path, LARGEST_RECORDING_BYTES).unwrap_or_default();
-            let recording = serde_json::from_str::<Recording>(&text).ok();
+            let recording = recording_in(folder);
             let is_under_way = recording.as_ref().is_some_and(|recording| !recording.is_complete());
             let is_it = |known: &PathBuf| (is_under_way || known.exists()) && same_file(known, &place);
             if files_of_run(folder, recording.as_ref()).iter().any(is_it) {
@@ -220,17 +218,26 @@ pub fn not_of_a_run(to: &Url) -> Result<(), LogError> {
 /// What a run leaves in its folder, be it there yet or not.
 fn files_of_run(folder: &Path, recording: Option<&Recording>) -> Vec<PathBuf> {
     let scenario = recording.and_then(|recording| recording.scenario().ok());
-    let to = scenario.map(|scenario| scenario.logger.to).unwrap_or_default();
-    let said = to.iter().filter_map(|place| place.parse::<Url>().ok());
-    let usual = SCHEMES.iter().map(|row| Url::new(row.scheme, row.usual));
     let places = Places {
-        log: said.chain(usual).map(|url| url.within(folder)).collect(),
+        log: logs_of(folder, scenario.as_ref()).collect(),
         truth: Some(Url::new(Scheme::Csv, folder.join(TRUTH).with_extension("csv"))),
         recording: Some(folder.join(RECORDING)),
         sensors: Some(folder.join(SENSORS)),
         made: Vec::new(),
     };
     places.files().into_iter().chain([folder.join(TRUTH)]).collect()
+}
+
+/// Where the log of a run may be in its folder: where its scenario says, or under a usual name.
+pub fn logs_of(folder: &Path, scenario: Option<&Scenario>) -> impl Iterator<Item = Url> {
+    let to = scenario.map(|scenario| &scenario.logger.to[..]).unwrap_or_default();
+    let said = to.iter().filter_map(|place| place.parse::<Url>().ok());
+    said.chain(SCHEMES.iter().map(|row| Url::new(row.scheme, row.usual))).map(|url| url.within(folder))
+}
+
+/// The recording in a run's folder, if one can be read.
+pub fn recording_in(folder: &Path) -> Option<Recording> {
+    serde_json::from_str(&plain::read_text(&folder.join(RECORDING), LARGEST_RECORDING_BYTES).ok()?).ok()
 }
 
 /// A scenario's name as that of a folder.

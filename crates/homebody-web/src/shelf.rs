@@ -3,9 +3,9 @@
 //! The page knows both by names that are looked up in a listing, never by paths. What is no plain file in its folder, such as a
 //! link that leads out of it, is not there.
 
-use homebody_core::recording::{LONGEST, Recording};
+use homebody_core::recording::Recording;
 use homebody_core::scenario::load::Files;
-use homebody_log::limits::{LARGEST_OF_SCENARIO_BYTES, LARGEST_RECORDING_BYTES};
+use homebody_log::limits::LARGEST_OF_SCENARIO_BYTES;
 use homebody_log::places::RECORDING;
 use homebody_log::plain;
 use std::fs;
@@ -82,15 +82,7 @@ impl Shelf {
     /// The recording of a run, or why there is none.
     pub fn recording(&self, run: &str) -> Result<Recording, String> {
         let path = self.file_of_run(run, RECORDING).ok_or_else(|| format!("there is no run {run:?}"))?;
-        let text = plain::read_text(&path, LARGEST_RECORDING_BYTES)
-            .map_err(|error| format!("the recording of {run:?}: {error}"))?;
-        let recording: Recording =
-            serde_json::from_str(&text).map_err(|error| format!("{run:?} has no sound recording: {error}"))?;
-        let length = recording.length_us;
-        if (0..=LONGEST).contains(&length) {
-            return Ok(recording);
-        }
-        Err(format!("{run:?} has no sound recording: no run is {length} microseconds long"))
+        homebody_kit::recording(&path).map_err(|error| error.to_string())
     }
 }
 
