@@ -176,8 +176,10 @@ fn judged(file: &File) -> (Vec<Fixed>, Vec<String>) {
         let is_ours = has_word(&said.to_lowercase(), "ours");
         let mut wanted = at - 1;
         while let Some((constant, next)) = constant(&lines, wanted) {
-            let constant = constant.filter(|[name, ..]| is_ours || is_limit(&file.path, name));
-            if constant.is_some() && said.is_empty() {
+            if !is_ours && !constant.as_ref().is_some_and(|[name, ..]| is_limit(&file.path, name)) {
+                break;
+            }
+            if said.is_empty() {
                 wrong.push(format!("{}:{at}: a limit; say above it what it bounds: {line}", file.path));
             }
             fixed.extend(constant.map(|[name, kind, value]| Fixed {
