@@ -276,7 +276,6 @@ fn damaged(error: LogError) -> Refusal {
 
 /// Problems of a scenario can be many lines; the page has room for a few.
 fn shortened(why: &str) -> String {
-    /// So many characters of them (ours).
     const LONGEST: usize = 600;
     why.chars().take(LONGEST).collect()
 }

@@ -234,7 +234,6 @@ impl Reader<'_> {
 
     /// What stands in the file there, cut to what a message bears.
     pub fn said(&self, span: Span) -> String {
-        /// So many characters.
         const LONGEST: usize = 60;
         let said = self.text.get(span.start..span.end).unwrap_or_default();
         let said: String = said.split_whitespace().collect::<Vec<_>>().join(" ");

@@ -96,6 +96,7 @@ fn a_number_that_is_in_no_list_is_found() {
     assert_eq!(wrong("/// So many.\nconst MOST: u32 = 3;\n"), 0);
     assert_eq!(wrong("const MOST: u32 = 3;\n"), 1);
     assert_eq!(wrong("const FEW: u32 = 3;\n"), 0);
+    assert_eq!(wrong("fn a() {\n    const MOST: u32 = 3;\n}\n"), 0);
     assert_eq!(wrong("//! A wait of 2 s (ours).\n\nuse a::b;\n"), 0);
     assert_eq!(wrong("#[cfg(test)]\nmod tests {\n    let most = 3; // (ours)\n}\n"), 0);
     let key = File::new("crates/homebody-core/src/scenario/a.rs", "/// 0.1 (ours).\n#[serde]\npub share: f64,\n");
@@ -160,7 +161,10 @@ fn before_tests(text: &str) -> &str {
 fn judged(file: &File) -> (Vec<Fixed>, Vec<String>) {
     let (mut fixed, mut wrong) = (Vec::new(), Vec::new());
     let mut comment = String::new();
-    let lines: Vec<&str> = before_tests(&file.text).lines().map(str::trim).collect();
+    let text = before_tests(&file.text);
+    let lines: Vec<&str> = text.lines().map(str::trim).collect();
+    // What is declared within a function is its own business, unless it is ours.
+    let is_inner: Vec<bool> = text.lines().map(|line| line.starts_with(' ')).collect();
     let mut at = 0;
     while let Some(&line) = lines.get(at) {
         at += 1;
@@ -176,7 +180,8 @@ fn judged(file: &File) -> (Vec<Fixed>, Vec<String>) {
         let is_ours = has_word(&said.to_lowercase(), "ours");
         let mut wanted = at - 1;
         while let Some((constant, next)) = constant(&lines, wanted) {
-            if !is_ours && !constant.as_ref().is_some_and(|[name, ..]| is_limit(&file.path, name)) {
+            let is_limit = constant.as_ref().is_some_and(|[name, ..]| is_limit(&file.path, name)) && !is_inner[wanted];
+            if !is_ours && !is_limit {
                 break;
             }
             if said.is_empty() {
