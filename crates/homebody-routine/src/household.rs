@@ -4,6 +4,7 @@ use crate::completion::{self, Word};
 use crate::language::{self, Known};
 use crate::living;
 use crate::living::body::Body;
+use crate::living::company::{Company, People};
 use crate::living::driver::RoutineDriver;
 use crate::living::life::Life;
 use crate::living::pet::PetDriver;
@@ -13,6 +14,7 @@ use crate::routine::{Effect, Kind, Routine, USUAL, shows};
 use homebody_core::drivers;
 use homebody_core::home::plan::Plan;
 use homebody_core::home::{Build, Home};
+use homebody_core::ids::ResidentId;
 use homebody_core::models;
 use homebody_core::numbers::Number;
 use homebody_core::problem::{Problem, Problems};
@@ -239,6 +241,21 @@ impl Household {
         (0..self.routines.len()).flat_map(of).collect()
     }
 
+    /// Everybody who lives or comes there.
+    fn people(&self) -> Arc<People> {
+        let is_person = |routine: &Option<Routine>| {
+            let person = routine.as_ref().and_then(|routine| routine.person.as_ref());
+            person.is_none_or(|person| person.kind == Kind::Person)
+        };
+        let mut are_people: Vec<bool> = self.routines.iter().map(is_person).collect();
+        let residents = are_people.iter().filter(|&&is| is).count();
+        let first = are_people.len();
+        let visitor = |(index, of): (usize, &Visitor)| (ResidentId::of(first + index), of.host, of.name.clone());
+        let visitors: Vec<_> = self.guests.iter().enumerate().map(visitor).collect();
+        are_people.resize(first + visitors.len(), true);
+        Arc::new(People { are_people, visitors, residents })
+    }
+
     /// What a body walks by.
     fn mesh(&self, body: usize, home: &Home) -> Arc<Mesh> {
         let radius_m = self.scenario.residents.get(body).map_or(Build::adult().radius_m, |one| one.file.radius_m);
@@ -256,19 +273,26 @@ impl DriverProvider for Household {
     fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn drivers::Driver>> {
         let mesh = self.mesh(body, home);
         let places = |name: &str| Arc::new(Places::new(&self.scenario.home, &home.plan, &mesh, name));
+        let company = |build: Build| Company::new(self.people(), build.radius_m, &home.numbers);
         if let Some(guest) = body.checked_sub(self.scenario.residents.len()) {
             let Visitor { host, name } = self.guests.get(guest)?;
             let life = Arc::new(self.life(*host, seed)?);
             let places = places(&life.name);
-            let body = Body::new(home.clone(), mesh.clone(), home.numbers.of(&GUEST_PACE_MPS));
-            return Some(Box::new(RoutineDriver::visitor(life, home.clone(), places, body, name)));
+            let (own, host) =
+                (Body::new(home.clone(), mesh.clone(), home.numbers.of(&GUEST_PACE_MPS)), ResidentId::of(*host));
+            let company = company(Build::adult());
+            return Some(Box::new(RoutineDriver::visitor(life, home.clone(), places, own, (host, name), company)));
         }
         let life = Arc::new(self.life(body, seed)?);
         let places = places(&life.name);
         let kind = self.routine(body)?.person.as_ref().map_or(Kind::Person, |person| person.kind);
         let own = Body::new(home.clone(), mesh.clone(), life.pace_mps);
         match kind {
-            Kind::Person => Some(Box::new(RoutineDriver::new(life, home.clone(), places, own))),
+            Kind::Person => {
+                let company = company(Build::of(&self.scenario.residents[body].file));
+                let id = ResidentId::of(body);
+                Some(Box::new(RoutineDriver::new(life, home.clone(), places, own, id, company)))
+            }
             Kind::Cat | Kind::Dog => Some(Box::new(PetDriver::new(life, places, own))),
         }
     }

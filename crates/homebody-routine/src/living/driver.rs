@@ -6,6 +6,8 @@
 
 use super::agenda::{Agenda, Item};
 use super::body::Body;
+use super::company::Company;
+use super::courtesy::Guest;
 use super::life::{DayParameters, Life};
 use super::manner::Manner;
 use super::needs::Needs;
@@ -18,7 +20,7 @@ use homebody_core::activity::{self, UsualLength};
 use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::{MotionState, Need, ThingUse};
 use homebody_core::home::Home;
-use homebody_core::ids::ThingId;
+use homebody_core::ids::{ResidentId, ThingId};
 use homebody_core::random::Stream;
 use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
@@ -56,6 +58,19 @@ pub struct RoutineDriver {
     pub(super) midnight: Micros,
     /// What a visitor, rather than somebody who lives here, is called.
     pub(super) visitor: Option<String>,
+    /// The resident whose life it is: of a visitor the host.
+    pub(super) host: ResidentId,
+    /// Who else is there.
+    pub(super) company: Company,
+    /// The visitor whom the resident receives.
+    pub(super) guest: Guest,
+    /// Who comes before this one in the scenario's order.
+    pub(super) rank: u32,
+    /// How often in a row one has waited for somebody in the way, and for a place that is taken.
+    pub(super) pauses: u32,
+    pub(super) queues: u32,
+    /// Whether one has waited so often that one lets nobody stop one.
+    pub(super) pushes_through: bool,
 }
 
 /// A script that is being played.
@@ -73,16 +88,33 @@ pub(super) struct Playing {
     stirs: bool,
 }
 
+impl Playing {
+    pub(super) fn stream(&mut self) -> &mut Stream {
+        &mut self.stream
+    }
+}
+
 impl RoutineDriver {
     /// A resident at the beginning of a run: in bed before getting up, else up and about.
-    pub fn new(life: Arc<Life>, home: Arc<Home>, places: Arc<Places>, mut body: Body) -> RoutineDriver {
+    pub fn new(
+        life: Arc<Life>,
+        home: Arc<Home>,
+        places: Arc<Places>,
+        mut body: Body,
+        host: ResidentId,
+        company: Company,
+    ) -> RoutineDriver {
         let parameters = life.parameters(0);
         let today = Agenda::of(&life, 0, &parameters);
         let in_bed = today.up > 0 || today.bed < 0;
         let agenda = if today.up > 0 { Agenda::of(&life, -1, &life.parameters(-1)) } else { today };
         let role = if in_bed { Role::Bed } else { Role::Armchair };
+        let rank = host.0;
         if let Some(spot) = places.of(role) {
-            body.place(spot.clone(), if in_bed { Posture::Lying } else { spot.posture });
+            let at = spot.sides_for(rank as usize, company.shares_home()).next().unwrap_or(spot.at);
+            let spot = Spot { at, ..spot.clone() };
+            let posture = if in_bed { Posture::Lying } else { spot.posture };
+            body.place(spot, posture);
         }
         let needs = Needs::new(&life, 0);
         let mut driver = RoutineDriver {
@@ -97,6 +129,13 @@ impl RoutineDriver {
             shown: Vec::new(),
             midnight: life.midnight(agenda.day),
             visitor: None,
+            host,
+            company,
+            guest: None,
+            rank,
+            pauses: 0,
+            queues: 0,
+            pushes_through: false,
             needs,
             agenda,
             parameters,
@@ -114,8 +153,15 @@ impl RoutineDriver {
     }
 
     /// Somebody who comes to visit the one whose life this is.
-    pub fn visitor(life: Arc<Life>, home: Arc<Home>, places: Arc<Places>, body: Body, name: &str) -> RoutineDriver {
-        let mut driver = RoutineDriver::new(life, home, places, body);
+    pub fn visitor(
+        life: Arc<Life>,
+        home: Arc<Home>,
+        places: Arc<Places>,
+        body: Body,
+        (host, name): (ResidentId, &str),
+        company: Company,
+    ) -> RoutineDriver {
+        let mut driver = RoutineDriver::new(life, home, places, body, host, company);
         (driver.scripts, driver.ready, driver.visitor) = (Vec::new(), VecDeque::new(), Some(name.into()));
         // Neither the host's rules nor the host's illness are theirs.
         (driver.watches, driver.parameters) = (Watches::none(), DayParameters::ordinary());
@@ -124,6 +170,7 @@ impl RoutineDriver {
 
     fn step(&mut self, now: Micros) -> Next {
         loop {
+            self.make_way(now);
             if let Some(next) = self.ready.front() {
                 if matches!(next, Next::Segment(_) | Next::Use(_)) && self.told != self.name {
                     self.told.clone_from(&self.name);
@@ -192,11 +239,24 @@ impl RoutineDriver {
             Step::LieDown => self.lie_down(now),
             Step::Meet(need) => self.meet(need, now),
             Step::Wake => self.wake(now),
+            Step::Await { arrival, left } => self.await_visitor(arrival, left),
+            Step::Ring { left } => self.ring(left, now),
+            Step::AwaitMeal { left } => self.await_meal(left),
             Step::Stay(_) => {}
         }
     }
 
     fn go(&mut self, spot: Spot, now: Micros) {
+        let Some(spot) = self.free_spot(spot.clone()) else {
+            if !self.queue(spot) {
+                self.give_up(now);
+            }
+            return;
+        };
+        // Waiting is not over where one only waits.
+        if !spot.name.is_empty() {
+            self.queues = 0;
+        }
         let hour = self.hour(now);
         let Some(playing) = self.scripts.last_mut() else { return };
         let from = self.body.room();
@@ -300,7 +360,15 @@ impl RoutineDriver {
         let next_start =
             self.agenda.items.get(self.next_item).map_or(self.agenda.bed, |item| item.start.min(self.agenda.bed));
         let active = self.activity(now);
+        let is_left_alone = self.visits_nobody();
         let Some(playing) = self.scripts.last_mut() else { return };
+        if is_left_alone {
+            // What is left is the way out.
+            let out = playing.steps.iter().rposition(|step| matches!(step, Step::Go(_))).unwrap_or(0);
+            playing.steps.drain(..out);
+            playing.steps.retain(|step| !matches!(step, Step::Stay(_)));
+            return;
+        }
         let Some(Step::Stay(stay)) = playing.steps.front_mut() else { return };
         let mut end = now.saturating_add(stay.left).min(stay.until.unwrap_or(Micros::MAX));
         if stay.may == Interruptible::Yield {
@@ -434,6 +502,9 @@ impl RoutineDriver {
     /// Begins a script on top of what goes on.
     pub(super) fn begin(&mut self, item: &Item) {
         let Item { key, activity, place, lasts, until, .. } = item;
+        if let Some(visitor) = &item.visitor {
+            self.guest = self.company.visitor(self.host.index(), visitor);
+        }
         let place = place.as_deref().and_then(|place| self.places.named(place));
         let mut stream = self.life.stream_of_day(self.agenda.day, &format!("{key}/doing"));
         let mut forgotten = Vec::new();
@@ -563,6 +634,7 @@ impl Item {
 
 impl Driver for RoutineDriver {
     fn next(&mut self, around: &Surroundings) -> Next {
+        self.company.look(around, &self.places);
         self.step(around.now())
     }
 

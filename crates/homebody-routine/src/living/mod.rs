@@ -22,6 +22,8 @@ pub mod body;
 pub mod driver;
 mod spare_time;
 mod night;
+pub mod company;
+mod courtesy;
 mod visit;
 pub mod pet;
 
@@ -35,6 +37,7 @@ pub(crate) fn numbers() -> Vec<Number> {
         agenda::NUMBERS,
         needs::NUMBERS,
         body::NUMBERS,
+        company::NUMBERS,
         driver::NUMBERS,
         spare_time::NUMBERS,
         night::NUMBERS,

@@ -37,6 +37,19 @@ pub enum Step {
     LieDown,
     /// A need is met.
     Meet(Need),
+    /// Who comes to visit is let in (true) or seen off (false): one waits so long.
+    Await {
+        arrival: bool,
+        left: Micros,
+    },
+    /// A visitor outside waits so long to be let in.
+    Ring {
+        left: Micros,
+    },
+    /// Nobody eats while somebody else still cooks: one waits so long.
+    AwaitMeal {
+        left: Micros,
+    },
     /// The day is over: the next one's plan is made.
     Wake,
 }
@@ -65,6 +78,13 @@ pub enum Interruptible {
     /// These, and whatever is next on the plan, which ends it.
     Yield,
 }
+
+/// How long somebody waits at the open door for a visitor who does not come (ours).
+const ARRIVAL_PATIENCE: Micros = 5 * 60 * SECOND;
+/// How long a host waits for a visitor to have gone (ours).
+const FAREWELL_PATIENCE: Micros = 5 * 60 * SECOND;
+/// How long somebody waits for a meal that somebody else still cooks (ours).
+const COOKING_PATIENCE: Micros = 45 * 60 * SECOND;
 
 /// What a script is made from.
 pub struct Setting<'a> {
@@ -113,6 +133,7 @@ impl Steps<'_, '_> {
             Activity::TakeMedicine => self.take_medicine(place, lasts),
             Activity::Prepare(meal) => self.prepare(*meal, lasts),
             Activity::Eat(_) => {
+                self.push(Step::AwaitMeal { left: COOKING_PATIENCE });
                 self.at(Role::DiningSeat, place, lasts, Manner::EATING, Interruptible::Rules);
                 self.push(Step::Meet(Need::Hunger));
                 self.push(Step::Meet(Need::Thirst));
@@ -350,12 +371,18 @@ impl Steps<'_, '_> {
 
     /// Opens the door, sits with the visitor, sees them off.
     fn visit(&mut self, lasts: Micros) {
-        self.through_the_door();
+        self.go(Role::FrontDoor, None);
+        self.act(Role::FrontDoor, true);
+        self.push(Step::Await { arrival: true, left: ARRIVAL_PATIENCE });
+        self.act(Role::FrontDoor, false);
         let welcome = self.around(40.0);
         self.at(Role::FrontDoor, None, welcome, Manner::TALKING, Interruptible::Rules);
         self.at(Role::Armchair, None, lasts, Manner::TALKING, Interruptible::Interrupt);
         let farewell = self.around(60.0);
         self.at(Role::FrontDoor, None, farewell, Manner::TALKING, Interruptible::Rules);
+        self.act(Role::FrontDoor, true);
+        self.push(Step::Await { arrival: false, left: FAREWELL_PATIENCE });
+        self.act(Role::FrontDoor, false);
     }
 
     fn drink(&mut self, lasts: Micros) {

@@ -13,6 +13,9 @@ use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND};
 use std::collections::VecDeque;
 
+/// How long a visitor waits for the door to open before going away: hosts are on the toilet, or on their way home (ours).
+const PATIENCE: Micros = 60 * MINUTE;
+
 impl RoutineDriver {
     /// A visitor is out until the next visit.
     pub(super) fn await_visit(&mut self, now: Micros) {
@@ -48,7 +51,8 @@ impl RoutineDriver {
         let talk = |posture, left| {
             Step::Stay(Stay { posture, manner: Manner::TALKING, left, until: None, may: Interruptible::Nothing })
         };
-        let mut steps = VecDeque::from([Step::Away { lasts: 0, until: Some(item.start + 20 * SECOND) }]);
+        let mut steps = VecDeque::from([Step::Away { lasts: 0, until: Some(item.start) }]);
+        steps.push_back(Step::Ring { left: PATIENCE });
         steps.push_back(Step::Name(VISITING.into()));
         steps.push_back(talk(Posture::Standing, 40 * SECOND));
         if let Some(seat) = self.places.of(Role::GuestSeat) {
