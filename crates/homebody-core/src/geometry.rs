@@ -39,7 +39,12 @@ pub fn distance_between_segments((a, b): (Point, Point), (c, d): (Point, Point))
     if segments_meet(a, b, c, d) {
         return 0.0;
     }
-    let ends = [distance_to_segment(a, c, d), distance_to_segment(b, c, d), distance_to_segment(c, a, b), distance_to_segment(d, a, b)];
+    let ends = [
+        distance_to_segment(a, c, d),
+        distance_to_segment(b, c, d),
+        distance_to_segment(c, a, b),
+        distance_to_segment(d, a, b),
+    ];
     ends.into_iter().fold(f64::INFINITY, f64::min)
 }
 

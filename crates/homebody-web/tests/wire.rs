@@ -75,8 +75,8 @@ fn declarations() -> Vec<String> {
 
 #[test]
 fn the_page_knows_our_types() {
-    is_written(
-        "wire.ts",
+    is_generated(
+        "web/src/wire.ts",
         &format!(
             "// Made from crates/homebody-web/src/wire.rs and what is below it, which say what each means.\n\n{}\n",
             declarations().join("\n\n")
@@ -106,8 +106,8 @@ fn the_page_knows_our_sensors() {
         )
     };
     let rows: String = KINDS.iter().map(row).collect();
-    is_written(
-        "sensors.ts",
+    is_generated(
+        "web/src/sensors.ts",
         &format!(
             "// Made from crates/homebody-core/src/sensors/kinds.rs and the rows that it lists; form.rs says what each means.\n\n\
          export const SENSOR_KINDS = {{\n{rows}}} as const;\n"
