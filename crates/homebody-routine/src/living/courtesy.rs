@@ -12,7 +12,6 @@ use super::script::{Interruptible, Stay, Step};
 use homebody_core::drivers::{MotionSegment, Next};
 use homebody_core::event::MotionState;
 use homebody_core::geometry::{self, Point};
-use homebody_core::ids::ResidentId;
 use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND};
@@ -316,6 +315,3 @@ impl RoutineDriver {
 fn staying(posture: Posture, manner: Manner, left: Micros) -> Step {
     Step::Stay(Stay { posture, manner, left, until: None, may: Interruptible::Rules })
 }
-
-/// The visitor that a script is about.
-pub(super) type Guest = Option<ResidentId>;

@@ -7,7 +7,6 @@
 use super::agenda::{Agenda, Item};
 use super::body::Body;
 use super::company::Company;
-use super::courtesy::Guest;
 use super::life::{DayParameters, Life};
 use super::manner::Manner;
 use super::needs::Needs;
@@ -63,7 +62,7 @@ pub struct RoutineDriver {
     /// Who else is there.
     pub(super) company: Company,
     /// The visitor whom the resident receives.
-    pub(super) guest: Guest,
+    pub(super) guest: Option<ResidentId>,
     /// Who comes before this one in the scenario's order.
     pub(super) rank: u32,
     /// How often in a row one has waited for somebody in the way, and for a place that is taken.
@@ -304,38 +303,6 @@ impl RoutineDriver {
         }
         // Whoever comes by turns it off.
         self.watches.forget(stays_on);
-    }
-
-    /// Puts a walk on its way: in the dark, the lamp of the room that is left goes off, that of the other on.
-    fn lamps(&mut self, from: Option<usize>, to: Option<usize>, now: Micros, moves: Vec<MotionSegment>) {
-        let (off, on) = (self.lamp(from), self.lamp(to));
-        if let Some(off) = off.filter(|&lamp| from != to && self.watches.is_on(lamp)) {
-            self.act(off, false, now);
-        }
-        let arrival = moves.last().map_or(now, |last| last.end);
-        self.ready.extend(moves.into_iter().map(Next::Segment));
-        // Nobody lights the bedroom to go back to sleep.
-        let to_sleep = self.needs.asleep() && to == self.places.of(Role::Bed).and_then(|bed| bed.room);
-        let dark = self.home.sun.elevation_sine(now) < self.life.numbers.of(&DARK) && !to_sleep;
-        if let Some(on) = on.filter(|&lamp| dark && !self.watches.is_on(lamp)) {
-            self.act(on, true, arrival);
-        }
-    }
-
-    fn lamp(&self, room: Option<usize>) -> Option<u32> {
-        room.map(|room| self.places.lamp(room))
-    }
-
-    /// Turns off the lamp of the room it is in, if it is this resident who has it on.
-    pub(super) fn put_out_the_lamp(&mut self, now: Micros) {
-        if let Some(lamp) = self.lamp(self.body.room()).filter(|&lamp| self.watches.is_on(lamp)) {
-            self.act(lamp, false, now);
-        }
-    }
-
-    pub(super) fn act(&mut self, thing: u32, on: bool, at: Micros) {
-        self.watches.turn(thing, on, at, &self.life, &self.places);
-        self.ready.push_back(Next::Use(ThingUse { thing: ThingId(thing), on }));
     }
 
     fn away(&mut self, lasts: Micros, until: Option<Micros>, now: Micros) {
@@ -600,17 +567,6 @@ impl RoutineDriver {
         (now - self.midnight).rem_euclid(DAY) as f64 / (3600 * SECOND) as f64
     }
 
-    /// Tells how severe each condition is, and of those that are over that they are.
-    pub(super) fn tell_conditions(&mut self) {
-        let now = &self.parameters.severities;
-        let over = self.shown.iter().filter(|name| now.iter().all(|(of, _)| of != *name));
-        let over: Vec<(String, f64)> = over.map(|name| (name.clone(), 0.0)).collect();
-        for (name, severity) in over.iter().chain(now) {
-            self.ready.push_back(Next::Condition(name.clone(), *severity));
-        }
-        self.shown = now.iter().map(|(name, _)| name.clone()).collect();
-    }
-
     fn meet(&mut self, need: Need, now: Micros) {
         let before = self.needs.meet(need, now);
         self.ready.push_back(Next::Need(need, before));
@@ -621,8 +577,6 @@ impl RoutineDriver {
 homebody_core::numbers! {
     /// How long somebody who finds no way stands there: what is tried takes time, so that no instant goes on for ever.
     static AT_A_LOSS_S = "driver.at_a_loss": 60.0, "s", [1.0, 3_600.0];
-    /// The sine of the sun's height below which lamps are lit.
-    static DARK = "driver.dark": 0.08, "1", [-1.0, 1.0];
 }
 
 impl Item {

@@ -24,6 +24,7 @@ mod spare_time;
 mod night;
 pub mod company;
 mod courtesy;
+mod lamps;
 mod visit;
 pub mod pet;
 
@@ -39,6 +40,7 @@ pub(crate) fn numbers() -> Vec<Number> {
         body::NUMBERS,
         company::NUMBERS,
         driver::NUMBERS,
+        lamps::NUMBERS,
         spare_time::NUMBERS,
         night::NUMBERS,
         pet::NUMBERS,

@@ -116,4 +116,15 @@ impl RoutineDriver {
         let rising = micros(self.life.stream_of_day(day, "rising").lognormal(120.0, 0.4));
         self.begin(&Item::now("rising".into(), Activity::GetUp, rising));
     }
+
+    /// Tells how severe each condition is, and of those that are over that they are.
+    pub(super) fn tell_conditions(&mut self) {
+        let now = &self.parameters.severities;
+        let over = self.shown.iter().filter(|name| now.iter().all(|(of, _)| of != *name));
+        let over: Vec<(String, f64)> = over.map(|name| (name.clone(), 0.0)).collect();
+        for (name, severity) in over.iter().chain(now) {
+            self.ready.push_back(Next::Condition(name.clone(), *severity));
+        }
+        self.shown = now.iter().map(|(name, _)| name.clone()).collect();
+    }
 }
