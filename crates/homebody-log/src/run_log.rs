@@ -12,7 +12,7 @@ use crate::run_info::RunInfo;
 use crate::sink::How;
 use crate::sink::database::remove_database;
 use crate::spreadsheet::escaped;
-use crate::truth::TruthLog;
+use crate::truth::{TruthLog, tables};
 use crate::url::Url;
 use homebody_core::event::{Events, Fact};
 use homebody_core::recording::{Recording, RunDigest};
@@ -76,9 +76,10 @@ impl RunLog {
             folder.map(FolderLock::take).transpose()?,
             places.recording.as_deref().filter(|_| folder.is_none()).map(FileLock::take).transpose()?,
         );
-        for file in places.log.iter().chain(&places.truth).filter_map(Url::file) {
+        let logs = places.log.iter().filter_map(Url::file).map(Path::to_owned);
+        for file in logs.chain(places.truth.iter().flat_map(|truth| truth.files(&tables()))) {
             // Its sink takes it for as long as it writes. Asked here, nothing is touched if one of them is another's.
-            FileLock::take(file)?;
+            FileLock::take(&file)?;
         }
         if how == How::GoOn {
             for path in places.recording.iter().chain(&places.sensors) {
