@@ -143,6 +143,34 @@ fn the_last_line_of_an_interrupted_run_says_how_to_go_on() {
     assert!(!done.out.contains("--resume"), "{}", done.out);
 }
 
+/// Interrupted again before it has come as far as before, it changes nothing, and says how to go on.
+#[test]
+fn an_interrupted_run_that_is_gone_on_with_says_how_to_go_on() {
+    let folder = flat();
+    for who in ["", " --residents 2"] {
+        let run = if who.is_empty() { "flat-1" } else { "flat-2" };
+        let log = if who.is_empty() { "flat-1/log.db" } else { "flat-2/0001/log.db" };
+        let mut running = folder.start(&format!("run flat --for 1000d{who}"));
+        let is_some = |log: fs::Metadata| log.len() > 4_000_000;
+        folder.until("much is lived", |folder| fs::metadata(folder.path(&format!("runs/{log}"))).is_ok_and(is_some));
+        assert!(running.is_alive());
+        running.signal("TERM");
+        assert_eq!(running.finish_listening().code, Some(143));
+        let before = folder.sha256(&format!("runs/{log}"));
+        for (signal, code) in [("INT", 130), ("TERM", 143)] {
+            let mut running = folder.start(&format!("run --resume runs/{run}"));
+            folder.until("it is lived again", |folder| folder.path(&format!("runs/{log}.lock")).exists());
+            assert!(running.is_alive());
+            running.signal(signal);
+            let done = running.finish_listening();
+            assert_eq!((done.code, done.err.as_str()), (Some(code), ""), "{signal}");
+            let (_, go_on) = last_line(&done.out).split_once("homebody ").unwrap();
+            assert_eq!(go_on, format!("run --resume runs/{run}"));
+        }
+        assert_eq!(folder.sha256(&format!("runs/{log}")), before);
+    }
+}
+
 #[test]
 fn an_interrupted_cohort_says_what_it_came_to() {
     let folder = Folder::new();
