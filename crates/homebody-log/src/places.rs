@@ -8,7 +8,8 @@ use crate::truth::tables;
 use crate::url::Url;
 use homebody_core::recording::Recording;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::scenario::scheme::{self, SCHEMES, Scheme};
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::scenario::scheme::{self, NoPlace, SCHEMES, Scheme};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -118,10 +119,8 @@ impl Places {
 
     /// Puts everything into a folder that has no place yet.
     fn put_into(&mut self, folder: &Path, scenario: &Scenario) -> Result<(), LogError> {
-        let to = &scenario.logger.to;
-        let default = [String::from(scheme::USUAL)];
-        for url in if to.is_empty() { &default[..] } else { to } {
-            let url = url.parse::<Url>()?.within(folder);
+        for url in logs_in(folder, &scenario.logger) {
+            let url = url?;
             if let Some(inner) = url.file().and_then(Path::parent).filter(|inner| inner.starts_with(folder)) {
                 self.make(inner)?;
             }
@@ -215,6 +214,18 @@ pub fn not_of_a_run(to: &Url) -> Result<(), LogError> {
         }
     }
     Ok(())
+}
+
+/// Where a logger's rows go in a run's folder.
+fn logs_in(folder: &Path, logger: &LoggerFile) -> impl Iterator<Item = Result<Url, NoPlace>> {
+    let usual = if logger.to.is_empty() { Some(scheme::USUAL) } else { None };
+    logger.to.iter().map(String::as_str).chain(usual).map(move |place| Ok(place.parse::<Url>()?.within(folder)))
+}
+
+/// Whether all is there that a whole run leaves in its folder.
+pub fn is_all_there(folder: &Path, logger: &LoggerFile) -> bool {
+    let logs = logs_in(folder, logger).filter_map(|url| Some(url.ok()?.file()?.to_owned()));
+    logs.chain([RECORDING, TRUTH, SENSORS].map(|name| folder.join(name))).all(|file| file.exists())
 }
 
 /// What a run leaves in its folder, be it there yet or not.

@@ -91,6 +91,30 @@ fn a_run_that_was_stopped_is_gone_on_with() {
     }
 }
 
+/// What is missing of a whole run, or of a member of a cohort, is lived again.
+#[test]
+fn what_is_missing_of_a_whole_run_is_written_again() {
+    for (scheme, log) in KINDS {
+        let (folder, _) = undisturbed(scheme, log);
+        let whole = left(&folder, "flat-1");
+        for missing in [log, "truth.db", "sensors.csv"] {
+            fs::remove_file(folder.path(&format!("runs/flat-1/{missing}"))).unwrap();
+            folder.run("run --resume runs/flat-1 --quiet").ok();
+            assert_eq!(differ(&folder, "flat-1", &whole), Vec::<String>::new(), "{scheme}, {missing}");
+        }
+        folder.run("run --resume runs/flat-1").fails(2, "is complete: there is nothing to go on with");
+    }
+    let folder = flat();
+    folder.run("run flat --for 1h --residents 2 --quiet").ok();
+    let whole = left(&folder, "flat-1");
+    for missing in ["log.db", "truth.db"] {
+        fs::remove_file(folder.path(&format!("runs/flat-1/0002/{missing}"))).unwrap();
+        folder.run("run --resume runs/flat-1 --quiet").ok();
+        assert_eq!(differ(&folder, "flat-1", &whole), Vec::<String>::new(), "{missing}");
+    }
+    folder.run("run --resume runs/flat-1").fails(2, "is complete: there is nothing to go on with");
+}
+
 /// Both kinds of cohorts, the listed one with texts that only its rows name.
 #[test]
 fn a_cohort_goes_on_with_the_members_that_are_missing() {
