@@ -11,6 +11,7 @@ use crate::plain;
 use crate::run_info::RunInfo;
 use crate::sink::How;
 use crate::sink::database::remove_database;
+use crate::sink::sqlite::can_be_replaced;
 use crate::spreadsheet::escaped;
 use crate::truth::{TruthLog, tables};
 use crate::url::Url;
@@ -91,6 +92,7 @@ impl RunLog {
         if let Some(place) =
             places.truth.as_ref().and_then(Url::file).filter(|_| how == How::GoOn && was_stopped(places))
         {
+            can_be_replaced(place, &info)?;
             let beside = beside(place);
             // A program that died on its way has left one.
             remove_database(&beside);

@@ -116,8 +116,8 @@ impl Database {
         Ok(database)
     }
 
-    /// Opens a database that a run has left unfinished, to go on with it; None where the run was not begun in it: then
-    /// nothing is left there.
+    /// Opens a database that a run has left unfinished, to go on with it; None where there is nothing in it: then it is gone.
+    /// Whose it is, the caller finds out.
     pub fn reopen(path: &Path) -> Result<Option<Database>, LogError> {
         let lock = FileLock::take(path)?;
         match fs::metadata(path) {
@@ -132,7 +132,7 @@ impl Database {
         let opened = Connection::open_with_flags(path, flags).and_then(|connection| {
             connection.busy_timeout(BUSY)?;
             // What was under way as the program died is undone or brought in first.
-            let begun = "SELECT count(*) FROM sqlite_schema WHERE name = 'run'";
+            let begun = "SELECT count(*) FROM sqlite_schema";
             let is_begun: bool = connection.query_row(begun, [], |row| row.get(0))?;
             connection.execute_batch(Flow::Pouring.journal())?;
             connection.execute_batch("PRAGMA synchronous = FULL; PRAGMA cache_size = -1024")?;

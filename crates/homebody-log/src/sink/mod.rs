@@ -4,7 +4,7 @@ mod casas;
 mod csv;
 pub(crate) mod database;
 mod open;
-mod sqlite;
+pub(crate) mod sqlite;
 mod text;
 
 use crate::clock::Clock;
