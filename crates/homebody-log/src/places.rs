@@ -7,6 +7,7 @@ use crate::plain::{self, is_inside};
 use crate::truth::tables;
 use crate::url::Url;
 use homebody_core::recording::Recording;
+pub use homebody_core::scenario::inside::{RECORDING, SENSORS, TRUTH};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::{self, NoPlace, SCHEMES, Scheme};
@@ -17,16 +18,8 @@ use std::path::{Path, PathBuf};
 /// The folder that runs go into where nothing else is asked for.
 pub const RUNS: &str = "runs";
 
-/// What a run's folder calls its recording.
-pub const RECORDING: &str = "recording.json";
-/// What a run's folder calls the database of its truth.
-pub const TRUTH: &str = "truth.db";
-
 /// The file beside the folders of a cohort's members that lists them.
 pub const LIST: &str = "cohort.json";
-
-/// The table of the sensors in a run's folder: id in the log, name in the home, kind, room and place.
-pub const SENSORS: &str = "sensors.csv";
 
 /// Where a run is written.
 pub struct Places {
