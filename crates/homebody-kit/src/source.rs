@@ -1,7 +1,7 @@
 //! Where a scenario comes from: a folder on disk, a template that came with the program, or texts in memory.
 
 use crate::error::Error;
-use homebody_core::scenario::load::{Files, Scenario};
+use homebody_core::scenario::load::{Files, MOST_BYTES, NoText, Scenario};
 use homebody_log::limits::LARGEST_OF_SCENARIO_BYTES;
 use homebody_log::plain;
 use homebody_routine::household::RoutineLanguage;
@@ -147,25 +147,35 @@ impl Template {
     }
 }
 
-/// The files of a folder.
-struct Folder {
-    path: PathBuf,
-    /// Whether links may lead out of it, and files be of any size.
-    is_trusted: bool,
+/// The files of a scenario's folder, which may be anybody's: plain ones in there, each of at most
+/// [`LARGEST_OF_SCENARIO_BYTES`].
+#[derive(Clone, Debug)]
+pub struct Folder {
+    /// Where it is.
+    pub path: PathBuf,
+    /// Whether it is one's own: then links may lead out of it, and its files are of any size.
+    pub is_trusted: bool,
 }
 
 impl Files for Folder {
-    fn read(&self, name: &str) -> Result<String, String> {
+    fn read(&self, name: &str) -> Result<String, NoText> {
         let path = self.path.join(name);
         let largest = if self.is_trusted { u64::MAX } else { LARGEST_OF_SCENARIO_BYTES };
+        let is_link = || fs::symlink_metadata(&path).is_ok_and(|found| found.is_symlink());
         let text = plain::read_text(&path, largest).map_err(|error| match error.kind() {
-            ErrorKind::NotFound => "there is no such file".to_owned(),
-            ErrorKind::IsADirectory => "it is a folder".to_owned(),
-            _ => error.to_string(),
+            ErrorKind::NotFound if is_link() => NoText::Unreadable("it is a link that leads nowhere".into()),
+            // No file has a name that no file can have.
+            ErrorKind::NotFound | ErrorKind::NotADirectory | ErrorKind::InvalidFilename => NoText::Missing,
+            ErrorKind::IsADirectory => NoText::Unreadable("it is a folder".into()),
+            _ => NoText::Unreadable(error.to_string()),
         })?;
         match self.is_trusted || plain::is_inside(&self.path, &path) {
             true => Ok(text),
-            false => Err("it is a link that leads out of the scenario's folder".to_owned()),
+            false => Err(NoText::Unreadable("it is a link that leads out of the scenario's folder".into())),
         }
+    }
+
+    fn most_bytes(&self) -> usize {
+        if self.is_trusted { usize::MAX } else { MOST_BYTES }
     }
 }
