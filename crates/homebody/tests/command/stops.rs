@@ -230,15 +230,29 @@ fn a_second_interrupt_ends_at_once() {
 #[test]
 fn somebody_may_look_at_a_live_run() {
     let folder = flat();
-    let running = folder.start("run flat --for 5m --speed 100 --quiet --out sqlite:log.db");
+    let running = folder.start("run flat --for 5m --speed 100 --out sqlite:log.db");
     folder.until("there are rows", |folder| folder.stored_rows("log.db") > 0);
     let watcher = Connection::open(folder.path("log.db")).unwrap();
     watcher.busy_timeout(Duration::from_secs(5)).unwrap();
     watcher.execute_batch("BEGIN; SELECT count(*) FROM firing").unwrap();
-    // The watcher holds on to what it sees, and is in nobody's way.
-    running.finish().ok();
+    // The watcher holds on to what it sees, and is in nobody's way; what it keeps beside the log is told.
+    let done = running.finish().ok();
+    let told = "warning: another program is reading log.db: until it is done, log.db-wal is a part of it\n";
+    assert_eq!(done.err, told);
     watcher.execute_batch("COMMIT").unwrap();
     drop(watcher);
+    assert!(!folder.path("log.db-wal").exists());
+    // The control: one who ends within the time that is waited for leaves nothing to tell.
+    let mut running = folder.start("run flat --for 5m --speed 100 --out sqlite:brief.db");
+    folder.until("there are rows", |folder| folder.stored_rows("brief.db") > 0);
+    let watcher = Connection::open(folder.path("brief.db")).unwrap();
+    watcher.execute_batch("BEGIN; SELECT count(*) FROM firing").unwrap();
+    let rows_of = |name: &str| folder.stored_rows(name);
+    folder.until("all is stored", |_| rows_of("brief.db") == rows_of("log.db"));
+    assert!(running.is_alive());
+    drop(watcher);
+    assert_eq!(running.finish().ok().err, "");
+    assert!(!folder.path("brief.db-wal").exists());
     assert_eq!(rows(&folder, "log.db"), undisturbed(&folder, "5m"));
 }
 
