@@ -50,8 +50,8 @@ impl Source {
         let folder = if meta.is_dir() { path } else { path.parent().unwrap_or(Path::new("")) };
         let file = folder.join(&entry);
         if !file.is_file() {
-            let why = "there is no such file\n  hint: a scenario folder holds a scenario.json";
-            return Err(Error::file(&file, why));
+            let what = if file.exists() { "it is no plain file" } else { "there is no such file" };
+            return Err(Error::file(&file, format!("{what}\n  hint: a scenario folder holds a scenario.json")));
         }
         Ok(Source {
             files: Arc::new(Folder { path: folder.to_owned(), is_trusted: false }),

@@ -72,7 +72,15 @@ pub enum LogError {
         /// The database's file.
         place: String,
     },
-    /// A file of a run's folder is a link or a device, so that writing there would write elsewhere.
+    /// A file of a run's folder is a pipe, a device or a folder.
+    #[error(
+        "{place} is a pipe, a device or a folder\n  hint: it is no file that a run has made; remove it, or live the run anew"
+    )]
+    NoPlain {
+        /// What is there.
+        place: String,
+    },
+    /// A file of a run's folder is a link, or in a folder that is one, so that writing there would write elsewhere.
     #[error(
         "{place} leads out of the run's folder\n  hint: it is no file that a run has made; remove it, or live the run anew"
     )]

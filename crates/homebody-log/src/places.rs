@@ -74,10 +74,7 @@ impl Places {
 
     /// Makes sure that no file of a folder, which may be anybody's, leads elsewhere.
     fn lead_nowhere_else(&self, folder: &Path) -> Result<(), LogError> {
-        match self.files().into_iter().find(|path| leads_out(folder, path)) {
-            Some(path) => Err(LogError::LeadsOut { place: place_of(&path) }),
-            None => Ok(()),
-        }
+        self.files().iter().try_for_each(|path| leads_nowhere_else(folder, path))
     }
 
     fn nowhere() -> Places {
@@ -176,11 +173,19 @@ pub fn can_be_written(files: &[&Path], sources: &[PathBuf], force: bool) -> Resu
     all_can_be_written(files, force)
 }
 
-/// Whether a file of a run's folder is a link, a device, or in a folder that is a link to elsewhere. One that is not there yet
-/// is not.
-fn leads_out(folder: &Path, path: &Path) -> bool {
-    let is_odd = fs::symlink_metadata(path).is_ok_and(|found| !found.is_file());
-    is_odd || path.parent().is_some_and(|parent| parent.exists() && !is_inside(folder, parent))
+/// Makes sure that a file of a run's folder is a plain one, and in no folder that is a link to elsewhere. One that is not there
+/// yet is fine.
+fn leads_nowhere_else(folder: &Path, path: &Path) -> Result<(), LogError> {
+    let place = || place_of(path);
+    match fs::symlink_metadata(path).map(|found| found.file_type()) {
+        Ok(kind) if kind.is_symlink() => return Err(LogError::LeadsOut { place: place() }),
+        Ok(kind) if !kind.is_file() => return Err(LogError::NoPlain { place: place() }),
+        _ => {}
+    }
+    match path.parent().is_some_and(|parent| parent.exists() && !is_inside(folder, parent)) {
+        true => Err(LogError::LeadsOut { place: place() }),
+        false => Ok(()),
+    }
 }
 
 /// Makes sure that what is to be written is no file that a run has left in its folder, or is going to.
