@@ -290,7 +290,8 @@ fn going_back_is_going_on_from_there_as_it_was() {
         let folder = TempDir::new().unwrap();
         let own = folder.path().join("scenario");
         copy(&scenarios().join("tigerplace"), &own, &as_it_is);
-        let shelf = Shelf { scenario: own, entry: "scenario.json".into(), runs: folder.path().join("runs") };
+        let shelf =
+            Shelf { scenario: own, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
         let mut act = StagedRun::new(&shelf, &shelf.entry, Start::default()).unwrap();
         live(&mut act, 12 * DAY + 5 * HOUR, &shelf);
         for &to in back {
