@@ -43,6 +43,16 @@ pub enum Error {
         /// Where it was looked for.
         path: PathBuf,
     },
+    /// A run or a cohort was killed in its first moment: what it is to be is not written down.
+    #[error(
+        "the run in {} was ended before anything of it was stored\n  hint: there is nothing to go on with: remove the folder, \
+         and begin the run anew",
+        folder.display()
+    )]
+    NotBegun {
+        /// Its folder.
+        folder: PathBuf,
+    },
     /// A file is no recording of a run.
     #[error("{} is no recording: {why}", path.display())]
     Recording {

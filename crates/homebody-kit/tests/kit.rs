@@ -379,3 +379,24 @@ fn a_resident_who_does_a_million_things_a_second_needs_time_and_not_memory() {
     // The control: after a quiet night an hour is lived at once, and only the limit ends it.
     assert!(largest >= 200_000, "{largest}");
 }
+
+#[test]
+fn nothing_is_touched_where_another_program_writes_one_table_of_the_truth() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let to = Destinations {
+        log: vec![format!("csv:{}", at("log.csv").display()).parse().unwrap()],
+        truth: Some(format!("csv:{}", at("truth.csv").display()).parse().unwrap()),
+        recording: Some(at("recording.json")),
+        replace: true,
+        ..Destinations::default()
+    };
+    fs::write(at("recording.json"), "of another run").unwrap();
+    let run = || tigerplace().run().length(SECOND).start().unwrap();
+    let lock = homebody_log::lock::FileLock::take(&at("truth.cause.csv")).unwrap();
+    let error = run().store(&to, |_| ()).unwrap_err().to_string();
+    assert!(error.contains("another program is writing into") && error.contains("truth.cause.csv"), "{error}");
+    assert_eq!(fs::read_to_string(at("recording.json")).unwrap(), "of another run");
+    drop(lock);
+    run().store(&to, |_| ()).unwrap();
+}

@@ -79,6 +79,35 @@ fn a_log_goes_from_form_to_form_and_comes_back_the_same() {
     assert!(matches!(again, Err(LogError::Exists { .. })));
 }
 
+/// What CSV can hold comes back as it was, with blanks at its ends and control characters; CASAS refuses what it cannot hold.
+#[test]
+fn odd_texts_come_back_as_they_were_or_are_refused() {
+    let odd =
+        [(" door ", "ON"), ("\u{a0}stove", "  ON"), ("a\tb", "O\nN"), ("\r\nhall\r", "x\r"), ("=cmd()", "\u{1}'=1 ")];
+    let folder = Folder::new("odd");
+    let database = Connection::open(folder.path().join("first.db")).unwrap();
+    database.execute_batch("CREATE TABLE firing (fired_at TEXT, sensor TEXT, value TEXT)").unwrap();
+    for (sensor, value) in odd {
+        let sql = "INSERT INTO firing VALUES ('2009-03-07 22:00:05', ?, ?)";
+        database.execute(sql, [sensor, value]).unwrap();
+    }
+    drop(database);
+    carry(&folder.url("sqlite:first.db"), &folder.url("csv:second.csv"), "UTC").unwrap();
+    let texts = |log: &Log| {
+        log.events.iter().map(|event| (log.sensor(event).to_owned(), log.value(event).to_owned())).collect::<Vec<_>>()
+    };
+    let expected = odd.map(|(sensor, value)| (sensor.to_owned(), value.to_owned()));
+    let log = read(&folder.url("csv:second.csv"), &LoggerFile::default()).unwrap();
+    assert_eq!(texts(&log), expected);
+    // Lines that end as on Windows add nothing to the last cell.
+    let plain = "seq,fired_at,sensor,value\r\n0,2009-03-07 22:00:05, door ,ON\r\n";
+    let log = from_text(&folder, "csv:windows.csv", plain).unwrap();
+    assert_eq!(texts(&log), [(" door ".to_owned(), "ON".to_owned())]);
+    let error = carry(&folder.url("sqlite:first.db"), &folder.url("casas:third.txt"), "UTC").unwrap_err().to_string();
+    assert!(error.contains("cannot hold the control characters of ") && error.contains("sqlite: or csv:"), "{error}");
+    assert!(!folder.files().iter().any(|name| name.starts_with("third")), "{:?}", folder.files());
+}
+
 #[test]
 fn a_log_is_streamed_in_parts() {
     let folder = Folder::new("streamed");

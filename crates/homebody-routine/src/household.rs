@@ -21,7 +21,7 @@ use homebody_core::problem::{Problem, Problems};
 use homebody_core::recording::Recording;
 use homebody_core::run::{DriverProvider, Guest};
 use homebody_core::scenario::home::HomeFile;
-use homebody_core::scenario::load::{Driver, Files, Language, RoutineText, Scenario};
+use homebody_core::scenario::load::{Driver, Files, Language, NoText, RoutineText, Scenario, too_long};
 use homebody_walk::Mesh;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -92,6 +92,9 @@ pub fn numbers() -> Vec<Number> {
     let own = NUMBERS.iter().map(|number| (*number).clone()).chain(living::numbers());
     own.chain(homebody_walk::numbers()).chain(models::numbers()).collect()
 }
+
+/// No scenario shows more conditions (ours).
+const MOST_CONDITIONS: usize = 64;
 
 /// What a routine that says nothing of it leaves to be ordinary.
 const ORDINARY: &str = include_str!("ordinary.routine");
@@ -397,7 +400,7 @@ impl<'a> Reader<'a> {
             for first in verb + 1..words.len().min(verb + 6) {
                 for last in first + 1..=words.len().min(first + 4) {
                     let name = words[first..last].join("-");
-                    if !names.contains(&name) && self.files.read(&file_of(&name)).is_ok() {
+                    if !names.contains(&name) && self.files.read(&file_of(&name)) != Err(NoText::Missing) {
                         names.push(name);
                     }
                 }
@@ -412,19 +415,33 @@ impl<'a> Reader<'a> {
             let Effect::Shows { condition, .. } = &change.effect else { continue };
             if path.contains(condition) {
                 let what = format!("the conditions {} show each other in a circle", path.join(" and "));
-                let mut problem =
-                    Problem::of_file(&routine.file, what, Some("let one of them not show the other".into()));
-                (problem.line, problem.column) = (change.said.line, change.said.column);
-                self.problems.push(problem);
+                let hint = "let one of them not show the other".to_owned();
+                self.problems.push(said_at(routine, change.said.line, change.said.column, what, hint));
                 continue;
             }
             if self.known.contains_key(condition) {
                 continue;
             }
             let file = file_of(condition);
-            let own = self.files.read(&file).ok();
             let built_in = || CONDITIONS.iter().find(|(name, _)| name == condition).map(|(_, text)| (*text).to_owned());
-            let Some(text) = own.or_else(built_in) else { continue };
+            let read = match self.files.read(&file) {
+                Ok(_) if self.known.len() >= MOST_CONDITIONS => {
+                    Err(format!("nobody shows more than {MOST_CONDITIONS} conditions: {file:?} is one too many"))
+                }
+                Ok(text) => too_long(&text).map_or(Ok(Some(text)), |why| Err(format!("{file:?} is too long: {why}"))),
+                // Only where there is none of its own: one that cannot be read is not passed over.
+                Err(NoText::Missing) => Ok(built_in()),
+                Err(why) => Err(format!("{file:?} cannot be read: {why}")),
+            };
+            let text = match read {
+                Ok(Some(text)) => text,
+                Ok(None) => continue,
+                Err(what) => {
+                    let hint = "make it a plain file with a condition, or remove it".to_owned();
+                    self.problems.push(said_at(routine, change.said.line, change.said.column, what, hint));
+                    continue;
+                }
+            };
             let names = self.names(&text);
             let (routine, problems) =
                 language::condition(&file, &text, &known(self.home, self.plan, None, names, self.first));
@@ -436,6 +453,11 @@ impl<'a> Reader<'a> {
             path.pop();
         }
     }
+}
+
+/// A problem with what is said at a place of a routine.
+fn said_at(routine: &Routine, line: u32, column: u32, what: String, hint: String) -> Problem {
+    Problem { line, column, ..Problem::of_file(&routine.file, what, Some(hint)) }
 }
 
 fn file_of(condition: &str) -> String {

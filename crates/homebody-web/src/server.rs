@@ -80,9 +80,9 @@ const PORTS: u16 = 20;
 pub enum ServeError {
     #[error("{0}")]
     Scenario(String),
-    #[error("no port from {first} to {last} is free on {ip}\n  hint: name one with --port")]
+    #[error("no port from {first} to {last} is free on {ip}\n  hint: name another port")]
     NoPort { ip: IpAddr, first: u16, last: u16 },
-    #[error("{address} cannot be listened to: {source}\n  hint: another program may be there; --port names another")]
+    #[error("{address} cannot be listened to: {source}\n  hint: another program may be there; name another port")]
     Port { address: SocketAddr, source: std::io::Error },
     #[error("there is no randomness for a token: {0}")]
     Token(getrandom::Error),

@@ -4,13 +4,13 @@
 //! link that leads out of it, is not there.
 
 use homebody_core::recording::Recording;
-use homebody_core::scenario::load::Files;
-use homebody_log::limits::LARGEST_OF_SCENARIO_BYTES;
+use homebody_core::scenario::load::{Files, NoText};
+use homebody_kit::Folder;
 use homebody_log::places::RECORDING;
 use homebody_log::plain;
 use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::time::SystemTime;
 
 /// Where scenario and runs are.
@@ -20,11 +20,17 @@ pub struct Shelf {
     pub scenario: PathBuf,
     /// The name of its own file in there.
     pub entry: String,
+    /// Whether the scenario is one's own: then links may lead out of its folder, and its files are of any size.
+    pub is_trusted: bool,
     /// The folder of all runs, whether it is there yet or not.
     pub runs: PathBuf,
 }
 
 impl Shelf {
+    fn files(&self) -> Folder {
+        Folder { path: self.scenario.clone(), is_trusted: self.is_trusted }
+    }
+
     /// The names of the files that can be written in the page: those of the scenario's folder and of its folder of
     /// conditions.
     pub fn written(&self) -> Vec<String> {
@@ -88,9 +94,16 @@ impl Shelf {
 
 /// The scenario's files.
 impl Files for Shelf {
-    fn read(&self, name: &str) -> Result<String, String> {
-        let path = plain_file(&self.scenario, Path::new(name)).ok_or("there is no such file")?;
-        plain::read_text(&path, LARGEST_OF_SCENARIO_BYTES).map_err(|error| error.to_string())
+    fn read(&self, name: &str) -> Result<String, NoText> {
+        let leads_out = |part: Component| !matches!(part, Component::Normal(_));
+        match Path::new(name).components().any(leads_out) {
+            true => Err(NoText::Missing),
+            false => self.files().read(name),
+        }
+    }
+
+    fn most_bytes(&self) -> usize {
+        self.files().most_bytes()
     }
 }
 

@@ -506,7 +506,7 @@ mod tests {
         for (file, text) in Template::named("tigerplace").unwrap().files() {
             std::fs::write(scenario.join(file), text).unwrap();
         }
-        Shelf { scenario, entry: "scenario.json".into(), runs: folder.path().join("runs") }
+        Shelf { scenario, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") }
     }
 
     /// Looks until there is what is wished.

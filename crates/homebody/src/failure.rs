@@ -77,6 +77,7 @@ impl From<Error> for Failure {
             Error::File { .. }
             | Error::NoLog { .. }
             | Error::NoRecording { .. }
+            | Error::NotBegun { .. }
             | Error::NotFolder { .. }
             | Error::Threads(_) => Failure::Io(error.to_string()),
             error => Failure::usage(error),

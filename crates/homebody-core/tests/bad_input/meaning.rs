@@ -199,7 +199,7 @@ fn the_logger() {
         ("logger.json", r#""sqlite:log.db""#, r#""csv:logs/../../log.csv""#,
             r#"logger.json:2:10: "logs/../../log.csv" is no file name inside the run's folder; name a file in there, such as "sqlite:log.db"; whoever runs it may say another place for that run"#),
         ("logger.json", r#""sqlite:log.db""#, r#""csv:log.txt""#,
-            r#"logger.json:2:25: two logs cannot go to the one file "log.txt""#),
+            r#"logger.json:2:25: two logs cannot go to the one file "log.txt"; name a file that nothing else has, such as "csv:logs/week.csv""#),
         ("logger.json", r#""table": "event""#, r#""table": "Event""#,
             r#"logger.json:3:12: "Event" cannot be the name of a table or a column; use a to z, 0 to 9 and _, not a digit first, at most 63 characters"#),
         ("logger.json", r#""table": "event""#, r#""table": "e; drop table x""#,

@@ -1,12 +1,13 @@
 //! Living a run: telling people how far it is, and what has become of it.
 
 use crate::failure::Failure;
-use crate::print::{print_json, print_text};
+use crate::print::{print_json, print_text, tell};
 use crate::signals::Signals;
 use homebody_core::recording::Recording;
 use homebody_core::scenario::scheme::{NoPlace, SCHEMES, Scheme};
 use homebody_core::time::{Micros, SECOND, seconds};
 use homebody_kit::{Destinations, LiveRun, Lived, Progress, Url};
+use homebody_log::sink::log_beside;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -99,6 +100,14 @@ pub fn report(name: &str, lived: &Lived, output: &Output) -> Result<(), Failure>
     } else if !output.quiet {
         print_text(&summary(name, lived))?;
     }
+    if !output.quiet {
+        stored
+            .places
+            .iter()
+            .filter_map(|place| place.parse().ok())
+            .chain(truth.clone())
+            .for_each(|url| tell_reader(&url));
+    }
     let Some(before) = before.as_ref().filter(|_| *agrees == Some(false)) else { return Ok(()) };
     let (by, hint) = match before.version.as_str() {
         VERSION => (String::new(), "the recording is not as the run wrote it".to_owned()),
@@ -108,6 +117,16 @@ pub fn report(name: &str, lived: &Lived, output: &Output) -> Result<(), Failure>
         "the replay differs from the recording{by}: {firings} firings, and {} in the recording\n  hint: {hint}",
         before.firings
     )))
+}
+
+/// Warns of who reads a database that is complete, and so keeps a part of it in a file beside.
+fn tell_reader(place: &Url) {
+    if let (Scheme::Sqlite, Some(file)) = (place.scheme(), place.file())
+        && let Some(beside) = log_beside(file)
+    {
+        let (file, beside) = (file.display(), beside.display());
+        tell(format_args!("warning: another program is reading {file}: until it is done, {beside} is a part of it"));
+    }
 }
 
 fn summary(name: &str, lived: &Lived) -> String {

@@ -102,6 +102,30 @@ fn a_run_that_was_stopped_is_gone_on_with() {
     }
 }
 
+/// What is missing of a whole run, or of a member of a cohort, is lived again.
+#[test]
+fn what_is_missing_of_a_whole_run_is_written_again() {
+    for (scheme, log) in KINDS {
+        let (folder, _) = undisturbed(scheme, log);
+        let whole = left(&folder, "flat-1");
+        for missing in [log, "truth.db", "sensors.csv"] {
+            fs::remove_file(folder.path(&format!("runs/flat-1/{missing}"))).unwrap();
+            folder.run("run --resume runs/flat-1 --quiet").ok();
+            assert_eq!(differ(&folder, "flat-1", &whole), Vec::<String>::new(), "{scheme}, {missing}");
+        }
+        folder.run("run --resume runs/flat-1").fails(2, "is complete: there is nothing to go on with");
+    }
+    let folder = flat();
+    folder.run("run flat --for 1h --residents 2 --quiet").ok();
+    let whole = left(&folder, "flat-1");
+    for missing in ["log.db", "truth.db"] {
+        fs::remove_file(folder.path(&format!("runs/flat-1/0002/{missing}"))).unwrap();
+        folder.run("run --resume runs/flat-1 --quiet").ok();
+        assert_eq!(differ(&folder, "flat-1", &whole), Vec::<String>::new(), "{missing}");
+    }
+    folder.run("run --resume runs/flat-1").fails(2, "is complete: there is nothing to go on with");
+}
+
 /// Both kinds of cohorts, the listed one with texts that only its rows name.
 #[test]
 fn a_cohort_goes_on_with_the_members_that_are_missing() {
@@ -206,6 +230,86 @@ fn what_was_changed_is_not_gone_on_with() {
     folder.run("run --resume runs/flat-2").fails(2, "was begun by version 9.");
     folder.run("run --resume runs/flat-9").fails(1, "there is no such recording");
     folder.run("run flat --resume runs/flat-2").fails(2, "cannot be used with");
+}
+
+/// What lies where a log or the truth is to be stays as it is where the run has not made it.
+#[test]
+fn a_file_of_something_else_is_not_replaced() {
+    let (folder, _) = undisturbed("sqlite", "log.db");
+    let whole = left(&folder, "flat-1");
+    let database =
+        |sql: &'static str| move |path: &std::path::Path| Connection::open(path).unwrap().execute_batch(sql).unwrap();
+    type Lay<'a> = &'a dyn Fn(&std::path::Path);
+    let others: [(&str, Lay); 4] = [
+        ("it is the database of something else", &database("CREATE TABLE photo (name TEXT)")),
+        ("it is the database of something else", &database("CREATE TABLE run (name TEXT)")),
+        ("it holds another run", &database("CREATE TABLE run (run_id TEXT); INSERT INTO run VALUES ('seven')")),
+        ("it is no database, or a damaged one: put back what was there", &|path| fs::write(path, "a diary").unwrap()),
+    ];
+    // One that was stopped, whose truth is written anew, and one that was killed.
+    for is_killed in [false, true] {
+        let mut running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));
+        running.say("step 20000\n");
+        folder.until("rows are stored", |folder| folder.stored_rows("runs/flat-2/log.db") > 100);
+        if is_killed {
+            running.kill();
+        } else {
+            running.say("stop\n");
+            running.finish().ok();
+        }
+        for file in ["log.db", "truth.db"] {
+            let path = folder.path(&format!("runs/flat-2/{file}"));
+            let aside = folder.path(&format!("runs/{file}"));
+            fs::rename(&path, &aside).unwrap();
+            for ending in ["-wal", "-shm", "-journal", ".lock"] {
+                let _ = fs::rename(
+                    folder.path(&format!("runs/flat-2/{file}{ending}")),
+                    folder.path(&format!("runs/{file}{ending}")),
+                );
+            }
+            for (said, make) in &others {
+                make(&path);
+                let before = fs::read(&path).unwrap();
+                let done = folder.run("run --resume runs/flat-2").fails(1, said);
+                assert!(done.err.contains("hint: "), "{}", done.err);
+                assert!(fs::read(&path).unwrap() == before, "{file}: {said}");
+                fs::remove_file(&path).unwrap();
+            }
+            fs::rename(&aside, &path).unwrap();
+            for ending in ["-wal", "-shm", "-journal"] {
+                let _ = fs::rename(
+                    folder.path(&format!("runs/{file}{ending}")),
+                    folder.path(&format!("runs/flat-2/{file}{ending}")),
+                );
+            }
+            let _ = fs::remove_file(folder.path(&format!("runs/{file}.lock")));
+        }
+        // The hint is followed: what was there is put back.
+        folder.run("run --resume runs/flat-2 --quiet").ok();
+        assert_eq!(differ(&folder, "flat-2", &whole), Vec::<String>::new());
+        fs::remove_dir_all(folder.path("runs/flat-2")).unwrap();
+    }
+}
+
+/// Killed before its recording stood, a run has left nothing to go on with. The hint is followed, and works.
+#[test]
+fn what_was_killed_at_once_is_begun_anew() {
+    let folder = flat();
+    for part in ["recording.json.4711-0.part", "cohort.json.4711-0.part", ""] {
+        fs::create_dir_all(folder.path("runs/flat-1")).unwrap();
+        if !part.is_empty() {
+            folder.write(&format!("runs/flat-1/{part}"), "{ \"version\": ");
+        }
+        let said = "the run in runs/flat-1 was ended before anything of it was stored";
+        let done = folder.run("run --resume runs/flat-1").fails(1, said);
+        let hint = "hint: there is nothing to go on with: remove the folder, and begin the run anew";
+        assert!(done.err.contains(hint), "{}", done.err);
+        fs::remove_dir_all(folder.path("runs/flat-1")).unwrap();
+        folder.run("run flat --for 1m --quiet").ok();
+        fs::remove_dir_all(folder.path("runs/flat-1")).unwrap();
+    }
+    // The control: a folder of something else is none of a run.
+    folder.run("run --resume flat").fails(1, "there is no such recording");
 }
 
 /// Each hint is followed, and works.
