@@ -113,7 +113,7 @@ fn what_is_no_scenario_is_told_apart() {
         for (scenario, code, said) in [
             ("nowhere", 1, "nowhere: there is no such scenario\n  hint: name its folder, or its scenario.json"),
             ("empty", 1, "empty/scenario.json: there is no such file\n  hint: a scenario folder holds a scenario.json"),
-            ("folders", 1, "folders/scenario.json: there is no such file"),
+            ("folders", 1, "folders/scenario.json: it is no plain file"),
             ("latin", 2, "scenario.json: cannot be read: it is not text in UTF-8"),
             ("other", 2, "\"scenario.json\" is a home, but a scenario is needed here"),
             ("flat/home.json", 2, "\"home.json\" is a home, but a scenario is needed here"),

@@ -65,7 +65,7 @@ fn only_plain_files_of_a_named_size_are_read() {
     let folder = beside_a_secret();
     let pipe = folder.path("pipe");
     assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
-    folder.run("check pipe").fails(1, "there is no such file\n  hint: a scenario folder holds a scenario.json");
+    folder.run("check pipe").fails(1, "pipe: it is no plain file\n  hint: a scenario folder holds a scenario.json");
     for words in ["replay pipe", "import pipe new", "convert pipe --to csv:a.csv", "compare pipe pipe"] {
         folder.run(words).fails(1, "it is no plain file, but a device or a pipe");
     }
