@@ -98,7 +98,7 @@ impl OpenScenario {
     /// What is right in it but hardly meant, in a run of `length` microseconds.
     pub fn remarks(&self, length: Micros) -> Vec<Problem> {
         let mut all = remarks::of(&self.scenario, length);
-        let days = i32::try_from(length.div_ceil(DAY)).unwrap_or(i32::MAX);
+        let days = i32::try_from((length + DAY - 1).div_euclid(DAY)).unwrap_or(i32::MAX);
         all.extend(self.household.foretold(days).into_iter().map(|told| {
             let Difference { file, line, text, lived, .. } = told;
             let text = text.split_whitespace().collect::<Vec<_>>().join(" ");

@@ -678,12 +678,8 @@ impl Activity {
 
     /// Whether it is done in the night, out of bed or in it, if it is said to be done at night; all else is done before bed.
     pub(crate) fn is_of_the_night(&self) -> bool {
-        match self {
-            Activity::UseBathroom | Activity::LieAwake | Activity::Fall => true,
-            Activity::Wander | Activity::Pace | Activity::Lap => true,
-            Activity::Drink | Activity::Snack | Activity::Leave => true,
-            _ => false,
-        }
+        use Activity::{Drink, Fall, Lap, Leave, LieAwake, Pace, Snack, UseBathroom, Wander};
+        matches!(self, UseBathroom | LieAwake | Fall | Wander | Pace | Lap | Drink | Snack | Leave)
     }
 
     /// Whether it interrupts what goes on rather than waiting for its turn.
