@@ -50,6 +50,7 @@ pub use destination::{Destination, Policy, Sink};
 pub use error::{BoxError, Error};
 pub use homebody_log::Url;
 pub use homebody_log::places::LIST;
+pub use homebody_routine::living::account::Difference;
 pub use log_with_run::{LogWithRun, NamedLog};
 pub use profiles::Profile;
 pub use recorded::{Recorded, Unfinished, recording};

@@ -14,6 +14,8 @@ use homebody_core::run::Run;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{DAY, Micros, SECOND};
+use homebody_routine::household::Household;
+use homebody_routine::living::account::Difference;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -221,6 +223,14 @@ pub struct LiveRun {
     pub(crate) events: Events,
     /// Where the last batch begins.
     pub(crate) begin: Micros,
+}
+
+impl LiveRun {
+    /// The sentences of routines whose lives, as far as the run has come, differ from their words: planned and not done, for
+    /// want of time or of a way; far from their times; never in force.
+    pub fn differences(&self) -> Vec<Difference> {
+        Household::differences(&self.run)
+    }
 }
 
 /// What has happened in a part of a run.

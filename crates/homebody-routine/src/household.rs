@@ -3,6 +3,7 @@
 use crate::completion::{self, Word};
 use crate::language::{self, Known};
 use crate::living;
+use crate::living::account::{self, Difference};
 use crate::living::body::Body;
 use crate::living::company::{Company, People};
 use crate::living::driver::RoutineDriver;
@@ -19,9 +20,10 @@ use homebody_core::models;
 use homebody_core::numbers::Number;
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::recording::Recording;
-use homebody_core::run::{DriverProvider, Guest};
+use homebody_core::run::{DriverProvider, Guest, Run};
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::load::{Driver, Files, Language, NoText, RoutineText, Scenario, too_long};
+use homebody_core::time::DAY;
 use homebody_walk::Mesh;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -182,7 +184,7 @@ impl Household {
             is_one_of_many: false,
         };
         let life = household.life(resident, scenario.file.seed)?;
-        let (unsaid, words) = (life.unsaid().clone(), completion::words(&names, text));
+        let (unsaid, words) = (life.unsaid(), completion::words(&names, text));
         Some(Understood { routine, unsaid, conditions: household.conditions, problems, words, life })
     }
 
@@ -206,7 +208,7 @@ impl Household {
 
     /// What the routine of a resident leaves unsaid, and goes as it usually does.
     pub fn unsaid(&self, resident: usize) -> Option<Routine> {
-        self.life(resident, 0).map(|life| life.unsaid().clone())
+        self.life(resident, 0).map(|life| life.unsaid())
     }
 
     /// The conditions that are shown, by name.
@@ -234,6 +236,21 @@ impl Household {
             self.is_one_of_many,
             self.scenario.home.numbers(),
         ))
+    }
+
+    /// The sentences of everybody's routines whose lives in a run, as far as it has come, differ from their words.
+    pub fn differences(run: &Run) -> Vec<Difference> {
+        let days = i32::try_from(run.now().div_euclid(DAY)).unwrap_or(i32::MAX);
+        let drivers = (0..run.names().len()).filter_map(|body| run.driver(ResidentId::of(body))?.as_any());
+        let lives = drivers.filter_map(|driver| driver.downcast_ref::<RoutineDriver>());
+        let residents = lives.filter(|driver| !driver.is_visitor());
+        residents.flat_map(|driver| account::differences(driver.life(), driver.tally(), days)).collect()
+    }
+
+    /// What of this can be told before a run of so many days.
+    pub fn foretold(&self, days: i32) -> Vec<Difference> {
+        let lives = (0..self.routines.len()).filter_map(|resident| self.life(resident, 0));
+        lives.flat_map(|life| account::foretold(&life, days)).collect()
     }
 
     fn find_guests(&self) -> Vec<Visitor> {

@@ -80,6 +80,8 @@ static PHRASES: [(Activity, &[&str]); 32] = [
             "~go to shops|shop|store|supermarket|market|church|doctor|park|library|club|work|town",
             "~take|have *walk",
             "~visit HOST",
+            "~stay with|at HOST",
+            "~go to|into hospital",
         ],
     ),
     (Activity::ComeHome, &["~come home|back [home]", "~return [home]", "~get home|back"]),

@@ -53,7 +53,9 @@ pub enum Predicate {
 }
 
 const HOURS: &str = "hours|times|days|day|routine";
-pub const VISITS: [&str; 9] = [
+pub const VISITS: [&str; 11] = [
+    "stays|stay with|at her|him|them",
+    "stays|stay",
     "visits|visit her|him|them|it",
     "visits|visit",
     "comes|come to visit|help",
@@ -245,7 +247,7 @@ fn being(reader: &mut Reader, adverbs: &mut Adverbs) -> Predicate {
         }
         return Predicate::Age(age.from);
     }
-    if reader.eat("out|away|outside") {
+    if reader.eat("out|away|outside") || reader.eat("in|at hospital") || reader.eat("in|at the hospital") {
         return Predicate::Does(Activity::Leave);
     }
     Predicate::Is

@@ -295,7 +295,7 @@ impl RoutineDriver {
 
     /// Whether a visitor stays where nobody is to visit.
     pub(super) fn visits_nobody(&self) -> bool {
-        self.visitor.is_some() && !self.company.is_here(self.host)
+        self.visitor.is_some() && !self.stays_over && !self.company.is_here(self.host)
     }
 
     /// Who eats waits while somebody else cooks.

@@ -7,11 +7,13 @@
 use super::agenda::{Agenda, Item};
 use super::body::Body;
 use super::company::Company;
-use super::life::{DayParameters, Life};
+use super::errands::Errands;
+use super::life::{DayParameters, Life, SentenceId};
 use super::manner::Manner;
 use super::needs::Needs;
 use super::places::{Places, Spot};
 use super::script::{Interruptible, Setting, Stay, Step, script};
+use super::tally::Tally;
 use super::usual;
 use super::watch::Watches;
 use crate::routine::{Activity, Response};
@@ -24,6 +26,7 @@ use homebody_core::random::Stream;
 use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros, SECOND, micros};
+use std::any::Any;
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
 
@@ -40,6 +43,8 @@ pub struct RoutineDriver {
     pub(super) agenda: Agenda,
     pub(super) next_item: usize,
     pub(super) next_break: usize,
+    /// The first item of the plan that was still to come as it was made.
+    pub(super) first_item: usize,
     /// What is being done, and under it what was interrupted for it.
     pub(super) scripts: Vec<Playing>,
     /// What comes next before anything is decided: the strides of a walk, facts.
@@ -53,6 +58,15 @@ pub struct RoutineDriver {
     pub(super) unplanned: BTreeMap<Activity, u32>,
     /// The conditions that were told last.
     pub(super) shown: Vec<String>,
+    pub(super) errands: Errands,
+    /// What came of each sentence so far.
+    pub(super) tally: Tally,
+    /// Whether what filled the time last was an errand.
+    was_errand: bool,
+    /// The hour of the day as the last script began.
+    hour_now: f64,
+    /// When a meal or medicine was over last: what follows it at once is not put off.
+    at_table: Micros,
     /// From which the hours of the day are counted.
     pub(super) midnight: Micros,
     /// What a visitor, rather than somebody who lives here, is called.
@@ -63,6 +77,8 @@ pub struct RoutineDriver {
     pub(super) company: Company,
     /// The visitor whom the resident receives.
     pub(super) guest: Option<ResidentId>,
+    /// Whether it is a visitor who has a bed there, and is not sent away while the host is out.
+    pub(super) stays_over: bool,
     /// Who comes before this one in the scenario's order.
     pub(super) rank: u32,
     /// How often in a row one has waited for somebody in the way, and for a place that is taken.
@@ -81,6 +97,13 @@ pub(super) struct Playing {
     /// Where it was when it was interrupted.
     spot: Option<Spot>,
     is_interrupted: bool,
+    /// The sentence that it comes from, and since when it is played.
+    of: Option<SentenceId>,
+    since: Micros,
+    walks: Walks,
+    /// Whether meals and medicine interrupt it: what is done for pleasure, and company.
+    gives_way: bool,
+    is_essential: bool,
     /// Whether it answers a rule.
     is_response: bool,
     /// Whether the stay's next move is a movement.
@@ -91,6 +114,18 @@ impl Playing {
     pub(super) fn stream(&mut self) -> &mut Stream {
         &mut self.stream
     }
+}
+
+/// What the ways of a script are walked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Walks {
+    Need,
+    /// An errand, or back from one.
+    Errand,
+    /// To and fro in the kitchen, or with a duster: who moves less takes longer at each place instead.
+    Cooking,
+    /// Wandering, which is counted for itself.
+    Roaming,
 }
 
 impl RoutineDriver {
@@ -119,6 +154,7 @@ impl RoutineDriver {
         let mut driver = RoutineDriver {
             next_item: if in_bed { agenda.items.len() } else { agenda.items.partition_point(|item| item.start < 0) },
             next_break: agenda.breaks.partition_point(|item| item.start < 0),
+            first_item: if in_bed { agenda.items.len() } else { agenda.items.partition_point(|item| item.start < 0) },
             watches: Watches::new(&life, agenda.day),
             scripts: Vec::new(),
             ready: VecDeque::new(),
@@ -131,10 +167,16 @@ impl RoutineDriver {
             host,
             company,
             guest: None,
+            stays_over: false,
             rank,
             pauses: 0,
             queues: 0,
             pushes_through: false,
+            errands: Errands::new(),
+            tally: Tally::default(),
+            was_errand: false,
+            hour_now: 0.0,
+            at_table: Micros::MIN,
             needs,
             agenda,
             parameters,
@@ -144,7 +186,7 @@ impl RoutineDriver {
             life,
         };
         driver.tell_conditions();
-        driver.needs.waking(0, &driver.parameters, driver.life.plans_toilet(driver.agenda.day, false));
+        driver.needs.waking(0, &driver.life, driver.agenda.day, &driver.parameters);
         if in_bed {
             driver.sleep(0, true);
         }
@@ -167,7 +209,22 @@ impl RoutineDriver {
         driver
     }
 
+    /// What came of each sentence of the life so far.
+    pub fn tally(&self) -> &Tally {
+        &self.tally
+    }
+
+    /// Whether it is somebody who comes to visit, by the routine of whom they visit.
+    pub fn is_visitor(&self) -> bool {
+        self.visitor.is_some()
+    }
+
+    pub fn life(&self) -> &Life {
+        &self.life
+    }
+
     fn step(&mut self, now: Micros) -> Next {
+        self.hour_now = self.hour(now);
         loop {
             self.make_way(now);
             if let Some(next) = self.ready.front() {
@@ -196,7 +253,7 @@ impl RoutineDriver {
                 playing.steps.push_front(Step::Name(playing.name.clone()));
             }
             match playing.steps.front() {
-                None => self.end_script(),
+                None => self.end_script(now),
                 Some(Step::Stay(_)) => self.stay(now),
                 Some(_) => {
                     if let Some(step) = playing.steps.pop_front() {
@@ -208,8 +265,13 @@ impl RoutineDriver {
     }
 
     /// What was interrupted for the script that has ended goes on.
-    fn end_script(&mut self) {
-        self.scripts.pop();
+    fn end_script(&mut self, now: Micros) {
+        if let Some(over) = self.scripts.pop() {
+            self.tally.end(over.of, now - over.since);
+            if over.is_essential {
+                self.at_table = now;
+            }
+        }
         self.watches.leave_behind();
         if let Some(below) = self.scripts.last_mut() {
             below.is_interrupted = !below.steps.is_empty();
@@ -263,6 +325,18 @@ impl RoutineDriver {
             return self.give_up(now);
         };
         playing.spot = Some(spot.clone());
+        let metres: f64 = moves.iter().map(metres).sum();
+        match playing.walks {
+            Walks::Need => self.errands.need(hour, metres),
+            Walks::Errand => {
+                self.errands.errand(metres);
+                // Whatever interrupts the sitting down afterwards leads back there of need.
+                if self.name != Activity::Housework.label() {
+                    playing.walks = Walks::Need;
+                }
+            }
+            Walks::Cooking | Walks::Roaming => {}
+        }
         let arrival = moves.last().map_or(now, |last| last.end);
         self.lamps(from, spot.room, now, moves);
         self.watches.arrive(spot.room, &spot.name, &self.home.plan, arrival, &self.life);
@@ -292,6 +366,7 @@ impl RoutineDriver {
             until: None,
             may: Interruptible::Nothing,
         };
+        self.tally.no_way(playing.of.take());
         let left = std::mem::replace(&mut playing.steps, VecDeque::from([Step::Stay(at_a_loss)]));
         let mut stays_on = Vec::new();
         for step in left {
@@ -317,7 +392,7 @@ impl RoutineDriver {
             posture: Posture::Standing,
         }));
         if self.visitor.is_none() {
-            self.needs.waking(end, &self.parameters, self.life.plans_toilet(self.agenda.day, false));
+            self.needs.waking(end, &self.life, self.agenda.day, &self.parameters);
         }
     }
 
@@ -356,13 +431,16 @@ impl RoutineDriver {
             }
             end = end.min(interrupted_at);
         }
+        let active = active(&stay.manner);
         let span = match playing.stirs {
             true => stay.manner.bout(&mut playing.stream),
-            false => stay.manner.gap(active(&stay.manner), &mut playing.stream),
+            false => stay.manner.gap(active.max(1.0), &mut playing.stream),
         };
+        // Who moves less leaves movements out.
+        let moves = playing.stirs && (active >= 1.0 || playing.stream.chance(active));
         let until = end.min(now.saturating_add(span));
         let at = self.body.at();
-        let doing = match playing.stirs {
+        let doing = match moves {
             true => MotionState::InPlace { at, amplitude_m: stay.manner.amplitude_m },
             false => MotionState::Rest { at },
         };
@@ -384,34 +462,65 @@ impl RoutineDriver {
 
     /// When what may be interrupted will be.
     fn interrupted_at(&self, now: Micros) -> Micros {
-        let event = self.agenda.breaks.get(self.next_break).map_or(Micros::MAX, |item| item.start);
+        let event = self.next_break_at(now);
         if self.visitor.is_some() {
             return Micros::MAX;
         }
         // What is being done about a need is not interrupted by another.
         let needs = if self.scripts.len() > 2 { Micros::MAX } else { self.needs.presses_at() };
-        event.min(needs).min(self.rules_at()).max(now)
+        let meal = self.essential().map_or(Micros::MAX, |(_, due)| due);
+        event.min(needs).min(meal).min(self.rules_at()).max(now)
+    }
+
+    /// When what interrupts comes next. Lying awake waits until one is in bed.
+    fn next_break_at(&self, now: Micros) -> Micros {
+        let Some(item) = self.agenda.breaks.get(self.next_break) else { return Micros::MAX };
+        let waits = item.activity == Activity::LieAwake && !self.needs.asleep() && now <= item.latest;
+        if waits { Micros::MAX } else { item.start }
+    }
+
+    /// The next meal or medicine of the plan, and from when on it interrupts what goes on, if that gives way to it.
+    fn essential(&self) -> Option<(usize, Micros)> {
+        let [playing] = self.scripts.as_slice() else { return None };
+        if !playing.gives_way {
+            return None;
+        }
+        let items = self.agenda.items.iter().enumerate().skip(self.next_item);
+        let (index, item) = items.into_iter().find(|(_, item)| item.is_essential())?;
+        // What is nearly done is brought to its end, but nobody goes back to it between cooking and eating.
+        let is_next = self.at_table > item.start - 2 * GRACE;
+        Some((index, item.start + if is_next { 0 } else { GRACE }))
     }
 
     /// Does whatever presses now.
     fn interrupt(&mut self, now: Micros) {
         if self.rules_at() <= now
-            && let Some(response) = self.watches.due(now)
+            && let Some((rule, response)) = self.watches.due(now)
         {
+            self.tally.hold(rule);
             self.respond(response, now);
             if let Some(playing) = self.scripts.last_mut() {
                 playing.is_response = true;
             }
             return;
         }
-        if let Some(item) = self.agenda.breaks.get(self.next_break).cloned()
-            && item.start <= now
+        if let Some((index, due)) = self.essential()
+            && due <= now
+        {
+            let item = self.agenda.items.remove(index);
+            if now <= item.latest {
+                self.begin_at(&item, now);
+            }
+            return;
+        }
+        if self.next_break_at(now) <= now
+            && let Some(item) = self.agenda.breaks.get(self.next_break).cloned()
         {
             self.next_break += 1;
             // Nobody lies awake who is up.
             let is_idle = item.activity == Activity::LieAwake && !self.needs.asleep();
             if now <= item.latest && !is_idle {
-                self.begin(&item);
+                self.begin_at(&item, now);
             }
             return;
         }
@@ -466,6 +575,19 @@ impl RoutineDriver {
         }
     }
 
+    /// Begins what was planned.
+    fn begin_at(&mut self, item: &Item, now: Micros) {
+        self.tally.begin(item, now);
+        // How long it still is until it has to end.
+        let lasts = item.until.map_or(item.lasts, |until| (until - now).max(SECOND));
+        self.begin(&Item { lasts, ..item.clone() });
+        let gives_way = item.activity.gives_way_to_meals();
+        if let Some(playing) = self.scripts.last_mut() {
+            (playing.of, playing.since) = (item.of, now);
+            (playing.gives_way, playing.is_essential) = (gives_way, item.is_essential());
+        }
+    }
+
     /// Begins a script on top of what goes on.
     pub(super) fn begin(&mut self, item: &Item) {
         let Item { key, activity, place, lasts, until, .. } = item;
@@ -481,13 +603,9 @@ impl RoutineDriver {
             forgotten.extend(thing.filter(|_| stream.chance(chance)));
         }
         let left = forgotten.clone();
-        let mut setting = Setting {
-            places: &self.places,
-            at: self.body.at(),
-            parameters: &self.parameters,
-            stream: &mut stream,
-            forgotten,
-        };
+        let movement = self.parameters.activity(self.hour_now);
+        let mut setting =
+            Setting { places: &self.places, at: self.body.at(), stream: &mut stream, forgotten, movement };
         let mut steps = script(activity, place, *lasts, *until, &mut setting);
         let stations = self.places.stations();
         let first = match activity {
@@ -500,7 +618,28 @@ impl RoutineDriver {
             steps.push_front(Step::Go(first));
         }
         self.watches.forget(left);
+        let walks = self.walks_for(item);
         self.play(steps, stream, activity.label());
+        if let Some(playing) = self.scripts.last_mut() {
+            playing.walks = walks;
+        }
+    }
+
+    /// What the ways of something are walked for. Who sits down after an errand comes back from it.
+    fn walks_for(&mut self, item: &Item) -> Walks {
+        let is_filler = item.key.starts_with("fill/");
+        let was_errand = std::mem::take(&mut self.was_errand);
+        match item.activity {
+            Activity::Housework if is_filler => {
+                self.errands.run();
+                self.was_errand = true;
+                Walks::Errand
+            }
+            Activity::Prepare(_) | Activity::Housework => Walks::Cooking,
+            Activity::Wander | Activity::Pace | Activity::Lap => Walks::Roaming,
+            _ if is_filler && was_errand => Walks::Errand,
+            _ => Walks::Need,
+        }
     }
 
     pub(super) fn play(&mut self, mut steps: VecDeque<Step>, stream: Stream, name: &str) {
@@ -521,6 +660,11 @@ impl RoutineDriver {
             name: name.into(),
             spot,
             is_interrupted: false,
+            of: None,
+            since: 0,
+            walks: Walks::Need,
+            gives_way: false,
+            is_essential: false,
             is_response: false,
             stirs: true,
         });
@@ -536,6 +680,10 @@ impl RoutineDriver {
 
     /// Nothing is being done: what is next?
     fn decide(&mut self, now: Micros) {
+        if now >= self.agenda.next_up {
+            // The night was spent elsewhere.
+            self.begin_day(now);
+        }
         if self.interrupted_at(now) <= now {
             let before = self.next_break;
             self.interrupt(now);
@@ -548,6 +696,7 @@ impl RoutineDriver {
         while self.agenda.items.get(self.next_item).is_some_and(is_past) {
             self.next_item += 1;
         }
+        self.let_the_said_go_first(now);
         let next = self.agenda.items.get(self.next_item).cloned();
         if now >= self.agenda.bed && next.as_ref().is_none_or(|item| !item.can_wait_for_bed(self.agenda.bed)) {
             return self.go_to_bed(now);
@@ -555,10 +704,23 @@ impl RoutineDriver {
         match next {
             Some(item) if item.start <= now + MINUTE => {
                 self.next_item += 1;
-                self.begin(&item);
+                self.begin_at(&item, now);
             }
             Some(item) => self.fill(item.start.min(self.agenda.bed), now),
             None => self.fill(self.agenda.bed, now),
+        }
+    }
+
+    /// What nobody says waits where it would make something late that is said.
+    fn let_the_said_go_first(&mut self, now: Micros) {
+        let rest = &mut self.agenda.items[self.next_item..];
+        let Some(next) = rest.first().filter(|next| next.waits && next.start <= now + MINUTE) else { return };
+        // It takes somewhat longer than planned: there are ways to go.
+        let end = now + next.lasts + 2 * MINUTE;
+        let is_first = |item: &Item| !item.waits && item.start < end && item.start >= now - GRACE;
+        if let Some(said) = rest.iter().position(is_first) {
+            rest[0].latest = rest[0].latest.max(rest[said].latest);
+            rest[..=said].rotate_right(1);
         }
     }
 
@@ -579,6 +741,28 @@ homebody_core::numbers! {
     static AT_A_LOSS_S = "driver.at_a_loss": 60.0, "s", [1.0, 3_600.0];
 }
 
+/// How late a meal may be before what is done for pleasure is interrupted for it (ours).
+const GRACE: Micros = 10 * MINUTE;
+
+/// How far a move leads.
+fn metres(segment: &MotionSegment) -> f64 {
+    match segment.doing {
+        MotionState::Stride { from, to } => from.distance(to),
+        _ => 0.0,
+    }
+}
+
+impl Activity {
+    /// Whether a meal that is due interrupts it: what is done for pleasure, company, the household.
+    fn gives_way_to_meals(&self) -> bool {
+        use Activity::{Exercise, Housework, Laundry, Other, Phone, Read, Relax, UseComputer, Visit, WatchTelevision};
+        matches!(
+            self,
+            Exercise | Housework | Laundry | Other(_) | Phone | Read | Relax | UseComputer | Visit | WatchTelevision
+        )
+    }
+}
+
 impl Item {
     /// Whether it is still done before bed although it is late.
     fn can_wait_for_bed(&self, bed: Micros) -> bool {
@@ -594,5 +778,9 @@ impl Driver for RoutineDriver {
 
     fn copy(&self) -> Box<dyn Driver> {
         Box::new(self.clone())
+    }
+
+    fn as_any(&self) -> Option<&dyn Any> {
+        Some(self)
     }
 }

@@ -15,11 +15,14 @@ mod manner;
 // What interrupts: needs and rules.
 mod need;
 mod needs;
+mod errands;
 mod watch;
 
 // Who carries it out.
 pub mod body;
 pub mod driver;
+pub mod tally;
+pub mod account;
 mod spare_time;
 mod night;
 pub mod company;

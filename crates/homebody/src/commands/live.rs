@@ -6,7 +6,7 @@ use crate::signals::Signals;
 use homebody_core::recording::Recording;
 use homebody_core::scenario::scheme::{NoPlace, SCHEMES, Scheme};
 use homebody_core::time::{Micros, SECOND, seconds};
-use homebody_kit::{Destinations, LiveRun, Lived, Progress, Url};
+use homebody_kit::{Destinations, Difference, LiveRun, Lived, Progress, Url};
 use homebody_log::sink::log_beside;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
@@ -88,6 +88,7 @@ pub fn report(name: &str, lived: &Lived, output: &Output) -> Result<(), Failure>
             "took_s": took.as_secs_f64(),
             "firings": firings,
             "sha256": sha256,
+            "sentences": lived.differences,
             "agrees_with_recording": agrees,
             "rows": stored.rows,
             "rows_by_sensor": lived.rows_by_sensor().map(|(name, rows)| (name.into(), rows.into()))
@@ -160,8 +161,25 @@ fn summary(name: &str, lived: &Lived) -> String {
     if *agrees == Some(true) {
         text += "replay     the same as the recording, firing by firing\n";
     }
+    text += &not_as_said(&lived.differences);
     if let Some(folder) = lived.folder.as_ref().filter(|_| lived.is_stopped()) {
         text += &go_on_in(folder);
+    }
+    text
+}
+
+/// So many sentences are told after a run (ours); `homebody routine check --lived` tells all.
+const MOST_TOLD: usize = 5;
+
+/// The sentences whose lives differ from their words, briefly.
+fn not_as_said(differences: &[Difference]) -> String {
+    let line = |of: &Difference| {
+        let said = of.text.split_whitespace().collect::<Vec<_>>().join(" ");
+        format!("not lived  {}:{}: {said} ({}; {})\n", of.file, of.line, of.expected, of.lived)
+    };
+    let mut text: String = differences.iter().take(MOST_TOLD).map(line).collect();
+    if let Some(more) = differences.len().checked_sub(MOST_TOLD).filter(|&more| more > 0) {
+        text += &format!("           and {more} more: homebody routine check --lived\n");
     }
     text
 }
