@@ -1,7 +1,8 @@
 //! Everybody of a scenario who lives by a routine: the residents, and those who visit them.
 
 use crate::completion::{self, Word};
-use crate::language::{self, Known};
+use crate::language::lexicon::OWN_FILE;
+use crate::language::{self, Known, Lexicon};
 use crate::living;
 use crate::living::account::{self, Difference};
 use crate::living::body::Body;
@@ -171,7 +172,7 @@ impl Household {
         let first = Some(scenario.calendar.date(0));
         let mut reader = Reader::new(files, &scenario.home, plan, first);
         let routine = reader.routine(file, text, Some(person));
-        let names = known(&scenario.home, plan, Some(person), reader.names(text), first);
+        let names = reader.may_be_named(Some(person), reader.names(text));
         let Reader { known: conditions, problems, .. } = reader;
         let mut routines = vec![None; scenario.residents.len()];
         routines[resident] = Some(routine.clone());
@@ -336,8 +337,10 @@ impl Language for RoutineLanguage {
         let routine = reader.routine(said.file, said.text, said.resident);
         self.routines.insert(said.of, routine);
         self.conditions = reader.known;
+        let are_told = self.sources.contains_key(OWN_FILE);
         self.sources.extend(reader.sources);
-        reader.problems
+        // The words of a scenario are those of all who live there.
+        reader.problems.into_iter().filter(|problem| !are_told || problem.file != OWN_FILE).collect()
     }
 
     fn numbers(&self) -> Option<Vec<Number>> {
@@ -374,6 +377,7 @@ fn known(
         conditions,
         first_date,
         usual: USUAL.to_vec(),
+        ..Known::default()
     }
 }
 
@@ -387,21 +391,32 @@ struct Reader<'a> {
     known: BTreeMap<String, Routine>,
     sources: BTreeMap<String, String>,
     problems: Vec<Problem>,
+    /// The words of the language, and the scenario's own.
+    lexicon: Lexicon,
 }
 
 impl<'a> Reader<'a> {
     fn new(files: &'a dyn Files, home: &'a HomeFile, plan: &'a Plan, first: Option<(i16, u8, u8)>) -> Reader<'a> {
-        let (known, sources, problems) = (BTreeMap::new(), BTreeMap::new(), Vec::new());
-        Reader { files, home, plan, first, known, sources, problems }
+        let (mut sources, mut problems, mut lexicon) = (BTreeMap::new(), Vec::new(), Lexicon::default());
+        if let Ok(text) = files.read(OWN_FILE) {
+            (lexicon, problems) = lexicon.with(OWN_FILE, &text);
+            sources.insert(OWN_FILE.to_owned(), text);
+        }
+        Reader { files, home, plan, first, known: BTreeMap::new(), sources, problems, lexicon }
     }
 
     /// Reads a person's routine and the conditions that it shows.
     fn routine(&mut self, file: &str, text: &str, person: Option<&str>) -> Routine {
-        let known = known(self.home, self.plan, person, self.names(text), self.first);
+        let known = self.may_be_named(person, self.names(text));
         let (routine, problems) = language::routine(file, text, &known);
         self.problems.extend(problems);
         self.follow(&routine, &mut Vec::new());
         routine
+    }
+
+    /// What a text may name, in the words of the scenario.
+    fn may_be_named(&self, person: Option<&str>, conditions: Vec<String>) -> Known {
+        Known { lexicon: self.lexicon.clone(), ..known(self.home, self.plan, person, conditions, self.first) }
     }
 
     /// The names of the conditions that may be meant in a text: those the program knows, and the scenario's own files.
@@ -460,8 +475,7 @@ impl<'a> Reader<'a> {
                 }
             };
             let names = self.names(&text);
-            let (routine, problems) =
-                language::condition(&file, &text, &known(self.home, self.plan, None, names, self.first));
+            let (routine, problems) = language::condition(&file, &text, &self.may_be_named(None, names));
             self.problems.extend(problems);
             self.sources.insert(file, text);
             self.known.insert(condition.clone(), routine.clone());

@@ -19,6 +19,9 @@ pub struct Routine {
     pub habits: Vec<Habit>,
     pub rules: Vec<Rule>,
     pub changes: Vec<Change>,
+    /// What somebody is, has or likes: kept, told by `explain`, and not lived.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub remarks: Vec<Quote>,
 }
 
 /// Whom a routine is about.
@@ -118,6 +121,8 @@ pub enum Activity {
     LieAwake,
     /// Losing one's footing, and lying on the floor for a while.
     Fall,
+    /// Something that needs no acting out of its own: the label of its row in the table of activities.
+    Everyday(&'static str),
     /// What the user names, by place and duration, such as `knits`.
     Other(String),
 }
@@ -151,6 +156,9 @@ pub struct Days {
     pub months: u16,
     /// Every so many days, counted from the first; 1 is every day.
     pub every: u32,
+    /// The first and the last of the days of each month: from 1 to 7 with a Monday is the first Monday, and from 0 to 7
+    /// is the last week of the month.
+    pub of_month: (u8, u8),
 }
 
 /// When on such a day. Times of day are seconds since local midnight; later than 86,400 is after midnight.
@@ -243,6 +251,8 @@ pub enum Response {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Change {
     pub said: Quote,
+    /// On which days it is so.
+    pub days: Days,
     pub phase: Phase,
     pub effect: Effect,
 }
@@ -282,6 +292,61 @@ pub enum Effect {
 }
 
 impl Activity {
+    /// Those that are acted out in a way of their own.
+    pub const OWN_WAYS: [Activity; 33] = {
+        use Meal::{Breakfast, Dinner, Lunch};
+        [
+            Activity::GetUp,
+            Activity::UseBathroom,
+            Activity::Shower,
+            Activity::Wash,
+            Activity::Dress,
+            Activity::TakeMedicine,
+            Activity::Prepare(Breakfast),
+            Activity::Prepare(Lunch),
+            Activity::Prepare(Dinner),
+            Activity::Eat(Breakfast),
+            Activity::Eat(Lunch),
+            Activity::Eat(Dinner),
+            Activity::WashUp,
+            Activity::WatchTelevision,
+            Activity::Read,
+            Activity::Phone,
+            Activity::Nap,
+            Activity::Laundry,
+            Activity::Housework,
+            Activity::Leave,
+            Activity::ComeHome,
+            Activity::Visit,
+            Activity::GoToBed,
+            Activity::Drink,
+            Activity::Snack,
+            Activity::Exercise,
+            Activity::UseComputer,
+            Activity::Relax,
+            Activity::Wander,
+            Activity::Pace,
+            Activity::Lap,
+            Activity::LieAwake,
+            Activity::Fall,
+        ]
+    };
+
+    /// The activities without ways of their own, by their rows: all that a routine can say but these, and what only the living
+    /// tells of.
+    pub fn everyday() -> impl Iterator<Item = Activity> {
+        const TOLD: [&str; 5] =
+            [activity::SLEEPING, activity::LEAVING_HOME, activity::VISITING, activity::RESTING, activity::ROAMING];
+        let is_own = |label: &str| Activity::OWN_WAYS.iter().any(|own| own.label() == label);
+        let rows = activity::ACTIVITIES.iter().map(|known| known.label);
+        rows.filter(move |label| !is_own(label) && !TOLD.contains(label)).map(Activity::Everyday)
+    }
+
+    /// The activity of a label, if a routine can say it.
+    pub fn of_label(label: &str) -> Option<Activity> {
+        Activity::OWN_WAYS.into_iter().chain(Activity::everyday()).find(|activity| activity.label() == label)
+    }
+
     /// What the truth calls it: `watching_television`; what the user named, as the user named it.
     pub fn label(&self) -> &str {
         match self {
@@ -318,6 +383,7 @@ impl Activity {
             Activity::Lap => activity::LAPPING,
             Activity::LieAwake => activity::LYING_AWAKE,
             Activity::Fall => activity::FALLEN,
+            Activity::Everyday(label) => label,
             Activity::Other(words) => words,
         }
     }
@@ -397,7 +463,7 @@ impl Meal {
 }
 
 impl Days {
-    pub const ALL: Days = Days { weekdays: 0x7f, months: 0xfff, every: 1 };
+    pub const ALL: Days = Days { weekdays: 0x7f, months: 0xfff, every: 1, of_month: (1, 31) };
 }
 
 impl Chance {

@@ -8,6 +8,7 @@ use homebody_core::scenario::load::{Files, NoText};
 use homebody_kit::Folder;
 use homebody_log::places::RECORDING;
 use homebody_log::plain;
+use homebody_routine::language::lexicon::OWN_FILE;
 use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
@@ -115,7 +116,7 @@ const LONGEST_NAME: usize = 100;
 
 /// Whether it is one of the files that people write.
 fn is_written(name: &str) -> bool {
-    name.ends_with(".json") || name.ends_with(".routine")
+    name.ends_with(".json") || name.ends_with(".routine") || name == OWN_FILE
 }
 
 /// A plain file below a folder, by its path.

@@ -1,26 +1,75 @@
 //! What a clause means, once all of it is read: a habit, a change, or who the person is.
 
-use super::activities::phrase;
 use super::adverbs::Adverbs;
-use super::amounts::DAY_S;
-use super::calendar::{self, ALL_WEEKDAYS, days_between, weekday_words};
+use super::amounts::{ABOUT_SHARE, DAY_S};
+use super::calendar::{self, days_between};
 use super::clause::{Clause, PLACES};
 use super::draft::Draft;
+use super::helping::Help;
 use super::meaning::Kind as Part;
-use super::measures::{FASTEST_MPS, Measure, Of};
+use super::measures::{self, FASTEST_MPS, Measure, Of};
 use super::predicates::{IS, Predicate, Subject, is_way, unknown_doing};
 use super::reader::{Reader, Sort};
 use super::times::is_of_next_day;
 use super::words::Span;
 use crate::fuzzy::{Fuzzy, Quantifier};
 use crate::routine::{Activity, Chance, Change, Effect, Habit, Kind, PartOfDay, Person, Phase, When};
+use homebody_core::activity::TimeUse;
 
 pub fn build(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
     match clause.predicate {
         Predicate::Age(_) | Predicate::Kind(_) | Predicate::Pace(_) => person(reader, draft, &clause),
         Predicate::Visits | Predicate::Own(_) => habit(reader, draft, clause),
+        Predicate::Remark => remark(reader, draft, &clause),
+        Predicate::Helps(ref activity, help) => {
+            let activity = activity.clone();
+            helps(reader, draft, clause, activity, help);
+        }
+        Predicate::VisitedBy(ref who) => {
+            let subject = Subject::Visitor(who.clone());
+            habit(reader, draft, Clause { subject, predicate: Predicate::Visits, ..clause });
+        }
+        Predicate::HelpedBy(ref who, ref activity) => {
+            let (subject, activity) = (Subject::Visitor(who.clone()), activity.clone());
+            helps(reader, draft, Clause { subject, ..clause }, activity, Help::Together);
+        }
         Predicate::Does(_) if clause.measure.is_none() => habit(reader, draft, clause),
         _ => change(reader, draft, &clause),
+    }
+}
+
+/// What somebody is, has or likes: kept as it was said.
+fn remark(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
+    if let Some(measure) = &clause.measure {
+        misfit(reader, measure, "this is no change");
+    }
+    only(reader, &clause.adverbs, &[Part::Phase], "this is how somebody is, and nothing done");
+    draft.routine.remarks.push(draft.said(clause.span));
+}
+
+/// Somebody visits and helps: what they do with the person is done as the visit begins, what they do instead the person does not
+/// do on those days.
+fn helps(reader: &mut Reader, draft: &mut Draft, clause: Clause, activity: Activity, help: Help) {
+    let done = draft.routine.habits.len();
+    habit(reader, draft, Clause { predicate: Predicate::Visits, ..clause.clone() });
+    let Some(visit) = draft.routine.habits.get(done).cloned() else { return };
+    match help {
+        Help::Together => {
+            let is_of_day = matches!(activity, Activity::GetUp | Activity::GoToBed);
+            if is_of_day && !matches!(visit.when, When::At(_)) {
+                let hint = "say at what time, such as \"at about 8:00\"".to_owned();
+                return reader.fault(clause.predicate_span, "it is not said when that is", hint);
+            }
+            let when = if is_of_day { visit.when.clone() } else { When::With(Activity::Visit) };
+            let (visitor, lasts, until) = (None, None, None);
+            draft.routine.habits.push(Habit { visitor, activity, when, lasts, until, place: None, ..visit });
+            draft.habit_spans.push(clause.predicate_span);
+        }
+        Help::Instead => {
+            let factor = Fuzzy::exactly(1.0 - visit.chance.probability);
+            let effect = Effect::Oftener { activity, part: None, factor };
+            draft.routine.changes.push(Change { said: visit.said, days: visit.days, phase: visit.phase, effect });
+        }
     }
 }
 
@@ -82,6 +131,11 @@ fn person(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
 fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
     let (activity, is_own) = match &clause.predicate {
         Predicate::Visits => (Activity::Visit, false),
+        // What is said with all that something new needs keeps its own words.
+        Predicate::Does(Activity::Everyday(_)) if clause.place.is_some() && clause.adverbs.lasts.is_some() => {
+            let own = own_said(reader, clause.predicate_span);
+            (Activity::Other(own), false)
+        }
         Predicate::Does(activity) => (activity.clone(), false),
         Predicate::Own(words) => (Activity::Other(words.clone()), true),
         _ => return,
@@ -95,7 +149,15 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
         let span = clause.predicate_span.to(*place);
         return reader.fault(span, format!("{:?} leaves open what she does there", reader.said(span)), hint);
     }
-    let lacks = clause.place.is_none() || adverbs.lasts.is_none() && adverbs.until_time.is_none();
+    let own = match &activity {
+        Activity::Other(label) => reader.names.lexicon.own.get(label).cloned(),
+        _ => None,
+    };
+    let (is_own, own) = (is_own || own.is_some(), own.unwrap_or_default());
+    let place = clause.place.clone().map(|(name, _)| name).or(own.place);
+    let usual_lasts = own.minutes.map(|minutes| Fuzzy::around(minutes * 60.0, minutes * 60.0 * ABOUT_SHARE));
+    let lasts = adverbs.lasts.as_ref().map(|slot| slot.value).or(usual_lasts.filter(|_| adverbs.until_time.is_none()));
+    let lacks = place.is_none() || lasts.is_none() && adverbs.until_time.is_none();
     if is_own && lacks {
         return lacks_place_or_time(reader, &clause);
     }
@@ -104,6 +166,13 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
     }
     if let Some(measure) = &clause.measure {
         misfit(reader, measure, "this is something new, not a change");
+    }
+    if let (Some(every), Some(weekdays)) = (&adverbs.every, &adverbs.weekdays)
+        && every.value % 7 == 0
+        && weekdays.value.count_ones() > 1
+    {
+        let what = format!("{:?} of several days leaves open which week is whose", reader.said(every.span));
+        reader.fault(every.span, what, "make a sentence for each day: \"every other Tuesday\"".to_owned());
     }
     let when = adverbs.time_meant(activity == Activity::GoToBed);
     check_times(reader, adverbs, &when);
@@ -121,6 +190,7 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
     }
     let inherited_then = when == When::Then && adverbs.chance.as_ref().is_some_and(|chance| !chance.own);
     let chance = adverbs.chance.as_ref().filter(|_| !inherited_then).map_or(Chance::ALWAYS, |slot| slot.value);
+    let chance = if clause.tends && adverbs.chance.is_none() { Chance::of(Quantifier::Most) } else { chance };
     let phase = adverbs.phase_meant(reader, draft.is_condition);
     draft.phase(reader, &phase, adverbs, clause.span);
     let stay = staying(reader, draft, &clause, &activity, &phase);
@@ -135,7 +205,7 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
             _ => None,
         },
         activity,
-        place: clause.place.map(|(name, _)| name),
+        place,
         chance,
         days: adverbs.days_meant(),
         phase,
@@ -215,16 +285,23 @@ fn staying(
     Some((when, phase, Some(Fuzzy::exactly(lasts.max(3600.0)))))
 }
 
+/// The words of an activity as the sentence has them.
+fn own_said(reader: &Reader, span: Span) -> String {
+    let words = reader.words.iter().filter(|word| span.start <= word.span.start && word.span.end <= span.end);
+    words.map(|word| word.text.as_str()).collect::<Vec<_>>().join(" ")
+}
+
 /// What is new has to be said with a place and a duration: shows how, with those that are there.
 fn lacks_place_or_time(reader: &mut Reader, clause: &Clause) {
     let span = clause.predicate_span;
     let words = reader.said(span).to_lowercase();
     let named = reader.names.of(&PLACES).find(|name| words.ends_with(&format!(" {}", name.to_lowercase())));
-    let usual = named.map_or_else(|| "in the kitchen".to_owned(), |name| format!("at the {name}"));
-    let place = clause.place.as_ref().map_or(usual, |(_, span)| reader.said(*span));
+    let named = named.map(|name| format!("at the {name}"));
+    let place = clause.place.as_ref().map(|(_, span)| reader.said(*span)).or(named);
     let lasts =
         clause.adverbs.lasts.as_ref().map_or_else(|| "for 20 minutes".to_owned(), |slot| reader.said(slot.span));
-    unknown_doing(reader, &words, span, &format!("she {words} {place} {lasts}"));
+    let example = place.map(|place| format!("she {words} {place} {lasts}"));
+    unknown_doing(reader, &words, span, example);
 }
 
 /// A day begins and ends once; what interrupts a night has words of its own.
@@ -271,36 +348,22 @@ fn check_times(reader: &mut Reader, adverbs: &Adverbs, when: &When) {
 
 fn change(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     let Some((effect, allowed)) = effect(reader, clause) else { return };
-    let why = "a change holds on all days from its beginning on";
-    if let (Predicate::Does(activity), Some(days), Some(measure)) =
-        (&clause.predicate, &clause.adverbs.weekdays, &clause.measure)
-        && let (true, Some(instead)) = (days.own, instead(activity, measure.of))
-    {
-        let what = format!("{:?} does not fit here: {why}", reader.said(days.span));
-        let days_said = weekday_words(days.value);
-        let hint = format!("say how it is then instead: \"{days_said} she {} {instead}\"", phrase(activity));
-        return reader.fault(days.span, what, hint);
-    }
+    let why = "a change holds from its beginning on, on the days that are said";
     only(reader, &clause.adverbs, &allowed, why);
     no_place(reader, clause);
     let phase = clause.adverbs.phase_meant(reader, draft.is_condition);
     draft.phase(reader, &phase, &clause.adverbs, clause.span);
-    draft.routine.changes.push(Change { said: draft.said(clause.span), phase, effect });
+    let days = clause.adverbs.days_meant();
+    draft.routine.changes.push(Change { said: draft.said(clause.span), days, phase, effect });
 }
 
-/// How a sentence of its own may end that says of some days what a change cannot.
-fn instead(activity: &Activity, of: Of) -> Option<&'static str> {
-    match (activity, of) {
-        (Activity::GoToBed, Of::Later) => Some("at 22:00"),
-        (_, Of::Later) => Some("at 9:00"),
-        (_, Of::Longer | Of::LongerBy) => Some("for 1 hour"),
-        _ => None,
-    }
-}
+/// How much of its usual time is spent on what is not brought to its end (ours).
+const UNFINISHED: Fuzzy = Fuzzy { low: 0.5, from: 0.5, to: 0.8, high: 0.8 };
 
-const PHASE: &[Part] = &[Part::Phase];
-const PHASE_AND_PART: &[Part] = &[Part::Phase, Part::Part];
-const PHASE_AND_CHANCE: &[Part] = &[Part::Phase, Part::Chance];
+const PHASE_ALONE: &[Part] = &[Part::Phase];
+const PHASE: &[Part] = &[Part::Phase, Part::Weekdays, Part::Months, Part::Every];
+const PHASE_AND_PART: &[Part] = &[Part::Phase, Part::Weekdays, Part::Months, Part::Every, Part::Part];
+const PHASE_AND_CHANCE: &[Part] = &[Part::Phase, Part::Weekdays, Part::Months, Part::Every, Part::Chance];
 
 /// What changes, and which other parts the sentence may have.
 fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
@@ -321,16 +384,21 @@ fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
         (Predicate::Walks, Some((Of::FasterBy { each_week: true }, by))) => (Effect::PaceEachWeek(by), PHASE),
         (Predicate::Is, Some((Of::Active, factor))) => (Effect::Active { part, factor }, PHASE_AND_PART),
         (Predicate::Sleeps, Some((Of::Restless | Of::Much, by))) => (Effect::Restless(by), PHASE),
+        // Who sleeps longer gets up later.
+        (Predicate::Sleeps, Some((Of::Later | Of::LongerBy, by))) => {
+            (Effect::Later { activity: Activity::GetUp, by }, PHASE)
+        }
+        (Predicate::Sleeps, Some((Of::Longer | Of::Some, by))) if by.from != by.to => {
+            let (least, most) = measures::UNSAID_LATER_S;
+            let by = if by.from > 1.0 { Fuzzy::between(least, most) } else { Fuzzy::between(-most, -least) };
+            (Effect::Later { activity: Activity::GetUp, by }, PHASE)
+        }
         (Predicate::Vary, Some((Of::Much, by))) => (Effect::Irregular(by), PHASE),
         (Predicate::Breathes, Some((Of::Breaths, by))) => (Effect::Respiration(by), PHASE),
         (Predicate::Rises(Measure { of: Of::Beats, by, .. }), None) => (Effect::Pulse(*by), PHASE),
         (Predicate::Rises(Measure { of: Of::Breaths, by, .. }), None) => (Effect::Respiration(*by), PHASE),
         (Predicate::Shows(condition, severity), None) => {
-            (Effect::Shows { condition: condition.clone(), severity: *severity }, PHASE)
-        }
-        (Predicate::Not(activity) | Predicate::Skips(activity), None) if says_weekdays(clause) => {
-            on_some_weekdays(reader, clause, activity);
-            return None;
+            (Effect::Shows { condition: condition.clone(), severity: *severity }, PHASE_ALONE)
         }
         (Predicate::Not(activity), None) => match chance(clause) {
             Some(chance) => (Effect::Skips { activity: activity.clone(), chance }, PHASE_AND_CHANCE),
@@ -339,6 +407,12 @@ fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
                 (Effect::Oftener { activity: activity.clone(), part, factor }, PHASE_AND_PART)
             }
         },
+        (Predicate::Unfinished(activity), None) => {
+            (Effect::Longer { activity: activity.clone(), factor: UNFINISHED }, PHASE)
+        }
+        (Predicate::Skips(activity), None) if says_weekdays(clause) && chance(clause).is_none() => {
+            (Effect::Skips { activity: activity.clone(), chance: 1.0 }, PHASE)
+        }
         (Predicate::Skips(activity), None) => {
             let example =
                 format!("she skips {} on 30 % of days", reader.said(last_word(clause.predicate_span, reader)));
@@ -361,29 +435,13 @@ fn says_weekdays(clause: &Clause) -> bool {
     clause.adverbs.weekdays.as_ref().is_some_and(|slot| slot.own)
 }
 
-/// What is left out on Sundays is done on the other days.
-fn on_some_weekdays(reader: &mut Reader, clause: &Clause, activity: &Activity) {
-    let Some(days) = clause.adverbs.weekdays.as_ref() else { return };
-    let (others, share) = (ALL_WEEKDAYS & !days.value, (f64::from(days.value.count_ones()) / 0.07).round());
-    let what = format!("{:?} does not fit here: what is left out is left out by chance", reader.said(days.span));
-    let hint = match others {
-        0 => "leave it out".to_owned(),
-        _ => format!(
-            "say on which days she does it, \"she {} {}\", or how often not: \"on {share} % of days\"",
-            phrase(activity),
-            weekday_words(others)
-        ),
-    };
-    reader.fault(days.span, what, hint);
-}
-
 /// Whether what changes is one of several reasons to go out, which are one activity to the living.
 fn names_one_outing(reader: &Reader, clause: &Clause) -> bool {
     const GENERAL: [&str; 8] = ["apartment", "flat", "home", "house", "building", "out", "outside", "away"];
     let (Predicate::Does(activity) | Predicate::Not(activity) | Predicate::Skips(activity)) = &clause.predicate else {
         return false;
     };
-    let said = reader.said(clause.predicate_span).to_lowercase();
+    let said = own_said(reader, clause.predicate_span);
     let last = said.split_whitespace().last().unwrap_or_default();
     *activity == Activity::Leave && !GENERAL.contains(&last)
 }
@@ -402,6 +460,8 @@ fn of_activity(
         Of::Longer => Effect::Longer { activity, factor: by },
         Of::LongerBy => Effect::LongerBy { activity, by },
         Of::Oftener => return Some((Effect::Oftener { activity, part, factor: by }, PHASE_AND_PART.to_vec())),
+        Of::Some if lasts_long(&activity) => Effect::Longer { activity, factor: by },
+        Of::Some => return Some((Effect::Oftener { activity, part, factor: by }, PHASE_AND_PART.to_vec())),
         Of::Much => {
             let span = clause.measure.as_ref().map_or(clause.span, |measure| measure.span);
             let what = format!("{:?} may mean more often or for longer", reader.said(span));
@@ -414,6 +474,14 @@ fn of_activity(
         }
     };
     Some((effect, PHASE.to_vec()))
+}
+
+/// Whether more of an activity is for longer rather than more often.
+fn lasts_long(activity: &Activity) -> bool {
+    matches!(
+        TimeUse::of(activity.label()),
+        TimeUse::Television | TimeUse::Reading | TimeUse::Relaxing | TimeUse::Computer | TimeUse::Eating
+    )
 }
 
 fn not_a_change(reader: &mut Reader, clause: &Clause) {

@@ -9,6 +9,7 @@
 mod words;
 mod faults;
 mod known;
+pub mod lexicon;
 mod reader;
 pub mod amounts;
 mod calendar;
@@ -24,6 +25,11 @@ mod draft;
 mod clause;
 mod build;
 mod rules;
+mod helping;
+mod remarks;
+mod rewording;
+mod joined;
+mod simpler;
 mod sentence;
 mod check;
 #[cfg(test)]
@@ -31,10 +37,12 @@ mod tests;
 
 use crate::routine::{Quote, Routine};
 use adverbs::Adverbs;
+pub use calendar::LAST_WEEK;
 use draft::Draft;
 use faults::Faults;
 use homebody_core::problem::Problem;
 pub use known::Known;
+pub use lexicon::Lexicon;
 use reader::{Names, Reader};
 use std::ops::Range;
 use words::{Sentence, Span};
@@ -132,14 +140,17 @@ fn one(draft: &mut Draft, names: &mut Names, faults: &mut Faults, heading: &mut 
     }
     let above = heading.as_ref().map(|heading| &heading.adverbs);
     let part = above.and_then(|above| above.part.as_ref()).map(|part| part.value);
-    let mut reader = Reader { words: &sentence.words, at: 0, names, faults, text: draft.text, part };
+    let words = rewording::reworded(names, draft.text, &sentence.words);
+    let mut reader = Reader { words: &words, at: 0, names, faults, text: draft.text, part };
     let before = reader.faults.count();
     let Some(adverbs) = sentence::sentence(&mut reader, draft, above) else {
+        simpler::hints(faults, before, names, draft, &sentence.words);
         if let Some(name) = draft.name.as_ref().filter(|_| names.person.is_none()) {
             names.is_about(Some(name));
         }
         return;
     };
+    simpler::hints(faults, before, names, draft, &sentence.words);
     let failed = faults.count() > before;
     if sentence.indented && !failed {
         let hint = "a heading is not indented; a sentence says who does what".to_owned();

@@ -201,9 +201,11 @@ fn done(reader: &mut Reader, predicate: Predicate, from: usize, adverbs: &mut Ad
         place: None,
         measure: None,
         adverbs: adverbs.clone(),
+        tends: false,
+        again: false,
     };
     let then = tail(reader, &mut clause)?;
-    if let Some(span) = then.or(clause.measure.map(|measure| measure.span)) {
+    if let Some(span) = then.map(|(_, span)| span).or(clause.measure.map(|measure| measure.span)) {
         let what = format!("{:?} does not fit here: a rule says one thing that is done", reader.said(span));
         reader.fault(span, what, None);
         return None;

@@ -6,6 +6,7 @@
 use super::keys::Keys;
 use super::person::{Constitution, Person};
 use crate::fuzzy::Fuzzy;
+use crate::language::LAST_WEEK;
 use crate::routine::{Activity, Change, Days, Effect, Habit, Meal, Moment, PartOfDay, Phase, Quote, Routine, Rule};
 use homebody_core::numbers::Numbers;
 use homebody_core::random::Stream;
@@ -347,10 +348,14 @@ impl Life {
 
     /// Whether a habit is meant for a day at all.
     pub fn is_on(&self, days: &Days, day: i32) -> bool {
-        let (_, month, _) = self.calendar.date(day);
+        let (_, month, day_of_month) = self.calendar.date(day);
         days.weekdays >> self.calendar.weekday(day) & 1 == 1
             && days.months >> (month - 1) & 1 == 1
             && day.rem_euclid(days.every.max(1) as i32) == 0
+            && match days.of_month {
+                LAST_WEEK => self.calendar.date(day + 7).1 != month,
+                (first, last) => (first..=last).contains(&day_of_month),
+            }
     }
 
     /// How likely a habit is on a day that it is meant for.
@@ -397,7 +402,7 @@ impl Life {
             let changes = &source.routine.changes;
             for (index, (change, key)) in changes.iter().zip(&source.keys.changes).enumerate() {
                 let full = strength * self.left_of(changes, index, day);
-                if full > 0.0 {
+                if full > 0.0 && self.is_on(&change.days, day) {
                     let share = self.stream(key).unit();
                     // Counted from when it began: the change itself, or else the condition that brings it.
                     let phases = source.shown.iter().flatten().map(|(phase, _)| phase);

@@ -154,7 +154,7 @@ impl Steps<'_, '_> {
             Activity::Nap => self.nap(place, lasts, until),
             Activity::Laundry => self.laundry(lasts),
             Activity::Housework => self.housework(lasts),
-            Activity::Leave => self.leave(lasts, until),
+            Activity::Leave => self.leave(activity.label(), lasts, until),
             Activity::ComeHome | Activity::GoToBed => {}
             Activity::Visit => self.visit(lasts),
             Activity::Drink => self.drink(lasts),
@@ -169,6 +169,18 @@ impl Steps<'_, '_> {
             Activity::Fall => {
                 self.stay(Posture::Lying, Manner::FALLEN, lasts, Interruptible::Nothing);
                 self.stay(Posture::Sitting, Manner::TURNING, 60 * SECOND, Interruptible::Nothing);
+            }
+            // What is done in the garden is done outside, but where a place of the home is named.
+            Activity::Everyday(label) if place.is_none() && activity.roles().contains(&Role::FrontDoor) => {
+                self.leave(label, lasts, until);
+            }
+            Activity::Everyday(_) => {
+                let has = |role: &&Role| self.setting.places.has(**role);
+                let role = activity.roles().iter().find(has).copied().unwrap_or(Role::Armchair);
+                let spot = place.or_else(|| self.setting.places.of(role)).cloned();
+                let posture = spot.as_ref().map_or(Posture::Standing, |spot| spot.posture);
+                let manner = if posture == Posture::Standing { Manner::BUSY } else { Manner::READING };
+                self.until(role, spot.as_ref(), lasts, until, manner);
             }
             Activity::Other(_) => {
                 let posture = place.map_or(Posture::Standing, |spot| spot.posture);
@@ -361,12 +373,12 @@ impl Steps<'_, '_> {
         }
     }
 
-    fn leave(&mut self, lasts: Micros, until: Option<Micros>) {
+    fn leave(&mut self, label: &str, lasts: Micros, until: Option<Micros>) {
         self.push(Step::Name(LEAVING_HOME.into()));
         let dressing = self.around(80.0);
         self.at(Role::Coats, None, dressing, Manner::BUSY, Interruptible::Rules);
         self.through_the_door();
-        self.push(Step::Name(Activity::Leave.label().into()));
+        self.push(Step::Name(label.into()));
         self.push(Step::Away { lasts, until });
         self.push(Step::Name(Activity::ComeHome.label().into()));
         self.act(Role::FrontDoor, true);
