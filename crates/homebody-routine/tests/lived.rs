@@ -322,7 +322,7 @@ fn what_is_said_has_its_time_whatever_is_unsaid() {
 #[test]
 fn hobbies_leave_meals_and_medicine_in_place() {
     let mut said = "She takes her medicine at 12:00.\n".to_owned();
-    for hour in 9..19 {
+    for hour in [9, 11, 13, 15, 17, 18] {
         said += &format!("She reads at {hour}:00 for 2 hours.\n");
     }
     let lived = live(&said);

@@ -9,7 +9,7 @@ use super::driver::{MINUTE, RoutineDriver};
 use super::manner::Manner;
 use super::places::Spot;
 use super::script::{Interruptible, Stay, Step};
-use homebody_core::drivers::{MotionSegment, Next};
+use homebody_core::drivers::{Body, MotionSegment, Next};
 use homebody_core::event::MotionState;
 use homebody_core::geometry::{self, Point};
 use homebody_core::role::Role;
@@ -61,8 +61,10 @@ impl RoutineDriver {
                 return self.turn_away();
             }
             if goal.at.distance(to) < THERE_M {
-                self.pushes_through = false;
-                return;
+                if std::mem::take(&mut self.pushes_through) {
+                    return;
+                }
+                return self.last_steps(now, here, to);
             }
         }
         if self.pushes_through {
@@ -75,20 +77,51 @@ impl RoutineDriver {
         let patience = if other.at == other.to { PAUSES_FOR_STANDING } else { PAUSES_FOR_WALKING };
         let patience = patience + PAUSES_BY_RANK * self.rank;
         let squeezed = if self.pauses < patience { 1.0 } else { SQUEEZED };
-        let mesh = self.body.mesh();
-        let is_open = |&way: &Point| {
-            let reaches = [0.5, 1.0].iter().all(|share| mesh.is_free(here + (way - here) * *share));
-            reaches && self.company.in_the_way(here, way, squeezed).is_none()
-        };
-        if let Some(way) = self.company.ways_round(&other, here, to, squeezed).into_iter().find(is_open) {
+        if let Some(way) = self.way_round(&other, here, to, squeezed) {
             return self.step_to(way);
         }
+        self.wait_or_turn_back(now, here);
+    }
+
+    /// The last steps to a place: one lets pass who walks by, and goes round who stands before it.
+    fn last_steps(&mut self, now: Micros, here: Point, to: Point) {
+        let Some(other) = self.company.in_the_way(here, to, SQUEEZED).copied() else { return };
+        if other.at != other.to {
+            if self.pauses < PAUSES_FOR_WALKING {
+                self.pauses += 1;
+                self.pause(now, here);
+            }
+        } else if let Some(way) = self.way_round(&other, here, to, SQUEEZED)
+            && let Some(Next::Segment(whole)) = self.ready.front().cloned()
+        {
+            let half = (whole.begin + whole.end) / 2;
+            let doing = MotionState::Stride { from: way, to };
+            self.ready.insert(1, Next::Segment(MotionSegment { begin: half, doing, ..whole }));
+            if let Some(Next::Segment(first)) = self.ready.front_mut() {
+                (first.end, first.doing) = (half, MotionState::Stride { from: here, to: way });
+            }
+        } else {
+            self.wait_or_turn_back(now, here);
+        }
+    }
+
+    fn wait_or_turn_back(&mut self, now: Micros, here: Point) {
         if self.pauses < PAUSES_AT_MOST {
             self.pauses += 1;
             self.pause(now, here);
         } else {
             self.turn_back();
         }
+    }
+
+    /// Where to step to go round somebody, if there is room.
+    fn way_round(&self, other: &Body, here: Point, to: Point, squeezed: f64) -> Option<Point> {
+        let mesh = self.body.mesh();
+        let is_open = |&way: &Point| {
+            let reaches = [0.5, 1.0].iter().all(|share| mesh.is_free(here + (way - here) * *share));
+            reaches && self.company.in_the_way(here, way, squeezed).is_none()
+        };
+        self.company.ways_round(other, here, to, squeezed).into_iter().find(is_open)
     }
 
     /// Where others are one looks up every few steps: of a long way straight ahead, the first piece; where that leads.
