@@ -8,9 +8,11 @@ use super::draft::Draft;
 use super::helping::Help;
 use super::meaning::Kind as Part;
 use super::measures::{self, FASTEST_MPS, Measure, Of};
-use super::predicates::{IS, Predicate, Subject, is_way, unknown_doing};
+use super::predicates::{IS, Predicate};
 use super::reader::{Reader, Sort};
+use super::subjects::Subject;
 use super::times::is_of_next_day;
+use super::unknown::{is_way, unknown_doing};
 use super::words::Span;
 use crate::fuzzy::{Fuzzy, Quantifier};
 use crate::routine::{Activity, Chance, Change, Effect, Habit, Kind, PartOfDay, Person, Phase, When};
@@ -141,13 +143,8 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
         _ => return,
     };
     let adverbs = &clause.adverbs;
-    if let (Predicate::Own(words), Some((name, place))) = (&clause.predicate, &clause.place)
-        && is_way(words)
-    {
-        let at = if reader.names.has(&name.to_lowercase(), Sort::Room) { "in" } else { "at" };
-        let hint = format!("say what she does there, and for how long: \"she sits {at} the {name} for 20 minutes\"");
-        let span = clause.predicate_span.to(*place);
-        return reader.fault(span, format!("{:?} leaves open what she does there", reader.said(span)), hint);
+    if only_goes(reader, &clause) {
+        return;
     }
     let own = match &activity {
         Activity::Other(label) => reader.names.lexicon.own.get(label).cloned(),
@@ -167,13 +164,7 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
     if let Some(measure) = &clause.measure {
         misfit(reader, measure, "this is something new, not a change");
     }
-    if let (Some(every), Some(weekdays)) = (&adverbs.every, &adverbs.weekdays)
-        && every.value % 7 == 0
-        && weekdays.value.count_ones() > 1
-    {
-        let what = format!("{:?} of several days leaves open which week is whose", reader.said(every.span));
-        reader.fault(every.span, what, "make a sentence for each day: \"every other Tuesday\"".to_owned());
-    }
+    every_few_weeks(reader, adverbs);
     let when = adverbs.time_meant(activity == Activity::GoToBed);
     check_times(reader, adverbs, &when);
     if when == When::Then && draft.routine.habits.is_empty() {
@@ -283,6 +274,30 @@ fn staying(
     let lasts = (days - 1) as f64 * DAY_S + COMES_BACK_S - begins_s;
     let phase = Phase { from: Some(from), until: Some(calendar::later(from, 1)), ..Phase::default() };
     Some((when, phase, Some(Fuzzy::exactly(lasts.max(3600.0)))))
+}
+
+/// Whether somebody only goes to a place, and it is left open what for.
+fn only_goes(reader: &mut Reader, clause: &Clause) -> bool {
+    let (Predicate::Own(words), Some((name, place))) = (&clause.predicate, &clause.place) else { return false };
+    if !is_way(words) {
+        return false;
+    }
+    let at = if reader.names.has(&name.to_lowercase(), Sort::Room) { "in" } else { "at" };
+    let hint = format!("say what she does there, and for how long: \"she sits {at} the {name} for 20 minutes\"");
+    let span = clause.predicate_span.to(*place);
+    reader.fault(span, format!("{:?} leaves open what she does there", reader.said(span)), hint);
+    true
+}
+
+/// Every other week is of one day of the week.
+fn every_few_weeks(reader: &mut Reader, adverbs: &Adverbs) {
+    if let (Some(every), Some(weekdays)) = (&adverbs.every, &adverbs.weekdays)
+        && every.value % 7 == 0
+        && weekdays.value.count_ones() > 1
+    {
+        let what = format!("{:?} of several days leaves open which week is whose", reader.said(every.span));
+        reader.fault(every.span, what, "make a sentence for each day: \"every other Tuesday\"".to_owned());
+    }
 }
 
 /// The words of an activity as the sentence has them.

@@ -7,8 +7,10 @@ use super::calendar::is_weekday;
 use super::faults::did_you_mean;
 use super::helping;
 use super::measures::{Measure, measure};
-use super::predicates::{self, Predicate, Subject};
+use super::predicates::{IS, Predicate};
 use super::reader::{Reader, Sort, begins_adverb, is_determiner};
+use super::subjects::Subject;
+use super::unknown;
 use super::words::{Span, Token};
 use crate::routine::{Activity, PartOfDay};
 
@@ -130,7 +132,7 @@ fn says_purpose(reader: &mut Reader, clause: &mut Clause) -> bool {
             return helping::doing(reader);
         }
         let purpose = activities::activity(reader)?;
-        let goes = matches!(&clause.predicate, Predicate::Own(words) if predicates::is_way(words) || words == "stands");
+        let goes = matches!(&clause.predicate, Predicate::Own(words) if unknown::is_way(words) || words == "stands");
         match &clause.predicate {
             Predicate::Does(Activity::GetUp | Activity::Relax) => Some(Predicate::Does(purpose)),
             Predicate::Own(_) if goes && clause.place.is_some() => Some(Predicate::Does(purpose)),
@@ -274,16 +276,16 @@ fn not_understood(reader: &mut Reader, clause: &Clause) {
     reader.at = at;
     if eat_preposition(reader) && !reader.is_over() && !matches!(reader.token(0), Some(Token::Number(_))) {
         let goes = match &clause.predicate {
-            Predicate::Own(words) => predicates::is_way(words),
+            Predicate::Own(words) => unknown::is_way(words),
             other => *other == Predicate::Is,
         };
         let outside = goes.then_some("for what is outside, write \"she goes out at 10:00 for 2 hours\"");
-        predicates::unknown_name_or(reader, &PLACES, "no place of this home, and no time", outside);
+        unknown::unknown_name_or(reader, &PLACES, "no place of this home, and no time", outside);
         return;
     }
     reader.at = at;
     if let Predicate::Own(words) = &clause.predicate {
-        return predicates::unknown_verb(reader, words, clause.predicate_span);
+        return unknown::unknown_verb(reader, words, clause.predicate_span);
     }
     let what = format!("{:?} is not understood here", reader.said(here));
     if reader.faults.is_trial {
@@ -329,7 +331,7 @@ fn expected(reader: &mut Reader, clause: &Clause, word: &str) -> String {
         return format!("write \"for {}\"", reader.said(length.span));
     }
     if clause.predicate == Predicate::Is {
-        return predicates::IS.into();
+        return IS.into();
     }
     if word == "to" {
         return "for a stretch of time, write \"from 10:00 to 12:00\"".into();

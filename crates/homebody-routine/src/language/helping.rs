@@ -1,8 +1,9 @@
 //! What somebody who visits does there: with the person, or instead of them.
 
 use super::activities::{self, activity, event};
-use super::predicates::{Predicate, visits};
+use super::predicates::Predicate;
 use super::reader::Reader;
+use super::subjects::visits;
 use crate::routine::{Activity, Meal};
 use homebody_core::activity::{ActivityKind, TimeUse};
 

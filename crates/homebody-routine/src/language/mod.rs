@@ -2,7 +2,8 @@
 //!
 //! In reading order: text becomes sentences of words (`words`); a `reader` goes through them and knows the names of
 //! the home; `adverbs` reads when, how long and how often, in any order around the rest, and `meaning` says what those
-//! come to; a `clause` is who does what with all of that; `build` makes habits and changes of it, `rules` rules;
+//! come to; the words for what is done are those of the `lexicon`. A `clause` is who does what with all of that, `joined` by
+//! "and" or "or" with others; `build` makes habits and changes of it, `rules` rules;
 //! `sentence` reads a sentence from clause to clause into the `draft`; `check` finds sentences that contradict each
 //! other. Whatever is wrong is collected in `faults` and told all at once.
 
@@ -20,7 +21,10 @@ mod adverbs;
 mod meaning;
 pub mod activities;
 mod measures;
+mod subjects;
 mod predicates;
+mod roundabout;
+mod unknown;
 mod draft;
 mod clause;
 mod build;

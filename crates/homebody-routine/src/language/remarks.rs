@@ -5,8 +5,8 @@
 
 use super::activities;
 use super::adverbs::Adverbs;
-use super::predicates::visits;
 use super::reader::{Reader, Sort, is_beginning, is_determiner};
+use super::subjects::visits;
 use super::words::Token;
 
 /// What may stand in the rest of a remark.

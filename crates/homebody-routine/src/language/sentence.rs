@@ -8,10 +8,13 @@ use super::draft::Draft;
 use super::faults::did_you_mean;
 use super::helping;
 use super::joined;
-use super::predicates::{self, Predicate, Subject};
+use super::predicates::{self, Predicate};
 use super::reader::{Reader, Sort, begins_adverb, is_determiner};
 use super::remarks;
+use super::roundabout;
 use super::rules;
+use super::subjects::{self, Subject};
+use super::unknown;
 use super::words::{Span, Token};
 use crate::routine::{Activity, When};
 
@@ -43,7 +46,7 @@ pub fn sentence(reader: &mut Reader, draft: &mut Draft, heading: Option<&Adverbs
         return None;
     }
     let from = reader.at;
-    let Some(subject) = predicates::subject(reader).or_else(|| stranger(reader)) else {
+    let Some(subject) = subjects::subject(reader).or_else(|| stranger(reader)) else {
         no_subject(reader);
         return None;
     };
@@ -71,28 +74,13 @@ fn clauses(reader: &mut Reader, draft: &mut Draft, front: Start, heading: Option
     let (mut follows, mut count): (Option<Adverbs>, usize) = (None, 0);
     let (mut group, mut joined): (Vec<Clause>, Option<Join>) = (Vec::new(), None);
     loop {
-        let next = match group.last() {
-            Some(last) => again(reader, last, &mut adverbs),
-            None => None,
-        };
-        let goes_on = match next {
-            Some(clause) => {
-                group.push(clause);
-                let Some(goes_on) = tail(reader, group.last_mut().unwrap_or_else(|| unreachable!("one was pushed")))
-                else {
-                    return;
-                };
-                goes_on
-            }
-            None => {
-                let before = group.last();
-                let said = Said { subject: &subject, who, cooked: cooked.as_ref(), before };
-                let Some(mut clause) = clause(reader, said, adverbs, place.take(), start) else { return };
-                let Some(goes_on) = tail(reader, &mut clause) else { return };
-                group.push(clause);
-                goes_on
-            }
-        };
+        let before = group.last();
+        let next = before.and_then(|last| again(reader, last, &mut adverbs));
+        let said = Said { subject: &subject, who, cooked: cooked.as_ref(), before };
+        let next = next.or_else(|| clause(reader, said, adverbs, place.take(), start));
+        let Some(mut next) = next else { return };
+        let Some(goes_on) = tail(reader, &mut next) else { return };
+        group.push(next);
         let Some(clause) = group.last_mut() else { return };
         clause.span = reader.span(start);
         if let Some((_, join)) = goes_on {
@@ -118,25 +106,13 @@ fn clauses(reader: &mut Reader, draft: &mut Draft, front: Start, heading: Option
                 }
                 joined = Some(join);
                 let from = reader.at;
-                if let Some(other) = reader.attempt(predicates::subject) {
+                if let Some(other) = reader.attempt(subjects::subject) {
                     (subject, who) = (other, reader.span(from));
                 }
             }
             _ => {
-                joined::without_waking(&mut group);
-                if let Some(unclear) = joined::share(&mut group, joined.take()) {
-                    let what = format!("it is not clear whether {:?} is about both", reader.said(unclear));
-                    let hint = "make two sentences, or begin the sentence with it if it is about both".to_owned();
-                    return reader.fault(unclear, what, hint);
-                }
-                for clause in group.drain(..) {
-                    let merged = match (&follows, heading) {
-                        (Some(first), _) if count > 0 => clause.adverbs.clone().under(&days_of(first)),
-                        (None, Some(heading)) => clause.adverbs.clone().under(heading),
-                        _ => clause.adverbs.clone(),
-                    };
-                    follows.get_or_insert_with(|| merged.clone());
-                    build::build(reader, draft, Clause { adverbs: merged, ..clause });
+                if !finish(reader, draft, &mut group, joined.take(), (&mut follows, heading)) {
+                    return;
                 }
                 let Some((_, then)) = goes_on else { return };
                 adverbs.when = Some(Slot { value: When::Then, span: then, own: true });
@@ -145,6 +121,37 @@ fn clauses(reader: &mut Reader, draft: &mut Draft, front: Start, heading: Option
             }
         }
     }
+}
+
+/// Makes habits and changes of clauses that are joined, with what the first of the sentence or its heading says for them;
+/// false if something is left open.
+fn finish(
+    reader: &mut Reader,
+    draft: &mut Draft,
+    group: &mut Vec<Clause>,
+    joined: Option<Join>,
+    (follows, heading): (&mut Option<Adverbs>, Option<&Adverbs>),
+) -> bool {
+    joined::without_waking(group);
+    if let Some(unclear) = joined::share(group, joined) {
+        let what = format!("it is not clear whether {:?} is about both", reader.said(unclear));
+        let hint = "make two sentences, or begin the sentence with it if it is about both".to_owned();
+        reader.fault(unclear, what, hint);
+        return false;
+    }
+    // What comes after "then" takes over from before it, not from its own neighbours.
+    let first = follows.clone();
+    for clause in group.drain(..) {
+        let own = clause.adverbs.clone();
+        let merged = match (&first, heading) {
+            (Some(first), _) => own.under(&days_of(first)),
+            (None, Some(heading)) => own.under(heading),
+            (None, None) => own,
+        };
+        follows.get_or_insert_with(|| merged.clone());
+        build::build(reader, draft, Clause { adverbs: merged, ..clause });
+    }
+    true
 }
 
 /// What a clause begins with.
@@ -170,8 +177,8 @@ fn clause(
     let is_person = *said.subject == Subject::Person;
     // "She likes to read and knit": both are liked.
     let goes_on_liking = said.before.is_some_and(|before| before.tends) && !is_third_person(reader.peek(0));
-    let needs_to = is_person && predicates::needs_to(reader);
-    let tends = is_person && !needs_to && predicates::tends(reader) || goes_on_liking;
+    let needs_to = is_person && roundabout::needs_to(reader);
+    let tends = is_person && !needs_to && roundabout::tends(reader) || goes_on_liking;
     adverbs.all(reader);
     let is_who = said.before.is_some_and(|before| matches!(before.predicate, Predicate::Age(_) | Predicate::Remark));
     let from = reader.at;
@@ -308,6 +315,28 @@ fn days_of(first: &Adverbs) -> Adverbs {
     }
 }
 
+/// What is said of somebody who does not live there.
+fn of_visitor(reader: &mut Reader, name: &str, who: Span) -> Option<Predicate> {
+    let lexicon = reader.names.lexicon.clone();
+    let done = lexicon.nouns.iter().find(|(noun, _)| noun.written.split('|').any(|noun| noun == name));
+    let said = reader.said(who);
+    let (what, hint) = if let Some((_, activity)) = done {
+        let hint = format!("write \"she {}\", or who comes: \"her daughter visits\"", activities::phrase(activity));
+        (format!("{said:?} is nobody who visits"), hint)
+    } else if reader.names.has(name, Sort::Thing) {
+        (format!("{said:?} does nothing by itself"), format!("write what she does: \"she forgets the {name} rarely\""))
+    } else if let Some(found) = helping::visiting(reader) {
+        return Some(found);
+    } else if remarks::remark(reader).is_some() {
+        return Some(Predicate::Remark);
+    } else {
+        let what = format!("{said:?} is nobody who lives here: a visitor only visits");
+        (what, format!("write \"her {name} visits on Sunday for 2 hours\""))
+    };
+    reader.fault(who, what, hint);
+    None
+}
+
 fn predicate(
     reader: &mut Reader,
     subject: &Subject,
@@ -316,33 +345,8 @@ fn predicate(
     cooked: Option<&crate::routine::Meal>,
 ) -> Option<(Predicate, Span)> {
     let from = reader.at;
-    let lexicon = reader.names.lexicon.clone();
-    let is_done = |name: &str| lexicon.nouns.iter().find(|(noun, _)| noun.written.split('|').any(|noun| noun == name));
     let found = match subject {
-        Subject::Visitor(name) if is_done(name).is_some() => {
-            let doing = is_done(name).map_or_else(String::new, |(_, activity)| activities::phrase(activity));
-            let hint = format!("write \"she {doing}\", or who comes: \"her daughter visits\"");
-            reader.fault(who, format!("{:?} is nobody who visits", reader.said(who)), hint);
-            return None;
-        }
-        Subject::Visitor(name)
-            if !reader.names.has(name, Sort::Thing) && reader.ahead(|reader| helping::visiting(reader).is_some()) =>
-        {
-            helping::visiting(reader)
-        }
-        Subject::Visitor(name) if reader.names.has(name, Sort::Thing) => {
-            let hint = format!("write what she does: \"she forgets the {name} rarely\"");
-            reader.fault(who, format!("{:?} does nothing by itself", reader.said(who)), hint);
-            return None;
-        }
-        Subject::Visitor(_) if reader.ahead(|reader| remarks::remark(reader).is_some()) => {
-            remarks::remark(reader).map(|()| Predicate::Remark)
-        }
-        Subject::Visitor(name) => {
-            let what = format!("{:?} is nobody who lives here: a visitor only visits", reader.said(who));
-            reader.fault(who, what, format!("write \"her {name} visits on Sunday for 2 hours\""));
-            return None;
-        }
+        Subject::Visitor(name) => Some(of_visitor(reader, name, who)?),
         Subject::Hours | Subject::Pulse | Subject::Breathing => {
             let found = predicates::of_body(reader, subject);
             if found.is_none() {
@@ -371,17 +375,17 @@ fn predicate(
     let own = predicates::own_words(reader);
     if is_negated {
         let span = own.map_or(reader.here(), |(_, span)| span);
-        predicates::unknown_not(reader, span);
+        unknown::unknown_not(reader, span);
         return None;
     }
     let Some((words, span)) = own else {
         let span = nothing_of_its_own(reader);
         let words = reader.said(span).to_lowercase();
-        predicates::unknown_verb(reader, &words, span);
+        unknown::unknown_verb(reader, &words, span);
         return None;
     };
-    if predicates::is_nearly_known(&words) {
-        predicates::unknown_verb(reader, &words, span);
+    if unknown::is_nearly_known(&words) {
+        unknown::unknown_verb(reader, &words, span);
         return None;
     }
     Some((Predicate::Own(words), span))
@@ -441,7 +445,7 @@ fn stranger(reader: &mut Reader) -> Option<Subject> {
         reader.at += 1;
         let is_verb = |reader: &mut Reader| {
             Adverbs::default().all(reader);
-            reader.eat("is|walks|shows") || predicates::visits(reader) || activities::activity(reader).is_some()
+            reader.eat("is|walks|shows") || subjects::visits(reader) || activities::activity(reader).is_some()
         };
         if reader.ahead(is_verb) {
             return Some(Subject::Stranger(reader.said(reader.span(from))));
@@ -453,7 +457,7 @@ fn stranger(reader: &mut Reader) -> Option<Subject> {
 
 /// Whether a name may be the person's: nobody has said another, and it is said who that is.
 fn is_introduced(reader: &mut Reader, draft: &mut Draft, name: &str, who: Span) -> bool {
-    if reader.ahead(predicates::visits) {
+    if reader.ahead(subjects::visits) {
         let hint = "write who it is: \"her daughter visits\" or \"a nurse visits\"".to_owned();
         reader.fault(who, format!("{name:?} is nobody that this routine knows"), hint);
         return false;
