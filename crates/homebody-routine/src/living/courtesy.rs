@@ -93,6 +93,7 @@ impl RoutineDriver {
             }
         } else if let Some(way) = self.way_round(&other, here, to, SQUEEZED)
             && let Some(Next::Segment(whole)) = self.ready.front().cloned()
+            && whole.end - whole.begin > 1
         {
             let half = (whole.begin + whole.end) / 2;
             let doing = MotionState::Stride { from: way, to };
@@ -134,6 +135,9 @@ impl RoutineDriver {
             whole.begin + ((whole.end - whole.begin) as f64 * PIECE_M / length_m) as Micros,
             here + (to - here) * (PIECE_M / length_m),
         );
+        if at <= whole.begin || whole.end <= at {
+            return to;
+        }
         let part = |from, to, begin, end| {
             Next::Segment(MotionSegment { begin, end, doing: MotionState::Stride { from, to }, ..whole })
         };
@@ -263,7 +267,7 @@ impl RoutineDriver {
             return None;
         }
         let (mesh, room) = (self.body.mesh().clone(), self.body.room()?);
-        let stream = self.scripts.last_mut()?.stream();
+        let stream = &mut self.scripts.last_mut()?.stream;
         let at = (0..TRIES).map(|_| mesh.free_point(room, stream)).find(|&at| self.company.has_room(at))?;
         Some(Step::Go(Spot::to_stand(at, room)))
     }

@@ -12,12 +12,10 @@ use super::life::{DayParameters, Life, SentenceId};
 use super::manner::Manner;
 use super::needs::Needs;
 use super::places::{Places, Spot};
-use super::script::{Interruptible, Setting, Stay, Step, script};
+use super::script::{Interruptible, Setting, Step, script};
 use super::tally::Tally;
-use super::usual;
 use super::watch::Watches;
-use crate::routine::{Activity, Response};
-use homebody_core::activity::{self, UsualLength};
+use crate::routine::Activity;
 use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::{MotionState, Need};
 use homebody_core::home::Home;
@@ -25,7 +23,7 @@ use homebody_core::ids::ResidentId;
 use homebody_core::random::Stream;
 use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
-use homebody_core::time::{DAY, Micros, SECOND, micros};
+use homebody_core::time::{DAY, Micros, SECOND};
 use std::any::Any;
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
@@ -62,11 +60,11 @@ pub struct RoutineDriver {
     /// What came of each sentence so far.
     pub(super) tally: Tally,
     /// Whether what filled the time last was an errand.
-    was_errand: bool,
+    pub(super) was_errand: bool,
     /// The hour of the day as the last script began.
-    hour_now: f64,
+    pub(super) hour_now: f64,
     /// When a meal or medicine was over last: what follows it at once is not put off.
-    at_table: Micros,
+    pub(super) at_table: Micros,
     /// From which the hours of the day are counted.
     pub(super) midnight: Micros,
     /// What a visitor, rather than somebody who lives here, is called.
@@ -92,28 +90,22 @@ pub struct RoutineDriver {
 #[derive(Clone, Debug)]
 pub(super) struct Playing {
     pub(super) steps: VecDeque<Step>,
-    stream: Stream,
-    name: String,
+    pub(super) stream: Stream,
+    pub(super) name: String,
     /// Where it was when it was interrupted.
-    spot: Option<Spot>,
-    is_interrupted: bool,
+    pub(super) spot: Option<Spot>,
+    pub(super) is_interrupted: bool,
     /// The sentence that it comes from, and since when it is played.
-    of: Option<SentenceId>,
-    since: Micros,
-    walks: Walks,
+    pub(super) of: Option<SentenceId>,
+    pub(super) since: Micros,
+    pub(super) walks: Walks,
     /// Whether meals and medicine interrupt it: what is done for pleasure, and company.
-    gives_way: bool,
-    is_essential: bool,
+    pub(super) gives_way: bool,
+    pub(super) is_essential: bool,
     /// Whether it answers a rule.
-    is_response: bool,
+    pub(super) is_response: bool,
     /// Whether the stay's next move is a movement.
-    stirs: bool,
-}
-
-impl Playing {
-    pub(super) fn stream(&mut self) -> &mut Stream {
-        &mut self.stream
-    }
+    pub(super) stirs: bool,
 }
 
 /// What the ways of a script are walked for.
@@ -307,95 +299,6 @@ impl RoutineDriver {
         }
     }
 
-    fn go(&mut self, spot: Spot, now: Micros) {
-        let Some(spot) = self.free_spot(spot.clone()) else {
-            if !self.queue(spot) {
-                self.give_up(now);
-            }
-            return;
-        };
-        // Waiting is not over where one only waits.
-        if !spot.name.is_empty() {
-            self.queues = 0;
-        }
-        let hour = self.hour(now);
-        let Some(playing) = self.scripts.last_mut() else { return };
-        let from = self.body.room();
-        let Some(moves) = self.body.go(&spot, now, hour, self.parameters.pace, &mut playing.stream) else {
-            return self.give_up(now);
-        };
-        playing.spot = Some(spot.clone());
-        let metres: f64 = moves.iter().map(metres).sum();
-        match playing.walks {
-            Walks::Need => self.errands.need(hour, metres),
-            Walks::Errand => {
-                self.errands.errand(metres);
-                // Whatever interrupts the sitting down afterwards leads back there of need.
-                if self.name != Activity::Housework.label() {
-                    playing.walks = Walks::Need;
-                }
-            }
-            Walks::Cooking | Walks::Roaming => {}
-        }
-        let arrival = moves.last().map_or(now, |last| last.end);
-        self.lamps(from, spot.room, now, moves);
-        self.watches.arrive(spot.room, &spot.name, &self.home.plan, arrival, &self.life);
-        // Who comes by sees what was left on; on an errand only at the thing itself.
-        let is_errand = self.name == Activity::Housework.label();
-        for thing in self.watches.left_on() {
-            if self.home.plan.room_at(self.home.plan.things[thing as usize].at) == spot.room
-                && (!is_errand || spot.name == self.places.thing_name(thing))
-            {
-                self.act(thing, false, arrival);
-            }
-        }
-    }
-
-    /// There is no way to where this is done: what is left of it is not done. A night is spent wherever one is, and who visits
-    /// stays where they are.
-    fn give_up(&mut self, now: Micros) {
-        let is_visit = self.visitor.is_some();
-        let Some(playing) = self.scripts.last_mut() else { return };
-        if is_visit || playing.steps.iter().any(|step| matches!(step, Step::Wake)) {
-            return;
-        }
-        let at_a_loss = Stay {
-            posture: self.body.posture(),
-            manner: Manner::BUSY.by(&self.life.numbers),
-            left: micros(self.life.numbers.of(&AT_A_LOSS_S)),
-            until: None,
-            may: Interruptible::Nothing,
-        };
-        self.tally.no_way(playing.of.take());
-        let left = std::mem::replace(&mut playing.steps, VecDeque::from([Step::Stay(at_a_loss)]));
-        let mut stays_on = Vec::new();
-        for step in left {
-            match step {
-                Step::Meet(need) => self.needs.put_off(need, now),
-                Step::Act(thing, false) if self.watches.is_on(thing) => stays_on.push(thing),
-                _ => {}
-            }
-        }
-        // Whoever comes by turns it off.
-        self.watches.forget(stays_on);
-    }
-
-    fn away(&mut self, lasts: Micros, until: Option<Micros>, now: Micros) {
-        let end = until.unwrap_or(now.saturating_add(lasts));
-        let end = self.watches.leave(now, end, &self.life).max(now + SECOND);
-        self.needs.pause(now);
-        self.put_out_the_lamp(now);
-        self.ready.push_back(Next::Segment(MotionSegment {
-            begin: now,
-            end,
-            doing: MotionState::Away,
-            posture: Posture::Standing,
-        }));
-        if self.visitor.is_none() {
-            self.needs.waking(end, &self.life, self.agenda.day, &self.parameters);
-        }
-    }
-
     /// Stays for as long as nothing ends it, one movement or rest after the other.
     fn stay(&mut self, now: Micros) {
         let (interrupted_at, rules_at) = (self.interrupted_at(now), self.rules_at().max(now));
@@ -455,128 +358,8 @@ impl RoutineDriver {
         move |manner| if manner.is_of_bed() { restless } else { awake }
     }
 
-    /// When a rule is due; what is done because of one is not interrupted by another.
-    fn rules_at(&self) -> Micros {
-        if self.scripts.iter().any(|playing| playing.is_response) { Micros::MAX } else { self.watches.due_at() }
-    }
-
-    /// When what may be interrupted will be.
-    fn interrupted_at(&self, now: Micros) -> Micros {
-        let event = self.next_break_at(now);
-        if self.visitor.is_some() {
-            return Micros::MAX;
-        }
-        // What is being done about a need is not interrupted by another.
-        let needs = if self.scripts.len() > 2 { Micros::MAX } else { self.needs.presses_at() };
-        let meal = self.essential().map_or(Micros::MAX, |(_, due)| due);
-        event.min(needs).min(meal).min(self.rules_at()).max(now)
-    }
-
-    /// When what interrupts comes next. Lying awake waits until one is in bed.
-    fn next_break_at(&self, now: Micros) -> Micros {
-        let Some(item) = self.agenda.breaks.get(self.next_break) else { return Micros::MAX };
-        let waits = item.activity == Activity::LieAwake && !self.needs.asleep() && now <= item.latest;
-        if waits { Micros::MAX } else { item.start }
-    }
-
-    /// The next meal or medicine of the plan, and from when on it interrupts what goes on, if that gives way to it.
-    fn essential(&self) -> Option<(usize, Micros)> {
-        let [playing] = self.scripts.as_slice() else { return None };
-        if !playing.gives_way {
-            return None;
-        }
-        let items = self.agenda.items.iter().enumerate().skip(self.next_item);
-        let (index, item) = items.into_iter().find(|(_, item)| item.is_essential())?;
-        // What is nearly done is brought to its end, but nobody goes back to it between cooking and eating.
-        let is_next = self.at_table > item.start - 2 * GRACE;
-        Some((index, item.start + if is_next { 0 } else { GRACE }))
-    }
-
-    /// Does whatever presses now.
-    fn interrupt(&mut self, now: Micros) {
-        if self.rules_at() <= now
-            && let Some((rule, response)) = self.watches.due(now)
-        {
-            self.tally.hold(rule);
-            self.respond(response, now);
-            if let Some(playing) = self.scripts.last_mut() {
-                playing.is_response = true;
-            }
-            return;
-        }
-        if let Some((index, due)) = self.essential()
-            && due <= now
-        {
-            let item = self.agenda.items.remove(index);
-            if now <= item.latest {
-                self.begin_at(&item, now);
-            }
-            return;
-        }
-        if self.next_break_at(now) <= now
-            && let Some(item) = self.agenda.breaks.get(self.next_break).cloned()
-        {
-            self.next_break += 1;
-            // Nobody lies awake who is up.
-            let is_idle = item.activity == Activity::LieAwake && !self.needs.asleep();
-            if now <= item.latest && !is_idle {
-                self.begin_at(&item, now);
-            }
-            return;
-        }
-        if let Some(activity) = self.needs.pressing(now, self.hour(now)) {
-            let key = format!("need/{}/{}", activity.label(), self.times(&activity));
-            let mut stream = self.life.stream_of_day(self.agenda.day, &key);
-            let UsualLength { median_min, sigma } = match activity {
-                // By night visits are shorter.
-                Activity::UseBathroom if self.needs.asleep() => UsualLength { median_min: 4.0, sigma: 0.4 },
-                ref activity => usual::length(activity, &self.life.numbers),
-            };
-            let lasts = self.parameters.lasting_s(&activity, stream.lognormal(median_min * 60.0, sigma));
-            self.begin(&Item::now(key, activity, micros(lasts)));
-        }
-    }
-
-    fn respond(&mut self, response: Response, now: Micros) {
-        match response {
-            // The night is over, whatever is left of it.
-            Response::Do { activity: Activity::GetUp, .. } if self.needs.asleep() => {
-                for step in self.scripts.iter_mut().flat_map(|playing| playing.steps.iter_mut()) {
-                    if let Step::Stay(stay) = step {
-                        stay.until = Some(now);
-                    }
-                }
-            }
-            Response::Do { activity: Activity::GoToBed, .. } => {
-                self.scripts.clear();
-                self.go_to_bed(now);
-            }
-            Response::Turn { thing, on } => {
-                let Some(index) = self.places.thing_named(&thing) else { return };
-                let activity = Activity::Other(activity::turning(&thing, on));
-                self.begin(&Item::now("rule".into(), activity, 0));
-                let at = self.places.named(&thing).cloned();
-                if let Some(playing) = self.scripts.last_mut() {
-                    playing.steps.truncate(1);
-                    playing.steps.extend(at.map(Step::Go));
-                    playing.steps.push_back(Step::Act(index, on));
-                }
-            }
-            Response::Do { activity, place, lasts } => {
-                let key = format!("rule/{}/{}", activity.label(), self.times(&activity));
-                let mut stream = self.life.stream_of_day(self.agenda.day, &key);
-                let UsualLength { median_min, sigma } = usual::length(&activity, &self.life.numbers);
-                let lasts_s = match lasts {
-                    Some(lasts) => lasts.draw(&mut stream),
-                    None => stream.lognormal(median_min * 60.0, sigma),
-                };
-                self.begin(&Item { place, ..Item::now(key, activity, micros(lasts_s)) });
-            }
-        }
-    }
-
     /// Begins what was planned.
-    fn begin_at(&mut self, item: &Item, now: Micros) {
+    pub(super) fn begin_at(&mut self, item: &Item, now: Micros) {
         self.tally.begin(item, now);
         // How long it still is until it has to end.
         let lasts = item.until.map_or(item.lasts, |until| (until - now).max(SECOND));
@@ -736,32 +519,8 @@ impl RoutineDriver {
     }
 }
 
-homebody_core::numbers! {
-    /// How long somebody who finds no way stands there: what is tried takes time, so that no instant goes on for ever.
-    static AT_A_LOSS_S = "driver.at_a_loss": 60.0, "s", [1.0, 3_600.0];
-}
-
 /// How late a meal may be before what is done for pleasure is interrupted for it (ours).
-const GRACE: Micros = 10 * MINUTE;
-
-/// How far a move leads.
-fn metres(segment: &MotionSegment) -> f64 {
-    match segment.doing {
-        MotionState::Stride { from, to } => from.distance(to),
-        _ => 0.0,
-    }
-}
-
-impl Activity {
-    /// Whether a meal that is due interrupts it: what is done for pleasure, company, the household.
-    fn gives_way_to_meals(&self) -> bool {
-        use Activity::{Exercise, Housework, Laundry, Other, Phone, Read, Relax, UseComputer, Visit, WatchTelevision};
-        matches!(
-            self,
-            Exercise | Housework | Laundry | Other(_) | Phone | Read | Relax | UseComputer | Visit | WatchTelevision
-        )
-    }
-}
+pub(super) const GRACE: Micros = 10 * MINUTE;
 
 impl Item {
     /// Whether it is still done before bed although it is late.

@@ -7,6 +7,7 @@ mod keys;
 
 // What is to be done on a day, where, and how each thing is done.
 mod usual;
+mod rising;
 pub mod agenda;
 pub mod places;
 pub mod script;
@@ -27,6 +28,8 @@ mod spare_time;
 mod night;
 pub mod company;
 mod courtesy;
+mod interrupts;
+mod ways;
 mod lamps;
 mod visit;
 pub mod pet;
@@ -38,11 +41,12 @@ pub(crate) fn numbers() -> Vec<Number> {
     let modules = [
         person::NUMBERS,
         life::NUMBERS,
+        rising::NUMBERS,
         agenda::NUMBERS,
         needs::NUMBERS,
         body::NUMBERS,
         company::NUMBERS,
-        driver::NUMBERS,
+        ways::NUMBERS,
         lamps::NUMBERS,
         spare_time::NUMBERS,
         night::NUMBERS,

@@ -1,9 +1,10 @@
 //! The nights of somebody who lives by a routine: going to bed, falling asleep, waking now and then, getting up.
 
-use super::agenda::{self, Agenda, Item};
+use super::agenda::{Agenda, Item};
 use super::driver::{MINUTE, RoutineDriver};
 use super::manner::Manner;
 use super::places::Spot;
+use super::rising;
 use super::script::{Interruptible, Stay, Step};
 use super::usual;
 use crate::routine::Activity;
@@ -45,9 +46,9 @@ impl RoutineDriver {
     pub(super) fn sleep(&mut self, now: Micros, already: bool) {
         let mut stream = self.life.stream_of_day(self.agenda.day, "night");
         let tomorrow = self.agenda.day + 1;
-        let up = agenda::up(&self.life, tomorrow, &self.life.parameters(tomorrow)).max(now + MINUTE);
+        let up = rising::up(&self.life, tomorrow, &self.life.parameters(tomorrow)).max(now + MINUTE);
         // A change that begins tomorrow does not touch tonight's wakings.
-        let usual_up = agenda::up(&self.life, tomorrow, &self.parameters);
+        let usual_up = rising::up(&self.life, tomorrow, &self.parameters);
         let stay = |manner, left, until| {
             Step::Stay(Stay { posture: Posture::Lying, manner, left, until, may: Interruptible::Interrupt })
         };
@@ -130,7 +131,7 @@ impl RoutineDriver {
     /// The plan of the next day, or of the one that it is by now: who was away for a week comes home to today.
     pub(super) fn begin_day(&mut self, now: Micros) {
         let mut day = self.agenda.day + 1;
-        let is_over = |day: i32| agenda::up(&self.life, day + 1, &self.life.parameters(day)) <= now;
+        let is_over = |day: i32| rising::up(&self.life, day + 1, &self.life.parameters(day)) <= now;
         while is_over(day) {
             day += 1;
         }
