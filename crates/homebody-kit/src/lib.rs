@@ -56,6 +56,6 @@ pub use profiles::Profile;
 pub use recorded::{Recorded, Unfinished, recording};
 pub use run::{Batch, BatchSink, LiveRun, Progress, RunSetup};
 pub use scenario::{OpenScenario, numbers, open, template};
-pub use source::{Folder, Source, Template};
+pub use source::{Folder, Source, TRUST, Template};
 pub use store::{Destinations, Lived};
 pub use stretch::Stretch;

@@ -147,6 +147,15 @@ impl Template {
     }
 }
 
+/// The hint of problems that nobody has with a scenario that is [`Source::trusted`].
+pub const TRUST: &str = "if the scenario is your own, or you know who made it, trust it";
+
+/// What helps where a text is none.
+const UTF_8: &str = "save it as UTF-8";
+
+/// Among so many names of files the one that was meant is looked for (ours).
+const MOST_NAMES: usize = 1000;
+
 /// The files of a scenario's folder, which may be anybody's: plain ones in there, each of at most
 /// [`LARGEST_OF_SCENARIO_BYTES`].
 #[derive(Clone, Debug)]
@@ -164,18 +173,24 @@ impl Files for Folder {
             true => (Some(whole.clone()), u64::MAX),
             false => (plain::within(&self.path, Path::new(name)), LARGEST_OF_SCENARIO_BYTES),
         };
-        let no_way = || {
-            NoText::Unreadable(match whole.exists() {
-                true => "it is a link that leads out of the scenario's folder".into(),
-                false => "it is a link that leads nowhere".into(),
-            })
+        let of_ones_own = |why: &str| NoText::Unreadable { why: why.into(), hint: Some(TRUST.into()) };
+        let no_way = || match whole.exists() {
+            true => of_ones_own("it is a link that leads out of the scenario's folder"),
+            false => NoText::unreadable("it is a link that leads nowhere"),
         };
         plain::read_text(&path.ok_or_else(no_way)?, largest).map_err(|error| match error.kind() {
             // No file has a name that no file can have.
             ErrorKind::NotFound | ErrorKind::NotADirectory | ErrorKind::InvalidFilename => NoText::Missing,
-            ErrorKind::IsADirectory => NoText::Unreadable("it is a folder".into()),
-            _ => NoText::Unreadable(error.to_string()),
+            ErrorKind::IsADirectory => NoText::unreadable("it is a folder"),
+            ErrorKind::FileTooLarge => of_ones_own(&error.to_string()),
+            ErrorKind::InvalidData => NoText::Unreadable { why: error.to_string(), hint: Some(UTF_8.into()) },
+            _ => NoText::unreadable(error.to_string()),
         })
+    }
+
+    fn names(&self) -> Vec<String> {
+        let files = fs::read_dir(&self.path).into_iter().flatten().flatten().take(MOST_NAMES);
+        files.filter_map(|file| file.file_name().into_string().ok()).collect()
     }
 
     fn most_bytes(&self) -> usize {

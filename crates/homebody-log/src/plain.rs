@@ -43,8 +43,11 @@ pub fn read(path: &Path, largest: u64) -> io::Result<Vec<u8>> {
 ///
 /// As [`read`], and [`ErrorKind::InvalidData`] where it is no text.
 pub fn read_text(path: &Path, largest: u64) -> io::Result<String> {
-    let text = String::from_utf8(read(path, largest)?)
-        .map_err(|_| io::Error::new(ErrorKind::InvalidData, "it is not text in UTF-8"))?;
+    let text = String::from_utf8(read(path, largest)?).map_err(|error| {
+        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+        io::Error::new(ErrorKind::InvalidData, format!("line {line} is not text in UTF-8"))
+    })?;
     Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
 }
 

@@ -290,6 +290,7 @@ fn csv_files_of_many_kinds() {
         "\u{feff}Time,Sensor,Value\r\n2009-03-02 07:12:03.25,M1,ON\r\n",
         "2009-03-02 07:12:03.25,M1,ON,Sleep\n",
         "seq,ts_local,sensor_id,event_code\n0,2009-03-02 07:12:03.25,M1,ON\n",
+        "time;sensor;value\n2009-03-02 07:12:03.25;M1;ON\n",
         "value,\"sensor\",note,time\nON,\"M1\",\"a, b\",2009-03-02T07:12:03.25\n",
     ] {
         assert_eq!(told(&from_text(&folder, "csv:log.csv", text).unwrap()), one, "{text}");

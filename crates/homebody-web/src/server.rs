@@ -23,7 +23,7 @@ use homebody_import::{MOST_BYTES, NotImported};
 use homebody_kit::Cancel;
 use homebody_log::places::RECORDING;
 use serde::Serialize;
-use std::io;
+use std::io::{self, ErrorKind};
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::sync::Arc;
 use std::time::Duration;
@@ -82,6 +82,10 @@ pub enum ServeError {
     Scenario(String),
     #[error("no port from {first} to {last} is free on {ip}\n  hint: name another port")]
     NoPort { ip: IpAddr, first: u16, last: u16 },
+    #[error(
+        "this machine has no address {0}\n  hint: `ip address` lists those it has; 127.0.0.1 is for this machine alone"
+    )]
+    Foreign(IpAddr),
     #[error("{address} cannot be listened to: {source}\n  hint: another program may be there; name another port")]
     Port { address: SocketAddr, source: std::io::Error },
     #[error("there is no randomness for a token: {0}")]
@@ -142,12 +146,17 @@ fn listen(options: &Options) -> Result<TcpListener, ServeError> {
     let ip = options.ip.to_canonical();
     if let Some(port) = options.port {
         let address = SocketAddr::new(ip, port);
-        return bind(address).map_err(|source| ServeError::Port { address, source });
+        return bind(address).map_err(|source| match source.kind() {
+            ErrorKind::AddrNotAvailable => ServeError::Foreign(ip),
+            _ => ServeError::Port { address, source },
+        });
     }
     let last = FIRST_PORT + PORTS - 1;
     for port in FIRST_PORT..=last {
-        if let Ok(listener) = bind(SocketAddr::new(ip, port)) {
-            return Ok(listener);
+        match bind(SocketAddr::new(ip, port)) {
+            Ok(listener) => return Ok(listener),
+            Err(error) if error.kind() == ErrorKind::AddrNotAvailable => return Err(ServeError::Foreign(ip)),
+            Err(_) => {}
         }
     }
     Err(ServeError::NoPort { ip, first: FIRST_PORT, last })

@@ -103,6 +103,10 @@ impl Files for Shelf {
         }
     }
 
+    fn names(&self) -> Vec<String> {
+        self.files().names()
+    }
+
     fn most_bytes(&self) -> usize {
         self.files().most_bytes()
     }

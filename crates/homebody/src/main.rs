@@ -12,6 +12,7 @@ use clap::{CommandFactory, Parser};
 use commands::Command;
 use failure::{EXIT_CODES, Failure};
 use homebody_core::problem::counted;
+use homebody_kit::TRUST;
 use print::tell;
 use std::process::ExitCode;
 
@@ -45,7 +46,8 @@ fn main() -> ExitCode {
 fn report(failure: &Failure) -> ExitCode {
     match failure {
         Failure::Problems(problems) => {
-            tell(format_args!("{}\n{}", problems.render(), counted(problems.0.len(), "problem", "problems")));
+            let said = problems.render().replace(TRUST, &format!("{TRUST}, by --trust"));
+            tell(format_args!("{said}\n{}", counted(problems.0.len(), "problem", "problems")));
             ExitCode::from(2)
         }
         Failure::Usage(what) => {

@@ -8,6 +8,7 @@ use super::input::InputFile;
 use super::inside::{WHERE, outside_folder};
 use super::link::LinkFile;
 use super::logger::LoggerFile;
+use super::nearest::nearest;
 use super::path::PathFile;
 use super::resident::{DriverFile, ResidentFile};
 use super::schema::FileKind;
@@ -29,6 +30,11 @@ pub trait Files {
     ///
     /// The loader only asks for names that stay inside the folder.
     fn read(&self, name: &str) -> Result<String, NoText>;
+
+    /// The names of the files there are, to find the one that was meant; not all need be known.
+    fn names(&self) -> Vec<String> {
+        Vec::new()
+    }
 
     /// How many bytes the files that a scenario names may have together: a file counts as often as it is named.
     fn most_bytes(&self) -> usize {
@@ -59,15 +65,27 @@ pub fn too_long(text: &str) -> Option<String> {
 pub enum NoText {
     /// Nothing has its name.
     Missing,
-    /// Something has its name, and cannot be read: why, as a sentence for people.
-    Unreadable(String),
+    /// Something has its name, and cannot be read.
+    Unreadable {
+        /// Why, as a sentence for people.
+        why: String,
+        /// What they can do about it, where that is known.
+        hint: Option<String>,
+    },
+}
+
+impl NoText {
+    /// What cannot be read, where nothing is known that helps.
+    pub fn unreadable(why: impl Into<String>) -> NoText {
+        NoText::Unreadable { why: why.into(), hint: None }
+    }
 }
 
 impl fmt::Display for NoText {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.write_str(match self {
             NoText::Missing => "there is no such file",
-            NoText::Unreadable(why) => why,
+            NoText::Unreadable { why, .. } => why,
         })
     }
 }
@@ -76,6 +94,10 @@ impl fmt::Display for NoText {
 impl Files for BTreeMap<String, String> {
     fn read(&self, name: &str) -> Result<String, NoText> {
         self.get(name).cloned().ok_or(NoText::Missing)
+    }
+
+    fn names(&self) -> Vec<String> {
+        self.keys().cloned().collect()
     }
 
     fn most_bytes(&self) -> usize {
@@ -94,6 +116,10 @@ pub struct Overlay<'a> {
 impl Files for Overlay<'_> {
     fn read(&self, name: &str) -> Result<String, NoText> {
         self.texts.get(name).map_or_else(|| self.others.read(name), |text| Ok(text.clone()))
+    }
+
+    fn names(&self) -> Vec<String> {
+        self.texts.keys().cloned().chain(self.others.names()).collect()
     }
 
     fn most_bytes(&self) -> usize {
@@ -234,7 +260,7 @@ impl Loader<'_> {
         let most = self.files.most_bytes();
         let too_many = || {
             let what = format!("with it, the files that the scenario names have more than {} MB", most >> 20);
-            NoText::Unreadable(format!("{what}, counted as often as they are named"))
+            NoText::unreadable(format!("{what}, counted as often as they are named"))
         };
         if self.named_bytes > most {
             return Err(too_many());
@@ -244,11 +270,26 @@ impl Loader<'_> {
         if self.named_bytes > most { Err(too_many()) } else { Ok(text) }
     }
 
+    /// What can be done about a file that has no text.
+    fn instead(&self, name: &str, why: &NoText) -> Option<String> {
+        match why {
+            NoText::Missing => {
+                let names = self.files.names();
+                nearest(name, names.iter().map(String::as_str)).map(|near| format!("did you mean {near:?}?"))
+            }
+            NoText::Unreadable { hint, .. } => hint.clone(),
+        }
+    }
+
     fn scenario(&mut self, entry: &str) -> Option<Scenario> {
         let text = match self.read(entry) {
             Ok(text) => text,
             Err(why) => {
-                self.problems.push(Problem::of_file(entry, format!("cannot be read: {why}"), None));
+                self.problems.push(Problem::of_file(
+                    entry,
+                    format!("cannot be read: {why}"),
+                    self.instead(entry, &why),
+                ));
                 return None;
             }
         };
@@ -379,12 +420,13 @@ impl Loader<'_> {
         let read = match problem {
             Some((what, hint)) => Err(from.problem(link, what, hint)),
             None => {
-                let read = self.read(name).map_err(|why| format!("{name:?} cannot be read: {why}"));
+                let read = self.read(name);
+                let read = read.map_err(|why| (format!("{name:?} cannot be read: {why}"), self.instead(name, &why)));
                 let read = read.and_then(|text| match too_long(&text) {
-                    Some(why) => Err(format!("{name:?} is too long: {why}")),
+                    Some(why) => Err((format!("{name:?} is too long: {why}"), None)),
                     None => Ok(text),
                 });
-                read.map_err(|what| from.problem(link, what, None))
+                read.map_err(|(what, hint)| from.problem(link, what, hint))
             }
         };
         match read {
@@ -428,7 +470,8 @@ impl Loader<'_> {
         match self.read(name) {
             Ok(text) => self.parse(name, kind, &text, Some((from, link))),
             Err(why) => {
-                self.problems.push(from.problem(link, format!("{name:?} cannot be read: {why}"), None));
+                let hint = self.instead(name, &why);
+                self.problems.push(from.problem(link, format!("{name:?} cannot be read: {why}"), hint));
                 None
             }
         }

@@ -24,7 +24,7 @@ fn the_scenario_file() {
             "\"noon\",\n  \"time_zone\": \"Chicago\"",
             "scenario.json:3:12: \"noon\" is no date and time; write it as \"2009-03-02T00:00:00\"\nscenario.json:4:16: there is no time zone \"Chicago\"; did you mean \"America/Chicago\"?"),
         ("scenario.json", r#""home.json""#, r#""hom.json""#,
-            r#"scenario.json:6:11: "hom.json" cannot be read: there is no such file"#),
+            r#"scenario.json:6:11: "hom.json" cannot be read: there is no such file; did you mean "home.json"?"#),
         ("scenario.json", r#""home.json""#, r#""../home.json""#,
             r#"scenario.json:6:11: "../home.json" is no file name inside the scenario's folder; name a file relative to the scenario's folder, with / between folders"#),
         ("scenario.json", r#""home.json""#, r#""/etc/passwd""#,

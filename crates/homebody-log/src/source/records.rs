@@ -1,6 +1,7 @@
 //! Rows of comma-separated values, none of which is longer than it may be.
 
 use super::reading::open;
+use super::start::Start;
 use crate::error::LogError;
 use crate::limits::{LONGEST_ROW_BYTES, MOST_CELLS};
 use ::csv::{ByteRecord, Reader, ReaderBuilder, Terminator};
@@ -45,6 +46,7 @@ impl Records {
         let source = Limited { file: open(path)?, come: come.clone() };
         // Lines end as on Windows, too: what is before their end is blank. So they are counted as people count them.
         let mut builder = ReaderBuilder::new();
+        builder.delimiter(Start::of(path)?.delimiter());
         builder.has_headers(false).flexible(true).terminator(Terminator::Any(b'\n')).buffer_capacity(BUFFER);
         Ok(Records { path: path.into(), reader: builder.from_reader(source), record: ByteRecord::new(), come })
     }

@@ -14,7 +14,8 @@ use std::process::{Command, Stdio};
 /// Opens a page on which a scenario is lived: seen, driven by keys, recorded and played again.
 ///
 /// The page is served to this machine alone, and only to who has the address that is printed: it holds a token. A browser is led
-/// there by a file that only you can read, and which is removed when it has come. Runs go into new folders under runs/, as those
+/// there by a file that only you can read, and which is removed when it has come. Programs send the token, which is what stands
+/// behind `#token=` in the address, in the header `X-Homebody-Token`. Runs go into new folders under runs/, as those
 /// of homebody run. Ctrl-C ends the run and the server, and that is no failure: the exit code is 0.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
@@ -85,6 +86,7 @@ impl From<ServeError> for Failure {
     fn from(error: ServeError) -> Failure {
         match error {
             ServeError::Scenario(why) => Failure::Usage(why),
+            ServeError::Foreign(_) => Failure::usage(error),
             ServeError::NoPort { .. } | ServeError::Port { .. } => Failure::Io(format!("{error}, by --port")),
             error => Failure::Io(error.to_string()),
         }
