@@ -41,7 +41,7 @@ pub enum Step {
         arrival: bool,
         left: Micros,
     },
-    /// A visitor outside waits so long to be let in.
+    /// Who is outside waits so long for the doorway to be free; a visitor to be let in as well.
     Ring {
         left: Micros,
     },
@@ -82,6 +82,8 @@ pub enum Interruptible {
 const ARRIVAL_PATIENCE: Micros = 5 * 60 * SECOND;
 /// How long a host waits for a visitor to have gone (ours).
 const FAREWELL_PATIENCE: Micros = 5 * 60 * SECOND;
+/// How long who comes home waits for somebody to leave the doorway (ours).
+const DOORWAY: Micros = 2 * 60 * SECOND;
 /// How long somebody waits for a meal that somebody else still cooks (ours).
 const COOKING_PATIENCE: Micros = 45 * 60 * SECOND;
 
@@ -90,9 +92,6 @@ pub(super) const STAYING_OVER: Micros = 10 * 3600 * SECOND;
 
 /// How long the host then sits with them first (ours).
 const WELCOME: Micros = 3600 * SECOND;
-
-/// What takes longer is no errand (ours).
-const ERRAND: Micros = 600 * SECOND;
 
 /// What a script is made from.
 pub struct Setting<'a> {
@@ -352,21 +351,15 @@ impl Steps<'_, '_> {
         self.act(Role::WashingMachine, false);
     }
 
-    /// A round through the home, a moment here and there. Mostly it is near where one sits: of two places, the
-    /// nearer, as we assume; nobody takes the stairs for every errand.
+    /// A round through the home, a moment here and there.
     fn housework(&mut self, lasts: Micros) {
         let stations = self.setting.places.stations();
-        let seat = self.setting.places.of(Role::Armchair).map(|seat| seat.at);
         let mut left = lasts;
         while left > 0 && !stations.is_empty() {
-            let mut any = || &stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()];
-            let (one, other) = (any(), any());
-            let far = |spot: &Spot| seat.map_or(0.0, |seat| seat.distance(spot.at));
-            let spot = if far(other) < far(one) { other } else { one };
+            let spot = &stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()];
             let span = self.around(45.0);
-            // Who moves less stays longer at each place; of errands there are fewer instead.
-            let slower = if lasts > ERRAND { self.setting.movement.clamp(0.2, 1.0) } else { 1.0 };
-            let span = micros(seconds(span) / slower).clamp(SECOND, left.max(SECOND));
+            // Who moves less stays longer at each place.
+            let span = micros(seconds(span) / self.setting.movement.clamp(0.2, 1.0)).clamp(SECOND, left.max(SECOND));
             self.push(Step::Go(spot.clone()));
             self.stay(Posture::Standing, Manner::BUSY, span, Interruptible::Interrupt);
             left -= span;
@@ -380,6 +373,7 @@ impl Steps<'_, '_> {
         self.through_the_door();
         self.push(Step::Name(label.into()));
         self.push(Step::Away { lasts, until });
+        self.push(Step::Ring { left: DOORWAY });
         self.push(Step::Name(Activity::ComeHome.label().into()));
         self.act(Role::FrontDoor, true);
         let inside = self.around(6.0);
