@@ -92,9 +92,11 @@ impl RoutineDriver {
             let steps = [Step::Name(Activity::Relax.label().into()), Step::Stay(stay)];
             return self.play(steps.into(), stream, Activity::Relax.label());
         }
+        // On a lively day one sits for less long at a time.
+        let longer = if *activity == Activity::Housework { 1.0 } else { 1.0 / self.parameters.lively };
         let lasts = micros(
             self.parameters
-                .lasting_s(activity, stream.lognormal(minutes * 60.0, self.life.numbers.of(&SPREAD)))
+                .lasting_s(activity, stream.lognormal(minutes * 60.0 * longer, self.life.numbers.of(&SPREAD)))
                 .max(20.0),
         )
         .min(gap);
