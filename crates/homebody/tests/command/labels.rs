@@ -46,7 +46,8 @@ fn the_hour_that_clocks_tell_twice_is_labelled_as_two() {
     label(&transfer, &about, &truth, &RunClock::as_told(), |_| ()).unwrap();
     let wrong = differing(&labels(&folder, "told.csv"), &reference);
     println!("{} rows, {wrong} wrong by what is told alone", reference.len());
-    assert!(wrong > 50, "{wrong}");
+    // She sleeps in that hour, and moves now and then.
+    assert!(wrong > 20, "{wrong}");
 }
 
 #[test]
