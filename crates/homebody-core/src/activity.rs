@@ -154,6 +154,23 @@ activities! {
     EXERCISING "exercising": "Exercises", Other, Other, around(16.0, 0.4), [Armchair];
     USING_COMPUTER "using_computer": "At the computer", Leisure, Computer, around(30.0, 0.5), [Desk];
     RELAXING "relaxing": "Sitting and doing nothing in particular", Leisure, Relaxing, around(25.0, 0.5), [Armchair];
+    PRAYING "praying": "Praying, a devotion, meditation", Leisure, Other, around(15.0, 0.5), [Armchair];
+    DOING_PUZZLES "doing_puzzles": "Puzzles, games, cards", Leisure, Other, around(40.0, 0.5), [DiningSeat, Armchair];
+    HANDICRAFT "handicraft": "Handicraft: knitting, sewing, drawing, mending", Leisure, Other, around(45.0, 0.5), [Armchair];
+    WRITING "writing": "Letters, a diary, bills", Leisure, Other, around(30.0, 0.5), [Desk, DiningSeat];
+    LISTENING "listening": "Listening to the radio or to music", Leisure, Other, around(45.0, 0.5), [Armchair];
+    MAKING_MUSIC "making_music": "Playing an instrument, singing", Leisure, Other, around(30.0, 0.5), [Armchair];
+    LOOKING_OUT "looking_out": "Looking out of the window", Leisure, Relaxing, around(20.0, 0.6), [Armchair];
+    CARING_FOR_PET "caring_for_pet": "Feeding, brushing and playing with a pet", Other, Household, around(8.0, 0.5), [FoodBowl, Sink];
+    CARING_FOR_PLANTS "caring_for_plants": "Plants in the home: watering, repotting",
+        Housework, Household, around(8.0, 0.5), [Sink];
+    BAKING "baking": "Baking bread or cakes", Food, Household, around(50.0, 0.4), [Counter, Stove];
+    GARDENING "gardening": "In the garden: weeding, mowing, sitting there", Out, Other, around(45.0, 0.5), [Coats, FrontDoor];
+    RESTING_IN_BED "resting_in_bed": "In bed by day, awake", Sleep, Relaxing, around(60.0, 0.5), [Bed];
+    GROOMING "grooming": "Hair, nails, shaving, creams", Care, Care, around(10.0, 0.5), [Washbasin];
+    CHECKING_HEALTH "checking_health": "Blood pressure, blood sugar, weight, oxygen", Medicine, Care, around(5.0, 0.5), [Medicine];
+    BEING_CARED_FOR "being_cared_for": "Dressings, foot care, injections, by a visitor or alone",
+        Medicine, Care, around(15.0, 0.5), [Armchair];
     // 20.1 cycles and 43.9 minutes a day of residents who wander (Algase 1997): 2.2 minutes each.
     WANDERING "wandering": "Walking without a goal", Other, Other, around(1.7, 0.7), [];
     PACING "pacing": "Walking to and fro", Other, Other, around(1.7, 0.7), [];

@@ -34,6 +34,20 @@ pub fn distance_to_segment(p: Point, a: Point, b: Point) -> f64 {
     p.distance(nearest_on_segment(p, a, b))
 }
 
+/// The distance between two segments.
+pub fn distance_between_segments((a, b): (Point, Point), (c, d): (Point, Point)) -> f64 {
+    if segments_meet(a, b, c, d) {
+        return 0.0;
+    }
+    let ends = [
+        distance_to_segment(a, c, d),
+        distance_to_segment(b, c, d),
+        distance_to_segment(c, a, b),
+        distance_to_segment(d, a, b),
+    ];
+    ends.into_iter().fold(f64::INFINITY, f64::min)
+}
+
 /// Whether the segments have a point in common.
 pub fn segments_meet(a: Point, b: Point, c: Point, d: Point) -> bool {
     let side = |p: Point, q: Point, r: Point| (q - p).perp_dot(r - p);

@@ -11,8 +11,9 @@ use crate::plain;
 use crate::run_info::RunInfo;
 use crate::sink::How;
 use crate::sink::database::remove_database;
+use crate::sink::sqlite::can_be_replaced;
 use crate::spreadsheet::escaped;
-use crate::truth::TruthLog;
+use crate::truth::{TruthLog, tables};
 use crate::url::Url;
 use homebody_core::event::{Events, Fact};
 use homebody_core::recording::{Recording, RunDigest};
@@ -76,9 +77,10 @@ impl RunLog {
             folder.map(FolderLock::take).transpose()?,
             places.recording.as_deref().filter(|_| folder.is_none()).map(FileLock::take).transpose()?,
         );
-        for file in places.log.iter().chain(&places.truth).filter_map(Url::file) {
+        let logs = places.log.iter().filter_map(Url::file).map(Path::to_owned);
+        for file in logs.chain(places.truth.iter().flat_map(|truth| truth.files(&tables()))) {
             // Its sink takes it for as long as it writes. Asked here, nothing is touched if one of them is another's.
-            FileLock::take(file)?;
+            FileLock::take(&file)?;
         }
         if how == How::GoOn {
             for path in places.recording.iter().chain(&places.sensors) {
@@ -90,6 +92,7 @@ impl RunLog {
         if let Some(place) =
             places.truth.as_ref().and_then(Url::file).filter(|_| how == How::GoOn && was_stopped(places))
         {
+            can_be_replaced(place, &info)?;
             let beside = beside(place);
             // A program that died on its way has left one.
             remove_database(&beside);

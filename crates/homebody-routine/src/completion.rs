@@ -104,7 +104,7 @@ pub fn words(known: &Known, text: &str) -> Vec<Word> {
     };
     let word = |text: String, kind: WordKind, about: &str| Word { text, kind, about: about.to_owned() };
     let sentences = SENTENCES.iter().map(|(said, about)| word(adapted(said), WordKind::Sentence, about));
-    let activities = usual_phrases().map(|phrase| word(phrase, WordKind::Activity, "activity"));
+    let activities = usual_phrases(&known.lexicon).map(|phrase| word(phrase, WordKind::Activity, "activity"));
     let times = TIMES.iter().map(|(said, about)| word(adapted(said), WordKind::Time, about));
     let mut places: Vec<(&String, &str)> = known.rooms.iter().map(|room| (room, "room")).collect();
     places.extend(known.places.iter().map(|place| (place, "place")));
@@ -174,6 +174,7 @@ mod tests {
             conditions: CONDITIONS.iter().map(|(name, _)| (*name).to_owned()).collect(),
             first_date: Some((2026, 3, 2)),
             usual: USUAL.to_vec(),
+            ..Known::default()
         }
     }
 

@@ -1,9 +1,11 @@
 //! What was understood of a routine, sentence by sentence: as numbers, and in words.
 
 use crate::fuzzy::Fuzzy;
+use crate::language::LAST_WEEK;
 use crate::language::activities::phrase;
 use crate::routine::{
-    Chance, Change, Days, Effect, Habit, Moment, PartOfDay, Person, Phase, Response, Routine, Rule, Trigger, When,
+    Activity, Chance, Change, Days, Effect, Habit, Moment, PartOfDay, Person, Phase, Quote, Response, Routine, Rule,
+    Trigger, When,
 };
 use serde::Serialize;
 
@@ -52,6 +54,7 @@ pub enum Kind {
     Habit,
     Rule,
     Change,
+    Remark,
 }
 
 /// What a fuzzy number comes to when it is drawn from.
@@ -78,6 +81,7 @@ pub fn explain(routine: &Routine) -> Explanation {
     rows.extend(routine.habits.iter().map(|habit| (habit.said.column, of_habit(habit))));
     rows.extend(routine.rules.iter().map(|rule| (rule.said.column, of_rule(rule))));
     rows.extend(routine.changes.iter().map(|change| (change.said.column, of_change(change))));
+    rows.extend(routine.remarks.iter().map(|remark| (remark.column, of_remark(remark))));
     rows.sort_by_key(|(column, row)| (row.line, *column));
     Explanation { file: routine.file.clone(), sentences: rows.into_iter().map(|(_, row)| row).collect() }
 }
@@ -160,7 +164,7 @@ fn of_habit(habit: &Habit) -> Row {
         (least, most) if least == most => format!("{least} times"),
         (least, most) => format!("{least} to {most} times"),
     };
-    let when = when_words(&habit.when);
+    let when = when_words(&habit.when, &habit.activity);
     let place = habit.place.as_ref().map(|place| format!("at the {place}"));
     let lasting = habit.lasts.as_ref().map(|lasts| format!("lasts {}", lasts_words(lasts)));
     let until = habit.until.as_ref().map(|until| format!("until {}", clock_words(until)));
@@ -222,11 +226,19 @@ fn of_rule(rule: &Rule) -> Row {
     }
 }
 
+/// What somebody is or likes, which changes nothing.
+fn of_remark(remark: &Quote) -> Row {
+    let in_words = format!("Remark, not lived: {}.", remark.text.trim());
+    Row { in_words, ..row(remark.line, &remark.text, Kind::Remark, "remark: not lived".into()) }
+}
+
 fn of_change(change: &Change) -> Row {
     let what = effect_words(&change.effect);
     let phase = phase_words(&change.phase);
+    let on = if change.days == Days::ALL { String::new() } else { which_days(&change.days) };
     Row {
-        in_words: sentence([what.clone(), phase.clone()].into_iter()),
+        in_words: sentence([what.clone(), on.clone(), phase.clone()].into_iter()),
+        days: on,
         phase,
         ..row(change.said.line, &change.said.text, Kind::Change, what)
     }
@@ -302,7 +314,8 @@ fn named(bits: u16, names: &[&str]) -> Option<String> {
     (u32::from(bits) & all != all).then(|| set.join(", "))
 }
 
-fn days_words(days: &Days, chance: &Chance) -> String {
+/// On which days, without how likely.
+fn which_days(days: &Days) -> String {
     let every = match days.every {
         0 | 1 => "on each day".into(),
         2 => "on every other day".into(),
@@ -316,6 +329,18 @@ fn days_words(days: &Days, chance: &Chance) -> String {
     if let Some(months) = named(days.months, &MONTHS) {
         words += &format!(" in {months}");
     }
+    match days.of_month {
+        LAST_WEEK => words += ", in the last 7 days of the month,",
+        (first, last) if days.of_month != Days::ALL.of_month => {
+            words += &format!(", from day {first} to {last} of the month,")
+        }
+        _ => {}
+    }
+    words
+}
+
+fn days_words(days: &Days, chance: &Chance) -> String {
+    let mut words = which_days(days);
     words += &format!(" with probability {}", number(chance.probability));
     if let Some((becomes, by)) = chance.becomes {
         words += &format!(" at first and {} by {}", number(becomes), moment_words(by));
@@ -326,17 +351,23 @@ fn days_words(days: &Days, chance: &Chance) -> String {
 fn short_days(days: &Days, chance: &Chance) -> String {
     let short = |names: String| names.split(", ").map(|name| &name[..3]).collect::<Vec<_>>().join(" ");
     let every = if days.every > 1 { format!("every {} days", days.every) } else { String::new() };
+    let of_month = match days.of_month {
+        LAST_WEEK => "last week".to_owned(),
+        days if days == Days::ALL.of_month => String::new(),
+        (first, last) => format!("{first}.-{last}."),
+    };
     let becomes = chance.becomes.map_or_else(String::new, |(becomes, _)| format!(" to {}", number(becomes)));
     let parts = [
         named(days.weekdays.into(), &WEEKDAYS).map(short).unwrap_or_default(),
         named(days.months, &MONTHS).map(short).unwrap_or_default(),
+        of_month,
         every,
         format!("p {}{becomes}", number(chance.probability)),
     ];
     join(parts.into_iter(), " ")
 }
 
-fn when_words(when: &When) -> String {
+fn when_words(when: &When, of: &Activity) -> String {
     let gap = |gap: &Option<Fuzzy>, word: &str| match gap {
         Some(gap) => format!("{} {word}", lasts_words(gap)),
         None => format!("right {word}"),
@@ -344,7 +375,8 @@ fn when_words(when: &When) -> String {
     match when {
         When::AnyTime => "whenever it fits".into(),
         When::At(at) => format!("start {}", clock_words(at)),
-        When::Within(PartOfDay::Night) => "at any time of the night, while in bed".into(),
+        When::Within(PartOfDay::Night) if of.is_of_the_night() => "at any time of the night, while in bed".into(),
+        When::Within(PartOfDay::Night) => "in the hours before bed".into(),
         When::Within(part) => {
             let (from, to) = part.hours();
             format!("start at any time from {} to {}", clock(from), clock(to))

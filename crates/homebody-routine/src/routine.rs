@@ -19,6 +19,9 @@ pub struct Routine {
     pub habits: Vec<Habit>,
     pub rules: Vec<Rule>,
     pub changes: Vec<Change>,
+    /// What somebody is, has or likes: kept, told by `explain`, and not lived.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub remarks: Vec<Quote>,
 }
 
 /// Whom a routine is about.
@@ -118,6 +121,8 @@ pub enum Activity {
     LieAwake,
     /// Losing one's footing, and lying on the floor for a while.
     Fall,
+    /// Something that needs no acting out of its own: the label of its row in the table of activities.
+    Everyday(&'static str),
     /// What the user names, by place and duration, such as `knits`.
     Other(String),
 }
@@ -151,6 +156,9 @@ pub struct Days {
     pub months: u16,
     /// Every so many days, counted from the first; 1 is every day.
     pub every: u32,
+    /// The first and the last of the days of each month: from 1 to 7 with a Monday is the first Monday, and from 0 to 7
+    /// is the last week of the month.
+    pub of_month: (u8, u8),
 }
 
 /// When on such a day. Times of day are seconds since local midnight; later than 86,400 is after midnight.
@@ -243,6 +251,8 @@ pub enum Response {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Change {
     pub said: Quote,
+    /// On which days it is so.
+    pub days: Days,
     pub phase: Phase,
     pub effect: Effect,
 }
@@ -282,6 +292,61 @@ pub enum Effect {
 }
 
 impl Activity {
+    /// Those that are acted out in a way of their own.
+    pub const OWN_WAYS: [Activity; 33] = {
+        use Meal::{Breakfast, Dinner, Lunch};
+        [
+            Activity::GetUp,
+            Activity::UseBathroom,
+            Activity::Shower,
+            Activity::Wash,
+            Activity::Dress,
+            Activity::TakeMedicine,
+            Activity::Prepare(Breakfast),
+            Activity::Prepare(Lunch),
+            Activity::Prepare(Dinner),
+            Activity::Eat(Breakfast),
+            Activity::Eat(Lunch),
+            Activity::Eat(Dinner),
+            Activity::WashUp,
+            Activity::WatchTelevision,
+            Activity::Read,
+            Activity::Phone,
+            Activity::Nap,
+            Activity::Laundry,
+            Activity::Housework,
+            Activity::Leave,
+            Activity::ComeHome,
+            Activity::Visit,
+            Activity::GoToBed,
+            Activity::Drink,
+            Activity::Snack,
+            Activity::Exercise,
+            Activity::UseComputer,
+            Activity::Relax,
+            Activity::Wander,
+            Activity::Pace,
+            Activity::Lap,
+            Activity::LieAwake,
+            Activity::Fall,
+        ]
+    };
+
+    /// The activities without ways of their own, by their rows: all that a routine can say but these, and what only the living
+    /// tells of.
+    pub fn everyday() -> impl Iterator<Item = Activity> {
+        const TOLD: [&str; 5] =
+            [activity::SLEEPING, activity::LEAVING_HOME, activity::VISITING, activity::RESTING, activity::ROAMING];
+        let is_own = |label: &str| Activity::OWN_WAYS.iter().any(|own| own.label() == label);
+        let rows = activity::ACTIVITIES.iter().map(|known| known.label);
+        rows.filter(move |label| !is_own(label) && !TOLD.contains(label)).map(Activity::Everyday)
+    }
+
+    /// The activity of a label, if a routine can say it.
+    pub fn of_label(label: &str) -> Option<Activity> {
+        Activity::OWN_WAYS.into_iter().chain(Activity::everyday()).find(|activity| activity.label() == label)
+    }
+
     /// What the truth calls it: `watching_television`; what the user named, as the user named it.
     pub fn label(&self) -> &str {
         match self {
@@ -318,6 +383,7 @@ impl Activity {
             Activity::Lap => activity::LAPPING,
             Activity::LieAwake => activity::LYING_AWAKE,
             Activity::Fall => activity::FALLEN,
+            Activity::Everyday(label) => label,
             Activity::Other(words) => words,
         }
     }
@@ -342,12 +408,62 @@ impl Activity {
     }
 }
 
+impl Habit {
+    /// Whether it says how often in a day, or in a night, something is done; a time of its own, or what it comes after, says of
+    /// one time that there is.
+    pub fn is_how_often(&self, activity: &Activity, at_night: bool) -> bool {
+        let span = match self.when {
+            When::AnyTime | When::Within(PartOfDay::Day) => Some(false),
+            When::Within(PartOfDay::Night) => Some(true),
+            _ => None,
+        };
+        self.activity == *activity && self.visitor.is_none() && span == Some(at_night)
+    }
+
+    /// Whether it says what a usual habit would fill in: the same, and after the same where that is what tells them apart.
+    pub(crate) fn stands_for(&self, usual: &Habit) -> bool {
+        // Who is in hospital for a week goes out as usual before and after.
+        let is_long = self.lasts.is_some_and(|lasts| lasts.low >= 86_400.0);
+        let is_after_another = match (&self.when, &usual.when) {
+            (When::After(of, _), When::After(after, _)) => usual.activity == Activity::WashUp && of != after,
+            _ => false,
+        };
+        self.activity == usual.activity && self.visitor.is_none() && !is_long && !is_after_another
+    }
+
+    /// Whether it is of what everybody does every day: what is said of Sunday then leaves the other days as they are.
+    pub(crate) fn is_of_every_day(&self) -> bool {
+        use Activity::{Dress, Eat, GetUp, GoToBed, Prepare, Wash};
+        matches!(self.activity, GetUp | GoToBed | Dress | Wash | Prepare(_) | Eat(_))
+    }
+}
+
+impl Effect {
+    /// Whether both change the same: the later one then replaces the other.
+    pub(crate) fn is_of_the_same(&self, other: &Effect) -> bool {
+        use Effect::{Active, Forgets, Later, Longer, LongerBy, Oftener, Shows, Skips};
+        match (self, other) {
+            (Shows { .. }, _) => false,
+            (Later { activity, .. }, Later { activity: of, .. })
+            | (Longer { activity, .. }, Longer { activity: of, .. })
+            | (LongerBy { activity, .. }, LongerBy { activity: of, .. })
+            | (Skips { activity, .. }, Skips { activity: of, .. }) => activity == of,
+            (Oftener { activity, part, .. }, Oftener { activity: of, part: when, .. }) => {
+                activity == of && part == when
+            }
+            (Active { part, .. }, Active { part: when, .. }) => part == when,
+            (Forgets { thing, .. }, Forgets { thing: of, .. }) => thing.to_lowercase() == of.to_lowercase(),
+            _ => std::mem::discriminant(self) == std::mem::discriminant(other),
+        }
+    }
+}
+
 impl Meal {
     pub const ALL: [Meal; 3] = [Meal::Breakfast, Meal::Lunch, Meal::Dinner];
 }
 
 impl Days {
-    pub const ALL: Days = Days { weekdays: 0x7f, months: 0xfff, every: 1 };
+    pub const ALL: Days = Days { weekdays: 0x7f, months: 0xfff, every: 1, of_month: (1, 31) };
 }
 
 impl Chance {

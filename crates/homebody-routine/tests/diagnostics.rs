@@ -21,12 +21,13 @@ fn refused(text: &str, underlined: &str, what: &str, hint: &str) {
 
 #[test]
 fn an_unknown_verb() {
-    let known = "did you mean \"watches television\"? A new activity needs a place and a duration";
+    let known = "did you mean \"watches television\"?";
     refused("She wtches television at 7 pm.", "wtches television", "is nothing that Homebody knows how to do", known);
     refused("She wtches television in the armchair for 1 hour.", "wtches television", "is nothing", known);
-    refused("She knits.", "knits", "is nothing", "she knits in the kitchen for 20 minutes");
-    refused("She knits in the armchair.", "knits", "is nothing", "a new activity needs a place and a duration");
-    refused("She does not sew.", "sew", "is nothing", "");
+    refused("She whittles.", "whittles", "is nothing", "she whittles in the armchair for 20 minutes");
+    refused("She whittles on the sofa.", "whittles", "is nothing", "she whittles on the sofa for 20 minutes");
+    refused("She does not whittle.", "whittle", "is nothing", "");
+    understood("She knits. She knits in the armchair.");
 }
 
 #[test]
@@ -41,7 +42,7 @@ fn every_other_of_several_days() {
 fn an_unknown_place() {
     refused("She reads in the armchiar.", "armchiar", "is no place of this home", "did you mean \"armchair\"?");
     refused("She has lunch on the roof.", "roof", "is no place of this home", "there are \"armchair\"");
-    refused("She knits on the balcony for 1 hour.", "balcony", "is no place of this home", "");
+    refused("She whittles on the balcony for 1 hour.", "balcony", "is no place of this home", "");
     refused("She goes to the batroom.", "batroom", "is no place", "did you mean \"bathroom\"?");
 }
 
@@ -74,8 +75,14 @@ fn an_unknown_person() {
 #[test]
 fn an_unknown_visitor() {
     refused("Anna visits on Sunday.", "Anna", "is nobody that this routine knows", "her daughter visits");
-    refused("Her daughter cooks dinner.", "Her daughter", "a visitor only visits", "her daughter visits on Sunday");
+    refused("Her daughter naps.", "Her daughter", "a visitor only visits", "her daughter visits on Sunday");
     refused("Her cat sleeps.", "Her cat", "is not understood", "her daughter visits");
+    refused(
+        "Her daughter visits. Her dauhgter visits on Sunday.",
+        "visits",
+        "is somebody else than \"daughter\"",
+        "did you mean",
+    );
     refused("The stove is hot.", "The stove", "does nothing by itself", "she forgets the stove rarely");
 }
 
@@ -86,9 +93,8 @@ fn an_unknown_word() {
     refused("She reads quickly.", "quickly", "is not understood here", "expected where, when");
     refused("She reads @ noon.", "@", "is not understood here", "");
     refused("She reads 2 hours.", "2", "is not understood here", "write \"for 2 hours\"");
-    refused("She gets up later.", "later", "is not understood here", "say by how much");
     refused("In the last week she reads.", "In the last", "is not understood here", "from week 6");
-    refused("She is happy.", "happy", "is not understood here", "is 30 % less active");
+    refused("She is busy.", "busy", "is not understood here", "is 30 % less active");
 }
 
 #[test]
@@ -130,13 +136,7 @@ fn a_time_that_may_be_of_two_halves_of_the_day() {
     let both = "write \"quarter to one at night\" or \"quarter to one in the afternoon\"";
     refused("She reads at quarter to one.", "quarter to one", "not clear which time of day", both);
     refused("She reads at half eight.", "half eight", "not clear which time", "write \"half past eight\"");
-    refused(
-        "She naps in the morning and on Monday evening at 7.",
-        "and",
-        "more than one sentence",
-        "make two sentences",
-    );
-    refused("She reads at 10:00 and at 12:00.", "and", "more than one sentence", "make two sentences, one for each");
+    understood("She naps in the morning and on Monday evening at 7 pm. She reads at 10:00 and at 12:00.");
 }
 
 #[test]
@@ -179,66 +179,52 @@ fn a_way_without_a_purpose() {
     refused(text, "goes to the kitchen", "leaves open what she does there", "she sits in the kitchen for 20 minutes");
     refused("She goes to the stove for 1 hour.", "goes to the stove", "leaves open what", "she sits at the stove");
     let outside = "for what is outside, write \"she goes out at 10:00 for 2 hours\"";
-    refused("She goes to the hairdresser on Friday.", "hairdresser", "is no place of this home", outside);
-    refused("She is in hospital from day 30.", "hospital", "is no place of this home", outside);
+    refused("She goes to the volcano on Friday.", "volcano", "is no place of this home", outside);
+    understood("She goes to the hairdresser on Friday.");
+    understood("She is in hospital from day 30.");
     understood("She sits in the kitchen for 20 minutes.");
 }
 
 #[test]
 fn a_purpose() {
     let what = "\"to use the toilet\" is a purpose";
-    refused("She gets up at 4:00 to use the toilet.", "to use the toilet", what, "then she uses the toilet");
-    understood("She gets up at 4:00, then she uses the toilet.");
-    refused("She likes to sit by the bed.", "likes to sit", "says more than what is done", "write \"she sits\"");
+    refused("She reads at 4:00 to use the toilet.", "to use the toilet", what, "then she uses the toilet");
+    understood("She gets up at 4:00 to use the toilet. She likes to sit by the bed.");
 }
 
 #[test]
 fn what_is_not_done_stays_so() {
-    let until = "until week 12 she knits in the armchair for 1 hour";
-    refused("She does not knit in the armchair for 1 hour.", "knit", "is nothing", until);
-    refused("She no longer sews.", "sews", "is nothing", until);
+    let until = "until week 12 she whittles in the armchair for 1 hour";
+    refused("She does not whittle in the armchair for 1 hour.", "whittle", "is nothing", until);
+    refused("She no longer flies.", "flies", "is nothing", until);
     refused("She does not raed.", "raed", "is nothing", "did you mean \"reads\"?");
     refused("She cooks lunch, then does not eat.", "eat", "it is not clear what \"eat\" is about", "name the meal");
 }
 
 #[test]
 fn what_is_left_out_on_some_weekdays() {
-    let hint = "she takes medicine from Monday to Saturday\", or how often not: \"on 14 % of days\"";
-    refused("She forgets her pills on Sundays.", "on Sundays", "does not fit here", hint);
-    refused(
-        "She does not eat lunch on Sunday and Tuesday.",
-        "on Sunday and Tuesday",
-        "does not fit here",
-        "on Monday, Wedn",
-    );
     refused("She forgets her pills.", "forgets her pills", "not said how often", "she skips pills on 30 % of days");
+    understood("She forgets her pills on Sundays. She does not eat lunch on Sunday and Tuesday.");
     understood("She takes medicine from Monday to Saturday. She skips pills on 14 % of days.");
 }
 
 #[test]
 fn a_verb_that_goes_with_something_else() {
-    let known = "known are \"makes breakfast\"";
-    refused("She makes herself a sandwich.", "makes herself a sandwich", "is nothing", known);
-    refused(
-        "She makes herself a sandwich.",
-        "makes herself a sandwich",
-        "is nothing",
-        "she makes herself a sandwich in",
-    );
-    refused("She watches birds.", "watches birds", "is nothing", "known are \"watches television\"");
-    let own = "a new activity needs a place and a duration: \"she feeds the cat in the hall for 20 minutes\"";
-    refused("She feeds the cat in the hall.", "feeds the cat", "is nothing", own);
-    refused("She waters her plants.", "waters her plants", "is nothing", "she waters her plants in the kitchen");
-    refused("She has visitors.", "has visitors", "is nothing", "known are \"has shower\"");
+    let known = "known are ";
+    refused("She makes herself a kite.", "makes herself a kite", "is nothing", known);
+    let own = "a new activity needs a place and a duration: \"she whittles wood in the hall for 20 minutes\"";
+    refused("She whittles wood in the hall.", "whittles wood", "is nothing", own);
+    refused("She has visitors.", "has visitors", "is nothing", "known are");
     let rule = "\"whenever she has been in bed for 10 hours, she gets up\"";
     refused("She paces when she is restless.", "when", "is not understood here", rule);
-    refused("Her son phones on Sunday.", "Her son", "nobody who lives here", "she phones her son for 10 minutes");
+    understood("Her son phones on Sunday.");
 }
 
 #[test]
 fn no_duration_or_more_than_a_day() {
     refused("She reads for 0 minutes.", "0 minutes", "is no time at all", "");
-    refused("She reads for 25 hours.", "25 hours", "is more than a day", "");
+    refused("She reads for 25 hours.", "for 25 hours", "is more than a day", "");
+    understood("On Tuesday she is out for 25 hours.");
     refused("She reads for -5 minutes.", "-5 minutes", "is no length of time", "");
     refused("She reads for 3 beats.", "3 beats", "is no length of time", "");
 }
@@ -385,10 +371,8 @@ fn a_change_over_a_time_without_a_beginning() {
 
 #[test]
 fn a_change_said_of_some_days_only() {
-    refused("On Tuesday she walks 10 % slower.", "On Tuesday", "does not fit here", "");
-    let instead = "say how it is then instead: \"on Sunday she gets up at 9:00\"";
-    refused("She gets up 1 hour later on Sunday.", "on Sunday", "does not fit here", instead);
-    refused("She naps 30 % longer on Sunday.", "on Sunday", "does not fit here", "on Sunday she naps for 1 hour");
+    understood("On Tuesday she walks 10 % slower. She gets up 1 hour later on Sunday. She naps 30 % longer in winter.");
+    refused("On Tuesday she shows depression.", "On Tuesday", "does not fit here", "leave it out");
     refused("She gets up 1 hour later in the kitchen.", "in the kitchen", "does not fit here", "");
 }
 
@@ -419,7 +403,7 @@ fn headings_and_indents() {
 fn a_sentence_that_is_not_complete() {
     refused("She", "She", "ends before it says what is done", "");
     refused("Gets up at 7:00.", "Gets up", "it is not said who does this", "she gets up");
-    refused("She gets up and gets dressed.", "and", "more than one sentence can say", "then");
+    refused("She reads and naps or knits.", "or", "leave open what goes with what", "two sentences");
 }
 
 #[test]
@@ -447,7 +431,7 @@ fn a_problem_reads_as_one_would_say_it() {
 margaret.routine:2:7: \"wtches television\" is nothing that Homebody knows how to do
     2 |   she wtches television
       |       ^^^^^^^^^^^^^^^^^
-  hint: did you mean \"watches television\"? A new activity needs a place and a duration: \"she knits in the armchair for 1 hour\"
+  hint: did you mean \"watches television\"?
 ";
     assert_eq!(found, wanted);
 }
@@ -510,4 +494,60 @@ fn what_was_looked_at_before_it_was_read_is_told_once() {
     refused("Her nice daughter for 0 minutes visits.", "0 minutes", "no time at all", "");
     refused("Anna at 25:00 visits.", "Anna", "this routine is about", "");
     refused("Her sister often reads.", "Her sister", "a visitor only visits", "her sister visits on Sunday");
+}
+
+#[test]
+fn sentences_that_contradict_each_other() {
+    let not = "line 2 says that she does not: \"She never naps\"";
+    refused("She naps every day.\nShe never naps.", "naps", not, "leave one of the two out");
+    understood("She naps every day.\nFrom week 6 she no longer naps. She does not nap on Sunday.");
+    refused(
+        "She eats dinner at 18:00.\nShe eats dinner at 20:00.",
+        "eats dinner",
+        "two times of the same day: line 1",
+        "",
+    );
+    let out = "she is out then, by line 1";
+    refused("She goes out from 10:00 to 15:00.\nShe eats lunch at 12:30.", "eats lunch", out, "on which days");
+    understood("On Monday she goes out from 10:00 to 15:00.\nFrom Tuesday to Sunday she eats lunch at 12:30.");
+    let home = "line 1 says, too, when she comes home";
+    refused("She goes out at 10:00 for 2 hours.\nShe comes home at 14:00.", "comes home", home, "");
+    let full =
+        "She gets up at 8:00.\nShe goes to bed at 22:00.\nShe reads for 8 hours.\nShe watches television for 9 hours.";
+    refused(full, "watches television", "with lines 3 this takes longer than she is up, 14 hours", "shorter");
+}
+
+#[test]
+fn every_sentence_that_a_hint_proposes_is_understood() {
+    let texts = [
+        "She collects stamps.",
+        "She urinates purple.",
+        "She walks slowly.",
+        "She goes out when it rains.",
+        "She watches a lot of television in the evening.",
+        "She is up three times a night.",
+        "She reads slowly at 10:00 because her eyes are bad.",
+        "She becomes agitated in the evening.",
+        "Her lunch visits on Sunday for 2 hours.",
+        "When she cannot sleep, she reads at night.",
+        "She gets a letter.",
+        "She whittles on the sofa.",
+        "She flies to the moon on Sunday.",
+        "Her cat sleeps on the sofa.",
+        "She goes to bed at 22:00 with her teddy.",
+    ];
+    let mut with_sentence = 0;
+    for text in texts {
+        let found = problems(text);
+        assert!(!found.is_empty(), "{text}");
+        for problem in found {
+            let hint = problem.hint.unwrap_or_default();
+            for quoted in hint.split('"').skip(1).step_by(2).filter(|quoted| quoted.to_lowercase().starts_with("she "))
+            {
+                assert_eq!(problems(quoted), [], "{text}: {hint}");
+                with_sentence += 1;
+            }
+        }
+    }
+    assert!(with_sentence >= 12, "{with_sentence}");
 }

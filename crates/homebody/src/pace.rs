@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use crate::print::tell;
-use crate::signals::THREADS;
 use homebody_kit::pace::{Command, Pace, Speed};
+use homebody_log::error::no_thread;
 use std::io::BufRead;
 use std::sync::mpsc::{Receiver, channel};
 use std::thread;
@@ -50,7 +50,7 @@ impl Asked {
                 }
             }
         };
-        let none = |error| Failure::Io(format!("there is no thread to take commands: {error}\n  hint: {THREADS}"));
+        let none = |error| Failure::Io(no_thread("to take commands", error));
         thread::Builder::new().spawn(listen).map_err(none)?;
         Ok(Some(commands))
     }

@@ -25,8 +25,8 @@ pub struct LoggerFile {
     pub ids: BTreeMap<String, String>,
     /// What of a firing becomes rows.
     pub messages: MessagesFile,
-    /// Whether a text that a spreadsheet would take for a formula has a ' before it in CSV: one that begins with =, +, -, or @.
-    /// Default `true`.
+    /// Whether a text that a spreadsheet would take for a formula has a ' before it in the log and the truth in CSV: one that
+    /// begins with =, +, -, or @. It is read without. Default `true`.
     #[serde(skip_serializing_if = "is_true")]
     pub spreadsheet_safe: bool,
     /// How the instants of the log and of the truth are written.

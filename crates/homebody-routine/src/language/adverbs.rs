@@ -8,7 +8,7 @@ use super::reader::Reader;
 use super::times;
 use super::words::{Span, Token};
 use crate::fuzzy::Fuzzy;
-use crate::routine::{Activity, Chance, Moment, PartOfDay, When};
+use crate::routine::{Activity, Chance, Days, Moment, PartOfDay, When};
 
 /// Something that was said, where, and whether by this sentence or by the heading above it.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,118 +22,22 @@ pub struct Slot<T> {
 const HALF_A_DAY_S: f64 = 12.0 * 3600.0;
 
 /// The words that may begin one of these parts: whatever begins otherwise need not be tried.
-const FIRST: [&str; 105] = [
-    "a",
-    "about",
-    "after",
-    "afterwards",
-    "all",
-    "almost",
-    "always",
-    "an",
-    "and",
-    "approximately",
-    "around",
-    "at",
-    "before",
-    "beginning",
-    "between",
-    "by",
-    "daily",
-    "during",
-    "each",
-    "every",
-    "fade",
-    "fades",
-    "fading",
-    "few",
-    "for",
-    "frequently",
-    "from",
-    "give",
-    "half",
-    "hardly",
-    "immediately",
-    "in",
-    "just",
-    "lasting",
-    "many",
-    "midday",
-    "midnight",
-    "most",
-    "mostly",
-    "nearly",
-    "noon",
-    "normally",
-    "now",
-    "occasionally",
-    "often",
-    "on",
-    "once",
-    "one",
-    "over",
-    "plus",
-    "rarely",
-    "right",
-    "roughly",
-    "seldom",
-    "several",
-    "shortly",
-    "since",
-    "some",
-    "sometimes",
-    "soon",
-    "starting",
-    "straight",
-    "then",
-    "thrice",
-    "till",
-    "twice",
-    "until",
-    "usually",
-    "weekday",
-    "weekdays",
-    "weekend",
-    "weekends",
-    "with",
-    "within",
-    "exactly",
-    "the",
-    "two",
-    "throughout",
-    "three",
-    "four",
-    "five",
-    "six",
-    "seven",
-    "eight",
-    "nine",
-    "ten",
-    "eleven",
-    "twelve",
-    "thirteen",
-    "fourteen",
-    "fifteen",
-    "sixteen",
-    "seventeen",
-    "eighteen",
-    "nineteen",
-    "quarter",
-    "while",
-    "twenty",
-    "thirty",
-    "forty",
-    "fifty",
-    "sixty",
-    "ninety",
-    "seventy",
-    "eighty",
-];
+const FIRST: &str = "when as last a about after afterwards all almost always an and approximately around at before beginning \
+    between by daily during each every fade fades fading few for frequently from give half hardly immediately in \
+    just lasting many midday midnight most mostly nearly noon normally now occasionally often on once one over \
+    plus rarely right roughly seldom several shortly since some sometimes soon starting straight then thrice till \
+    twice until usually weekday weekdays weekend weekends with within exactly the two throughout three four five \
+    six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen seventeen eighteen nineteen quarter \
+    while twenty thirty forty fifty sixty ninety seventy eighty";
+
+fn is_first(word: &str) -> bool {
+    FIRST.split(' ').any(|first| first == word)
+}
 
 fn may_begin(reader: &Reader) -> bool {
     match reader.token(0) {
         Some(Token::Number(_) | Token::Clock(..)) => true,
-        Some(Token::Word) => FIRST.contains(&reader.peek(0)) || calendar::is_weekday(reader.peek(0)),
+        Some(Token::Word) => is_first(reader.peek(0)) || calendar::is_weekday(reader.peek(0)),
         _ => false,
     }
 }
@@ -145,6 +49,8 @@ pub struct Adverbs {
     pub weekdays: Option<Slot<u8>>,
     pub months: Option<Slot<u16>>,
     pub every: Option<Slot<u32>>,
+    /// The first and the last of the days of a month.
+    pub of_month: Option<Slot<(u8, u8)>>,
     pub part: Option<Slot<PartOfDay>>,
     pub when: Option<Slot<When>>,
     pub lasts: Option<Slot<Fuzzy>>,
@@ -211,6 +117,31 @@ fn no_end(reader: &mut Reader, from: usize) -> Option<()> {
     reader.fault(span, format!("{:?} leaves open until when", reader.said(span)), hint);
     Some(())
 }
+
+/// "when she gets up", "once she has eaten lunch": after what has an end, at the beginning of all else.
+fn when_doing(reader: &mut Reader) -> Option<When> {
+    if !(reader.eat("when|once") || reader.eat("as soon as")) || !["she", "he", "they"].contains(&reader.peek(0)) {
+        return None;
+    }
+    reader.at += 1;
+    let is_over = reader.eat("has|have");
+    let event = activities::activity(reader)?;
+    if !reader.is_over()
+        && reader.token(0) == Some(Token::Word)
+        && !["then", "and", "she", "he", "they"].contains(&reader.peek(0))
+    {
+        return None;
+    }
+    Some(match event {
+        Activity::GoToBed => When::Before(event, None),
+        Activity::GetUp | Activity::ComeHome => When::After(event, None),
+        _ if is_over => When::After(event, None),
+        _ => When::With(event),
+    })
+}
+
+/// Who gets up by 8 does so in the half hour before it (ours).
+const BY_S: f64 = 1_800.0;
 
 impl Adverbs {
     /// Reads the next part of a sentence if it is one of these. Each reader changes nothing unless it succeeds.
@@ -301,6 +232,14 @@ impl Adverbs {
                 put(reader, &mut self.months, months, span, "both say in which months");
                 return Some(());
             }
+        } else if reader.ahead(|reader| {
+            reader.eat("on|at");
+            calendar::day_of_month(reader).is_some() || {
+                reader.eat("the");
+                calendar::days_of_year(reader).is_some()
+            }
+        }) {
+            return self.days_of_month(reader);
         } else if reader.eat("in|during") {
             let months = calendar::months(reader)?;
             let span = reader.span(from);
@@ -318,12 +257,38 @@ impl Adverbs {
         Some(())
     }
 
+    /// "on 25 December", "on the first Monday of the month".
+    fn days_of_month(&mut self, reader: &mut Reader) -> Option<()> {
+        let from = reader.at;
+        reader.eat("on|at");
+        let kind = "both say on which days";
+        if let Some((weekdays, days, months)) = calendar::day_of_month(reader) {
+            let span = reader.span(from);
+            put(reader, &mut self.of_month, days, span, kind);
+            if let Some(weekdays) = weekdays {
+                put(reader, &mut self.weekdays, weekdays, span, kind);
+            }
+            if months != Days::ALL.months {
+                put(reader, &mut self.months, months, span, "both say in which months");
+            }
+            return Some(());
+        }
+        reader.eat("the");
+        let (months, days) = calendar::days_of_year(reader)?;
+        let span = reader.span(from);
+        put(reader, &mut self.of_month, days, span, kind);
+        put(reader, &mut self.months, months, span, "both say in which months");
+        Some(())
+    }
+
     /// "in the morning", "at night", "during the day".
     fn parts(&mut self, reader: &mut Reader) -> Option<()> {
         let from = reader.at;
         let part = if reader.eat("in|during") {
             reader.eat("the");
             reader.eat_any(&times::PARTS)?
+        } else if reader.eat("by") && !matches!(reader.token(1), Some(Token::Number(_))) {
+            reader.eat_any(&[("day", PartOfDay::Day), ("night", PartOfDay::Night)])?
         } else if reader.eat("at|around") {
             reader.eat_any(&[times::PARTS[1], times::PARTS[2], times::PARTS[5]])?
         } else {
@@ -360,6 +325,13 @@ impl Adverbs {
             let span = reader.span(from);
             put(reader, &mut self.until_time, time.fuzzy(), span, "both say until when");
             self.last = Last::Until;
+            return Some(());
+        }
+        if reader.eat("by") {
+            let time = times::time(reader, true)?;
+            let span = reader.span(from);
+            put(reader, &mut self.when, When::At(Fuzzy::between(time.at - BY_S, time.at)), span, kind);
+            self.last = Last::Nothing;
             return Some(());
         }
         let at = reader.eat("at");
@@ -462,7 +434,7 @@ impl Adverbs {
         };
         match amount.unit {
             Unit::Second => {
-                let lasts = amounts::duration(reader, &amount);
+                let lasts = amounts::length(reader, &amount);
                 let span = reader.span(start);
                 put(reader, &mut self.lasts, lasts, span, "both say how long");
                 self.last = Last::Lasts;
@@ -487,6 +459,12 @@ impl Adverbs {
     /// "after breakfast", "30 minutes before bed", "with lunch".
     fn order(&mut self, reader: &mut Reader) -> Option<()> {
         let start = reader.at;
+        if let Some(when) = reader.attempt(when_doing) {
+            let span = reader.span(start);
+            put(reader, &mut self.when, when, span, "both say at which time");
+            self.last = Last::Nothing;
+            return Some(());
+        }
         let gap = reader.attempt(|reader| amount(reader).filter(|amount| amount.unit == Unit::Second));
         if gap.is_none() {
             reader.eat("right|shortly|soon|immediately|just|straight");

@@ -1,25 +1,77 @@
 //! What a clause means, once all of it is read: a habit, a change, or who the person is.
 
-use super::activities::phrase;
 use super::adverbs::Adverbs;
-use super::calendar::{ALL_WEEKDAYS, weekday_words};
+use super::amounts::{ABOUT_SHARE, DAY_S};
+use super::calendar::{self, days_between};
 use super::clause::{Clause, PLACES};
 use super::draft::Draft;
 use super::meaning::Kind as Part;
-use super::measures::{FASTEST_MPS, Measure, Of};
-use super::predicates::{IS, Predicate, Subject, is_way, unknown_doing};
+use super::measures::{self, FASTEST_MPS, Measure, Of};
+use super::predicates::IS;
 use super::reader::{Reader, Sort};
+use super::said::{Help, Predicate};
+use super::subjects::Subject;
 use super::times::is_of_next_day;
+use super::unknown::{is_way, unknown_doing};
 use super::words::Span;
 use crate::fuzzy::{Fuzzy, Quantifier};
-use crate::routine::{Activity, Chance, Change, Effect, Habit, Kind, PartOfDay, Person, When};
+use crate::routine::{Activity, Chance, Change, Effect, Habit, Kind, PartOfDay, Person, Phase, When};
+use homebody_core::activity::TimeUse;
 
 pub fn build(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
     match clause.predicate {
         Predicate::Age(_) | Predicate::Kind(_) | Predicate::Pace(_) => person(reader, draft, &clause),
         Predicate::Visits | Predicate::Own(_) => habit(reader, draft, clause),
+        Predicate::Remark => remark(reader, draft, &clause),
+        Predicate::Helps(ref activity, help) => {
+            let activity = activity.clone();
+            helps(reader, draft, clause, activity, help);
+        }
+        Predicate::VisitedBy(ref who) => {
+            let subject = Subject::Visitor(who.clone());
+            habit(reader, draft, Clause { subject, predicate: Predicate::Visits, ..clause });
+        }
+        Predicate::HelpedBy(ref who, ref activity) => {
+            let (subject, activity) = (Subject::Visitor(who.clone()), activity.clone());
+            helps(reader, draft, Clause { subject, ..clause }, activity, Help::Together);
+        }
         Predicate::Does(_) if clause.measure.is_none() => habit(reader, draft, clause),
         _ => change(reader, draft, &clause),
+    }
+}
+
+/// What somebody is, has or likes: kept as it was said.
+fn remark(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
+    if let Some(measure) = &clause.measure {
+        misfit(reader, measure, "this is no change");
+    }
+    only(reader, &clause.adverbs, &[Part::Phase], "this is how somebody is, and nothing done");
+    draft.routine.remarks.push(draft.said(clause.span));
+}
+
+/// Somebody visits and helps: what they do with the person is done as the visit begins, what they do instead the person does not
+/// do on those days.
+fn helps(reader: &mut Reader, draft: &mut Draft, clause: Clause, activity: Activity, help: Help) {
+    let done = draft.routine.habits.len();
+    habit(reader, draft, Clause { predicate: Predicate::Visits, ..clause.clone() });
+    let Some(visit) = draft.routine.habits.get(done).cloned() else { return };
+    match help {
+        Help::Together => {
+            let is_of_day = matches!(activity, Activity::GetUp | Activity::GoToBed);
+            if is_of_day && !matches!(visit.when, When::At(_)) {
+                let hint = "say at what time, such as \"at about 8:00\"".to_owned();
+                return reader.fault(clause.predicate_span, "it is not said when that is", hint);
+            }
+            let when = if is_of_day { visit.when.clone() } else { When::With(Activity::Visit) };
+            let (visitor, lasts, until) = (None, None, None);
+            draft.routine.habits.push(Habit { visitor, activity, when, lasts, until, place: None, ..visit });
+            draft.habit_spans.push(clause.predicate_span);
+        }
+        Help::Instead => {
+            let factor = Fuzzy::exactly(1.0 - visit.chance.probability);
+            let effect = Effect::Oftener { activity, part: None, factor };
+            draft.routine.changes.push(Change { said: visit.said, days: visit.days, phase: visit.phase, effect });
+        }
     }
 }
 
@@ -81,20 +133,28 @@ fn person(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
 fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
     let (activity, is_own) = match &clause.predicate {
         Predicate::Visits => (Activity::Visit, false),
+        // What is said with all that something new needs keeps its own words.
+        Predicate::Does(Activity::Everyday(_)) if clause.place.is_some() && clause.adverbs.lasts.is_some() => {
+            let own = own_said(reader, clause.predicate_span);
+            (Activity::Other(own), false)
+        }
         Predicate::Does(activity) => (activity.clone(), false),
         Predicate::Own(words) => (Activity::Other(words.clone()), true),
         _ => return,
     };
     let adverbs = &clause.adverbs;
-    if let (Predicate::Own(words), Some((name, place))) = (&clause.predicate, &clause.place)
-        && is_way(words)
-    {
-        let at = if reader.names.has(&name.to_lowercase(), Sort::Room) { "in" } else { "at" };
-        let hint = format!("say what she does there, and for how long: \"she sits {at} the {name} for 20 minutes\"");
-        let span = clause.predicate_span.to(*place);
-        return reader.fault(span, format!("{:?} leaves open what she does there", reader.said(span)), hint);
+    if only_goes(reader, &clause) {
+        return;
     }
-    let lacks = clause.place.is_none() || adverbs.lasts.is_none() && adverbs.until_time.is_none();
+    let own = match &activity {
+        Activity::Other(label) => reader.names.lexicon.own.get(label).cloned(),
+        _ => None,
+    };
+    let (is_own, own) = (is_own || own.is_some(), own.unwrap_or_default());
+    let place = clause.place.clone().map(|(name, _)| name).or(own.place);
+    let usual_lasts = own.minutes.map(|minutes| Fuzzy::around(minutes * 60.0, minutes * 60.0 * ABOUT_SHARE));
+    let lasts = adverbs.lasts.as_ref().map(|slot| slot.value).or(usual_lasts.filter(|_| adverbs.until_time.is_none()));
+    let lacks = place.is_none() || lasts.is_none() && adverbs.until_time.is_none();
     if is_own && lacks {
         return lacks_place_or_time(reader, &clause);
     }
@@ -104,6 +164,7 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
     if let Some(measure) = &clause.measure {
         misfit(reader, measure, "this is something new, not a change");
     }
+    every_few_weeks(reader, adverbs);
     let when = adverbs.time_meant(activity == Activity::GoToBed);
     check_times(reader, adverbs, &when);
     if when == When::Then && draft.routine.habits.is_empty() {
@@ -111,10 +172,23 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
         reader.fault(span, "\"then\" has nothing before it", "say first what is done before".to_owned());
     }
     let until = adverbs.until_meant(&when);
+    if let (Some(lasts), false) = (&adverbs.lasts, matches!(activity, Activity::Leave | Activity::Visit))
+        && lasts.own
+        && lasts.value.from > DAY_S
+    {
+        let what = format!("{:?} is more than a day", reader.said(lasts.span));
+        reader.fault(lasts.span, what, "only who is out, or visits, is so for longer than 24 hours".to_owned());
+    }
     let inherited_then = when == When::Then && adverbs.chance.as_ref().is_some_and(|chance| !chance.own);
     let chance = adverbs.chance.as_ref().filter(|_| !inherited_then).map_or(Chance::ALWAYS, |slot| slot.value);
+    let chance = if clause.tends && adverbs.chance.is_none() { Chance::of(Quantifier::Most) } else { chance };
     let phase = adverbs.phase_meant(reader, draft.is_condition);
     draft.phase(reader, &phase, adverbs, clause.span);
+    let stay = staying(reader, draft, &clause, &activity, &phase);
+    let (when, phase, lasts) = match stay {
+        Some(stay) => stay,
+        None => (when, phase, adverbs.lasts.as_ref().map(|slot| slot.value)),
+    };
     let habit = Habit {
         said: draft.said(clause.span),
         visitor: match clause.subject {
@@ -122,12 +196,12 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
             _ => None,
         },
         activity,
-        place: clause.place.map(|(name, _)| name),
+        place,
         chance,
         days: adverbs.days_meant(),
         phase,
         when,
-        lasts: adverbs.lasts.as_ref().map(|slot| slot.value),
+        lasts,
         until,
         times: adverbs.times.as_ref().map_or((1, 1), |slot| slot.value),
     };
@@ -135,16 +209,114 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
     draft.habit_spans.push(clause.predicate_span);
 }
 
+/// From when on the days begin and end of who is away, or visits, for whole days (ours).
+const SETS_OUT_S: Fuzzy = Fuzzy { low: 9.0 * 3600.0, from: 9.5 * 3600.0, to: 10.5 * 3600.0, high: 11.0 * 3600.0 };
+const COMES_BACK_S: f64 = 17.0 * 3600.0;
+
+/// For so many days at most somebody is away at a stretch (ours).
+const MOST_DAYS: i32 = 390;
+
+/// Who is out, or visits, for days on end: when it begins, on which day or days, and how long it lasts.
+///
+/// "For a week" is one stay of a week. "From day 30 to day 40 she is out" is one, too; "from day 30 to day 40 she goes out"
+/// is an outing on each of these days.
+fn staying(
+    reader: &mut Reader,
+    draft: &Draft,
+    clause: &Clause,
+    activity: &Activity,
+    phase: &Phase,
+) -> Option<(When, Phase, Option<Fuzzy>)> {
+    let adverbs = &clause.adverbs;
+    if !matches!(activity, Activity::Leave | Activity::Visit) || adverbs.lasts.is_some() || adverbs.until_time.is_some()
+    {
+        return None;
+    }
+    let words = reader.said(clause.predicate_span).to_lowercase();
+    let first = words.split_whitespace().next().unwrap_or_default();
+    let is_state = ["is", "are", "stays", "stay"].contains(&first);
+    let says_when =
+        adverbs.when.as_ref().is_some_and(|slot| !matches!(slot.value, When::At(_))) || adverbs.part.is_some();
+    if says_when || !is_state && words.contains("walk") {
+        return None;
+    }
+    let when = match adverbs.when.as_ref().map(|slot| &slot.value) {
+        Some(When::At(at)) => When::At(*at),
+        _ => When::At(SETS_OUT_S),
+    };
+    let is_often = adverbs.chance.is_some() || adverbs.every.is_some() || adverbs.weekdays.is_some();
+    if let Some(days) = &adverbs.for_days {
+        let lasts = Some(Fuzzy::exactly(days.value * DAY_S));
+        return match phase.from {
+            Some(from) => {
+                let until = Some(calendar::later(from, 1));
+                Some((when, Phase { from: Some(from), until, ..Phase::default() }, lasts))
+            }
+            None if is_often => Some((when, Phase { until: None, ..*phase }, lasts)),
+            None => {
+                let hint = format!("write \"from day 30, {}, she {words}\"", reader.said(days.span));
+                reader.fault(days.span, "it is not said from when", hint);
+                None
+            }
+        };
+    }
+    let from = phase.from?;
+    if !is_state || is_often {
+        return None;
+    }
+    // Of no end is said: until the run is over.
+    let until = phase.until.unwrap_or(calendar::later(from, MOST_DAYS));
+    let days = days_between(from, until, draft.first_date).filter(|&days| days > 1)?;
+    let begins_s = match &when {
+        When::At(at) => at.mean(),
+        _ => SETS_OUT_S.mean(),
+    };
+    let lasts = (days - 1) as f64 * DAY_S + COMES_BACK_S - begins_s;
+    let phase = Phase { from: Some(from), until: Some(calendar::later(from, 1)), ..Phase::default() };
+    Some((when, phase, Some(Fuzzy::exactly(lasts.max(3600.0)))))
+}
+
+/// Whether somebody only goes to a place, and it is left open what for.
+fn only_goes(reader: &mut Reader, clause: &Clause) -> bool {
+    let (Predicate::Own(words), Some((name, place))) = (&clause.predicate, &clause.place) else { return false };
+    if !is_way(words) {
+        return false;
+    }
+    let at = if reader.names.has(&name.to_lowercase(), Sort::Room) { "in" } else { "at" };
+    let hint = format!("say what she does there, and for how long: \"she sits {at} the {name} for 20 minutes\"");
+    let span = clause.predicate_span.to(*place);
+    reader.fault(span, format!("{:?} leaves open what she does there", reader.said(span)), hint);
+    true
+}
+
+/// Every other week is of one day of the week.
+fn every_few_weeks(reader: &mut Reader, adverbs: &Adverbs) {
+    if let (Some(every), Some(weekdays)) = (&adverbs.every, &adverbs.weekdays)
+        && every.value % 7 == 0
+        && weekdays.value.count_ones() > 1
+    {
+        let what = format!("{:?} of several days leaves open which week is whose", reader.said(every.span));
+        reader.fault(every.span, what, "make a sentence for each day: \"every other Tuesday\"".to_owned());
+    }
+}
+
+/// The words of an activity as the sentence has them.
+fn own_said(reader: &Reader, span: Span) -> String {
+    let words = reader.words.iter().filter(|word| span.start <= word.span.start && word.span.end <= span.end);
+    words.map(|word| word.text.as_str()).collect::<Vec<_>>().join(" ")
+}
+
 /// What is new has to be said with a place and a duration: shows how, with those that are there.
 fn lacks_place_or_time(reader: &mut Reader, clause: &Clause) {
     let span = clause.predicate_span;
     let words = reader.said(span).to_lowercase();
     let named = reader.names.of(&PLACES).find(|name| words.ends_with(&format!(" {}", name.to_lowercase())));
-    let usual = named.map_or_else(|| "in the kitchen".to_owned(), |name| format!("at the {name}"));
-    let place = clause.place.as_ref().map_or(usual, |(_, span)| reader.said(*span));
+    let named = named.map(|name| format!("at the {name}"));
+    let place = clause.place.as_ref().map(|(_, span)| reader.said(*span)).or(named);
     let lasts =
         clause.adverbs.lasts.as_ref().map_or_else(|| "for 20 minutes".to_owned(), |slot| reader.said(slot.span));
-    unknown_doing(reader, &words, span, &format!("she {words} {place} {lasts}"));
+    let example = place.map(|place| format!("she {words} {place} {lasts}"));
+    unknown_doing(reader, &words, span, example);
 }
 
 /// A day begins and ends once; what interrupts a night has words of its own.
@@ -191,36 +363,22 @@ fn check_times(reader: &mut Reader, adverbs: &Adverbs, when: &When) {
 
 fn change(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     let Some((effect, allowed)) = effect(reader, clause) else { return };
-    let why = "a change holds on all days from its beginning on";
-    if let (Predicate::Does(activity), Some(days), Some(measure)) =
-        (&clause.predicate, &clause.adverbs.weekdays, &clause.measure)
-        && let (true, Some(instead)) = (days.own, instead(activity, measure.of))
-    {
-        let what = format!("{:?} does not fit here: {why}", reader.said(days.span));
-        let days_said = weekday_words(days.value);
-        let hint = format!("say how it is then instead: \"{days_said} she {} {instead}\"", phrase(activity));
-        return reader.fault(days.span, what, hint);
-    }
+    let why = "a change holds from its beginning on, on the days that are said";
     only(reader, &clause.adverbs, &allowed, why);
     no_place(reader, clause);
     let phase = clause.adverbs.phase_meant(reader, draft.is_condition);
     draft.phase(reader, &phase, &clause.adverbs, clause.span);
-    draft.routine.changes.push(Change { said: draft.said(clause.span), phase, effect });
+    let days = clause.adverbs.days_meant();
+    draft.routine.changes.push(Change { said: draft.said(clause.span), days, phase, effect });
 }
 
-/// How a sentence of its own may end that says of some days what a change cannot.
-fn instead(activity: &Activity, of: Of) -> Option<&'static str> {
-    match (activity, of) {
-        (Activity::GoToBed, Of::Later) => Some("at 22:00"),
-        (_, Of::Later) => Some("at 9:00"),
-        (_, Of::Longer | Of::LongerBy) => Some("for 1 hour"),
-        _ => None,
-    }
-}
+/// How much of its usual time is spent on what is not brought to its end (ours).
+const UNFINISHED: Fuzzy = Fuzzy { low: 0.5, from: 0.5, to: 0.8, high: 0.8 };
 
-const PHASE: &[Part] = &[Part::Phase];
-const PHASE_AND_PART: &[Part] = &[Part::Phase, Part::Part];
-const PHASE_AND_CHANCE: &[Part] = &[Part::Phase, Part::Chance];
+const PHASE_ALONE: &[Part] = &[Part::Phase];
+const PHASE: &[Part] = &[Part::Phase, Part::Weekdays, Part::Months, Part::Every];
+const PHASE_AND_PART: &[Part] = &[Part::Phase, Part::Weekdays, Part::Months, Part::Every, Part::Part];
+const PHASE_AND_CHANCE: &[Part] = &[Part::Phase, Part::Weekdays, Part::Months, Part::Every, Part::Chance];
 
 /// What changes, and which other parts the sentence may have.
 fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
@@ -241,16 +399,21 @@ fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
         (Predicate::Walks, Some((Of::FasterBy { each_week: true }, by))) => (Effect::PaceEachWeek(by), PHASE),
         (Predicate::Is, Some((Of::Active, factor))) => (Effect::Active { part, factor }, PHASE_AND_PART),
         (Predicate::Sleeps, Some((Of::Restless | Of::Much, by))) => (Effect::Restless(by), PHASE),
+        // Who sleeps longer gets up later.
+        (Predicate::Sleeps, Some((Of::Later | Of::LongerBy, by))) => {
+            (Effect::Later { activity: Activity::GetUp, by }, PHASE)
+        }
+        (Predicate::Sleeps, Some((Of::Longer | Of::Some, by))) if by.from != by.to => {
+            let (least, most) = measures::UNSAID_LATER_S;
+            let by = if by.from > 1.0 { Fuzzy::between(least, most) } else { Fuzzy::between(-most, -least) };
+            (Effect::Later { activity: Activity::GetUp, by }, PHASE)
+        }
         (Predicate::Vary, Some((Of::Much, by))) => (Effect::Irregular(by), PHASE),
         (Predicate::Breathes, Some((Of::Breaths, by))) => (Effect::Respiration(by), PHASE),
         (Predicate::Rises(Measure { of: Of::Beats, by, .. }), None) => (Effect::Pulse(*by), PHASE),
         (Predicate::Rises(Measure { of: Of::Breaths, by, .. }), None) => (Effect::Respiration(*by), PHASE),
         (Predicate::Shows(condition, severity), None) => {
-            (Effect::Shows { condition: condition.clone(), severity: *severity }, PHASE)
-        }
-        (Predicate::Not(activity) | Predicate::Skips(activity), None) if says_weekdays(clause) => {
-            on_some_weekdays(reader, clause, activity);
-            return None;
+            (Effect::Shows { condition: condition.clone(), severity: *severity }, PHASE_ALONE)
         }
         (Predicate::Not(activity), None) => match chance(clause) {
             Some(chance) => (Effect::Skips { activity: activity.clone(), chance }, PHASE_AND_CHANCE),
@@ -259,6 +422,12 @@ fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
                 (Effect::Oftener { activity: activity.clone(), part, factor }, PHASE_AND_PART)
             }
         },
+        (Predicate::Unfinished(activity), None) => {
+            (Effect::Longer { activity: activity.clone(), factor: UNFINISHED }, PHASE)
+        }
+        (Predicate::Skips(activity), None) if says_weekdays(clause) && chance(clause).is_none() => {
+            (Effect::Skips { activity: activity.clone(), chance: 1.0 }, PHASE)
+        }
         (Predicate::Skips(activity), None) => {
             let example =
                 format!("she skips {} on 30 % of days", reader.said(last_word(clause.predicate_span, reader)));
@@ -281,29 +450,13 @@ fn says_weekdays(clause: &Clause) -> bool {
     clause.adverbs.weekdays.as_ref().is_some_and(|slot| slot.own)
 }
 
-/// What is left out on Sundays is done on the other days.
-fn on_some_weekdays(reader: &mut Reader, clause: &Clause, activity: &Activity) {
-    let Some(days) = clause.adverbs.weekdays.as_ref() else { return };
-    let (others, share) = (ALL_WEEKDAYS & !days.value, (f64::from(days.value.count_ones()) / 0.07).round());
-    let what = format!("{:?} does not fit here: what is left out is left out by chance", reader.said(days.span));
-    let hint = match others {
-        0 => "leave it out".to_owned(),
-        _ => format!(
-            "say on which days she does it, \"she {} {}\", or how often not: \"on {share} % of days\"",
-            phrase(activity),
-            weekday_words(others)
-        ),
-    };
-    reader.fault(days.span, what, hint);
-}
-
 /// Whether what changes is one of several reasons to go out, which are one activity to the living.
 fn names_one_outing(reader: &Reader, clause: &Clause) -> bool {
     const GENERAL: [&str; 8] = ["apartment", "flat", "home", "house", "building", "out", "outside", "away"];
     let (Predicate::Does(activity) | Predicate::Not(activity) | Predicate::Skips(activity)) = &clause.predicate else {
         return false;
     };
-    let said = reader.said(clause.predicate_span).to_lowercase();
+    let said = own_said(reader, clause.predicate_span);
     let last = said.split_whitespace().last().unwrap_or_default();
     *activity == Activity::Leave && !GENERAL.contains(&last)
 }
@@ -322,6 +475,8 @@ fn of_activity(
         Of::Longer => Effect::Longer { activity, factor: by },
         Of::LongerBy => Effect::LongerBy { activity, by },
         Of::Oftener => return Some((Effect::Oftener { activity, part, factor: by }, PHASE_AND_PART.to_vec())),
+        Of::Some if lasts_long(&activity) => Effect::Longer { activity, factor: by },
+        Of::Some => return Some((Effect::Oftener { activity, part, factor: by }, PHASE_AND_PART.to_vec())),
         Of::Much => {
             let span = clause.measure.as_ref().map_or(clause.span, |measure| measure.span);
             let what = format!("{:?} may mean more often or for longer", reader.said(span));
@@ -334,6 +489,14 @@ fn of_activity(
         }
     };
     Some((effect, PHASE.to_vec()))
+}
+
+/// Whether more of an activity is for longer rather than more often.
+fn lasts_long(activity: &Activity) -> bool {
+    matches!(
+        TimeUse::of(activity.label()),
+        TimeUse::Television | TimeUse::Reading | TimeUse::Relaxing | TimeUse::Computer | TimeUse::Eating
+    )
 }
 
 fn not_a_change(reader: &mut Reader, clause: &Clause) {

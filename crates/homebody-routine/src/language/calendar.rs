@@ -186,27 +186,6 @@ pub fn is_weekday(word: &str) -> bool {
     WEEKDAYS.iter().any(|(names, _)| names.split('|').any(|name| name == word))
 }
 
-pub const ALL_WEEKDAYS: u8 = 0b111_1111;
-
-/// These days as a sentence says them: "from Monday to Saturday", "on Monday and Friday".
-pub fn weekday_words(days: u8) -> String {
-    let name = |day: u8| {
-        let name = WEEKDAYS.get(usize::from(day)).and_then(|(names, _)| names.split('|').next()).unwrap_or_default();
-        name.chars().take(1).flat_map(char::to_uppercase).chain(name.chars().skip(1)).collect::<String>()
-    };
-    let set: Vec<u8> = (0..7).filter(|day| days & 1 << day != 0).collect();
-    let is_stretch = set.windows(2).all(|pair| pair[1] == pair[0] + 1);
-    match (set.as_slice(), set.split_last()) {
-        ([first, _, .., last], _) if is_stretch => format!("from {} to {}", name(*first), name(*last)),
-        (_, Some((last, []))) => format!("on {}", name(*last)),
-        (_, Some((last, rest))) => {
-            let rest: Vec<String> = rest.iter().map(|day| name(*day)).collect();
-            format!("on {} and {}", rest.join(", "), name(*last))
-        }
-        (_, None) => "never".into(),
-    }
-}
-
 /// A list of weekdays, or a stretch of them, as bits.
 pub fn weekdays(reader: &mut Reader) -> Option<u8> {
     if reader.eat("weekday|weekdays") {
@@ -250,6 +229,54 @@ pub fn months(reader: &mut Reader) -> Option<u16> {
         months |= more;
     }
     Some(months)
+}
+
+/// Days of a year without the year, as months and the first and last day: "25 December", "24 to 26 December".
+pub fn days_of_year(reader: &mut Reader) -> Option<(u16, (u8, u8))> {
+    reader.attempt(|reader| {
+        let month_first = reader.eat_any(&MONTHS);
+        let day = |reader: &mut Reader| {
+            let day = whole(reader).filter(|day| (1..=31).contains(day))?;
+            reader.eat("st|nd|rd|th");
+            Some(day as u8)
+        };
+        let first = day(reader)?;
+        let last = reader.attempt(|reader| if reader.eat("to") { day(reader) } else { None }).unwrap_or(first);
+        reader.eat("of");
+        let month = month_first.or_else(|| reader.eat_any(&MONTHS))?;
+        let has_year = reader.ahead(|reader| {
+            reader.skip_commas();
+            whole(reader).is_some_and(|year| year >= 1900)
+        });
+        (!has_year && first <= last).then_some((1 << month, (first, last)))
+    })
+}
+
+/// What days of a month are: the last week of one is from 0 to 7.
+pub const LAST_WEEK: (u8, u8) = (0, 7);
+
+/// A day of each month: a weekday, which of its days that is, and the months: "the first Monday of the month".
+pub fn day_of_month(reader: &mut Reader) -> Option<(Option<u8>, (u8, u8), u16)> {
+    const ALL_MONTHS: u16 = 0xfff;
+    reader.attempt(|reader| {
+        reader.eat("the");
+        let is_last = reader.eat("last");
+        let number = if is_last { 0 } else { ordinal(reader)? };
+        let weekday = reader.eat_any(&WEEKDAYS);
+        reader.eat("day");
+        if !reader.eat("of|in") {
+            return None;
+        }
+        let each = reader.eat("the|each|every|a month");
+        let months = if each { ALL_MONTHS } else { reader.eat_any(&MONTHS).map(|month| 1_u16 << month)? };
+        let days = match (weekday, is_last, number) {
+            (Some(_), true, _) => LAST_WEEK,
+            (Some(_), _, 1..=4) => (number as u8 * 7 - 6, number as u8 * 7),
+            (None, false, 1..=31) => (number as u8, number as u8),
+            _ => return None,
+        };
+        Some((weekday.map(|day| 1 << day), days, months))
+    })
 }
 
 /// From one month to another, both included.

@@ -5,7 +5,8 @@ use super::calendar::days_between;
 use super::draft::Draft;
 use super::faults::Faults;
 use crate::fuzzy::Fuzzy;
-use crate::routine::{Activity, Habit, Meal, Moment, Trigger, When};
+use crate::routine::{Activity, Days, Effect, Habit, Meal, Moment, PartOfDay, Phase, Trigger, When};
+use homebody_core::scenario::nearest::nearest;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Things that only some activities use.
@@ -29,11 +30,15 @@ const USED_BY: [(&str, &[Activity]); 9] = {
 pub fn check(draft: &Draft, faults: &mut Faults) {
     let all_understood = faults.count() == 0;
     twice_a_day(draft, faults);
+    done_and_not_done(draft, faults);
+    visitors_nearly_alike(draft, faults);
     bed_before_getting_up(draft, faults);
     if circles(draft, faults) || draft.is_condition || !all_understood {
         return;
     }
-    // What is missing is only known once every sentence has been understood.
+    // What is missing, or too much, is only known once every sentence has been understood.
+    home_while_out(draft, faults);
+    too_much_for_a_day(draft, faults);
     home_without_leaving(draft, faults);
     missing_anchors(draft, faults);
     idle_rules(draft, faults);
@@ -61,7 +66,8 @@ fn share_days(draft: &Draft, a: &Habit, b: &Habit) -> bool {
 
 /// Nobody gets up, or goes to bed, at two times of the same day.
 fn twice_a_day(draft: &Draft, faults: &mut Faults) {
-    for activity in [Activity::GetUp, Activity::GoToBed] {
+    let meals = Meal::ALL.map(Activity::Eat);
+    for activity in [Activity::GetUp, Activity::GoToBed].into_iter().chain(meals) {
         let timed = |habit: &Habit| matches!(habit.when, When::At(_) | When::Within(_));
         let list: Vec<_> = own_habits(draft).filter(|(_, habit)| habit.activity == activity && timed(habit)).collect();
         for (later, (index, habit)) in list.iter().enumerate() {
@@ -77,6 +83,153 @@ fn twice_a_day(draft: &Draft, faults: &mut Faults) {
     }
 }
 
+/// How long who goes to bed in the morning sleeps by day, at least and at most (ours).
+const SHORTEST_NIGHT_S: f64 = 3.0 * 3600.0;
+const LONGEST_NIGHT_S: f64 = 12.0 * 3600.0;
+
+/// A slip in who visits would be somebody else who visits, too.
+fn visitors_nearly_alike(draft: &Draft, faults: &mut Faults) {
+    const SHORTEST: usize = 5;
+    let mut seen: Vec<&str> = Vec::new();
+    for (index, habit) in draft.routine.habits.iter().enumerate() {
+        let Some(name) = habit.visitor.as_deref().filter(|name| !seen.contains(name)) else { continue };
+        let is_plural = |other: &str| name.strip_suffix('s') == Some(other) || other.strip_suffix('s') == Some(name);
+        let near = nearest(name, seen.iter().copied()).filter(|near| near.len() >= SHORTEST && !is_plural(near));
+        let is_slip = near.is_some_and(|near| {
+            let sorted = |name: &str| {
+                let mut letters: Vec<char> = name.chars().collect();
+                letters.sort_unstable();
+                letters
+            };
+            near.len().abs_diff(name.len()) == 1 || sorted(near) == sorted(name)
+        });
+        if let Some(near) = near.filter(|_| is_slip) {
+            let what = format!("{name:?} is somebody else than {near:?}, who visits, too");
+            faults.add(draft.habit_spans[index], what, Some(format!("did you mean {near:?}?")));
+        }
+        seen.push(name);
+    }
+}
+
+/// What is so sure to be done that it cannot be left out (ours).
+const CERTAIN: f64 = 0.97;
+
+/// "She naps every day", and "she never naps".
+fn done_and_not_done(draft: &Draft, faults: &mut Faults) {
+    for (index, habit) in own_habits(draft) {
+        let never = draft.routine.changes.iter().find(|change| {
+            let none = |factor: &Fuzzy| factor.high <= 0.0;
+            let is_never = match &change.effect {
+                Effect::Oftener { activity, part: None, factor } => *activity == habit.activity && none(factor),
+                Effect::Skips { activity, chance } => *activity == habit.activity && *chance >= 1.0,
+                _ => false,
+            };
+            let from = change.phase.from.unwrap_or(Moment::Day(0));
+            let begins = habit.phase.from.unwrap_or(Moment::Day(0));
+            let is_before = days_between(from, begins, draft.first_date).is_some_and(|days| days >= 0);
+            let all_days = change.days.weekdays & habit.days.weekdays == habit.days.weekdays
+                && change.days.months & habit.days.months == habit.days.months
+                && change.days.of_month == Days::ALL.of_month
+                && change.days.every == 1;
+            is_never && is_before && all_days && change.phase.until.is_none() && change.phase.over_days == 0.0
+        });
+        if let Some(never) = never {
+            let what = format!("line {} says that she does not: {:?}", never.said.line, never.said.text.trim());
+            let hint =
+                "leave one of the two out, or say from when or until when each is so: \"until day 100\"".to_owned();
+            faults.add(draft.habit_spans[index], what, Some(hint));
+        }
+    }
+}
+
+/// From when to when a habit goes on for certain, in seconds of the day; nothing where that is open.
+fn surely_from_to(habit: &Habit) -> Option<(f64, f64)> {
+    let When::At(at) = habit.when else { return None };
+    let is_certain = habit.chance.probability >= CERTAIN && habit.chance.becomes.is_none() && habit.times == (1, 1);
+    let end = habit.until.map(|until| until.low).or(habit.lasts.map(|lasts| at.low + lasts.low))?;
+    (is_certain && end > at.high).then_some((at.high, end))
+}
+
+/// Somebody is out, and does something at home, or comes home at another time.
+fn home_while_out(draft: &Draft, faults: &mut Faults) {
+    let outings: Vec<(usize, &Habit)> =
+        own_habits(draft).filter(|(_, habit)| habit.activity == Activity::Leave).collect();
+    for (index, habit) in own_habits(draft) {
+        let When::At(at) = habit.when else { continue };
+        let is_meal = matches!(habit.activity, Activity::Eat(_) | Activity::Nap | Activity::Prepare(_));
+        for (_, outing) in outings.iter().filter(|(_, outing)| share_days(draft, habit, outing)) {
+            let is_within = surely_from_to(outing).is_some_and(|(from, to)| from < at.low && at.high < to);
+            let on_its_days = habit.days.weekdays & outing.days.weekdays == habit.days.weekdays;
+            let comes_home = habit.activity == Activity::ComeHome
+                && (outing.lasts.is_some() || outing.until.is_some())
+                && surely_from_to(outing).is_some();
+            let what = match (comes_home, is_within && is_meal && on_its_days && habit.chance.probability >= CERTAIN) {
+                (true, _) => {
+                    format!("line {} says, too, when she comes home: {:?}", outing.said.line, outing.said.text.trim())
+                }
+                (_, true) => format!("she is out then, by line {}: {:?}", outing.said.line, outing.said.text.trim()),
+                _ => continue,
+            };
+            let hint = "change one of the two times, or say on which days each is so: \"on weekdays\"".to_owned();
+            faults.add(draft.habit_spans[index], what, Some(hint));
+            break;
+        }
+    }
+}
+
+/// What is said to be done every day takes longer than a day has.
+fn too_much_for_a_day(draft: &Draft, faults: &mut Faults) {
+    /// Nobody is up for longer, and gets to bed (ours).
+    const MOST_AWAKE_S: f64 = 20.0 * 3600.0;
+    let is_daily = |habit: &Habit| {
+        habit.days == Days::ALL
+            && habit.phase == Phase::default()
+            && habit.chance.probability >= CERTAIN
+            && habit.chance.becomes.is_none()
+            && habit.when != When::Within(PartOfDay::Night)
+            && habit.activity != Activity::LieAwake
+    };
+    let length = |habit: &Habit| {
+        let asked = habit.lasts.map(|lasts| lasts.low * f64::from(habit.times.0));
+        asked.or_else(|| surely_from_to(habit).map(|(from, to)| to - from)).unwrap_or(0.0)
+    };
+    let time_of = |wanted: Activity| {
+        own_habits(draft).map(|(_, habit)| habit).filter(|habit| habit.activity == wanted && is_daily(habit)).find_map(
+            |habit| match habit.when {
+                When::At(at) => Some(at),
+                _ => None,
+            },
+        )
+    };
+    let awake_s = match (time_of(Activity::GetUp), time_of(Activity::GoToBed)) {
+        (Some(up), Some(bed)) if bed.high > up.low => bed.high - up.low,
+        _ => MOST_AWAKE_S,
+    };
+    let mut sum = 0.0;
+    let mut lines: Vec<u32> = Vec::new();
+    for (index, habit) in own_habits(draft).filter(|(_, habit)| is_daily(habit) && length(habit) > 0.0) {
+        sum += length(habit);
+        if sum > awake_s {
+            let others: Vec<String> = lines.iter().map(u32::to_string).collect();
+            let what = match others.as_slice() {
+                [] => format!("this takes longer than she is up, {:.0} hours", awake_s / 3600.0),
+                _ => format!(
+                    "with lines {} this takes longer than she is up, {:.0} hours",
+                    others.join(", "),
+                    awake_s / 3600.0
+                ),
+            };
+            faults.add(
+                draft.habit_spans[index],
+                what,
+                Some("say shorter times, or on which days each is done".to_owned()),
+            );
+            return;
+        }
+        lines.push(habit.said.line);
+    }
+}
+
 /// On the same day, bed comes after getting up.
 fn bed_before_getting_up(draft: &Draft, faults: &mut Faults) {
     let at = |habit: &Habit| match habit.when {
@@ -86,7 +239,9 @@ fn bed_before_getting_up(draft: &Draft, faults: &mut Faults) {
     let up: Vec<_> = own_habits(draft).filter(|(_, habit)| habit.activity == Activity::GetUp).collect();
     for (index, bed) in own_habits(draft).filter(|(_, habit)| habit.activity == Activity::GoToBed) {
         let Some(time) = at(bed) else { continue };
-        let early = |up: &Habit| at(up).is_some_and(|up| time <= up) && share_days(draft, bed, up);
+        // Who works at night goes to bed in the morning and gets up in the afternoon.
+        let is_nap = |up: f64| !(SHORTEST_NIGHT_S..LONGEST_NIGHT_S).contains(&(up - time));
+        let early = |up: &Habit| at(up).is_some_and(|up| time <= up && is_nap(up)) && share_days(draft, bed, up);
         if let Some((_, up)) = up.iter().find(|(_, up)| early(up)) {
             let what = format!("she goes to bed before she gets up, by line {}", up.said.line);
             faults.add(draft.habit_spans[index], what, Some("write bedtimes as 22:30 or 10:30 pm".into()));

@@ -1,14 +1,19 @@
 //! A clause: who does what, with what stands behind the verb in any order.
 
 use super::activities;
-use super::adverbs::Adverbs;
+use super::adverbs::{Adverbs, Slot};
 use super::amounts::{Unit, amount};
+use super::calendar::is_weekday;
 use super::faults::did_you_mean;
+use super::helping;
 use super::measures::{Measure, measure};
-use super::predicates::{self, Predicate, Subject};
-use super::reader::{Reader, Sort};
+use super::predicates::IS;
+use super::reader::{Reader, Sort, begins_adverb, is_determiner};
+use super::said::Predicate;
+use super::subjects::Subject;
+use super::unknown;
 use super::words::{Span, Token};
-use crate::routine::Activity;
+use crate::routine::{Activity, PartOfDay};
 
 /// What a habit may be said to be done at.
 pub const PLACES: [Sort; 3] = [Sort::Place, Sort::Room, Sort::Thing];
@@ -23,18 +28,56 @@ pub struct Clause {
     pub place: Option<(String, Span)>,
     pub measure: Option<Measure>,
     pub adverbs: Adverbs,
+    /// Whether it is what somebody likes to do, or mostly does.
+    pub tends: bool,
+    /// Whether it goes on with the verb of the clause before it.
+    pub again: bool,
 }
 
-/// Reads the rest of a clause. Nothing if it is not understood; else the "then" that another clause follows.
-pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<Span>> {
+/// What joins a clause with another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Join {
+    Then,
+    And,
+    Or,
+}
+
+/// Reads the rest of a clause. Nothing if it is not understood; else how another clause follows, and where that is said.
+pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<(Join, Span)>> {
     loop {
+        if let Some(join) = in_list(reader, clause) {
+            let span = reader.here();
+            reader.skip_commas();
+            return Some(Some((join, span)));
+        }
         reader.skip_commas();
         if reader.is_over() {
             return Some(None);
         }
         let at = reader.at;
+        if matches!(clause.predicate, Predicate::Remark | Predicate::Age(_) | Predicate::Kind(_)) && reader.eat("who") {
+            return Some(Some((Join::And, reader.span(at))));
+        }
+        // What is said to be done is done as it is said, and not besides.
+        if matches!(clause.predicate, Predicate::Does(_)) && reader.eat("only") {
+            continue;
+        }
         if reader.eat("and then") || reader.eat("then") {
-            return Some(Some(reader.span(at)));
+            return Some(Some((Join::Then, reader.span(at))));
+        }
+        if let Some(join) = reader.eat_any(&[("and also", Join::And), ("and|but", Join::And), ("or", Join::Or)]) {
+            return Some(Some((join, reader.span(at))));
+        }
+        if matches!(clause.predicate, Predicate::Remark) {
+            not_understood(reader, clause);
+            return None;
+        }
+        if says_purpose(reader, clause)
+            || says_alone(reader, clause)
+            || says_outside(reader, clause)
+            || says_company(reader, clause)
+        {
+            continue;
         }
         if let Some(measure) = measure(reader) {
             if clause.measure.is_some() {
@@ -50,6 +93,143 @@ pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<Span>> {
         not_understood(reader, clause);
         return None;
     }
+}
+
+/// Whether a comma stands for the "and" or "or" that comes later: "washes, dresses and has breakfast".
+fn in_list(reader: &mut Reader, clause: &Clause) -> Option<Join> {
+    if reader.token(0) != Some(Token::Comma) {
+        return None;
+    }
+    let rest = reader.words.get(reader.at..).unwrap_or_default();
+    let joins = |word: &str| rest.iter().any(|one| one.text == word);
+    let join = if joins("or") { Join::Or } else { Join::And };
+    if !(joins("or") || joins("and")) || rest.iter().any(|one| one.text == "then") {
+        return None;
+    }
+    let goes_on = reader.ahead(|reader| {
+        reader.skip_commas();
+        let from = reader.at;
+        let verb = activities::activity(reader).is_some();
+        reader.at = from;
+        let again = clause.adverbs.when.is_some() && {
+            let mut more = Adverbs::default();
+            more.next(reader) && more.when.is_some()
+        };
+        reader.at = from;
+        let object = activities::noun(reader).is_some() && matches!(clause.predicate, Predicate::Does(_));
+        verb || again || object
+    });
+    goes_on.then_some(join)
+}
+
+/// "gets up to use the toilet", "goes to the kitchen to make tea": what for is what is done.
+fn says_purpose(reader: &mut Reader, clause: &mut Clause) -> bool {
+    let from = reader.at;
+    let found = reader.attempt(|reader| {
+        if !reader.eat("in order to") && !reader.eat("to") {
+            return None;
+        }
+        if clause.predicate == Predicate::Visits {
+            return helping::doing(reader);
+        }
+        let purpose = activities::activity(reader)?;
+        let goes = matches!(&clause.predicate, Predicate::Own(words) if unknown::is_way(words) || words == "stands");
+        match &clause.predicate {
+            Predicate::Does(Activity::GetUp | Activity::Relax) => Some(Predicate::Does(purpose)),
+            Predicate::Own(_) if goes && clause.place.is_some() => Some(Predicate::Does(purpose)),
+            Predicate::Does(Activity::Leave) => Some(Predicate::Does(Activity::Leave)),
+            _ => None,
+        }
+    });
+    let Some(found) = found else { return false };
+    let is_new = matches!(&found, Predicate::Does(activity) if Predicate::Does(activity.clone()) != clause.predicate);
+    // Who gets up for something and says no time does so in the night.
+    if clause.predicate == Predicate::Does(Activity::GetUp) && is_new {
+        clause.adverbs.all(reader);
+        if clause.adverbs.when.is_none() && clause.adverbs.part.is_none() {
+            clause.adverbs.part = Some(Slot { value: PartOfDay::Night, span: reader.span(from), own: true });
+        }
+    }
+    clause.predicate = found;
+    true
+}
+
+/// "plays bingo at the community centre": what is done out of the home is being out.
+fn says_outside(reader: &mut Reader, clause: &mut Clause) -> bool {
+    if !matches!(clause.predicate, Predicate::Does(_) | Predicate::Own(_)) || clause.place.is_some() {
+        return false;
+    }
+    let found = reader.attempt(|reader| {
+        if !reader.eat("at|in") {
+            return None;
+        }
+        reader.skip_determiners();
+        if reader.ahead(|reader| reader.name(&PLACES).is_some()) {
+            return None;
+        }
+        let lexicon = reader.names.lexicon.clone();
+        let length = (0..3).find_map(|before| {
+            let length = lexicon.list("OUTSIDE", |ahead| reader.peek(before + ahead))?;
+            Some(before + length)
+        });
+        reader.at += length?;
+        (reader.is_over()
+            || reader.token(0) != Some(Token::Word)
+            || begins_adverb(reader)
+            || is_weekday(reader.peek(0)))
+        .then_some(())
+    });
+    if found.is_some() {
+        clause.predicate = Predicate::Does(Activity::Leave);
+    }
+    found.is_some()
+}
+
+/// "with her daughter", of who is out: who else is there no sensor of the home sees. "With help from a carer": who comes.
+fn says_company(reader: &mut Reader, clause: &mut Clause) -> bool {
+    let Predicate::Does(activity) = clause.predicate.clone() else { return false };
+    let from = reader.at;
+    if !reader.eat("with") {
+        return false;
+    }
+    let helped = reader.eat("the help|assistance of|from") || reader.eat("help|assistance from");
+    let starts = reader.at;
+    let with_determiner = is_determiner(reader.peek(0));
+    reader.skip_determiners();
+    let start = reader.at;
+    while reader.token(0) == Some(Token::Word)
+        && !begins_adverb(reader)
+        && !is_weekday(reader.peek(0))
+        && reader.at < start + 3
+    {
+        reader.at += 1;
+    }
+    let lexicon = reader.names.lexicon.clone();
+    let is_people = (start..reader.at).any(|at| {
+        let word = |ahead: usize| reader.words.get(at + ahead).map_or("", |word| word.text.as_str());
+        ["PEOPLE", "RELATIVES"].iter().any(|list| lexicon.list(list, word).is_some())
+    });
+    let is_who = reader.at > start && (is_people || helped && with_determiner);
+    if helped && is_who {
+        clause.predicate = Predicate::HelpedBy(reader.passed(start), activity);
+        return true;
+    }
+    if is_who && starts > from && activity == Activity::Leave {
+        return true;
+    }
+    reader.at = from;
+    false
+}
+
+/// "On her own" is how everything is done where nobody is named, so it changes nothing but what is denied.
+fn says_alone(reader: &mut Reader, clause: &Clause) -> bool {
+    let is_done =
+        matches!(clause.predicate, Predicate::Does(_) | Predicate::Own(_)) && clause.subject == Subject::Person;
+    is_done
+        && (reader.eat("on her|his|their own")
+            || reader.eat("by herself|himself|themselves")
+            || reader.eat("alone|independently|unaided")
+            || reader.eat("without help|assistance"))
 }
 
 /// "in the armchair".
@@ -82,24 +262,14 @@ pub fn eat_preposition(reader: &mut Reader) -> bool {
 
 fn not_understood(reader: &mut Reader, clause: &Clause) {
     let (here, word) = (reader.here(), reader.peek(0).to_owned());
-    if word == "and" || word == "but" || word == "or" {
-        let hint = match reader.ahead(|reader| {
-            reader.at += 1;
-            Adverbs::default().next(reader)
-        }) {
-            true => "make two sentences, one for each",
-            false => "write \"then\" between things done one after another, or make two sentences",
-        };
-        let hint = hint.to_owned();
-        return reader.fault(here, format!("{word:?} joins more than one sentence can say"), hint);
-    }
     let at = reader.at;
     if reader.eat("to") && activities::activity(reader).is_some() {
         let (span, doing) = (reader.span(at), reader.said(reader.span(at + 1)));
         if let Predicate::Own(words) = &clause.predicate {
             let what = format!("{:?} says more than what is done", format!("{words} {}", reader.said(span)));
+            let is_not = words.split(' ').any(|word| word == "not");
             let hint = format!("write \"she {}\"", activities::in_third_person(&doing));
-            return reader.fault(clause.predicate_span.to(span), what, hint);
+            return reader.fault(clause.predicate_span.to(span), what, (!is_not).then_some(hint));
         }
         let hint = format!("say what she does, not what for: \"then she {}\"", activities::in_third_person(&doing));
         return reader.fault(span, format!("{:?} is a purpose", reader.said(span)), hint);
@@ -107,24 +277,42 @@ fn not_understood(reader: &mut Reader, clause: &Clause) {
     reader.at = at;
     if eat_preposition(reader) && !reader.is_over() && !matches!(reader.token(0), Some(Token::Number(_))) {
         let goes = match &clause.predicate {
-            Predicate::Own(words) => predicates::is_way(words),
+            Predicate::Own(words) => unknown::is_way(words),
             other => *other == Predicate::Is,
         };
         let outside = goes.then_some("for what is outside, write \"she goes out at 10:00 for 2 hours\"");
-        predicates::unknown_name_or(reader, &PLACES, "no place of this home, and no time", outside);
+        unknown::unknown_name_or(reader, &PLACES, "no place of this home, and no time", outside);
         return;
     }
     reader.at = at;
     if let Predicate::Own(words) = &clause.predicate {
-        return predicates::unknown_verb(reader, words, clause.predicate_span);
+        return unknown::unknown_verb(reader, words, clause.predicate_span);
     }
     let what = format!("{:?} is not understood here", reader.said(here));
+    if reader.faults.is_trial {
+        return reader.fault(here, what, None);
+    }
     let hint = expected(reader, clause, &word);
     reader.fault(here, what, hint);
 }
 
 /// What could stand where a word is not understood.
 fn expected(reader: &mut Reader, clause: &Clause, word: &str) -> String {
+    if word == "when" && (reader.peek(1) == "it" || reader.peek(2) == "weather")
+        || ["weather", "rain", "snow"].contains(&reader.peek(1))
+    {
+        return "Homebody knows no weather: say in which season, \"in winter\", or how often, \"on 60 % of days\""
+            .into();
+    }
+    if clause.predicate == Predicate::Walks && ["slowly", "unsteadily", "carefully", "quickly"].contains(&word) {
+        return "say how fast, \"she walks at 0.5 m/s\", or how it changes: \"from week 10 she walks 10 % slower\""
+            .into();
+    }
+    if clause.predicate == Predicate::Is && word == "up" {
+        return "say what she does then: \"she goes to the bathroom 3 times a night\", \"she lies awake at night\", \"she wanders \
+            at night\""
+            .into();
+    }
     if ["when", "if", "whenever", "because", "unless"].contains(&word) {
         return "what depends on something begins with it: \"whenever she has been in bed for 10 hours, she gets up\""
             .into();
@@ -144,7 +332,7 @@ fn expected(reader: &mut Reader, clause: &Clause, word: &str) -> String {
         return format!("write \"for {}\"", reader.said(length.span));
     }
     if clause.predicate == Predicate::Is {
-        return predicates::IS.into();
+        return IS.into();
     }
     if word == "to" {
         return "for a stretch of time, write \"from 10:00 to 12:00\"".into();

@@ -22,6 +22,23 @@ pub(crate) struct Draft<'t> {
     pub lines: Vec<Line<'t>>,
 }
 
+impl<'t> Draft<'t> {
+    /// A draft in which nothing has been understood yet, about the same.
+    pub fn anew<'n>(&self, text: &'n str) -> Draft<'n> {
+        Draft {
+            routine: Routine::default(),
+            is_condition: self.is_condition,
+            name: None,
+            habit_spans: Vec::new(),
+            rule_spans: Vec::new(),
+            first_date: self.first_date,
+            usual: self.usual.clone(),
+            text,
+            lines: super::words::lines(text),
+        }
+    }
+}
+
 impl Draft<'_> {
     /// The words at a place, with line and column.
     pub fn said(&self, span: Span) -> Quote {

@@ -17,11 +17,18 @@ pub struct Fault {
 /// All that is wrong with one text.
 #[derive(Debug, Default)]
 pub struct Faults {
+    /// Whether nobody will read what is added: hints need not be looked for.
+    pub is_trial: bool,
     list: Vec<Fault>,
     more: usize,
 }
 
 impl Faults {
+    /// For trying whether something is understood.
+    pub fn of_trial() -> Faults {
+        Faults { is_trial: true, ..Faults::default() }
+    }
+
     pub fn add(&mut self, span: Span, what: impl Into<String>, hint: Option<String>) {
         if self.list.len() < MOST {
             self.list.push(Fault { span, what: what.into(), hint });
@@ -39,6 +46,12 @@ impl Faults {
         let listed = count.min(self.list.len());
         self.list.truncate(listed);
         self.more = count - listed;
+    }
+
+    /// What was added since there were so many.
+    pub fn since(&mut self, count: usize) -> &mut [Fault] {
+        let listed = count.min(self.list.len());
+        &mut self.list[listed..]
     }
 
     /// The problems in the order of their places.

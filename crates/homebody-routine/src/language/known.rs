@@ -1,5 +1,6 @@
 //! What a text may name.
 
+use super::lexicon::Lexicon;
 use crate::routine::Activity;
 
 /// What a text may name.
@@ -16,6 +17,8 @@ pub struct Known {
     pub conditions: Vec<String>,
     /// Year, month and day of the run's first day, which ties dates to days.
     pub first_date: Option<(i16, u8, u8)>,
+    /// The words that are known: those of the program, and a scenario's own.
+    pub lexicon: Lexicon,
     /// What is done without being said.
     pub usual: Vec<Activity>,
 }

@@ -28,6 +28,7 @@ impl Adverbs {
         }
         or(&mut self.chance, &heading.chance);
         or(&mut self.months, &heading.months);
+        or(&mut self.of_month, &heading.of_month);
         or(&mut self.lasts, &heading.lasts);
         or(&mut self.until_time, &heading.until_time);
         or(&mut self.times, &heading.times);
@@ -45,8 +46,16 @@ impl Adverbs {
         Days {
             weekdays: self.weekdays.as_ref().map_or(Days::ALL.weekdays, |slot| slot.value),
             months: self.months.as_ref().map_or(Days::ALL.months, |slot| slot.value),
-            every: self.every.as_ref().map_or(Days::ALL.every, |slot| slot.value),
+            every: self.every_meant(),
+            of_month: self.of_month.as_ref().map_or(Days::ALL.of_month, |slot| slot.value),
         }
+    }
+
+    /// Every so many days. A weekday comes round on days that lie seven apart: every other week it is every other one.
+    fn every_meant(&self) -> u32 {
+        let every = self.every.as_ref().map_or(Days::ALL.every, |slot| slot.value);
+        let is_weekday = self.weekdays.as_ref().is_some_and(|slot| slot.value.count_ones() == 1);
+        if is_weekday && every.is_multiple_of(7) && !every.is_multiple_of(49) { every / 7 } else { every }
     }
 
     /// At what time of the day, with times after midnight counted on where they belong to the night before.
@@ -82,6 +91,10 @@ impl Adverbs {
                 format!("{:?} and {:?} both say until when", reader.said(until.span), reader.said(for_days.span));
             reader.fault(for_days.span, what, "leave one of them out".to_owned());
         }
+        if let (Some(for_days), None, true) = (&self.for_days, from, self.months.is_some() || self.of_month.is_some()) {
+            let hint = "say from which day, such as \"from 2026-07-01, for 14 days\"".to_owned();
+            reader.fault(for_days.span, "it is not said from which day on", hint);
+        }
         let until = self.until.as_ref().map(|slot| slot.value);
         let until = until.or(days.map(|days| calendar::later(from.unwrap_or(Moment::Day(0)), days)));
         if let (Some(fading), None) = (&self.fading, until) {
@@ -100,7 +113,7 @@ impl Adverbs {
         let span = |kind: &Kind| match kind {
             Kind::Chance => own(&self.chance),
             Kind::Weekdays => own(&self.weekdays),
-            Kind::Months => own(&self.months),
+            Kind::Months => own(&self.months).or(own(&self.of_month)),
             Kind::Every => own(&self.every),
             Kind::Part => own(&self.part),
             Kind::When => own(&self.when),

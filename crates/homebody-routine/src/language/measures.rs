@@ -44,6 +44,8 @@ pub enum Of {
     Beats,
     /// Breaths a minute more.
     Breaths,
+    /// So many times as long or as often, whichever goes with the activity.
+    Some,
 }
 
 /// An amount and what it changes, if they come next.
@@ -51,6 +53,9 @@ pub fn measure(reader: &mut Reader) -> Option<Measure> {
     let start = reader.at;
     reader.attempt(|reader| {
         if let Some((of, by)) = reader.attempt(later_by) {
+            return Some(Measure { of, by, span: reader.span(start) });
+        }
+        if let Some((of, by)) = reader.attempt(unnumbered) {
             return Some(Measure { of, by, span: reader.span(start) });
         }
         reader.eat("by");
@@ -66,6 +71,69 @@ pub fn measure(reader: &mut Reader) -> Option<Measure> {
         };
         Some(Measure { of, by, span: reader.span(start) })
     })
+}
+
+/// How much a change is that is said without a number: for each person a value between (ours).
+pub const UNSAID_LATER_S: (f64, f64) = (1_800.0, 5_400.0);
+pub const UNSAID_MORE: (f64, f64) = (1.3, 1.7);
+pub const UNSAID_LESS: (f64, f64) = (0.5, 0.8);
+/// Walking hardly changes by as much (ours).
+pub const UNSAID_PACE: f64 = 0.1;
+/// "A little" is so many times as far, and "much" (ours).
+pub const LITTLE: f64 = 0.5;
+pub const MUCH: f64 = 2.0;
+
+/// "later than usual", "much less often": a change without a number.
+fn unnumbered(reader: &mut Reader) -> Option<(Of, Fuzzy)> {
+    let how_far = reader.attempt(|reader| {
+        if reader.eat("a little|bit") || reader.eat("slightly|somewhat") {
+            return Some(LITTLE);
+        }
+        (reader.eat("much|far|considerably|significantly") || reader.eat("a lot")).then_some(MUCH)
+    });
+    let (of, is_more) = reader.eat_any(&[
+        ("later", (Of::Later, true)),
+        ("earlier", (Of::Later, false)),
+        ("longer", (Of::Longer, true)),
+        ("shorter", (Of::Longer, false)),
+        ("more often|frequently", (Of::Oftener, true)),
+        ("less often|frequently", (Of::Oftener, false)),
+        ("more rarely", (Of::Oftener, false)),
+        ("slower", (Of::Faster, false)),
+        ("more slowly", (Of::Faster, false)),
+        ("faster|quicker", (Of::Faster, true)),
+        ("more quickly", (Of::Faster, true)),
+        ("more restless|restlessly", (Of::Restless, true)),
+        ("less restless|restlessly", (Of::Restless, false)),
+        ("more active", (Of::Active, true)),
+        ("less active", (Of::Active, false)),
+        ("more", (Of::Some, true)),
+        ("less", (Of::Some, false)),
+    ])?;
+    let compared = [
+        "than usual|before|normal",
+        "than she|he|they used to",
+        "than she|he|they usually does|do",
+        "than in the past",
+    ];
+    let _ = compared.iter().any(|compared| reader.eat(compared));
+    // "More than", "more water", "later by": nothing that is said without a number.
+    let goes_on = reader.token(0) == Some(super::words::Token::Word) && !super::reader::begins_adverb(reader);
+    if goes_on || ["by", "to"].contains(&reader.peek(0)) && of != Of::Some {
+        return None;
+    }
+    let far = how_far.unwrap_or(1.0);
+    let (low, high) = if is_more { UNSAID_MORE } else { UNSAID_LESS };
+    let from_one = |factor: f64| (1.0 + (factor - 1.0) * far).max(0.0);
+    let by = match of {
+        Of::Later => {
+            let (least, most) = (UNSAID_LATER_S.0 * far, UNSAID_LATER_S.1 * far);
+            if is_more { Fuzzy::between(least, most) } else { Fuzzy::between(-most, -least) }
+        }
+        Of::Faster => Fuzzy::exactly(from_one(1.0 + if is_more { UNSAID_PACE } else { -UNSAID_PACE })),
+        _ => Fuzzy::between(from_one(low).min(from_one(high)), from_one(low).max(from_one(high))),
+    };
+    Some((of, by))
 }
 
 /// "later by 30 minutes".

@@ -2,13 +2,15 @@
 //!
 //! In reading order: text becomes sentences of words (`words`); a `reader` goes through them and knows the names of
 //! the home; `adverbs` reads when, how long and how often, in any order around the rest, and `meaning` says what those
-//! come to; a `clause` is who does what with all of that; `build` makes habits and changes of it, `rules` rules;
+//! come to; the words for what is done are those of the `lexicon`. A `clause` is who does what with all of that, `joined` by
+//! "and" or "or" with others; `build` makes habits and changes of it, `rules` rules;
 //! `sentence` reads a sentence from clause to clause into the `draft`; `check` finds sentences that contradict each
 //! other. Whatever is wrong is collected in `faults` and told all at once.
 
 mod words;
 mod faults;
 mod known;
+pub mod lexicon;
 mod reader;
 pub mod amounts;
 mod calendar;
@@ -19,11 +21,20 @@ mod adverbs;
 mod meaning;
 pub mod activities;
 mod measures;
+mod subjects;
+mod said;
 mod predicates;
+mod roundabout;
+mod unknown;
 mod draft;
 mod clause;
 mod build;
 mod rules;
+mod helping;
+mod remarks;
+mod rewording;
+mod joined;
+mod simpler;
 mod sentence;
 mod check;
 #[cfg(test)]
@@ -31,10 +42,12 @@ mod tests;
 
 use crate::routine::{Quote, Routine};
 use adverbs::Adverbs;
+pub use calendar::LAST_WEEK;
 use draft::Draft;
 use faults::Faults;
 use homebody_core::problem::Problem;
 pub use known::Known;
+pub use lexicon::Lexicon;
 use reader::{Names, Reader};
 use std::ops::Range;
 use words::{Sentence, Span};
@@ -132,14 +145,17 @@ fn one(draft: &mut Draft, names: &mut Names, faults: &mut Faults, heading: &mut 
     }
     let above = heading.as_ref().map(|heading| &heading.adverbs);
     let part = above.and_then(|above| above.part.as_ref()).map(|part| part.value);
-    let mut reader = Reader { words: &sentence.words, at: 0, names, faults, text: draft.text, part };
+    let words = rewording::reworded(names, draft.text, &sentence.words);
+    let mut reader = Reader { words: &words, at: 0, names, faults, text: draft.text, part };
     let before = reader.faults.count();
     let Some(adverbs) = sentence::sentence(&mut reader, draft, above) else {
+        simpler::hints(faults, before, names, draft, &sentence.words);
         if let Some(name) = draft.name.as_ref().filter(|_| names.person.is_none()) {
             names.is_about(Some(name));
         }
         return;
     };
+    simpler::hints(faults, before, names, draft, &sentence.words);
     let failed = faults.count() > before;
     if sentence.indented && !failed {
         let hint = "a heading is not indented; a sentence says who does what".to_owned();

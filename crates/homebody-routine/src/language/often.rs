@@ -72,6 +72,9 @@ pub fn often(reader: &mut Reader) -> Option<Often> {
     Some(found)
 }
 
+/// Every so many days.
+const EVERY_OTHER_WEEK: u32 = 14;
+
 /// "every other day", "every 3 days", "every week".
 fn every_so_many(reader: &mut Reader) -> Option<Often> {
     if !reader.eat("every|each") {
@@ -79,6 +82,9 @@ fn every_so_many(reader: &mut Reader) -> Option<Often> {
     }
     if reader.eat("other|second day|night") {
         return Some(Often { every: Some(2), ..Often::NOTHING });
+    }
+    if reader.eat("other|second week") {
+        return Some(Often { every: Some(EVERY_OTHER_WEEK), ..Often::NOTHING });
     }
     if reader.eat("third day|night") {
         return Some(Often { every: Some(3), ..Often::NOTHING });
@@ -113,7 +119,9 @@ fn every_so_many(reader: &mut Reader) -> Option<Often> {
         reader.fault(reader.span(from - 1), what, format!("say how many times, such as \"{a_day} times a day\""));
         return Some(Often::NOTHING);
     }
-    if !reader.eat("days|nights") {
+    let days = if reader.eat("weeks") { days * 7.0 } else { days };
+    let weeks = days >= 7.0 && reader.at > from && reader.passed(from).ends_with("weeks");
+    if !weeks && !reader.eat("days|nights") {
         return None;
     }
     let span = reader.span(from);

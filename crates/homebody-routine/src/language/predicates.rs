@@ -1,135 +1,26 @@
-//! Who does what: the subject of a sentence and its verb.
+//! What is said of somebody: the verb of a sentence.
 
 use super::activities;
 use super::adverbs::{Adverbs, Slot};
 use super::amounts::{Unit, amount};
 use super::faults::did_you_mean;
-use super::measures::{Measure, Of, measure, rises_by};
-use super::reader::{Reader, Sort, begins_adverb, is_determiner};
-use super::words::{Span, Token};
+use super::measures::{Of, measure, rises_by};
+use super::reader::{Reader, Sort, begins_adverb};
+use super::roundabout::{falls_asleep, is_doing, is_helped, is_remark, spends, tends_not, unable, unfinished, visited};
+use super::said::Predicate;
+use super::subjects::Subject;
+use super::unknown::unknown_name;
+use super::words::Token;
 use crate::routine::{Activity, Kind, PartOfDay, When};
-use homebody_core::scenario::nearest::nearest;
-
-/// Who or what a sentence is about.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Subject {
-    /// The person, by pronoun or name.
-    Person,
-    /// Somebody who visits, such as `daughter`.
-    Visitor(String),
-    /// A name that is not the person's.
-    Stranger(String),
-    /// At which hours things are done.
-    Hours,
-    Pulse,
-    Breathing,
-}
-
-/// What is said of the subject.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Predicate {
-    Age(f64),
-    Kind(Kind),
-    /// "is", with a measure still to come.
-    Is,
-    /// "walks", with a measure or a speed still to come.
-    Walks,
-    Pace(super::amounts::Amount),
-    Does(Activity),
-    /// Words for something of the user's own.
-    Own(String),
-    Visits,
-    Not(Activity),
-    Skips(Activity),
-    Shows(String, f64),
-    Forgets(String),
-    /// "sleeps" or "turns in bed", with a measure still to come.
-    Sleeps,
-    /// "vary", with a measure still to come.
-    Vary,
-    Rises(Measure),
-    /// "breathes", with a measure still to come.
-    Breathes,
-}
-
-const HOURS: &str = "hours|times|days|day|routine";
-pub const VISITS: [&str; 9] = [
-    "visits|visit her|him|them|it",
-    "visits|visit",
-    "comes|come to visit|help",
-    "comes|come to see|visit her|him|them",
-    "comes|come to help her|him|them",
-    "comes|come by|over|round|in|around",
-    "comes|come",
-    "drops|drop by|in",
-    "calls|call in|by|round",
-];
-
-/// The subject, if a sentence has one here.
-pub fn subject(reader: &mut Reader) -> Option<Subject> {
-    if reader.eat("she|he|they|it") || reader.eat("the person|resident|patient") {
-        return Some(Subject::Person);
-    }
-    match reader.person() {
-        Some(false) => return Some(Subject::Person),
-        Some(true) => return of_the_person(reader),
-        None => {}
-    }
-    if ["her", "his", "their", "its"].contains(&reader.peek(0)) {
-        return reader.attempt(|reader| {
-            reader.at += 1;
-            of_the_person(reader)
-        });
-    }
-    if is_determiner(reader.peek(0)) {
-        return reader.attempt(|reader| {
-            reader.at += 1;
-            visitor(reader)
-        });
-    }
-    None
-}
-
-/// "her daughter", "her pulse", "her hours".
-fn of_the_person(reader: &mut Reader) -> Option<Subject> {
-    if reader.eat("pulse") || reader.eat("heart rate") || reader.eat("heart beats|beat") || reader.eat("heart") {
-        return Some(Subject::Pulse);
-    }
-    if reader.eat("breathing|respiration|breath") {
-        return Some(Subject::Breathing);
-    }
-    if reader.eat(HOURS) {
-        return Some(Subject::Hours);
-    }
-    visitor(reader)
-}
-
-/// A few words, up to the verb.
-fn visitor(reader: &mut Reader) -> Option<Subject> {
-    const MOST: usize = 5;
-    let from = reader.at;
-    while reader.at < from + MOST && reader.token(0) == Some(Token::Word) {
-        let is_verb = |reader: &mut Reader| {
-            Adverbs::default().all(reader);
-            visits(reader) || activities::activity(reader).is_some() || reader.eat("is|has|does|stays")
-        };
-        if reader.at > from && reader.ahead(is_verb) {
-            return Some(Subject::Visitor(reader.passed(from)));
-        }
-        reader.at += 1;
-    }
-    None
-}
-
-pub fn visits(reader: &mut Reader) -> bool {
-    VISITS.iter().any(|phrase| reader.eat(phrase))
-}
 
 /// What goes before where somebody is, not before where they go.
 const WHERE: &str = "at|in|on|by|near|beside|next";
 
 /// What is said of the person, if it is understood; `adverbs` takes what stands within.
 pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
+    if let Some(found) = roundabout(reader, adverbs) {
+        return Some(found);
+    }
     if reader.eat("is|are") {
         return Some(being(reader, adverbs));
     }
@@ -152,6 +43,9 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
         let begins = reader.eat("starts|start|begins|begin") && (reader.eat("to") || !reader.is_over());
         (begins && reader.ahead(activities::activity).is_some()).then_some(())
     });
+    if let Some(found) = reader.attempt(|reader| wakes_at_night(reader, adverbs)) {
+        return Some(found);
+    }
     if let Some(activity) = activities::activity(reader) {
         if activity == Activity::GetUp
             && let Some(purpose) = at_night_for(reader, adverbs)
@@ -164,6 +58,37 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
         return Some(Predicate::Does(activity));
     }
     reader.eat("walks|walk").then_some(Predicate::Walks)
+}
+
+/// What is said in a roundabout way, if it is.
+fn roundabout(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
+    let plain = [unable, unfinished, is_helped, visited].into_iter().find_map(|read| reader.attempt(read));
+    let found = plain
+        .or_else(|| reader.attempt(|reader| tends_not(reader, adverbs)))
+        .or_else(|| reader.attempt(|reader| falls_asleep(reader, adverbs)))
+        .or_else(|| reader.attempt(|reader| spends(reader, adverbs)));
+    if found.is_some() {
+        return found;
+    }
+    if reader.ahead(|reader| reader.eat("is|are"))
+        && let Some(activity) = reader.attempt(|reader| is_doing(reader, adverbs))
+    {
+        return Some(Predicate::Does(activity));
+    }
+    reader.attempt(is_remark).map(|()| Predicate::Remark)
+}
+
+/// Who wakes by night lies awake.
+fn wakes_at_night(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
+    if !["wakes", "wake", "waking"].contains(&reader.peek(0)) {
+        return None;
+    }
+    activities::activity(reader)?;
+    let mut rest = adverbs.clone();
+    rest.all(reader);
+    rest.part.as_ref().filter(|part| part.value == PartOfDay::Night)?;
+    *adverbs = rest;
+    Some(Predicate::Does(Activity::LieAwake))
 }
 
 /// Who stays in bed until 9:00 gets up at 9:00, and who stays up until midnight goes to bed then.
@@ -235,7 +160,9 @@ fn being(reader: &mut Reader, adverbs: &mut Adverbs) -> Predicate {
     let age = reader.attempt(|reader| {
         let age = amount(reader)?;
         let is_age = age.unit == Unit::Years || age.unit == Unit::None && reader.at >= reader.words.len();
-        let is_age = is_age || age.unit == Unit::None && reader.token(0) == Some(Token::Comma);
+        let is_age = is_age
+            || age.unit == Unit::None
+                && (reader.token(0) == Some(Token::Comma) || ["and", "but"].contains(&reader.peek(0)));
         is_age.then_some(age)
     });
     if let Some(age) = age {
@@ -245,7 +172,7 @@ fn being(reader: &mut Reader, adverbs: &mut Adverbs) -> Predicate {
         }
         return Predicate::Age(age.from);
     }
-    if reader.eat("out|away|outside") {
+    if reader.eat("out|away|outside") || reader.eat("in|at hospital") || reader.eat("in|at the hospital") {
         return Predicate::Does(Activity::Leave);
     }
     Predicate::Is
@@ -343,26 +270,6 @@ pub fn thing(reader: &mut Reader) -> String {
     unknown_name(reader, &[Sort::Thing], "nothing that this home has")
 }
 
-/// Passes over the words of a name that nothing has.
-pub fn unknown_name(reader: &mut Reader, sorts: &[Sort], what: &str) -> String {
-    unknown_name_or(reader, sorts, what, None)
-}
-
-/// The same, with a hint for where no name is near.
-pub fn unknown_name_or(reader: &mut Reader, sorts: &[Sort], what: &str, far: Option<&str>) -> String {
-    reader.skip_determiners();
-    let from = reader.at;
-    while !reader.is_over() && reader.token(0) != Some(Token::Comma) && !begins_adverb(reader) && reader.at < from + 4 {
-        reader.at += 1;
-    }
-    let span = if reader.at == from { reader.here() } else { reader.span(from) };
-    let said = reader.said(span);
-    let known = did_you_mean(&said.to_lowercase(), reader.names.of(sorts));
-    let near = known.filter(|hint| far.is_none() || hint.starts_with("did"));
-    reader.fault(span, format!("{said:?} is {what}"), near.or(far.map(str::to_owned)));
-    said
-}
-
 fn skipping(reader: &mut Reader) -> Option<Predicate> {
     if !reader.eat("skips|skip|misses|miss") {
         return None;
@@ -385,142 +292,4 @@ pub fn of_body(reader: &mut Reader, subject: &Subject) -> Option<Predicate> {
         Subject::Hours => (reader.eat("vary|varies|change|changes|are|is")).then_some(Predicate::Vary),
         _ => None,
     }
-}
-
-/// Words of the user's own for something that is done, up to where or when it is done.
-pub fn own_words(reader: &mut Reader) -> Option<(String, Span)> {
-    const MOST: usize = 6;
-    let from = reader.at;
-    let goes_on = |reader: &mut Reader| {
-        let is_object = reader.at > from && is_spoken_to(reader);
-        reader.token(0) == Some(Token::Word) && (is_object || !begins_adverb(reader))
-    };
-    while goes_on(reader) && reader.at < from + MOST {
-        reader.at += 1;
-    }
-    if reader.at == from || goes_on(reader) {
-        reader.at = from;
-        return None;
-    }
-    let words: Vec<&str> = reader.words[from..reader.at].iter().map(|word| word.text.as_str()).collect();
-    Some((words.join(" "), reader.span(from)))
-}
-
-/// "to the radio", of who listens to it: no way to a place, and no purpose.
-fn is_spoken_to(reader: &mut Reader) -> bool {
-    let verb = reader.at.checked_sub(1).and_then(|verb| reader.words.get(verb)).map_or("", |word| &word.text);
-    let moves = ["go", "walk", "move", "come", "get", "sit"].iter().any(|known| activities::is_form(known, verb));
-    let is_noun = is_determiner(reader.peek(1)) || reader.peek(1) == "music";
-    !moves
-        && reader.peek(0) == "to"
-        && is_noun
-        && !reader.ahead(|reader| {
-            reader.at += 1;
-            reader.name(&[Sort::Place, Sort::Room, Sort::Thing]).is_some()
-        })
-}
-
-/// Says that nobody knows how to do this, with what was probably meant.
-pub fn unknown_verb(reader: &mut Reader, words: &str, span: Span) {
-    unknown_doing(reader, words, span, "she knits in the armchair for 1 hour");
-}
-
-/// The same, with a sentence that would do.
-pub fn unknown_doing(reader: &mut Reader, words: &str, span: Span, example: &str) {
-    let example = format!("a new activity needs a place and a duration: {example:?}");
-    let hint = match (meant(words), goes_with(words)) {
-        (Some(phrase), _) => format!("did you mean {phrase:?}? {}", capital(&example)),
-        (None, Some(known)) => format!("known are {known}; {example}"),
-        (None, None) => example,
-    };
-    let said = reader.said(span);
-    reader.fault(span, format!("{said:?} is nothing that Homebody knows how to do"), hint);
-}
-
-/// The same of what is not done.
-pub fn unknown_not(reader: &mut Reader, span: Span) {
-    let said = reader.said(span);
-    let hint = match meant(&activities::in_third_person(&said.to_lowercase())) {
-        Some(phrase) => format!("did you mean {phrase:?}?"),
-        None => "to end something of your own, say until when it is so: \"until week 12 she knits in the armchair for \
-            1 hour\""
-            .to_owned(),
-    };
-    reader.fault(span, format!("{said:?} is nothing that Homebody knows how to do"), hint);
-}
-
-/// Whether these words only say that she goes somewhere, not what she does there.
-pub fn is_way(words: &str) -> bool {
-    !words.contains(' ') && ["go", "walk", "move", "come"].iter().any(|verb| activities::is_form(verb, words))
-}
-
-/// What else is done with this verb, where the verb alone is known.
-fn goes_with(words: &str) -> Option<String> {
-    const FEW: usize = 4;
-    let verb = words.split(' ').next()?;
-    let known = activities::all_phrases().iter().filter(|phrase| phrase.split(' ').next() == Some(verb));
-    let known: Vec<String> = known.take(FEW).map(|phrase| format!("{phrase:?}")).collect();
-    (!known.is_empty()).then(|| known.join(", "))
-}
-
-/// Whether a verb is known as it stands: then it is no slip of another.
-fn is_known_verb(verb: &str) -> bool {
-    activities::all_phrases().iter().any(|phrase| phrase.split(' ').next() == Some(verb))
-}
-
-/// The phrase that these words are probably a slip of.
-pub fn meant(words: &str) -> Option<String> {
-    let words: Vec<&str> = words.split(' ').filter(|word| !is_determiner(word)).collect();
-    let verb = words.first().copied().unwrap_or_default();
-    let is_verb = is_known_verb(verb);
-    let phrases = activities::all_phrases();
-    let verbs = ["shows", "skips", "forgets", "sleeps", "breathes", "walks", "turns in bed", "prepares", "visits"];
-    let all = phrases.iter().map(String::as_str).chain(verbs);
-    // As many words of what was said as the phrase has; the longest phrase that is near wins.
-    let mut best: Option<(usize, &str)> = None;
-    for phrase in all.filter(|phrase| !is_verb || phrase.split(' ').next() == Some(verb)) {
-        let length = phrase.split(' ').count();
-        let said = words.get(..length).map(|words| words.join(" "));
-        // Who says more than the phrase does has said less of it wrongly.
-        let slips = if length < words.len() { 1 } else { 2 };
-        let is_near = said.is_some_and(|said| is_slip(&said, phrase, slips) && nearest(&said, [phrase]).is_some());
-        if is_near && best.is_none_or(|(longest, _)| length > longest) {
-            best = Some((length, phrase));
-        }
-    }
-    best.map(|(_, phrase)| phrase.to_owned())
-}
-
-/// Whether two phrases differ as slips do: most letters are the same, in order.
-fn is_slip(said: &str, phrase: &str, slips: usize) -> bool {
-    let (same, longer) = same_letters(said, phrase);
-    same + slips >= longer
-}
-
-/// Whether these words are a phrase but for a letter in each: too near to be something new.
-pub fn is_nearly_known(words: &str) -> bool {
-    let words: Vec<&str> = words.split(' ').filter(|word| !is_determiner(word)).collect();
-    let near = |(said, known): (&&str, &str)| {
-        let (same, longer) = same_letters(said, known);
-        // Slips are seldom in the first letter: who sings does not ring. And who does a puzzle does not doze.
-        let is_slip = said.chars().next() == known.chars().next() && *said != "does";
-        **said == *known || is_slip && longer >= 4 && same + 1 >= longer
-    };
-    let is_near =
-        |phrase: &String| phrase.split(' ').count() <= words.len() && words.iter().zip(phrase.split(' ')).all(near);
-    activities::all_phrases().iter().any(is_near)
-}
-
-/// How many letters agree at the two ends of both, and how many the longer one has.
-fn same_letters(a: &str, b: &str) -> (usize, usize) {
-    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
-    let shorter = a.len().min(b.len());
-    let front = a.iter().zip(&b).take_while(|(a, b)| a == b).count();
-    let back = a.iter().rev().zip(b.iter().rev()).take(shorter - front).take_while(|(a, b)| a == b).count();
-    (front + back, a.len().max(b.len()))
-}
-
-fn capital(text: &str) -> String {
-    let mut chars = text.chars();
-    chars.next().map(|first| first.to_uppercase().chain(chars).collect()).unwrap_or_default()
 }

@@ -2,20 +2,22 @@
 
 use super::faults::Faults;
 use super::known::Known;
+use super::lexicon::Lexicon;
 use super::words::{self, Span, Token, Word};
 use crate::routine::PartOfDay;
 use std::collections::BTreeMap;
 
 /// Words that say nothing where a thing is named.
-const DETERMINERS: [&str; 9] = ["a", "an", "the", "her", "his", "their", "its", "some", "my"];
+const DETERMINERS: [&str; 10] = ["a", "an", "the", "her", "his", "their", "its", "some", "my", "own"];
 
 pub fn is_determiner(word: &str) -> bool {
     DETERMINERS.contains(&word)
 }
 
 /// Words that begin a place, a time, how often or how much.
-const BEGINNINGS: [&str; 53] = [
+const BEGINNINGS: [&str; 54] = [
     "in",
+    "into",
     "on",
     "at",
     "by",
@@ -74,19 +76,6 @@ pub fn is_beginning(word: &str) -> bool {
     BEGINNINGS.contains(&word)
 }
 
-/// The word that homes usually have for what this word means.
-fn also_called(word: &str) -> Option<&'static str> {
-    const SAME: [(&str, &str); 6] = [
-        ("tv", "television"),
-        ("telly", "television"),
-        ("couch", "sofa"),
-        ("settee", "sofa"),
-        ("cooker", "stove"),
-        ("refrigerator", "fridge"),
-    ];
-    SAME.iter().find(|(said, _)| *said == word).map(|(_, usual)| *usual)
-}
-
 /// What a name may stand for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Sort {
@@ -101,13 +90,14 @@ pub enum Sort {
 pub struct Names {
     pub person: Option<String>,
     person_words: Vec<String>,
+    pub lexicon: Lexicon,
     /// By first word: all words, what it is, and the name itself.
     names: BTreeMap<String, Vec<(Vec<String>, Sort, String)>>,
 }
 
 impl Names {
     pub fn new(known: &Known) -> Names {
-        let mut names = Names::default();
+        let mut names = Names { lexicon: known.lexicon.clone(), ..Names::default() };
         names.is_about(known.person.as_deref());
         let sorts = [
             (&known.places, Sort::Place),
@@ -258,7 +248,9 @@ impl Reader<'_> {
     /// Looks ahead: whatever is found there has not been read yet.
     pub fn ahead<T>(&mut self, what: impl FnOnce(&mut Self) -> T) -> T {
         let (at, faults) = (self.at, self.faults.count());
+        let is_trial = std::mem::replace(&mut self.faults.is_trial, true);
         let result = what(self);
+        self.faults.is_trial = is_trial;
         self.at = at;
         self.faults.forget_since(faults);
         result
@@ -268,21 +260,34 @@ impl Reader<'_> {
     pub fn name(&mut self, sorts: &[Sort]) -> Option<String> {
         let at = self.at;
         self.skip_determiners();
-        let first = self.peek(0);
-        let known = self.names.names.get(first).or_else(|| self.names.names.get(also_called(first)?));
-        let found = known.and_then(|names| {
-            let is_called = |i: usize, name: &str| name == self.peek(i) || also_called(self.peek(i)) == Some(name);
-            let fits = |words: &[String]| words.iter().enumerate().all(|(i, word)| is_called(i, word));
-            let rank = |sort: &Sort| sorts.iter().position(|wanted| wanted == sort);
-            let names = names.iter().filter(|(words, sort, _)| rank(sort).is_some() && fits(words));
-            names.max_by_key(|(words, sort, _)| (words.len(), std::cmp::Reverse(rank(sort))))
+        if let Some((length, name)) = self.named(sorts) {
+            self.at += length;
+            return Some(name);
+        }
+        self.at = at;
+        None
+    }
+
+    /// The longest name that the words are, or another name for, with how many words that takes.
+    fn named(&self, sorts: &[Sort]) -> Option<(usize, String)> {
+        let lexicon = &self.names.lexicon;
+        let rank = |sort: &Sort| sorts.iter().position(|wanted| wanted == sort);
+        let of_first = |first: &str| self.names.names.get(first).into_iter().flatten();
+        let fits = |words: &[String]| words.iter().enumerate().all(|(i, word)| word == self.peek(i));
+        let own = of_first(self.peek(0)).filter(|(words, ..)| fits(words));
+        let own = own.map(|(words, sort, name)| (words.len(), sort, name));
+        // A name may go on after a word that homes call otherwise: "tv room".
+        let others = lexicon.other_names(|i| self.peek(i));
+        let others = others.iter().flat_map(|(length, meant)| {
+            let known = of_first(&meant[0]).filter(move |(words, ..)| {
+                words.starts_with(meant)
+                    && words[meant.len()..].iter().enumerate().all(|(i, word)| word == self.peek(length + i))
+            });
+            known.map(move |(words, sort, name)| (length + words.len() - meant.len(), sort, name))
         });
-        let Some((words, _, name)) = found else {
-            self.at = at;
-            return None;
-        };
-        self.at += words.len();
-        Some(name.clone())
+        let all = own.chain(others).filter(|(_, sort, _)| rank(sort).is_some());
+        let found = all.max_by_key(|(length, sort, _)| (*length, std::cmp::Reverse(rank(sort))))?;
+        Some((found.0, found.2.clone()))
     }
 
     /// Passes over the person's name; the last word may be a possessive, which is true then.

@@ -7,8 +7,11 @@ use super::build::only;
 use super::clause::{Clause, PLACES, eat_preposition, tail};
 use super::draft::Draft;
 use super::meaning::Kind;
-use super::predicates::{self, Predicate, Subject};
+use super::predicates;
 use super::reader::{Reader, Sort};
+use super::said::{self, Predicate};
+use super::subjects::{self, Subject};
+use super::unknown;
 use super::words::Span;
 use crate::fuzzy::Fuzzy;
 use crate::routine::{Response, Rule, Trigger};
@@ -24,7 +27,7 @@ pub fn rule(reader: &mut Reader, draft: &mut Draft, front: &Adverbs) {
     reader.eat("then");
     let mut adverbs = Adverbs::default();
     let start = reader.at;
-    match predicates::subject(reader) {
+    match subjects::subject(reader) {
         Some(Subject::Person) => {}
         Some(_) => {
             let span = reader.span(start);
@@ -61,7 +64,7 @@ pub fn rule(reader: &mut Reader, draft: &mut Draft, front: &Adverbs) {
 
 fn trigger(reader: &mut Reader) -> Option<Trigger> {
     let from = reader.at;
-    if predicates::subject(reader) == Some(Subject::Person) {
+    if subjects::subject(reader) == Some(Subject::Person) {
         if !is_or_was(reader) {
             let hint = "write \"she has been in the bathroom for 45 minutes\"".to_owned();
             reader.fault(reader.here(), "it is not said where she is", hint);
@@ -79,12 +82,12 @@ fn trigger(reader: &mut Reader) -> Option<Trigger> {
         {
             return Some(Trigger::At(place));
         }
-        predicates::unknown_name(reader, &PLACES, "no place of this home");
+        unknown::unknown_name(reader, &PLACES, "no place of this home");
         return None;
     }
     reader.at = from;
     let Some(thing) = reader.name(&[Sort::Thing]) else {
-        predicates::unknown_name(reader, &[Sort::Thing], "nothing that this home has");
+        unknown::unknown_name(reader, &[Sort::Thing], "nothing that this home has");
         return None;
     };
     let is = is_or_was(reader);
@@ -139,7 +142,7 @@ fn response(reader: &mut Reader, whenever: &Trigger, adverbs: &mut Adverbs) -> O
             (false, _) => reader.name(&PLACES),
         };
         let Some(place) = place else {
-            predicates::unknown_name(reader, &PLACES, "no place of this home");
+            unknown::unknown_name(reader, &PLACES, "no place of this home");
             return None;
         };
         let activity = crate::routine::Activity::Other(words);
@@ -147,14 +150,14 @@ fn response(reader: &mut Reader, whenever: &Trigger, adverbs: &mut Adverbs) -> O
         let lasts = adverbs.lasts.as_ref().map(|slot| slot.value);
         return Some(Response::Do { activity, place: Some(place), lasts });
     }
-    let Some((words, span)) = predicates::own_words(reader) else {
+    let Some((words, span)) = said::own_words(reader) else {
         let here = reader.here();
         let words = reader.said(here).to_lowercase();
-        predicates::unknown_verb(reader, &words, here);
+        unknown::unknown_verb(reader, &words, here);
         return None;
     };
-    if predicates::is_nearly_known(&words) {
-        predicates::unknown_verb(reader, &words, span);
+    if unknown::is_nearly_known(&words) {
+        unknown::unknown_verb(reader, &words, span);
         return None;
     }
     done(reader, Predicate::Own(words), from, adverbs)
@@ -201,9 +204,11 @@ fn done(reader: &mut Reader, predicate: Predicate, from: usize, adverbs: &mut Ad
         place: None,
         measure: None,
         adverbs: adverbs.clone(),
+        tends: false,
+        again: false,
     };
     let then = tail(reader, &mut clause)?;
-    if let Some(span) = then.or(clause.measure.map(|measure| measure.span)) {
+    if let Some(span) = then.map(|(_, span)| span).or(clause.measure.map(|measure| measure.span)) {
         let what = format!("{:?} does not fit here: a rule says one thing that is done", reader.said(span));
         reader.fault(span, what, None);
         return None;
@@ -215,7 +220,7 @@ fn done(reader: &mut Reader, predicate: Predicate, from: usize, adverbs: &mut Ad
         Predicate::Does(activity) => activity,
         Predicate::Own(words) if place.is_some() && lasts.is_some() => crate::routine::Activity::Other(words),
         Predicate::Own(words) => {
-            predicates::unknown_verb(reader, &words, span);
+            unknown::unknown_verb(reader, &words, span);
             return None;
         }
         _ => return None,

@@ -3,12 +3,19 @@
 use super::activities::{self, MEALS};
 use super::adverbs::{Adverbs, Slot};
 use super::build;
-use super::clause::{Clause, place, tail, vocabulary};
+use super::clause::{Clause, Join, place, tail, vocabulary};
 use super::draft::Draft;
 use super::faults::did_you_mean;
-use super::predicates::{self, Predicate, Subject};
+use super::helping;
+use super::joined;
+use super::predicates;
 use super::reader::{Reader, Sort, begins_adverb, is_determiner};
+use super::remarks;
+use super::roundabout;
 use super::rules;
+use super::said::{self, Predicate};
+use super::subjects::{self, Subject};
+use super::unknown;
 use super::words::{Span, Token};
 use crate::routine::{Activity, When};
 
@@ -40,7 +47,7 @@ pub fn sentence(reader: &mut Reader, draft: &mut Draft, heading: Option<&Adverbs
         return None;
     }
     let from = reader.at;
-    let Some(subject) = predicates::subject(reader).or_else(|| stranger(reader)) else {
+    let Some(subject) = subjects::subject(reader).or_else(|| stranger(reader)) else {
         no_subject(reader);
         return None;
     };
@@ -63,51 +70,234 @@ struct Start {
 }
 
 fn clauses(reader: &mut Reader, draft: &mut Draft, front: Start, heading: Option<&Adverbs>) {
-    let Start { subject, who, mut adverbs, mut place } = front;
-    let (mut start, mut cooked) = (None, None);
-    let (mut follows, mut clauses): (Option<Adverbs>, usize) = (None, 0);
+    let Start { mut subject, mut who, mut adverbs, mut place } = front;
+    let (mut start, mut cooked) = (0, None);
+    let (mut follows, mut count): (Option<Adverbs>, usize) = (None, 0);
+    let (mut group, mut joined): (Vec<Clause>, Option<Join>) = (Vec::new(), None);
     loop {
-        reader.eat("also|still|again");
-        adverbs.all(reader);
-        let Some((predicate, predicate_span)) = predicate(reader, &subject, who, &mut adverbs, cooked.as_ref()) else {
-            return;
-        };
-        let mut clause = Clause {
-            span: reader.span(start.unwrap_or(0)),
-            subject: subject.clone(),
-            predicate,
-            predicate_span,
-            place: place.take(),
-            measure: None,
-            adverbs,
-        };
-        let Some(goes_on) = tail(reader, &mut clause) else { return };
-        clause.span = reader.span(start.unwrap_or(0));
-        if let Some(then) = goes_on {
-            let before = reader.words.iter().map(|word| word.span).rev().filter(|word| word.end <= then.start);
+        let before = group.last();
+        let next = before.and_then(|last| again(reader, last, &mut adverbs));
+        let said = Said { subject: &subject, who, cooked: cooked.as_ref(), before };
+        let next = next.or_else(|| clause(reader, said, adverbs, place.take(), start));
+        let Some(mut next) = next else { return };
+        let Some(goes_on) = tail(reader, &mut next) else { return };
+        group.push(next);
+        let Some(clause) = group.last_mut() else { return };
+        clause.span = reader.span(start);
+        if let Some((_, join)) = goes_on {
+            let before = reader.words.iter().map(|word| word.span).rev().filter(|word| word.end <= join.start);
             let mut before = before.filter(|word| reader.text.get(word.start..word.end) != Some(","));
-            clause.span.end = before.next().map_or(then.start, |word| word.end);
+            clause.span.end = before.next().map_or(join.start, |word| word.end);
         }
         if let Predicate::Does(Activity::Prepare(meal)) = clause.predicate {
             cooked = Some(meal);
         }
-        let merged = match (&follows, heading) {
-            (Some(first), _) => clause.adverbs.clone().under(&days_of(first)),
-            (None, Some(heading)) => clause.adverbs.clone().under(heading),
-            (None, None) => clause.adverbs.clone(),
+        count += 1;
+        if let Some((_, join)) = goes_on.filter(|_| count == MOST_CLAUSES) {
+            let what = format!("a sentence says at most {MOST_CLAUSES} things");
+            return reader.fault(join, what, "begin a new sentence with \"Then she\"".to_owned());
+        }
+        adverbs = Adverbs::default();
+        start = reader.at;
+        match goes_on {
+            Some((join @ (Join::And | Join::Or), span)) => {
+                if joined.is_some_and(|joined| joined != join) {
+                    let what = "\"and\" and \"or\" in one sentence leave open what goes with what";
+                    return reader.fault(span, what, "make two sentences".to_owned());
+                }
+                joined = Some(join);
+                let from = reader.at;
+                if let Some(other) = reader.attempt(subjects::subject) {
+                    (subject, who) = (other, reader.span(from));
+                }
+            }
+            _ => {
+                if !finish(reader, draft, &mut group, joined.take(), (&mut follows, heading)) {
+                    return;
+                }
+                let Some((_, then)) = goes_on else { return };
+                adverbs.when = Some(Slot { value: When::Then, span: then, own: true });
+                start = reader.words.iter().position(|word| word.span.start == then.start).unwrap_or(start);
+                reader.eat("she|he|they|it");
+            }
+        }
+    }
+}
+
+/// Makes habits and changes of clauses that are joined, with what the first of the sentence or its heading says for them;
+/// false if something is left open.
+fn finish(
+    reader: &mut Reader,
+    draft: &mut Draft,
+    group: &mut Vec<Clause>,
+    joined: Option<Join>,
+    (follows, heading): (&mut Option<Adverbs>, Option<&Adverbs>),
+) -> bool {
+    joined::without_waking(group);
+    if let Some(unclear) = joined::share(group, joined) {
+        let what = format!("it is not clear whether {:?} is about both", reader.said(unclear));
+        let hint = "make two sentences, or begin the sentence with it if it is about both".to_owned();
+        reader.fault(unclear, what, hint);
+        return false;
+    }
+    // What comes after "then" takes over from before it, not from its own neighbours.
+    let first = follows.clone();
+    for clause in group.drain(..) {
+        let own = clause.adverbs.clone();
+        let merged = match (&first, heading) {
+            (Some(first), _) => own.under(&days_of(first)),
+            (None, Some(heading)) => own.under(heading),
+            (None, None) => own,
         };
         follows.get_or_insert_with(|| merged.clone());
         build::build(reader, draft, Clause { adverbs: merged, ..clause });
-        let Some(then) = goes_on else { return };
-        clauses += 1;
-        if clauses == MOST_CLAUSES {
-            let what = format!("a sentence says at most {MOST_CLAUSES} things");
-            return reader.fault(then, what, "begin a new sentence with \"Then she\"".to_owned());
-        }
-        adverbs = Adverbs { when: Some(Slot { value: When::Then, span: then, own: true }), ..Adverbs::default() };
-        start = reader.words.iter().position(|word| word.span.start == then.start);
-        reader.eat("she|he|they|it");
     }
+    true
+}
+
+/// What a clause begins with.
+struct Said<'s> {
+    subject: &'s Subject,
+    who: Span,
+    cooked: Option<&'s crate::routine::Meal>,
+    /// The clause that it is joined with.
+    before: Option<&'s Clause>,
+}
+
+/// A clause up to its verb.
+fn clause(
+    reader: &mut Reader,
+    said: Said,
+    mut adverbs: Adverbs,
+    place: Option<(String, Span)>,
+    start: usize,
+) -> Option<Clause> {
+    reader.eat("also|still|again|only");
+    let _ = reader.attempt(|reader| (reader.eat("now") && reader.peek(0) != "and").then_some(()));
+    adverbs.all(reader);
+    let is_person = *said.subject == Subject::Person;
+    // "She likes to read and knit": both are liked.
+    let goes_on_liking = said.before.is_some_and(|before| before.tends) && !is_third_person(reader.peek(0));
+    let needs_to = is_person && roundabout::needs_to(reader);
+    let tends = is_person && !needs_to && roundabout::tends(reader) || goes_on_liking;
+    adverbs.all(reader);
+    let is_who = said.before.is_some_and(|before| matches!(before.predicate, Predicate::Age(_) | Predicate::Remark));
+    let from = reader.at;
+    if is_who && ["a", "an", "the"].contains(&reader.peek(0)) {
+        while reader.token(0) == Some(Token::Word) && !["and", "but", "who"].contains(&reader.peek(0)) {
+            reader.at += 1;
+        }
+        let (predicate, predicate_span) = (Predicate::Remark, reader.span(from));
+        let (span, subject) = (reader.span(start), said.subject.clone());
+        return Some(Clause {
+            span,
+            subject,
+            predicate,
+            predicate_span,
+            place,
+            measure: None,
+            adverbs,
+            tends,
+            again: false,
+        });
+    }
+    let noun = if tends { noun_liked(reader) } else { None };
+    let negated = said.before.is_some_and(|before| matches!(before.predicate, Predicate::Not(_)))
+        && !is_third_person(reader.peek(0));
+    let (found, predicate_span) = match noun {
+        Some(noun) => noun,
+        None => predicate(reader, said.subject, said.who, &mut adverbs, said.cooked)?,
+    };
+    let found = match found {
+        // "She does not cook or clean": neither is done.
+        Predicate::Does(activity) if negated => Predicate::Not(activity),
+        Predicate::Own(words) if tends || needs_to => Predicate::Own(activities::in_third_person(&words)),
+        other => other,
+    };
+    // The person is who goes out, or is on the phone, whoever makes them.
+    let does_person = matches!(found, Predicate::Does(_) | Predicate::HelpedBy(..) | Predicate::VisitedBy(_));
+    let subject = if does_person && !is_person { Subject::Person } else { said.subject.clone() };
+    Some(Clause {
+        span: reader.span(start),
+        subject,
+        predicate: found,
+        predicate_span,
+        place,
+        measure: None,
+        adverbs,
+        tends,
+        again: false,
+    })
+}
+
+/// "enjoys her crossword": the noun stands for what is done.
+fn noun_liked(reader: &mut Reader) -> Option<(Predicate, Span)> {
+    let from = reader.at;
+    reader.skip_determiners();
+    let found = if reader.at > from || !reader.peek(0).ends_with("ing") { activities::noun(reader) } else { None };
+    let Some(found) = found else {
+        reader.at = from;
+        return None;
+    };
+    Some((Predicate::Does(found), reader.span(from)))
+}
+
+/// Whether a verb is in the form that stands behind "she", not behind "to" or "not".
+fn is_third_person(word: &str) -> bool {
+    word.ends_with('s') && !word.ends_with("ss")
+}
+
+/// What goes on after "and" without a verb of its own: the same at another time, or done with something else.
+fn again(reader: &mut Reader, last: &Clause, adverbs: &mut Adverbs) -> Option<Clause> {
+    let ends = |reader: &Reader| {
+        reader.is_over() || reader.token(0) == Some(Token::Comma) || ["and", "or", "then"].contains(&reader.peek(0))
+    };
+    let from = reader.at;
+    let mut more = Adverbs::default();
+    more.all(reader);
+    if reader.at > from {
+        if !ends(reader) {
+            *adverbs = more;
+            return None;
+        }
+        let says_when = more.when.is_some();
+        let mut all = more.under(&last.adverbs);
+        if says_when {
+            all.part = None;
+        }
+        return Some(Clause { adverbs: all, again: true, ..last.clone() });
+    }
+    // Another verb begins something else.
+    if reader.ahead(|reader| activities::activity(reader).is_some()) {
+        return None;
+    }
+    let verb = reader.words.iter().position(|word| word.span.start == last.predicate_span.start)?;
+    let (activity, taken) = (1..=3).find_map(|length| {
+        let before = reader.words.get(verb..verb + length).filter(|_| verb + length <= from)?;
+        let words: Vec<_> = before.iter().chain(reader.words.get(from..)?).cloned().collect();
+        let mut joined = Reader {
+            words: &words,
+            at: 0,
+            names: reader.names,
+            faults: &mut *reader.faults,
+            text: reader.text,
+            part: None,
+        };
+        let activity = activities::activity(&mut joined)?;
+        let taken = joined.at.checked_sub(length).filter(|taken| *taken > 0)?;
+        // "Eats lunch and skips dinner" has another verb.
+        (taken == 1 || !is_third_person(reader.peek(0))).then_some((activity, taken))
+    })?;
+    reader.at = from + taken;
+    let predicate = match &last.predicate {
+        Predicate::Does(_) => Predicate::Does(activity),
+        Predicate::Not(_) => Predicate::Not(activity),
+        Predicate::Helps(_, help) => Predicate::Helps(activity, *help),
+        _ => return None,
+    };
+    let adverbs = Adverbs::default();
+    let predicate_span = last.predicate_span.to(reader.span(from));
+    Some(Clause { predicate, predicate_span, adverbs, again: true, place: None, measure: None, ..last.clone() })
 }
 
 /// What "then" takes over from the first clause: the days.
@@ -116,6 +306,7 @@ fn days_of(first: &Adverbs) -> Adverbs {
         weekdays: first.weekdays.clone(),
         months: first.months.clone(),
         every: first.every.clone(),
+        of_month: first.of_month.clone(),
         from: first.from.clone(),
         until: first.until.clone(),
         for_days: first.for_days.clone(),
@@ -123,6 +314,28 @@ fn days_of(first: &Adverbs) -> Adverbs {
         fading: first.fading.clone(),
         ..Adverbs::default()
     }
+}
+
+/// What is said of somebody who does not live there.
+fn of_visitor(reader: &mut Reader, name: &str, who: Span) -> Option<Predicate> {
+    let lexicon = reader.names.lexicon.clone();
+    let done = lexicon.nouns.iter().find(|(noun, _)| noun.written.split('|').any(|noun| noun == name));
+    let said = reader.said(who);
+    let (what, hint) = if let Some((_, activity)) = done {
+        let hint = format!("write \"she {}\", or who comes: \"her daughter visits\"", activities::phrase(activity));
+        (format!("{said:?} is nobody who visits"), hint)
+    } else if reader.names.has(name, Sort::Thing) {
+        (format!("{said:?} does nothing by itself"), format!("write what she does: \"she forgets the {name} rarely\""))
+    } else if let Some(found) = helping::visiting(reader) {
+        return Some(found);
+    } else if remarks::remark(reader).is_some() {
+        return Some(Predicate::Remark);
+    } else {
+        let what = format!("{said:?} is nobody who lives here: a visitor only visits");
+        (what, format!("write \"her {name} visits on Sunday for 2 hours\""))
+    };
+    reader.fault(who, what, hint);
+    None
 }
 
 fn predicate(
@@ -134,23 +347,7 @@ fn predicate(
 ) -> Option<(Predicate, Span)> {
     let from = reader.at;
     let found = match subject {
-        Subject::Visitor(_) if predicates::visits(reader) => Some(Predicate::Visits),
-        Subject::Visitor(name) if reader.names.has(name, Sort::Thing) => {
-            let hint = format!("write what she does: \"she forgets the {name} rarely\"");
-            reader.fault(who, format!("{:?} does nothing by itself", reader.said(who)), hint);
-            return None;
-        }
-        Subject::Visitor(_) if activities::activity(reader) == Some(Activity::Phone) => {
-            let what = format!("{:?} is nobody who lives here", reader.said(who));
-            let hint = format!("write \"she phones {} for 10 minutes\"", reader.said(who).to_lowercase());
-            reader.fault(who, what, hint);
-            return None;
-        }
-        Subject::Visitor(name) => {
-            let what = format!("{:?} is nobody who lives here: a visitor only visits", reader.said(who));
-            reader.fault(who, what, format!("write \"her {name} visits on Sunday for 2 hours\""));
-            return None;
-        }
+        Subject::Visitor(name) => Some(of_visitor(reader, name, who)?),
         Subject::Hours | Subject::Pulse | Subject::Breathing => {
             let found = predicates::of_body(reader, subject);
             if found.is_none() {
@@ -176,20 +373,20 @@ fn predicate(
     if let Some(found) = meal_meant(reader, cooked.filter(|_| !is_negated)) {
         return found.map(|activity| (Predicate::Does(activity), reader.span(from)));
     }
-    let own = predicates::own_words(reader);
+    let own = said::own_words(reader);
     if is_negated {
         let span = own.map_or(reader.here(), |(_, span)| span);
-        predicates::unknown_not(reader, span);
+        unknown::unknown_not(reader, span);
         return None;
     }
     let Some((words, span)) = own else {
         let span = nothing_of_its_own(reader);
         let words = reader.said(span).to_lowercase();
-        predicates::unknown_verb(reader, &words, span);
+        unknown::unknown_verb(reader, &words, span);
         return None;
     };
-    if predicates::is_nearly_known(&words) {
-        predicates::unknown_verb(reader, &words, span);
+    if unknown::is_nearly_known(&words) {
+        unknown::unknown_verb(reader, &words, span);
         return None;
     }
     Some((Predicate::Own(words), span))
@@ -199,7 +396,7 @@ fn predicate(
 fn nothing_of_its_own(reader: &mut Reader) -> Span {
     let from = reader.at;
     if reader.eat("has|have") {
-        predicates::own_words(reader);
+        said::own_words(reader);
         return reader.span(from);
     }
     reader.here()
@@ -249,7 +446,7 @@ fn stranger(reader: &mut Reader) -> Option<Subject> {
         reader.at += 1;
         let is_verb = |reader: &mut Reader| {
             Adverbs::default().all(reader);
-            reader.eat("is|walks|shows") || predicates::visits(reader) || activities::activity(reader).is_some()
+            reader.eat("is|walks|shows") || said::visits(reader) || activities::activity(reader).is_some()
         };
         if reader.ahead(is_verb) {
             return Some(Subject::Stranger(reader.said(reader.span(from))));
@@ -261,7 +458,7 @@ fn stranger(reader: &mut Reader) -> Option<Subject> {
 
 /// Whether a name may be the person's: nobody has said another, and it is said who that is.
 fn is_introduced(reader: &mut Reader, draft: &mut Draft, name: &str, who: Span) -> bool {
-    if reader.ahead(predicates::visits) {
+    if reader.ahead(said::visits) {
         let hint = "write who it is: \"her daughter visits\" or \"a nurse visits\"".to_owned();
         reader.fault(who, format!("{name:?} is nobody that this routine knows"), hint);
         return false;
@@ -300,6 +497,9 @@ fn no_subject(reader: &mut Reader) {
         return reader.fault(span, what, hint);
     }
     let (here, word) = (reader.here(), reader.peek(0).to_owned());
+    if reader.faults.is_trial {
+        return reader.fault(here, word, None);
+    }
     if begins_adverb(reader) {
         reader.at = (from + 3).min(reader.words.len());
         let what = format!("{:?} is not understood here", reader.said(reader.span(from)));

@@ -73,9 +73,12 @@ fn of_habit(habit: &Habit) -> String {
     if let Some(days) = habit.chance.days_a_week {
         text += &format!(" on {days} a week");
     }
-    let Days { weekdays, months, every } = habit.days;
+    let Days { weekdays, months, every, of_month } = habit.days;
     if habit.days != Days::ALL {
         text += &format!(" days {weekdays:07b} {months:012b} {every}");
+    }
+    if of_month != Days::ALL.of_month {
+        text += &format!(" {} to {} of the month", of_month.0, of_month.1);
     }
     text += &match &habit.when {
         When::AnyTime => String::new(),

@@ -2,10 +2,12 @@
 
 use super::agenda::Item;
 use super::driver::{MINUTE, RoutineDriver};
+use super::life::InForce;
 use super::manner::Manner;
 use super::script::{Interruptible, Stay, Step};
-use crate::routine::Activity;
+use crate::routine::{Activity, PartOfDay, When};
 use homebody_core::numbers::{Number, Numbers};
+use homebody_core::random::Stream;
 use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, micros};
@@ -65,21 +67,8 @@ impl RoutineDriver {
         let gap = until - now;
         let key = format!("fill/{}", self.times(&Activity::Relax));
         let mut stream = self.life.stream_of_day(self.agenda.day, &key);
-        let said: Vec<&Activity> = self.life.habits(self.agenda.day).map(|habit| &habit.said.activity).collect();
-        let (mut fillers, mut weights) = (Vec::new(), Vec::new());
-        let rising = self.life.numbers.of(&RISES) * self.parameters.activity(self.hour(now));
-        for (activity, weight, minutes) in self::fillers(&self.life.numbers) {
-            // A home without a desk has no computer.
-            let can = activity != Activity::UseComputer || self.places.has(Role::Desk);
-            let planned = activity != Activity::Relax && activity != Activity::Housework && said.contains(&&activity);
-            let rises = activity == Activity::Housework && self.body.posture() != Posture::Standing;
-            if can && !planned {
-                let weight = weight * self.parameters.oftener(&activity, None);
-                weights.push(if rises { weight * rising } else { weight });
-                fillers.push((activity, minutes));
-            }
-        }
-        let (activity, minutes) = &fillers[stream.pick(&weights)];
+        let errands = self.errands_at(now);
+        let (activity, minutes) = &self.filler(now, errands, &mut stream);
         if gap < 3 * MINUTE {
             let posture = self.body.posture();
             let stay = Stay {
@@ -92,14 +81,10 @@ impl RoutineDriver {
             let steps = [Step::Name(Activity::Relax.label().into()), Step::Stay(stay)];
             return self.play(steps.into(), stream, Activity::Relax.label());
         }
-        // On a lively day one sits for less long at a time.
-        let longer = if *activity == Activity::Housework { 1.0 } else { 1.0 / self.parameters.lively };
-        let lasts = micros(
-            self.parameters
-                .lasting_s(activity, stream.lognormal(minutes * 60.0 * longer, self.life.numbers.of(&SPREAD)))
-                .max(20.0),
-        )
-        .min(gap);
+        let lasts_s = stream.lognormal(minutes * 60.0, self.life.numbers.of(&SPREAD));
+        // Who runs more errands sits less long between them.
+        let lasts_s = if *activity == Activity::Housework { lasts_s } else { lasts_s / errands.max(1.0) };
+        let lasts = micros(self.parameters.lasting_s(activity, lasts_s).max(20.0)).min(gap);
         self.begin(&Item::now(key, activity.clone(), lasts));
         for step in self.scripts.last_mut().into_iter().flat_map(|playing| playing.steps.iter_mut()) {
             if let Step::Stay(stay) = step
@@ -108,5 +93,77 @@ impl RoutineDriver {
                 stay.may = Interruptible::Yield;
             }
         }
+    }
+
+    /// How many times the usual errands there are now: of several reasons for fewer the strongest counts.
+    fn errands_at(&self, now: Micros) -> f64 {
+        let hour = self.hour(now);
+        let often = self.parameters.oftener(&Activity::Housework, None);
+        let changed = self.parameters.changed_activity(hour);
+        let times = self.errands.times(changed, hour) * self.parameters.level;
+        if often < 1.0 { times.min(often) } else { times * often }
+    }
+
+    /// What fills the time now, and its median length in minutes. What is done less often is drawn as often, and then left
+    /// out.
+    fn filler(&mut self, now: Micros, errands: f64, stream: &mut Stream) -> (Activity, f64) {
+        let (mut fillers, mut weights) = (Vec::new(), Vec::new());
+        let rising = self.life.numbers.of(&RISES);
+        for (activity, weight, minutes) in self::fillers(&self.life.numbers) {
+            // A home without a desk has no computer.
+            let can = activity != Activity::UseComputer || self.places.has(Role::Desk);
+            let rises = activity == Activity::Housework && self.body.posture() != Posture::Standing;
+            if can && !self.is_said(&activity, now) {
+                let weight = weight * self.parameters.oftener(&activity, None).max(1.0);
+                weights.push(if rises { weight * rising } else { weight });
+                fillers.push((activity, minutes));
+            }
+        }
+        let mut instead_of = None;
+        loop {
+            let drawn = stream.pick(&weights);
+            let (activity, minutes) = fillers[drawn].clone();
+            let often = match &activity {
+                Activity::Housework => {
+                    self.errands.chance(self.hour(now), errands);
+                    errands
+                }
+                other => self.parameters.oftener(other, None),
+            };
+            if often >= 1.0 || weights.len() == 1 || stream.chance(often) {
+                return (activity, instead_of.unwrap_or(minutes));
+            }
+            if activity != Activity::Housework {
+                // What is done instead takes as long: no more of all else is drawn for it.
+                instead_of = instead_of.or(Some(minutes));
+                if let Some(errand) = fillers.iter().position(|(activity, _)| *activity == Activity::Housework) {
+                    weights[errand] = 0.0;
+                }
+            }
+            weights[drawn] = 0.0;
+            if weights.iter().all(|weight| *weight <= 0.0) {
+                return (Activity::Relax, instead_of.unwrap_or(minutes));
+            }
+        }
+    }
+
+    /// Whether the routine says of now how often something is done, so that it fills no time. Of what is done at most days,
+    /// or at no time in particular, it says all; else only of its part of the day.
+    fn is_said(&self, activity: &Activity, now: Micros) -> bool {
+        if matches!(activity, Activity::Relax | Activity::Housework) {
+            return false;
+        }
+        let (day, hour_s) = (self.agenda.day, self.hour(now) * 3600.0);
+        self.life.habits(day).any(|InForce { said: habit, .. }| {
+            let is_it = habit.activity == *activity && habit.visitor.is_none() && self.life.is_meant(habit, day);
+            is_it
+                && match &habit.when {
+                    When::Within(PartOfDay::Night) => false,
+                    When::AnyTime => true,
+                    _ if habit.chance.probability >= 0.5 => true,
+                    When::Within(part) => (part.hours().0..part.hours().1).contains(&hour_s),
+                    _ => false,
+                }
+        })
     }
 }

@@ -13,42 +13,9 @@ const MINUTE: f64 = 60.0;
 const HOUR: f64 = 3600.0;
 
 /// All that are done; what the user names stands for all of that kind.
-const ALL: [Activity; 34] = [
-    Activity::GetUp,
-    Activity::UseBathroom,
-    Activity::Shower,
-    Activity::Wash,
-    Activity::Dress,
-    Activity::TakeMedicine,
-    Activity::Prepare(Meal::Breakfast),
-    Activity::Prepare(Meal::Lunch),
-    Activity::Prepare(Meal::Dinner),
-    Activity::Eat(Meal::Breakfast),
-    Activity::Eat(Meal::Lunch),
-    Activity::Eat(Meal::Dinner),
-    Activity::WashUp,
-    Activity::WatchTelevision,
-    Activity::Read,
-    Activity::Phone,
-    Activity::Nap,
-    Activity::Laundry,
-    Activity::Housework,
-    Activity::Leave,
-    Activity::ComeHome,
-    Activity::Visit,
-    Activity::GoToBed,
-    Activity::Drink,
-    Activity::Snack,
-    Activity::Exercise,
-    Activity::UseComputer,
-    Activity::Relax,
-    Activity::Wander,
-    Activity::Pace,
-    Activity::Lap,
-    Activity::LieAwake,
-    Activity::Fall,
-    Activity::Other(String::new()),
-];
+fn all() -> impl Iterator<Item = Activity> {
+    Activity::OWN_WAYS.into_iter().chain(Activity::everyday()).chain([Activity::Other(String::new())])
+}
 
 /// What the numbers of an activity are called after.
 fn row(activity: &Activity) -> &str {
@@ -81,6 +48,25 @@ pub(super) fn clock(activity: &Activity, numbers: &Numbers) -> Option<Fuzzy> {
     Some(Fuzzy::around(around_h * HOUR, spread_min * MINUTE))
 }
 
+impl Activity {
+    /// When it is usually done, where nothing is said. Meals: ours, as no norms were found.
+    pub(crate) fn usual_clock(&self) -> Option<Fuzzy> {
+        let around = |hours: f64, minutes: f64| Some(Fuzzy::around(hours * HOUR, minutes * MINUTE));
+        match self {
+            Activity::Prepare(Meal::Breakfast) | Activity::TakeMedicine => around(7.75, 30.0),
+            Activity::Eat(Meal::Breakfast) => around(8.0, 30.0),
+            Activity::Prepare(Meal::Lunch) => around(11.8, 30.0),
+            Activity::Eat(Meal::Lunch) => around(12.25, 30.0),
+            Activity::Prepare(Meal::Dinner) => around(17.25, 40.0),
+            Activity::Eat(Meal::Dinner) => around(17.75, 40.0),
+            Activity::Shower | Activity::Wash | Activity::Dress => around(7.25, 40.0),
+            Activity::Nap => around(14.75, 45.0),
+            Activity::Visit => around(15.0, 90.0),
+            _ => None,
+        }
+    }
+}
+
 /// A time of day in hours, and how many minutes it is earlier or later at most.
 fn parts(clock: &Fuzzy) -> (f64, f64) {
     (clock.from / HOUR, (clock.high - clock.to) / MINUTE)
@@ -89,8 +75,8 @@ fn parts(clock: &Fuzzy) -> (f64, f64) {
 /// All of these numbers.
 pub(super) fn numbers() -> Vec<Number> {
     let mut numbers = Vec::new();
-    for activity in &ALL {
-        let row = row(activity);
+    for activity in all() {
+        let row = row(&activity);
         let mut add = |column: &str, value, unit, range, what: &str| {
             let what = format!("{what} `{row}`, where nothing is said.");
             numbers.push(Number::of_table([TABLE, row, column], value, unit, range, what, file!()));
@@ -117,7 +103,7 @@ mod tests {
         let own: BTreeMap<String, f64> =
             numbers().into_iter().map(|number| (number.name.into_owned(), number.value)).collect();
         let (set, none) = (Numbers::new(&own), Numbers::default());
-        for activity in &ALL {
+        for activity in &all().collect::<Vec<_>>() {
             assert_eq!(length(activity, &set), length(activity, &none), "{activity:?}");
             assert_eq!(clock(activity, &set), clock(activity, &none), "{activity:?}");
         }

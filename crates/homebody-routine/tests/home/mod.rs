@@ -18,7 +18,7 @@ pub fn home() -> Known {
         rooms: list("bedroom, bathroom, kitchen, living room, hall"),
         conditions: list("depression, heart-failure, urinary-tract-infection, cognitive-decline"),
         first_date: Some((2009, 3, 2)),
-        usual: Vec::new(),
+        ..Known::default()
     }
 }
 
@@ -43,7 +43,8 @@ pub fn short(routine: &Routine) -> String {
     });
     let habits = routine.habits.iter().map(habit);
     let parts = person.into_iter().chain(habits).chain(routine.rules.iter().map(rule));
-    parts.chain(routine.changes.iter().map(change)).collect::<Vec<_>>().join(" & ")
+    let parts = parts.chain(routine.changes.iter().map(change));
+    parts.chain(routine.remarks.iter().map(|_| "remark".to_owned())).collect::<Vec<_>>().join(" & ")
 }
 
 fn habit(habit: &Habit) -> String {
@@ -60,15 +61,7 @@ fn habit(habit: &Habit) -> String {
         (Some(quantifier), Some((to, by))) => format!(" {quantifier:?}>{to:.2} by {by:?}"),
         (None, Some((to, by))) => format!(" p{:.3}>{to:.2} by {by:?}", habit.chance.probability),
     };
-    if habit.days.weekdays != Days::ALL.weekdays {
-        text += &format!(" days {:07b}", habit.days.weekdays);
-    }
-    if habit.days.months != Days::ALL.months {
-        text += &format!(" months {:012b}", habit.days.months);
-    }
-    if habit.days.every != 1 {
-        text += &format!(" every {}", habit.days.every);
-    }
+    text += &days(&habit.days);
     text += &when(&habit.when);
     if let Some(lasts) = &habit.lasts {
         text += &format!(" lasts {}", fuzzy(lasts));
@@ -80,6 +73,23 @@ fn habit(habit: &Habit) -> String {
         text += &format!(" times {:?}", habit.times);
     }
     text + &phase(&habit.phase)
+}
+
+fn days(days: &Days) -> String {
+    let mut text = String::new();
+    if days.weekdays != Days::ALL.weekdays {
+        text += &format!(" days {:07b}", days.weekdays);
+    }
+    if days.months != Days::ALL.months {
+        text += &format!(" months {:012b}", days.months);
+    }
+    if days.of_month != Days::ALL.of_month {
+        text += &format!(" of month {:?}", days.of_month);
+    }
+    if days.every != 1 {
+        text += &format!(" every {}", days.every);
+    }
+    text
 }
 
 fn when(when: &When) -> String {
@@ -130,7 +140,7 @@ fn change(change: &Change) -> String {
         Effect::Pulse(by) => format!("Pulse {}", fuzzy(by)),
         Effect::Respiration(by) => format!("Respiration {}", fuzzy(by)),
     };
-    effect + &phase(&change.phase)
+    effect + &days(&change.days) + &phase(&change.phase)
 }
 
 fn phase(phase: &Phase) -> String {

@@ -83,6 +83,7 @@ fn sentence(row: explain::Row) -> SentenceView {
         Kind::Habit => "habit",
         Kind::Rule => "rule",
         Kind::Change => "change",
+        Kind::Remark => "remark",
     };
     let span = |spread: Option<Spread>| spread.map(|spread| [spread.p5, spread.mean, spread.p95]);
     SentenceView {

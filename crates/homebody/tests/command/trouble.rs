@@ -144,7 +144,7 @@ fn where_there_are_no_threads_it_is_said() {
     }
     let mut experiment = folder.command("experiment daily-life --people 2 --days 2");
     let output = experiment.env("RUST_MIN_STACK", (1_u64 << 46).to_string()).output().unwrap();
-    Done::new("experiment", output).fails(1, "there are no threads");
+    Done::new("experiment", output).fails(1, "there is no thread to live on");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::{Report, Surroundings, folded};
 use crate::problem::Problem;
-use crate::scenario::inside::outside_folder;
+use crate::scenario::inside::{outside_folder, taken_in_run};
 use crate::scenario::logger::{LoggerFile, LumpFile, MessagesFile};
 use crate::scenario::scheme::{NoPlace, Scheme};
 use crate::scenario::source::{Source, pointer_part};
@@ -11,6 +11,9 @@ use std::collections::{BTreeMap, BTreeSet};
 /// What to do about a place that leads out of the folder.
 const INSIDE: &str =
     "name a file in there, such as \"sqlite:log.db\"; whoever runs it may say another place for that run";
+
+/// What to do about a place that something else has.
+const ANOTHER: &str = "name a file that nothing else has, such as \"csv:logs/week.csv\"";
 
 pub fn check(source: &Source, file: &LoggerFile, surroundings: &Surroundings, problems: &mut Vec<Problem>) {
     let report = &mut Report { source, problems };
@@ -35,7 +38,7 @@ fn check_lumps(report: &mut Report, file: &LoggerFile) {
 }
 
 fn check_targets(report: &mut Report, targets: &[String]) {
-    let mut paths = BTreeSet::new();
+    let mut paths: Vec<&str> = Vec::new();
     for (index, target) in targets.iter().enumerate() {
         let pointer = format!("/to/{index}");
         let (_, path) = match Scheme::split(target) {
@@ -47,8 +50,10 @@ fn check_targets(report: &mut Report, targets: &[String]) {
         };
         if let Some(what) = outside_folder(path, "the run's folder") {
             report.hinted(&pointer, what, INSIDE);
-        } else if !paths.insert(path) {
-            report.add(&pointer, format!("two logs cannot go to the one file {path:?}"));
+        } else if let Some(what) = taken_in_run(path, &paths) {
+            report.hinted(&pointer, what, ANOTHER);
+        } else {
+            paths.push(path);
         }
     }
 }

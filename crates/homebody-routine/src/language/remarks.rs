@@ -1,0 +1,179 @@
+//! What somebody is, has or likes: understood as a remark, which is kept and not lived.
+//!
+//! Only what is clearly no action is one: its verb says a state, and nothing in it names an activity or a time. A sentence
+//! that might be lived is never a remark.
+
+use super::activities;
+use super::adverbs::Adverbs;
+use super::reader::{Reader, Sort, is_beginning, is_determiner};
+use super::said::visits;
+use super::words::Token;
+
+/// What may stand in the rest of a remark.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Rest {
+    /// No activity, and no time.
+    Plain,
+    /// Activities too: what is past, wished for or hard is not done.
+    Any,
+}
+
+/// Verbs of states, and what may stand behind them.
+const STATES: &[(&str, Rest)] = &[
+    ("used to", Rest::Any),
+    ("worked|lived|moved|retired|died|married|emigrated|raised|fell|broke|served", Rest::Any),
+    ("never married", Rest::Any),
+    ("grew up", Rest::Any),
+    ("had", Rest::Any),
+    ("wants|want|wishes|hopes", Rest::Any),
+    ("would like", Rest::Any),
+    ("fears|worries|worry|dreads", Rest::Any),
+    ("is|are afraid|scared|frightened|fearful|worried|anxious|fond|proud", Rest::Any),
+    ("needs|need|requires|require help|assistance|support|supervision|prompting|reminding|encouragement", Rest::Any),
+    ("needs|need to be reminded|prompted|encouraged|helped|supervised", Rest::Any),
+    ("needs|need a lot of help", Rest::Any),
+    ("has|have difficulty|trouble|problems", Rest::Any),
+    ("has|have no|some|great|much difficulty|trouble|problems", Rest::Any),
+    ("struggles|struggle", Rest::Any),
+    ("finds|find it hard|difficult", Rest::Any),
+    ("relies|rely|depends|depend on", Rest::Plain),
+    ("needs|need|requires|require", Rest::Plain),
+    ("likes|like|loves|love|enjoys|enjoy|prefers|prefer|dislikes|dislike|hates|hate", Rest::Plain),
+    ("feels|feel|seems|seem|appears|appear", Rest::Plain),
+    ("believes|believe|thinks|think|knows|know|understands|understand|remembers|remember|trusts|trust", Rest::Plain),
+    ("owns|own|weighs|weigh|lacks|lack|values|value|hears|hear|sees|see|wears|wear|misses|miss", Rest::Plain),
+    ("lives|live", Rest::Plain),
+    ("works|work as", Rest::Plain),
+    ("suffers|suffer from", Rest::Plain),
+    ("identifies|identify as", Rest::Plain),
+    ("has|have lost|gained|become|undergone|suffered|had|never", Rest::Plain),
+];
+
+/// Verbs that say a state where they are not so, too.
+const NOT_SO: &str =
+    "like|want|understand|know|remember|see|hear|believe|speak|need|feel|have|recognise|recognize|trust|mind|seem|own";
+
+/// What stands behind "is" where somebody does something, or is somewhere.
+const BEHAVIOUR: &str = "out|away|up|awake|asleep|back|off|outside|outdoors|indoors|inside|upstairs|downstairs|home|busy|here|there|\
+    to|in|on|at|by|with|for|from|until|after|before|less|more|taken|driven|visited|helped|washed|fed|seen|given|put|often|active|\
+    restless|agitated|slower|faster|later|earlier|unwell|ill|sick|gone|going";
+
+/// A remark, if what stands here is clearly one: all words up to the end, or up to the next clause.
+pub fn remark(reader: &mut Reader) -> Option<()> {
+    reader.attempt(|reader| {
+        let rest = state(reader)?;
+        if reader.is_over() {
+            return None;
+        }
+        let from = reader.at;
+        while !reader.is_over() {
+            if reader.at > from && begins_clause(reader) {
+                break;
+            }
+            if rest == Rest::Plain && is_lived(reader) {
+                return None;
+            }
+            reader.at += 1;
+        }
+        Some(())
+    })
+}
+
+/// The verb of a state.
+fn state(reader: &mut Reader) -> Option<Rest> {
+    if let Some(rest) = reader.attempt(|reader| STATES.iter().find(|(verb, _)| reader.eat(verb)).map(|(_, rest)| *rest))
+    {
+        return Some(rest);
+    }
+    if reader.eat("does|do not") || reader.eat("doesn't|don't") {
+        return reader.eat(NOT_SO).then_some(Rest::Plain);
+    }
+    if reader.eat("cannot|can't")
+        || reader.eat("can not")
+        || reader.eat("is|are unable to")
+        || reader.eat("is|are not able to")
+    {
+        return Some(Rest::Plain);
+    }
+    if reader.eat("can|could") || reader.eat("is|are able to") || reader.eat("was|were") && is(reader) {
+        return Some(Rest::Plain);
+    }
+    if reader.eat("speaks|speak") {
+        return (!["to", "with", "on", "by", "about"].contains(&reader.peek(0))).then_some(Rest::Any);
+    }
+    if reader.eat("has|have|uses|use") || reader.eat("walks|walk with|using") {
+        return has(reader).then_some(Rest::Plain);
+    }
+    if reader.eat("is|are") {
+        let _ = reader.eat("no longer") || reader.eat("not|very|quite|still|now|rather|also|always");
+        return is(reader).then_some(Rest::Plain);
+    }
+    None
+}
+
+/// Whether what follows "is" says how or what somebody is.
+fn is(reader: &mut Reader) -> bool {
+    let word = reader.peek(0).to_owned();
+    let state = reader.ahead(|reader| {
+        reader.eat("from|of")
+            || reader.eat("in good|poor|fair|frail|pain|remission")
+            || reader.eat("at risk")
+            || reader.eat("on oxygen|medication|insulin")
+    });
+    let is_doing = word.len() > 4
+        && word.ends_with("ing")
+        && !["willing", "caring", "outgoing", "loving"].contains(&word.as_str());
+    let is_word = reader.token(0) == Some(Token::Word);
+    state || is_word && !is_doing && !BEHAVIOUR.split('|').any(|other| other.trim() == word)
+}
+
+/// Whether something follows that can be had and is nothing done.
+fn has(reader: &mut Reader) -> bool {
+    const NEAR: usize = 5;
+    let lexicon = reader.names.lexicon.clone();
+    if reader.ahead(|reader| {
+        reader.skip_determiners();
+        reader.name(&[Sort::Condition]).is_some()
+    }) {
+        return false;
+    }
+    let is_over =
+        |reader: &Reader, ahead: usize| reader.token(ahead) != Some(Token::Word) || is_beginning(reader.peek(ahead));
+    (0..NEAR)
+        .take_while(|ahead| !is_over(reader, *ahead))
+        .any(|ahead| lexicon.list("HAS", |at| reader.peek(ahead + at)).is_some())
+}
+
+/// Whether an activity, a time or how often stands here.
+fn is_lived(reader: &mut Reader) -> bool {
+    let after_one = reader.at > 0 && is_determiner(&reader.words[reader.at - 1].text);
+    let activity = !after_one && reader.ahead(|reader| activities::activity(reader).is_some());
+    let before = reader.faults.count();
+    let time = reader.ahead(|reader| Adverbs::default().next(reader) && reader.faults.count() == before);
+    activity
+        || time
+        || ["then", "daily", "nightly", "when", "whenever", "every", "each", "while"].contains(&reader.peek(0))
+}
+
+/// Whether "and" or the like stands here, with something that is done behind it.
+fn begins_clause(reader: &mut Reader) -> bool {
+    let joins = ["and", "but", "so", "then", "or", "who", "which", "because"].contains(&reader.peek(0));
+    let comma = reader.token(0) == Some(Token::Comma);
+    joins
+        && reader.ahead(|reader| {
+            reader.at += 1;
+            reader.eat("she|he|they|it|then");
+            reader.eat("now|often");
+            Adverbs::default().all(reader);
+            activities::activity(reader).is_some()
+                || state(reader).is_some()
+                || reader.eat("walks|walk|sleeps|sleep|does|do")
+                || visits(reader)
+        })
+        || comma
+            && reader.ahead(|reader| {
+                reader.at += 1;
+                reader.eat("and|but|so");
+                reader.eat("she|he|they") && (activities::activity(reader).is_some() || state(reader).is_some())
+            })
+}

@@ -1,0 +1,223 @@
+//! What is done, said in a roundabout way: what somebody likes, tends or has to do, spends an afternoon with, cannot do or does
+//! not finish, and with whose help.
+
+use super::activities;
+use super::adverbs::{Adverbs, Slot};
+use super::amounts::amount;
+use super::measures::measure;
+use super::reader::{Reader, Sort, begins_adverb};
+use super::remarks::remark;
+use super::said::{Predicate, own_words};
+use super::words::Token;
+use crate::fuzzy::{Fuzzy, Quantifier};
+use crate::routine::{Activity, Chance, PartOfDay, When};
+
+/// Passes over words that say that somebody likes to do something, or mostly does: both are how they usually live.
+pub fn tends(reader: &mut Reader) -> bool {
+    reader
+        .attempt(|reader| {
+            let to = reader.eat("likes|like|loves|love|prefers|prefer|tends|tend to")
+                || reader.eat("is|are known|inclined|prone to")
+                || reader.eat("has|have a habit of")
+                || reader.eat("is|are in the habit of");
+            let doing = !to && reader.eat("likes|like|loves|love|enjoys|enjoy|prefers|prefer");
+            let begins = |reader: &mut Reader| {
+                let is_gerund = reader.peek(0).ends_with("ing");
+                let start = reader.at;
+                reader.skip_determiners();
+                let named = reader.at > start || !is_gerund;
+                reader.at = start;
+                match (to, doing) {
+                    (true, _) => true,
+                    (_, true) if is_gerund => activities::activity(reader).is_some() || own_words(reader).is_some(),
+                    (_, true) if named => {
+                        reader.skip_determiners();
+                        activities::noun(reader).is_some()
+                            && (reader.is_over() || reader.token(0) != Some(Token::Word) || begins_adverb(reader))
+                    }
+                    _ => false,
+                }
+            };
+            reader.ahead(begins).then_some(())
+        })
+        .is_some()
+}
+
+/// Passes over "needs to" and "has to": who has to do it does it.
+pub fn needs_to(reader: &mut Reader) -> bool {
+    reader
+        .attempt(|reader| {
+            (reader.eat("needs|need|has|have to") && reader.ahead(|reader| activities::activity(reader).is_some()))
+                .then_some(())
+        })
+        .is_some()
+}
+
+/// "spends the afternoon knitting", "spends most of the day in her armchair".
+pub fn spends(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
+    if !reader.eat("spends|spend") {
+        return None;
+    }
+    let start = reader.at;
+    let most_of_day = ["most of the day", "much of the day", "all day", "her|his|their days|day", "the day"];
+    let is_day = most_of_day.iter().any(|day| reader.eat(day));
+    let part = if is_day {
+        None
+    } else {
+        let _ = reader.eat("most|much of") || reader.eat("all");
+        reader.eat("the|her|his|each|every|most");
+        Some(reader.eat_any(&super::times::PARTS).filter(|part| *part != PartOfDay::Night)?)
+    };
+    let span = reader.span(start);
+    let activity = match activities::activity(reader) {
+        Some(activity) => activity,
+        None => reader
+            .ahead(|reader| reader.eat("in|on|at|by") && reader.name(&[Sort::Place]).is_some())
+            .then_some(Activity::Relax)?,
+    };
+    match part {
+        Some(part) => {
+            let (from, to) = part.hours();
+            let around = |at: f64| Fuzzy::around(at, super::times::ABOUT_TIME_S);
+            adverbs.when = Some(Slot { value: When::At(around(from)), span, own: true });
+            adverbs.until_time = Some(Slot { value: around(to), span, own: true });
+        }
+        None => {
+            adverbs.times = Some(Slot { value: DAY_TIMES, span, own: true });
+            adverbs.lasts = Some(Slot { value: DAY_LASTS_S, span, own: true });
+            adverbs.part = Some(Slot { value: PartOfDay::Day, span, own: true });
+        }
+    }
+    Some(Predicate::Does(activity))
+}
+
+/// Most of a day is so many times so long (ours): meals and the toilet go on beside it.
+const DAY_TIMES: (u32, u32) = (4, 4);
+const DAY_LASTS_S: Fuzzy = Fuzzy { low: 5_400.0, from: 7_200.0, to: 7_200.0, high: 9_000.0 };
+
+/// "tends not to eat breakfast": mostly it is left out.
+pub fn tends_not(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
+    let from = reader.at;
+    if !(reader.eat("tends|tend|prefers|prefer|likes|like not to")) {
+        return None;
+    }
+    let span = reader.span(from);
+    let activity = activities::activity(reader)?;
+    adverbs.chance.get_or_insert(Slot { value: Chance::of(Quantifier::Most), span, own: true });
+    Some(Predicate::Skips(activity))
+}
+
+/// "falls asleep": for the night where it is late, else a nap.
+pub fn falls_asleep(reader: &mut Reader, adverbs: &Adverbs) -> Option<Predicate> {
+    /// From then on, and until then, it is late (ours).
+    const LATE_S: f64 = 20.0 * 3600.0;
+    const EARLY_S: f64 = 5.0 * 3600.0;
+    if !reader.eat("falls|fall|falling|drifts|drift asleep|off") || reader.ahead(|reader| reader.eat("in front")) {
+        return None;
+    }
+    let mut rest = adverbs.clone();
+    let has_place = reader.ahead(|reader| {
+        rest.all(reader);
+        reader.eat("in|on|at") && reader.name(&[Sort::Place]).is_some()
+    });
+    let is_late = match rest.when.as_ref().map(|slot| &slot.value) {
+        Some(When::At(at)) => at.from >= LATE_S || at.from < EARLY_S,
+        _ => false,
+    };
+    match (has_place, is_late, rest.part.as_ref().map(|slot| slot.value)) {
+        (false, true, _) => Some(Predicate::Does(Activity::GoToBed)),
+        (true, false, _)
+        | (_, false, Some(PartOfDay::Morning | PartOfDay::Afternoon | PartOfDay::Evening | PartOfDay::Day)) => {
+            Some(Predicate::Does(Activity::Nap))
+        }
+        _ => None,
+    }
+}
+
+/// "is visited by a nurse": who comes.
+pub fn visited(reader: &mut Reader) -> Option<Predicate> {
+    if !(reader.eat("is|are visited|seen") && reader.eat("by")) {
+        return None;
+    }
+    reader.skip_determiners();
+    let start = reader.at;
+    while reader.token(0) == Some(Token::Word) && !begins_adverb(reader) && reader.at < start + 4 {
+        reader.at += 1;
+    }
+    (reader.at > start).then(|| Predicate::VisitedBy(reader.passed(start)))
+}
+
+/// "cannot cook", "is unable to wash": what is not done.
+pub fn unable(reader: &mut Reader) -> Option<Predicate> {
+    let not = reader.eat("cannot|can't")
+        || reader.eat("can not")
+        || reader.eat("can no longer")
+        || reader.eat("is|are unable to")
+        || reader.eat("is|are not able to")
+        || reader.eat("is|are no longer able to")
+        || reader.eat("refuses|refuse to");
+    if !not { None } else { activities::activity(reader).map(Predicate::Not) }
+}
+
+/// "does not finish her lunch".
+pub fn unfinished(reader: &mut Reader) -> Option<Predicate> {
+    let not = reader.eat("does|do not finish") || reader.eat("doesn't|don't finish") || reader.eat("rarely finishes");
+    if !not { None } else { activities::event(reader).map(Predicate::Unfinished) }
+}
+
+/// "needs help from her daughter to wash": somebody comes for it.
+pub fn is_helped(reader: &mut Reader) -> Option<Predicate> {
+    let help = "help|assistance|support|supervision";
+    if !(reader.eat("needs|need|requires|require|gets|get|receives|receive|has|have") && reader.eat(help)) {
+        return None;
+    }
+    let from = |reader: &mut Reader| -> Option<String> {
+        if !reader.eat("from|of") {
+            return None;
+        }
+        reader.skip_determiners();
+        let start = reader.at;
+        while reader.token(0) == Some(Token::Word) && !begins_adverb(reader) && reader.at < start + 4 {
+            reader.at += 1;
+        }
+        (reader.at > start).then(|| reader.passed(start))
+    };
+    let before = reader.attempt(from);
+    if !reader.eat("with|to|in") {
+        return None;
+    }
+    let activity = activities::event(reader)?;
+    let who = before.or_else(|| reader.attempt(from))?;
+    Some(Predicate::HelpedBy(who, activity))
+}
+
+/// What "is" begins: being out, in hospital, awake.
+pub fn is_doing(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Activity> {
+    // "is usually up by 7:00", "is asleep by 23:00".
+    let mut rest = adverbs.clone();
+    let by_clock = reader.attempt(|reader| {
+        reader.eat("is|are").then_some(())?;
+        rest.all(reader);
+        let state = reader.eat_any(&[("up", true), ("out of bed", true), ("asleep", false), ("in bed", false)])?;
+        ["by", "at"].contains(&reader.peek(0)).then_some(state)
+    });
+    if let Some(is_up) = by_clock.filter(|_| !reader.ahead(|reader| reader.eat("at night"))) {
+        *adverbs = rest;
+        return Some(if is_up { Activity::GetUp } else { Activity::GoToBed });
+    }
+    activities::activity(reader)
+}
+
+/// A remark, but for what is said as a change or begins with a number.
+pub fn is_remark(reader: &mut Reader) -> Option<()> {
+    if reader.ahead(|reader| {
+        reader.eat("is|are")
+            && (amount(reader).is_some() || measure(reader).is_some() || {
+                reader.skip_determiners();
+                reader.eat("cat|dog|person|woman|man|lady|gentleman|human")
+            })
+    }) {
+        return None;
+    }
+    remark(reader)
+}

@@ -1,0 +1,106 @@
+//! Hints that are held to what they say: a sentence that a hint proposes is understood. Where a hint proposes none, the sentence
+//! is tried without the words that stand in the way, and what is understood of it then is proposed.
+
+use super::draft::Draft;
+use super::faults::Faults;
+use super::reader::{Names, Reader, is_beginning, is_determiner};
+use super::rewording::reworded;
+use super::sentence;
+use super::words::{self, Span, Token, Word};
+use crate::routine::Routine;
+
+/// No more ways of leaving words out are tried of a sentence.
+const MOST_TRIES: usize = 150;
+/// In a longer sentence nobody finds what is left out.
+const LONGEST: usize = 40;
+
+/// Looks through the hints of the faults since there were so many.
+pub fn hints(faults: &mut Faults, since: usize, names: &Names, draft: &Draft, words: &[Word]) {
+    let mut shorter: Option<Option<String>> = None;
+    for fault in faults.since(since) {
+        let proposed = fault.hint.as_deref().map(sentences_in).unwrap_or_default();
+        let is_sound = proposed.iter().all(|sentence| understood(names, draft, sentence).is_some());
+        if !is_sound {
+            fault.hint = None;
+        }
+        let is_certain = fault.hint.as_deref().is_some_and(|hint| hint.starts_with("did you mean"));
+        if proposed.is_empty() && !is_certain || !is_sound {
+            let without = shorter.get_or_insert_with(|| without(names, draft, words, fault.span)).clone();
+            let Some(without) = without else { continue };
+            let without = format!("without it: {without:?}");
+            fault.hint = Some(fault.hint.take().map_or(without.clone(), |hint| format!("{hint}; {without}")));
+        }
+    }
+}
+
+/// The whole sentences that a hint has between quotation marks.
+fn sentences_in(hint: &str) -> Vec<String> {
+    let quoted = hint.split('"').skip(1).step_by(2);
+    let is_whole = |quoted: &&str| {
+        let first = quoted.split(' ').next().unwrap_or_default();
+        ["she", "he", "her", "his"].contains(&first) && quoted.contains(' ') && !quoted.contains("...")
+    };
+    quoted.filter(is_whole).map(str::to_owned).collect()
+}
+
+/// What a sentence by itself says, if all of it is understood and something is done or changed.
+fn understood(names: &Names, draft: &Draft, text: &str) -> Option<Routine> {
+    let mut faults = Faults::of_trial();
+    let mut alone = draft.anew(text);
+    let sentence = words::of_name(text);
+    let words = reworded(names, text, &sentence);
+    let mut reader = Reader { words: &words, at: 0, names, faults: &mut faults, text, part: None };
+    let heading = sentence::sentence(&mut reader, &mut alone, None);
+    let routine = alone.routine;
+    let says = !routine.habits.is_empty() || !routine.changes.is_empty() || !routine.rules.is_empty();
+    (heading.is_none() && faults.count() == 0 && (says || routine.person.is_some())).then_some(routine)
+}
+
+/// Whether the verb after "she" stands in the form that goes with it.
+fn is_sentence(text: &str) -> bool {
+    const BEFORE: [&str; 10] =
+        ["often", "usually", "always", "never", "sometimes", "rarely", "seldom", "also", "mostly", "occasionally"];
+    let mut after = text.split(' ').skip_while(|word| !["she", "he"].contains(&word.to_lowercase().as_str())).skip(1);
+    after.find(|word| !BEFORE.contains(word)).is_none_or(|verb| verb.ends_with('s') && !verb.ends_with("ss"))
+}
+
+/// The sentence without the fewest words around a place that lets it be understood.
+fn without(names: &Names, draft: &Draft, words: &[Word], at: Span) -> Option<String> {
+    let first = words.iter().position(|word| word.span.end > at.start).filter(|_| words.len() <= LONGEST)?;
+    // Without "alone", "she does not go out alone" says something else.
+    let denies = ["not", "never", "no", "cannot", "without", "hardly", "nor"];
+    if words.iter().any(|word| denies.contains(&word.text.as_str()) || word.text.ends_with("n't")) {
+        return None;
+    }
+    let last = words.iter().rposition(|word| word.span.start < at.end).unwrap_or(first);
+    let text_of = |left_out: std::ops::Range<usize>| -> String {
+        let kept = words.iter().enumerate().filter(|(index, _)| !left_out.contains(index)).map(|(_, word)| word);
+        let mut text = String::new();
+        for word in kept {
+            let written = draft.text.get(word.span.start..word.span.end).unwrap_or_default();
+            let joins = text.is_empty() || word.token == Token::Comma;
+            text += if joins { "" } else { " " };
+            text += written;
+        }
+        text.trim_matches([',', ' ']).to_owned()
+    };
+    let mut windows: Vec<(usize, usize)> =
+        (0..=last).flat_map(|from| (first.max(from) + 1..=words.len()).map(move |to| (from, to))).collect();
+    // Something has to be left of who does what.
+    windows.retain(|(from, to)| words.len() - (to - from) >= 2 && to - from <= words.len() * 2 / 3 + 1);
+    // No "a" or "her" without its noun.
+    let is_determiner = |index: usize| words.get(index).is_some_and(|word| is_determiner(&word.text));
+    windows.retain(|(from, _)| from.checked_sub(1).is_none_or(|before| !is_determiner(before)));
+    // Nor "at" or "every", and best up to where something else begins.
+    let is_loose = |index: usize| words.get(index).is_some_and(|word| is_beginning(&word.text));
+    windows.retain(|(from, _)| from.checked_sub(1).is_none_or(|before| !is_loose(before)));
+    let is_natural = |to: usize| words.get(to).is_none_or(|word| word.token != Token::Word || is_beginning(&word.text));
+    windows.sort_by_key(|(from, to)| (!is_natural(*to), to - from, std::cmp::Reverse(*from)));
+    windows.into_iter().take(MOST_TRIES).find_map(|(from, to)| {
+        let text = text_of(from..to);
+        if !is_sentence(&text) {
+            return None;
+        }
+        understood(names, draft, &text).map(|_| text)
+    })
+}

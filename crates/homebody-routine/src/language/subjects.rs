@@ -1,0 +1,106 @@
+//! Who a sentence is about: the person, those who visit, a name that nobody has, a pulse.
+
+use super::activities;
+use super::adverbs::Adverbs;
+use super::helping::visiting;
+use super::reader::{Reader, is_determiner};
+use super::remarks::remark;
+use super::words::Token;
+
+/// Who or what a sentence is about.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Subject {
+    /// The person, by pronoun or name.
+    Person,
+    /// Somebody who visits, such as `daughter`.
+    Visitor(String),
+    /// A name that is not the person's.
+    Stranger(String),
+    /// At which hours things are done.
+    Hours,
+    Pulse,
+    Breathing,
+}
+
+const HOURS: &str = "hours|times|days|day|routine";
+
+/// The subject, if a sentence has one here.
+pub fn subject(reader: &mut Reader) -> Option<Subject> {
+    if reader.eat("she|he|they|it") || reader.eat("the person|resident|patient") {
+        return Some(Subject::Person);
+    }
+    if let Some(people) = reader.attempt(people) {
+        return Some(people);
+    }
+    match reader.person() {
+        Some(false) => return Some(Subject::Person),
+        Some(true) => return of_the_person(reader),
+        None => {}
+    }
+    if ["her", "his", "their", "its"].contains(&reader.peek(0)) {
+        return reader.attempt(|reader| {
+            reader.at += 1;
+            of_the_person(reader)
+        });
+    }
+    if is_determiner(reader.peek(0)) {
+        return reader.attempt(|reader| {
+            reader.at += 1;
+            visitor(reader)
+        });
+    }
+    None
+}
+
+/// "her daughter", "her pulse", "her hours".
+fn of_the_person(reader: &mut Reader) -> Option<Subject> {
+    if reader.eat("pulse") || reader.eat("heart rate") || reader.eat("heart beats|beat") || reader.eat("heart") {
+        return Some(Subject::Pulse);
+    }
+    if reader.eat("breathing|respiration|breath") {
+        return Some(Subject::Breathing);
+    }
+    if reader.eat(HOURS) {
+        return Some(Subject::Hours);
+    }
+    visitor(reader)
+}
+
+/// "Meals on Wheels", "carers": those whom everybody knows.
+fn people(reader: &mut Reader) -> Option<Subject> {
+    let from = reader.at;
+    let lexicon = reader.names.lexicon.clone();
+    reader.at += lexicon.list("PEOPLE", |ahead| reader.peek(ahead))?;
+    let name = reader.passed(from);
+    reader.ahead(visitor_verb).then_some(Subject::Visitor(name))
+}
+
+/// Whether what a visitor does, or is, stands here.
+fn visitor_verb(reader: &mut Reader) -> bool {
+    Adverbs::default().all(reader);
+    reader.eat("also|usually|often|still|no");
+    reader.ahead(|reader| visiting(reader).is_some())
+        || reader.ahead(|reader| activities::activity(reader).is_some())
+        || reader.ahead(|reader| remark(reader).is_some())
+        || reader.eat("is|are|has|does|stays|helps")
+}
+
+/// A few words, up to the verb.
+fn visitor(reader: &mut Reader) -> Option<Subject> {
+    const MOST: usize = 5;
+    if let Some(people) = reader.attempt(people) {
+        return Some(people);
+    }
+    let from = reader.at;
+    while reader.at < from + MOST && reader.token(0) == Some(Token::Word) {
+        if reader.at > from && reader.ahead(visitor_verb) {
+            return Some(Subject::Visitor(reader.passed(from)));
+        }
+        // "Her niece lives nearby and visits" names no niece who lives nearby.
+        if reader.peek(0) == "and" && !is_determiner(reader.peek(1)) {
+            return None;
+        }
+        reader.at += 1;
+    }
+    None
+}

@@ -1,0 +1,182 @@
+//! What is said of words that nobody knows: what was probably meant, what is near, how it could be said.
+
+use super::activities;
+use super::faults::did_you_mean;
+use super::reader::{Reader, Sort, begins_adverb, is_determiner};
+use super::words::{Span, Token};
+use homebody_core::scenario::nearest::nearest;
+
+/// Passes over the words of a name that nothing has.
+pub fn unknown_name(reader: &mut Reader, sorts: &[Sort], what: &str) -> String {
+    unknown_name_or(reader, sorts, what, None)
+}
+
+/// The same, with a hint for where no name is near.
+pub fn unknown_name_or(reader: &mut Reader, sorts: &[Sort], what: &str, far: Option<&str>) -> String {
+    reader.skip_determiners();
+    let from = reader.at;
+    while !reader.is_over() && reader.token(0) != Some(Token::Comma) && !begins_adverb(reader) && reader.at < from + 4 {
+        reader.at += 1;
+    }
+    let span = if reader.at == from { reader.here() } else { reader.span(from) };
+    let said = reader.said(span);
+    if reader.faults.is_trial {
+        reader.fault(span, what, None);
+        return said;
+    }
+    let known = did_you_mean(&said.to_lowercase(), reader.names.of(sorts));
+    let near = known.filter(|hint| far.is_none() || hint.starts_with("did"));
+    reader.fault(span, format!("{said:?} is {what}"), near.or(far.map(str::to_owned)));
+    said
+}
+
+/// Says that nobody knows how to do this, with what was probably meant.
+pub fn unknown_verb(reader: &mut Reader, words: &str, span: Span) {
+    unknown_doing(reader, words, span, None);
+}
+
+/// The same, with a sentence that would do.
+pub fn unknown_doing(reader: &mut Reader, words: &str, span: Span, example: Option<String>) {
+    let said = reader.said(span);
+    let what = format!("{said:?} is nothing that Homebody knows how to do");
+    if reader.faults.is_trial {
+        return reader.fault(span, what, None);
+    }
+    let known = match (meant(words), goes_with(words)) {
+        (Some(phrase), _) => return reader.fault(span, what, format!("did you mean {phrase:?}?")),
+        (None, Some(known)) => Some(format!("known are {known}")),
+        (None, None) => None,
+    };
+    // What is done with something else is rather that than new.
+    let is_new = |_: &String| looks_like_doing(words);
+    let own = example.filter(is_new).or_else(|| own_example(reader, words).filter(|_| known.is_none())).map(|example| {
+        format!("a new activity needs a place and a duration: {example:?}; out of the home, write \"she goes out for 2 hours\"")
+    });
+    let hint = match (known, own) {
+        (Some(known), Some(own)) => Some(format!("{known}; {own}")),
+        (known, own) => known.or(own),
+    };
+    reader.fault(span, what, hint);
+}
+
+/// How these words would be said as an activity of one's own, where they look like one.
+fn own_example(reader: &Reader, words: &str) -> Option<String> {
+    const SEATS: [&str; 3] = ["armchair", "sofa", "dining chair"];
+    if !looks_like_doing(words) {
+        return None;
+    }
+    let seat = SEATS.iter().find(|seat| reader.names.has(seat, Sort::Place)).map(|seat| format!("in the {seat}"));
+    let place = seat.or_else(|| reader.names.of(&[Sort::Room]).next().map(|room| format!("in the {room}")));
+    Some(format!("she {words} {} for 20 minutes", place.unwrap_or_else(|| "in the kitchen".to_owned())))
+}
+
+/// Whether words are those of something that is done at home, as far as can be told: a verb in the third person, and no word
+/// that turns it into something else.
+pub fn looks_like_doing(words: &str) -> bool {
+    const NO_DOING: &str = "is goes comes walks moves gets likes wants needs becomes has seems feels knows leaves returns arrives \
+        does says says asks tells tries keeps stops starts begins appears remains stays lives shows suffers hardly always";
+    const TURNING: &str = "not no never without when because if while so that which who she he they and or but more less too as than \
+        lot lots of any much many her him them it this up down out off back away cannot it's slowly well badly";
+    let mut list = words.split(' ');
+    let verb = list.next().unwrap_or_default();
+    let is_verb = verb.len() > 3
+        && verb.ends_with('s')
+        && !verb.ends_with("ss")
+        && !NO_DOING.split_whitespace().any(|other| other == verb);
+    is_verb
+        && words.split(' ').count() <= 5
+        && !list.any(|word| TURNING.split_whitespace().any(|other| other == word) || word.ends_with("ly"))
+}
+
+/// The same of what is not done.
+pub fn unknown_not(reader: &mut Reader, span: Span) {
+    let said = reader.said(span);
+    if reader.faults.is_trial {
+        return reader.fault(span, said, None);
+    }
+    let hint = match meant(&activities::in_third_person(&said.to_lowercase())) {
+        Some(phrase) => format!("did you mean {phrase:?}?"),
+        None => "what is not done need not be said; to end something of your own, say until when it is so: \"until week 12 she \
+            whittles in the armchair for 1 hour\""
+            .to_owned(),
+    };
+    reader.fault(span, format!("{said:?} is nothing that Homebody knows how to do"), hint);
+}
+
+/// Whether these words only say that she goes somewhere, not what she does there.
+pub fn is_way(words: &str) -> bool {
+    !words.contains(' ') && ["go", "walk", "move", "come"].iter().any(|verb| activities::is_form(verb, words))
+}
+
+/// What else is done with this verb, where the verb alone is known.
+fn goes_with(words: &str) -> Option<String> {
+    const FEW: usize = 4;
+    let verb = words.split(' ').next()?;
+    let known = activities::all_phrases().iter().filter(|phrase| phrase.split(' ').next() == Some(verb));
+    let known: Vec<String> = known.take(FEW).map(|phrase| format!("{phrase:?}")).collect();
+    (!known.is_empty()).then(|| known.join(", "))
+}
+
+/// Whether a verb is known as it stands: then it is no slip of another.
+fn is_known_verb(verb: &str) -> bool {
+    activities::all_phrases().iter().any(|phrase| phrase.split(' ').next() == Some(verb))
+}
+
+/// The phrase that these words are probably a slip of.
+pub fn meant(words: &str) -> Option<String> {
+    let words: Vec<&str> = words.split(' ').filter(|word| !is_determiner(word)).collect();
+    let verb = words.first().copied().unwrap_or_default();
+    let is_verb = is_known_verb(verb);
+    let phrases = activities::all_phrases();
+    let verbs = ["shows", "skips", "forgets", "sleeps", "breathes", "walks", "turns in bed", "prepares", "visits"];
+    let all = phrases.iter().map(String::as_str).chain(verbs);
+    // As many words of what was said as the phrase has; the longest phrase that is near wins.
+    let said: Vec<String> = (0..=words.len()).map(|length| words[..length].join(" ")).collect();
+    let mut best: Option<(usize, &str)> = None;
+    for phrase in all.filter(|phrase| !is_verb || phrase.split(' ').next() == Some(verb)) {
+        let length = phrase.split(' ').count();
+        // Who says more than the phrase does has said less of it wrongly.
+        let slips = if length < words.len() { 1 } else { 2 };
+        let said = said.get(length).filter(|said| said.len().abs_diff(phrase.len()) <= 2);
+        let is_near = said.is_some_and(|said| is_slip(said, phrase, slips) && nearest(said, [phrase]).is_some());
+        if is_near && best.is_none_or(|(longest, _)| length > longest) {
+            best = Some((length, phrase));
+        }
+    }
+    best.map(|(_, phrase)| phrase.to_owned())
+}
+
+/// Whether two phrases differ as slips do: most letters are the same, in order.
+fn is_slip(said: &str, phrase: &str, slips: usize) -> bool {
+    let (same, longer) = same_letters(said, phrase);
+    same + slips >= longer
+}
+
+/// Whether these words are a phrase but for a letter in each: too near to be something new.
+pub fn is_nearly_known(words: &str) -> bool {
+    let words: Vec<&str> = words.split(' ').filter(|word| !is_determiner(word)).collect();
+    let near = |(said, known): (&&str, &str)| {
+        // Slips are seldom in the first letter: who sings does not ring. And who does a puzzle does not doze.
+        if said.as_bytes().first() != known.as_bytes().first() || said.len().abs_diff(known.len()) > 1 {
+            return false;
+        }
+        let (same, longer) = same_letters(said, known);
+        **said == *known || *said != "does" && longer >= 4 && same + 1 >= longer
+    };
+    let is_near = |phrase: &String| {
+        let count = phrase.split(' ').count();
+        // Many short verbs differ by a letter: who stops does not shop.
+        let is_long = count > 1 || phrase.len() >= 6;
+        is_long && count <= words.len() && words.iter().zip(phrase.split(' ')).all(near)
+    };
+    activities::all_phrases().iter().any(is_near)
+}
+
+/// How many letters agree at the two ends of both, and how many the longer one has.
+fn same_letters(a: &str, b: &str) -> (usize, usize) {
+    let (longer, shorter) = if a.len() < b.len() { (b.as_bytes(), a.as_bytes()) } else { (a.as_bytes(), b.as_bytes()) };
+    let front = longer.iter().zip(shorter).take_while(|(a, b)| a == b).count();
+    let back =
+        longer.iter().rev().zip(shorter.iter().rev()).take(shorter.len() - front).take_while(|(a, b)| a == b).count();
+    (front + back, longer.len())
+}

@@ -1,0 +1,55 @@
+//! Sentences of care plans, as they are written there, beside the sentences of this language that mean the same.
+//!
+//! `carers.jsonl` has one a line: what is said, and what it means. "remark": it is kept and not lived. "refused": it is refused,
+//! with a hint.
+
+#![allow(clippy::disallowed_methods, reason = "a test may read files; the crate may not")]
+
+mod home;
+
+use home::{home, short};
+use homebody_core::problem::{Problem, Problems};
+use homebody_routine::language::{Known, routine};
+use homebody_routine::routine::{Activity, Routine};
+use serde_json::Value;
+
+fn known() -> Known {
+    Known { usual: Activity::OWN_WAYS.to_vec(), ..home() }
+}
+
+fn read(text: &str) -> (Routine, Vec<Problem>) {
+    routine("margaret.routine", text, &known())
+}
+
+fn lines() -> Vec<(String, String)> {
+    let text = include_str!("carers.jsonl");
+    let text_of = |line: &Value, key: &str| line[key].as_str().unwrap().to_owned();
+    let lines = text.lines().map(|line| serde_json::from_str::<Value>(line).unwrap());
+    lines
+        .filter(|line| line.get("skip").is_none())
+        .map(|line| (text_of(&line, "say"), text_of(&line, "means")))
+        .collect()
+}
+
+#[test]
+fn what_carers_say_means_what_is_written_beside_it() {
+    let mut wrong = Vec::new();
+    for (said, means) in lines() {
+        let (found, problems) = read(&said);
+        let shown = if problems.is_empty() { short(&found) } else { Problems(problems.clone()).to_string() };
+        let is_right = match means.as_str() {
+            "refused" => !problems.is_empty(),
+            "remark" => problems.is_empty() && found.remarks.len() == 1 && shown == "remark",
+            _ => {
+                let (meant, faults) = read(&means);
+                assert!(faults.is_empty(), "{means}: {}", Problems(faults));
+                problems.is_empty() && shown == short(&meant)
+            }
+        };
+        if !is_right {
+            let meant = short(&read(&means).0);
+            wrong.push(format!("{said}\n  meant {means}: {meant}\n  found {shown}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{} of {}:\n{}", wrong.len(), lines().len(), wrong.join("\n"));
+}
