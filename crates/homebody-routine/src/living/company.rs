@@ -73,6 +73,11 @@ impl Company {
         self.others.is_empty()
     }
 
+    /// Whether somebody is at a place, comes to it or is only just leaving it.
+    pub fn is_occupied(&self, at: Point) -> bool {
+        self.others.iter().any(|other| nearness(other, at) < self.taken_m)
+    }
+
     /// Whether several people live there, who share beds and sofas.
     pub fn shares_home(&self) -> bool {
         self.people.residents > 1

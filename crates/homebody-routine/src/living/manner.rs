@@ -4,9 +4,9 @@
 //! firings of real homes have.
 //!
 //! Movements come in clusters: after a movement another follows soon, with a chance for each manner of staying, or a long
-//! gap. We assume that gaps of both kinds and bouts are lognormal, with a set of numbers for each manner. Their numbers are ours, set so that a day
-//! of a generated older adult has about as many firings, and gaps as long, as the CASAS homes of single older adults;
-//! `homebody experiment daily-life` says how near they come.
+//! gap. We assume that gaps of both kinds and bouts are lognormal, with a set of numbers for each manner. Their numbers are ours,
+//! set so that a day of a generated older adult has about as many firings, and gaps as long, as the CASAS homes of single
+//! older adults; `homebody experiment daily-life` and `homebody experiment realism` say how near they come.
 //!
 //! A gap and a bout are drawn one after the other; a factor for activity shortens the long gaps. What shows of a movement in bed is
 //! what a blanket leaves of it: sleepers turn by 0.3 m, of which a quarter shows (ours).

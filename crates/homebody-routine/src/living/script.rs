@@ -41,7 +41,7 @@ pub enum Step {
         arrival: bool,
         left: Micros,
     },
-    /// A visitor outside waits so long to be let in.
+    /// Who is outside waits so long for the doorway to be free; a visitor to be let in as well.
     Ring {
         left: Micros,
     },
@@ -82,6 +82,8 @@ pub enum Interruptible {
 const ARRIVAL_PATIENCE: Micros = 5 * 60 * SECOND;
 /// How long a host waits for a visitor to have gone (ours).
 const FAREWELL_PATIENCE: Micros = 5 * 60 * SECOND;
+/// How long who comes home waits for somebody to leave the doorway (ours).
+const DOORWAY: Micros = 2 * 60 * SECOND;
 /// How long somebody waits for a meal that somebody else still cooks (ours).
 const COOKING_PATIENCE: Micros = 45 * 60 * SECOND;
 
@@ -380,6 +382,7 @@ impl Steps<'_, '_> {
         self.through_the_door();
         self.push(Step::Name(label.into()));
         self.push(Step::Away { lasts, until });
+        self.push(Step::Ring { left: DOORWAY });
         self.push(Step::Name(Activity::ComeHome.label().into()));
         self.act(Role::FrontDoor, true);
         let inside = self.around(6.0);
