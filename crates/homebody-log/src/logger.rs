@@ -126,7 +126,7 @@ impl Logger {
         let mut texts = Texts::default();
         Ok(Logger {
             writers,
-            messages: Messages::new(&file.messages, sensors.len()),
+            messages: Messages::new(&file.messages, run.seed, &sensors),
             ids: texts.ids(&shown.sensors),
             on: shown.cell(Value::On, &mut texts),
             shown,
