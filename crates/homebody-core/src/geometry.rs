@@ -34,6 +34,20 @@ pub fn distance_to_segment(p: Point, a: Point, b: Point) -> f64 {
     p.distance(nearest_on_segment(p, a, b))
 }
 
+/// The distance between two segments.
+pub fn distance_between_segments((a, b): (Point, Point), (c, d): (Point, Point)) -> f64 {
+    if segments_meet(a, b, c, d) {
+        return 0.0;
+    }
+    let ends = [
+        distance_to_segment(a, c, d),
+        distance_to_segment(b, c, d),
+        distance_to_segment(c, a, b),
+        distance_to_segment(d, a, b),
+    ];
+    ends.into_iter().fold(f64::INFINITY, f64::min)
+}
+
 /// Whether the segments have a point in common.
 pub fn segments_meet(a: Point, b: Point, c: Point, d: Point) -> bool {
     let side = |p: Point, q: Point, r: Point| (q - p).perp_dot(r - p);
@@ -69,6 +83,12 @@ pub fn contains(outline: &[Point], p: Point) -> bool {
 /// Distance from `p` to the area of the outline: zero inside.
 pub fn distance_to_area(outline: &[Point], p: Point) -> f64 {
     if contains(outline, p) { 0.0 } else { distance_to_border(outline, p) }
+}
+
+/// How deep `p` lies inside the outline: the distance to its border, below 0 outside.
+pub fn depth_in_area(outline: &[Point], p: Point) -> f64 {
+    let distance = distance_to_border(outline, p);
+    if contains(outline, p) { distance } else { -distance }
 }
 
 /// Distance from `p` to the outline's border.

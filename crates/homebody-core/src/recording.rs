@@ -86,12 +86,16 @@ impl Recording {
         !self.sha256.is_empty()
     }
 
-    /// The recording of the same run as it is begun again, to go on where it was killed or stopped; None where it was lived
-    /// to its end.
-    pub fn unfinished(&self) -> Option<Recording> {
-        let length_us = if self.is_complete() { self.stopped_of_us? } else { self.length_us };
+    /// Whether the run was lived to its end.
+    pub fn is_whole(&self) -> bool {
+        self.is_complete() && self.stopped_of_us.is_none()
+    }
+
+    /// The recording of the same run as it is begun again, to be lived to its end.
+    pub fn begun_again(&self) -> Recording {
+        let length_us = self.stopped_of_us.unwrap_or(self.length_us);
         let (firings, sha256) = (0, String::new());
-        Some(Recording { length_us, stopped_of_us: None, rows: None, firings, sha256, ..self.clone() })
+        Recording { length_us, stopped_of_us: None, rows: None, firings, sha256, ..self.clone() }
     }
 
     /// The id of the run: the same for the same texts, seed, conditions left out and home, whatever its length. It is a

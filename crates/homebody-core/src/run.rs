@@ -163,6 +163,11 @@ impl Run {
         self.length
     }
 
+    /// Who decides what a resident does.
+    pub fn driver(&self, resident: ResidentId) -> Option<&dyn Driver> {
+        self.drivers.get(resident.index()).map(Box::as_ref)
+    }
+
     /// What the run looks like now.
     pub fn scene(&self) -> Scene {
         let body = |resident: ResidentId| {

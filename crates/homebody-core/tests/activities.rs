@@ -4,10 +4,13 @@
 
 #![allow(clippy::disallowed_methods, reason = "a test may read and write files; the core may not")]
 
+#[path = "../../../tests/generated.rs"]
+mod generated;
+
+use generated::is_generated;
 use homebody_core::activity::{ACTIVITIES, ActivityKind, KIND_WORDS, KnownActivity, TimeUse, turning};
 use homebody_core::role::{ROLES, Role, RoleRow};
 use homebody_core::scenario::path::Posture;
-use std::path::Path;
 
 const HEAD: &str = "\
 # Activities and roles
@@ -108,12 +111,7 @@ fn document() -> String {
 
 #[test]
 fn the_document_is_what_the_tables_say() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/activities.md");
-    if std::env::var_os("HOMEBODY_REWRITE").is_some() {
-        std::fs::write(&path, document()).unwrap();
-    }
-    let checked_in = std::fs::read_to_string(&path).unwrap_or_default();
-    assert_eq!(checked_in, document(), "HOMEBODY_REWRITE=1 writes docs/activities.md anew");
+    is_generated("docs/activities.md", &document());
 }
 
 /// What no activity goes to: the way to a seat on which nothing else is done, and what only pets and the page need.

@@ -76,7 +76,7 @@ enum Own {
 
 fn main() -> ExitCode {
     let Arguments { asked, own } = Arguments::parse();
-    let done = match own {
+    let done = || match own {
         Some(Own::Work { target, seed, first, step, end }) => {
             work(&target, Share { seed, first, step, end }).map(|()| true)
         }
@@ -85,7 +85,7 @@ fn main() -> ExitCode {
             None => asked.all(),
         },
     };
-    match done {
+    match temporary_files().and_then(|()| done()) {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(error) => {
@@ -93,6 +93,14 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+/// Makes sure that temporary files can be made: cases are lived in a folder of them, and databases are made there.
+fn temporary_files() -> io::Result<()> {
+    tempfile::tempdir().map(|_| ()).map_err(|error| {
+        let hint = "let TMPDIR name a folder that can be written";
+        io::Error::other(format!("no folder for temporary files: {error}\n  hint: {hint}"))
+    })
 }
 
 fn target(name: &str) -> Result<Target, String> {

@@ -87,3 +87,21 @@ fn what_panics_breaks_hangs_eats_or_dies_is_found_and_the_rest_is_done() {
         assert!(*number == index as u64 + 2 && what.contains(expected), "case {number}: {what}");
     }
 }
+
+/// The hint is followed, and works.
+#[test]
+fn without_a_folder_for_temporary_files_it_says_so() {
+    let repeat = |folder: &std::path::Path| {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_homebody-fuzz"));
+        command.args(["--target", "database", "--case", "0"]).env("TMPDIR", folder).output().unwrap()
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let done = repeat(&folder.path().join("nowhere"));
+    let said = String::from_utf8(done.stderr).unwrap();
+    assert_eq!(done.status.code(), Some(1), "{said}");
+    assert!(
+        said.starts_with("error: no folder for temporary files") && said.contains("hint: let TMPDIR name"),
+        "{said}"
+    );
+    assert_eq!(repeat(folder.path()).status.code(), Some(0));
+}

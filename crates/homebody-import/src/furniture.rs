@@ -25,6 +25,7 @@ const MOST_PIECES: usize = 1_000;
 
 /// What a home takes for widths, depths and heights.
 const SIZE_M: [f64; 2] = [0.001, 1_000.0];
+/// The greatest height of a piece.
 const MOST_HEIGHT_M: f64 = 10.0;
 
 /// The pieces that stand in rooms.

@@ -16,7 +16,7 @@ const MOST_ATTRIBUTES: usize = 4_000_000;
 const MOST_ATTRIBUTES_OF_ONE: usize = 256;
 
 /// Groups within groups; plans have a handful (ours).
-const DEEPEST: usize = 100;
+const GREATEST_DEPTH: usize = 100;
 
 /// Parses the text.
 pub fn parse(text: &str) -> Result<Document<'_>, NotImported> {
@@ -55,8 +55,8 @@ fn look_over(text: &str) -> Result<(), NotImported> {
                 TagKind::Close => depth = depth.saturating_sub(1),
                 TagKind::Empty => {}
             }
-            if depth > DEEPEST {
-                return Err(NotImported::disorder(format!("it is nested more than {DEEPEST} deep")));
+            if depth > GREATEST_DEPTH {
+                return Err(NotImported::disorder(format!("it is nested more than {GREATEST_DEPTH} deep")));
             }
             Some(tag.length)
         };

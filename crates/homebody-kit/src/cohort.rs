@@ -16,7 +16,7 @@ use homebody_core::scenario::load::Scenario;
 use homebody_core::time::Micros;
 use homebody_log::fresh::{FreshFile, remove_parts};
 use homebody_log::lock::FolderLock;
-use homebody_log::places::{LIST, RECORDING};
+use homebody_log::places::{LIST, RECORDING, is_all_there};
 use homebody_log::{How, Places};
 use homebody_routine::household::Household;
 use rayon::prelude::*;
@@ -317,12 +317,14 @@ impl Cohort {
         })
     }
 
-    /// By member: what has become of those who were lived to their end in this folder. No home is made for it.
+    /// By member: what has become of those who were lived to their end in this folder, with all their files there. No home is made for it.
     fn found_in(&self, folder: &Path) -> Result<Vec<Option<Ended>>, Error> {
         let found = |index| {
             let member = self.members.who(self.recording.seed, index);
             let left = self.left_of(folder, &member, index)?;
-            Ok(left.filter(|left| left.unfinished().is_none()).map(|left| self.ended(&member, &left)))
+            let logger = &self.scenario.scenario.logger;
+            let is_whole = |left: &Recording| left.is_whole() && is_all_there(&folder.join(&member.name), logger);
+            Ok(left.filter(is_whole).map(|left| self.ended(&member, &left)))
         };
         (0..self.count()).map(found).collect()
     }
@@ -335,7 +337,7 @@ impl Cohort {
             return Err(wrong(format!("{} is a file, and a member's folder is to be there", folder.display())));
         }
         let path = folder.join(RECORDING);
-        match recorded::read(&path) {
+        match recorded::recording(&path) {
             Err(Error::NoRecording { .. }) => Ok(None),
             Err(error) => Err(wrong(error.to_string())),
             Ok(left) if self.is_of(&left, member, index) => Ok(Some(left)),

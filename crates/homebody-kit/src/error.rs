@@ -4,6 +4,7 @@ use homebody_core::drivers::error::DriverError;
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::time::Micros;
 use homebody_log::LogError;
+use homebody_log::error::no_thread;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -41,6 +42,16 @@ pub enum Error {
     NoRecording {
         /// Where it was looked for.
         path: PathBuf,
+    },
+    /// A run or a cohort was killed in its first moment: what it is to be is not written down.
+    #[error(
+        "the run in {} was ended before anything of it was stored\n  hint: there is nothing to go on with: remove the folder, \
+         and begin the run anew",
+        folder.display()
+    )]
+    NotBegun {
+        /// Its folder.
+        folder: PathBuf,
     },
     /// A file is no recording of a run.
     #[error("{} is no recording: {why}", path.display())]
@@ -148,7 +159,7 @@ pub enum Error {
     #[error("a sink failed: {0}")]
     Sink(#[source] BoxError),
     /// There are no threads to live on.
-    #[error("there are no threads: {0}\n  hint: allow more threads or memory, or run less at once")]
+    #[error("{}", no_thread("to live on", .0))]
     Threads(String),
 }
 

@@ -7,11 +7,8 @@ use homebody_core::recording::Recording;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::scenario::scheme::SCHEMES;
 use homebody_core::time::Micros;
-use homebody_log::limits::LARGEST_RECORDING_BYTES;
-use homebody_log::places::{LIST, RECORDING};
-use homebody_log::plain;
+use homebody_log::places::{LIST, RECORDING, logs_of, recording_in};
 use homebody_log::source::Clock;
 use homebody_log::source::recognise;
 use homebody_log::truth::tables;
@@ -173,7 +170,7 @@ impl NamedLog {
     fn is_of_its_run(&self) -> bool {
         let Some(file) = self.place.file() else { return false };
         let folder = file.parent().unwrap_or(Path::new(""));
-        places(self.scenario.as_ref()).any(|url| url.within(folder).file() == Some(file))
+        logs_of(folder, self.scenario.as_ref()).any(|url| url.file() == Some(file))
     }
 
     /// The truth that lies beside it.
@@ -207,11 +204,6 @@ fn clock(scenario: Option<&Scenario>, run: Option<&Recording>) -> RunClock {
     scenario.zip(run).map_or_else(RunClock::as_told, |(scenario, run)| RunClock::of(scenario, run.length_us))
 }
 
-/// The recording in a folder, if one can be read.
-fn recording_in(folder: &Path) -> Option<Recording> {
-    serde_json::from_str(&plain::read_text(&folder.join(RECORDING), LARGEST_RECORDING_BYTES).ok()?).ok()
-}
-
 /// A run that has no rows yet, and the folder by which it can be gone on with: its cohort's, if it is a member of one.
 fn no_rows(folder: PathBuf) -> Error {
     let cohort = folder.parent().filter(|parent| parent.join(LIST).is_file());
@@ -221,15 +213,7 @@ fn no_rows(folder: PathBuf) -> Error {
 /// The log in a run's folder: where its recording says that it is, or under a usual name.
 fn log_in(folder: &Path, recording: Option<&Recording>) -> Option<Url> {
     let scenario = recording.and_then(|run| run.scenario().ok());
-    let mut all = places(scenario.as_ref()).map(|url| url.within(folder));
-    all.find(|url| url.file().is_some_and(Path::is_file))
-}
-
-/// Where a run's log may be, within its folder.
-fn places(scenario: Option<&Scenario>) -> impl Iterator<Item = Url> {
-    let to = scenario.map(|scenario| &scenario.logger.to[..]).unwrap_or_default();
-    let said = to.iter().filter_map(|place| place.parse::<Url>().ok());
-    said.chain(SCHEMES.iter().map(|row| Url::new(row.scheme, row.usual)))
+    logs_of(folder, scenario.as_ref()).find(|url| url.file().is_some_and(Path::is_file))
 }
 
 /// The first member of a cohort who was lived.

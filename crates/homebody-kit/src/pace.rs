@@ -191,15 +191,6 @@ impl Pace {
     }
 }
 
-/// No step of a run is longer, however little happens.
-const LONGEST_STEP: Micros = 3600 * SECOND;
-
-/// The first step, before it is known how much happens.
-const FIRST_STEP: Micros = SECOND;
-
-/// A step that brings more firings and facts than this is followed by a shorter one (ours): they take some megabytes.
-const MANY_EVENTS: usize = 20_000;
-
 /// How often a paced run is advanced.
 const FRAME: Duration = Duration::from_millis(16);
 
@@ -208,28 +199,17 @@ pub(crate) struct Paced {
     pace: Pace,
     cancel: Cancel,
     commands: Option<Receiver<Command>>,
-    /// How much of the run is advanced at once.
-    step: Micros,
 }
 
 impl Paced {
     pub fn new(pace: Pace, cancel: Cancel, commands: Option<Receiver<Command>>) -> Paced {
-        Paced { pace, cancel, commands, step: FIRST_STEP }
-    }
-
-    /// Takes in how many firings and facts the last step brought: after few the next is longer, after many shorter.
-    pub fn handed(&mut self, events: usize) {
-        self.step = match events {
-            few if few < MANY_EVENTS / 2 => (self.step * 2).min(LONGEST_STEP),
-            ..=MANY_EVENTS => self.step,
-            _ => (self.step / 2).max(1),
-        };
+        Paced { pace, cancel, commands }
     }
 
     /// Waits a moment, and says until when the run may go on: until `now` if it is paused. Nothing if it shall stop.
     pub fn next(&mut self, now: Micros) -> Option<Micros> {
         while !self.cancel.is_cancelled() {
-            let until = self.pace.due().min(now.saturating_add(self.step));
+            let until = self.pace.due();
             let wait = if until > now && self.pace.speed == Speed::Max { Duration::ZERO } else { FRAME };
             match self.heard(wait, now) {
                 Some(Command::Stop) => break,
@@ -304,27 +284,11 @@ mod tests {
         let mut paced = Paced::new(Pace::paused(Speed::Max), Cancel::new(), Some(commands));
         assert_eq!(paced.next(0), Some(0));
         say.send(Command::Step(60 * SECOND)).unwrap();
-        paced.step = LONGEST_STEP;
         assert_eq!(paced.next(0), Some(60 * SECOND));
         drop(say);
-        assert_eq!(paced.next(60 * SECOND), Some(60 * SECOND + LONGEST_STEP));
+        assert_eq!(paced.next(60 * SECOND), Some(Micros::MAX));
         paced.cancel.cancel();
         assert_eq!(paced.next(60 * SECOND), None);
-    }
-
-    #[test]
-    fn steps_grow_while_little_happens_and_shrink_where_much_does() {
-        let mut paced = Paced::new(Pace::default(), Cancel::new(), None);
-        for _ in 0..20 {
-            paced.handed(100);
-        }
-        assert_eq!(paced.next(0), Some(LONGEST_STEP));
-        paced.handed(MANY_EVENTS * 3 / 4);
-        assert_eq!(paced.next(0), Some(LONGEST_STEP));
-        for _ in 0..60 {
-            paced.handed(MANY_EVENTS * 2);
-        }
-        assert_eq!(paced.next(0), Some(1), "a run always goes on");
     }
 
     #[test]

@@ -9,7 +9,7 @@ use homebody_core::problem::readable;
 use homebody_core::recording::{LONGEST, Recording};
 use homebody_core::scenario::load::Scenario;
 use homebody_log::limits::LARGEST_RECORDING_BYTES;
-use homebody_log::places::{LIST, RECORDING, SENSORS};
+use homebody_log::places::{LIST, RECORDING, SENSORS, is_all_there};
 use homebody_log::plain;
 use homebody_log::{Destination, How, Places};
 use homebody_routine::household::Household;
@@ -44,7 +44,7 @@ impl Recorded {
     /// run was killed or is still lived, [`Error::Problems`] if something is wrong with the scenario in it.
     pub fn open(path: impl AsRef<Path>) -> Result<Recorded, Error> {
         let path = path.as_ref();
-        let recording = read(path)?;
+        let recording = recording(path)?;
         if !recording.is_complete() {
             return Err(Error::Unfinished { path: path.into(), folder: left_in(path) });
         }
@@ -76,7 +76,7 @@ impl Recorded {
     }
 }
 
-/// A run that was killed or stopped, to be gone on with in the folder that it left.
+/// A run that was killed or stopped, or of which a file is missing, to be gone on with in the folder that it left.
 ///
 /// It is lived again from its beginning: what is there is compared with it, what is missing is written. In the end the log
 /// and the truth have the bytes of a run that nothing has disturbed.
@@ -97,14 +97,20 @@ impl Unfinished {
     /// # Errors
     ///
     /// [`Error::NotFolder`] if it is a file, [`Error::NoRecording`], [`Error::File`] or [`Error::Recording`] if the folder has no
-    /// recording, [`Error::Complete`] if the run was lived to its end, [`Error::OtherVersion`] if another version of the program
+    /// recording, [`Error::NotBegun`] if at most a part of one is there, [`Error::Complete`] if the run was lived to its end and all that it left is there, [`Error::OtherVersion`] if another version of the program
     /// began it, [`Error::Problems`] if something is wrong with the scenario in it.
     pub fn open(folder: impl AsRef<Path>) -> Result<Unfinished, Error> {
         let folder = folder.as_ref();
         must_be_folder(folder)?;
-        let recording = read(&folder.join(RECORDING))?;
-        let complete = || Error::Complete { what: RUN, folder: folder.into() };
-        let recording = recording.unfinished().ok_or_else(complete)?;
+        let recording = recording(&folder.join(RECORDING)).map_err(|error| match error {
+            Error::NoRecording { .. } if was_not_begun(folder) => Error::NotBegun { folder: folder.into() },
+            error => error,
+        })?;
+        let logger = recording.scenario().map(|scenario| scenario.logger).unwrap_or_default();
+        if recording.is_whole() && is_all_there(folder, &logger) {
+            return Err(Error::Complete { what: RUN, folder: folder.into() });
+        }
+        let recording = recording.begun_again();
         must_be_of_this_version(RUN, folder, &recording)?;
         let (scenario, household) = Household::recorded(&recording)?;
         let places = Places::of_folder(folder, &scenario)?;
@@ -182,8 +188,19 @@ pub(crate) fn must_be_of_this_version(what: &'static str, folder: &Path, recordi
     }
 }
 
-/// Reads a recording, be it of a run that is complete or not.
-pub(crate) fn read(path: &Path) -> Result<Recording, Error> {
+/// Whether a folder holds nothing, or only the part of a recording or of a cohort's list that was being written.
+fn was_not_begun(folder: &Path) -> bool {
+    let is_part = |name: &str| [RECORDING, LIST].iter().any(|of| name.starts_with(of)) && name.ends_with(".part");
+    let Ok(mut entries) = std::fs::read_dir(folder) else { return false };
+    entries.all(|entry| entry.is_ok_and(|entry| is_part(&entry.file_name().to_string_lossy())))
+}
+
+/// Reads a recording, be it of a run that is complete or not. What is wrong with the scenario in it comes out when it is loaded.
+///
+/// # Errors
+///
+/// [`Error::NoRecording`], [`Error::File`] or [`Error::Recording`] if there is none in this file.
+pub fn recording(path: &Path) -> Result<Recording, Error> {
     let text = text(path)?;
     let wrong = |why: String| Error::Recording { path: path.into(), why };
     let recording: Recording = serde_json::from_str(&text).map_err(|error| wrong(readable(error.to_string())))?;

@@ -5,6 +5,7 @@ use crate::error::{BoxError, Error};
 use crate::own_driver::{MakeDriver, Provider};
 use crate::pace::{Command, Pace, Paced};
 use crate::scenario::OpenScenario;
+use crate::stretch::Stretch;
 use homebody_core::drivers::Driver;
 use homebody_core::event::{Events, Fact, Firing};
 use homebody_core::home::Home;
@@ -12,7 +13,9 @@ use homebody_core::recording::{LONGEST, Recording};
 use homebody_core::run::Run;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::time::{DAY, Micros};
+use homebody_core::time::{DAY, Micros, SECOND};
+use homebody_routine::household::Household;
+use homebody_routine::living::account::Difference;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -202,8 +205,8 @@ impl RunSetup {
     }
 }
 
-/// A batch ends once it has so many firings and facts (ours), whatever drivers decide: they take some tens of megabytes.
-const MOST_EVENTS: usize = 200_000;
+/// A batch goes over no more of a run, however little happens.
+const LONGEST_BATCH: Micros = 3600 * SECOND;
 
 /// A run that is being lived.
 pub struct LiveRun {
@@ -214,11 +217,20 @@ pub struct LiveRun {
     /// The files that it comes from, which nothing replaces.
     pub(crate) sources: Vec<PathBuf>,
     pub(crate) paced: Paced,
+    pub(crate) stretch: Stretch,
     /// Whether somebody is moved by a driver of the caller's own, which no recording can hold.
     pub(crate) has_own_driver: bool,
     pub(crate) events: Events,
     /// Where the last batch begins.
     pub(crate) begin: Micros,
+}
+
+impl LiveRun {
+    /// The sentences of routines whose lives, as far as the run has come, differ from their words: planned and not done, for
+    /// want of time or of a way; far from their times; never in force.
+    pub fn differences(&self) -> Vec<Difference> {
+        Household::differences(&self.run)
+    }
 }
 
 /// What has happened in a part of a run.
@@ -278,7 +290,8 @@ impl LiveRun {
     /// A run as fast as it goes, with nobody to cancel it.
     pub(crate) fn of(scenario: Arc<Scenario>, run: Run, recording: Recording, sources: Vec<PathBuf>) -> LiveRun {
         let paced = Paced::new(Pace::default(), Cancel::new(), None);
-        LiveRun { scenario, run, recording, sources, paced, has_own_driver: false, events: Events::default(), begin: 0 }
+        let (stretch, events) = (Stretch::new(LONGEST_BATCH), Events::default());
+        LiveRun { scenario, run, recording, sources, paced, stretch, has_own_driver: false, events, begin: 0 }
     }
 
     /// Lives on, and returns what has happened: at most an hour of the run, less where it goes at a pace, nothing at all
@@ -349,8 +362,7 @@ impl LiveRun {
             return Ok(false);
         }
         let Some(until) = self.paced.next(self.begin) else { return Ok(false) };
-        let lived = self.run.advance_within(until, MOST_EVENTS, &mut self.events);
-        self.paced.handed(self.events.len());
+        let lived = self.stretch.live(&mut self.run, until, &mut self.events);
         // What happened before a driver went wrong is handed on first; asked again, the run says the same with nothing new.
         if self.events.is_empty() {
             lived?;

@@ -7,8 +7,9 @@ use homebody_core::numbers::{self, Number};
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::remarks;
-use homebody_core::time::Micros;
+use homebody_core::time::{DAY, Micros};
 use homebody_routine::household::{self, Household};
+use homebody_routine::living::account::Difference;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -96,7 +97,15 @@ impl OpenScenario {
 
     /// What is right in it but hardly meant, in a run of `length` microseconds.
     pub fn remarks(&self, length: Micros) -> Vec<Problem> {
-        remarks::of(&self.scenario, length)
+        let mut all = remarks::of(&self.scenario, length);
+        let days = i32::try_from((length + DAY - 1).div_euclid(DAY)).unwrap_or(i32::MAX);
+        all.extend(self.household.foretold(days).into_iter().map(|told| {
+            let Difference { file, line, text, lived, .. } = told;
+            let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+            let hint = "let it begin earlier, or the run last longer".to_owned();
+            Problem { line, ..Problem::of_file(&file, format!("of {text:?} comes {lived}"), Some(hint)) }
+        }));
+        all
     }
 
     /// The members of a list: a CSV file with a row for each. The conditions in `without` are left out of the lives of those

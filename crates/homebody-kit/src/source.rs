@@ -1,7 +1,7 @@
 //! Where a scenario comes from: a folder on disk, a template that came with the program, or texts in memory.
 
 use crate::error::Error;
-use homebody_core::scenario::load::{Files, Scenario};
+use homebody_core::scenario::load::{Files, MOST_BYTES, NoText, Scenario};
 use homebody_log::limits::LARGEST_OF_SCENARIO_BYTES;
 use homebody_log::plain;
 use homebody_routine::household::RoutineLanguage;
@@ -50,8 +50,8 @@ impl Source {
         let folder = if meta.is_dir() { path } else { path.parent().unwrap_or(Path::new("")) };
         let file = folder.join(&entry);
         if !file.is_file() {
-            let why = "there is no such file\n  hint: a scenario folder holds a scenario.json";
-            return Err(Error::file(&file, why));
+            let what = if file.exists() { "it is no plain file" } else { "there is no such file" };
+            return Err(Error::file(&file, format!("{what}\n  hint: a scenario folder holds a scenario.json")));
         }
         Ok(Source {
             files: Arc::new(Folder { path: folder.to_owned(), is_trusted: false }),
@@ -147,25 +147,53 @@ impl Template {
     }
 }
 
-/// The files of a folder.
-struct Folder {
-    path: PathBuf,
-    /// Whether links may lead out of it, and files be of any size.
-    is_trusted: bool,
+/// The hint of problems that nobody has with a scenario that is [`Source::trusted`].
+pub const TRUST: &str = "if the scenario is your own, or you know who made it, trust it";
+
+/// What helps where a text is none.
+const UTF_8: &str = "save it as UTF-8";
+
+/// Among so many names of files the one that was meant is looked for (ours).
+const MOST_NAMES: usize = 1000;
+
+/// The files of a scenario's folder, which may be anybody's: plain ones in there, each of at most
+/// [`LARGEST_OF_SCENARIO_BYTES`].
+#[derive(Clone, Debug)]
+pub struct Folder {
+    /// Where it is.
+    pub path: PathBuf,
+    /// Whether it is one's own: then links may lead out of it, and its files are of any size.
+    pub is_trusted: bool,
 }
 
 impl Files for Folder {
-    fn read(&self, name: &str) -> Result<String, String> {
-        let path = self.path.join(name);
-        let largest = if self.is_trusted { u64::MAX } else { LARGEST_OF_SCENARIO_BYTES };
-        let text = plain::read_text(&path, largest).map_err(|error| match error.kind() {
-            ErrorKind::NotFound => "there is no such file".to_owned(),
-            ErrorKind::IsADirectory => "it is a folder".to_owned(),
-            _ => error.to_string(),
-        })?;
-        match self.is_trusted || plain::is_inside(&self.path, &path) {
-            true => Ok(text),
-            false => Err("it is a link that leads out of the scenario's folder".to_owned()),
-        }
+    fn read(&self, name: &str) -> Result<String, NoText> {
+        let whole = self.path.join(name);
+        let (path, largest) = match self.is_trusted {
+            true => (Some(whole.clone()), u64::MAX),
+            false => (plain::within(&self.path, Path::new(name)), LARGEST_OF_SCENARIO_BYTES),
+        };
+        let of_ones_own = |why: &str| NoText::Unreadable { why: why.into(), hint: Some(TRUST.into()) };
+        let no_way = || match whole.exists() {
+            true => of_ones_own("it is a link that leads out of the scenario's folder"),
+            false => NoText::unreadable("it is a link that leads nowhere"),
+        };
+        plain::read_text(&path.ok_or_else(no_way)?, largest).map_err(|error| match error.kind() {
+            // No file has a name that no file can have.
+            ErrorKind::NotFound | ErrorKind::NotADirectory | ErrorKind::InvalidFilename => NoText::Missing,
+            ErrorKind::IsADirectory => NoText::unreadable("it is a folder"),
+            ErrorKind::FileTooLarge => of_ones_own(&error.to_string()),
+            ErrorKind::InvalidData => NoText::Unreadable { why: error.to_string(), hint: Some(UTF_8.into()) },
+            _ => NoText::unreadable(error.to_string()),
+        })
+    }
+
+    fn names(&self) -> Vec<String> {
+        let files = fs::read_dir(&self.path).into_iter().flatten().flatten().take(MOST_NAMES);
+        files.filter_map(|file| file.file_name().into_string().ok()).collect()
+    }
+
+    fn most_bytes(&self) -> usize {
+        if self.is_trusted { usize::MAX } else { MOST_BYTES }
     }
 }

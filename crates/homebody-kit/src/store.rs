@@ -5,6 +5,7 @@ use crate::run::{LiveRun, Progress};
 use homebody_core::recording::Recording;
 use homebody_log::places::{RECORDING, RUNS, TRUTH, can_be_written};
 use homebody_log::{Destination, How, Places, RunLog, Stored, Url};
+use homebody_routine::living::account::Difference;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -86,6 +87,8 @@ impl Destinations {
 /// What has become of a run that was stored.
 #[derive(Debug)]
 pub struct Lived {
+    /// The sentences of routines whose lives differ from their words.
+    pub differences: Vec<Difference>,
     /// As it was lived: its length is where it ended.
     pub recording: Recording,
     /// What the log has got.
@@ -206,6 +209,7 @@ impl LiveRun {
         Ok(Lived {
             agrees: before.as_ref().filter(|_| is_whole).map(is_same),
             before,
+            differences: self.differences(),
             sensors: self.sensors().map(str::to_owned).collect(),
             truth: places.truth.clone(),
             recorded: places.recording.clone(),

@@ -355,16 +355,48 @@ fn a_cohort_that_is_cancelled_lists_whom_it_lived() {
 
 #[test]
 fn a_resident_who_does_a_million_things_a_second_needs_time_and_not_memory() {
-    let restless = |now: Micros| {
-        let amplitude_m = if now % 2 == 0 { 0.2 } else { 0.3 };
-        segment(now, now + 1, MotionState::InPlace { at: Point::new(6.0, 4.0), amplitude_m })
+    const QUIET: Micros = 6 * 3600 * SECOND;
+    let restless = |now: Micros| match now {
+        ..QUIET => segment(now, QUIET, MotionState::Rest { at: Point::new(6.0, 4.0) }),
+        _ => {
+            let amplitude_m = if now % 2 == 0 { 0.2 } else { 0.3 };
+            segment(now, now + 1, MotionState::InPlace { at: Point::new(6.0, 4.0), amplitude_m })
+        }
     };
     let opened = tigerplace();
     let run = opened.run().days(1).driver("margaret", move |_, _| Odd(restless));
     let mut run = run.start().unwrap();
-    for _ in 0..20 {
+    let mut largest = 0;
+    let mut hasty = 0;
+    while hasty < 20 {
         let batch = run.next_batch().unwrap().unwrap();
-        assert!(batch.firings.len() + batch.facts.len() <= 200_100, "{} to {}", batch.begin, batch.end);
+        let size = batch.firings.len() + batch.facts.len();
+        assert!(size <= 200_100, "{} to {}", batch.begin, batch.end);
         assert!(batch.begin < batch.end, "a run always goes on");
+        largest = largest.max(size);
+        hasty += usize::from(batch.begin >= QUIET);
     }
+    // The control: after a quiet night an hour is lived at once, and only the limit ends it.
+    assert!(largest >= 200_000, "{largest}");
+}
+
+#[test]
+fn nothing_is_touched_where_another_program_writes_one_table_of_the_truth() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let to = Destinations {
+        log: vec![format!("csv:{}", at("log.csv").display()).parse().unwrap()],
+        truth: Some(format!("csv:{}", at("truth.csv").display()).parse().unwrap()),
+        recording: Some(at("recording.json")),
+        replace: true,
+        ..Destinations::default()
+    };
+    fs::write(at("recording.json"), "of another run").unwrap();
+    let run = || tigerplace().run().length(SECOND).start().unwrap();
+    let lock = homebody_log::lock::FileLock::take(&at("truth.cause.csv")).unwrap();
+    let error = run().store(&to, |_| ()).unwrap_err().to_string();
+    assert!(error.contains("another program is writing into") && error.contains("truth.cause.csv"), "{error}");
+    assert_eq!(fs::read_to_string(at("recording.json")).unwrap(), "of another run");
+    drop(lock);
+    run().store(&to, |_| ()).unwrap();
 }

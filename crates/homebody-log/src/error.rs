@@ -5,9 +5,19 @@ use crate::skipped::Skipped;
 use homebody_core::problem::readable;
 use homebody_core::scenario::scheme::NoPlace;
 use std::error::Error;
+use std::fmt;
 use std::fs::{File, OpenOptions};
 use std::io;
 use std::path::Path;
+
+/// What to say where the system gives no thread `to` do something.
+pub fn no_thread(to: &str, why: impl fmt::Display) -> String {
+    format!("there is no thread {to}: {why}\n  hint: allow this user more threads or memory, or run less at once")
+}
+
+fn no_writer(place: &str, why: &io::Error) -> String {
+    no_thread(&format!("to write {place}"), why)
+}
 
 /// What went wrong, at which place, and what to do about it.
 #[derive(Debug, thiserror::Error)]
@@ -72,7 +82,15 @@ pub enum LogError {
         /// The database's file.
         place: String,
     },
-    /// A file of a run's folder is a link or a device, so that writing there would write elsewhere.
+    /// A file of a run's folder is a pipe, a device or a folder.
+    #[error(
+        "{place} is a pipe, a device or a folder\n  hint: it is no file that a run has made; remove it, or live the run anew"
+    )]
+    NoPlain {
+        /// What is there.
+        place: String,
+    },
+    /// A file of a run's folder is a link, or in a folder that is one, so that writing there would write elsewhere.
     #[error(
         "{place} leads out of the run's folder\n  hint: it is no file that a run has made; remove it, or live the run anew"
     )]
@@ -87,7 +105,7 @@ pub enum LogError {
         place: String,
     },
     /// The system gives no thread to a destination.
-    #[error("there is no thread to write {place}: {source}\n  hint: allow more threads or memory, or run less at once")]
+    #[error("{}", no_writer(.place, .source))]
     NoThread {
         /// The destination.
         place: String,
@@ -202,8 +220,18 @@ pub enum LogError {
         /// What the system says.
         source: io::Error,
     },
+    /// A file is to be a database, and is none, or a damaged one.
+    #[error(
+        "{place}: {source}\n  hint: it is no database, or a damaged one: put back what was there, or name another file"
+    )]
+    Broken {
+        /// The file.
+        place: String,
+        /// What the database says.
+        source: Box<dyn Error + Send + Sync>,
+    },
     /// A database could not be read or written, for a reason that none of the others names.
-    #[error("{place}: {source}")]
+    #[error("{place}: {source}\n  hint: name another file, or take a copy of this one from before it was changed")]
     Database {
         /// The database's file.
         place: String,
@@ -316,6 +344,11 @@ impl LogError {
         }
     }
 
+    /// What is too long in a line of a log, as a sentence.
+    pub(crate) fn too_long(path: &Path, line: u64, what: String) -> LogError {
+        LogError::TooLong { place: format!("{}:{line}", place_of(path)), what }
+    }
+
     /// What an error of reading a file means.
     pub(crate) fn reading(path: &Path, source: io::Error) -> LogError {
         match source.kind() {
@@ -338,6 +371,7 @@ impl LogError {
                 let what = format!("a row or a cell of it is longer than {LONGEST_ROW_BYTES} bytes");
                 LogError::TooLong { place, what }
             }
+            Some(NotADatabase | DatabaseCorrupt) => LogError::Broken { place, source: said(source) },
             Some(ReadOnly | PermissionDenied) => LogError::Denied { place },
             // It does not say why; the system does.
             Some(CannotOpen) => match (File::open(path), OpenOptions::new().write(true).open(path)) {

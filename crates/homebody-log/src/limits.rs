@@ -19,11 +19,11 @@ pub const LONGEST_ID: usize = 255;
 pub const LONGEST_VALUE: usize = 4096;
 
 /// How many characters of a text an error quotes (ours).
-const QUOTED: usize = 40;
+const LONGEST_QUOTED: usize = 40;
 
 /// The beginning of a text, in quotes.
 pub(crate) fn beginning(text: &str) -> String {
-    match text.char_indices().nth(QUOTED) {
+    match text.char_indices().nth(LONGEST_QUOTED) {
         Some((end, _)) => format!("{:?}...", &text[..end]),
         None => format!("{text:?}"),
     }

@@ -49,7 +49,7 @@ impl FileLock {
         if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
             return nothing;
         }
-        let beside = beside(path);
+        let beside = lock_of(path);
         loop {
             let file = match OpenOptions::new().write(true).create(true).truncate(false).open(&beside) {
                 Ok(file) => file,
@@ -81,7 +81,7 @@ impl Drop for FileLock {
 }
 
 /// The lock file of a file.
-fn beside(path: &Path) -> PathBuf {
+fn lock_of(path: &Path) -> PathBuf {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(".lock");
     path.with_file_name(name)

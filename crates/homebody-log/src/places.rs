@@ -3,12 +3,14 @@
 use crate::error::{LogError, place_of};
 use crate::fresh::{all_can_be_written, same_file, whole};
 use crate::limits::LARGEST_RECORDING_BYTES;
-use crate::plain::{self, is_inside};
+use crate::plain;
 use crate::truth::tables;
 use crate::url::Url;
 use homebody_core::recording::Recording;
+pub use homebody_core::scenario::inside::{RECORDING, SENSORS, TRUTH};
 use homebody_core::scenario::load::Scenario;
-use homebody_core::scenario::scheme::{self, SCHEMES, Scheme};
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::scenario::scheme::{self, NoPlace, SCHEMES, Scheme};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -16,16 +18,8 @@ use std::path::{Path, PathBuf};
 /// The folder that runs go into where nothing else is asked for.
 pub const RUNS: &str = "runs";
 
-/// What a run's folder calls its recording.
-pub const RECORDING: &str = "recording.json";
-/// What a run's folder calls the database of its truth.
-pub const TRUTH: &str = "truth.db";
-
 /// The file beside the folders of a cohort's members that lists them.
 pub const LIST: &str = "cohort.json";
-
-/// The table of the sensors in a run's folder: id in the log, name in the home, kind, room and place.
-pub const SENSORS: &str = "sensors.csv";
 
 /// Where a run is written.
 pub struct Places {
@@ -80,10 +74,7 @@ impl Places {
 
     /// Makes sure that no file of a folder, which may be anybody's, leads elsewhere.
     fn lead_nowhere_else(&self, folder: &Path) -> Result<(), LogError> {
-        match self.files().into_iter().find(|path| leads_out(folder, path)) {
-            Some(path) => Err(LogError::LeadsOut { place: place_of(&path) }),
-            None => Ok(()),
-        }
+        self.files().iter().try_for_each(|path| leads_nowhere_else(folder, path))
     }
 
     fn nowhere() -> Places {
@@ -118,10 +109,8 @@ impl Places {
 
     /// Puts everything into a folder that has no place yet.
     fn put_into(&mut self, folder: &Path, scenario: &Scenario) -> Result<(), LogError> {
-        let to = &scenario.logger.to;
-        let default = [String::from(scheme::USUAL)];
-        for url in if to.is_empty() { &default[..] } else { to } {
-            let url = url.parse::<Url>()?.within(folder);
+        for url in logs_in(folder, &scenario.logger) {
+            let url = url?;
             if let Some(inner) = url.file().and_then(Path::parent).filter(|inner| inner.starts_with(folder)) {
                 self.make(inner)?;
             }
@@ -184,11 +173,19 @@ pub fn can_be_written(files: &[&Path], sources: &[PathBuf], force: bool) -> Resu
     all_can_be_written(files, force)
 }
 
-/// Whether a file of a run's folder is a link, a device, or in a folder that is a link to elsewhere. One that is not there yet
-/// is not.
-fn leads_out(folder: &Path, path: &Path) -> bool {
-    let is_odd = fs::symlink_metadata(path).is_ok_and(|found| !found.is_file());
-    is_odd || path.parent().is_some_and(|parent| parent.exists() && !is_inside(folder, parent))
+/// Makes sure that a file of a run's folder is a plain one, and in no folder that is a link to elsewhere. One that is not there
+/// yet is fine.
+fn leads_nowhere_else(folder: &Path, path: &Path) -> Result<(), LogError> {
+    let place = || place_of(path);
+    match fs::symlink_metadata(path).map(|found| found.file_type()) {
+        Ok(kind) if kind.is_symlink() => return Err(LogError::LeadsOut { place: place() }),
+        Ok(kind) if !kind.is_file() => return Err(LogError::NoPlain { place: place() }),
+        _ => {}
+    }
+    match path.strip_prefix(folder).ok().and_then(|name| plain::within(folder, name)) {
+        None => Err(LogError::LeadsOut { place: place() }),
+        Some(_) => Ok(()),
+    }
 }
 
 /// Makes sure that what is to be written is no file that a run has left in its folder, or is going to.
@@ -201,12 +198,10 @@ pub fn not_of_a_run(to: &Url) -> Result<(), LogError> {
     // Of a link, both where it is and where it leads to.
     for place in [whole(file), file.canonicalize().ok()].into_iter().flatten() {
         for folder in place.ancestors().skip(1) {
-            let path = folder.join(RECORDING);
-            if !path.is_file() {
+            if !folder.join(RECORDING).is_file() {
                 continue;
             }
-            let text = plain::read_text(&path, LARGEST_RECORDING_BYTES).unwrap_or_default();
-            let recording = serde_json::from_str::<Recording>(&text).ok();
+            let recording = recording_in(folder);
             let is_under_way = recording.as_ref().is_some_and(|recording| !recording.is_complete());
             let is_it = |known: &PathBuf| (is_under_way || known.exists()) && same_file(known, &place);
             if files_of_run(folder, recording.as_ref()).iter().any(is_it) {
@@ -217,15 +212,41 @@ pub fn not_of_a_run(to: &Url) -> Result<(), LogError> {
     Ok(())
 }
 
+/// Where a logger's rows go in a run's folder.
+fn logs_in(folder: &Path, logger: &LoggerFile) -> impl Iterator<Item = Result<Url, NoPlace>> {
+    let usual = if logger.to.is_empty() { Some(scheme::USUAL) } else { None };
+    logger.to.iter().map(String::as_str).chain(usual).map(move |place| Ok(place.parse::<Url>()?.within(folder)))
+}
+
+/// Whether all is there that a whole run leaves in its folder.
+pub fn is_all_there(folder: &Path, logger: &LoggerFile) -> bool {
+    let logs = logs_in(folder, logger).filter_map(|url| Some(url.ok()?.file()?.to_owned()));
+    logs.chain([RECORDING, TRUTH, SENSORS].map(|name| folder.join(name))).all(|file| file.exists())
+}
+
 /// What a run leaves in its folder, be it there yet or not.
 fn files_of_run(folder: &Path, recording: Option<&Recording>) -> Vec<PathBuf> {
     let scenario = recording.and_then(|recording| recording.scenario().ok());
-    let to = scenario.map(|scenario| scenario.logger.to).unwrap_or_default();
+    let places = Places {
+        log: logs_of(folder, scenario.as_ref()).collect(),
+        truth: Some(Url::new(Scheme::Csv, folder.join(TRUTH).with_extension("csv"))),
+        recording: Some(folder.join(RECORDING)),
+        sensors: Some(folder.join(SENSORS)),
+        made: Vec::new(),
+    };
+    places.files().into_iter().chain([folder.join(TRUTH)]).collect()
+}
+
+/// Where the log of a run may be in its folder: where its scenario says, or under a usual name.
+pub fn logs_of(folder: &Path, scenario: Option<&Scenario>) -> impl Iterator<Item = Url> {
+    let to = scenario.map(|scenario| &scenario.logger.to[..]).unwrap_or_default();
     let said = to.iter().filter_map(|place| place.parse::<Url>().ok());
-    let usual = SCHEMES.iter().map(|row| Url::new(row.scheme, row.usual));
-    let logs = said.chain(usual).filter_map(|url| Some(folder.join(url.file()?)));
-    let truth = Url::new(Scheme::Csv, folder.join(TRUTH).with_extension("csv")).files(&tables());
-    logs.chain(truth).chain([RECORDING, TRUTH, SENSORS].map(|name| folder.join(name))).collect()
+    said.chain(SCHEMES.iter().map(|row| Url::new(row.scheme, row.usual))).map(|url| url.within(folder))
+}
+
+/// The recording in a run's folder, if one can be read.
+pub fn recording_in(folder: &Path) -> Option<Recording> {
+    serde_json::from_str(&plain::read_text(&folder.join(RECORDING), LARGEST_RECORDING_BYTES).ok()?).ok()
 }
 
 /// A scenario's name as that of a folder.

@@ -4,7 +4,7 @@
 
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
-use std::path::Path;
+use std::path::{Component, Path, PathBuf};
 
 /// Opens a plain file to be read.
 ///
@@ -43,16 +43,32 @@ pub fn read(path: &Path, largest: u64) -> io::Result<Vec<u8>> {
 ///
 /// As [`read`], and [`ErrorKind::InvalidData`] where it is no text.
 pub fn read_text(path: &Path, largest: u64) -> io::Result<String> {
-    let text = String::from_utf8(read(path, largest)?)
-        .map_err(|_| io::Error::new(ErrorKind::InvalidData, "it is not text in UTF-8"))?;
+    let text = String::from_utf8(read(path, largest)?).map_err(|error| {
+        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+        io::Error::new(ErrorKind::InvalidData, format!("line {line} is not text in UTF-8"))
+    })?;
     Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
 }
 
+/// Where a path leads below a folder, be something there yet or not; `None` where it leads out, by its own words or along a link.
+/// A link that stays inside is followed.
+pub fn within(folder: &Path, path: &Path) -> Option<PathBuf> {
+    if !path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)) {
+        return None;
+    }
+    let whole = folder.join(path);
+    let is_there = |place: &&Path| !place.as_os_str().is_empty() && fs::symlink_metadata(place).is_ok();
+    // What is not there yet is going to be where its folder is.
+    let there = whole.ancestors().find(is_there).unwrap_or(folder);
+    is_inside(folder, there).then_some(whole)
+}
+
 /// Whether a path leads to a place in a folder, links followed. What is not there is nowhere.
-pub fn is_inside(folder: &Path, path: &Path) -> bool {
+fn is_inside(folder: &Path, path: &Path) -> bool {
     // The current folder has no name.
-    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    matches!((folder.canonicalize(), path.canonicalize()), (Ok(folder), Ok(path)) if path.starts_with(&folder))
+    let real = |path: &Path| if path.as_os_str().is_empty() { Path::new(".") } else { path }.canonicalize();
+    matches!((real(folder), real(path)), (Ok(folder), Ok(path)) if path.starts_with(&folder))
 }
 
 #[cfg(test)]
@@ -81,7 +97,17 @@ mod tests {
         fs::write(folder.path().join("secret"), "").unwrap();
         fs::write(inner.join("own"), "").unwrap();
         std::os::unix::fs::symlink("../secret", &link).unwrap();
-        assert!(!is_inside(&inner, &link) && is_inside(folder.path(), &link));
-        assert!(is_inside(&inner, &inner.join("own")) && !is_inside(&inner, &inner.join("none")));
+        std::os::unix::fs::symlink("own", inner.join("other")).unwrap();
+        std::os::unix::fs::symlink("none", inner.join("dangling")).unwrap();
+        std::os::unix::fs::symlink("..", inner.join("up")).unwrap();
+        let leads = |path: &str| within(&inner, Path::new(path));
+        for inside in ["own", "./own", "other", "none", "new/none", "a b"] {
+            assert_eq!(leads(inside), Some(inner.join(inside)));
+        }
+        for out in ["link", "up/secret", "up/none", "dangling", "../secret", "new/../own", "/etc", "link/none"] {
+            assert_eq!(leads(out), None, "{out}");
+        }
+        assert_eq!(within(folder.path(), Path::new("inner/link")), Some(link));
+        assert_eq!(within(Path::new(""), Path::new("none")), Some("none".into()));
     }
 }

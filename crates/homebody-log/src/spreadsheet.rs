@@ -1,14 +1,20 @@
 //! Texts that a spreadsheet would take for a formula, and run: whoever names a sensor writes into it.
 //!
-//! Such a text has a `'` before it in CSV, which spreadsheets take for "this is text". It is taken away when our own files
-//! are read. A number, such as -3.5, is no formula.
+//! Such a text has a `'` before it in CSV, which spreadsheets take for "this is text". A number, such as -3.5, is no formula. Who
+//! reads takes the `'` away, whoever wrote the file. A logger's `spreadsheet_safe` only says whether formulas of the log and of the
+//! truth get one; those in `sensors.csv`, which people open first, always do.
 
 use std::borrow::Cow;
 
 /// How a formula begins, or what spreadsheets pass over before one.
 const BEGINS: [char; 6] = ['=', '+', '-', '@', '\t', '\r'];
 
-/// A text as it stands in a cell.
+/// A text as it stands in a cell of a log or a truth that is safe, or is not.
+pub(crate) fn cell(text: &str, is_safe: bool) -> Cow<'_, str> {
+    if is_safe || is_escaped(text) { escaped(text) } else { text.into() }
+}
+
+/// A text as it stands in a cell that is safe.
 pub(crate) fn escaped(text: &str) -> Cow<'_, str> {
     // What looks escaped already is escaped once more, so that each text comes back as it was.
     match is_formula(text) || is_escaped(text) {
@@ -51,6 +57,7 @@ mod tests {
         ] {
             assert_eq!(escaped(text), cell);
             assert_eq!(unescaped(&escaped(text)), text, "{cell}");
+            assert_eq!(unescaped(&super::cell(text, false)), text, "{cell}");
         }
     }
 }

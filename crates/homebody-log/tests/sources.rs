@@ -36,7 +36,7 @@ fn told(log: &Log) -> Vec<(i64, &str, &str)> {
 #[test]
 fn what_was_logged_is_read_back() {
     let firings = stage::firings(5_000);
-    let messages = MessagesFile::OnOff(OnOffFile { hold_s: 4.0 });
+    let messages = MessagesFile::OnOff(OnOffFile::exactly(4.0));
     for time in [TimeFormat::Local, TimeFormat::LocalOffset, TimeFormat::Utc, TimeFormat::EpochS] {
         let folder = Folder::new(&format!("back-{time:?}"));
         let file = LoggerFile { messages: messages.clone(), time, ..Default::default() };
@@ -63,7 +63,7 @@ fn what_was_logged_is_read_back() {
 #[test]
 fn a_log_goes_from_form_to_form_and_comes_back_the_same() {
     let folder = Folder::new("round");
-    let file = LoggerFile { messages: MessagesFile::OnOff(OnOffFile { hold_s: 4.0 }), ..Default::default() };
+    let file = LoggerFile { messages: MessagesFile::OnOff(OnOffFile::exactly(4.0)), ..Default::default() };
     let logger = stage::open(&[folder.url("casas:first.txt")], &file, false).unwrap();
     stage::store(logger, &stage::firings(10_000), 100).unwrap();
     let mut from = folder.url("casas:first.txt");
@@ -77,6 +77,35 @@ fn a_log_goes_from_form_to_form_and_comes_back_the_same() {
     assert_eq!(folder.text("first.txt"), folder.text("last.txt"));
     let again = carry(&folder.url("casas:first.txt"), &from, "UTC");
     assert!(matches!(again, Err(LogError::Exists { .. })));
+}
+
+/// What CSV can hold comes back as it was, with blanks at its ends and control characters; CASAS refuses what it cannot hold.
+#[test]
+fn odd_texts_come_back_as_they_were_or_are_refused() {
+    let odd =
+        [(" door ", "ON"), ("\u{a0}stove", "  ON"), ("a\tb", "O\nN"), ("\r\nhall\r", "x\r"), ("=cmd()", "\u{1}'=1 ")];
+    let folder = Folder::new("odd");
+    let database = Connection::open(folder.path().join("first.db")).unwrap();
+    database.execute_batch("CREATE TABLE firing (fired_at TEXT, sensor TEXT, value TEXT)").unwrap();
+    for (sensor, value) in odd {
+        let sql = "INSERT INTO firing VALUES ('2009-03-07 22:00:05', ?, ?)";
+        database.execute(sql, [sensor, value]).unwrap();
+    }
+    drop(database);
+    carry(&folder.url("sqlite:first.db"), &folder.url("csv:second.csv"), "UTC").unwrap();
+    let texts = |log: &Log| {
+        log.events.iter().map(|event| (log.sensor(event).to_owned(), log.value(event).to_owned())).collect::<Vec<_>>()
+    };
+    let expected = odd.map(|(sensor, value)| (sensor.to_owned(), value.to_owned()));
+    let log = read(&folder.url("csv:second.csv"), &LoggerFile::default()).unwrap();
+    assert_eq!(texts(&log), expected);
+    // Lines that end as on Windows add nothing to the last cell.
+    let plain = "seq,fired_at,sensor,value\r\n0,2009-03-07 22:00:05, door ,ON\r\n";
+    let log = from_text(&folder, "csv:windows.csv", plain).unwrap();
+    assert_eq!(texts(&log), [(" door ".to_owned(), "ON".to_owned())]);
+    let error = carry(&folder.url("sqlite:first.db"), &folder.url("casas:third.txt"), "UTC").unwrap_err().to_string();
+    assert!(error.contains("cannot hold the control characters of ") && error.contains("sqlite: or csv:"), "{error}");
+    assert!(!folder.files().iter().any(|name| name.starts_with("third")), "{:?}", folder.files());
 }
 
 #[test]
@@ -126,6 +155,11 @@ fn what_is_known_of_sensors_comes_with_the_log() {
         [("M 1", "hall wall", "motion", true, Some("hall")), ("D1", "front door", "contact", false, None)]
     );
     assert_eq!(known("what,somebody,else\nwrote,of,theirs\n"), []);
+    // One that is too large is not read, and that is told.
+    let large = format!("{head}M 1,{},motion,hall,1.5,2\n", "x".repeat(4 << 20));
+    assert_eq!(known(&large), []);
+    let [remark] = &from_text(&folder, "csv:log.csv", log).unwrap().remarks[..] else { panic!("one remark") };
+    assert!(remark.contains("sensors.csv: it is larger than 4 MB"), "{remark}");
 }
 
 #[test]
@@ -256,6 +290,7 @@ fn csv_files_of_many_kinds() {
         "\u{feff}Time,Sensor,Value\r\n2009-03-02 07:12:03.25,M1,ON\r\n",
         "2009-03-02 07:12:03.25,M1,ON,Sleep\n",
         "seq,ts_local,sensor_id,event_code\n0,2009-03-02 07:12:03.25,M1,ON\n",
+        "time;sensor;value\n2009-03-02 07:12:03.25;M1;ON\n",
         "value,\"sensor\",note,time\nON,\"M1\",\"a, b\",2009-03-02T07:12:03.25\n",
     ] {
         assert_eq!(told(&from_text(&folder, "csv:log.csv", text).unwrap()), one, "{text}");
@@ -345,6 +380,12 @@ fn what_is_longer_than_a_log_has_it_ends_the_reading() {
         let error = error.to_string();
         assert!(error.contains(said) && error.contains("hint: ") && error.len() < 400, "{said}: {error}");
     }
+    let line = "2009-03-02 07:12:03 M1 ON\n";
+    let long = format!("{line}{line}{}\n{line}", "x".repeat(LONGEST_ROW_BYTES + 1));
+    let error = from_text(&folder, "casas:log.txt", &long).unwrap_err().to_string();
+    assert!(error.contains("log.txt:3: the line is longer than 1048576 bytes"), "{error}");
+    let whole = format!("{line}2009-03-02 07:12:04 M1 ON {}\n", "x".repeat(LONGEST_ROW_BYTES - 27));
+    assert_eq!(from_text(&folder, "casas:log.txt", &whole).unwrap().events.len(), 2);
     // The control: what is as long as it may be is read.
     for text in [
         row(&"é".repeat(LONGEST_VALUE)),

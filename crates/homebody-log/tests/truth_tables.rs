@@ -3,9 +3,12 @@
 //! `HOMEBODY_REWRITE=1 cargo test -p homebody-log --test truth_tables` writes it anew. That its queries run, and what they
 //! answer, is tested with the command.
 
+#[path = "../../../tests/generated.rs"]
+mod generated;
+
+use generated::is_generated;
 use homebody_log::table::{Column, ColumnKind, Table};
 use homebody_log::truth::tables;
-use std::path::Path;
 
 const HEAD: &str = "\
 # The truth
@@ -115,15 +118,10 @@ fn sentence(words: &str) -> String {
 
 #[test]
 fn the_document_is_what_the_tables_say() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/truth.md");
-    let generated = document(&tables());
-    if std::env::var_os("HOMEBODY_REWRITE").is_some() {
-        std::fs::write(&path, &generated).unwrap();
-    }
-    let written = std::fs::read_to_string(&path).unwrap_or_default();
-    assert!(written == generated, "docs/truth.md is not what the tables say; see the head of this test");
+    let text = document(&tables());
+    is_generated("docs/truth.md", &text);
     // The control: another column makes another page.
     let mut others = tables();
     others[0].columns.pop();
-    assert!(document(&others) != generated);
+    assert!(document(&others) != text);
 }

@@ -4,8 +4,8 @@ use crate::fuzzy::Fuzzy;
 use crate::language::LAST_WEEK;
 use crate::language::activities::phrase;
 use crate::routine::{
-    Chance, Change, Days, Effect, Habit, Moment, PartOfDay, Person, Phase, Quote, Response, Routine, Rule, Trigger,
-    When,
+    Activity, Chance, Change, Days, Effect, Habit, Moment, PartOfDay, Person, Phase, Quote, Response, Routine, Rule,
+    Trigger, When,
 };
 use serde::Serialize;
 
@@ -164,7 +164,7 @@ fn of_habit(habit: &Habit) -> Row {
         (least, most) if least == most => format!("{least} times"),
         (least, most) => format!("{least} to {most} times"),
     };
-    let when = when_words(&habit.when);
+    let when = when_words(&habit.when, &habit.activity);
     let place = habit.place.as_ref().map(|place| format!("at the {place}"));
     let lasting = habit.lasts.as_ref().map(|lasts| format!("lasts {}", lasts_words(lasts)));
     let until = habit.until.as_ref().map(|until| format!("until {}", clock_words(until)));
@@ -367,7 +367,7 @@ fn short_days(days: &Days, chance: &Chance) -> String {
     join(parts.into_iter(), " ")
 }
 
-fn when_words(when: &When) -> String {
+fn when_words(when: &When, of: &Activity) -> String {
     let gap = |gap: &Option<Fuzzy>, word: &str| match gap {
         Some(gap) => format!("{} {word}", lasts_words(gap)),
         None => format!("right {word}"),
@@ -375,7 +375,8 @@ fn when_words(when: &When) -> String {
     match when {
         When::AnyTime => "whenever it fits".into(),
         When::At(at) => format!("start {}", clock_words(at)),
-        When::Within(PartOfDay::Night) => "at any time of the night, while in bed".into(),
+        When::Within(PartOfDay::Night) if of.is_of_the_night() => "at any time of the night, while in bed".into(),
+        When::Within(PartOfDay::Night) => "in the hours before bed".into(),
         When::Within(part) => {
             let (from, to) = part.hours();
             format!("start at any time from {} to {}", clock(from), clock(to))

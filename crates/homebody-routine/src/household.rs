@@ -4,7 +4,9 @@ use crate::completion::{self, Word};
 use crate::language::lexicon::OWN_FILE;
 use crate::language::{self, Known, Lexicon};
 use crate::living;
+use crate::living::account::{self, Difference};
 use crate::living::body::Body;
+use crate::living::company::{Company, People};
 use crate::living::driver::RoutineDriver;
 use crate::living::life::Life;
 use crate::living::pet::PetDriver;
@@ -14,13 +16,15 @@ use crate::routine::{Effect, Kind, Routine, USUAL, shows};
 use homebody_core::drivers;
 use homebody_core::home::plan::Plan;
 use homebody_core::home::{Build, Home};
+use homebody_core::ids::ResidentId;
 use homebody_core::models;
 use homebody_core::numbers::Number;
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::recording::Recording;
-use homebody_core::run::{DriverProvider, Guest};
+use homebody_core::run::{DriverProvider, Guest, Run};
 use homebody_core::scenario::home::HomeFile;
-use homebody_core::scenario::load::{Driver, Files, Language, RoutineText, Scenario};
+use homebody_core::scenario::load::{Driver, Files, Language, NoText, RoutineText, Scenario, too_long};
+use homebody_core::time::DAY;
 use homebody_walk::Mesh;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -91,6 +95,9 @@ pub fn numbers() -> Vec<Number> {
     let own = NUMBERS.iter().map(|number| (*number).clone()).chain(living::numbers());
     own.chain(homebody_walk::numbers()).chain(models::numbers()).collect()
 }
+
+/// No scenario shows more conditions (ours).
+const MOST_CONDITIONS: usize = 64;
 
 /// What a routine that says nothing of it leaves to be ordinary.
 const ORDINARY: &str = include_str!("ordinary.routine");
@@ -178,7 +185,7 @@ impl Household {
             is_one_of_many: false,
         };
         let life = household.life(resident, scenario.file.seed)?;
-        let (unsaid, words) = (life.unsaid().clone(), completion::words(&names, text));
+        let (unsaid, words) = (life.unsaid(), completion::words(&names, text));
         Some(Understood { routine, unsaid, conditions: household.conditions, problems, words, life })
     }
 
@@ -202,7 +209,7 @@ impl Household {
 
     /// What the routine of a resident leaves unsaid, and goes as it usually does.
     pub fn unsaid(&self, resident: usize) -> Option<Routine> {
-        self.life(resident, 0).map(|life| life.unsaid().clone())
+        self.life(resident, 0).map(|life| life.unsaid())
     }
 
     /// The conditions that are shown, by name.
@@ -232,12 +239,42 @@ impl Household {
         ))
     }
 
+    /// The sentences of everybody's routines whose lives in a run, as far as it has come, differ from their words.
+    pub fn differences(run: &Run) -> Vec<Difference> {
+        let days = i32::try_from(run.now().div_euclid(DAY)).unwrap_or(i32::MAX);
+        let drivers = (0..run.names().len()).filter_map(|body| run.driver(ResidentId::of(body))?.as_any());
+        let lives = drivers.filter_map(|driver| driver.downcast_ref::<RoutineDriver>());
+        let residents = lives.filter(|driver| !driver.is_visitor());
+        residents.flat_map(|driver| account::differences(driver.life(), driver.tally(), days)).collect()
+    }
+
+    /// What of this can be told before a run of so many days.
+    pub fn foretold(&self, days: i32) -> Vec<Difference> {
+        let lives = (0..self.routines.len()).filter_map(|resident| self.life(resident, 0));
+        lives.flat_map(|life| account::foretold(&life, days)).collect()
+    }
+
     fn find_guests(&self) -> Vec<Visitor> {
         let of = |host: usize| {
             let names = self.life(host, 0).map(|life| life.visitors()).unwrap_or_default();
             names.into_iter().map(move |name| Visitor { host, name }).collect::<Vec<_>>()
         };
         (0..self.routines.len()).flat_map(of).collect()
+    }
+
+    /// Everybody who lives or comes there.
+    fn people(&self) -> Arc<People> {
+        let is_person = |routine: &Option<Routine>| {
+            let person = routine.as_ref().and_then(|routine| routine.person.as_ref());
+            person.is_none_or(|person| person.kind == Kind::Person)
+        };
+        let mut are_people: Vec<bool> = self.routines.iter().map(is_person).collect();
+        let residents = are_people.iter().filter(|&&is| is).count();
+        let first = are_people.len();
+        let visitor = |(index, of): (usize, &Visitor)| (ResidentId::of(first + index), of.host, of.name.clone());
+        let visitors: Vec<_> = self.guests.iter().enumerate().map(visitor).collect();
+        are_people.resize(first + visitors.len(), true);
+        Arc::new(People { are_people, visitors, residents })
     }
 
     /// What a body walks by.
@@ -257,19 +294,26 @@ impl DriverProvider for Household {
     fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn drivers::Driver>> {
         let mesh = self.mesh(body, home);
         let places = |name: &str| Arc::new(Places::new(&self.scenario.home, &home.plan, &mesh, name));
+        let company = |build: Build| Company::new(self.people(), build.radius_m, &home.numbers);
         if let Some(guest) = body.checked_sub(self.scenario.residents.len()) {
             let Visitor { host, name } = self.guests.get(guest)?;
             let life = Arc::new(self.life(*host, seed)?);
             let places = places(&life.name);
-            let body = Body::new(home.clone(), mesh.clone(), home.numbers.of(&GUEST_PACE_MPS));
-            return Some(Box::new(RoutineDriver::visitor(life, home.clone(), places, body, name)));
+            let (own, host) =
+                (Body::new(home.clone(), mesh.clone(), home.numbers.of(&GUEST_PACE_MPS)), ResidentId::of(*host));
+            let company = company(Build::adult());
+            return Some(Box::new(RoutineDriver::visitor(life, home.clone(), places, own, (host, name), company)));
         }
         let life = Arc::new(self.life(body, seed)?);
         let places = places(&life.name);
         let kind = self.routine(body)?.person.as_ref().map_or(Kind::Person, |person| person.kind);
         let own = Body::new(home.clone(), mesh.clone(), life.pace_mps);
         match kind {
-            Kind::Person => Some(Box::new(RoutineDriver::new(life, home.clone(), places, own))),
+            Kind::Person => {
+                let company = company(Build::of(&self.scenario.residents[body].file));
+                let id = ResidentId::of(body);
+                Some(Box::new(RoutineDriver::new(life, home.clone(), places, own, id, company)))
+            }
             Kind::Cat | Kind::Dog => Some(Box::new(PetDriver::new(life, places, own))),
         }
     }
@@ -388,7 +432,7 @@ impl<'a> Reader<'a> {
             for first in verb + 1..words.len().min(verb + 6) {
                 for last in first + 1..=words.len().min(first + 4) {
                     let name = words[first..last].join("-");
-                    if !names.contains(&name) && self.files.read(&file_of(&name)).is_ok() {
+                    if !names.contains(&name) && self.files.read(&file_of(&name)) != Err(NoText::Missing) {
                         names.push(name);
                     }
                 }
@@ -403,19 +447,33 @@ impl<'a> Reader<'a> {
             let Effect::Shows { condition, .. } = &change.effect else { continue };
             if path.contains(condition) {
                 let what = format!("the conditions {} show each other in a circle", path.join(" and "));
-                let mut problem =
-                    Problem::of_file(&routine.file, what, Some("let one of them not show the other".into()));
-                (problem.line, problem.column) = (change.said.line, change.said.column);
-                self.problems.push(problem);
+                let hint = "let one of them not show the other".to_owned();
+                self.problems.push(said_at(routine, change.said.line, change.said.column, what, hint));
                 continue;
             }
             if self.known.contains_key(condition) {
                 continue;
             }
             let file = file_of(condition);
-            let own = self.files.read(&file).ok();
             let built_in = || CONDITIONS.iter().find(|(name, _)| name == condition).map(|(_, text)| (*text).to_owned());
-            let Some(text) = own.or_else(built_in) else { continue };
+            let read = match self.files.read(&file) {
+                Ok(_) if self.known.len() >= MOST_CONDITIONS => {
+                    Err(format!("nobody shows more than {MOST_CONDITIONS} conditions: {file:?} is one too many"))
+                }
+                Ok(text) => too_long(&text).map_or(Ok(Some(text)), |why| Err(format!("{file:?} is too long: {why}"))),
+                // Only where there is none of its own: one that cannot be read is not passed over.
+                Err(NoText::Missing) => Ok(built_in()),
+                Err(why) => Err(format!("{file:?} cannot be read: {why}")),
+            };
+            let text = match read {
+                Ok(Some(text)) => text,
+                Ok(None) => continue,
+                Err(what) => {
+                    let hint = "make it a plain file with a condition, or remove it".to_owned();
+                    self.problems.push(said_at(routine, change.said.line, change.said.column, what, hint));
+                    continue;
+                }
+            };
             let names = self.names(&text);
             let (routine, problems) = language::condition(&file, &text, &self.may_be_named(None, names));
             self.problems.extend(problems);
@@ -426,6 +484,11 @@ impl<'a> Reader<'a> {
             path.pop();
         }
     }
+}
+
+/// A problem with what is said at a place of a routine.
+fn said_at(routine: &Routine, line: u32, column: u32, what: String, hint: String) -> Problem {
+    Problem { line, column, ..Problem::of_file(&routine.file, what, Some(hint)) }
 }
 
 fn file_of(condition: &str) -> String {

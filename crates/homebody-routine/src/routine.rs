@@ -332,14 +332,12 @@ impl Activity {
         ]
     };
 
-    /// The activities without ways of their own, by their rows: all that a routine can say but these, and what only the living
-    /// tells of.
+    /// The activities without ways of their own, by their rows: all that a routine can say but these. What has no usual length
+    /// only the living tells of.
     pub fn everyday() -> impl Iterator<Item = Activity> {
-        const TOLD: [&str; 5] =
-            [activity::SLEEPING, activity::LEAVING_HOME, activity::VISITING, activity::RESTING, activity::ROAMING];
         let is_own = |label: &str| Activity::OWN_WAYS.iter().any(|own| own.label() == label);
-        let rows = activity::ACTIVITIES.iter().map(|known| known.label);
-        rows.filter(move |label| !is_own(label) && !TOLD.contains(label)).map(Activity::Everyday)
+        let rows = activity::ACTIVITIES.iter().filter(|known| known.usual.is_some()).map(|known| known.label);
+        rows.filter(move |label| !is_own(label)).map(Activity::Everyday)
     }
 
     /// The activity of a label, if a routine can say it.
@@ -404,6 +402,56 @@ impl Activity {
             // Where it is said, else on a seat.
             Activity::Other(_) => &[Role::Armchair],
             _ => activity::known(self.label()).map_or(&[], |known| known.roles),
+        }
+    }
+}
+
+impl Habit {
+    /// Whether it says how often in a day, or in a night, something is done; a time of its own, or what it comes after, says of
+    /// one time that there is.
+    pub fn is_how_often(&self, activity: &Activity, at_night: bool) -> bool {
+        let span = match self.when {
+            When::AnyTime | When::Within(PartOfDay::Day) => Some(false),
+            When::Within(PartOfDay::Night) => Some(true),
+            _ => None,
+        };
+        self.activity == *activity && self.visitor.is_none() && span == Some(at_night)
+    }
+
+    /// Whether it says what a usual habit would fill in: the same, and after the same where that is what tells them apart.
+    pub(crate) fn stands_for(&self, usual: &Habit) -> bool {
+        // Who is in hospital for a week goes out as usual before and after.
+        let is_long = self.lasts.is_some_and(|lasts| lasts.low >= 86_400.0);
+        let is_after_another = match (&self.when, &usual.when) {
+            (When::After(of, _), When::After(after, _)) => usual.activity == Activity::WashUp && of != after,
+            _ => false,
+        };
+        self.activity == usual.activity && self.visitor.is_none() && !is_long && !is_after_another
+    }
+
+    /// Whether it is of what everybody does every day: what is said of Sunday then leaves the other days as they are.
+    pub(crate) fn is_of_every_day(&self) -> bool {
+        use Activity::{Dress, Eat, GetUp, GoToBed, Prepare, Wash};
+        matches!(self.activity, GetUp | GoToBed | Dress | Wash | Prepare(_) | Eat(_))
+    }
+}
+
+impl Effect {
+    /// Whether both change the same: the later one then replaces the other.
+    pub(crate) fn is_of_the_same(&self, other: &Effect) -> bool {
+        use Effect::{Active, Forgets, Later, Longer, LongerBy, Oftener, Shows, Skips};
+        match (self, other) {
+            (Shows { .. }, _) => false,
+            (Later { activity, .. }, Later { activity: of, .. })
+            | (Longer { activity, .. }, Longer { activity: of, .. })
+            | (LongerBy { activity, .. }, LongerBy { activity: of, .. })
+            | (Skips { activity, .. }, Skips { activity: of, .. }) => activity == of,
+            (Oftener { activity, part, .. }, Oftener { activity: of, part: when, .. }) => {
+                activity == of && part == when
+            }
+            (Active { part, .. }, Active { part: when, .. }) => part == when,
+            (Forgets { thing, .. }, Forgets { thing: of, .. }) => thing.to_lowercase() == of.to_lowercase(),
+            _ => std::mem::discriminant(self) == std::mem::discriminant(other),
         }
     }
 }

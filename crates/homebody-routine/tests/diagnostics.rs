@@ -181,6 +181,7 @@ fn a_way_without_a_purpose() {
     let outside = "for what is outside, write \"she goes out at 10:00 for 2 hours\"";
     refused("She goes to the volcano on Friday.", "volcano", "is no place of this home", outside);
     understood("She goes to the hairdresser on Friday.");
+    understood("She is in hospital from day 30.");
     understood("She sits in the kitchen for 20 minutes.");
 }
 
@@ -222,7 +223,8 @@ fn a_verb_that_goes_with_something_else() {
 #[test]
 fn no_duration_or_more_than_a_day() {
     refused("She reads for 0 minutes.", "0 minutes", "is no time at all", "");
-    refused("She reads for 25 hours.", "25 hours", "is more than a day", "");
+    refused("She reads for 25 hours.", "for 25 hours", "is more than a day", "");
+    understood("On Tuesday she is out for 25 hours.");
     refused("She reads for -5 minutes.", "-5 minutes", "is no length of time", "");
     refused("She reads for 3 beats.", "3 beats", "is no length of time", "");
 }

@@ -116,7 +116,12 @@ fn a_blank_line_changes_nothing() {
 /// The life of the apartment by a routine: what is planned.
 fn planned(routine: &str) -> Vec<Agenda> {
     let (scenario, household) = household(&files(routine, &[]), &[]).unwrap();
-    plans(&scenario, &household)
+    let mut plans = plans(&scenario, &household);
+    // The place of its sentence among the others is no number of its own.
+    for plan in &mut plans {
+        plan.items.iter_mut().chain(&mut plan.breaks).for_each(|item| item.of = None);
+    }
+    plans
 }
 
 fn items(plans: &[Agenda]) -> impl Iterator<Item = (i32, &Item)> {

@@ -14,7 +14,7 @@ pub enum Pattern {
 }
 
 /// A return after more places than this is no lap (ours).
-pub(super) const LONGEST_LAP: usize = 6;
+pub(super) const LAP_PLACES: usize = 6;
 
 /// The pattern of a sequence of places or rooms.
 ///
@@ -32,7 +32,7 @@ pub fn pattern_of(rooms_or_places: &[usize]) -> Pattern {
     let (mut open_from, mut remaining_from) = (0, 0);
     for at in 0..places.len() {
         let last = places[open_from..at].iter().rposition(|place| *place == places[at]).map(|index| open_from + index);
-        let Some(first) = last.filter(|first| at - first <= LONGEST_LAP) else { continue };
+        let Some(first) = last.filter(|first| at - first <= LAP_PLACES) else { continue };
         random += usize::from(places.get(remaining_from..first).is_some_and(repeats));
         if at - first == 2 {
             pacing += 1

@@ -22,7 +22,7 @@ impl Routes {
     }
 
     /// The mesh that is asked.
-    pub fn mesh(&self) -> &Mesh {
+    pub fn mesh(&self) -> &Arc<Mesh> {
         &self.mesh
     }
 

@@ -17,7 +17,7 @@
 
 use crate::gait::Gait;
 use crate::mesh::Mesh;
-use crate::pattern::LONGEST_LAP;
+use crate::pattern::LAP_PLACES;
 use homebody_core::drivers::MotionSegment;
 use homebody_core::event::MotionState;
 use homebody_core::geometry::{self, Point};
@@ -161,7 +161,7 @@ fn between(
 fn goals(kind: Wandering, mesh: &Mesh, plan: &Plan, from: Point, numbers: &Numbers, stream: &mut Stream) -> Vec<Point> {
     let [apart_m, around_m, reached_m] = [&APART_M, &ROOM_AROUND_M, &REACHED_M].map(|number| numbers.of(number));
     let count = match kind {
-        Wandering::Random => LONGEST_LAP + 2,
+        Wandering::Random => LAP_PLACES + 2,
         Wandering::Lapping => 3 + stream.pick(&[1.0; 3]),
         Wandering::Pacing => 2,
     };
@@ -197,7 +197,7 @@ fn goals(kind: Wandering, mesh: &Mesh, plan: &Plan, from: Point, numbers: &Numbe
 
 /// A place that was not among the last ones, so that the way has no order.
 fn unvisited(visited: &[usize], places: usize, stream: &mut Stream) -> usize {
-    let recent = visited.iter().rev().take(LONGEST_LAP.min(places.saturating_sub(1)));
+    let recent = visited.iter().rev().take(LAP_PLACES.min(places.saturating_sub(1)));
     let mut weights = vec![1.0; places];
     for &place in recent {
         weights[place] = 0.0;

@@ -12,7 +12,7 @@ use tokio::net::TcpListener;
 use tower_service::Service;
 
 /// The head of a request comes within this time, or the connection is closed (ours). Between two requests it is as long.
-const PATIENCE: Duration = Duration::from_secs(10);
+const LONGEST_HEAD: Duration = Duration::from_secs(10);
 
 /// How long to wait where the system has no more room for connections.
 const REST: Duration = Duration::from_millis(100);
@@ -41,7 +41,7 @@ pub async fn serve(listener: TcpListener, routes: Router) -> io::Error {
         });
         tokio::spawn(async move {
             let mut http = http1::Builder::new();
-            http.timer(TokioTimer::new()).header_read_timeout(PATIENCE);
+            http.timer(TokioTimer::new()).header_read_timeout(LONGEST_HEAD);
             let stream = TokioIo::new(Stream::new(stream, visit.clone()));
             tokio::select! {
                 // Who breaks off has nobody to be told of it.

@@ -8,7 +8,7 @@ mod plan;
 
 use crate::shelf::Shelf;
 use crate::wire::{CheckView, Draft, FileView, FilesView, LivesView, ProblemView, Save, SaveFile, SavedView};
-use homebody_core::problem::Problem;
+use homebody_core::problem::{Problem, readable};
 use homebody_core::scenario::load::{Files, Overlay, Scenario};
 use homebody_core::scenario::remarks;
 use homebody_log::LogError;
@@ -72,7 +72,7 @@ impl Desk {
         }
         let mut places = Vec::new();
         for file in &save.files {
-            let unknown = || format!("{:?} is no name for a file of this scenario", file.name);
+            let unknown = || readable(format!("{:?} is no name for a file of this scenario", file.name));
             places.push(self.shelf.place_of(&file.name).ok_or_else(unknown)?);
         }
         let there = |name: &str| self.file(name).unwrap_or_else(|| gone(name));

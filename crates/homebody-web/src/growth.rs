@@ -10,7 +10,7 @@ use std::ops::Range;
 const HOUR: Micros = 3600 * SECOND;
 
 /// So many firings of a day are kept one by one (ours).
-const TODAY: usize = 100_000;
+const MOST_TODAY: usize = 100_000;
 
 /// How often motion sensors have fired, by day and hour, and all firings of the last day.
 #[derive(Clone, Debug)]
@@ -20,7 +20,7 @@ pub struct Growth {
     turns: Vec<Micros>,
     is_motion: Vec<bool>,
     hours: Vec<Vec<u32>>,
-    /// No more than [`TODAY`].
+    /// No more than [`MOST_TODAY`].
     today: Vec<(Micros, u32)>,
     /// How many firings of the day are not in `today`.
     left_out: u64,
@@ -53,7 +53,7 @@ impl Growth {
                 self.hours[day][hour] += 1;
             }
             if day + 1 == self.hours.len() {
-                if self.today.len() < TODAY {
+                if self.today.len() < MOST_TODAY {
                     self.today.push((firing.at, firing.sensor.0));
                 } else {
                     self.left_out += 1;

@@ -17,7 +17,7 @@ mod dates;
 mod draw;
 mod growth;
 mod input_keeper;
-mod stretch;
+mod effort;
 
 /// Files that are written in the page.
 pub mod desk;

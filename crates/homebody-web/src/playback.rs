@@ -5,7 +5,7 @@
 
 use crate::dates;
 use crate::draw;
-use crate::shelf::{RECORDING, Shelf};
+use crate::shelf::Shelf;
 use crate::wire::{DateView, DayView, LifeView, MotionState, MovementView, PlaybackView, ResidentView, StoredView};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
@@ -13,6 +13,7 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::path::Posture;
 use homebody_core::scenario::scheme::{self, Scheme};
 use homebody_core::time::{Micros, SECOND};
+use homebody_log::places::RECORDING;
 use homebody_log::{Event, Log, LogError, Movement, MovementKind, Movements, RunClock, Url};
 use homebody_routine::household::Household;
 use std::collections::HashMap;
@@ -22,13 +23,13 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::SystemTime;
 
 /// So many runs stay open: two side by side, and the one looked at before (ours).
-const KEPT: usize = 3;
+const MOST_OPEN: usize = 3;
 
 /// So many rows of a log are kept in memory (ours): some years of a home's.
-const ROWS: usize = 5_000_000;
+const MOST_ROWS: usize = 5_000_000;
 
 /// So many spans of activities are told of a whole run; of a year they would be tens of thousands (ours).
-const SPANS: usize = 6000;
+const MOST_SPANS: usize = 6000;
 
 /// The same activity again after no longer than this is one (ours).
 const PAUSE: Micros = 60 * SECOND;
@@ -154,7 +155,7 @@ impl Playback {
         }
         let run = Arc::new(self.read(name, recording)?);
         opened.push(run.clone());
-        let old = opened.len().saturating_sub(KEPT);
+        let old = opened.len().saturating_sub(MOST_OPEN);
         opened.drain(..old);
         Ok(run)
     }
@@ -178,7 +179,7 @@ impl Playback {
         view.days = dates::all(calendar, length);
         let rows = match &log {
             Some(url) => {
-                let log = match first_rows(url, &scenario.logger, ROWS) {
+                let log = match first_rows(url, &scenario.logger, MOST_ROWS) {
                     // A run that was killed before its first row, or has only just begun.
                     Err(LogError::NoTables { .. }) if !recording.is_complete() => Log::default(),
                     log => log.map_err(damaged)?,
@@ -365,7 +366,7 @@ fn hours(rows: &[Event], days: &[DateView]) -> Vec<Vec<u32>> {
     days.iter().enumerate().map(count).collect()
 }
 
-/// Spans of activities, no more than [`SPANS`] in all: what goes on after a pause is one, and the shortest are left out.
+/// Spans of activities, no more than [`MOST_SPANS`] in all: what goes on after a pause is one, and the shortest are left out.
 fn few(activities: &[Vec<(i64, i64, u32)>]) -> Vec<Vec<(i64, i64, u32)>> {
     let mut few: Vec<Vec<(i64, i64, u32)>> = Vec::new();
     for all in activities {
@@ -379,9 +380,9 @@ fn few(activities: &[Vec<(i64, i64, u32)>]) -> Vec<Vec<(i64, i64, u32)>> {
         few.push(merged);
     }
     let mut lengths: Vec<i64> = few.iter().flatten().map(|span| span.1 - span.0).collect();
-    if lengths.len() > SPANS {
+    if lengths.len() > MOST_SPANS {
         lengths.sort_unstable_by(|a, b| b.cmp(a));
-        let least = lengths[SPANS];
+        let least = lengths[MOST_SPANS];
         few.iter_mut().for_each(|spans| spans.retain(|span| span.1 - span.0 > least));
     }
     few

@@ -6,10 +6,10 @@ use crate::doorway::Doorway;
 use crate::guard::{self, Guard};
 use crate::page;
 use crate::playback::{Playback, Refusal};
-use crate::shelf::{RECORDING, Shelf};
+use crate::shelf::Shelf;
 use crate::socket;
 use crate::stage::Stage;
-use crate::visit::{STUCK, Visit};
+use crate::visit::{LONGEST_UNTAKEN, Visit};
 use crate::wire::{Connect, Draft, Explain, Month, Save};
 use axum::body::Body;
 use axum::extract::ws::WebSocketUpgrade;
@@ -21,8 +21,9 @@ use axum::{Extension, Json, Router};
 use futures_util::stream::{Stream, try_unfold};
 use homebody_import::{MOST_BYTES, NotImported};
 use homebody_kit::Cancel;
+use homebody_log::places::RECORDING;
 use serde::Serialize;
-use std::io;
+use std::io::{self, ErrorKind};
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::sync::Arc;
 use std::time::Duration;
@@ -37,7 +38,7 @@ pub use crate::guard::SOCKET;
 const LARGEST_BODY_BYTES: usize = 8 << 20;
 
 /// So many pages may look at once (ours).
-const PAGES: usize = 32;
+const MOST_PAGES: usize = 32;
 
 /// What to serve, and where.
 #[derive(Clone, Debug)]
@@ -68,9 +69,9 @@ const FAREWELL: Duration = Duration::from_millis(500);
 /// How long the file stands that leads a browser to the page, if none comes (ours).
 const DOORWAY: Duration = Duration::from_secs(60);
 /// How many bytes of an answer the system keeps for who does not read them (ours): else it would be megabytes for each.
-const SENT_AHEAD: u32 = 256 << 10;
+const MOST_SENT_AHEAD_BYTES: u32 = 256 << 10;
 /// How many may have come and not been let in yet (ours).
-const WAITING: u32 = 1024;
+const MOST_WAITING: u32 = 1024;
 /// How many ports are tried.
 const PORTS: u16 = 20;
 
@@ -79,9 +80,13 @@ const PORTS: u16 = 20;
 pub enum ServeError {
     #[error("{0}")]
     Scenario(String),
-    #[error("no port from {first} to {last} is free on {ip}\n  hint: name one with --port")]
+    #[error("no port from {first} to {last} is free on {ip}\n  hint: name another port")]
     NoPort { ip: IpAddr, first: u16, last: u16 },
-    #[error("{address} cannot be listened to: {source}\n  hint: another program may be there; --port names another")]
+    #[error(
+        "this machine has no address {0}\n  hint: `ip address` lists those it has; 127.0.0.1 is for this machine alone"
+    )]
+    Foreign(IpAddr),
+    #[error("{address} cannot be listened to: {source}\n  hint: another program may be there; name another port")]
     Port { address: SocketAddr, source: std::io::Error },
     #[error("there is no randomness for a token: {0}")]
     Token(getrandom::Error),
@@ -107,7 +112,7 @@ pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(Address)) -> 
         let stage = Stage::open(options.shelf.clone()).map_err(ServeError::Scenario)?;
         let playback = Playback::new(options.shelf.clone());
         let desk = Desk::new(options.shelf.clone());
-        let pages = Arc::new(Semaphore::new(PAGES));
+        let pages = Arc::new(Semaphore::new(MOST_PAGES));
         let house = House { guard, stage: stage.clone(), shelf: options.shelf, playback, desk, pages };
         let url = format!("http://{address}/#token={}", house.guard.token());
         let doorway = if options.browser { Doorway::to(&url).ok() } else { None };
@@ -141,12 +146,17 @@ fn listen(options: &Options) -> Result<TcpListener, ServeError> {
     let ip = options.ip.to_canonical();
     if let Some(port) = options.port {
         let address = SocketAddr::new(ip, port);
-        return bind(address).map_err(|source| ServeError::Port { address, source });
+        return bind(address).map_err(|source| match source.kind() {
+            ErrorKind::AddrNotAvailable => ServeError::Foreign(ip),
+            _ => ServeError::Port { address, source },
+        });
     }
     let last = FIRST_PORT + PORTS - 1;
     for port in FIRST_PORT..=last {
-        if let Ok(listener) = bind(SocketAddr::new(ip, port)) {
-            return Ok(listener);
+        match bind(SocketAddr::new(ip, port)) {
+            Ok(listener) => return Ok(listener),
+            Err(error) if error.kind() == ErrorKind::AddrNotAvailable => return Err(ServeError::Foreign(ip)),
+            Err(_) => {}
         }
     }
     Err(ServeError::NoPort { ip, first: FIRST_PORT, last })
@@ -158,9 +168,9 @@ fn bind(address: SocketAddr) -> io::Result<TcpListener> {
     #[cfg(unix)]
     socket.set_reuseaddr(true)?;
     // Connections have what their listener has.
-    socket.set_send_buffer_size(SENT_AHEAD)?;
+    socket.set_send_buffer_size(MOST_SENT_AHEAD_BYTES)?;
     socket.bind(address)?;
-    socket.listen(WAITING)
+    socket.listen(MOST_WAITING)
 }
 
 /// What answers are made from.
@@ -193,7 +203,7 @@ fn routes(house: House) -> Router {
         .route("/api/runs/{run}/{what}", get(file_of_run))
         .fallback(get(page::file))
         .layer(DefaultBodyLimit::max(LARGEST_BODY_BYTES))
-        .layer(RequestBodyTimeoutLayer::new(STUCK))
+        .layer(RequestBodyTimeoutLayer::new(LONGEST_UNTAKEN))
         .layer(axum::middleware::from_fn_with_state(house.guard.clone(), guard::watch))
         .with_state(house)
 }

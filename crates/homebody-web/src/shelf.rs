@@ -3,9 +3,10 @@
 //! The page knows both by names that are looked up in a listing, never by paths. What is no plain file in its folder, such as a
 //! link that leads out of it, is not there.
 
-use homebody_core::recording::{LONGEST, Recording};
-use homebody_core::scenario::load::Files;
-use homebody_log::limits::{LARGEST_OF_SCENARIO_BYTES, LARGEST_RECORDING_BYTES};
+use homebody_core::recording::Recording;
+use homebody_core::scenario::load::{Files, NoText};
+use homebody_kit::Folder;
+use homebody_log::places::RECORDING;
 use homebody_log::plain;
 use homebody_routine::language::lexicon::OWN_FILE;
 use std::fs;
@@ -20,11 +21,17 @@ pub struct Shelf {
     pub scenario: PathBuf,
     /// The name of its own file in there.
     pub entry: String,
+    /// Whether the scenario is one's own: then links may lead out of its folder, and its files are of any size.
+    pub is_trusted: bool,
     /// The folder of all runs, whether it is there yet or not.
     pub runs: PathBuf,
 }
 
 impl Shelf {
+    fn files(&self) -> Folder {
+        Folder { path: self.scenario.clone(), is_trusted: self.is_trusted }
+    }
+
     /// The names of the files that can be written in the page: those of the scenario's folder and of its folder of
     /// conditions.
     pub fn written(&self) -> Vec<String> {
@@ -42,7 +49,7 @@ impl Shelf {
     pub fn place_of(&self, name: &str) -> Option<PathBuf> {
         let own = name.strip_prefix(CONDITIONS).and_then(|rest| rest.strip_prefix('/')).unwrap_or(name);
         let is_plain = own.len() <= LONGEST_NAME && !own.starts_with('.') && !own.contains(['/', '\\', ':', '\0']);
-        if is_plain && is_written(own) { within(self.scenario.clone(), Path::new(name)) } else { None }
+        if is_plain && is_written(own) { plain::within(&self.scenario, Path::new(name)) } else { None }
     }
 
     /// The names of all runs that have a recording, the latest first. The members of a cohort are in its folder: `cohort-1/0001`.
@@ -76,34 +83,34 @@ impl Shelf {
 
     /// A plain file of a run's folder or of plain folders in there, by its path.
     pub fn file_within_run(&self, run: &str, path: &Path) -> Option<PathBuf> {
-        plain_file(self.run(run)?, path)
+        plain_file(&self.run(run)?, path)
     }
 
     /// The recording of a run, or why there is none.
     pub fn recording(&self, run: &str) -> Result<Recording, String> {
         let path = self.file_of_run(run, RECORDING).ok_or_else(|| format!("there is no run {run:?}"))?;
-        let text = plain::read_text(&path, LARGEST_RECORDING_BYTES)
-            .map_err(|error| format!("the recording of {run:?}: {error}"))?;
-        let recording: Recording =
-            serde_json::from_str(&text).map_err(|error| format!("{run:?} has no sound recording: {error}"))?;
-        let length = recording.length_us;
-        if (0..=LONGEST).contains(&length) {
-            return Ok(recording);
-        }
-        Err(format!("{run:?} has no sound recording: no run is {length} microseconds long"))
+        homebody_kit::recording(&path).map_err(|error| error.to_string())
     }
 }
 
 /// The scenario's files.
 impl Files for Shelf {
-    fn read(&self, name: &str) -> Result<String, String> {
-        let path = plain_file(self.scenario.clone(), Path::new(name)).ok_or("there is no such file")?;
-        plain::read_text(&path, LARGEST_OF_SCENARIO_BYTES).map_err(|error| error.to_string())
+    fn read(&self, name: &str) -> Result<String, NoText> {
+        let leads_out = |part: Component| !matches!(part, Component::Normal(_));
+        match Path::new(name).components().any(leads_out) {
+            true => Err(NoText::Missing),
+            false => self.files().read(name),
+        }
+    }
+
+    fn names(&self) -> Vec<String> {
+        self.files().names()
+    }
+
+    fn most_bytes(&self) -> usize {
+        self.files().most_bytes()
     }
 }
-
-/// What a run's recording is called in its folder.
-pub const RECORDING: &str = "recording.json";
 
 /// The folder of a scenario's own conditions.
 const CONDITIONS: &str = "conditions";
@@ -117,20 +124,8 @@ fn is_written(name: &str) -> bool {
 }
 
 /// A plain file below a folder, by its path.
-fn plain_file(folder: PathBuf, path: &Path) -> Option<PathBuf> {
-    within(folder, path).filter(|file| file.is_file())
-}
-
-/// Where a path leads below a folder, be something there or not: neither up, nor away, nor along a link.
-fn within(mut folder: PathBuf, path: &Path) -> Option<PathBuf> {
-    for part in path.components() {
-        let Component::Normal(part) = part else { return None };
-        folder.push(part);
-        if fs::symlink_metadata(&folder).is_ok_and(|found| found.is_symlink()) {
-            return None;
-        }
-    }
-    Some(folder)
+fn plain_file(folder: &Path, path: &Path) -> Option<PathBuf> {
+    plain::within(folder, path).filter(|file| file.is_file())
 }
 
 /// The folders in a folder, with when each was changed; links are none.

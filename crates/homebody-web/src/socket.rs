@@ -20,10 +20,10 @@ pub const LONGEST_MESSAGE_BYTES: usize = 64 << 10;
 const FRAME: Duration = Duration::from_micros(16_000);
 
 /// How many rows come with a picture at most: as many as a table shows (ours).
-const ROWS: usize = 500;
+const MOST_ROWS: usize = 500;
 
 /// Who does not say the token by then is sent away (ours).
-const PATIENCE: Duration = Duration::from_secs(10);
+const LONGEST_HELLO: Duration = Duration::from_secs(10);
 
 /// What a socket is closed with whose token is wrong.
 const WRONG_TOKEN: u16 = 4401;
@@ -32,11 +32,11 @@ const WRONG_TOKEN: u16 = 4401;
 const TOO_MANY: u16 = 1013;
 
 /// A page that has not read what was sent to it for so long is gone (ours).
-const STUCK: Duration = Duration::from_secs(900);
+const LONGEST_UNREAD: Duration = Duration::from_secs(900);
 
 /// Serves a page until it goes. It takes one of `pages` once it has said the token.
 pub async fn serve(mut socket: WebSocket, visit: Visit, guard: Guard, pages: Arc<Semaphore>, stage: Stage) {
-    let hello = timeout(PATIENCE, socket.recv()).await;
+    let hello = timeout(LONGEST_HELLO, socket.recv()).await;
     let is_known = match &hello {
         Ok(Some(Ok(Message::Text(text)))) => match serde_json::from_str(text) {
             Ok(Say::Hello { token }) => guard.knows(&token, &visit),
@@ -105,16 +105,16 @@ async fn talk(socket: WebSocket, mut held: Held<'_>) -> Option<()> {
             change = fresh => {
                 change.ok()?;
                 next = Instant::now() + FRAME;
-                let news = stage.news(&mut seen, ROWS);
+                let news = stage.news(&mut seen, MOST_ROWS);
                 let sending = async {
                     for tell in news.tells {
                         feed(&mut out, Message::Text(serde_json::to_string(&tell).ok()?.into())).await?;
                     }
                     feed(&mut out, Message::Binary(rmp_serde::to_vec_named(&news.frame).ok()?.into())).await
                 };
-                timeout(STUCK, sending).await.ok()??;
+                timeout(LONGEST_UNREAD, sending).await.ok()??;
             }
-            _ = alive.tick() => timeout(STUCK, feed(&mut out, Message::Ping(Default::default()))).await.ok()??,
+            _ = alive.tick() => timeout(LONGEST_UNREAD, feed(&mut out, Message::Ping(Default::default()))).await.ok()??,
         }
     }
 }

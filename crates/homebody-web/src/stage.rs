@@ -12,6 +12,7 @@ use crate::staged_run::{StagedRun, Start};
 use crate::wire::{FiringView, Frame, GrowthView, RunView, Say, State, Tell};
 use homebody_core::time::{Micros, micros};
 use homebody_kit::pace::{Pace, Speed};
+use homebody_log::error::no_thread;
 use std::any::Any;
 use std::collections::VecDeque;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -28,10 +29,10 @@ const FRAME: Duration = Duration::from_micros(16_667);
 const IDLE: Duration = Duration::from_millis(250);
 
 /// How many of the latest rows a page may still ask for (ours).
-const KEPT: usize = 2000;
+const MOST_ROWS: usize = 2000;
 
-/// How many notes (ours).
-const NOTES: usize = 20;
+/// How many of the latest notes (ours).
+const MOST_NOTES: usize = 20;
 
 /// The run that everybody looks at. A clone is another view of the same.
 #[derive(Clone)]
@@ -113,7 +114,7 @@ impl Stage {
         let pace = Pace::paused(Speed::Times(1.0));
         let director = Director { shelf, act, is_broken: false, pace, heard, board: board.clone(), change };
         let thread = thread::Builder::new().name("stage".into()).spawn(move || director.direct());
-        thread.map_err(|error| format!("there is no thread to live a run on: {error}"))?;
+        thread.map_err(|error| no_thread("to live a run on", error))?;
         Ok(Stage { wishes, board, changed })
     }
 
@@ -406,7 +407,7 @@ impl Director {
         let mut board = locked(&self.board);
         board.frame = frame;
         board.rows.extend(self.act.take_rows());
-        let superfluous = board.rows.len().saturating_sub(KEPT);
+        let superfluous = board.rows.len().saturating_sub(MOST_ROWS);
         board.rows.drain(..superfluous);
         drop(board);
         self.change.send_modify(|change| *change += 1);
@@ -436,7 +437,7 @@ impl Director {
         let number = board.next_note;
         board.notes.push_back((number, Tell::Note { text, bad }));
         board.next_note += 1;
-        if board.notes.len() > NOTES {
+        if board.notes.len() > MOST_NOTES {
             board.notes.pop_front();
         }
     }
@@ -505,7 +506,7 @@ mod tests {
         for (file, text) in Template::named("tigerplace").unwrap().files() {
             std::fs::write(scenario.join(file), text).unwrap();
         }
-        Shelf { scenario, entry: "scenario.json".into(), runs: folder.path().join("runs") }
+        Shelf { scenario, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") }
     }
 
     /// Looks until there is what is wished.

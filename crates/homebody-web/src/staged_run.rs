@@ -2,10 +2,10 @@
 
 use crate::dates;
 use crate::draw;
+use crate::effort::AT_ONCE;
 use crate::growth::Growth;
 use crate::input_keeper::{InputKeeper, input_text};
 use crate::shelf::Shelf;
-use crate::stretch::Stretch;
 use crate::wire::{FiringView, Frame, Key, Posture, ResidentView, RunView, State};
 use homebody_core::drivers::input::Input;
 use homebody_core::event::{Events, Fact};
@@ -22,12 +22,12 @@ use homebody_core::scene::Scene;
 use homebody_core::sensors::Sensor;
 use homebody_core::snapshots::Snapshots;
 use homebody_core::time::{DAY, Micros, SECOND, micros, seconds};
+use homebody_kit::Stretch;
 use homebody_log::{How, LogError, Places, RowText, Rows, RunLog, Stored};
 use homebody_routine::household::Household;
 use std::collections::VecDeque;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Instant;
 
 /// What a run is begun with.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -129,7 +129,7 @@ impl Written {
             self.stored_to = run.now();
             return Ok(());
         };
-        if *events != Events::default() || run.now() > self.waiting.back().map_or(self.stored_to, |last| last.now) {
+        if !events.is_empty() || run.now() > self.waiting.back().map_or(self.stored_to, |last| last.now) {
             let (now, settled) = (run.now(), run.settled());
             self.waiting.push_back(Waiting { lines: input.len(), now, settled, events: events.clone() });
         }
@@ -199,7 +199,8 @@ impl StagedRun {
         is_replay: bool,
     ) -> Result<StagedRun, String> {
         let sensors: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
-        let rows = Rows::new(&scenario.logger, &sensors, &scenario.calendar).map_err(|error| error.to_string())?;
+        let rows = Rows::new(&scenario.logger, recording.seed, &sensors, &scenario.calendar);
+        let rows = rows.map_err(|error| error.to_string())?;
         let bodies = run.names().len();
         let held = start.input.last().cloned().unwrap_or_else(nothing_held);
         let conditions = household.conditions().keys().chain(&start.without).cloned().collect();
@@ -225,7 +226,7 @@ impl StagedRun {
             headings: vec![0.0; bodies],
             is_over: false,
             events: Events::default(),
-            stretch: Stretch::new(LONGEST_STRETCH),
+            stretch: Stretch::new(LONGEST_STRETCH).within(AT_ONCE),
             moments: Snapshots::new(MOMENTS),
             furthest: None,
         })
@@ -271,7 +272,7 @@ impl StagedRun {
     /// Lives a stretch: at most until `until`, and at most as far as it had come before somebody went back. True if files have
     /// been begun for it, so that its view is another.
     pub fn advance(&mut self, until: Micros, shelf: &Shelf) -> Result<bool, String> {
-        let until = until.min(self.run.length()).min(self.stretch.from(self.run.now()));
+        let until = until.min(self.run.length());
         if until <= self.run.now() || self.is_over {
             return Ok(false);
         }
@@ -285,9 +286,7 @@ impl StagedRun {
             self.moments = moments;
         }
         let stored = self.furthest.as_ref().map(Run::now);
-        let begun = Instant::now();
-        let lived = self.run.advance(stored.unwrap_or(until).min(until), &mut self.events);
-        self.stretch.brought(&self.events, begun.elapsed());
+        let lived = self.stretch.live(&mut self.run, stored.unwrap_or(until).min(until), &mut self.events);
         if self.is_replay {
             self.digest.add(&self.events.firings);
         }

@@ -20,16 +20,16 @@ use tokio::sync::watch;
 use tokio::time::{Instant, Sleep, sleep, timeout_at};
 
 /// So many strangers are connected at once (ours).
-pub const STRANGERS: usize = 256;
+pub const MOST_STRANGERS: usize = 256;
 
 /// So many connections of those who have shown the token (ours). Who comes beyond them stays a stranger.
-const KNOWN: usize = 256;
+const MOST_KNOWN: usize = 256;
 
 /// A stranger goes after so long (ours).
-const STRANGERS_TIME: Duration = Duration::from_secs(30);
+const LONGEST_VISIT: Duration = Duration::from_secs(30);
 
 /// Who takes nothing of an answer for so long is gone (ours).
-pub const STUCK: Duration = Duration::from_secs(60);
+pub const LONGEST_UNTAKEN: Duration = Duration::from_secs(60);
 
 /// The places of all who are connected. A clone has the same places.
 #[derive(Clone)]
@@ -41,7 +41,7 @@ pub struct Places {
 
 impl Default for Places {
     fn default() -> Places {
-        Places { taken: Arc::default(), strangers_time: STRANGERS_TIME, stuck: STUCK }
+        Places { taken: Arc::default(), strangers_time: LONGEST_VISIT, stuck: LONGEST_UNTAKEN }
     }
 }
 
@@ -59,7 +59,7 @@ impl Places {
     pub fn enter(&self, from: IpAddr) -> Visit {
         let (go, goes) = watch::channel(false);
         let mut taken = self.taken();
-        while taken.strangers.len() >= STRANGERS {
+        while taken.strangers.len() >= MOST_STRANGERS {
             taken.send_oldest_away();
         }
         let number = taken.next;
@@ -113,7 +113,7 @@ impl Visit {
     /// The token has been shown.
     pub fn mark_known(&self) {
         let mut taken = self.0.places.taken();
-        if taken.known < KNOWN && taken.strangers.remove(&self.0.number).is_some() {
+        if taken.known < MOST_KNOWN && taken.strangers.remove(&self.0.number).is_some() {
             taken.known += 1;
             self.0.is_known.store(true, Ordering::Relaxed);
         }
@@ -147,7 +147,7 @@ impl Drop for Visitor {
     }
 }
 
-/// A connection's stream. Where nothing of what is written is taken for [`STUCK`], writing fails.
+/// A connection's stream. Where nothing of what is written is taken for [`LONGEST_UNTAKEN`], writing fails.
 pub struct Stream {
     stream: TcpStream,
     visit: Visit,
@@ -219,36 +219,36 @@ mod tests {
     }
 
     /// Strangers take the places of strangers; who has shown the token is sent away by nobody, and leaves a place behind.
-    #[tokio::test]
+    #[tokio::test(start_paused = true)]
     async fn strangers_are_only_in_the_way_of_each_other() {
         let places = Places::default();
         let enter = || places.enter(Ipv4Addr::LOCALHOST.into());
         let (known, first) = (enter(), enter());
         known.mark_known();
-        let others: Vec<Visit> = (1..STRANGERS).map(|_| enter()).collect();
-        assert!(!goes(&first).await, "there is room for {STRANGERS}");
+        let others: Vec<Visit> = (1..MOST_STRANGERS).map(|_| enter()).collect();
+        assert!(!goes(&first).await, "there is room for {MOST_STRANGERS}");
         let last = enter();
         assert!(goes(&first).await, "who has been a stranger longest goes");
         assert!(!goes(&known).await && !goes(&others[0]).await && !goes(&last).await);
         drop(others);
-        let again: Vec<Visit> = (1..STRANGERS).map(|_| enter()).collect();
+        let again: Vec<Visit> = (1..MOST_STRANGERS).map(|_| enter()).collect();
         assert!(!goes(&last).await, "places become free");
         drop((known, first, last, again));
         let taken = places.taken();
         assert_eq!((taken.strangers.len(), taken.known), (0, 0));
     }
 
-    #[tokio::test]
+    #[tokio::test(start_paused = true)]
     async fn who_is_known_beyond_the_places_for_it_stays_a_stranger() {
         let places = Places::default();
-        let all: Vec<Visit> = (0..=KNOWN).map(|_| places.enter(Ipv4Addr::LOCALHOST.into())).collect();
+        let all: Vec<Visit> = (0..=MOST_KNOWN).map(|_| places.enter(Ipv4Addr::LOCALHOST.into())).collect();
         for visit in &all[1..] {
             visit.mark_known();
         }
         assert!(goes(&all[0]).await, "who was first was in the way of the last");
         let late = places.enter(Ipv4Addr::LOCALHOST.into());
         late.mark_known();
-        assert_eq!(places.taken().known, KNOWN);
+        assert_eq!(places.taken().known, MOST_KNOWN);
         assert!(!goes(&all[1]).await);
     }
 
@@ -258,7 +258,7 @@ mod tests {
         Places { strangers_time: SOON, stuck: SOON, ..Places::default() }
     }
 
-    #[tokio::test]
+    #[tokio::test(start_paused = true)]
     async fn a_stranger_has_so_much_time_and_who_is_known_has_all() {
         let places = hasty();
         let (stranger, known) = (places.enter(Ipv4Addr::LOCALHOST.into()), places.enter(Ipv4Addr::LOCALHOST.into()));
@@ -281,7 +281,7 @@ mod tests {
         timeout(10 * SOON, stream.write_all(&vec![0; 64 << 20])).await.ok()?.err()
     }
 
-    #[tokio::test]
+    #[tokio::test(start_paused = true)]
     async fn who_takes_nothing_is_gone_but_for_a_page_which_is_waited_for_elsewhere() {
         assert_eq!(written(false).await.map(|error| error.kind()), Some(io::ErrorKind::TimedOut));
         assert!(written(true).await.is_none());

@@ -26,7 +26,8 @@ impl Stored {
         let own = folder.path().join("scenario");
         copy(&scenarios().join(scenario), &own, &change);
         copy(&scenarios().join("../conditions"), &folder.path().join("conditions"), &change);
-        let shelf = Shelf { scenario: own, entry: "scenario.json".into(), runs: folder.path().join("runs") };
+        let shelf =
+            Shelf { scenario: own, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
         let mut act = StagedRun::new(&shelf, &shelf.entry, Start::default()).unwrap();
         live(&mut act, length, &shelf);
         act.finish().unwrap();
@@ -289,7 +290,8 @@ fn going_back_is_going_on_from_there_as_it_was() {
         let folder = TempDir::new().unwrap();
         let own = folder.path().join("scenario");
         copy(&scenarios().join("tigerplace"), &own, &as_it_is);
-        let shelf = Shelf { scenario: own, entry: "scenario.json".into(), runs: folder.path().join("runs") };
+        let shelf =
+            Shelf { scenario: own, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
         let mut act = StagedRun::new(&shelf, &shelf.entry, Start::default()).unwrap();
         live(&mut act, 12 * DAY + 5 * HOUR, &shelf);
         for &to in back {
@@ -342,7 +344,8 @@ fn who_is_driven_does_not_go_back_to_a_moment() {
     let folder = TempDir::new().unwrap();
     let own = folder.path().join("scenario");
     copy(&scenarios().join("by-hand"), &own, &as_it_is);
-    let shelf = Shelf { scenario: own, entry: "scenario.json".into(), runs: folder.path().join("runs") };
+    let shelf =
+        Shelf { scenario: own, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
     let start = Start { driven: Some(0), ..Start::default() };
     let mut act = StagedRun::new(&shelf, &shelf.entry, start).unwrap();
     live(&mut act, 10 * SECOND, &shelf);

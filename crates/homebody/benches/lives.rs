@@ -18,7 +18,7 @@ use homebody_core::recording::Recording;
 use homebody_core::run::Run;
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::link::{LinkFile, Network};
-use homebody_core::scenario::load::{Files, Scenario};
+use homebody_core::scenario::load::{Files, NoText, Scenario};
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use homebody_core::world::World;
 use homebody_log::logger::destinations;
@@ -69,8 +69,8 @@ fn scenario(name: &str) -> (Scenario, Household) {
 struct Folder(PathBuf);
 
 impl Files for Folder {
-    fn read(&self, name: &str) -> Result<String, String> {
-        fs::read_to_string(self.0.join(name)).map_err(|error| error.to_string())
+    fn read(&self, name: &str) -> Result<String, NoText> {
+        fs::read_to_string(self.0.join(name)).map_err(|_| NoText::Missing)
     }
 }
 

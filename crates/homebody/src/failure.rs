@@ -7,6 +7,10 @@ use homebody_log::LogError;
 use std::fmt::Display;
 use std::path::Path;
 
+/// What the exit codes of every command say.
+pub const EXIT_CODES: &str =
+    "Exit codes: 0 done, 1 a file could not be read or written, 2 what was asked or written is wrong";
+
 /// Why a command ended early.
 pub enum Failure {
     /// What the user wrote is wrong.
@@ -73,6 +77,7 @@ impl From<Error> for Failure {
             Error::File { .. }
             | Error::NoLog { .. }
             | Error::NoRecording { .. }
+            | Error::NotBegun { .. }
             | Error::NotFolder { .. }
             | Error::Threads(_) => Failure::Io(error.to_string()),
             error => Failure::usage(error),

@@ -10,14 +10,15 @@ mod signals;
 
 use clap::{CommandFactory, Parser};
 use commands::Command;
-use failure::Failure;
+use failure::{EXIT_CODES, Failure};
 use homebody_core::problem::counted;
+use homebody_kit::TRUST;
 use print::tell;
 use std::process::ExitCode;
 
 /// Simulates homes wired with sensors and the people who live in them.
 #[derive(Parser)]
-#[command(version, arg_required_else_help = true, after_help = EXAMPLES)]
+#[command(version, arg_required_else_help = true, after_help = format!("{EXAMPLES}\n\n{EXIT_CODES},\n{SIGNALS}"))]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -28,10 +29,10 @@ Examples:
   homebody new my-home --template tigerplace   start from an apartment that works
   homebody check my-home                       everything that is wrong with it, at once
   homebody run my-home                         live it, into SQLite
-  homebody coverage my-home --png map.png      see what the sensors see
+  homebody coverage my-home --png map.png      see what the sensors see";
 
-Exit codes: 0 done, 1 a file could not be read or written, 2 what was asked or written is wrong,
-129, 130 or 143 a run was ended early by SIGHUP, SIGINT or SIGTERM, and what was lived is stored.";
+const SIGNALS: &str =
+    "129, 130 or 143 a run was ended early by SIGHUP, SIGINT or SIGTERM, and what was lived is stored.";
 
 fn main() -> ExitCode {
     signals::outlive_full_files();
@@ -45,7 +46,8 @@ fn main() -> ExitCode {
 fn report(failure: &Failure) -> ExitCode {
     match failure {
         Failure::Problems(problems) => {
-            tell(format_args!("{}\n{}", problems.render(), counted(problems.0.len(), "problem", "problems")));
+            let said = problems.render().replace(TRUST, &format!("{TRUST}, by --trust"));
+            tell(format_args!("{said}\n{}", counted(problems.0.len(), "problem", "problems")));
             ExitCode::from(2)
         }
         Failure::Usage(what) => {

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use homebody_kit::Cancel;
+use homebody_log::error::no_thread;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicI32, Ordering};
 
@@ -26,7 +27,7 @@ impl Signals {
         let signals = Signals::default();
         let heard = signals.clone();
         system::listen(move |number| heard.hear(number))
-            .map_err(|error| Failure::Io(format!("signals cannot be listened for: {error}\n  hint: {THREADS}")))?;
+            .map_err(|error| Failure::Io(no_thread("to listen for signals", error)))?;
         Ok(signals)
     }
 
@@ -51,9 +52,6 @@ impl Signals {
         }
     }
 }
-
-/// What to do where the system gives no thread.
-pub const THREADS: &str = "allow this user more threads or memory";
 
 /// A file that would grow beyond what the system allows is an error of writing, and does not kill the program. Nobody may have
 /// begun a thread before.

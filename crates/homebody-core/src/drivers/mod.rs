@@ -17,6 +17,7 @@ use crate::event::{Need, ThingUse, Vitals};
 use crate::time::Micros;
 use input::Input;
 pub use segment::MotionSegment;
+use std::any::Any;
 use std::fmt;
 pub use surroundings::{Body, Occupant, Surroundings};
 
@@ -47,6 +48,11 @@ pub trait Driver: fmt::Debug + Send + Sync {
 
     /// A copy that decides as the original.
     fn copy(&self) -> Box<dyn Driver>;
+
+    /// The driver itself, for whoever knows its type and asks what came of a life; `None` where it has nothing to say.
+    fn as_any(&self) -> Option<&dyn Any> {
+        None
+    }
 
     /// From now on input may come while the run goes on, besides what the driver knows already. False if it takes none.
     fn open_input(&mut self) -> bool {

@@ -38,6 +38,8 @@ pub struct Body {
     pub resident: ResidentId,
     /// Metres, in the plan's coordinates.
     pub at: Point,
+    /// Where its present movement leads; where it is, of who stays.
+    pub to: Point,
     /// How it holds itself.
     pub posture: Posture,
     /// The build of the body.
@@ -97,8 +99,8 @@ impl<'a> Surroundings<'a> {
 
     fn body_of(&self, resident: ResidentId) -> Option<Body> {
         let Occupant { build, segment } = self.occupants.get(resident.index())?;
-        let at = segment.position(self.now)?;
-        Some(Body { resident, at, posture: segment.posture, build: *build })
+        let (at, to) = (segment.position(self.now)?, segment.to()?);
+        Some(Body { resident, at, to, posture: segment.posture, build: *build })
     }
 }
 

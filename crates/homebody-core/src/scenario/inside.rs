@@ -15,6 +15,69 @@ pub fn outside_folder(name: &str, folder: &str) -> Option<String> {
     (leaves || is_absolute || is_odd).then(|| format!("{name:?} is no file name inside {folder}"))
 }
 
+/// What a run's folder calls its recording.
+pub const RECORDING: &str = "recording.json";
+/// What a run's folder calls the database of its truth.
+pub const TRUTH: &str = "truth.db";
+/// What a run's folder calls the table of its sensors: id in the log, name in the home, kind, room and place.
+pub const SENSORS: &str = "sensors.csv";
+
+/// What a run leaves in its folder besides its logs.
+const OF_RUN: [&str; 3] = [RECORDING, TRUTH, SENSORS];
+
+/// What comes behind the name of a file in the names of those that are beside it while it is written.
+const BESIDE: [&str; 6] = ["-wal", "-shm", "-journal", ".lock", ".anew", ".anew.lock"];
+
+/// How those end that have a number between.
+const NUMBERED: [&str; 2] = [".part", ".old"];
+
+/// No name of a file in a run's folder is longer (ours): file systems take 255 bytes, and what is beside it has a longer name.
+const LONGEST_NAME_BYTES: usize = 200;
+
+/// No path in a run's folder is longer (ours): systems take 4096 bytes, of which the folder has some.
+const LONGEST_PATH_BYTES: usize = 1000;
+
+/// Why a log cannot go to a path inside a run's folder, where `others` go, too; `None` if it can. Letters are compared without
+/// their case, as some file systems do.
+pub fn taken_in_run(path: &str, others: &[&str]) -> Option<String> {
+    let own = plainly(path);
+    if own.is_empty() || path.ends_with('/') || path.ends_with("/.") {
+        return Some(format!("{path:?} is a folder, and no file in it"));
+    }
+    if own.split('/').any(|part| part.len() > LONGEST_NAME_BYTES) || own.len() > LONGEST_PATH_BYTES {
+        return Some(format!(
+            "the file name is too long: it has more than {LONGEST_NAME_BYTES} bytes, or its folders more \
+             than {LONGEST_PATH_BYTES}"
+        ));
+    }
+    if let Some(of_run) = OF_RUN.into_iter().find(|of_run| collide(&own, of_run)) {
+        return Some(format!("{path:?} is the place of the run's own {of_run}, or beside it"));
+    }
+    let other = others.iter().find(|other| collide(&own, &plainly(other)))?;
+    Some(match own == plainly(other) {
+        true => format!("two logs cannot go to the one file {path:?}"),
+        false => format!("{path:?} and {other:?} cannot both be files: one would be in the place of the other"),
+    })
+}
+
+/// A path without what changes nothing in it.
+fn plainly(path: &str) -> String {
+    let parts: Vec<&str> = path.split('/').filter(|part| !part.is_empty() && *part != ".").collect();
+    parts.join("/").to_lowercase()
+}
+
+/// Whether one of two files is in the place of the other, of its folder, or of what is beside it.
+fn collide(one: &str, other: &str) -> bool {
+    let takes = |one: &str, other: &str| {
+        let Some(rest) = one.strip_prefix(other) else { return false };
+        // A folder of the name of a file takes its place, too.
+        let rest = rest.split_once('/').map_or(rest, |(rest, _)| rest);
+        let is_numbered = rest.starts_with('.') && NUMBERED.iter().any(|end| rest.ends_with(end));
+        rest.is_empty() || BESIDE.contains(&rest) || is_numbered
+    };
+    takes(one, other) || takes(other, one)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -38,6 +101,40 @@ mod tests {
             "a\nb",
         ] {
             assert!(outside_folder(name, "it").is_some(), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_log_takes_no_place_that_is_another_s() {
+        for path in ["log.db", "logs/log.db", "./log.db", "truth.csv", "recording.json.txt", "x/truth.db"] {
+            assert_eq!(taken_in_run(path, &["other.db", "logs/other.db"]), None, "{path}");
+        }
+        let long = "x".repeat(201);
+        let deep = "x/".repeat(501) + "log.db";
+        for (path, why) in [
+            (".", "is a folder"),
+            ("x/", "is a folder"),
+            ("x/.", "is a folder"),
+            ("./", "is a folder"),
+            (&long, "too long"),
+            (&deep, "too long"),
+            ("recording.json", "the run's own recording.json"),
+            ("./Recording.JSON", "the run's own recording.json"),
+            ("recording.json/log.db", "the run's own recording.json"),
+            ("recording.json.7-0.part", "the run's own recording.json"),
+            ("truth.db-wal", "the run's own truth.db"),
+            ("truth.db-journal/log.db", "the run's own truth.db"),
+            ("truth.db.anew", "the run's own truth.db"),
+            ("truth.db.lock", "the run's own truth.db"),
+            ("sensors.csv", "the run's own sensors.csv"),
+            ("other.db", "two logs cannot go to the one file"),
+            ("./other.db", "two logs cannot go to the one file"),
+            ("other.db-shm", "cannot both be files"),
+            ("other.db/log.db", "cannot both be files"),
+            ("logs", "cannot both be files"),
+        ] {
+            let said = taken_in_run(path, &["other.db", "logs/other.db"]).unwrap_or_default();
+            assert!(said.contains(why), "{path}: {said}");
         }
     }
 }

@@ -8,6 +8,7 @@ use super::input::InputFile;
 use super::inside::{WHERE, outside_folder};
 use super::link::LinkFile;
 use super::logger::LoggerFile;
+use super::nearest::nearest;
 use super::path::PathFile;
 use super::resident::{DriverFile, ResidentFile};
 use super::schema::FileKind;
@@ -21,19 +22,86 @@ use crate::numbers::{Number, Numbers};
 use crate::problem::{Problem, Problems};
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
+use std::fmt;
 
 /// Where the text of a scenario's files comes from: a folder, a recording, a test.
 pub trait Files {
     /// The text of a file, by its name relative to the scenario's folder, with `/` between folders.
     ///
-    /// The error says to people why there is none, such as `there is no such file`. The loader only
-    /// asks for names that stay inside the folder.
-    fn read(&self, name: &str) -> Result<String, String>;
+    /// The loader only asks for names that stay inside the folder.
+    fn read(&self, name: &str) -> Result<String, NoText>;
+
+    /// The names of the files there are, to find the one that was meant; not all need be known.
+    fn names(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// How many bytes the files that a scenario names may have together: a file counts as often as it is named.
+    fn most_bytes(&self) -> usize {
+        MOST_BYTES
+    }
 }
 
+/// No scenario names files that have more bytes together, each counted as often as it is named (ours).
+pub const MOST_BYTES: usize = 16 << 20;
+
+/// No routine has more bytes (ours): a long one has some thousands. As for all that one text costs by each who lives by it.
+pub const LARGEST_ROUTINE_BYTES: usize = 256 << 10;
+
+/// No routine has more lines (ours).
+pub const MOST_ROUTINE_LINES: usize = 10_000;
+
+/// What is wrong with a text that is too long for a routine or a condition; `None` for one that is not.
+pub fn too_long(text: &str) -> Option<String> {
+    if text.len() > LARGEST_ROUTINE_BYTES {
+        return Some(format!("no routine has more than {} KB", LARGEST_ROUTINE_BYTES >> 10));
+    }
+    let is_long = text.lines().nth(MOST_ROUTINE_LINES).is_some();
+    is_long.then(|| format!("no routine has more than {MOST_ROUTINE_LINES} lines"))
+}
+
+/// Why a file has no text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NoText {
+    /// Nothing has its name.
+    Missing,
+    /// Something has its name, and cannot be read.
+    Unreadable {
+        /// Why, as a sentence for people.
+        why: String,
+        /// What they can do about it, where that is known.
+        hint: Option<String>,
+    },
+}
+
+impl NoText {
+    /// What cannot be read, where nothing is known that helps.
+    pub fn unreadable(why: impl Into<String>) -> NoText {
+        NoText::Unreadable { why: why.into(), hint: None }
+    }
+}
+
+impl fmt::Display for NoText {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(match self {
+            NoText::Missing => "there is no such file",
+            NoText::Unreadable { why, .. } => why,
+        })
+    }
+}
+
+/// Texts that are in memory already, of any size.
 impl Files for BTreeMap<String, String> {
-    fn read(&self, name: &str) -> Result<String, String> {
-        self.get(name).cloned().ok_or_else(|| "there is no such file".into())
+    fn read(&self, name: &str) -> Result<String, NoText> {
+        self.get(name).cloned().ok_or(NoText::Missing)
+    }
+
+    fn names(&self) -> Vec<String> {
+        self.keys().cloned().collect()
+    }
+
+    fn most_bytes(&self) -> usize {
+        usize::MAX
     }
 }
 
@@ -46,8 +114,16 @@ pub struct Overlay<'a> {
 }
 
 impl Files for Overlay<'_> {
-    fn read(&self, name: &str) -> Result<String, String> {
+    fn read(&self, name: &str) -> Result<String, NoText> {
         self.texts.get(name).map_or_else(|| self.others.read(name), |text| Ok(text.clone()))
+    }
+
+    fn names(&self) -> Vec<String> {
+        self.texts.keys().cloned().chain(self.others.names()).collect()
+    }
+
+    fn most_bytes(&self) -> usize {
+        self.others.most_bytes()
     }
 }
 
@@ -149,7 +225,8 @@ impl Scenario {
     /// All problems of all files come at once, in the order in which the files are linked. The
     /// meaning of one file is checked even where the shape of another is wrong, also of the one that links it.
     pub fn load_in(language: &mut dyn Language, files: &dyn Files, entry: &str) -> Result<Scenario, Problems> {
-        let mut loader = Loader { files, language, problems: Vec::new(), sources: BTreeMap::new(), order: Vec::new() };
+        let (problems, sources, order) = (Vec::new(), BTreeMap::new(), Vec::new());
+        let mut loader = Loader { files, language, problems, sources, order, named_bytes: 0 };
         let scenario = loader.scenario(entry);
         let problems = loader.all_problems();
         match scenario {
@@ -166,6 +243,8 @@ struct Loader<'a> {
     sources: BTreeMap<String, String>,
     /// The files in the order in which they are linked, with what each of them is.
     order: Vec<(String, FileKind)>,
+    /// How many bytes the files have that were named until now, each counted as often as it is named.
+    named_bytes: usize,
 }
 
 /// A file as it is meant, and its text for the places of problems with its meaning.
@@ -176,11 +255,41 @@ struct Read<T> {
 }
 
 impl Loader<'_> {
+    /// The text of a file, which is read once, whoever names it.
+    fn read(&mut self, name: &str) -> Result<String, NoText> {
+        let most = self.files.most_bytes();
+        let too_many = || {
+            let what = format!("with it, the files that the scenario names have more than {} MB", most >> 20);
+            NoText::unreadable(format!("{what}, counted as often as they are named"))
+        };
+        if self.named_bytes > most {
+            return Err(too_many());
+        }
+        let text = self.sources.get(name).map_or_else(|| self.files.read(name), |text| Ok(text.clone()))?;
+        self.named_bytes = self.named_bytes.saturating_add(text.len());
+        if self.named_bytes > most { Err(too_many()) } else { Ok(text) }
+    }
+
+    /// What can be done about a file that has no text.
+    fn instead(&self, name: &str, why: &NoText) -> Option<String> {
+        match why {
+            NoText::Missing => {
+                let names = self.files.names();
+                nearest(name, names.iter().map(String::as_str)).map(|near| format!("did you mean {near:?}?"))
+            }
+            NoText::Unreadable { hint, .. } => hint.clone(),
+        }
+    }
+
     fn scenario(&mut self, entry: &str) -> Option<Scenario> {
-        let text = match self.files.read(entry) {
+        let text = match self.read(entry) {
             Ok(text) => text,
             Err(why) => {
-                self.problems.push(Problem::of_file(entry, format!("cannot be read: {why}"), None));
+                self.problems.push(Problem::of_file(
+                    entry,
+                    format!("cannot be read: {why}"),
+                    self.instead(entry, &why),
+                ));
                 return None;
             }
         };
@@ -311,7 +420,13 @@ impl Loader<'_> {
         let read = match problem {
             Some((what, hint)) => Err(from.problem(link, what, hint)),
             None => {
-                self.files.read(name).map_err(|why| from.problem(link, format!("{name:?} cannot be read: {why}"), None))
+                let read = self.read(name);
+                let read = read.map_err(|why| (format!("{name:?} cannot be read: {why}"), self.instead(name, &why)));
+                let read = read.and_then(|text| match too_long(&text) {
+                    Some(why) => Err((format!("{name:?} is too long: {why}"), None)),
+                    None => Ok(text),
+                });
+                read.map_err(|(what, hint)| from.problem(link, what, hint))
             }
         };
         match read {
@@ -352,10 +467,11 @@ impl Loader<'_> {
             }
             _ => {}
         }
-        match self.files.read(name) {
+        match self.read(name) {
             Ok(text) => self.parse(name, kind, &text, Some((from, link))),
             Err(why) => {
-                self.problems.push(from.problem(link, format!("{name:?} cannot be read: {why}"), None));
+                let hint = self.instead(name, &why);
+                self.problems.push(from.problem(link, format!("{name:?} cannot be read: {why}"), hint));
                 None
             }
         }

@@ -3,7 +3,7 @@
 //! The walk knows those parts of JSON Schema that the scenario's types produce, no more.
 
 use super::nearest::nearest;
-use super::source::{Key, Misspelt, Node, Source, Value};
+use super::source::{DECIMAL_POINT, Key, Misspelt, Node, Source, Value};
 use crate::problem::Problem;
 use serde_json::Value as Schema;
 use std::collections::{BTreeMap, BTreeSet};
@@ -115,8 +115,13 @@ impl<'a> Walk<'a> {
                 (0, most) => format!("at most {most}"),
                 (least, most) => format!("{least} to {most}"),
             };
-            let items = if wanted.ends_with(" 1") { "item" } else { "items" };
-            self.report(node.start, format!("{subject} must have {wanted} {items}, but has {count}"), hint_of(schema));
+            let noun = if wanted.ends_with(" 1") { "item" } else { "items" };
+            let is_number = |item: &Node| matches!(item.value, Value::Number(..));
+            let hint = match count == 2 * most && items.iter().all(is_number) {
+                true => Some(DECIMAL_POINT.into()),
+                false => hint_of(schema),
+            };
+            self.report(node.start, format!("{subject} must have {wanted} {noun}, but has {count}"), hint);
         }
         let Some(schema) = schema.get("items") else { return };
         for (index, item) in items.iter().enumerate() {
@@ -249,10 +254,13 @@ impl<'a> Walk<'a> {
         let mut wanted = Vec::new();
         self.describe(schema, &mut wanted);
         wanted.dedup();
-        let quoted_number = matches!(&node.value, Value::Text(text) if text.parse::<f64>().is_ok());
+        let is_number = |text: &str| text.parse::<f64>().is_ok();
+        let quoted_number = matches!(&node.value, Value::Text(text) if is_number(text));
+        let with_comma = matches!(&node.value, Value::Text(text) if is_number(&text.replacen(',', ".", 1)));
         let wants_number = wanted.iter().any(|wanted| wanted.ends_with("number"));
         let hint = match &node.value {
             _ if quoted_number && wants_number => Some("remove the quotes".into()),
+            _ if with_comma && wants_number => Some(format!("without quotes, {DECIMAL_POINT}")),
             Value::Text(text) if wanted == ["a list"] => Some(format!("write [{text:?}]")),
             _ => hint_of(schema),
         };

@@ -294,11 +294,19 @@ fn strict() -> ParseOptions {
     }
 }
 
+/// What helps who writes numbers as it is usual in their language.
+pub(super) const DECIMAL_POINT: &str = "a number has a point, not a comma: 0.5 for 0,5";
+
 /// What a syntax error says to people; `before` and `rest` are the text on its two sides.
 fn syntax(kind: &ParseErrorKind, before: &str, rest: &str) -> (String, Option<String>) {
     use ParseErrorKind as Kind;
     let is_number = |word: &str| ["NaN", "Infinity"].iter().any(|name| word.trim_start_matches('-').starts_with(name));
+    let is_decimal_comma = || {
+        let digits_before = before.strip_suffix(',').is_some_and(|text| text.ends_with(|c: char| c.is_ascii_digit()));
+        digits_before && rest.starts_with(|c: char| c.is_ascii_digit())
+    };
     let (what, hint) = match kind {
+        Kind::ExpectedStringObjectProperty if is_decimal_comma() => ("a key in quotes must stand here", DECIMAL_POINT),
         _ if is_number(rest) => ("NaN and Infinity are no numbers of JSON", ""),
         Kind::ExpectedComma if before.ends_with('0') && rest.starts_with(|c: char| c.is_ascii_digit()) => {
             ("a number must not begin with 0", "")

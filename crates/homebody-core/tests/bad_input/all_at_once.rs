@@ -178,7 +178,7 @@ fn a_misspelt_link_hides_nothing_behind_it() {
     let expected = [
         r#"scenario.json:6:3: "hom" is no key of a scenario; did you mean "home"?"#,
         r#"scenario.json:8:3: "residentes" is no key of a scenario; did you mean "residents"?"#,
-        r#"scenario.json:8:30: "rob.json" cannot be read: there is no such file"#,
+        r#"scenario.json:8:30: "rob.json" cannot be read: there is no such file; did you mean "bob.json"?"#,
         r#"home.json:27:57: the sensor "kitchen motion" at (50, 1.5) is outside the home; mount it on the surface, on the side from which it should see"#,
         r#"ann.json:1:35: "drivr" is no key of a resident; did you mean "driver"?"#,
         r#"ann.path.json:9:67: a stir of 30 s cannot come every 20 s; "for_s" is at most "every_s""#,

@@ -8,6 +8,7 @@
 
 use crate::*;
 use std::fmt::Write;
+use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 /// Something of the good scenario made as large as it is asked to be.
@@ -46,13 +47,20 @@ fn path(count: usize, step: impl Fn(usize) -> String) -> BTreeMap<String, String
 }
 
 /// The least of several times, which is the one that nothing else has disturbed.
-fn least_time(files: &BTreeMap<String, String>) -> Duration {
+fn least_time(work: impl Fn()) -> Duration {
     let time = |_| {
         let begin = Instant::now();
-        let _ = problems(files);
+        work();
         begin.elapsed()
     };
     (0..5).map(time).min().unwrap()
+}
+
+/// Eight times the size may take so many times as long: what grows as its square takes 64 times.
+const MOST_TIMES: f64 = 24.0;
+
+fn ratio(small: Duration, large: Duration) -> f64 {
+    large.as_secs_f64() / small.as_secs_f64().max(1e-3)
 }
 
 #[test]
@@ -60,12 +68,27 @@ fn reading_and_checking_cost_no_more_than_a_small_multiple_of_the_size() {
     const SIZE: usize = 6_000;
     let mut told = String::new();
     for (what, grown) in GROWN {
-        let (small, large) = (least_time(&grown(SIZE)), least_time(&grown(8 * SIZE)));
-        let ratio = large.as_secs_f64() / small.as_secs_f64().max(1e-3);
+        let [small, large] = [SIZE, 8 * SIZE].map(|size| {
+            let files = grown(size);
+            least_time(|| drop(problems(&files)))
+        });
+        let ratio = ratio(small, large);
         writeln!(told, "{what}: {small:?}, {large:?}, {ratio:.1} times").unwrap();
-        // Eight times the size: what grows as its square takes 64 times as long.
-        assert!(ratio < 24.0, "{told}");
+        assert!(ratio < MOST_TIMES, "{told}");
     }
+}
+
+/// The control: who compares each key with all others is seen to take too long.
+#[test]
+fn what_costs_the_square_of_the_size_is_seen() {
+    let [small, large] = [4_000, 32_000].map(|size| {
+        let keys: Vec<u64> = (0..size).collect();
+        let repeated = || keys.iter().map(|one| keys.iter().filter(|other| *other == black_box(one)).count()).sum();
+        least_time(|| {
+            black_box::<usize>(repeated());
+        })
+    });
+    assert!(ratio(small, large) > MOST_TIMES, "{small:?}, {large:?}");
 }
 
 #[test]

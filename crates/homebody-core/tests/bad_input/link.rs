@@ -67,7 +67,7 @@ fn the_shape_of_a_link() {
         ("scenario.json", r#""link.json""#, r#""logger.json""#,
             r#"scenario.json:9:11: "logger.json" is a logger, but a link is needed here"#),
         ("scenario.json", r#""link.json""#, r#""lnk.json""#,
-            r#"scenario.json:9:11: "lnk.json" cannot be read: there is no such file"#),
+            r#"scenario.json:9:11: "lnk.json" cannot be read: there is no such file; did you mean "link.json"?"#),
     ]);
 }
 

@@ -24,7 +24,7 @@ fn the_scenario_file() {
             "\"noon\",\n  \"time_zone\": \"Chicago\"",
             "scenario.json:3:12: \"noon\" is no date and time; write it as \"2009-03-02T00:00:00\"\nscenario.json:4:16: there is no time zone \"Chicago\"; did you mean \"America/Chicago\"?"),
         ("scenario.json", r#""home.json""#, r#""hom.json""#,
-            r#"scenario.json:6:11: "hom.json" cannot be read: there is no such file"#),
+            r#"scenario.json:6:11: "hom.json" cannot be read: there is no such file; did you mean "home.json"?"#),
         ("scenario.json", r#""home.json""#, r#""../home.json""#,
             r#"scenario.json:6:11: "../home.json" is no file name inside the scenario's folder; name a file relative to the scenario's folder, with / between folders"#),
         ("scenario.json", r#""home.json""#, r#""/etc/passwd""#,
@@ -188,6 +188,10 @@ fn places_and_sensors() {
 #[rustfmt::skip] // A case is read line by line: the change, then what is said of it.
 fn the_logger() {
     check(&[
+        ("logger.json", r#""hold_s": 4"#, r#""hold_s": 4, "lumps": [{ "share": 1, "parts": [1.2, 1] }]"#,
+            r#"logger.json:6:75: the least of "parts", 1.2, is more than its most, 1; write [1, 1.2]"#),
+        ("logger.json", r#""hold_s": 4"#, r#""hold_s": 4, "lumps": [{ "share": 0, "parts": [1, 1] }]"#,
+            r#"logger.json:6:51: no lump has a share; give one lump a share above 0, or write [] for holds of exactly "hold_s""#),
         ("logger.json", r#""sqlite:log.db""#, r#""sqlit:log.db""#,
             r#"logger.json:2:10: "sqlit:log.db" is nowhere a log can go; did you mean "sqlite:log.db"?"#),
         ("logger.json", r#""sqlite:log.db""#, r#""log.db""#,
@@ -199,7 +203,7 @@ fn the_logger() {
         ("logger.json", r#""sqlite:log.db""#, r#""csv:logs/../../log.csv""#,
             r#"logger.json:2:10: "logs/../../log.csv" is no file name inside the run's folder; name a file in there, such as "sqlite:log.db"; whoever runs it may say another place for that run"#),
         ("logger.json", r#""sqlite:log.db""#, r#""csv:log.txt""#,
-            r#"logger.json:2:25: two logs cannot go to the one file "log.txt""#),
+            r#"logger.json:2:25: two logs cannot go to the one file "log.txt"; name a file that nothing else has, such as "csv:logs/week.csv""#),
         ("logger.json", r#""table": "event""#, r#""table": "Event""#,
             r#"logger.json:3:12: "Event" cannot be the name of a table or a column; use a to z, 0 to 9 and _, not a digit first, at most 63 characters"#),
         ("logger.json", r#""table": "event""#, r#""table": "e; drop table x""#,
@@ -277,7 +281,7 @@ fn paths() {
             "ann.path.json:7:24: the way from (2.5, 0.2) to (5, 1.5) runs through the wall from (4, 0) to (4, 3) when it is repeated; add waypoints around it, such as one in a door"),
         ("ann.path.json", r#"{ "activity": "breakfast" }"#,
             r#"{ "repeat": { "times": 1000000, "steps": [{ "wait": { "for_s": 1e-6 } }] } }"#,
-            "ann.path.json:8:19: 1 moves in 0.000001 s are repeated: nobody makes more than 100 a second; let them take longer, or repeat them less often"),
+            "ann.path.json:8:19: 1 move in 0.000001 s, again and again: nobody makes more than 100 a second; let them take longer, or repeat them less often"),
         ("ann.path.json", r#"{ "activity": "breakfast" }"#,
             r#"{ "repeat": { "times": 2, "steps": [{ "go": { "to": ["sink"] } }, { "activity": "idle" }] } }"#,
             "ann.path.json:8:19: the steps that are repeated take no time; let it wait, or walk somewhere else and back"),

@@ -26,6 +26,8 @@ fn text_that_is_no_json() {
             "scenario.json:5:11: this comma has nothing before it; remove it"),
         ("scenario.json", r#""days": 2,"#, "days: 2,",
             r#"scenario.json:5:3: a key must stand in quotes; write "key": value"#),
+        ("scenario.json", r#""days": 2,"#, r#""days": 2,5,"#,
+            "scenario.json:5:13: a key in quotes must stand here; a number has a point, not a comma: 0.5 for 0,5"),
         ("scenario.json", r#""days": 2,"#, "'days': 2,",
             r#"scenario.json:5:3: text must stand in double quotes; write " instead of '"#),
         ("scenario.json", r#""name": "two rooms","#, r#""name": "two rooms,"#,

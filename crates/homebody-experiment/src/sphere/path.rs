@@ -27,7 +27,7 @@ const PACE_MPS: f64 = 0.8;
 /// A walk that would have to be faster takes time from the standing before and after it. Ours.
 const HURRIED_MPS: f64 = 1.5;
 /// Who stands longer than this before leaving a room does not stand in its door. Ours.
-const LONGEST_IN_DOORWAY: Micros = 3 * SECOND;
+const IN_DOORWAY: Micros = 3 * SECOND;
 /// Nearer points are not worth a walk. Ours.
 const LEAST_WALK_M: f64 = 0.4;
 
@@ -251,7 +251,7 @@ fn walk(stay: &mut Stay, here: &mut Point, exit: Option<Point>, house: &mut Hous
     let pause: Micros = pause.map(|piece| piece.end - piece.begin).sum();
     if let Some(end) = stay.pieces.last().map(|piece| piece.end)
         && exit.is_some_and(|exit| exit != *here)
-        && (last_walk.is_none() || pause > LONGEST_IN_DOORWAY)
+        && (last_walk.is_none() || pause > IN_DOORWAY)
     {
         // They left, but no walk to the door is annotated: one without length, to be lengthened.
         stay.pieces.push(Piece { begin: end, end, doing: Annotated::Walk });

@@ -99,7 +99,7 @@ fn split(script: &str) -> Vec<String> {
 }
 
 fn made(statements: &[String]) -> Vec<u8> {
-    let folder = tempfile::tempdir().expect("the folder for temporary files can be written");
+    let folder = tempfile::tempdir().expect("the program begins by making sure of it");
     let path = folder.path().join("made.db");
     fill(&path, statements).expect("a new database can be made there");
     fs::read(&path).unwrap_or_default()

@@ -132,5 +132,5 @@ fn shelf(folder: &Path) -> std::io::Result<Shelf> {
     for (name, bytes) in corpus::flat() {
         fs::write(scenario.join(name), bytes)?;
     }
-    Ok(Shelf { scenario, entry: "scenario.json".into(), runs: folder.join("runs") })
+    Ok(Shelf { scenario, entry: "scenario.json".into(), is_trusted: false, runs: folder.join("runs") })
 }

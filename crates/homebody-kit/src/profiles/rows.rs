@@ -6,6 +6,7 @@ use super::table::{Cell, Table};
 use homebody_core::problem::Problem;
 use homebody_core::scenario::GREATEST_SEED;
 use homebody_core::scenario::inside::{WHERE, outside_folder};
+use homebody_core::scenario::load::NoText;
 use homebody_core::scenario::nearest::nearest;
 use homebody_log::places::LIST;
 use homebody_routine::household::CONDITIONS;
@@ -316,7 +317,8 @@ impl<'a> Reader<'a> {
             let of = |column| of_each.get(column).map(|parts: &Vec<Cell>| parts.get(index).unwrap_or(&parts[0]));
             let own = condition.text.to_lowercase().split_whitespace().collect::<Vec<_>>().join("-");
             let is_name = own.chars().all(|c| c.is_alphanumeric() || c == '-');
-            let is_own = is_name && self.base.files.read(&format!("conditions/{own}.routine")).is_ok();
+            let file = format!("conditions/{own}.routine");
+            let is_own = is_name && self.base.files.read(&file) != Err(NoText::Missing);
             let own = is_own.then_some(own.as_str());
             let alone = self.sentence(&[(SHOWS, None), (&condition.text, Some(condition))], condition, own);
             let name = alone.as_ref().and_then(|(_, routine)| shown_by(routine));

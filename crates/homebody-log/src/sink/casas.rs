@@ -7,12 +7,13 @@ use super::text::TextFile;
 use super::{Begin, Sink, Watermark};
 use crate::clock::Clock;
 use crate::error::{LogError, place_of};
+use crate::limits::beginning;
 use crate::mapping::apart;
 use crate::table::{Batch, Cell, TextId, thousandths};
 use crate::word::one_word;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::Micros;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A text file of a row a line.
 pub(crate) struct Casas {
@@ -51,6 +52,7 @@ impl Sink for Casas {
         let ids: Vec<String> = begin.run.sensors.iter().map(|sensor| sensor.id.clone()).collect();
         let words = ids.iter().map(|id| one_word(id)).collect();
         apart(&ids, &words)?;
+        ids.iter().try_for_each(|id| can_be_told(&self.path, id))?;
         let columns = PARTS.into_iter().chain(table.column(LABEL)).collect();
         self.open = Some(Open {
             file: TextFile::begin(&self.path, begin)?,
@@ -67,7 +69,10 @@ impl Sink for Casas {
     fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
         let stopped = || LogError::Stopped { place: place_of(&self.path) };
         let Open { file, clock, texts, columns, line, number, rows } = self.open.as_mut().ok_or_else(stopped)?;
-        texts.extend(batch.texts_from(texts.len()).map(|text| one_word(&text)));
+        for text in batch.texts_from(texts.len()) {
+            can_be_told(&self.path, &text)?;
+            texts.push(one_word(&text));
+        }
         for row in batch.rows() {
             line.clear();
             for &column in columns.iter() {
@@ -110,4 +115,13 @@ impl Sink for Casas {
     fn finish(&mut self, _end: Micros) -> Result<(), LogError> {
         self.open.take().map_or(Ok(()), |open| open.file.finish())
     }
+}
+
+/// Refuses a text with characters that part lines and what is in them.
+fn can_be_told(path: &Path, text: &str) -> Result<(), LogError> {
+    if !text.chars().any(char::is_control) {
+        return Ok(());
+    }
+    let what = format!("the control characters of {}", beginning(text));
+    Err(LogError::CannotHold { place: place_of(path), what, hint: "write it into sqlite: or csv:" })
 }

@@ -5,7 +5,7 @@ use super::text::TextFile;
 use super::{Begin, Sink, Watermark};
 use crate::clock::Clock;
 use crate::error::{LogError, place_of};
-use crate::spreadsheet::escaped;
+use crate::spreadsheet;
 use crate::table::{Batch, Cell, TextId, thousandths};
 use crate::url::Url;
 use ::csv::{QuoteStyle, Terminator, WriterBuilder};
@@ -56,7 +56,7 @@ impl Sink for Csv {
         let stopped = || LogError::Stopped { place: place_of(&self.path) };
         let Open { files, clock, texts, spreadsheet_safe, line, number, rows } =
             self.open.as_mut().ok_or_else(stopped)?;
-        let cell = |text: &str| if *spreadsheet_safe { quoted(&escaped(text)) } else { quoted(text) };
+        let cell = |text: &str| quoted(&spreadsheet::cell(text, *spreadsheet_safe));
         texts.extend(batch.texts_from(texts.len()).map(|text| cell(&text)));
         for row in batch.rows() {
             line.clear();

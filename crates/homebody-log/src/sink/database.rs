@@ -5,7 +5,8 @@
 //!
 //! Rows that pour in go through a rollback journal: it writes a new page once, a write-ahead log twice. Rows that
 //! trickle in, as those of a live run, go through a write-ahead log: it lets others read for as long as they like.
-//! Where rows pour in, who reads is waited for. After the run the database is one file.
+//! Where rows pour in, who reads is waited for. A new database begins as if they did. After the run the database is one
+//! file; only who reads on for longer than is waited for keeps the write-ahead log beside it until they are done.
 
 use crate::error::{LogError, place_of};
 use crate::fresh::Found;
@@ -17,11 +18,18 @@ use std::path::{Path, PathBuf};
 use std::slice::ChunksExact;
 use std::time::{Duration, Instant};
 
-/// How long another program may be about to write the database before that is an error (ours).
+/// How long another program may be about to write the database before that is an error, and how long one that reads is waited
+/// for at the end (ours).
 const BUSY: Duration = Duration::from_secs(2);
 
 /// How long somebody who reads may keep rows waiting that pour in (ours): where rows trickle, nobody who reads holds them up.
 const READERS: Duration = Duration::from_secs(100);
+
+/// How often it is looked whether nobody reads any more.
+const LOOK: Duration = Duration::from_millis(20);
+
+/// Makes one file of a database.
+const ONE_FILE: &str = "PRAGMA journal_mode = DELETE";
 
 /// Who has waited this long for a reader lets rows trickle from then on, so that no reader is in the way again (ours).
 const WATCHED: Duration = Duration::from_secs(1);
@@ -116,8 +124,8 @@ impl Database {
         Ok(database)
     }
 
-    /// Opens a database that a run has left unfinished, to go on with it; None where the run was not begun in it: then
-    /// nothing is left there.
+    /// Opens a database that a run has left unfinished, to go on with it; None where there is nothing in it: then it is gone.
+    /// Whose it is, the caller finds out.
     pub fn reopen(path: &Path) -> Result<Option<Database>, LogError> {
         let lock = FileLock::take(path)?;
         match fs::metadata(path) {
@@ -132,7 +140,7 @@ impl Database {
         let opened = Connection::open_with_flags(path, flags).and_then(|connection| {
             connection.busy_timeout(BUSY)?;
             // What was under way as the program died is undone or brought in first.
-            let begun = "SELECT count(*) FROM sqlite_schema WHERE name = 'run'";
+            let begun = "SELECT count(*) FROM sqlite_schema";
             let is_begun: bool = connection.query_row(begun, [], |row| row.get(0))?;
             connection.execute_batch(Flow::Pouring.journal())?;
             connection.execute_batch("PRAGMA synchronous = FULL; PRAGMA cache_size = -1024")?;
@@ -199,11 +207,17 @@ impl Database {
         Ok(())
     }
 
-    /// Ends the transaction and leaves one file, complete in itself.
+    /// Ends the transaction and leaves one file, complete in itself, unless somebody goes on reading.
     pub fn close(mut self) -> Result<(), LogError> {
         self.commit()?;
         self.keep();
-        let is_one_file = self.without_waiting("PRAGMA journal_mode = DELETE");
+        let begun = Instant::now();
+        // Nothing that SQLite waits for: it asks once.
+        let mut is_one_file = self.without_waiting(ONE_FILE);
+        while !is_one_file && begun.elapsed() < BUSY {
+            std::thread::sleep(LOOK);
+            is_one_file = self.without_waiting(ONE_FILE);
+        }
         let connection = self.connection.take().expect("open until it is closed");
         connection.close().map_err(|(_, error)| LogError::database(&self.path, error))?;
         if is_one_file { self.forget_transactions() } else { Ok(()) }
@@ -263,7 +277,7 @@ impl Drop for Database {
             // What was not settled is undone, and what was is one file, as far as nobody is reading it.
             let _ = connection.execute_batch("ROLLBACK");
             let _ = connection.busy_timeout(Duration::ZERO);
-            let _ = connection.execute_batch("PRAGMA journal_mode = DELETE");
+            let _ = connection.execute_batch(ONE_FILE);
         }
         if !self.has_rows {
             let _ = fs::remove_file(&self.path);
@@ -356,6 +370,13 @@ fn put_aside(path: &Path) -> Result<PathBuf, LogError> {
     // The probe has brought whatever they held into the file.
     remove_companions(path);
     Ok(aside.into())
+}
+
+/// The write-ahead log beside a database that somebody still reads: it goes when they are done.
+pub fn log_beside(database: &Path) -> Option<PathBuf> {
+    let mut name = database.as_os_str().to_owned();
+    name.push("-wal");
+    Some(PathBuf::from(name)).filter(|path| path.exists())
 }
 
 /// Removes a database that nobody needs, as far as it is there.

@@ -4,13 +4,14 @@ mod casas;
 mod csv;
 pub(crate) mod database;
 mod open;
-mod sqlite;
+pub(crate) mod sqlite;
 mod text;
 
 use crate::clock::Clock;
 use crate::error::LogError;
 use crate::run_info::RunInfo;
 use crate::table::{Batch, Table};
+pub use database::log_beside;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::Micros;
 pub use open::open;

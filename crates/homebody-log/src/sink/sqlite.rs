@@ -13,7 +13,7 @@ use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::Micros;
 use rusqlite::types::{Null, ToSqlOutput, ValueRef};
 use rusqlite::{Connection, ToSql, params};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// A database file with a table for each table of the run.
@@ -311,16 +311,23 @@ fn tell_run<'a>(
     }
 }
 
-/// Refuses a database that another run has left.
+/// Refuses a database that another run has left, or another program.
 fn can_go_on(database: &Database, run: &RunInfo) -> Result<(), LogError> {
+    let other = |what: &str| LogError::Changed { place: place_of(database.path()), what: what.into() };
+    let columns = "SELECT count(*) FROM pragma_table_info('run') WHERE name = 'run_id'";
+    if database.ask(|connection| connection.query_row(columns, [], |row| row.get::<_, i64>(0)))? == 0 {
+        return Err(other("it is the database of something else"));
+    }
     let found: Option<i64> = database.ask(|connection| {
         use rusqlite::OptionalExtension;
-        connection.query_row("SELECT run_id FROM run", [], |row| row.get(0)).optional()
+        connection.query_row("SELECT run_id FROM run WHERE typeof(run_id) = 'integer'", [], |row| row.get(0)).optional()
     })?;
-    match found {
-        Some(id) if id == run.id => Ok(()),
-        _ => Err(LogError::Changed { place: place_of(database.path()), what: "it holds another run".into() }),
-    }
+    if found == Some(run.id) { Ok(()) } else { Err(other("it holds another run")) }
+}
+
+/// Refuses to replace what is no database of this run. What is not there, or empty, is replaced.
+pub(crate) fn can_be_replaced(path: &Path, run: &RunInfo) -> Result<(), LogError> {
+    Database::reopen(path)?.map_or(Ok(()), |database| can_go_on(&database, run))
 }
 
 /// Whether a value of the database is a cell.

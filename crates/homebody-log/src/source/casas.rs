@@ -5,11 +5,9 @@
 
 use super::reading::{Reading, open};
 use crate::error::LogError;
+use crate::limits::LONGEST_ROW_BYTES;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
-
-/// No line of a log is longer; what is longer is not read into memory.
-const LONGEST: u64 = 1 << 16;
 
 /// Before the kind of a sensor there is always its value.
 const KIND: &str = "Control4-";
@@ -19,14 +17,14 @@ pub(crate) fn read(path: &Path, reading: &mut Reading<'_>) -> Result<(), LogErro
     let mut line = Vec::new();
     for number in 1.. {
         line.clear();
-        let read = file.by_ref().take(LONGEST).read_until(b'\n', &mut line);
+        // One more is read, which says that it goes on.
+        let read = file.by_ref().take(LONGEST_ROW_BYTES as u64 + 1).read_until(b'\n', &mut line);
         if read.map_err(|error| LogError::file(path, error))? == 0 {
             break;
         }
-        if line.len() as u64 == LONGEST && line.last() != Some(&b'\n') {
-            reading.skip(number, "the line is too long".into());
-            file.skip_until(b'\n').map_err(|error| LogError::file(path, error))?;
-            continue;
+        if line.len() > LONGEST_ROW_BYTES {
+            let what = format!("the line is longer than {LONGEST_ROW_BYTES} bytes");
+            return Err(LogError::too_long(path, number, what));
         }
         understand(number, &String::from_utf8_lossy(&line), reading)?;
     }

@@ -14,6 +14,8 @@ pub(super) struct Places {
     pub time: usize,
     pub sensor: usize,
     pub value: usize,
+    /// Whether the columns have the names of the mapping: then cells are as they were written, with the blanks at their ends.
+    pub is_mapped: bool,
 }
 
 impl Places {
@@ -29,9 +31,13 @@ impl Places {
                 time: exactly(&columns.time)?,
                 sensor: exactly(&columns.sensor)?,
                 value: exactly(&columns.value)?,
+                is_mapped: true,
             })
         };
-        let guessed = || Some(Places { time: usual(&TIMES)?, sensor: usual(&SENSORS)?, value: usual(&VALUES)? });
+        let guessed = || {
+            let (time, sensor, value) = (usual(&TIMES)?, usual(&SENSORS)?, usual(&VALUES)?);
+            Some(Places { time, sensor, value, is_mapped: false })
+        };
         mapped().or_else(guessed)
     }
 }

@@ -14,12 +14,13 @@ use std::path::Path;
 const MARK: char = '\u{feff}';
 
 /// How many characters of an unknown header are told (ours).
-const TOLD: usize = 200;
+const LONGEST_TOLD: usize = 200;
 
 pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
     let mut records = Records::open(path)?;
     let mut places = None;
     let mut unknown_header: Option<String> = None;
+    let mut ends_as_on_windows = false;
     while let Some((line, record)) = records.next()? {
         let field = |place: usize| {
             record.get(place).map(|field| String::from_utf8_lossy(field.trim_ascii())).unwrap_or_default()
@@ -28,6 +29,7 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) ->
             continue;
         }
         if places.is_none() {
+            ends_as_on_windows = record.iter().next_back().is_some_and(|last| last.ends_with(b"\r"));
             let fields: Vec<String> =
                 (0..record.len()).map(|place| field(place).trim_start_matches(MARK).into()).collect();
             if unknown_header.is_some() {
@@ -45,14 +47,21 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) ->
         }
         if let Some(places) = places {
             let time = field(places.time);
-            let (sensor, value) = (field(places.sensor), field(places.value));
-            let said = |cell| if file.spreadsheet_safe { unescaped(cell) } else { cell };
-            reading.row(line, time.trim_start_matches(MARK), said(&sensor), said(&value))?;
+            let cell = |place: usize| match record.get(place) {
+                Some(whole) if places.is_mapped => {
+                    // Where lines end as on Windows, a part of the end is in the last cell.
+                    let is_cut = ends_as_on_windows && place + 1 == record.len();
+                    String::from_utf8_lossy(whole.strip_suffix(b"\r").filter(|_| is_cut).unwrap_or(whole))
+                }
+                _ => field(place),
+            };
+            let (sensor, value) = (cell(places.sensor), cell(places.value));
+            reading.row(line, time.trim_start_matches(MARK), unescaped(&sensor), unescaped(&value))?;
         }
     }
     match unknown_header {
         Some(names) if places.is_none() => {
-            let names: String = names.chars().take(TOLD).collect();
+            let names: String = names.chars().take(LONGEST_TOLD).collect();
             let why = readable(format!("no columns of time, sensor and value are among {names}"));
             Err(LogError::NoLog { place: place_of(path), why })
         }
@@ -67,5 +76,5 @@ fn by_content(fields: &[String], reading: &mut Reading<'_>) -> Option<Places> {
 }
 
 fn after(time: usize) -> Places {
-    Places { time, sensor: time + 1, value: time + 2 }
+    Places { time, sensor: time + 1, value: time + 2, is_mapped: false }
 }

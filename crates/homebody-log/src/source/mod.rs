@@ -22,6 +22,7 @@ mod records;
 mod run_clock;
 mod sensors;
 mod sqlite;
+mod start;
 mod turns;
 
 use crate::error::{LogError, place_of};
@@ -37,11 +38,11 @@ pub(crate) use lives::lives_of;
 pub use lives::{Life, activities, lives};
 pub use log::{Clock, Event, Log};
 pub use movements::{Movement, MovementKind, Movements};
-use reading::{Reading, open};
+use reading::Reading;
 pub(crate) use recorded_truth::{LABEL_TABLES, RecordedTruth};
 pub use recorded_truth::{truth_at, truth_beside};
 pub use run_clock::RunClock;
-use std::io::Read;
+use start::Start;
 use std::path::Path;
 
 /// Reads a log into memory; `file` tells the names of a database's table and columns, or of a CSV file's columns, where they
@@ -69,7 +70,7 @@ pub fn stream(
 ) -> Result<Log, LogError> {
     let path = url.file().unwrap_or(Path::new(""));
     let mut reading = Reading::new(path, take);
-    reading.log.known = sensors::beside(path)?;
+    reading.log.known = sensors::known_beside(path, &mut reading.log.remarks)?;
     match url.scheme() {
         Scheme::Sqlite => sqlite::read(path, file, &mut reading)?,
         Scheme::Csv => csv::read(path, file, &mut reading)?,
@@ -95,12 +96,11 @@ pub fn ids(url: &Url, file: &LoggerFile, sensors: &[String]) -> Vec<String> {
 
 /// What kind of log a file holds, by how it begins.
 pub fn recognise(path: &Path) -> Result<Url, LogError> {
-    let mut start = Vec::new();
-    open(path)?.take(4096).read_to_end(&mut start).map_err(|error| LogError::file(path, error))?;
-    if start.starts_with(b"SQLite format 3\0") {
-        return Ok(Url::new(Scheme::Sqlite, path));
-    }
-    let first = start.split(|&byte| byte == b'\n').find(|line| !line.trim_ascii().is_empty()).unwrap_or_default();
-    let commas = first.iter().filter(|&&byte| byte == b',').count();
-    Ok(Url::new(if commas >= 2 { Scheme::Csv } else { Scheme::Casas }, path))
+    let start = Start::of(path)?;
+    let scheme = match start.is_sqlite() {
+        true => Scheme::Sqlite,
+        false if start.delimiters() >= 2 => Scheme::Csv,
+        false => Scheme::Casas,
+    };
+    Ok(Url::new(scheme, path))
 }

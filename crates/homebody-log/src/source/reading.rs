@@ -14,7 +14,7 @@ use std::fs::File;
 use std::path::Path;
 
 /// How many skipped lines are told one by one.
-const TOLD: usize = 100;
+const MOST_TOLD: usize = 100;
 
 /// Rows that are handed over together.
 const PART: usize = 8192;
@@ -74,7 +74,7 @@ impl<'t> Reading<'t> {
             // Characters are counted only where they may be too many.
             if text.len() > most && text.chars().count() > most {
                 let what = format!("the {what} {} has more than {most} characters", beginning(text));
-                return Err(LogError::TooLong { place: format!("{}:{line}", place_of(self.path)), what });
+                return Err(LogError::too_long(self.path, line, what));
             }
         }
         self.log.clock = clock;
@@ -107,7 +107,7 @@ impl<'t> Reading<'t> {
 
     pub fn skip(&mut self, line: u64, why: String) {
         self.log.skipped += 1;
-        if self.log.problems.len() < TOLD {
+        if self.log.problems.len() < MOST_TOLD {
             self.log.problems.push(Skipped { line, why });
         }
     }

@@ -1,7 +1,8 @@
 //! Rows of comma-separated values, none of which is longer than it may be.
 
 use super::reading::open;
-use crate::error::{LogError, place_of};
+use super::start::Start;
+use crate::error::LogError;
 use crate::limits::{LONGEST_ROW_BYTES, MOST_CELLS};
 use ::csv::{ByteRecord, Reader, ReaderBuilder, Terminator};
 use std::cell::Cell;
@@ -45,6 +46,7 @@ impl Records {
         let source = Limited { file: open(path)?, come: come.clone() };
         // Lines end as on Windows, too: what is before their end is blank. So they are counted as people count them.
         let mut builder = ReaderBuilder::new();
+        builder.delimiter(Start::of(path)?.delimiter());
         builder.has_headers(false).flexible(true).terminator(Terminator::Any(b'\n')).buffer_capacity(BUFFER);
         Ok(Records { path: path.into(), reader: builder.from_reader(source), record: ByteRecord::new(), come })
     }
@@ -53,7 +55,7 @@ impl Records {
     pub fn next(&mut self) -> Result<Option<(u64, &ByteRecord)>, LogError> {
         let line = self.reader.position().line();
         let read = self.reader.read_byte_record(&mut self.record);
-        let too_long = |what: String| LogError::TooLong { place: format!("{}:{line}", place_of(&self.path)), what };
+        let too_long = |what: String| LogError::too_long(&self.path, line, what);
         if self.come.replace(0) > LONGEST_ROW_BYTES + BUFFER || self.record.as_slice().len() > LONGEST_ROW_BYTES {
             return Err(too_long(format!(
                 "the row is longer than {LONGEST_ROW_BYTES} bytes, or a quote in it is never closed"

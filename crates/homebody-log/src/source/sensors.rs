@@ -1,16 +1,17 @@
 //! What is known of a log's sensors: from the table that a run leaves beside its log.
 
-use crate::error::LogError;
+use crate::error::{LogError, place_of};
 use crate::places::SENSORS;
+use crate::plain;
 use crate::sensor_info::SensorInfo;
 use crate::spreadsheet::unescaped;
 use homebody_core::sensors::kinds::KINDS;
 use serde::Deserialize;
-use std::fs;
+use std::io::ErrorKind;
 use std::path::Path;
 
 /// No table of sensors has more bytes (ours): a home of a thousand has a tenth of a mebibyte.
-const LARGEST_BYTES: u64 = 4 << 20;
+const LARGEST_TABLE_BYTES: u64 = 4 << 20;
 
 /// A row of the table.
 #[derive(Deserialize)]
@@ -23,15 +24,22 @@ struct Row {
     y_m: f64,
 }
 
-/// The sensors of the table beside a log; none where no table of ours lies there.
-pub(crate) fn beside(log: &Path) -> Result<Vec<SensorInfo>, LogError> {
+/// The sensors of the table beside a log; none where no table of ours lies there. One that is too large is not read, which is
+/// among the remarks.
+pub(crate) fn known_beside(log: &Path, remarks: &mut Vec<String>) -> Result<Vec<SensorInfo>, LogError> {
     let path = log.with_file_name(SENSORS);
-    let is_table = fs::metadata(&path).is_ok_and(|found| found.is_file() && found.len() <= LARGEST_BYTES);
-    if !is_table || path == log {
+    if !path.is_file() || path == log {
         return Ok(Vec::new());
     }
-    let wrong = |error: csv::Error| LogError::file(&path, error.into());
-    let rows = csv::Reader::from_path(&path).map_err(wrong)?.into_deserialize().collect::<Result<Vec<Row>, _>>();
+    let table = match plain::read(&path, LARGEST_TABLE_BYTES) {
+        Ok(table) => table,
+        Err(error) if error.kind() == ErrorKind::FileTooLarge => {
+            remarks.push(format!("of its sensors only the ids are known: {}: {error}", place_of(&path)));
+            return Ok(Vec::new());
+        }
+        Err(error) => return Err(LogError::reading(&path, error)),
+    };
+    let rows = csv::Reader::from_reader(&table[..]).into_deserialize().collect::<Result<Vec<Row>, _>>();
     // Another program's table of this name tells us nothing.
     Ok(rows.unwrap_or_default().into_iter().map(Row::info).collect())
 }

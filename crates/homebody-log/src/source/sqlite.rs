@@ -110,7 +110,7 @@ fn by_first_row(connection: &Connection, table: &str, reading: &mut Reading<'_>)
         }
     }
     Ok(match (time, &texts[..]) {
-        (Some(time), &[(sensor, false), (value, false), ..]) => Some(Places { time, sensor, value }),
+        (Some(time), &[(sensor, false), (value, false), ..]) => Some(Places { time, sensor, value, is_mapped: false }),
         _ => None,
     })
 }

@@ -434,7 +434,7 @@ impl Adverbs {
         };
         match amount.unit {
             Unit::Second => {
-                let lasts = amounts::duration(reader, &amount);
+                let lasts = amounts::length(reader, &amount);
                 let span = reader.span(start);
                 put(reader, &mut self.lasts, lasts, span, "both say how long");
                 self.last = Last::Lasts;

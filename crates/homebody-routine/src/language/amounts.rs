@@ -247,14 +247,26 @@ impl Amount {
     }
 }
 
+/// Nothing lasts longer than so many days (ours).
+const MOST_DAYS: f64 = 400.0;
+
 /// How long something lasts, which is neither nothing nor more than a day.
 pub fn duration(reader: &mut Reader, amount: &Amount) -> Fuzzy {
+    if amount.to > DAY_S {
+        let what = format!("{:?} is more than a day", reader.said(amount.span));
+        reader.fault(amount.span, what, "nothing that is done lasts longer than 24 hours".to_owned());
+    }
+    length(reader, amount)
+}
+
+/// How long something lasts that may last for days: neither nothing nor more than a year or so.
+pub fn length(reader: &mut Reader, amount: &Amount) -> Fuzzy {
     if amount.from <= 0.0 {
         let what = format!("{:?} is no time at all", reader.said(amount.span));
         reader.fault(amount.span, what, "say how long it lasts, such as \"for 20 minutes\"".to_owned());
-    } else if amount.to > DAY_S {
-        let what = format!("{:?} is more than a day", reader.said(amount.span));
-        reader.fault(amount.span, what, "nothing that is done lasts longer than 24 hours".to_owned());
+    } else if amount.to > MOST_DAYS * DAY_S {
+        let what = format!("{:?} is more than a year", reader.said(amount.span));
+        reader.fault(amount.span, what, "say until when, such as \"until day 100\"".to_owned());
     }
     amount.as_duration()
 }

@@ -1,20 +1,21 @@
 //! What a clause means, once all of it is read: a habit, a change, or who the person is.
 
 use super::adverbs::Adverbs;
-use super::amounts::ABOUT_SHARE;
+use super::amounts::{ABOUT_SHARE, DAY_S};
+use super::calendar::{self, days_between};
 use super::clause::{Clause, PLACES};
 use super::draft::Draft;
-use super::helping::Help;
 use super::meaning::Kind as Part;
 use super::measures::{self, FASTEST_MPS, Measure, Of};
-use super::predicates::{IS, Predicate};
+use super::predicates::IS;
 use super::reader::{Reader, Sort};
+use super::said::{Help, Predicate};
 use super::subjects::Subject;
 use super::times::is_of_next_day;
 use super::unknown::{is_way, unknown_doing};
 use super::words::Span;
 use crate::fuzzy::{Fuzzy, Quantifier};
-use crate::routine::{Activity, Chance, Change, Effect, Habit, Kind, PartOfDay, Person, When};
+use crate::routine::{Activity, Chance, Change, Effect, Habit, Kind, PartOfDay, Person, Phase, When};
 use homebody_core::activity::TimeUse;
 
 pub fn build(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
@@ -171,11 +172,23 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
         reader.fault(span, "\"then\" has nothing before it", "say first what is done before".to_owned());
     }
     let until = adverbs.until_meant(&when);
+    if let (Some(lasts), false) = (&adverbs.lasts, matches!(activity, Activity::Leave | Activity::Visit))
+        && lasts.own
+        && lasts.value.from > DAY_S
+    {
+        let what = format!("{:?} is more than a day", reader.said(lasts.span));
+        reader.fault(lasts.span, what, "only who is out, or visits, is so for longer than 24 hours".to_owned());
+    }
     let inherited_then = when == When::Then && adverbs.chance.as_ref().is_some_and(|chance| !chance.own);
     let chance = adverbs.chance.as_ref().filter(|_| !inherited_then).map_or(Chance::ALWAYS, |slot| slot.value);
     let chance = if clause.tends && adverbs.chance.is_none() { Chance::of(Quantifier::Most) } else { chance };
     let phase = adverbs.phase_meant(reader, draft.is_condition);
     draft.phase(reader, &phase, adverbs, clause.span);
+    let stay = staying(reader, draft, &clause, &activity, &phase);
+    let (when, phase, lasts) = match stay {
+        Some(stay) => stay,
+        None => (when, phase, adverbs.lasts.as_ref().map(|slot| slot.value)),
+    };
     let habit = Habit {
         said: draft.said(clause.span),
         visitor: match clause.subject {
@@ -194,6 +207,73 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
     };
     draft.routine.habits.push(habit);
     draft.habit_spans.push(clause.predicate_span);
+}
+
+/// From when on the days begin and end of who is away, or visits, for whole days (ours).
+const SETS_OUT_S: Fuzzy = Fuzzy { low: 9.0 * 3600.0, from: 9.5 * 3600.0, to: 10.5 * 3600.0, high: 11.0 * 3600.0 };
+const COMES_BACK_S: f64 = 17.0 * 3600.0;
+
+/// For so many days at most somebody is away at a stretch (ours).
+const MOST_DAYS: i32 = 390;
+
+/// Who is out, or visits, for days on end: when it begins, on which day or days, and how long it lasts.
+///
+/// "For a week" is one stay of a week. "From day 30 to day 40 she is out" is one, too; "from day 30 to day 40 she goes out"
+/// is an outing on each of these days.
+fn staying(
+    reader: &mut Reader,
+    draft: &Draft,
+    clause: &Clause,
+    activity: &Activity,
+    phase: &Phase,
+) -> Option<(When, Phase, Option<Fuzzy>)> {
+    let adverbs = &clause.adverbs;
+    if !matches!(activity, Activity::Leave | Activity::Visit) || adverbs.lasts.is_some() || adverbs.until_time.is_some()
+    {
+        return None;
+    }
+    let words = reader.said(clause.predicate_span).to_lowercase();
+    let first = words.split_whitespace().next().unwrap_or_default();
+    let is_state = ["is", "are", "stays", "stay"].contains(&first);
+    let says_when =
+        adverbs.when.as_ref().is_some_and(|slot| !matches!(slot.value, When::At(_))) || adverbs.part.is_some();
+    if says_when || !is_state && words.contains("walk") {
+        return None;
+    }
+    let when = match adverbs.when.as_ref().map(|slot| &slot.value) {
+        Some(When::At(at)) => When::At(*at),
+        _ => When::At(SETS_OUT_S),
+    };
+    let is_often = adverbs.chance.is_some() || adverbs.every.is_some() || adverbs.weekdays.is_some();
+    if let Some(days) = &adverbs.for_days {
+        let lasts = Some(Fuzzy::exactly(days.value * DAY_S));
+        return match phase.from {
+            Some(from) => {
+                let until = Some(calendar::later(from, 1));
+                Some((when, Phase { from: Some(from), until, ..Phase::default() }, lasts))
+            }
+            None if is_often => Some((when, Phase { until: None, ..*phase }, lasts)),
+            None => {
+                let hint = format!("write \"from day 30, {}, she {words}\"", reader.said(days.span));
+                reader.fault(days.span, "it is not said from when", hint);
+                None
+            }
+        };
+    }
+    let from = phase.from?;
+    if !is_state || is_often {
+        return None;
+    }
+    // Of no end is said: until the run is over.
+    let until = phase.until.unwrap_or(calendar::later(from, MOST_DAYS));
+    let days = days_between(from, until, draft.first_date).filter(|&days| days > 1)?;
+    let begins_s = match &when {
+        When::At(at) => at.mean(),
+        _ => SETS_OUT_S.mean(),
+    };
+    let lasts = (days - 1) as f64 * DAY_S + COMES_BACK_S - begins_s;
+    let phase = Phase { from: Some(from), until: Some(calendar::later(from, 1)), ..Phase::default() };
+    Some((when, phase, Some(Fuzzy::exactly(lasts.max(3600.0)))))
 }
 
 /// Whether somebody only goes to a place, and it is left open what for.

@@ -83,6 +83,10 @@ fn twice_a_day(draft: &Draft, faults: &mut Faults) {
     }
 }
 
+/// How long who goes to bed in the morning sleeps by day, at least and at most (ours).
+const SHORTEST_NIGHT_S: f64 = 3.0 * 3600.0;
+const LONGEST_NIGHT_S: f64 = 12.0 * 3600.0;
+
 /// A slip in who visits would be somebody else who visits, too.
 fn visitors_nearly_alike(draft: &Draft, faults: &mut Faults) {
     const SHORTEST: usize = 5;
@@ -235,7 +239,9 @@ fn bed_before_getting_up(draft: &Draft, faults: &mut Faults) {
     let up: Vec<_> = own_habits(draft).filter(|(_, habit)| habit.activity == Activity::GetUp).collect();
     for (index, bed) in own_habits(draft).filter(|(_, habit)| habit.activity == Activity::GoToBed) {
         let Some(time) = at(bed) else { continue };
-        let early = |up: &Habit| at(up).is_some_and(|up| time <= up) && share_days(draft, bed, up);
+        // Who works at night goes to bed in the morning and gets up in the afternoon.
+        let is_nap = |up: f64| !(SHORTEST_NIGHT_S..LONGEST_NIGHT_S).contains(&(up - time));
+        let early = |up: &Habit| at(up).is_some_and(|up| time <= up && is_nap(up)) && share_days(draft, bed, up);
         if let Some((_, up)) = up.iter().find(|(_, up)| early(up)) {
             let what = format!("she goes to bed before she gets up, by line {}", up.said.line);
             faults.add(draft.habit_spans[index], what, Some("write bedtimes as 22:30 or 10:30 pm".into()));

@@ -1,20 +1,10 @@
 //! What somebody who visits does there: with the person, or instead of them.
 
 use super::activities::{self, activity, event};
-use super::predicates::Predicate;
 use super::reader::Reader;
-use super::subjects::visits;
+use super::said::{Help, Predicate, visits};
 use crate::routine::{Activity, Meal};
 use homebody_core::activity::{ActivityKind, TimeUse};
-
-/// How a visitor helps.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Help {
-    /// The person does it while the visitor is there.
-    Together,
-    /// The visitor does it, and the person need not.
-    Instead,
-}
 
 /// What a visitor does: comes, helps, does something instead, or takes the person along.
 pub fn visiting(reader: &mut Reader) -> Option<Predicate> {

@@ -6,7 +6,7 @@
 
 use super::adverbs::{Adverbs, Slot};
 use super::clause::{Clause, Join};
-use super::predicates::Predicate;
+use super::said::Predicate;
 use super::words::Span;
 use crate::routine::{Activity, Chance, PartOfDay, When};
 

@@ -233,7 +233,7 @@ impl Words {
         let mut parts = said.split(';').map(str::trim);
         let told = parts.next().unwrap_or_default();
         let known = Activity::of_label(name);
-        if known.is_none() && self.own.get(name).is_none() && told.is_empty() {
+        if known.is_none() && !self.own.contains_key(name) && told.is_empty() {
             let labels: Vec<Activity> = Activity::OWN_WAYS.into_iter().chain(Activity::everyday()).collect();
             let near =
                 nearest(name, labels.iter().map(Activity::label)).map(|near| format!("did you mean \"[{near}]\"? "));

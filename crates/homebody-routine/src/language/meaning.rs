@@ -55,7 +55,7 @@ impl Adverbs {
     fn every_meant(&self) -> u32 {
         let every = self.every.as_ref().map_or(Days::ALL.every, |slot| slot.value);
         let is_weekday = self.weekdays.as_ref().is_some_and(|slot| slot.value.count_ones() == 1);
-        if is_weekday && every % 7 == 0 && every % 49 != 0 { every / 7 } else { every }
+        if is_weekday && every.is_multiple_of(7) && !every.is_multiple_of(49) { every / 7 } else { every }
     }
 
     /// At what time of the day, with times after midnight counted on where they belong to the night before.

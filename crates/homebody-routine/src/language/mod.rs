@@ -22,6 +22,7 @@ mod meaning;
 pub mod activities;
 mod measures;
 mod subjects;
+mod said;
 mod predicates;
 mod roundabout;
 mod unknown;

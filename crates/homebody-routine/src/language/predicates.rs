@@ -4,51 +4,14 @@ use super::activities;
 use super::adverbs::{Adverbs, Slot};
 use super::amounts::{Unit, amount};
 use super::faults::did_you_mean;
-use super::helping::Help;
-use super::measures::{Measure, Of, measure, rises_by};
-use super::reader::{Reader, Sort, begins_adverb, is_determiner};
+use super::measures::{Of, measure, rises_by};
+use super::reader::{Reader, Sort, begins_adverb};
 use super::roundabout::{falls_asleep, is_doing, is_helped, is_remark, spends, tends_not, unable, unfinished, visited};
+use super::said::Predicate;
 use super::subjects::Subject;
 use super::unknown::unknown_name;
-use super::words::{Span, Token};
+use super::words::Token;
 use crate::routine::{Activity, Kind, PartOfDay, When};
-
-/// What is said of the subject.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Predicate {
-    Age(f64),
-    Kind(Kind),
-    /// "is", with a measure still to come.
-    Is,
-    /// "walks", with a measure or a speed still to come.
-    Walks,
-    Pace(super::amounts::Amount),
-    Does(Activity),
-    /// Words for something of the user's own.
-    Own(String),
-    Visits,
-    Not(Activity),
-    Skips(Activity),
-    Shows(String, f64),
-    Forgets(String),
-    /// "sleeps" or "turns in bed", with a measure still to come.
-    Sleeps,
-    /// "vary", with a measure still to come.
-    Vary,
-    Rises(Measure),
-    /// "breathes", with a measure still to come.
-    Breathes,
-    /// A visitor comes, and this is done.
-    Helps(Activity, Help),
-    /// Somebody who is named comes, and this is done.
-    HelpedBy(String, Activity),
-    /// Somebody who is named comes.
-    VisitedBy(String),
-    /// What is begun and not brought to its end.
-    Unfinished(Activity),
-    /// What somebody is, has or likes.
-    Remark,
-}
 
 /// What goes before where somebody is, not before where they go.
 const WHERE: &str = "at|in|on|by|near|beside|next";
@@ -329,37 +292,4 @@ pub fn of_body(reader: &mut Reader, subject: &Subject) -> Option<Predicate> {
         Subject::Hours => (reader.eat("vary|varies|change|changes|are|is")).then_some(Predicate::Vary),
         _ => None,
     }
-}
-
-/// Words of the user's own for something that is done, up to where or when it is done.
-pub fn own_words(reader: &mut Reader) -> Option<(String, Span)> {
-    const MOST: usize = 6;
-    let from = reader.at;
-    let goes_on = |reader: &mut Reader| {
-        let is_object = reader.at > from && is_spoken_to(reader);
-        reader.token(0) == Some(Token::Word) && (is_object || !begins_adverb(reader))
-    };
-    while goes_on(reader) && reader.at < from + MOST {
-        reader.at += 1;
-    }
-    if reader.at == from || goes_on(reader) {
-        reader.at = from;
-        return None;
-    }
-    let words: Vec<&str> = reader.words[from..reader.at].iter().map(|word| word.text.as_str()).collect();
-    Some((words.join(" "), reader.span(from)))
-}
-
-/// "to the radio", of who listens to it: no way to a place, and no purpose.
-fn is_spoken_to(reader: &mut Reader) -> bool {
-    let verb = reader.at.checked_sub(1).and_then(|verb| reader.words.get(verb)).map_or("", |word| &word.text);
-    let moves = ["go", "walk", "move", "come", "get", "sit"].iter().any(|known| activities::is_form(known, verb));
-    let is_noun = is_determiner(reader.peek(1)) || reader.peek(1) == "music";
-    !moves
-        && reader.peek(0) == "to"
-        && is_noun
-        && !reader.ahead(|reader| {
-            reader.at += 1;
-            reader.name(&[Sort::Place, Sort::Room, Sort::Thing]).is_some()
-        })
 }

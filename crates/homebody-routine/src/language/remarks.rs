@@ -6,7 +6,7 @@
 use super::activities;
 use super::adverbs::Adverbs;
 use super::reader::{Reader, Sort, is_beginning, is_determiner};
-use super::subjects::visits;
+use super::said::visits;
 use super::words::Token;
 
 /// What may stand in the rest of a remark.

@@ -7,8 +7,9 @@ use super::build::only;
 use super::clause::{Clause, PLACES, eat_preposition, tail};
 use super::draft::Draft;
 use super::meaning::Kind;
-use super::predicates::{self, Predicate};
+use super::predicates;
 use super::reader::{Reader, Sort};
+use super::said::{self, Predicate};
 use super::subjects::{self, Subject};
 use super::unknown;
 use super::words::Span;
@@ -149,7 +150,7 @@ fn response(reader: &mut Reader, whenever: &Trigger, adverbs: &mut Adverbs) -> O
         let lasts = adverbs.lasts.as_ref().map(|slot| slot.value);
         return Some(Response::Do { activity, place: Some(place), lasts });
     }
-    let Some((words, span)) = predicates::own_words(reader) else {
+    let Some((words, span)) = said::own_words(reader) else {
         let here = reader.here();
         let words = reader.said(here).to_lowercase();
         unknown::unknown_verb(reader, &words, here);

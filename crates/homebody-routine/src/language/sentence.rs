@@ -8,11 +8,12 @@ use super::draft::Draft;
 use super::faults::did_you_mean;
 use super::helping;
 use super::joined;
-use super::predicates::{self, Predicate};
+use super::predicates;
 use super::reader::{Reader, Sort, begins_adverb, is_determiner};
 use super::remarks;
 use super::roundabout;
 use super::rules;
+use super::said::{self, Predicate};
 use super::subjects::{self, Subject};
 use super::unknown;
 use super::words::{Span, Token};
@@ -372,7 +373,7 @@ fn predicate(
     if let Some(found) = meal_meant(reader, cooked.filter(|_| !is_negated)) {
         return found.map(|activity| (Predicate::Does(activity), reader.span(from)));
     }
-    let own = predicates::own_words(reader);
+    let own = said::own_words(reader);
     if is_negated {
         let span = own.map_or(reader.here(), |(_, span)| span);
         unknown::unknown_not(reader, span);
@@ -395,7 +396,7 @@ fn predicate(
 fn nothing_of_its_own(reader: &mut Reader) -> Span {
     let from = reader.at;
     if reader.eat("has|have") {
-        predicates::own_words(reader);
+        said::own_words(reader);
         return reader.span(from);
     }
     reader.here()
@@ -445,7 +446,7 @@ fn stranger(reader: &mut Reader) -> Option<Subject> {
         reader.at += 1;
         let is_verb = |reader: &mut Reader| {
             Adverbs::default().all(reader);
-            reader.eat("is|walks|shows") || subjects::visits(reader) || activities::activity(reader).is_some()
+            reader.eat("is|walks|shows") || said::visits(reader) || activities::activity(reader).is_some()
         };
         if reader.ahead(is_verb) {
             return Some(Subject::Stranger(reader.said(reader.span(from))));
@@ -457,7 +458,7 @@ fn stranger(reader: &mut Reader) -> Option<Subject> {
 
 /// Whether a name may be the person's: nobody has said another, and it is said who that is.
 fn is_introduced(reader: &mut Reader, draft: &mut Draft, name: &str, who: Span) -> bool {
-    if reader.ahead(subjects::visits) {
+    if reader.ahead(said::visits) {
         let hint = "write who it is: \"her daughter visits\" or \"a nurse visits\"".to_owned();
         reader.fault(who, format!("{name:?} is nobody that this routine knows"), hint);
         return false;

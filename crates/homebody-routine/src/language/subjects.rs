@@ -23,25 +23,6 @@ pub enum Subject {
 }
 
 const HOURS: &str = "hours|times|days|day|routine";
-pub const VISITS: [&str; 17] = [
-    "comes|come to stay with her|him|them",
-    "comes|come to stay",
-    "comes|come to the house|home|flat|apartment",
-    "pops|pop in|by|round|over",
-    "stops|stop by|in",
-    "looks|look in on her|him|them",
-    "stays|stay with|at her|him|them",
-    "stays|stay",
-    "visits|visit her|him|them|it",
-    "visits|visit",
-    "comes|come to visit|help",
-    "comes|come to see|visit her|him|them",
-    "comes|come to help her|him|them",
-    "comes|come by|over|round|in|around",
-    "comes|come",
-    "drops|drop by|in",
-    "calls|call in|by|round",
-];
 
 /// The subject, if a sentence has one here.
 pub fn subject(reader: &mut Reader) -> Option<Subject> {
@@ -122,8 +103,4 @@ fn visitor(reader: &mut Reader) -> Option<Subject> {
         reader.at += 1;
     }
     None
-}
-
-pub fn visits(reader: &mut Reader) -> bool {
-    VISITS.iter().any(|phrase| reader.eat(phrase))
 }

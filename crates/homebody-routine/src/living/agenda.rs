@@ -2,13 +2,16 @@
 //!
 //! Each habit that is meant for the day is drawn: whether, how often, when, for how long. What is said relative to
 //! something else is put beside it. The order is that of the starts; how the day really goes is for the living.
+//!
+//! A day goes from one rising to the next: what has its time in the hours before rising is of the day before, so that
+//! 03:00 is lived whether one sleeps then or is still up. What is said comes before what is not: unsaid washing and
+//! dressing wait for a shower that has its time.
 
-use super::life::{DayParameters, InForce, Life};
+use super::life::{DayParameters, InForce, Life, SentenceId};
+use super::rising::{bed, of_time, up, varied, varied_length};
 use super::usual;
-use crate::fuzzy::Fuzzy;
 use crate::routine::{Activity, Habit, Meal, PartOfDay, When};
 use homebody_core::activity::UsualLength;
-use homebody_core::numbers::Numbers;
 use homebody_core::time::{Micros, SECOND, micros, seconds};
 
 /// A day's plan.
@@ -18,6 +21,11 @@ pub struct Agenda {
     /// When the resident gets up, and goes to bed.
     pub up: Micros,
     pub bed: Micros,
+    /// When the day after begins, as it looks today.
+    pub next_up: Micros,
+    /// Whether there is a visit to the bathroom first thing, and one before bed.
+    pub bathroom_first: bool,
+    pub bathroom_last: bool,
     /// What is done one after the other, in order of start.
     pub items: Vec<Item>,
     /// What interrupts whatever goes on then, in order of start; also in the night after the day.
@@ -38,12 +46,36 @@ pub struct Item {
     pub until: Option<Micros>,
     /// It is left out if it cannot begin by then.
     pub latest: Micros,
+    /// The sentence that it comes from, if it was planned.
+    pub of: Option<SentenceId>,
+    /// Whether no sentence of the routine says it.
+    pub is_unsaid: bool,
+    /// Whether it waits for what has its time: what nobody says, and what is overdue.
+    pub waits: bool,
 }
 
 impl Item {
     /// Something that nobody planned, to be done at once.
     pub fn now(key: String, activity: Activity, lasts: Micros) -> Item {
-        Item { key, activity, place: None, visitor: None, start: 0, lasts, until: None, latest: Micros::MAX }
+        Item {
+            key,
+            activity,
+            place: None,
+            visitor: None,
+            start: 0,
+            lasts,
+            until: None,
+            latest: Micros::MAX,
+            of: None,
+            is_unsaid: true,
+            waits: true,
+        }
+    }
+
+    /// Whether what is done for pleasure is interrupted for it: meals and medicine.
+    pub fn is_essential(&self) -> bool {
+        let is = matches!(self.activity, Activity::Prepare(_) | Activity::Eat(_) | Activity::TakeMedicine);
+        is && self.visitor.is_none()
     }
 }
 
@@ -70,39 +102,19 @@ const HOUR: f64 = 3600.0;
 homebody_core::numbers! {
     /// How long after getting up the morning's washing and dressing is over.
     static SOON_S = "day.soon": 3_600.0, "s", [0.0, 14_400.0];
-    /// Outings shorter than this are left out.
-    static LEAST_OUT_S = "day.least_out": 600.0, "s", [0.0, 7_200.0];
-    /// When one gets up on a day of which no sentence says so: 06:44 of healthy older adults (Scientific
-    /// Reports 2015, actigraphy).
-    static UP_H = "day.up": 6.73, "h", [2.0, 14.0];
-    /// How much earlier or later than that one gets up at most.
-    static UP_SPREAD_H = "day.up_spread": 0.5, "h", [0.0, 4.0];
-    /// When one goes to bed on a day of which no sentence says so: 23:23 of healthy older adults
-    /// (Scientific Reports 2015, actigraphy).
-    static BED_H = "day.bed": 23.38, "h", [17.0, 28.0];
-    /// How much earlier than that one goes to bed at most.
-    static BED_EARLIER_H = "day.bed_earlier": 0.48, "h", [0.0, 4.0];
-    /// How much later than that one goes to bed at most.
-    static BED_LATER_H = "day.bed_later": 0.52, "h", [0.0, 4.0];
-}
-
-/// Getting up where nothing is said or the quantifier says no.
-fn usual_up(numbers: &Numbers) -> Fuzzy {
-    Fuzzy::around(numbers.of(&UP_H) * HOUR, numbers.of(&UP_SPREAD_H) * HOUR)
-}
-
-/// Going to bed where nothing is said or the quantifier says no.
-fn usual_bed(numbers: &Numbers) -> Fuzzy {
-    let [at, earlier, later] = [&BED_H, &BED_EARLIER_H, &BED_LATER_H].map(|number| numbers.of(number) * HOUR);
-    Fuzzy { low: at - earlier, from: at, to: at, high: at + later }
+    /// What has its time in the night, so long before rising or longer, is done in the night; else once one is up.
+    static NEARLY_UP_S = "day.nearly_up": 2_700.0, "s", [0.0, 14_400.0];
+    /// What is said to be done at night by somebody who is up is done in so many hours before bed.
+    static BEDTIME_H = "day.bedtime": 2.0, "h", [0.25, 6.0];
 }
 
 impl Agenda {
     /// The plan of a day of a life, as it is with the day's mood.
     pub fn of(life: &Life, day: i32, parameters: &DayParameters) -> Agenda {
-        let (up, bed) = (up(life, day, parameters), bed(life, day, parameters));
+        let up = up(life, day, parameters);
         // As it would be if tomorrow were as today: a change that begins tomorrow does not touch tonight.
         let next_up = self::up(life, day + 1, parameters);
+        let bed = bed(life, day, parameters, up, next_up);
         let mut planner = Planner {
             life,
             parameters,
@@ -113,67 +125,55 @@ impl Agenda {
             drafts: Vec::new(),
             breaks: Vec::new(),
             mornings: Vec::new(),
+            bathroom: None,
         };
         planner.draw();
         let mut items = planner.resolve();
         items.sort_by_key(|item| item.start);
         let ready = planner.ready(&items);
-        // Who gets up late begins the day later, and not with what is overdue.
-        for item in items.iter_mut().filter(|item| item.start < ready && !planner.mornings.contains(&item.key)) {
+        // Who gets up late begins the day later, and not with what is overdue; what is said keeps a time that is not past.
+        let waits = |item: &Item| item.start < if item.is_unsaid { ready } else { up };
+        for item in items.iter_mut().filter(|item| waits(item) && !planner.mornings.contains(&item.key)) {
             item.latest += ready - item.start;
             item.start = ready;
+            item.waits = true;
         }
+        one_meal_after_the_other(&mut items);
         items.sort_by_key(|item| item.start);
         let mut breaks = planner.breaks;
+        // What comes after going to bed interrupts the night.
+        let is_of_the_night =
+            |item: &Item| item.visitor.is_none() && item.start >= bed && item.activity.is_of_the_night();
+        let late = items.extract_if(.., |item| is_of_the_night(item));
+        breaks.extend(late.map(|item| Item { latest: item.start + 3600 * SECOND, ..item }));
         breaks.sort_by_key(|item| item.start);
-        Agenda { day, up, bed, items, breaks }
+        let visits = planner.bathroom.unwrap_or(2);
+        Agenda { day, up, bed, next_up, bathroom_first: visits > 0, bathroom_last: visits > 1, items, breaks }
     }
 }
 
-/// When the resident gets up on a day.
-pub fn up(life: &Life, day: i32, parameters: &DayParameters) -> Micros {
-    let time = clock_of(life, day, parameters, &Activity::GetUp).unwrap_or_else(|| {
-        varied(&usual_up(&life.numbers), life.stream_of_day(day, "up").unit(), parameters.irregular)
-            + parameters.later_s(&Activity::GetUp)
-    }) + life.person.up_s;
-    life.instant(day, time.clamp(2.0 * HOUR, 14.0 * HOUR))
-}
-
-/// When the resident goes to bed at the end of a day.
-fn bed(life: &Life, day: i32, parameters: &DayParameters) -> Micros {
-    let time = clock_of(life, day, parameters, &Activity::GoToBed).unwrap_or_else(|| {
-        varied(&usual_bed(&life.numbers), life.stream_of_day(day, "bed").unit(), parameters.irregular)
-            + parameters.later_s(&Activity::GoToBed)
-    }) + life.person.bed_s;
-    // Half past midnight is the end of the day before.
-    let time = if time < 12.0 * HOUR { time + 24.0 * HOUR } else { time };
-    life.instant(day, time.clamp(17.0 * HOUR, 28.0 * HOUR))
-}
-
-/// The time of day that the habits say for getting up or going to bed, if one of them holds on this day.
-fn clock_of(life: &Life, day: i32, parameters: &DayParameters, activity: &Activity) -> Option<f64> {
-    life.habits(day).find_map(|InForce { said: habit, strength, key, .. }| {
-        if habit.activity != *activity || habit.visitor.is_some() || !life.is_on(&habit.days, day) {
-            return None;
+/// Who has breakfast late has lunch after it.
+fn one_meal_after_the_other(items: &mut [Item]) {
+    let mut over = Micros::MIN;
+    for meal in Meal::ALL {
+        let is_of = |item: &&mut Item| {
+            item.visitor.is_none() && [Activity::Prepare(meal), Activity::Eat(meal)].contains(&item.activity)
+        };
+        let of_meal: Vec<&mut Item> = items.iter_mut().filter(is_of).collect();
+        let Some(begin) = of_meal.iter().map(|item| item.start).min() else { continue };
+        let by = over.saturating_sub(begin).max(0);
+        for item in of_meal {
+            (item.start, item.latest, item.waits) = (item.start + by, item.latest + by, item.waits || by > 0);
+            over = over.max(item.start + item.lasts);
         }
-        let When::At(time) = &habit.when else { return None };
-        let key = of_time(key, 0);
-        let holds = life.stream_of_day(day, &format!("{key}/whether")).unit() < life.chance(habit, strength, day);
-        let share = life.stream_of_day(day, &format!("{key}/start")).unit();
-        holds.then(|| varied(time, share, parameters.irregular) + parameters.later_s(activity))
-    })
+    }
 }
 
-/// What tells apart the several times a day that a habit is done.
-fn of_time(key: &str, number: u32) -> String {
-    format!("{key}/{number}")
-}
+/// Until then it is night: what is said of later hours is overdue for who sleeps longer (ours).
+const NIGHT_S: f64 = 6.0 * HOUR;
 
-/// A number of a fuzzy number, so many times as far from its mean as it would be.
-fn varied(fuzzy: &Fuzzy, share: f64, irregular: f64) -> f64 {
-    let mean = fuzzy.mean();
-    mean + (fuzzy.at(share) - mean) * irregular
-}
+/// Nothing lasts longer, in days (ours).
+const MOST_DAYS: f64 = 400.0;
 
 struct Planner<'a> {
     life: &'a Life,
@@ -186,6 +186,17 @@ struct Planner<'a> {
     breaks: Vec<Item>,
     /// What is done after getting up, by key: washing, dressing.
     mornings: Vec<String>,
+    /// How often the routine says that the bathroom is visited by day, if it does.
+    bathroom: Option<u32>,
+}
+
+/// One of several times that a habit is done on a day.
+#[derive(Clone, Copy)]
+struct Time {
+    number: u32,
+    of: u32,
+    /// The day of the calendar that it is said of.
+    day: i32,
 }
 
 impl Planner<'_> {
@@ -194,7 +205,8 @@ impl Planner<'_> {
         let life = self.life;
         // The text of the last habit, and when that is done if it is done today.
         let mut before: (usize, Option<Start>) = (0, None);
-        for InForce { said: habit, strength, key, source } in life.habits(self.day) {
+        for in_force in life.habits(self.day) {
+            let InForce { said: habit, source, .. } = in_force;
             if before.0 != source {
                 before = (source, None);
             }
@@ -202,39 +214,70 @@ impl Planner<'_> {
                 before.1 = Some(Start::After(habit.activity.clone(), 0));
                 continue;
             }
-            let count = self.count(habit, strength, key);
+            if source == Life::UNSAID && life.says(habit, self.day) {
+                continue;
+            }
+            let mut count = self.count(&in_force, self.day);
+            if habit.is_how_often(&Activity::UseBathroom, false)
+                && source == Life::OWN
+                && life.is_meant(habit, self.day)
+            {
+                // First thing in the morning and before bed are two of them.
+                let said = self.bathroom.unwrap_or(0) + count;
+                count = count.min(said.saturating_sub(2));
+                self.bathroom = Some(said);
+            }
             if habit.when == When::Then && before.1.is_none() {
                 continue;
             }
             let mut last = None;
             for number in 0..count {
-                last = self.add(habit, key, number, before.1.as_ref()).or(last);
+                last = self.add(&in_force, Time { number, of: count, day: self.day }, before.1.as_ref()).or(last);
             }
             before.1 = last;
         }
+        self.draw_small_hours();
     }
 
-    /// How many times the habit is done today.
-    fn count(&self, habit: &Habit, strength: f64, key: &str) -> u32 {
-        if !self.life.is_on(&habit.days, self.day) {
+    /// What tomorrow's sentences say of the hours before tomorrow's rising.
+    fn draw_small_hours(&mut self) {
+        let (life, tomorrow) = (self.life, self.day + 1);
+        for in_force in life.habits(tomorrow) {
+            let InForce { said: habit, source, .. } = in_force;
+            let When::At(time) = &habit.when else { continue };
+            let is_day = matches!(habit.activity, Activity::GetUp | Activity::GoToBed) && habit.visitor.is_none();
+            if is_day || source == Life::UNSAID || life.instant(tomorrow, time.low) >= self.next_up {
+                continue;
+            }
+            let count = self.count(&in_force, tomorrow);
+            for number in 0..count {
+                self.add(&in_force, Time { number, of: count, day: tomorrow }, None);
+            }
+        }
+    }
+
+    /// How many times the habit is done on a day.
+    fn count(&self, in_force: &InForce<Habit>, day: i32) -> u32 {
+        let InForce { said: habit, strength, key, .. } = *in_force;
+        if !self.life.is_on(&habit.days, day) {
             return 0;
         }
         let key = of_time(key, 0);
-        let share = |purpose: &str| self.life.stream_of_day(self.day, &format!("{key}/{purpose}")).unit();
+        let share = |purpose: &str| self.life.stream_of_day(day, &format!("{key}/{purpose}")).unit();
         let within = match habit.when {
             When::Within(part) => Some(part),
             _ => None,
         };
-        let chance = self.life.chance(habit, strength, self.day);
+        let chance = self.life.chance(habit, strength, day);
         let oftener = self.parameters.oftener(&habit.activity, within);
         // Who skips a meal does not prepare it either.
         let skipped = match habit.activity {
             Activity::Prepare(meal) => Activity::Eat(meal),
             ref activity => activity.clone(),
         };
-        let skip = self.life.stream_of_day(self.day, &format!("skip/{}", skipped.label())).unit();
+        let skip = self.life.stream_of_day(day, &format!("skip/{}", skipped.label())).unit();
         if let Some(days) = habit.chance.days_a_week
-            && !self.is_one_of(habit, &key, days)
+            && !self.is_one_of(habit, &key, days, day)
         {
             return 0;
         }
@@ -251,61 +294,80 @@ impl Planner<'_> {
         (whole as u32 + u32::from(share("once more") < times - whole)).min(200)
     }
 
-    /// Whether today is one of so many days that are drawn from each week, of those that the habit is meant for.
-    fn is_one_of(&self, habit: &Habit, key: &str, days: u8) -> bool {
-        let monday = self.day - i32::from(self.life.calendar.weekday(self.day));
+    /// Whether a day is one of so many days that are drawn from each week, of those that the habit is meant for.
+    fn is_one_of(&self, habit: &Habit, key: &str, days: u8, today: i32) -> bool {
+        let monday = today - i32::from(self.life.calendar.weekday(today));
         let meant = (monday..monday + 7).filter(|&day| self.life.is_on(&habit.days, day));
         let share = |day: i32| self.life.stream_of_day(day, &format!("{key}/of the week")).unit();
-        let today = share(self.day);
-        meant.filter(|&day| day != self.day && share(day) < today).count() < usize::from(days)
+        let own = share(today);
+        meant.filter(|&day| day != today && share(day) < own).count() < usize::from(days)
+    }
+
+    /// How long one time of a habit takes, in seconds, with its random numbers from `key`.
+    fn length_s(&self, habit: &Habit, key: &str, day: i32) -> f64 {
+        let irregular = self.parameters.irregular;
+        let lasts_s = match &habit.lasts {
+            Some(lasts) => {
+                let share = self.life.stream_of_day(day, &format!("{key}/lasts")).unit();
+                varied_length(lasts, share, irregular)
+            }
+            None => {
+                let UsualLength { median_min, sigma } = usual::length(&habit.activity, &self.life.numbers);
+                let mut stream = self.life.stream_of_day(day, &format!("{key}/lasts"));
+                let wider = sigma * irregular.min(2.0);
+                // A wider lognormal of the same mean has a smaller median.
+                let median_s = median_min * MINUTE * libm::exp((sigma * sigma - wider * wider) / 2.0);
+                stream.lognormal(median_s, wider)
+            }
+        };
+        self.parameters.lasting_s(&habit.activity, lasts_s) * self.life.person.length
     }
 
     /// Adds one time of a habit; when what is said to come then begins, if it is done.
-    fn add(&mut self, habit: &Habit, key: &str, number: u32, before: Option<&Start>) -> Option<Start> {
-        let key = of_time(key, number);
-        let share = |purpose: &str| self.life.stream_of_day(self.day, &format!("{key}/{purpose}")).unit();
+    fn add(&mut self, in_force: &InForce<Habit>, time: Time, before: Option<&Start>) -> Option<Start> {
+        let InForce { said: habit, key, source, .. } = *in_force;
+        let key = of_time(key, time.number);
+        let own = self.life.stream_of_day(time.day, &format!("{key}/start")).unit();
+        // Several times are each in a part of the span of their own.
+        let share = (f64::from(time.number) + own) / f64::from(time.of);
         let (activity, parameters) = (habit.activity.clone(), self.parameters);
-        let lasts_s = match &habit.lasts {
-            Some(lasts) => varied(lasts, share("lasts"), parameters.irregular),
-            None => {
-                let UsualLength { median_min, sigma } = usual::length(&activity, &self.life.numbers);
-                let mut stream = self.life.stream_of_day(self.day, &format!("{key}/lasts"));
-                stream.lognormal(median_min * MINUTE, sigma * parameters.irregular.min(2.0))
-            }
-        };
-        let lasts =
-            micros((parameters.lasting_s(&activity, lasts_s) * self.life.person.length).clamp(1.0, 20.0 * HOUR));
-        let later = micros(parameters.later_s(&activity) + self.life.person.clock_s);
-        let at = |time: f64| self.life.instant(self.day, time);
+        let lasts = micros(self.length_s(habit, &key, time.day).clamp(1.0, MOST_DAYS * 24.0 * HOUR));
+        let clock_s = if source == Life::UNSAID { self.out_of_step_s() } else { 0.0 } + self.life.person.clock_s;
+        let later = micros(parameters.later_s(&activity) + clock_s);
+        let at = |time_s: f64| self.life.instant(time.day, time_s);
+        let within = |from: Micros, to: Micros| from + ((to - from).max(0) as f64 * share) as Micros;
         let mut patience = 2.5 * HOUR;
         let (start, known) = match &habit.when {
             When::At(time) => {
                 patience = 4.0 * HOUR;
-                (at(varied(time, share("start"), parameters.irregular)), Start::Known)
+                (at(varied(time, share, parameters.irregular)), Start::Known)
+            }
+            When::Within(PartOfDay::Night) if activity.is_of_the_night() => {
+                (within(self.bed + 1800 * SECOND, self.next_up - 1200 * SECOND), Start::Known)
             }
             When::Within(PartOfDay::Night) => {
-                let (from, to) = (self.bed + 1800 * SECOND, self.next_up - 1200 * SECOND);
-                (from + ((to - from).max(0) as f64 * share("start")) as Micros, Start::Known)
+                let from = self.bed - micros(self.life.numbers.of(&BEDTIME_H) * HOUR);
+                (within(from, self.bed - lasts), Start::Known)
             }
             When::Within(part) => {
                 let (from, to) = part.hours();
                 let to = (to - seconds(lasts)).max(from + 0.2 * (to - from));
                 patience = (to - from) + HOUR;
-                (at(from + (to - from) * share("start")), Start::Known)
+                (at(from + (to - from) * share), Start::Known)
             }
+            When::AnyTime if time.of > 1 => self.spread_over_the_day(&activity, time, lasts, own),
             When::AnyTime => match usual::clock(&activity, &self.life.numbers) {
-                Some(time) => (at(varied(&time, share("start"), parameters.irregular)), Start::Known),
+                Some(time) => (at(varied(&time, share, parameters.irregular)), Start::Known),
                 None => {
                     patience = 6.0 * HOUR;
-                    let (from, to) = (self.up + 3600 * SECOND, self.bed - 3600 * SECOND);
-                    (from + ((to - from).max(0) as f64 * share("start")) as Micros, Start::Known)
+                    (within(self.up + 3600 * SECOND, self.bed - 3600 * SECOND), Start::Known)
                 }
             },
             When::After(activity, gap) => {
-                (0, Start::After(activity.clone(), micros(gap.map_or(0.0, |gap| gap.at(share("start"))))))
+                (0, Start::After(activity.clone(), micros(gap.map_or(0.0, |gap| gap.at(own)))))
             }
             When::Before(activity, gap) => {
-                (0, Start::Before(activity.clone(), micros(gap.map_or(0.0, |gap| gap.at(share("start"))))))
+                (0, Start::Before(activity.clone(), micros(gap.map_or(0.0, |gap| gap.at(own)))))
             }
             When::With(activity) => (0, Start::With(activity.clone())),
             When::Then => (0, before?.clone()),
@@ -314,24 +376,26 @@ impl Planner<'_> {
             Start::At(start) => (start, Start::Known),
             known => (start, known),
         };
-        let until =
-            habit.until.map(|until| at(varied(&until, share("until"), parameters.irregular)).saturating_add(later));
-        // Nobody goes out for a moment.
-        if activity == Activity::Leave && until.is_none() && lasts < micros(self.life.numbers.of(&LEAST_OUT_S)) {
+        let start = start.saturating_add(if matches!(known, Start::Known) { later } else { 0 });
+        if matches!(habit.when, When::At(_)) && self.is_before_rising(start, time.day) != (time.day > self.day) {
             return None;
         }
-        let start = start.saturating_add(if matches!(known, Start::Known) { later } else { 0 });
+        let until_share = || self.life.stream_of_day(time.day, &format!("{key}/until")).unit();
+        let until = habit.until.map(|until| at(varied(&until, until_share(), parameters.irregular)));
         let item = Item {
-            key,
             activity,
             place: habit.place.clone(),
             visitor: habit.visitor.clone(),
             start,
             lasts,
-            until,
+            until: until.map(|until| until.saturating_add(later)),
             latest: start + micros(patience),
+            of: Some(in_force.id()),
+            is_unsaid: source == Life::UNSAID,
+            waits: source == Life::UNSAID,
+            key,
         };
-        let in_the_night = habit.when == When::Within(PartOfDay::Night) || start >= self.bed;
+        let in_the_night = start >= self.bed;
         let is_break = item.visitor.is_none() && item.activity.interrupts(in_the_night);
         if matches!(known, Start::Known) && is_break {
             self.breaks.push(Item { latest: start + 3600 * SECOND, ..item });
@@ -339,6 +403,50 @@ impl Planner<'_> {
         }
         self.drafts.push(Draft { item, start: known });
         Some(Start::Then(self.drafts.len() - 1))
+    }
+
+    /// How much later than usual all goes that nobody says of somebody whose day begins late, in seconds; earlier where
+    /// negative.
+    fn out_of_step_s(&self) -> f64 {
+        /// Who gets up between these keeps the hours of others (ours).
+        const IN_STEP_H: (f64, f64) = (4.5, 10.0);
+        let up_s = seconds(self.up - self.life.instant(self.day, 0.0));
+        up_s - up_s.clamp(IN_STEP_H.0 * HOUR, IN_STEP_H.1 * HOUR)
+    }
+
+    /// Whether an instant is in the night before a day's rising, or before the bedtime of a day that goes on so long.
+    fn is_before_rising(&self, start: Micros, day: i32) -> bool {
+        let is_next = day > self.day;
+        let rising = if is_next { self.next_up } else { self.up };
+        if start >= rising - micros(self.life.numbers.of(&NEARLY_UP_S)) {
+            return false;
+        }
+        if start < self.life.instant(day, NIGHT_S) {
+            return true;
+        }
+        let bed = match is_next {
+            true => self.bed,
+            false => {
+                let before = up(self.life, self.day - 1, self.parameters);
+                bed(self.life, self.day - 1, self.parameters, before, self.up)
+            }
+        };
+        start < bed
+    }
+
+    /// One of several times a day: medicine with the meals, all else from soon after getting up until shortly before bed.
+    fn spread_over_the_day(&self, activity: &Activity, time: Time, lasts: Micros, own: f64) -> (Micros, Start) {
+        if *activity == Activity::TakeMedicine && time.of <= 4 {
+            let meals: &[Meal] = if time.of == 2 { &[Meal::Breakfast, Meal::Dinner] } else { &Meal::ALL };
+            return match meals.get(time.number as usize) {
+                Some(meal) => (0, Start::With(Activity::Eat(*meal))),
+                None => (0, Start::Before(Activity::GoToBed, 1200 * SECOND)),
+            };
+        }
+        let (from, to) = (self.up + 2700 * SECOND, self.bed - 3600 * SECOND - lasts);
+        let place = f64::from(time.number) / f64::from(time.of - 1) + (own - 0.5) * 0.3 / f64::from(time.of);
+        let span = (to - from).max(0) as f64;
+        (from + (span * place.clamp(0.0, 1.0)) as Micros, Start::Known)
     }
 
     /// Puts what hangs on something beside it.
@@ -360,6 +468,7 @@ impl Planner<'_> {
             }
         }
         self.come_home();
+        self.cook_before_eating();
         let mornings = self.drafts.iter().filter(|draft| matches!(draft.start, Start::After(Activity::GetUp, _)));
         self.mornings = mornings.map(|draft| draft.item.key.clone()).collect();
         let is_done = |activity: &Activity| self.drafts.iter().any(|draft| draft.item.activity == *activity);
@@ -369,6 +478,31 @@ impl Planner<'_> {
             _ => false,
         };
         self.drafts.iter().filter(|draft| !is_idle(draft)).map(|draft| draft.item.clone()).collect()
+    }
+
+    /// What is eaten is prepared first; which of the two moves is the one that is not said.
+    fn cook_before_eating(&mut self) {
+        for meal in Meal::ALL {
+            let of = |activity: Activity| {
+                self.drafts.iter().position(|draft| draft.item.activity == activity && draft.item.visitor.is_none())
+            };
+            let (Some(cook), Some(eat)) = (of(Activity::Prepare(meal)), of(Activity::Eat(meal))) else { continue };
+            let (cooking, eating) = (self.drafts[cook].item.clone(), self.drafts[eat].item.clone());
+            let ready = cooking.start + cooking.lasts;
+            if cooking.is_unsaid && !eating.is_unsaid {
+                let start = (eating.start - cooking.lasts).max(self.up);
+                let item = &mut self.drafts[cook].item;
+                (item.start, item.latest, item.is_unsaid, item.waits) = (start, eating.latest, false, false);
+                let late = start + cooking.lasts - eating.start;
+                if late > 0 {
+                    self.drafts[eat].item.start += late;
+                }
+            } else if eating.start < ready && eating.is_unsaid {
+                let item = &mut self.drafts[eat].item;
+                item.latest += ready - item.start;
+                (item.start, item.is_unsaid, item.waits) = (ready, cooking.is_unsaid, cooking.waits);
+            }
+        }
     }
 
     /// When what is done after getting up is done, as far as it is done soon.
@@ -437,21 +571,10 @@ impl Planner<'_> {
 }
 
 impl Activity {
-    /// When it is usually done, where nothing is said. Meals: ours, as no norms were found.
-    pub(crate) fn usual_clock(&self) -> Option<Fuzzy> {
-        let around = |hours: f64, minutes: f64| Some(Fuzzy::around(hours * HOUR, minutes * MINUTE));
-        match self {
-            Activity::Prepare(Meal::Breakfast) | Activity::TakeMedicine => around(7.75, 30.0),
-            Activity::Eat(Meal::Breakfast) => around(8.0, 30.0),
-            Activity::Prepare(Meal::Lunch) => around(11.8, 30.0),
-            Activity::Eat(Meal::Lunch) => around(12.25, 30.0),
-            Activity::Prepare(Meal::Dinner) => around(17.25, 40.0),
-            Activity::Eat(Meal::Dinner) => around(17.75, 40.0),
-            Activity::Shower | Activity::Wash | Activity::Dress => around(7.25, 40.0),
-            Activity::Nap => around(14.75, 45.0),
-            Activity::Visit => around(15.0, 90.0),
-            _ => None,
-        }
+    /// Whether it is done in the night, out of bed or in it, if it is said to be done at night; all else is done before bed.
+    pub(crate) fn is_of_the_night(&self) -> bool {
+        use Activity::{Drink, Fall, Lap, Leave, LieAwake, Pace, Snack, UseBathroom, Wander};
+        matches!(self, UseBathroom | LieAwake | Fall | Wander | Pace | Lap | Drink | Snack | Leave)
     }
 
     /// Whether it interrupts what goes on rather than waiting for its turn.

@@ -23,7 +23,7 @@ pub struct Body {
 }
 
 /// Nearer than this is there.
-const THERE_M: f64 = 0.01;
+pub(super) const THERE_M: f64 = 0.01;
 
 homebody_core::numbers! {
     /// Who walks slower than this is frail in rising and sitting, wholly so at half of it: 0.4-0.8 m/s is limited community
@@ -63,6 +63,11 @@ impl Body {
 
     pub fn posture(&self) -> Posture {
         self.posture
+    }
+
+    /// What it walks by.
+    pub fn mesh(&self) -> &Arc<Mesh> {
+        self.routes.mesh()
     }
 
     /// The place that it went to last.

@@ -6,23 +6,26 @@
 
 use super::agenda::{Agenda, Item};
 use super::body::Body;
-use super::life::{DayParameters, Life};
+use super::chores::{self, Errand};
+use super::company::Company;
+use super::errands::Errands;
+use super::life::{DayParameters, Life, SentenceId};
 use super::manner::Manner;
 use super::needs::Needs;
 use super::places::{Places, Spot};
-use super::script::{Interruptible, Setting, Stay, Step, script};
-use super::usual;
+use super::script::{Interruptible, Setting, Step, script};
+use super::tally::Tally;
 use super::watch::Watches;
-use crate::routine::{Activity, Response};
-use homebody_core::activity::{self, UsualLength};
+use crate::routine::Activity;
 use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
-use homebody_core::event::{MotionState, Need, ThingUse};
+use homebody_core::event::{MotionState, Need};
 use homebody_core::home::Home;
-use homebody_core::ids::ThingId;
+use homebody_core::ids::ResidentId;
 use homebody_core::random::Stream;
 use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
-use homebody_core::time::{DAY, Micros, SECOND, micros};
+use homebody_core::time::{DAY, Micros, SECOND};
+use std::any::Any;
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
 
@@ -39,6 +42,8 @@ pub struct RoutineDriver {
     pub(super) agenda: Agenda,
     pub(super) next_item: usize,
     pub(super) next_break: usize,
+    /// The first item of the plan that was still to come as it was made.
+    pub(super) first_item: usize,
     /// What is being done, and under it what was interrupted for it.
     pub(super) scripts: Vec<Playing>,
     /// What comes next before anything is decided: the strides of a walk, facts.
@@ -52,42 +57,101 @@ pub struct RoutineDriver {
     pub(super) unplanned: BTreeMap<Activity, u32>,
     /// The conditions that were told last.
     pub(super) shown: Vec<String>,
+    pub(super) errands: Errands,
+    /// What came of each sentence so far.
+    pub(super) tally: Tally,
+    /// Whether what filled the time last was an errand.
+    pub(super) was_errand: bool,
+    /// The hour from which on the mail of today is fetched, until it is.
+    pub(super) mail_hour: Option<f64>,
+    /// The hour of the day as the last script began.
+    pub(super) hour_now: f64,
+    /// When a meal or medicine was over last: what follows it at once is not put off.
+    pub(super) at_table: Micros,
     /// From which the hours of the day are counted.
     pub(super) midnight: Micros,
     /// What a visitor, rather than somebody who lives here, is called.
     pub(super) visitor: Option<String>,
+    /// The resident whose life it is: of a visitor the host.
+    pub(super) host: ResidentId,
+    /// Who else is there.
+    pub(super) company: Company,
+    /// The visitor whom the resident receives.
+    pub(super) guest: Option<ResidentId>,
+    /// Whether it is a visitor who has a bed there, and is not sent away while the host is out.
+    pub(super) stays_over: bool,
+    /// Who comes before this one in the scenario's order.
+    pub(super) rank: u32,
+    /// How often in a row one has waited for somebody in the way, and for a place that is taken.
+    pub(super) pauses: u32,
+    pub(super) queues: u32,
+    /// Whether one has waited so often that one lets nobody stop one.
+    pub(super) pushes_through: bool,
 }
 
 /// A script that is being played.
 #[derive(Clone, Debug)]
 pub(super) struct Playing {
     pub(super) steps: VecDeque<Step>,
-    stream: Stream,
-    name: String,
+    pub(super) stream: Stream,
+    pub(super) name: String,
     /// Where it was when it was interrupted.
-    spot: Option<Spot>,
-    is_interrupted: bool,
+    pub(super) spot: Option<Spot>,
+    pub(super) is_interrupted: bool,
+    /// The sentence that it comes from, and since when it is played.
+    pub(super) of: Option<SentenceId>,
+    pub(super) since: Micros,
+    pub(super) walks: Walks,
+    /// Whether meals and medicine interrupt it: what is done for pleasure, and company.
+    pub(super) gives_way: bool,
+    pub(super) is_essential: bool,
     /// Whether it answers a rule.
-    is_response: bool,
+    pub(super) is_response: bool,
     /// Whether the stay's next move is a movement.
-    stirs: bool,
+    pub(super) stirs: bool,
+}
+
+/// What the ways of a script are walked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Walks {
+    Need,
+    /// An errand.
+    Errand,
+    /// Back from one, to what is done next.
+    Back,
+    /// To and fro in the kitchen, or with a duster: who moves less takes longer at each place instead.
+    Cooking,
+    /// Wandering, which is counted for itself.
+    Roaming,
 }
 
 impl RoutineDriver {
     /// A resident at the beginning of a run: in bed before getting up, else up and about.
-    pub fn new(life: Arc<Life>, home: Arc<Home>, places: Arc<Places>, mut body: Body) -> RoutineDriver {
+    pub fn new(
+        life: Arc<Life>,
+        home: Arc<Home>,
+        places: Arc<Places>,
+        mut body: Body,
+        host: ResidentId,
+        company: Company,
+    ) -> RoutineDriver {
         let parameters = life.parameters(0);
         let today = Agenda::of(&life, 0, &parameters);
         let in_bed = today.up > 0 || today.bed < 0;
         let agenda = if today.up > 0 { Agenda::of(&life, -1, &life.parameters(-1)) } else { today };
         let role = if in_bed { Role::Bed } else { Role::Armchair };
+        let rank = host.0;
         if let Some(spot) = places.of(role) {
-            body.place(spot.clone(), if in_bed { Posture::Lying } else { spot.posture });
+            let at = spot.sides_for(rank as usize, company.shares_home()).next().unwrap_or(spot.at);
+            let spot = Spot { at, ..spot.clone() };
+            let posture = if in_bed { Posture::Lying } else { spot.posture };
+            body.place(spot, posture);
         }
         let needs = Needs::new(&life, 0);
         let mut driver = RoutineDriver {
             next_item: if in_bed { agenda.items.len() } else { agenda.items.partition_point(|item| item.start < 0) },
             next_break: agenda.breaks.partition_point(|item| item.start < 0),
+            first_item: if in_bed { agenda.items.len() } else { agenda.items.partition_point(|item| item.start < 0) },
             watches: Watches::new(&life, agenda.day),
             scripts: Vec::new(),
             ready: VecDeque::new(),
@@ -97,6 +161,20 @@ impl RoutineDriver {
             shown: Vec::new(),
             midnight: life.midnight(agenda.day),
             visitor: None,
+            host,
+            company,
+            guest: None,
+            stays_over: false,
+            rank,
+            pauses: 0,
+            queues: 0,
+            pushes_through: false,
+            errands: Errands::new(),
+            tally: Tally::default(),
+            was_errand: false,
+            mail_hour: None,
+            hour_now: 0.0,
+            at_table: Micros::MIN,
             needs,
             agenda,
             parameters,
@@ -106,7 +184,7 @@ impl RoutineDriver {
             life,
         };
         driver.tell_conditions();
-        driver.needs.waking(0, &driver.parameters, driver.life.plans_toilet(driver.agenda.day, false));
+        driver.needs.waking(0, &driver.life, driver.agenda.day, &driver.parameters);
         if in_bed {
             driver.sleep(0, true);
         }
@@ -114,16 +192,39 @@ impl RoutineDriver {
     }
 
     /// Somebody who comes to visit the one whose life this is.
-    pub fn visitor(life: Arc<Life>, home: Arc<Home>, places: Arc<Places>, body: Body, name: &str) -> RoutineDriver {
-        let mut driver = RoutineDriver::new(life, home, places, body);
+    pub fn visitor(
+        life: Arc<Life>,
+        home: Arc<Home>,
+        places: Arc<Places>,
+        body: Body,
+        (host, name): (ResidentId, &str),
+        company: Company,
+    ) -> RoutineDriver {
+        let mut driver = RoutineDriver::new(life, home, places, body, host, company);
         (driver.scripts, driver.ready, driver.visitor) = (Vec::new(), VecDeque::new(), Some(name.into()));
         // Neither the host's rules nor the host's illness are theirs.
         (driver.watches, driver.parameters) = (Watches::none(), DayParameters::ordinary());
         driver
     }
 
+    /// What came of each sentence of the life so far.
+    pub fn tally(&self) -> &Tally {
+        &self.tally
+    }
+
+    /// Whether it is somebody who comes to visit, by the routine of whom they visit.
+    pub fn is_visitor(&self) -> bool {
+        self.visitor.is_some()
+    }
+
+    pub fn life(&self) -> &Life {
+        &self.life
+    }
+
     fn step(&mut self, now: Micros) -> Next {
+        self.hour_now = self.hour(now);
         loop {
+            self.make_way(now);
             if let Some(next) = self.ready.front() {
                 if matches!(next, Next::Segment(_) | Next::Use(_)) && self.told != self.name {
                     self.told.clone_from(&self.name);
@@ -144,13 +245,23 @@ impl RoutineDriver {
                 continue;
             };
             if std::mem::take(&mut playing.is_interrupted) {
-                if let Some(back) = playing.spot.clone() {
-                    playing.steps.push_front(Step::Go(back));
+                let name = Step::Name(playing.name.clone());
+                match playing.spot.clone() {
+                    // Who walks back to bed does not sleep yet: the way is a part of what they got up for.
+                    Some(back) if back.posture == Posture::Lying => {
+                        playing.steps.push_front(name);
+                        playing.steps.push_front(Step::Go(back));
+                    }
+                    back => {
+                        if let Some(back) = back {
+                            playing.steps.push_front(Step::Go(back));
+                        }
+                        playing.steps.push_front(name);
+                    }
                 }
-                playing.steps.push_front(Step::Name(playing.name.clone()));
             }
             match playing.steps.front() {
-                None => self.end_script(),
+                None => self.end_script(now),
                 Some(Step::Stay(_)) => self.stay(now),
                 Some(_) => {
                     if let Some(step) = playing.steps.pop_front() {
@@ -162,8 +273,13 @@ impl RoutineDriver {
     }
 
     /// What was interrupted for the script that has ended goes on.
-    fn end_script(&mut self) {
-        self.scripts.pop();
+    fn end_script(&mut self, now: Micros) {
+        if let Some(over) = self.scripts.pop() {
+            self.tally.end(over.of, now - over.since);
+            if over.is_essential {
+                self.at_table = now;
+            }
+        }
         self.watches.leave_behind();
         if let Some(below) = self.scripts.last_mut() {
             below.is_interrupted = !below.steps.is_empty();
@@ -192,105 +308,10 @@ impl RoutineDriver {
             Step::LieDown => self.lie_down(now),
             Step::Meet(need) => self.meet(need, now),
             Step::Wake => self.wake(now),
+            Step::Await { arrival, left } => self.await_visitor(arrival, left),
+            Step::Ring { left } => self.ring(left, now),
+            Step::AwaitMeal { left } => self.await_meal(left),
             Step::Stay(_) => {}
-        }
-    }
-
-    fn go(&mut self, spot: Spot, now: Micros) {
-        let hour = self.hour(now);
-        let Some(playing) = self.scripts.last_mut() else { return };
-        let from = self.body.room();
-        let Some(moves) = self.body.go(&spot, now, hour, self.parameters.pace, &mut playing.stream) else {
-            return self.give_up(now);
-        };
-        playing.spot = Some(spot.clone());
-        let arrival = moves.last().map_or(now, |last| last.end);
-        self.lamps(from, spot.room, now, moves);
-        self.watches.arrive(spot.room, &spot.name, &self.home.plan, arrival, &self.life);
-        // Who comes by sees what was left on; on an errand only at the thing itself.
-        let is_errand = self.name == Activity::Housework.label();
-        for thing in self.watches.left_on() {
-            if self.home.plan.room_at(self.home.plan.things[thing as usize].at) == spot.room
-                && (!is_errand || spot.name == self.places.thing_name(thing))
-            {
-                self.act(thing, false, arrival);
-            }
-        }
-    }
-
-    /// There is no way to where this is done: what is left of it is not done. A night is spent wherever one is, and who visits
-    /// stays where they are.
-    fn give_up(&mut self, now: Micros) {
-        let is_visit = self.visitor.is_some();
-        let Some(playing) = self.scripts.last_mut() else { return };
-        if is_visit || playing.steps.iter().any(|step| matches!(step, Step::Wake)) {
-            return;
-        }
-        let at_a_loss = Stay {
-            posture: self.body.posture(),
-            manner: Manner::BUSY.by(&self.life.numbers),
-            left: micros(self.life.numbers.of(&AT_A_LOSS_S)),
-            until: None,
-            may: Interruptible::Nothing,
-        };
-        let left = std::mem::replace(&mut playing.steps, VecDeque::from([Step::Stay(at_a_loss)]));
-        let mut stays_on = Vec::new();
-        for step in left {
-            match step {
-                Step::Meet(need) => self.needs.put_off(need, now),
-                Step::Act(thing, false) if self.watches.is_on(thing) => stays_on.push(thing),
-                _ => {}
-            }
-        }
-        // Whoever comes by turns it off.
-        self.watches.forget(stays_on);
-    }
-
-    /// Puts a walk on its way: in the dark, the lamp of the room that is left goes off, that of the other on.
-    fn lamps(&mut self, from: Option<usize>, to: Option<usize>, now: Micros, moves: Vec<MotionSegment>) {
-        let (off, on) = (self.lamp(from), self.lamp(to));
-        if let Some(off) = off.filter(|&lamp| from != to && self.watches.is_on(lamp)) {
-            self.act(off, false, now);
-        }
-        let arrival = moves.last().map_or(now, |last| last.end);
-        self.ready.extend(moves.into_iter().map(Next::Segment));
-        // Nobody lights the bedroom to go back to sleep.
-        let to_sleep = self.needs.asleep() && to == self.places.of(Role::Bed).and_then(|bed| bed.room);
-        let dark = self.home.sun.elevation_sine(now) < self.life.numbers.of(&DARK) && !to_sleep;
-        if let Some(on) = on.filter(|&lamp| dark && !self.watches.is_on(lamp)) {
-            self.act(on, true, arrival);
-        }
-    }
-
-    fn lamp(&self, room: Option<usize>) -> Option<u32> {
-        room.map(|room| self.places.lamp(room))
-    }
-
-    /// Turns off the lamp of the room it is in, if it is this resident who has it on.
-    pub(super) fn put_out_the_lamp(&mut self, now: Micros) {
-        if let Some(lamp) = self.lamp(self.body.room()).filter(|&lamp| self.watches.is_on(lamp)) {
-            self.act(lamp, false, now);
-        }
-    }
-
-    pub(super) fn act(&mut self, thing: u32, on: bool, at: Micros) {
-        self.watches.turn(thing, on, at, &self.life, &self.places);
-        self.ready.push_back(Next::Use(ThingUse { thing: ThingId(thing), on }));
-    }
-
-    fn away(&mut self, lasts: Micros, until: Option<Micros>, now: Micros) {
-        let end = until.unwrap_or(now.saturating_add(lasts));
-        let end = self.watches.leave(now, end, &self.life).max(now + SECOND);
-        self.needs.pause(now);
-        self.put_out_the_lamp(now);
-        self.ready.push_back(Next::Segment(MotionSegment {
-            begin: now,
-            end,
-            doing: MotionState::Away,
-            posture: Posture::Standing,
-        }));
-        if self.visitor.is_none() {
-            self.needs.waking(end, &self.parameters, self.life.plans_toilet(self.agenda.day, false));
         }
     }
 
@@ -300,7 +321,15 @@ impl RoutineDriver {
         let next_start =
             self.agenda.items.get(self.next_item).map_or(self.agenda.bed, |item| item.start.min(self.agenda.bed));
         let active = self.activity(now);
+        let is_left_alone = self.visits_nobody();
         let Some(playing) = self.scripts.last_mut() else { return };
+        if is_left_alone {
+            // What is left is the way out.
+            let out = playing.steps.iter().rposition(|step| matches!(step, Step::Go(_))).unwrap_or(0);
+            playing.steps.drain(..out);
+            playing.steps.retain(|step| !matches!(step, Step::Stay(_)));
+            return;
+        }
         let Some(Step::Stay(stay)) = playing.steps.front_mut() else { return };
         let mut end = now.saturating_add(stay.left).min(stay.until.unwrap_or(Micros::MAX));
         if stay.may == Interruptible::Yield {
@@ -321,13 +350,16 @@ impl RoutineDriver {
             }
             end = end.min(interrupted_at);
         }
+        let active = active(&stay.manner);
         let span = match playing.stirs {
             true => stay.manner.bout(&mut playing.stream),
-            false => stay.manner.gap(active(&stay.manner), &mut playing.stream),
+            false => stay.manner.gap(active.max(1.0), &mut playing.stream),
         };
+        // Who moves less leaves movements out.
+        let moves = playing.stirs && (active >= 1.0 || playing.stream.chance(active));
         let until = end.min(now.saturating_add(span));
         let at = self.body.at();
-        let doing = match playing.stirs {
+        let doing = match moves {
             true => MotionState::InPlace { at, amplitude_m: stay.manner.amplitude_m },
             false => MotionState::Rest { at },
         };
@@ -342,98 +374,25 @@ impl RoutineDriver {
         move |manner| if manner.is_of_bed() { restless } else { awake }
     }
 
-    /// When a rule is due; what is done because of one is not interrupted by another.
-    fn rules_at(&self) -> Micros {
-        if self.scripts.iter().any(|playing| playing.is_response) { Micros::MAX } else { self.watches.due_at() }
-    }
-
-    /// When what may be interrupted will be.
-    fn interrupted_at(&self, now: Micros) -> Micros {
-        let event = self.agenda.breaks.get(self.next_break).map_or(Micros::MAX, |item| item.start);
-        if self.visitor.is_some() {
-            return Micros::MAX;
-        }
-        // What is being done about a need is not interrupted by another.
-        let needs = if self.scripts.len() > 2 { Micros::MAX } else { self.needs.presses_at() };
-        event.min(needs).min(self.rules_at()).max(now)
-    }
-
-    /// Does whatever presses now.
-    fn interrupt(&mut self, now: Micros) {
-        if self.rules_at() <= now
-            && let Some(response) = self.watches.due(now)
-        {
-            self.respond(response, now);
-            if let Some(playing) = self.scripts.last_mut() {
-                playing.is_response = true;
-            }
-            return;
-        }
-        if let Some(item) = self.agenda.breaks.get(self.next_break).cloned()
-            && item.start <= now
-        {
-            self.next_break += 1;
-            // Nobody lies awake who is up.
-            let is_idle = item.activity == Activity::LieAwake && !self.needs.asleep();
-            if now <= item.latest && !is_idle {
-                self.begin(&item);
-            }
-            return;
-        }
-        if let Some(activity) = self.needs.pressing(now, self.hour(now)) {
-            let key = format!("need/{}/{}", activity.label(), self.times(&activity));
-            let mut stream = self.life.stream_of_day(self.agenda.day, &key);
-            let UsualLength { median_min, sigma } = match activity {
-                // By night visits are shorter.
-                Activity::UseBathroom if self.needs.asleep() => UsualLength { median_min: 4.0, sigma: 0.4 },
-                ref activity => usual::length(activity, &self.life.numbers),
-            };
-            let lasts = self.parameters.lasting_s(&activity, stream.lognormal(median_min * 60.0, sigma));
-            self.begin(&Item::now(key, activity, micros(lasts)));
-        }
-    }
-
-    fn respond(&mut self, response: Response, now: Micros) {
-        match response {
-            // The night is over, whatever is left of it.
-            Response::Do { activity: Activity::GetUp, .. } if self.needs.asleep() => {
-                for step in self.scripts.iter_mut().flat_map(|playing| playing.steps.iter_mut()) {
-                    if let Step::Stay(stay) = step {
-                        stay.until = Some(now);
-                    }
-                }
-            }
-            Response::Do { activity: Activity::GoToBed, .. } => {
-                self.scripts.clear();
-                self.go_to_bed(now);
-            }
-            Response::Turn { thing, on } => {
-                let Some(index) = self.places.thing_named(&thing) else { return };
-                let activity = Activity::Other(activity::turning(&thing, on));
-                self.begin(&Item::now("rule".into(), activity, 0));
-                let at = self.places.named(&thing).cloned();
-                if let Some(playing) = self.scripts.last_mut() {
-                    playing.steps.truncate(1);
-                    playing.steps.extend(at.map(Step::Go));
-                    playing.steps.push_back(Step::Act(index, on));
-                }
-            }
-            Response::Do { activity, place, lasts } => {
-                let key = format!("rule/{}/{}", activity.label(), self.times(&activity));
-                let mut stream = self.life.stream_of_day(self.agenda.day, &key);
-                let UsualLength { median_min, sigma } = usual::length(&activity, &self.life.numbers);
-                let lasts_s = match lasts {
-                    Some(lasts) => lasts.draw(&mut stream),
-                    None => stream.lognormal(median_min * 60.0, sigma),
-                };
-                self.begin(&Item { place, ..Item::now(key, activity, micros(lasts_s)) });
-            }
+    /// Begins what was planned.
+    pub(super) fn begin_at(&mut self, item: &Item, now: Micros) {
+        self.tally.begin(item, now);
+        // How long it still is until it has to end.
+        let lasts = item.until.map_or(item.lasts, |until| (until - now).max(SECOND));
+        self.begin(&Item { lasts, ..item.clone() });
+        let gives_way = item.activity.gives_way_to_meals();
+        if let Some(playing) = self.scripts.last_mut() {
+            (playing.of, playing.since) = (item.of, now);
+            (playing.gives_way, playing.is_essential) = (gives_way, item.is_essential());
         }
     }
 
     /// Begins a script on top of what goes on.
     pub(super) fn begin(&mut self, item: &Item) {
         let Item { key, activity, place, lasts, until, .. } = item;
+        if let Some(visitor) = &item.visitor {
+            self.guest = self.company.visitor(self.host.index(), visitor);
+        }
         let place = place.as_deref().and_then(|place| self.places.named(place));
         let mut stream = self.life.stream_of_day(self.agenda.day, &format!("{key}/doing"));
         let mut forgotten = Vec::new();
@@ -443,14 +402,16 @@ impl RoutineDriver {
             forgotten.extend(thing.filter(|_| stream.chance(chance)));
         }
         let left = forgotten.clone();
-        let mut setting = Setting {
-            places: &self.places,
-            at: self.body.at(),
-            parameters: &self.parameters,
-            stream: &mut stream,
-            forgotten,
+        let movement = self.parameters.activity(self.hour_now);
+        let mut setting =
+            Setting { places: &self.places, at: self.body.at(), stream: &mut stream, forgotten, movement };
+        let mut steps = match item.is_errand() {
+            true => {
+                let is_mail = self.mail_hour.take_if(|hour| *hour <= self.hour_now).is_some();
+                chores::errand(if is_mail { Errand::Mail } else { Errand::Any }, *lasts, &mut setting)
+            }
+            false => script(activity, place, *lasts, *until, &mut setting),
         };
-        let mut steps = script(activity, place, *lasts, *until, &mut setting);
         let stations = self.places.stations();
         let first = match activity {
             Activity::Wander | Activity::Pace | Activity::Lap => place.cloned(),
@@ -462,7 +423,27 @@ impl RoutineDriver {
             steps.push_front(Step::Go(first));
         }
         self.watches.forget(left);
+        let walks = self.walks_for(item);
         self.play(steps, stream, activity.label());
+        if let Some(playing) = self.scripts.last_mut() {
+            playing.walks = walks;
+        }
+    }
+
+    /// What the ways of something are walked for. Who sits down after an errand comes back from it.
+    fn walks_for(&mut self, item: &Item) -> Walks {
+        let was_errand = std::mem::take(&mut self.was_errand);
+        match item.activity {
+            Activity::Housework if item.is_errand() => {
+                self.errands.run();
+                self.was_errand = true;
+                Walks::Errand
+            }
+            Activity::Prepare(_) | Activity::Housework => Walks::Cooking,
+            Activity::Wander | Activity::Pace | Activity::Lap => Walks::Roaming,
+            _ if item.is_filler() && was_errand => Walks::Back,
+            _ => Walks::Need,
+        }
     }
 
     pub(super) fn play(&mut self, mut steps: VecDeque<Step>, stream: Stream, name: &str) {
@@ -483,6 +464,11 @@ impl RoutineDriver {
             name: name.into(),
             spot,
             is_interrupted: false,
+            of: None,
+            since: 0,
+            walks: Walks::Need,
+            gives_way: false,
+            is_essential: false,
             is_response: false,
             stirs: true,
         });
@@ -498,6 +484,10 @@ impl RoutineDriver {
 
     /// Nothing is being done: what is next?
     fn decide(&mut self, now: Micros) {
+        if now >= self.agenda.next_up {
+            // The night was spent elsewhere.
+            self.begin_day(now);
+        }
         if self.interrupted_at(now) <= now {
             let before = self.next_break;
             self.interrupt(now);
@@ -510,6 +500,7 @@ impl RoutineDriver {
         while self.agenda.items.get(self.next_item).is_some_and(is_past) {
             self.next_item += 1;
         }
+        self.let_the_said_go_first(now);
         let next = self.agenda.items.get(self.next_item).cloned();
         if now >= self.agenda.bed && next.as_ref().is_none_or(|item| !item.can_wait_for_bed(self.agenda.bed)) {
             return self.go_to_bed(now);
@@ -517,27 +508,29 @@ impl RoutineDriver {
         match next {
             Some(item) if item.start <= now + MINUTE => {
                 self.next_item += 1;
-                self.begin(&item);
+                self.begin_at(&item, now);
             }
             Some(item) => self.fill(item.start.min(self.agenda.bed), now),
             None => self.fill(self.agenda.bed, now),
         }
     }
 
+    /// What nobody says waits where it would make something late that is said.
+    fn let_the_said_go_first(&mut self, now: Micros) {
+        let rest = &mut self.agenda.items[self.next_item..];
+        let Some(next) = rest.first().filter(|next| next.waits && next.start <= now + MINUTE) else { return };
+        // It takes somewhat longer than planned: there are ways to go.
+        let end = now + next.lasts + 2 * MINUTE;
+        let is_first = |item: &Item| !item.waits && item.start < end && item.start >= now - GRACE;
+        if let Some(said) = rest.iter().position(is_first) {
+            rest[0].latest = rest[0].latest.max(rest[said].latest);
+            rest[..=said].rotate_right(1);
+        }
+    }
+
     /// The time of day, in hours.
     pub(super) fn hour(&self, now: Micros) -> f64 {
         (now - self.midnight).rem_euclid(DAY) as f64 / (3600 * SECOND) as f64
-    }
-
-    /// Tells how severe each condition is, and of those that are over that they are.
-    pub(super) fn tell_conditions(&mut self) {
-        let now = &self.parameters.severities;
-        let over = self.shown.iter().filter(|name| now.iter().all(|(of, _)| of != *name));
-        let over: Vec<(String, f64)> = over.map(|name| (name.clone(), 0.0)).collect();
-        for (name, severity) in over.iter().chain(now) {
-            self.ready.push_back(Next::Condition(name.clone(), *severity));
-        }
-        self.shown = now.iter().map(|(name, _)| name.clone()).collect();
     }
 
     fn meet(&mut self, need: Need, now: Micros) {
@@ -547,12 +540,8 @@ impl RoutineDriver {
     }
 }
 
-homebody_core::numbers! {
-    /// How long somebody who finds no way stands there: what is tried takes time, so that no instant goes on for ever.
-    static AT_A_LOSS_S = "driver.at_a_loss": 60.0, "s", [1.0, 3_600.0];
-    /// The sine of the sun's height below which lamps are lit.
-    static DARK = "driver.dark": 0.08, "1", [-1.0, 1.0];
-}
+/// How late a meal may be before what is done for pleasure is interrupted for it (ours).
+pub(super) const GRACE: Micros = 10 * MINUTE;
 
 impl Item {
     /// Whether it is still done before bed although it is late.
@@ -563,10 +552,15 @@ impl Item {
 
 impl Driver for RoutineDriver {
     fn next(&mut self, around: &Surroundings) -> Next {
+        self.company.look(around, &self.places);
         self.step(around.now())
     }
 
     fn copy(&self) -> Box<dyn Driver> {
         Box::new(self.clone())
+    }
+
+    fn as_any(&self) -> Option<&dyn Any> {
+        Some(self)
     }
 }

@@ -7,7 +7,7 @@ use super::keys::Keys;
 use super::person::{Constitution, Person};
 use crate::fuzzy::Fuzzy;
 use crate::language::LAST_WEEK;
-use crate::routine::{Activity, Change, Days, Effect, Habit, Meal, Moment, PartOfDay, Phase, Routine, Rule, When};
+use crate::routine::{Activity, Change, Days, Effect, Habit, Meal, Moment, PartOfDay, Phase, Quote, Routine, Rule};
 use homebody_core::numbers::Numbers;
 use homebody_core::random::Stream;
 use homebody_core::scenario::calendar::Calendar;
@@ -39,8 +39,26 @@ struct Source {
     keys: Keys,
     /// The name of the condition, if it is one.
     condition: Option<String>,
-    /// What shows it: all of these phases, at these severities.
-    shown: Vec<(Phase, f64)>,
+    /// What shows it, in the order in which they begin: each through all of its phases, at their severities. A later one
+    /// replaces those before it. Empty for what is always so.
+    shown: Vec<Vec<(Phase, f64)>>,
+}
+
+/// A sentence of a life: a habit, a rule or a change of one of its texts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct SentenceId {
+    /// The routine is 0, what it leaves unsaid 1, conditions come after.
+    pub source: usize,
+    pub kind: SentenceKind,
+    /// Its place among those of its kind.
+    pub index: usize,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum SentenceKind {
+    Habit,
+    Rule,
+    Change,
 }
 
 /// A habit or a rule that is in force on a day.
@@ -53,6 +71,15 @@ pub struct InForce<'a, T> {
     pub key: &'a str,
     /// Which of the life's texts says it: the routine is 0, what it leaves unsaid 1, conditions come after.
     pub source: usize,
+    kind: SentenceKind,
+    index: usize,
+}
+
+impl<T> InForce<'_, T> {
+    /// Which sentence it is.
+    pub fn id(&self) -> SentenceId {
+        SentenceId { source: self.source, kind: self.kind, index: self.index }
+    }
 }
 
 /// How things are on one day.
@@ -66,6 +93,8 @@ pub struct DayParameters {
     most_movement: f64,
     pub pulse: f64,
     pub respiration: f64,
+    /// So many times the usual liveliness: more errands, less sitting between them, and more stirring.
+    pub level: f64,
     active: Vec<(Option<PartOfDay>, f64)>,
     later_s: BTreeMap<Activity, f64>,
     longer: BTreeMap<Activity, f64>,
@@ -114,17 +143,16 @@ impl Life {
         if pace.is_none_or(|pace| pace.low < pace.high) {
             life.pace_mps *= life.person.pace;
         }
-        let mentioned: Vec<&Habit> = routine.habits.iter().collect();
-        let unsaid = |habit: &Habit| !mentioned.iter().any(|said| said.activity == habit.activity);
-        // Named before some of it is left out: what is left keeps its numbers.
-        let Keys { habits: keys, rules, changes } = Keys::of(&ordinary, "ordinary");
-        let habits = ordinary.habits.into_iter().zip(keys).filter(|(habit, _)| unsaid(habit));
-        let (habits, keys): (Vec<Habit>, Vec<String>) = habits.unzip();
-        let ordinary = Routine { habits, ..ordinary };
         life.add_conditions(&routine.changes.clone(), &[], conditions, 0);
-        let own_keys = Keys::of(&routine, "own");
+        for source in &mut life.sources {
+            let begins = |shown: &Vec<(Phase, f64)>| {
+                shown.iter().filter_map(|(phase, _)| phase.from).map(|from| day_in(calendar, from)).max()
+            };
+            source.shown.sort_by_key(begins);
+        }
+        let (own_keys, ordinary_keys) = (Keys::of(&routine, "own"), Keys::of(&ordinary, "ordinary"));
         let always = |routine, keys| Source { routine, keys, condition: None, shown: Vec::new() };
-        let ordinary = always(ordinary, Keys { habits: keys, rules, changes });
+        let ordinary = always(ordinary, ordinary_keys);
         life.sources.splice(0..0, [always(routine, own_keys), ordinary]);
         life
     }
@@ -141,14 +169,76 @@ impl Life {
             let Some(routine) = conditions.get(condition).filter(|_| depth < DEPTH) else { continue };
             let shown: Vec<(Phase, f64)> = shown.iter().copied().chain([(change.phase, *severity)]).collect();
             self.add_conditions(&routine.changes, &shown, conditions, depth + 1);
-            let keys = Keys::of(routine, condition);
-            self.sources.push(Source { routine: routine.clone(), keys, condition: Some(condition.clone()), shown });
+            if let Some(known) = self.sources.iter_mut().find(|source| source.condition.as_ref() == Some(condition)) {
+                known.shown.push(shown);
+                continue;
+            }
+            let (keys, condition, shown) = (Keys::of(routine, condition), Some(condition.clone()), vec![shown]);
+            self.sources.push(Source { routine: routine.clone(), keys, condition, shown });
         }
     }
 
-    /// What fills in what the routine does not mention.
-    pub fn unsaid(&self) -> &Routine {
-        &self.sources[1].routine
+    /// The place among the texts of the routine itself, and of what it leaves unsaid.
+    pub const OWN: usize = 0;
+    pub const UNSAID: usize = 1;
+
+    /// What fills in what the routine never mentions.
+    pub fn unsaid(&self) -> Routine {
+        let ordinary = &self.sources[Life::UNSAID].routine;
+        let own = &self.sources[Life::OWN].routine.habits;
+        let is_unsaid = |habit: &&Habit| !own.iter().any(|said| said.stands_for(habit));
+        Routine { habits: ordinary.habits.iter().filter(is_unsaid).cloned().collect(), ..ordinary.clone() }
+    }
+
+    /// Whether the routine itself says on this day what else goes as usual.
+    pub fn says(&self, usual: &Habit, day: i32) -> bool {
+        let own = &self.sources[Life::OWN].routine.habits;
+        own.iter().any(|said| {
+            said.stands_for(usual)
+                && self.phase(&said.phase, day) > 0.0
+                && (!said.is_of_every_day() || self.is_on(&said.days, day))
+        })
+    }
+
+    /// Whether a habit is meant for a day, be it drawn on it or not.
+    pub fn is_meant(&self, habit: &Habit, day: i32) -> bool {
+        self.is_on(&habit.days, day) && self.phase(&habit.phase, day) > 0.0
+    }
+
+    /// All sentences of the life: the text that says each, and its words.
+    pub fn sentences(&self) -> impl Iterator<Item = (SentenceId, &str, &Quote)> {
+        self.sources.iter().enumerate().flat_map(|(source, of)| {
+            let Routine { file, habits, rules, changes, .. } = &of.routine;
+            let id = move |kind, index| SentenceId { source, kind, index };
+            let habits = habits.iter().enumerate().map(move |(i, habit)| (id(SentenceKind::Habit, i), &habit.said));
+            let rules = rules.iter().enumerate().map(move |(i, rule)| (id(SentenceKind::Rule, i), &rule.said));
+            let changes =
+                changes.iter().enumerate().map(move |(i, change)| (id(SentenceKind::Change, i), &change.said));
+            habits.chain(rules).chain(changes).map(|(id, said)| (id, file.as_str(), said))
+        })
+    }
+
+    /// The routine's own file.
+    pub fn file(&self) -> &String {
+        &self.sources[Life::OWN].routine.file
+    }
+
+    /// A habit by its sentence.
+    pub fn habit(&self, id: SentenceId) -> Option<&Habit> {
+        let source = self.sources.get(id.source).filter(|_| id.kind == SentenceKind::Habit)?;
+        source.routine.habits.get(id.index)
+    }
+
+    /// A rule by its sentence.
+    pub fn rule(&self, id: SentenceId) -> Option<&Rule> {
+        let source = self.sources.get(id.source).filter(|_| id.kind == SentenceKind::Rule)?;
+        source.routine.rules.get(id.index)
+    }
+
+    /// A change by its sentence.
+    pub fn change(&self, id: SentenceId) -> Option<&Change> {
+        let source = self.sources.get(id.source).filter(|_| id.kind == SentenceKind::Change)?;
+        source.routine.changes.get(id.index)
     }
 
     /// A stream of random numbers of this life, for one purpose.
@@ -176,7 +266,7 @@ impl Life {
     pub fn habits(&self, day: i32) -> impl Iterator<Item = InForce<'_, Habit>> {
         self.in_force(day).flat_map(move |(index, strength)| {
             let source = &self.sources[index];
-            each(&source.routine.habits, &source.keys.habits, strength, index)
+            each(&source.routine.habits, &source.keys.habits, strength, index, SentenceKind::Habit)
         })
     }
 
@@ -184,18 +274,16 @@ impl Life {
     pub fn rules(&self, day: i32) -> impl Iterator<Item = InForce<'_, Rule>> {
         self.in_force(day).flat_map(move |(index, strength)| {
             let source = &self.sources[index];
-            each(&source.routine.rules, &source.keys.rules, strength, index)
+            each(&source.routine.rules, &source.keys.rules, strength, index, SentenceKind::Rule)
         })
     }
 
-    /// Whether the routine itself plans visits to the bathroom in the nights, or on the days, of this time: the need then
-    /// does not rise. What conditions add comes on top.
-    pub fn plans_toilet(&self, day: i32, at_night: bool) -> bool {
-        self.sources[0].routine.habits.iter().any(|habit| {
-            let of_night = matches!(habit.when, When::Within(PartOfDay::Night));
-            let own = habit.activity == Activity::UseBathroom && habit.visitor.is_none();
-            own && of_night == at_night && self.phase(&habit.phase, day) > 0.0
-        })
+    /// Whether the routine itself says how often something is done for which there is a need, in the nights or on the days of
+    /// this time: the need then does not rise. What has a time, or comes after something, is one more; so is what a condition
+    /// adds.
+    pub fn says_how_often(&self, activity: &Activity, day: i32, at_night: bool) -> bool {
+        let own = &self.sources[Life::OWN].routine.habits;
+        own.iter().any(|habit| habit.is_how_often(activity, at_night) && self.is_meant(habit, day))
     }
 
     /// Everybody who may come to visit.
@@ -214,7 +302,15 @@ impl Life {
     }
 
     fn strength(&self, source: &Source, day: i32) -> f64 {
-        source.shown.iter().map(|(phase, severity)| self.phase(phase, day) * severity).product()
+        if source.shown.is_empty() {
+            return 1.0;
+        }
+        // As far as one has come, those before it are gone.
+        source.shown.iter().fold(0.0, |before, shown| {
+            let come: f64 = shown.iter().map(|(phase, _)| self.phase(phase, day)).product();
+            let severity: f64 = shown.iter().map(|(_, severity)| severity).product();
+            before * (1.0 - come) + severity * come
+        })
     }
 
     /// How severe a condition is on a day; 1 is a moderate case.
@@ -247,10 +343,7 @@ impl Life {
 
     /// The day of a moment, the run's first being 0.
     pub fn day_of(&self, moment: Moment) -> i32 {
-        match moment {
-            Moment::Day(day) => day,
-            Moment::Date(year, month, day) => self.calendar.day_of(year, month, day).unwrap_or(i32::MAX),
-        }
+        day_in(&self.calendar, moment)
     }
 
     /// Whether a habit is meant for a day at all.
@@ -276,10 +369,13 @@ impl Life {
         (chance * strength * self.phase(&habit.phase, day)).min(1.0)
     }
 
-    /// How lively a day is: better days and worse ones, each somewhat like the day before.
+    /// How lively a day is: better days and worse ones, each somewhat like the day before. Its logarithm is a normal
+    /// autoregression of the first order, of which no more than a week is remembered.
     fn level(&self, day: i32) -> f64 {
+        let (spread, like) = (self.numbers.of(&DAY_SPREAD), self.numbers.of(&DAY_LIKE));
         let of = |day: i32| self.stream_of_day(day, "level").normal(0.0, 1.0);
-        libm::exp(self.numbers.of(&DAY_SPREAD) * (of(day) + of(day - 1)))
+        let remembered = (0..7).map(|ago| libm::pow(like, f64::from(ago)) * of(day - ago)).sum::<f64>();
+        libm::exp(spread * libm::sqrt(1.0 - like * like) * remembered)
     }
 
     /// How things are on a day.
@@ -294,7 +390,7 @@ impl Life {
                 parameters.skips.insert(Activity::Eat(meal), skips);
             }
         }
-        parameters.active.push((None, self.level(day)));
+        parameters.level = self.level(day);
         if self.person.activity != 1.0 {
             parameters.active.push((None, self.person.activity));
         }
@@ -306,13 +402,15 @@ impl Life {
                     None => parameters.severities.push((condition.clone(), strength)),
                 }
             }
-            for (change, key) in source.routine.changes.iter().zip(&source.keys.changes) {
-                let full = strength * self.phase(&change.phase, day);
+            let changes = &source.routine.changes;
+            for (index, (change, key)) in changes.iter().zip(&source.keys.changes).enumerate() {
+                let full = strength * self.left_of(changes, index, day);
                 if full > 0.0 && self.is_on(&change.days, day) {
                     let share = self.stream(key).unit();
                     // Counted from when it began: the change itself, or else the condition that brings it.
-                    let phases = source.shown.iter().map(|(phase, _)| phase);
-                    let shown = phases.filter_map(|phase| phase.from).map(|from| self.day_of(from)).max();
+                    let phases = source.shown.iter().flatten().map(|(phase, _)| phase);
+                    let shown = phases.filter_map(|phase| phase.from).map(|from| self.day_of(from));
+                    let shown = shown.filter(|&from| from <= day).max();
                     let from = change.phase.from.map(|from| self.day_of(from)).or(shown).unwrap_or(0);
                     let weeks = (f64::from(day - from) / 7.0).clamp(0.0, most_weeks);
                     let span = Span { weeks, pace_mps: self.pace_mps, least_pace };
@@ -322,6 +420,34 @@ impl Life {
         }
         parameters
     }
+
+    /// The changes that hold on a day.
+    pub fn changes(&self, day: i32) -> impl Iterator<Item = SentenceId> {
+        self.in_force(day).flat_map(move |(source, strength)| {
+            let changes = &self.sources[source].routine.changes;
+            let holds = move |index: &usize| strength * self.left_of(changes, *index, day) > 0.0;
+            let id = move |index| SentenceId { source, kind: SentenceKind::Change, index };
+            (0..changes.len()).filter(holds).map(id)
+        })
+    }
+
+    /// How much of a change there is on a day: what the same text says later of the same thing replaces it as it comes.
+    fn left_of(&self, changes: &[Change], index: usize, day: i32) -> f64 {
+        let change = &changes[index];
+        let begins = |change: &Change| change.phase.from.map_or(i32::MIN, |from| self.day_of(from));
+        let later = changes.iter().enumerate().filter(|(other, of)| {
+            (begins(of), *other) > (begins(change), index) && of.effect.is_of_the_same(&change.effect)
+        });
+        later.fold(self.phase(&change.phase, day), |left, (_, of)| left * (1.0 - self.phase(&of.phase, day)))
+    }
+}
+
+/// The day of a moment, the run's first being 0.
+fn day_in(calendar: &Calendar, moment: Moment) -> i32 {
+    match moment {
+        Moment::Day(day) => day,
+        Moment::Date(year, month, day) => calendar.day_of(year, month, day).unwrap_or(i32::MAX),
+    }
 }
 
 /// What a text says of one kind, with what goes for all of it.
@@ -330,14 +456,18 @@ fn each<'a, T>(
     keys: &'a [String],
     strength: f64,
     source: usize,
+    kind: SentenceKind,
 ) -> impl Iterator<Item = InForce<'a, T>> + 'a {
-    all.iter().zip(keys).map(move |(said, key)| InForce { said, strength, key, source })
+    let all = all.iter().zip(keys).enumerate();
+    all.map(move |(index, (said, key))| InForce { said, strength, key, source, kind, index })
 }
 
 homebody_core::numbers! {
-    /// How much more or less lively days are, each somewhat like the day before: the standard deviation of the logarithm that
-    /// each of two days brings.
-    static DAY_SPREAD = "life.day_spread": 0.25, "1", [0.0, 2.0];
+    /// How much more or less lively days are: the standard deviation of the logarithm. The firings an awake hour of real homes
+    /// vary between days by 0.3 to 0.5 of their mean.
+    static DAY_SPREAD = "life.day_spread": 0.4, "1", [0.0, 2.0];
+    /// How much a day is like the one before: the correlation of the two.
+    static DAY_LIKE = "life.day_like": 0.25, "1", [0.0, 0.95];
     /// Nobody moves more than so many times as much as usual.
     static MOST_MOVEMENT = "life.most_movement": 20.0, "1", [1.0, 100.0];
     /// For how many weeks at most a gait that slows by so much a week goes on slowing.
@@ -365,6 +495,7 @@ impl DayParameters {
             most_movement: MOST_MOVEMENT.value,
             pulse: 0.0,
             respiration: 0.0,
+            level: 1.0,
             active: Vec::new(),
             later_s: BTreeMap::new(),
             longer: BTreeMap::new(),
@@ -411,6 +542,11 @@ impl DayParameters {
 
     /// How many times the usual movement there is at an hour of the day.
     pub fn activity(&self, hour: f64) -> f64 {
+        (self.level * self.changed_activity(hour)).min(self.most_movement)
+    }
+
+    /// The same as far as it has changed, on a day as lively as any.
+    pub fn changed_activity(&self, hour: f64) -> f64 {
         if self.active.is_empty() {
             return 1.0;
         }

@@ -7,6 +7,7 @@ mod keys;
 
 // What is to be done on a day, where, and how each thing is done.
 mod usual;
+mod rising;
 pub mod agenda;
 pub mod places;
 pub mod script;
@@ -15,13 +16,22 @@ mod manner;
 // What interrupts: needs and rules.
 mod need;
 mod needs;
+mod errands;
 mod watch;
 
 // Who carries it out.
 pub mod body;
+mod chores;
 pub mod driver;
+pub mod tally;
+pub mod account;
 mod spare_time;
 mod night;
+pub mod company;
+mod courtesy;
+mod interrupts;
+mod ways;
+mod lamps;
 mod visit;
 pub mod pet;
 
@@ -32,11 +42,15 @@ pub(crate) fn numbers() -> Vec<Number> {
     let modules = [
         person::NUMBERS,
         life::NUMBERS,
+        rising::NUMBERS,
         agenda::NUMBERS,
         needs::NUMBERS,
         body::NUMBERS,
-        driver::NUMBERS,
+        company::NUMBERS,
+        ways::NUMBERS,
+        lamps::NUMBERS,
         spare_time::NUMBERS,
+        chores::NUMBERS,
         night::NUMBERS,
         pet::NUMBERS,
     ];

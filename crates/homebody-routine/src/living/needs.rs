@@ -18,6 +18,8 @@ pub struct Needs {
     tiredness: Need,
     asleep: bool,
     constitution: Constitution,
+    /// How likely something is done about thirst and hunger that press: less than 1 where it is said to be done less often.
+    answers: [f64; 2],
     rates: Rates,
     /// A stream for each kind, so that a meal that is skipped leaves the toilet's thresholds as they are.
     streams: [Stream; 4],
@@ -91,30 +93,46 @@ impl Needs {
         let rates = Rates::of(&life.numbers);
         let [toilet, thirst, hunger, _] =
             streams.each_mut().map(|stream| Need::new(now, stream.gamma(rates.shape, 1.0)));
-        Needs { toilet, thirst, hunger, tiredness: Need::new(now, 1.0), asleep: false, constitution, rates, streams }
+        Needs {
+            toilet,
+            thirst,
+            hunger,
+            tiredness: Need::new(now, 1.0),
+            asleep: false,
+            constitution,
+            answers: [1.0; 2],
+            rates,
+            streams,
+        }
     }
 
     pub fn asleep(&self) -> bool {
         self.asleep
     }
 
-    /// From now on at the rates of waking.
-    /// The toilet's does not rise where visits are planned.
-    pub fn waking(&mut self, now: Micros, parameters: &DayParameters, is_planned: bool) {
+    /// From now on at the rates of waking, on a day of a life; what the routine says how often it is done rises not.
+    pub fn waking(&mut self, now: Micros, life: &Life, day: i32, parameters: &DayParameters) {
         self.asleep = false;
+        let is_planned = |activity: &Activity| life.says_how_often(activity, day, false);
         // In a renewal process that begins anew a third of a visit is missing at this shape.
-        let visits = (self.constitution.toilet_by_day - self.rates.anyway + 0.33).max(0.5);
-        let toilet =
-            visits * 24.0 / self.rates.waking_h * parameters.oftener(&Activity::UseBathroom, Some(PartOfDay::Day));
-        self.toilet.rise(now, if is_planned { 0.0 } else { toilet });
-        self.thirst.rise(now, self.rates.thirst * parameters.oftener(&Activity::Drink, None));
-        self.hunger.rise(now, self.rates.hunger * parameters.oftener(&Activity::Snack, None));
+        let often = parameters.oftener(&Activity::UseBathroom, Some(PartOfDay::Day));
+        let visits = (self.constitution.toilet_by_day * often - self.rates.anyway + 0.33).max(0.1);
+        let toilet = visits * 24.0 / self.rates.waking_h;
+        let [drinks, snacks] = [Activity::Drink, Activity::Snack].map(|activity| match is_planned(&activity) {
+            true => 0.0,
+            false => parameters.oftener(&activity, None),
+        });
+        self.answers = [drinks, snacks];
+        self.toilet.rise(now, if is_planned(&Activity::UseBathroom) { 0.0 } else { toilet });
+        self.thirst.rise(now, self.rates.thirst * drinks.max(1.0));
+        self.hunger.rise(now, self.rates.hunger * snacks.max(1.0));
         self.tiredness.rise(now, self.rates.tiredness);
     }
 
     /// From now on at the rates of the night.
-    pub fn sleeping(&mut self, now: Micros, parameters: &DayParameters, is_planned: bool) {
+    pub fn sleeping(&mut self, now: Micros, life: &Life, day: i32, parameters: &DayParameters) {
         self.asleep = true;
+        let is_planned = life.says_how_often(&Activity::UseBathroom, day, true);
         let visits = self.constitution.toilet_at_night + 0.33;
         let toilet =
             visits * 24.0 / self.rates.sleeping_h * parameters.oftener(&Activity::UseBathroom, Some(PartOfDay::Night));
@@ -151,11 +169,18 @@ impl Needs {
         if self.asleep {
             return None;
         }
-        if self.thirst.presses_at() <= now {
-            return Some(Activity::Drink);
-        }
-        if self.hunger.presses_at() <= now {
-            return Some(Activity::Snack);
+        let [drinks, snacks] = self.answers;
+        for (kind, often, activity) in
+            [(Kind::Thirst, drinks, Activity::Drink), (Kind::Hunger, snacks, Activity::Snack)]
+        {
+            let need = if kind == Kind::Thirst { &self.thirst } else { &self.hunger };
+            if need.presses_at() > now {
+                continue;
+            }
+            if often >= 1.0 || self.streams[kind as usize].chance(often) {
+                return Some(activity);
+            }
+            self.put_off(kind, now);
         }
         if self.tiredness.presses_at() > now {
             return None;

@@ -1,9 +1,11 @@
 //! The nights of somebody who lives by a routine: going to bed, falling asleep, waking now and then, getting up.
 
-use super::agenda::{self, Agenda, Item};
+use super::agenda::{Agenda, Item};
+use super::chores::mail_hour;
 use super::driver::{MINUTE, RoutineDriver};
 use super::manner::Manner;
 use super::places::Spot;
+use super::rising;
 use super::script::{Interruptible, Stay, Step};
 use super::usual;
 use crate::routine::Activity;
@@ -24,12 +26,18 @@ homebody_core::numbers! {
     static AWAKE_BOUT_MIN = "night.awake_bout": 10.0, "min", [1.0, 120.0];
 }
 
+/// Who gets up so much later than planned was not at home for what came before (ours).
+const LATE: Micros = 120 * MINUTE;
+
 impl RoutineDriver {
     pub(super) fn go_to_bed(&mut self, now: Micros) {
         self.next_item = self.agenda.items.len();
-        let bathroom = usual::length(&Activity::UseBathroom, &self.life.numbers);
-        let lasts = self.life.stream_of_day(self.agenda.day, "before bed").lognormal(bathroom.median_min * 60.0, 0.4);
-        self.begin(&Item::now("before bed".into(), Activity::UseBathroom, micros(lasts)));
+        if self.agenda.bathroom_last {
+            let bathroom = usual::length(&Activity::UseBathroom, &self.life.numbers);
+            let mut stream = self.life.stream_of_day(self.agenda.day, "before bed");
+            let lasts = stream.lognormal(bathroom.median_min * 60.0, 0.4);
+            self.begin(&Item::now("before bed".into(), Activity::UseBathroom, micros(lasts)));
+        }
         self.sleep(now, false);
         // The night comes after: it has not begun, so there is nowhere to go back to.
         self.scripts.reverse();
@@ -39,9 +47,9 @@ impl RoutineDriver {
     pub(super) fn sleep(&mut self, now: Micros, already: bool) {
         let mut stream = self.life.stream_of_day(self.agenda.day, "night");
         let tomorrow = self.agenda.day + 1;
-        let up = agenda::up(&self.life, tomorrow, &self.life.parameters(tomorrow)).max(now + MINUTE);
+        let up = rising::up(&self.life, tomorrow, &self.life.parameters(tomorrow)).max(now + MINUTE);
         // A change that begins tomorrow does not touch tonight's wakings.
-        let usual_up = agenda::up(&self.life, tomorrow, &self.parameters);
+        let usual_up = rising::up(&self.life, tomorrow, &self.parameters);
         let stay = |manner, left, until| {
             Step::Stay(Stay { posture: Posture::Lying, manner, left, until, may: Interruptible::Interrupt })
         };
@@ -86,7 +94,7 @@ impl RoutineDriver {
     }
 
     pub(super) fn lie_down(&mut self, now: Micros) {
-        self.needs.sleeping(now, &self.parameters, self.life.plans_toilet(self.agenda.day, true));
+        self.needs.sleeping(now, &self.life, self.agenda.day, &self.parameters);
         self.put_out_the_lamp(now);
         self.watches.lie_down(now, &self.life);
         let mut stream = self.life.stream_of_day(self.agenda.day, "vitals");
@@ -99,21 +107,52 @@ impl RoutineDriver {
 
     /// The next day begins.
     pub(super) fn wake(&mut self, now: Micros) {
-        let day = self.agenda.day + 1;
+        self.begin_day(now);
+        let day = self.agenda.day;
+        // On top of the night's script, which ends with this.
+        if self.agenda.bathroom_first {
+            let bathroom = micros(self.life.stream_of_day(day, "first thing").lognormal(300.0, 0.5));
+            self.begin(&Item::now("first thing".into(), Activity::UseBathroom, bathroom));
+        }
+        let rising = micros(self.life.stream_of_day(day, "rising").lognormal(120.0, 0.4));
+        self.begin(&Item::now("rising".into(), Activity::GetUp, rising));
+    }
+
+    /// Tells how severe each condition is, and of those that are over that they are.
+    pub(super) fn tell_conditions(&mut self) {
+        let now = &self.parameters.severities;
+        let over = self.shown.iter().filter(|name| now.iter().all(|(of, _)| of != *name));
+        let over: Vec<(String, f64)> = over.map(|name| (name.clone(), 0.0)).collect();
+        for (name, severity) in over.iter().chain(now) {
+            self.ready.push_back(Next::Condition(name.clone(), *severity));
+        }
+        self.shown = now.iter().map(|(name, _)| name.clone()).collect();
+    }
+
+    /// The plan of the next day, or of the one that it is by now: who was away for a week comes home to today.
+    pub(super) fn begin_day(&mut self, now: Micros) {
+        let mut day = self.agenda.day + 1;
+        let is_over = |day: i32| rising::up(&self.life, day + 1, &self.life.parameters(day)) <= now;
+        while is_over(day) {
+            day += 1;
+        }
+        let was_away = day > self.agenda.day + 1 || now > self.agenda.next_up + LATE;
+        self.tally.plan(&self.agenda, self.first_item);
         self.parameters = self.life.parameters(day);
         self.agenda = Agenda::of(&self.life, day, &self.parameters);
         self.midnight = self.life.midnight(day);
-        self.next_item = 0;
+        self.next_item = if was_away { self.agenda.items.partition_point(|item| item.start < now) } else { 0 };
+        self.first_item = self.next_item;
+        self.life.changes(day).for_each(|change| self.tally.hold(change));
         self.unplanned.clear();
+        self.errands.wake();
+        // One of a household fetches it.
+        let mail = self.life.stream_of_day(day, "mail");
+        self.mail_hour = (self.host.index() == 0).then(|| mail_hour(&mut { mail }, &self.life.numbers));
         self.next_break = self.agenda.breaks.partition_point(|item| item.start < now);
         self.tell_conditions();
-        self.needs.waking(now, &self.parameters, self.life.plans_toilet(day, false));
+        self.needs.waking(now, &self.life, day, &self.parameters);
         self.needs.wake(now);
         self.watches.wake(day, &self.life);
-        // On top of the night's script, which ends with this.
-        let bathroom = micros(self.life.stream_of_day(day, "first thing").lognormal(300.0, 0.5));
-        self.begin(&Item::now("first thing".into(), Activity::UseBathroom, bathroom));
-        let rising = micros(self.life.stream_of_day(day, "rising").lognormal(120.0, 0.4));
-        self.begin(&Item::now("rising".into(), Activity::GetUp, rising));
     }
 }

@@ -21,9 +21,25 @@ pub struct Spot {
     pub is_reachable: bool,
     /// The role that the home says of it, which is then its only one.
     pub said: Option<Role>,
+    /// The places of those who share it, where several have room: the sides of a bed, the seats of a sofa.
+    pub sides: Vec<Point>,
 }
 
 impl Spot {
+    /// Anywhere in a room.
+    pub fn to_stand(at: Point, room: usize) -> Spot {
+        let (name, posture) = (String::new(), Posture::Standing);
+        Spot { name, at, posture, room: Some(room), is_room: true, is_reachable: true, said: None, sides: Vec::new() }
+    }
+
+    /// Where somebody is in it, the best place first: its middle for who has it to themself, else one's own side.
+    pub fn sides_for(&self, rank: usize, is_shared: bool) -> impl Iterator<Item = Point> {
+        let has_own = is_shared && !self.sides.is_empty() && !is_somebodys(&self.name);
+        let middle = (!has_own).then_some(self.at);
+        let count = self.sides.len();
+        middle.into_iter().chain((0..count).map(move |index| self.sides[(index + rank) % count]))
+    }
+
     /// Whether it fills the role, whosever it is.
     pub fn is_of(&self, role: Role) -> bool {
         let is_whole = |of: &str| of.is_empty() || of.ends_with("'s ");
@@ -44,7 +60,7 @@ pub struct Places {
     things: Vec<(String, Option<Role>)>,
     /// Where the lamps begin among them.
     lamps: usize,
-    /// What to look at or dust on a round through the home.
+    /// What to look at or dust on a round through the home: the places that it names, and whatever can be opened.
     stations: Vec<Spot>,
     /// By role, where it is filled and the thing that fills it: lives ask for them all day.
     of_role: Vec<(Option<Spot>, Option<u32>)>,
@@ -64,7 +80,7 @@ impl Places {
             let name = name.to_lowercase();
             let is_room = home.rooms.iter().any(|room| room.name.to_lowercase() == name);
             let said = said.get(&name).copied().filter(|_| !is_room);
-            Spot { name, at, posture, room: plan.room_at(at), is_room, is_reachable: true, said }
+            Spot { name, at, posture, room: plan.room_at(at), is_room, is_reachable: true, said, sides: Vec::new() }
         };
         let place = |(name, at): &(String, Point)| {
             let lower = name.to_lowercase();
@@ -90,6 +106,13 @@ impl Places {
                 sides.push((spots.len(), around));
                 spots.push(spot(&piece.name, at, Posture::Standing));
             }
+        }
+        for spot in spots.iter_mut().filter(|spot| spot.posture != Posture::Standing) {
+            let piece =
+                home.furniture.iter().position(|piece| piece.enterable && piece.name.to_lowercase() == spot.name);
+            let solid =
+                plan.solids.iter().find(|solid| piece.is_some_and(|piece| solid.origin == Origin::Furniture(piece)));
+            spot.sides = solid.map_or_else(Vec::new, |solid| sides_of(&solid.outline, spot.posture));
         }
         let hub = hub(&spots, mesh);
         let is_reachable = |at: Point| hub.is_some_and(|hub| mesh.can_reach(hub, at));
@@ -193,6 +216,27 @@ impl Places {
         if is_own { self.of(role) } else { nearest.or_else(|| self.of(role)) }
     }
 
+    /// What will do where somebody has a spot: others of its role, and of seats any other that is nobody else's, the nearest
+    /// first.
+    pub fn instead_of(&self, spot: &Spot) -> Vec<&Spot> {
+        let is_mine = |other: &&Spot| !is_somebodys(&other.name) || self.own_name(&other.name).is_some();
+        let is_alike = |other: &&Spot| {
+            let shares_role = || ROLES.iter().any(|row| spot.is_of(row.role) && other.is_of(row.role));
+            match spot.posture {
+                Posture::Standing => shares_role(),
+                Posture::Sitting => {
+                    other.posture == Posture::Sitting && !is_toilet(other) && !is_toilet(spot) || shares_role()
+                }
+                Posture::Lying => shares_role(),
+            }
+        };
+        let others = self.spots.iter().filter(|other| other.name != spot.name && other.is_reachable);
+        let mut others: Vec<&Spot> =
+            others.filter(|other| other.posture == spot.posture).filter(is_mine).filter(is_alike).collect();
+        others.sort_by(|a, b| a.at.distance(spot.at).total_cmp(&b.at.distance(spot.at)));
+        others
+    }
+
     /// All that fill the role and that there is a way to, whosever they are: a pet asks nobody.
     pub fn anybodys(&self, role: Role) -> Vec<&Spot> {
         self.spots.iter().filter(|spot| spot.is_reachable && spot.is_of(role)).collect()
@@ -245,6 +289,12 @@ impl Places {
         &self.stations
     }
 
+    /// Whether a room is a bathroom: it has a toilet or a shower.
+    pub fn is_bathroom(&self, room: usize) -> bool {
+        let has = |role| self.spots.iter().any(|spot| spot.room == Some(room) && !spot.is_room && spot.is_of(role));
+        has(Role::Toilet) || has(Role::Shower)
+    }
+
     /// What is called so after the resident.
     fn own_spot(&self, name: &str) -> Option<&Spot> {
         self.spots.iter().find(|spot| self.own_name(&spot.name) == Some(name))
@@ -272,7 +322,16 @@ impl Places {
             let door = &plan.things[outside?];
             let at = just_inside(plan, door.at);
             let (name, room) = (door.name.to_lowercase(), plan.room_at(at));
-            Some(Spot { name, at, posture: Posture::Standing, room, is_room: false, is_reachable: true, said: None })
+            Some(Spot {
+                name,
+                at,
+                posture: Posture::Standing,
+                room,
+                is_room: false,
+                is_reachable: true,
+                said: None,
+                sides: Vec::new(),
+            })
         };
         place.or_else(at_door).or(room).map(|spot| (spot, thing))
     }
@@ -283,13 +342,40 @@ impl Places {
         let door = self.door.as_ref().map(|(spot, _)| spot.name.clone());
         let named: Vec<String> = named.filter(|name| Some(name) != door.as_ref()).collect();
         let reachable = || self.spots.iter().filter(|spot| spot.is_reachable);
-        let standing = reachable().filter(|spot| spot.posture == Posture::Standing && named.contains(&spot.name));
+        let is_used = |spot: &&Spot| named.contains(&spot.name) || !spot.is_room && is_opened(&spot.name);
+        let standing = reachable().filter(|spot| spot.posture == Posture::Standing).filter(is_used);
         let stations: Vec<Spot> = standing.cloned().collect();
         if !stations.is_empty() {
             return stations;
         }
         reachable().filter(|spot| spot.is_room).cloned().collect()
     }
+}
+
+/// The last words of the names of what is opened to get at what is in it, or for air (ours).
+const OPENED: [&str; 17] = [
+    "fridge",
+    "refrigerator",
+    "freezer",
+    "microwave",
+    "drawers",
+    "drawer",
+    "cupboard",
+    "cabinet",
+    "pantry",
+    "wardrobe",
+    "closet",
+    "dresser",
+    "chest",
+    "mailbox",
+    "letterbox",
+    "window",
+    "dishwasher",
+];
+
+/// Whether what has this name is opened to get at what is in it, or for air.
+pub(super) fn is_opened(name: &str) -> bool {
+    words(name).last().is_some_and(|word| OPENED.contains(&word))
 }
 
 /// A point in a room half a metre or so from a door in its wall.
@@ -332,9 +418,45 @@ fn hub(spots: &[Spot], mesh: &Mesh) -> Option<Point> {
     parts.into_iter().reduce(|a, b| if b.1 > a.1 { b } else { a }).map(|(of, _)| of)
 }
 
+/// Where people lie side by side in a bed, or sit in a row on a sofa; none where there is room for one.
+fn sides_of(outline: &[Point], posture: Posture) -> Vec<Point> {
+    /// A bed that is narrower is for one; what somebody who sits takes of a sofa (ours).
+    const BED_M: f64 = 1.1;
+    const SEAT_M: f64 = 0.6;
+    let Some((a, b)) = geometry::sides(outline).max_by(|(a, b), (c, d)| a.distance(*b).total_cmp(&c.distance(*d)))
+    else {
+        return Vec::new();
+    };
+    let along = (b - a).normalize_or_zero();
+    let across = along.perp();
+    let middle = geometry::inner_point(outline);
+    let extent = |direction: Point| {
+        let shares = outline.iter().map(|corner| (*corner - middle).dot(direction));
+        shares.fold((0.0, 0.0), |(least, most): (f64, f64), share| (least.min(share), most.max(share)))
+    };
+    let direction = if posture == Posture::Lying { across } else { along };
+    let (least, most) = extent(direction);
+    let count = match posture {
+        Posture::Lying => {
+            if most - least < BED_M {
+                1
+            } else {
+                2
+            }
+        }
+        _ => ((most - least) / SEAT_M) as usize,
+    };
+    let place = |index| middle + direction * (least + (most - least) * (index as f64 + 0.5) / count as f64);
+    if count < 2 { Vec::new() } else { (0..count).map(place).collect() }
+}
+
 /// Whether it is called after somebody, such as `ruth's bed`.
 fn is_somebodys(name: &str) -> bool {
     name.contains("'s ")
+}
+
+fn is_toilet(spot: &Spot) -> bool {
+    spot.is_of(Role::Toilet)
 }
 
 /// What people stand in although they can enter it.

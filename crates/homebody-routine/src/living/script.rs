@@ -1,6 +1,5 @@
 //! How things are done: each activity as steps from place to place, with the things that are used on the way.
 
-use super::life::DayParameters;
 use super::manner::Manner;
 use super::places::{Places, Spot};
 use crate::routine::{Activity, Meal};
@@ -37,6 +36,19 @@ pub enum Step {
     LieDown,
     /// A need is met.
     Meet(Need),
+    /// Who comes to visit is let in (true) or seen off (false): one waits so long.
+    Await {
+        arrival: bool,
+        left: Micros,
+    },
+    /// Who is outside waits so long for the doorway to be free; a visitor to be let in as well.
+    Ring {
+        left: Micros,
+    },
+    /// Nobody eats while somebody else still cooks: one waits so long.
+    AwaitMeal {
+        left: Micros,
+    },
     /// The day is over: the next one's plan is made.
     Wake,
 }
@@ -60,21 +72,37 @@ pub enum Interruptible {
     Nothing,
     /// Only rules.
     Rules,
-    /// Needs, rules and what interrupts; it goes on afterwards.
+    /// Needs, rules, what interrupts, and meals; it goes on afterwards.
     Interrupt,
     /// These, and whatever is next on the plan, which ends it.
     Yield,
 }
+
+/// How long somebody waits at the open door for a visitor who does not come (ours).
+const ARRIVAL_PATIENCE: Micros = 5 * 60 * SECOND;
+/// How long a host waits for a visitor to have gone (ours).
+const FAREWELL_PATIENCE: Micros = 5 * 60 * SECOND;
+/// How long who comes home waits for somebody to leave the doorway (ours).
+const DOORWAY: Micros = 2 * 60 * SECOND;
+/// How long somebody waits for a meal that somebody else still cooks (ours).
+const COOKING_PATIENCE: Micros = 45 * 60 * SECOND;
+
+/// Who visits for so long has meals and a bed of their own, and the host's life goes on (ours).
+pub(super) const STAYING_OVER: Micros = 10 * 3600 * SECOND;
+
+/// How long the host then sits with them first (ours).
+const WELCOME: Micros = 3600 * SECOND;
 
 /// What a script is made from.
 pub struct Setting<'a> {
     pub places: &'a Places,
     /// Where the body is as it begins.
     pub at: Point,
-    pub parameters: &'a DayParameters,
     pub stream: &'a mut Stream,
     /// Which things stay on this time: the stove that is forgotten.
     pub forgotten: Vec<u32>,
+    /// How many times the usual movement there is.
+    pub movement: f64,
 }
 
 /// A script that is being put together.
@@ -113,6 +141,7 @@ impl Steps<'_, '_> {
             Activity::TakeMedicine => self.take_medicine(place, lasts),
             Activity::Prepare(meal) => self.prepare(*meal, lasts),
             Activity::Eat(_) => {
+                self.push(Step::AwaitMeal { left: COOKING_PATIENCE });
                 self.at(Role::DiningSeat, place, lasts, Manner::EATING, Interruptible::Rules);
                 self.push(Step::Meet(Need::Hunger));
                 self.push(Step::Meet(Need::Thirst));
@@ -281,7 +310,8 @@ impl Steps<'_, '_> {
             Role::Sink => self.around(30.0),
             _ => self.around(45.0),
         };
-        let span = span.min(left);
+        // Who moves less goes to and fro less.
+        let span = micros(seconds(span) / self.setting.movement.clamp(0.2, 1.0)).min(left);
         match role {
             Role::Sink => self.with_water(role, None, span, Manner::BUSY),
             Role::Fridge | Role::Drawers => {
@@ -308,7 +338,10 @@ impl Steps<'_, '_> {
         let role = if self.setting.stream.chance(0.5) { Role::Bed } else { Role::Armchair };
         // Met as it begins: who naps does not take another nap for being tired.
         self.push(Step::Meet(Need::Tiredness));
-        self.until(role, place, lasts, until, Manner::ASLEEP);
+        let posture = self.go(role, place);
+        let left = if until.is_some() { Micros::MAX / 4 } else { lasts };
+        // Who naps sleeps on through thirst and the rest.
+        self.push(Step::Stay(Stay { posture, manner: Manner::ASLEEP, left, until, may: Interruptible::Rules }));
     }
 
     fn laundry(&mut self, lasts: Micros) {
@@ -318,18 +351,15 @@ impl Steps<'_, '_> {
         self.act(Role::WashingMachine, false);
     }
 
-    /// A round through the home, a moment here and there. Mostly it is near where one sits: of two places, the
-    /// nearer, as we assume; nobody takes the stairs for every errand.
+    /// A round through the home, a moment here and there.
     fn housework(&mut self, lasts: Micros) {
         let stations = self.setting.places.stations();
-        let seat = self.setting.places.of(Role::Armchair).map(|seat| seat.at);
         let mut left = lasts;
         while left > 0 && !stations.is_empty() {
-            let mut any = || &stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()];
-            let (one, other) = (any(), any());
-            let far = |spot: &Spot| seat.map_or(0.0, |seat| seat.distance(spot.at));
-            let spot = if far(other) < far(one) { other } else { one };
-            let span = self.around(45.0).clamp(SECOND, left.max(SECOND));
+            let spot = &stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()];
+            let span = self.around(45.0);
+            // Who moves less stays longer at each place.
+            let span = micros(seconds(span) / self.setting.movement.clamp(0.2, 1.0)).clamp(SECOND, left.max(SECOND));
             self.push(Step::Go(spot.clone()));
             self.stay(Posture::Standing, Manner::BUSY, span, Interruptible::Interrupt);
             left -= span;
@@ -343,6 +373,7 @@ impl Steps<'_, '_> {
         self.through_the_door();
         self.push(Step::Name(label.into()));
         self.push(Step::Away { lasts, until });
+        self.push(Step::Ring { left: DOORWAY });
         self.push(Step::Name(Activity::ComeHome.label().into()));
         self.act(Role::FrontDoor, true);
         let inside = self.around(6.0);
@@ -362,12 +393,22 @@ impl Steps<'_, '_> {
 
     /// Opens the door, sits with the visitor, sees them off.
     fn visit(&mut self, lasts: Micros) {
-        self.through_the_door();
+        self.go(Role::FrontDoor, None);
+        self.act(Role::FrontDoor, true);
+        self.push(Step::Await { arrival: true, left: ARRIVAL_PATIENCE });
+        self.act(Role::FrontDoor, false);
         let welcome = self.around(40.0);
         self.at(Role::FrontDoor, None, welcome, Manner::TALKING, Interruptible::Rules);
-        self.at(Role::Armchair, None, lasts, Manner::TALKING, Interruptible::Interrupt);
-        let farewell = self.around(60.0);
-        self.at(Role::FrontDoor, None, farewell, Manner::TALKING, Interruptible::Rules);
+        // With who stays for days, life goes on.
+        let talk = if lasts < STAYING_OVER { lasts } else { WELCOME };
+        self.at(Role::Armchair, None, talk, Manner::TALKING, Interruptible::Interrupt);
+        if lasts < STAYING_OVER {
+            let farewell = self.around(60.0);
+            self.at(Role::FrontDoor, None, farewell, Manner::TALKING, Interruptible::Rules);
+            self.act(Role::FrontDoor, true);
+            self.push(Step::Await { arrival: false, left: FAREWELL_PATIENCE });
+            self.act(Role::FrontDoor, false);
+        }
     }
 
     fn drink(&mut self, lasts: Micros) {
@@ -402,12 +443,10 @@ mod tests {
 
     /// Where an activity leads in the example's apartment, over many days, by name.
     fn ways(activity: &Activity, places: &Places) -> BTreeSet<String> {
-        let parameters = DayParameters::ordinary();
         let steps = (0..40).flat_map(|seed| {
             let mut stream = Stream::named(seed, "script");
             let at = places.of(Role::Armchair).unwrap().at;
-            let mut setting =
-                Setting { places, at, parameters: &parameters, stream: &mut stream, forgotten: Vec::new() };
+            let mut setting = Setting { places, at, stream: &mut stream, forgotten: Vec::new(), movement: 1.0 };
             script(activity, None, 1200 * SECOND, None, &mut setting)
         });
         let goes = steps.filter_map(|step| match step {

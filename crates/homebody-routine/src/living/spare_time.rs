@@ -2,17 +2,19 @@
 
 use super::agenda::Item;
 use super::driver::{MINUTE, RoutineDriver};
+use super::life::InForce;
 use super::manner::Manner;
 use super::script::{Interruptible, Stay, Step};
-use crate::routine::Activity;
+use crate::routine::{Activity, PartOfDay, When};
 use homebody_core::numbers::{Number, Numbers};
+use homebody_core::random::Stream;
 use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, micros};
 
 /// What fills the time, how often in comparison, and for how many minutes at a time: set so that the hours of
-/// a day come near those of people of 75 and more (American Time Use Survey); housework stands for the small errands that
-/// nobody plans, from which people of that age rise from their seats 46-60 times a day.
+/// a day come near those of people of 75 and more (American Time Use Survey); housework stands for the small errands of
+/// `chores.rs`, for which people of that age rise from their seats 46-60 times a day.
 const FILLERS: [(Activity, f64, f64); 6] = [
     (Activity::WatchTelevision, 0.98, 14.0),
     (Activity::Relax, 0.21, 8.0),
@@ -28,6 +30,8 @@ const TABLE: &str = "filler";
 homebody_core::numbers! {
     /// So many times as often somebody who sits gets up for an errand as one errand follows another.
     static RISES = "spare_time.rises": 26.0, "1", [0.0, 500.0];
+    /// How often one errand follows another at once.
+    static AGAIN = "spare_time.again": 0.25, "1", [0.0, 0.95];
     /// The standard deviation of the logarithm of how long what fills the time lasts.
     static SPREAD = "spare_time.spread": 0.5, "1", [0.0, 2.0];
 }
@@ -59,27 +63,29 @@ fn fillers(numbers: &Numbers) -> [(Activity, f64, f64); 6] {
     })
 }
 
+/// How the keys of what fills the time begin.
+const FILLS: &str = "fill/";
+
+impl Item {
+    /// Whether it fills the time until something is due.
+    pub fn is_filler(&self) -> bool {
+        self.key.starts_with(FILLS)
+    }
+
+    /// Whether it is one of the small things that somebody rises for meanwhile.
+    pub fn is_errand(&self) -> bool {
+        self.is_filler() && self.activity == Activity::Housework
+    }
+}
+
 impl RoutineDriver {
     /// Fills the time until something is due, by the weights of older adults' days.
     pub(super) fn fill(&mut self, until: Micros, now: Micros) {
         let gap = until - now;
-        let key = format!("fill/{}", self.times(&Activity::Relax));
+        let key = format!("{FILLS}{}", self.times(&Activity::Relax));
         let mut stream = self.life.stream_of_day(self.agenda.day, &key);
-        let said: Vec<&Activity> = self.life.habits(self.agenda.day).map(|habit| &habit.said.activity).collect();
-        let (mut fillers, mut weights) = (Vec::new(), Vec::new());
-        let rising = self.life.numbers.of(&RISES) * self.parameters.activity(self.hour(now));
-        for (activity, weight, minutes) in self::fillers(&self.life.numbers) {
-            // A home without a desk has no computer.
-            let can = activity != Activity::UseComputer || self.places.has(Role::Desk);
-            let planned = activity != Activity::Relax && activity != Activity::Housework && said.contains(&&activity);
-            let rises = activity == Activity::Housework && self.body.posture() != Posture::Standing;
-            if can && !planned {
-                let weight = weight * self.parameters.oftener(&activity, None);
-                weights.push(if rises { weight * rising } else { weight });
-                fillers.push((activity, minutes));
-            }
-        }
-        let (activity, minutes) = &fillers[stream.pick(&weights)];
+        let errands = self.errands_at(now);
+        let (activity, minutes) = &self.filler(now, errands, &mut stream);
         if gap < 3 * MINUTE {
             let posture = self.body.posture();
             let stay = Stay {
@@ -92,12 +98,10 @@ impl RoutineDriver {
             let steps = [Step::Name(Activity::Relax.label().into()), Step::Stay(stay)];
             return self.play(steps.into(), stream, Activity::Relax.label());
         }
-        let lasts = micros(
-            self.parameters
-                .lasting_s(activity, stream.lognormal(minutes * 60.0, self.life.numbers.of(&SPREAD)))
-                .max(20.0),
-        )
-        .min(gap);
+        let lasts_s = stream.lognormal(minutes * 60.0, self.life.numbers.of(&SPREAD));
+        // Who runs more errands sits less long between them.
+        let lasts_s = if *activity == Activity::Housework { lasts_s } else { lasts_s / errands.max(1.0) };
+        let lasts = micros(self.parameters.lasting_s(activity, lasts_s).max(20.0)).min(gap);
         self.begin(&Item::now(key, activity.clone(), lasts));
         for step in self.scripts.last_mut().into_iter().flat_map(|playing| playing.steps.iter_mut()) {
             if let Step::Stay(stay) = step
@@ -106,5 +110,84 @@ impl RoutineDriver {
                 stay.may = Interruptible::Yield;
             }
         }
+    }
+
+    /// How many times the usual errands there are now: of several reasons for fewer the strongest counts.
+    fn errands_at(&self, now: Micros) -> f64 {
+        let hour = self.hour(now);
+        let often = self.parameters.oftener(&Activity::Housework, None);
+        let changed = self.parameters.changed_activity(hour);
+        let times = self.errands.times(changed, hour) * self.parameters.level;
+        if often < 1.0 { times.min(often) } else { times * often }
+    }
+
+    /// What fills the time now, and its median length in minutes. What is done less often is drawn as often, and then left
+    /// out.
+    fn filler(&mut self, now: Micros, errands: f64, stream: &mut Stream) -> (Activity, f64) {
+        let (mut fillers, mut weights) = (Vec::new(), Vec::new());
+        let (rising, again) = (self.life.numbers.of(&RISES), self.life.numbers.of(&AGAIN));
+        for (activity, weight, minutes) in self::fillers(&self.life.numbers) {
+            // A home without a desk has no computer.
+            let can = activity != Activity::UseComputer || self.places.has(Role::Desk);
+            if can && !self.is_said(&activity, now) {
+                let weight = weight * self.parameters.oftener(&activity, None).max(1.0);
+                weights.push(weight);
+                fillers.push((activity, minutes));
+            }
+        }
+        if let Some(errand) = fillers.iter().position(|(activity, _)| *activity == Activity::Housework) {
+            let more = self.parameters.oftener(&Activity::Housework, None).max(1.0);
+            let others = weights.iter().sum::<f64>() - weights[errand];
+            weights[errand] = match self.body.posture() {
+                Posture::Standing => more * others * again / (1.0 - again),
+                _ => weights[errand] * rising,
+            };
+        }
+        let mut instead_of = None;
+        loop {
+            let drawn = stream.pick(&weights);
+            let (activity, minutes) = fillers[drawn].clone();
+            let often = match &activity {
+                Activity::Housework => {
+                    self.errands.chance(self.hour(now), errands);
+                    errands
+                }
+                other => self.parameters.oftener(other, None),
+            };
+            if often >= 1.0 || weights.len() == 1 || stream.chance(often) {
+                return (activity, instead_of.unwrap_or(minutes));
+            }
+            if activity != Activity::Housework {
+                // What is done instead takes as long: no more of all else is drawn for it.
+                instead_of = instead_of.or(Some(minutes));
+                if let Some(errand) = fillers.iter().position(|(activity, _)| *activity == Activity::Housework) {
+                    weights[errand] = 0.0;
+                }
+            }
+            weights[drawn] = 0.0;
+            if weights.iter().all(|weight| *weight <= 0.0) {
+                return (Activity::Relax, instead_of.unwrap_or(minutes));
+            }
+        }
+    }
+
+    /// Whether the routine says of now how often something is done, so that it fills no time. Of what is done at most days,
+    /// or at no time in particular, it says all; else only of its part of the day.
+    fn is_said(&self, activity: &Activity, now: Micros) -> bool {
+        if matches!(activity, Activity::Relax | Activity::Housework) {
+            return false;
+        }
+        let (day, hour_s) = (self.agenda.day, self.hour(now) * 3600.0);
+        self.life.habits(day).any(|InForce { said: habit, .. }| {
+            let is_it = habit.activity == *activity && habit.visitor.is_none() && self.life.is_meant(habit, day);
+            is_it
+                && match &habit.when {
+                    When::Within(PartOfDay::Night) => false,
+                    When::AnyTime => true,
+                    _ if habit.chance.probability >= 0.5 => true,
+                    When::Within(part) => (part.hours().0..part.hours().1).contains(&hour_s),
+                    _ => false,
+                }
+        })
     }
 }

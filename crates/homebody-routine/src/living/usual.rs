@@ -2,7 +2,7 @@
 //! table of activities, unless they are set.
 
 use crate::fuzzy::Fuzzy;
-use crate::routine::Activity;
+use crate::routine::{Activity, Meal};
 use homebody_core::activity::UsualLength;
 use homebody_core::numbers::{Number, Numbers};
 
@@ -46,6 +46,25 @@ pub(super) fn clock(activity: &Activity, numbers: &Numbers) -> Option<Fuzzy> {
     let around_h = numbers.of_table([TABLE, row, "clock"], around_h);
     let spread_min = numbers.of_table([TABLE, row, "clock_spread"], spread_min);
     Some(Fuzzy::around(around_h * HOUR, spread_min * MINUTE))
+}
+
+impl Activity {
+    /// When it is usually done, where nothing is said. Meals: ours, as no norms were found.
+    pub(crate) fn usual_clock(&self) -> Option<Fuzzy> {
+        let around = |hours: f64, minutes: f64| Some(Fuzzy::around(hours * HOUR, minutes * MINUTE));
+        match self {
+            Activity::Prepare(Meal::Breakfast) | Activity::TakeMedicine => around(7.75, 30.0),
+            Activity::Eat(Meal::Breakfast) => around(8.0, 30.0),
+            Activity::Prepare(Meal::Lunch) => around(11.8, 30.0),
+            Activity::Eat(Meal::Lunch) => around(12.25, 30.0),
+            Activity::Prepare(Meal::Dinner) => around(17.25, 40.0),
+            Activity::Eat(Meal::Dinner) => around(17.75, 40.0),
+            Activity::Shower | Activity::Wash | Activity::Dress => around(7.25, 40.0),
+            Activity::Nap => around(14.75, 45.0),
+            Activity::Visit => around(15.0, 90.0),
+            _ => None,
+        }
+    }
 }
 
 /// A time of day in hours, and how many minutes it is earlier or later at most.

@@ -4,14 +4,20 @@
 use super::agenda::Agenda;
 use super::driver::{MINUTE, RoutineDriver};
 use super::manner::Manner;
-use super::script::{Interruptible, Stay, Step};
-use homebody_core::activity::VISITING;
+use super::places::Spot;
+use super::script::{Interruptible, STAYING_OVER, Setting, Stay, Step, script};
+use crate::routine::Activity;
+use homebody_core::activity::{SLEEPING, VISITING};
 use homebody_core::drivers::{MotionSegment, Next};
 use homebody_core::event::MotionState;
+use homebody_core::random::Stream;
 use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND};
 use std::collections::VecDeque;
+
+/// How long a visitor waits for the door to open before going away: hosts are on the toilet, or on their way home (ours).
+const PATIENCE: Micros = 60 * MINUTE;
 
 impl RoutineDriver {
     /// A visitor is out until the next visit.
@@ -40,18 +46,19 @@ impl RoutineDriver {
 
     pub(super) fn come_to_visit(&mut self, item: usize) {
         let item = self.agenda.items[item].clone();
-        let stream = self.life.stream_of_day(self.agenda.day, &format!("{}/visitor", item.key));
+        let mut stream = self.life.stream_of_day(self.agenda.day, &format!("{}/visitor", item.key));
         let door = self.places.of(Role::FrontDoor).cloned();
         if let Some(door) = &door {
             self.body.place(door.clone(), Posture::Standing);
         }
-        let talk = |posture, left| {
-            Step::Stay(Stay { posture, manner: Manner::TALKING, left, until: None, may: Interruptible::Nothing })
-        };
-        let mut steps = VecDeque::from([Step::Away { lasts: 0, until: Some(item.start + 20 * SECOND) }]);
+        self.stays_over = item.lasts >= STAYING_OVER;
+        let begin = item.start;
+        let mut steps = VecDeque::from([Step::Away { lasts: 0, until: Some(begin) }, Step::Ring { left: PATIENCE }]);
         steps.push_back(Step::Name(VISITING.into()));
         steps.push_back(talk(Posture::Standing, 40 * SECOND));
-        if let Some(seat) = self.places.of(Role::GuestSeat) {
+        if item.lasts >= STAYING_OVER {
+            self.stay_over(begin, item.start + item.lasts, &mut steps, &mut stream);
+        } else if let Some(seat) = self.places.of(Role::GuestSeat) {
             steps.push_back(Step::Go(seat.clone()));
             steps.push_back(talk(seat.posture, item.lasts));
         }
@@ -61,4 +68,87 @@ impl RoutineDriver {
         steps.push_back(Step::Name(String::new()));
         self.play(steps, stream, VISITING);
     }
+
+    /// Days and nights of who stays over: by the hours of the host they sleep, eat and go to the bathroom; in between they
+    /// sit. The table is set by the host.
+    fn stay_over(&self, begin: Micros, end: Micros, steps: &mut VecDeque<Step>, stream: &mut Stream) {
+        let (bed, seat) = (self.guest_bed(), self.places.of(Role::GuestSeat));
+        let chairs = self.places.anybodys(Role::DiningSeat);
+        let own = self.places.of(Role::DiningSeat);
+        let chair = chairs.into_iter().find(|chair| own.is_none_or(|own| own.at != chair.at)).or(seat);
+        let mut day = self.agenda.day;
+        let mut now = begin;
+        while now < end {
+            let agenda = Agenda::of(&self.life, day, &self.life.parameters(day));
+            let mut hours: Vec<(Micros, Activity, Micros)> = Vec::new();
+            for item in agenda.items.iter().filter(|item| item.visitor.is_none()) {
+                if matches!(item.activity, Activity::Eat(_)) {
+                    hours.push((item.start, item.activity.clone(), item.lasts));
+                }
+            }
+            let bathroom = |at: Micros| (at, Activity::UseBathroom, 5 * MINUTE);
+            let awake = agenda.bed - agenda.up;
+            hours.extend((0..=BATHROOMS).map(|visit| bathroom(agenda.up + awake * visit / BATHROOMS)));
+            hours.sort_by_key(|(at, ..)| *at);
+            for (at, activity, lasts) in hours.into_iter().filter(|(at, ..)| (begin..end).contains(at)) {
+                self.sit_until(at, seat, steps);
+                match activity {
+                    Activity::UseBathroom => {
+                        let (places, at) = (&*self.places, self.body.at());
+                        let mut setting = Setting { places, at, stream, forgotten: Vec::new(), movement: 1.0 };
+                        let mut visit = script(&activity, None, lasts, None, &mut setting);
+                        visit.retain(|step| !matches!(step, Step::Meet(_)));
+                        steps.extend(visit);
+                    }
+                    _ => {
+                        steps.push_back(Step::Name(activity.label().into()));
+                        let posture = chair.map_or(Posture::Standing, |chair| chair.posture);
+                        steps.extend(chair.cloned().map(Step::Go));
+                        steps.push_back(rest(posture, Manner::EATING, lasts, None));
+                    }
+                }
+            }
+            if agenda.bed < end && agenda.next_up > begin {
+                self.sit_until(agenda.bed.max(begin), seat, steps);
+                steps.push_back(Step::Name(SLEEPING.into()));
+                let posture = bed.as_ref().map_or(Posture::Sitting, |bed| bed.posture);
+                steps.extend(bed.clone().map(Step::Go));
+                steps.push_back(rest(posture, Manner::ASLEEP, Micros::MAX / 4, Some(agenda.next_up.min(end))));
+            }
+            (now, day) = (agenda.next_up, day + 1);
+        }
+        self.sit_until(end, seat, steps);
+    }
+
+    /// Sits with the host, or where guests sit, until then.
+    fn sit_until(&self, until: Micros, seat: Option<&Spot>, steps: &mut VecDeque<Step>) {
+        steps.push_back(Step::Name(VISITING.into()));
+        steps.extend(seat.cloned().map(Step::Go));
+        let posture = seat.map_or(Posture::Standing, |seat| seat.posture);
+        steps.push_back(rest(posture, Manner::TALKING, Micros::MAX / 4, Some(until)));
+    }
+
+    /// Where a guest sleeps: a bed that is not the host's, a sofa, a chair.
+    fn guest_bed(&self) -> Option<Spot> {
+        let own = self.places.of(Role::Bed);
+        let mut beds = self.places.anybodys(Role::Bed).into_iter();
+        if let Some(bed) = beds.find(|bed| own.is_none_or(|own| own.at != bed.at)) {
+            return Some(bed.clone());
+        }
+        let sofa = self.places.anybodys(Role::Sofa).into_iter().next();
+        sofa.map(|sofa| Spot { posture: Posture::Lying, ..sofa.clone() })
+            .or_else(|| self.places.anybodys(Role::Armchair).into_iter().next().cloned())
+            .or_else(|| self.places.of(Role::GuestSeat).cloned())
+    }
+}
+
+/// So many times a day less one a guest goes to the bathroom, the first as they get up, the last before bed (ours).
+const BATHROOMS: Micros = 5;
+
+fn talk(posture: Posture, left: Micros) -> Step {
+    rest(posture, Manner::TALKING, left, None)
+}
+
+fn rest(posture: Posture, manner: Manner, left: Micros, until: Option<Micros>) -> Step {
+    Step::Stay(Stay { posture, manner, left, until, may: Interruptible::Nothing })
 }

@@ -1,6 +1,6 @@
 //! What is on or open, and the rules that wait for something to have lasted long enough.
 
-use super::life::{InForce, Life};
+use super::life::{InForce, Life, SentenceId};
 use super::places::Places;
 use crate::routine::{Response, Rule, Trigger};
 use homebody_core::home::plan::Plan;
@@ -25,6 +25,7 @@ struct Left {
 #[derive(Clone, Debug)]
 struct Watch {
     rule: Rule,
+    id: SentenceId,
     key: String,
     /// What it waits for goes on.
     holds: bool,
@@ -46,10 +47,12 @@ impl Watches {
     /// The rules of a new day; those that go on go on waiting.
     pub fn wake(&mut self, day: i32, life: &Life) {
         let mut before = std::mem::take(&mut self.rules);
-        for InForce { said: rule, strength, key, .. } in life.rules(day) {
+        for in_force in life.rules(day) {
+            let InForce { said: rule, strength, key, .. } = in_force;
             if strength * life.phase(&rule.phase, day) > 0.0 {
                 let kept = before.iter().position(|watch| watch.key == key).map(|index| before.swap_remove(index));
-                let new = || Watch { rule: rule.clone(), key: key.to_owned(), holds: false, due: NEVER };
+                let new =
+                    || Watch { rule: rule.clone(), id: in_force.id(), key: key.to_owned(), holds: false, due: NEVER };
                 self.rules.push(kept.unwrap_or_else(new));
             }
         }
@@ -129,14 +132,14 @@ impl Watches {
         self.rules.iter().map(|watch| watch.due).min().unwrap_or(NEVER)
     }
 
-    /// What is to be done now, if a rule is due; it is not due again before what it waits for has ended and begun anew.
-    pub fn due(&mut self, now: Micros) -> Option<Response> {
+    /// What is to be done now and by which rule, if one is due; it is not due again before what it waits for has ended and begun anew.
+    pub fn due(&mut self, now: Micros) -> Option<(SentenceId, Response)> {
         let watch = self.rules.iter_mut().find(|watch| watch.due <= now)?;
         watch.due = NEVER;
         if watch.rule.whenever == Trigger::Away {
             watch.holds = false;
         }
-        Some(watch.rule.response.clone())
+        Some((watch.id, watch.rule.response.clone()))
     }
 
     fn begin(&mut self, of: &dyn Fn(&Trigger) -> bool, at: Micros, life: &Life) {

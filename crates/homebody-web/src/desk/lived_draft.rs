@@ -1,8 +1,8 @@
 //! The life that a draft comes to, with copies that are kept every few days, so that a later month begins nearby.
 
 use crate::dates;
+use crate::effort::Effort;
 use crate::growth::Growth;
-use crate::stretch::Effort;
 use crate::wire::MonthView;
 use homebody_core::drivers::error::DriverError;
 use homebody_core::event::{Events, Fact};
@@ -50,7 +50,7 @@ impl LivedDraft {
 /// How far apart moments are kept at first (ours): to live them takes some milliseconds.
 const MOMENTS: Micros = 4 * DAY;
 
-/// So much is lived at once, at most.
+/// So much is lived at once, at most (ours).
 const LONGEST_STRETCH: Micros = 3600 * SECOND;
 
 /// A life at an instant, and what is known of it by then.
@@ -75,17 +75,13 @@ impl Moment {
     fn live(&mut self, until: Micros, view: &mut MonthView, effort: &mut Effort) -> Result<bool, DriverError> {
         let mut events = Events::default();
         while self.run.now() < until {
-            let next = match effort.next(self.run.now(), view.spans.iter().chain(&view.stays).map(Vec::len).sum()) {
-                Ok(next) => next,
-                Err(why) => {
-                    view.cut = Some(why);
-                    return Ok(false);
-                }
-            };
-            let lived = self.run.advance(until.min(next), &mut events);
+            if let Err(why) = effort.goes_on(view.spans.iter().chain(&view.stays).map(Vec::len).sum()) {
+                view.cut = Some(why);
+                return Ok(false);
+            }
+            let lived = effort.live(&mut self.run, until, &mut events);
             self.known.learn(&events, &mut self.activities, view);
             self.growth.add(&events.firings, self.run.now());
-            effort.brought(&events, self.run.now());
             events.clear();
             lived?;
         }

@@ -2,7 +2,7 @@
 
 use super::{Desk, problems};
 use crate::dates;
-use crate::stretch::Effort;
+use crate::effort::Effort;
 use crate::wire::{Connect, ConnectView, Draft, PlaceRowsView, RowsView};
 use homebody_core::event::Events;
 use homebody_core::problem::Problem;
@@ -21,12 +21,12 @@ use std::path::Path;
 use std::sync::{Arc, PoisonError};
 
 /// How many rows are shown (ours).
-const ROWS: usize = 40;
+const MOST_ROWS: usize = 40;
 
-/// Who makes no rows in so long has none to show.
+/// Who makes no rows in so long has none to show (ours).
 const LONGEST_LIVED: i64 = 3 * DAY;
 
-/// So much is lived at once, at most.
+/// So much is lived at once, at most (ours).
 const LONGEST_STRETCH: Micros = 600 * SECOND;
 
 impl Desk {
@@ -95,17 +95,13 @@ fn first_rows(
     let (mut events, mut count, mut cut) = (Events::default(), 0, None);
     let mut effort = Effort::new(cancel, LONGEST_STRETCH);
     // Of messages that a link delays, and of OFFs that are held, some rows come later than their firings.
-    while count < 2 * ROWS && run.now() < run.length() {
-        let next = match effort.next(run.now(), 0) {
-            Ok(next) => next,
-            Err(why) => {
-                let clock = dates::wall_clock(&scenario.calendar, run.now());
-                cut = Some(format!("Rows are looked for until {clock}. {why}"));
-                break;
-            }
-        };
-        let lived = run.advance(next, &mut events);
-        effort.brought(&events, run.now());
+    while count < 2 * MOST_ROWS && run.now() < run.length() {
+        if let Err(why) = effort.goes_on(0) {
+            let clock = dates::wall_clock(&scenario.calendar, run.now());
+            cut = Some(format!("Rows are looked for until {clock}. {why}"));
+            break;
+        }
+        let lived = effort.live(&mut run, length, &mut events);
         logger.store(&events.firings, run.settled())?;
         count += events.firings.len();
         events.clear();
@@ -117,7 +113,7 @@ fn first_rows(
     logger.finish()?;
 
     let shown = |(to, url): (&String, &Url)| {
-        let first = preview(url, &scenario.logger, ROWS)?;
+        let first = preview(url, &scenario.logger, MOST_ROWS)?;
         Ok(PlaceRowsView { to: to.clone(), table: first.table, columns: first.columns, rows: first.rows })
     };
     let places: Result<Vec<_>, LogError> = to.iter().zip(&hidden).map(shown).collect();

@@ -210,7 +210,12 @@ fn a_draft_is_checked_as_the_files_would_be_and_touches_none() {
     let home = String::from_utf8(before[&served.file("tigerplace", "home.json")].clone()).unwrap();
     let home = home.replacen("\"thickness_m\": 0.2", "\"thickness_m\": -0.2", 1);
     let told = served.told("/api/check", &json!({ "texts": { "margaret.routine": routine, "home.json": home } }));
-    let shelf = Shelf { scenario: served.file("tigerplace", ""), entry: "scenario.json".into(), runs: "runs".into() };
+    let shelf = Shelf {
+        scenario: served.file("tigerplace", ""),
+        entry: "scenario.json".into(),
+        is_trusted: false,
+        runs: "runs".into(),
+    };
     let files: BTreeMap<String, String> = before
         .iter()
         .map(|(path, bytes)| {
@@ -286,7 +291,12 @@ struct Floor {
 }
 
 fn scenario(served: &Served, name: &str) -> (Scenario, Household) {
-    let shelf = Shelf { scenario: served.file(name, ""), entry: "scenario.json".into(), runs: "runs".into() };
+    let shelf = Shelf {
+        scenario: served.file(name, ""),
+        entry: "scenario.json".into(),
+        is_trusted: false,
+        runs: "runs".into(),
+    };
     Household::load(&shelf, &shelf.entry, &[]).unwrap()
 }
 

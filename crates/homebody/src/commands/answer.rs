@@ -129,6 +129,9 @@ impl Pictures {
         others: &[&Path],
         sources: &[PathBuf],
     ) -> Result<CheckedPictures<'_, N>, Failure> {
+        for (path, form, other) in [(&self.svg, "svg", "png"), (&self.png, "png", "svg")] {
+            path.as_ref().map_or(Ok(()), |path| is_named_as(path, form, other))?;
+        }
         let paths = self.svg.iter().chain(&self.png);
         let files: Vec<PathBuf> = paths.flat_map(|path| names.map(|name| named(path, name))).collect();
         let all: Vec<&Path> = files.iter().map(PathBuf::as_path).chain(others.iter().copied()).collect();
@@ -160,6 +163,19 @@ impl<const N: usize> CheckedPictures<'_, N> {
         }
         Ok(())
     }
+}
+
+/// Refuses a picture's file whose name says that it is a picture of another form.
+fn is_named_as(path: &Path, form: &str, other: &str) -> Result<(), Failure> {
+    let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+    if extension == form || !["svg", "png", "jpg", "jpeg", "gif", "webp", "pdf", "bmp", "tiff"].contains(&&*extension) {
+        return Ok(());
+    }
+    let hint = match extension == other {
+        true => format!("--{other} draws it so"),
+        false => format!("name it {}", path.with_extension(form).display()),
+    };
+    Err(Failure::usage(format!("--{form} draws no {extension}: {}\n  hint: {hint}", path.display())))
 }
 
 fn undrawn(error: PngError) -> Failure {

@@ -5,8 +5,6 @@ use crate::failure::Failure;
 use crate::length::Length;
 use crate::print::{print_json, tell};
 use homebody_core::problem::{Problem, Problems, counted};
-use homebody_core::scenario::load::Scenario;
-use homebody_core::scenario::remarks;
 use homebody_kit::{Error, OpenScenario, Source};
 use serde_json::json;
 
@@ -24,8 +22,10 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let remarks =
-            |scenario: &Scenario| remarks::of(scenario, Length::Days(scenario.file.days).by(&scenario.calendar));
+        let remarks = |opened: &OpenScenario| {
+            let scenario = opened.scenario();
+            opened.remarks(Length::Days(scenario.file.days).by(&scenario.calendar))
+        };
         let opened = load_and_say(self.scenario.source(), self.json, remarks)?;
         let scenario = opened.scenario();
         let home = &scenario.home;
@@ -47,10 +47,10 @@ impl Arguments {
 pub fn load_and_say(
     source: Result<Source, Error>,
     json: bool,
-    remarks: impl Fn(&Scenario) -> Vec<Problem>,
+    remarks: impl Fn(&OpenScenario) -> Vec<Problem>,
 ) -> Result<OpenScenario, Failure> {
     let opened = source.and_then(Source::open);
-    let remarks = opened.as_ref().map_or_else(|_| Vec::new(), |opened| remarks(opened.scenario()));
+    let remarks = opened.as_ref().map_or_else(|_| Vec::new(), &remarks);
     let none = Problems::default();
     let problems = match &opened {
         Ok(_) => Some(&none),

@@ -1,12 +1,11 @@
 //! `homebody convert`: carry a log from one form into another.
 
-use crate::failure::Failure;
+use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::scheme::{SCHEMES, SchemeRow};
 use homebody_kit::NamedLog;
 use homebody_log::fresh::same_file;
-use homebody_log::places::not_of_a_run;
 use homebody_log::truth::tables;
 use homebody_log::{How, Log, Transfer, Url, convert};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -21,9 +20,6 @@ pub fn forms_of_logs() -> String {
 
 /// The columns of a log that is written anew.
 pub const LOG_COLUMNS: &str = "seq, fired_at, sensor, value";
-
-/// What the exit codes of a transfer say.
-pub const EXIT_CODES: &str = "Exit codes: 0 done, 1 a file could not be read or written, 2 what was asked is wrong.";
 
 /// Carries a log from one form into another. Instants stay the same to the microsecond, and names and values what they
 /// were, as far as the form can write them: that of CASAS knows local time only, and no blanks in names.
@@ -40,7 +36,7 @@ The form of CASAS has time, sensor and value, without a header.
 
 Rows that are not understood are left out, and told. No file of a run's folder is replaced.
 
-{EXIT_CODES}", forms = forms_of_logs()))]
+{EXIT_CODES}.", forms = forms_of_logs()))]
 pub struct Arguments {
     /// The log: the folder of its run, a file, or sqlite:FILE, csv:FILE or casas:FILE
     log: String,
@@ -81,13 +77,13 @@ impl Arguments {
     }
 }
 
-/// Makes sure that an output replaces neither what the command reads nor what a run has left in its folder.
+/// Makes sure that an output does not replace what the command reads.
 pub fn keep(to: &Url, sources: &[&Url]) -> Result<(), Failure> {
     let mut read = sources.iter().flat_map(|source| source.files(&tables()).into_iter().chain(own_file(source)));
     if read.any(|source| to.file().is_some_and(|to| same_file(&source, to))) {
         return Err(Failure::Io(format!("{to} cannot become itself\n  hint: name another file")));
     }
-    Ok(not_of_a_run(to)?)
+    Ok(())
 }
 
 fn own_file(url: &Url) -> Option<PathBuf> {

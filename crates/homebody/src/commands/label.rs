@@ -1,7 +1,7 @@
 //! `homebody label`: a log with what the truth says of each row.
 
-use super::convert::{EXIT_CODES, LOG_COLUMNS, forms_of_logs, keep, rows_bar, tell_remarks};
-use crate::failure::Failure;
+use super::convert::{LOG_COLUMNS, forms_of_logs, keep, rows_bar, tell_remarks};
+use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_kit::NamedLog;
@@ -35,7 +35,7 @@ value and activity, without a header.
 The log must be whole, as its run has left it: rows are joined by their numbers. No file of
 a run's folder is replaced.
 
-{EXIT_CODES}", forms = forms_of_logs()))]
+{EXIT_CODES}.", forms = forms_of_logs()))]
 pub struct Arguments {
     /// The log: the folder of its run, a file, or sqlite:FILE, csv:FILE or casas:FILE
     log: String,

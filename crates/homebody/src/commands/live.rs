@@ -1,12 +1,13 @@
 //! Living a run: telling people how far it is, and what has become of it.
 
 use crate::failure::Failure;
-use crate::print::{print_json, print_text};
+use crate::print::{print_json, print_text, tell};
 use crate::signals::Signals;
 use homebody_core::recording::Recording;
 use homebody_core::scenario::scheme::{NoPlace, SCHEMES, Scheme};
 use homebody_core::time::{Micros, SECOND, seconds};
-use homebody_kit::{Destinations, LiveRun, Lived, Progress, Url};
+use homebody_kit::{Destinations, Difference, LiveRun, Lived, Progress, Url};
+use homebody_log::sink::log_beside;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -87,6 +88,7 @@ pub fn report(name: &str, lived: &Lived, output: &Output) -> Result<(), Failure>
             "took_s": took.as_secs_f64(),
             "firings": firings,
             "sha256": sha256,
+            "sentences": lived.differences,
             "agrees_with_recording": agrees,
             "rows": stored.rows,
             "rows_by_sensor": lived.rows_by_sensor().map(|(name, rows)| (name.into(), rows.into()))
@@ -99,6 +101,14 @@ pub fn report(name: &str, lived: &Lived, output: &Output) -> Result<(), Failure>
     } else if !output.quiet {
         print_text(&summary(name, lived))?;
     }
+    if !output.quiet {
+        stored
+            .places
+            .iter()
+            .filter_map(|place| place.parse().ok())
+            .chain(truth.clone())
+            .for_each(|url| tell_reader(&url));
+    }
     let Some(before) = before.as_ref().filter(|_| *agrees == Some(false)) else { return Ok(()) };
     let (by, hint) = match before.version.as_str() {
         VERSION => (String::new(), "the recording is not as the run wrote it".to_owned()),
@@ -108,6 +118,16 @@ pub fn report(name: &str, lived: &Lived, output: &Output) -> Result<(), Failure>
         "the replay differs from the recording{by}: {firings} firings, and {} in the recording\n  hint: {hint}",
         before.firings
     )))
+}
+
+/// Warns of who reads a database that is complete, and so keeps a part of it in a file beside.
+fn tell_reader(place: &Url) {
+    if let (Scheme::Sqlite, Some(file)) = (place.scheme(), place.file())
+        && let Some(beside) = log_beside(file)
+    {
+        let (file, beside) = (file.display(), beside.display());
+        tell(format_args!("warning: another program is reading {file}: until it is done, {beside} is a part of it"));
+    }
 }
 
 fn summary(name: &str, lived: &Lived) -> String {
@@ -141,8 +161,25 @@ fn summary(name: &str, lived: &Lived) -> String {
     if *agrees == Some(true) {
         text += "replay     the same as the recording, firing by firing\n";
     }
+    text += &not_as_said(&lived.differences);
     if let Some(folder) = lived.folder.as_ref().filter(|_| lived.is_stopped()) {
         text += &go_on_in(folder);
+    }
+    text
+}
+
+/// So many sentences are told after a run (ours); `homebody routine check --lived` tells all.
+const MOST_TOLD: usize = 5;
+
+/// The sentences whose lives differ from their words, briefly.
+fn not_as_said(differences: &[Difference]) -> String {
+    let line = |of: &Difference| {
+        let said = of.text.split_whitespace().collect::<Vec<_>>().join(" ");
+        format!("not lived  {}:{}: {said} ({}; {})\n", of.file, of.line, of.expected, of.lived)
+    };
+    let mut text: String = differences.iter().take(MOST_TOLD).map(line).collect();
+    if let Some(more) = differences.len().checked_sub(MOST_TOLD).filter(|&more| more > 0) {
+        text += &format!("           and {more} more: homebody routine check --lived\n");
     }
     text
 }

@@ -2,14 +2,16 @@
 
 use super::check::tell_remark;
 use super::cohort;
-use super::live::{Output, live, report, show};
+use super::live::{Output, go_on_in, live, report, show};
 use super::scenario::Trust;
 use crate::failure::Failure;
 use crate::length::{Length, length};
 use crate::pace::Asked;
+use crate::print::print_text;
 use crate::signals::Signals;
 use homebody_core::time::Micros;
 use homebody_kit::{Error, LIST, LivedCohort, OpenScenario, Unfinished, UnfinishedCohort};
+use homebody_log::LogError;
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 
@@ -124,6 +126,10 @@ fn not_gone_on_with(error: Error) -> Failure {
     }
 }
 
+fn is_not_yet(error: &Error) -> bool {
+    matches!(error, Error::Log(error) if matches!(error.downcast_ref(), Some(LogError::NotYet { .. })))
+}
+
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let signals = Signals::listen()?;
@@ -166,17 +172,31 @@ impl Arguments {
             let before = cohort.progress().lived;
             let progress = self.output.progress(cohort.progress().length);
             let lived = cohort.go_on(|lived| show(&progress, before, lived));
-            return self.tell_cohort(&progress, &lived?, signals);
+            let lived = lived.or_else(|error| self.not_yet(error, folder, &progress, signals))?;
+            return self.tell_cohort(&progress, &lived, signals);
         }
         let run = Unfinished::open(folder).map_err(not_gone_on_with)?;
         let run = run.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
         let name = run.scenario().file.name.clone();
         let progress = self.output.progress(run.progress().length);
         let lived = run.go_on(|lived| show(&progress, 0, lived));
+        let lived = lived.or_else(|error| self.not_yet(error, folder, &progress, signals))?;
         progress.finish_and_clear();
-        let lived = lived?;
         report(&name, &lived, &self.output)?;
         signals.ended(lived.is_stopped())
+    }
+
+    /// Who is asked by a signal to end before all that is there has been lived again has changed nothing, and says how to go on.
+    fn not_yet<T>(&self, error: Error, folder: &Path, progress: &ProgressBar, signals: &Signals) -> Result<T, Failure> {
+        progress.finish_and_clear();
+        let ended = signals.ended(is_not_yet(&error));
+        if ended.is_err() && !self.output.quiet && !self.output.json {
+            print_text(&format!(
+                "stopped    before it had come as far as before: all is as it was\n{}",
+                go_on_in(folder)
+            ))?;
+        }
+        ended.and(Err(error.into()))
     }
 
     fn tell_cohort(&self, progress: &ProgressBar, lived: &LivedCohort, signals: &Signals) -> Result<(), Failure> {

@@ -28,6 +28,11 @@ pub struct Trust {
 }
 
 impl Trust {
+    /// Whether it is.
+    pub fn is_given(&self) -> bool {
+        self.trust
+    }
+
     /// Where a scenario on disk comes from.
     pub fn source(&self, path: &Path) -> Result<Source, Error> {
         let source = Source::at(path)?;

@@ -1,9 +1,9 @@
 //! `homebody serve`: the web app, on this machine.
 
+use super::scenario::Trust;
 use crate::failure::Failure;
 use crate::print::{print_text, tell};
 use crate::signals::{Signals, begin_other};
-use homebody_kit::Source;
 use homebody_log::places::RUNS;
 use homebody_web::shelf::Shelf;
 use homebody_web::{Address, Options, ServeError};
@@ -14,7 +14,8 @@ use std::process::{Command, Stdio};
 /// Opens a page on which a scenario is lived: seen, driven by keys, recorded and played again.
 ///
 /// The page is served to this machine alone, and only to who has the address that is printed: it holds a token. A browser is led
-/// there by a file that only you can read, and which is removed when it has come. Runs go into new folders under runs/, as those
+/// there by a file that only you can read, and which is removed when it has come. Programs send the token, which is what stands
+/// behind `#token=` in the address, in the header `X-Homebody-Token`. Runs go into new folders under runs/, as those
 /// of homebody run. Ctrl-C ends the run and the server, and that is no failure: the exit code is 0.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
@@ -23,6 +24,8 @@ use std::process::{Command, Stdio};
 pub struct Arguments {
     /// The scenario's folder, or its scenario.json
     scenario: PathBuf,
+    #[command(flatten)]
+    trust: Trust,
     /// The port to listen on; without it, the first free one from 8642 on
     #[arg(long)]
     port: Option<u16>,
@@ -37,9 +40,14 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let signals = Signals::listen()?;
-        let source = Source::at(&self.scenario)?;
+        let source = self.trust.source(&self.scenario)?;
         let scenario = source.folder().unwrap_or(Path::new("")).to_owned();
-        let shelf = Shelf { scenario, entry: source.entry().to_owned(), runs: Path::new(RUNS).into() };
+        let shelf = Shelf {
+            scenario,
+            entry: source.entry().to_owned(),
+            is_trusted: self.trust.is_given(),
+            runs: Path::new(RUNS).into(),
+        };
         source.open()?;
         let ip = self.bind.unwrap_or(Ipv4Addr::LOCALHOST.into()).to_canonical();
         if ip.is_unspecified() {
@@ -78,6 +86,8 @@ impl From<ServeError> for Failure {
     fn from(error: ServeError) -> Failure {
         match error {
             ServeError::Scenario(why) => Failure::Usage(why),
+            ServeError::Foreign(_) => Failure::usage(error),
+            ServeError::NoPort { .. } | ServeError::Port { .. } => Failure::Io(format!("{error}, by --port")),
             error => Failure::Io(error.to_string()),
         }
     }

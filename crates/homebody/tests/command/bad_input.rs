@@ -91,6 +91,9 @@ fn what_is_asked_wrongly_is_refused() {
         ("convert flat/home.json", "--to <URL>"),
         ("coverage flat --width 10", "200..=8000"),
         ("plan flat", "name one with --svg or --png"),
+        ("plan flat --png a.jpg", "--png draws no jpg: a.jpg\n  hint: name it a.png"),
+        ("plan flat --svg a.png", "--svg draws no png: a.png\n  hint: --png draws it so"),
+        ("serve flat --no-open --bind 192.0.2.1", "this machine has no address 192.0.2.1"),
         ("experiment alchemy", "unrecognized subcommand 'alchemy'"),
         ("completions klingon", "bash"),
     ] {
@@ -113,8 +116,8 @@ fn what_is_no_scenario_is_told_apart() {
         for (scenario, code, said) in [
             ("nowhere", 1, "nowhere: there is no such scenario\n  hint: name its folder, or its scenario.json"),
             ("empty", 1, "empty/scenario.json: there is no such file\n  hint: a scenario folder holds a scenario.json"),
-            ("folders", 1, "folders/scenario.json: there is no such file"),
-            ("latin", 2, "scenario.json: cannot be read: it is not text in UTF-8"),
+            ("folders", 1, "folders/scenario.json: it is no plain file"),
+            ("latin", 2, "scenario.json: cannot be read: line 1 is not text in UTF-8\n  hint: save it as UTF-8"),
             ("other", 2, "\"scenario.json\" is a home, but a scenario is needed here"),
             ("flat/home.json", 2, "\"home.json\" is a home, but a scenario is needed here"),
         ] {

@@ -167,3 +167,38 @@ fn a_picture_that_cannot_be_drawn_leaves_no_file() {
     folder.run(words).fails(2, "cannot be drawn\n  hint: a smaller --width");
     assert_eq!(folder.files(), given);
 }
+
+#[test]
+fn a_log_is_held_against_another() {
+    let folder = Folder::new();
+    folder.copy_scenario("older-adult");
+    for (seed, log) in [(1, "a.txt"), (2, "b.txt")] {
+        folder.run(&format!("run older-adult --for 9d --seed {seed} --quiet --out casas:{log}")).ok();
+    }
+    let done = folder.run("realism a.txt b.txt --json figures.json --html page.html --svg hours.svg").ok();
+    assert!(done.out.contains("gaps ") && done.out.contains("Hours are told apart by"), "{}", done.out);
+    let figures: Value = serde_json::from_str(&folder.read("figures.json")).unwrap();
+    assert_eq!(figures, folder.run("realism a.txt b.txt --json").ok().json(), "the same logs give the same figures");
+    for name in ["gaps_ks", "on_ks", "hours_js", "shares_js", "firings_ks", "auc_days", "auc_hours"] {
+        let of = |key: &str| figures[name][key].as_f64();
+        assert!(of("value").is_some_and(|value| (0.0..=1.0).contains(&value)), "{name}: {}", figures[name]);
+        assert!(of("floor").is_some() || name == "auc_days", "{name}: {}", figures[name]);
+    }
+    // Two seeds of one life are as near as its own halves, in what a few days can tell.
+    assert!(figures["gaps_ks"]["value"].as_f64().unwrap() < 0.1, "{figures}");
+    let page = folder.read("page.html");
+    assert!(page.starts_with("<!doctype html>") && page.matches("<svg").count() == 3, "three pictures");
+    assert!(!page.contains("src=") && !page.contains("href=\"http"), "the page needs no other file");
+    assert!(folder.read("hours.svg").starts_with("<svg"));
+
+    let refused = folder.run("realism a.txt b.txt --html page.html");
+    assert!(refused.err.contains("--force"), "{}", refused.err);
+    folder.write("door.csv", "time,sensor,value\n2011-06-06 08:00:00,door,OPEN\n2011-06-06 09:00:00,door,CLOSE\n");
+    let wrong = folder.run("realism door.csv door.csv");
+    assert_eq!(
+        (wrong.code, wrong.err.matches("no sensor in it tells of motion").count()),
+        (Some(2), 2),
+        "{}",
+        wrong.err
+    );
+}

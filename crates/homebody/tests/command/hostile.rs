@@ -50,7 +50,9 @@ fn a_link_that_leads_out_is_not_read_unless_it_is_trusted() {
     done.fails(2, "it is a link that leads out of the scenario's folder");
     fs::remove_file(folder.path("flat/home.json")).unwrap();
     symlink("../home.json", folder.path("flat/home.json")).unwrap();
-    folder.run("check flat").fails(2, "it is a link that leads out");
+    folder
+        .run("check flat")
+        .fails(2, "\n  hint: if the scenario is your own, or you know who made it, trust it, by --trust\n");
     folder.run("check flat --trust").ok();
     folder.run("run flat --for 1m --quiet --trust").ok();
     // A link that stays inside is read.
@@ -65,13 +67,14 @@ fn only_plain_files_of_a_named_size_are_read() {
     let folder = beside_a_secret();
     let pipe = folder.path("pipe");
     assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
-    for words in ["check pipe", "replay pipe", "import pipe new", "convert pipe --to csv:a.csv", "compare pipe pipe"] {
-        let done = folder.run(words);
-        assert!([Some(1), Some(2)].contains(&done.code), "{words}: {}", done.err);
+    folder.run("check pipe").fails(1, "pipe: it is no plain file\n  hint: a scenario folder holds a scenario.json");
+    for words in ["replay pipe", "import pipe new", "convert pipe --to csv:a.csv", "compare pipe pipe"] {
+        folder.run(words).fails(1, "it is no plain file, but a device or a pipe");
     }
     fs::remove_file(folder.path("flat/home.json")).unwrap();
     symlink("/dev/zero", folder.path("flat/home.json")).unwrap();
-    folder.run("check flat").fails(2, "it is no plain file, but a device or a pipe");
+    folder.run("check flat").fails(2, "it is a link that leads out of the scenario's folder");
+    folder.run("check flat --trust").fails(2, "it is no plain file, but a device or a pipe");
     fs::remove_file(folder.path("flat/home.json")).unwrap();
     folder.write("flat/home.json", vec![b' '; (8 << 20) + 1]);
     folder.run("check flat").fails(2, "it is larger than 8 MB");
@@ -121,4 +124,125 @@ fn who_goes_on_with_somebody_elses_cohort_writes_nowhere_else() {
     assert_eq!(folder.sha256("secret.json"), secret);
     assert!(!folder.path("elsewhere/log.db").exists());
     assert_eq!(folder.read("runs/flat-1/cohort.json"), list);
+}
+
+/// A log takes no place of the run's own files, nor one that is none: that is said before anything is lived.
+#[test]
+fn a_log_takes_no_place_of_its_run() {
+    let folder = flat();
+    let long = format!("casas:{}", "x".repeat(256));
+    for to in [
+        &["sqlite:truth.db"][..],
+        &["csv:recording.json"],
+        &["csv:./sensors.csv"],
+        &["csv:truth.db-wal"],
+        &["csv:recording.json.lock"],
+        &["csv:x/"],
+        &["csv:."],
+        &[&long],
+        &["csv:log", "sqlite:log/log.db"],
+        &["sqlite:log.db", "csv:log.db-journal"],
+    ] {
+        folder.write("flat/logger.json", serde_json::json!({ "to": to }).to_string());
+        for words in ["check flat", "run flat --for 2m --quiet"] {
+            let done = folder.run(words).fails(2, "logger.json:1:");
+            assert!(done.err.contains("hint: name a file that nothing else has"), "{}", done.err);
+        }
+        assert!(!folder.path("runs").exists());
+    }
+    // The hint is followed, and works.
+    folder.write("flat/logger.json", r#"{ "to": ["csv:logs/week.csv", "sqlite:logs/log.db"] }"#);
+    folder.run("run flat --for 2m --quiet").ok();
+}
+
+/// A condition of a scenario's own that cannot be read does not give way to the one of its name that the program knows.
+#[test]
+fn a_condition_that_cannot_be_read_is_told() {
+    let folder = Folder::new();
+    folder.copy_scenario("tigerplace-depression");
+    let own = "tigerplace-depression/conditions/depression.routine";
+    folder.write("elsewhere.routine", "The person goes to bed 1 hour earlier.\n");
+    fs::create_dir(folder.path("tigerplace-depression/conditions")).unwrap();
+    let pipe = || assert!(Command::new("mkfifo").arg(folder.path(own)).status().unwrap().success());
+    let others: [(&str, &dyn Fn()); 5] = [
+        ("it is a link that leads out of the scenario's folder", &|| {
+            symlink("../../elsewhere.routine", folder.path(own)).unwrap();
+        }),
+        ("it is a link that leads nowhere", &|| symlink("nowhere", folder.path(own)).unwrap()),
+        ("it is no plain file, but a device or a pipe", &pipe),
+        ("it is larger than 8 MB", &|| folder.write(own, vec![b' '; (8 << 20) + 1])),
+        ("is too long: no routine has more than 256 KB", &|| folder.write(own, vec![b' '; (256 << 10) + 1])),
+    ];
+    for (why, make) in others {
+        make();
+        let done = folder.run("check tigerplace-depression").fails(2, why);
+        assert!(done.err.contains("\"conditions/depression.routine\""), "{}", done.err);
+        assert!(done.err.contains("hint: make it a plain file with a condition, or remove it"), "{}", done.err);
+        fs::remove_file(folder.path(own)).unwrap();
+    }
+    folder.run("check tigerplace-depression").ok();
+}
+
+/// A pipe is told as what it is, wherever it stands.
+#[test]
+fn a_pipe_is_told_as_a_pipe() {
+    let folder = flat();
+    let pipe = |name: &str| assert!(Command::new("mkfifo").arg(folder.path(name)).status().unwrap().success());
+    folder.run("run flat --for 2m --quiet").ok();
+    let recording = folder.read("runs/flat-1/recording.json");
+    let mut unfinished: serde_json::Value = serde_json::from_str(&recording).unwrap();
+    unfinished["sha256"] = "".into();
+    folder.write("runs/flat-1/recording.json", unfinished.to_string());
+    fs::remove_file(folder.path("runs/flat-1/log.db")).unwrap();
+    pipe("runs/flat-1/log.db");
+    folder
+        .run("run --resume runs/flat-1")
+        .fails(1, "runs/flat-1/log.db is a pipe, a device or a folder\n  hint: it is no file");
+    fs::remove_file(folder.path("flat/home.json")).unwrap();
+    pipe("flat/home.json");
+    folder.run("check flat").fails(2, "it is no plain file, but a device or a pipe");
+    fs::remove_file(folder.path("flat/scenario.json")).unwrap();
+    pipe("flat/scenario.json");
+    folder.run("check flat").fails(1, "flat/scenario.json: it is no plain file\n  hint: a scenario folder holds");
+}
+
+/// What is refused for its size costs little, however it was made.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_scenario_that_is_too_large_as_a_whole_is_refused_at_once() {
+    let folder = Folder::new();
+    let check = |said: &str| {
+        let mut command = Command::new("sh");
+        // KiB of memory, and seconds on the clock of the processor.
+        let line = format!("ulimit -v 1048576; ulimit -t 5; exec {} check tigerplace", env!("CARGO_BIN_EXE_homebody"));
+        command.args(["-c", &line]).current_dir(folder.path(""));
+        let begun = std::time::Instant::now();
+        let done = crate::folder::Done::new("check tigerplace", command.output().unwrap()).fails(2, said);
+        println!("{said}: {:?}", begun.elapsed());
+        done
+    };
+    let scenario = |residents: usize, driver: &dyn Fn(usize) -> serde_json::Value| {
+        let _ = fs::remove_dir_all(folder.path("tigerplace"));
+        folder.copy_scenario("tigerplace");
+        let mut scenario: serde_json::Value = serde_json::from_str(&folder.read("tigerplace/scenario.json")).unwrap();
+        scenario["residents"] = (0..residents).map(|index| format!("r{index}.json")).collect::<Vec<_>>().into();
+        folder.write("tigerplace/scenario.json", scenario.to_string());
+        for index in 0..residents {
+            let resident = serde_json::json!({ "name": format!("R{index}"), "driver": driver(index) });
+            folder.write(&format!("tigerplace/r{index}.json"), resident.to_string());
+        }
+    };
+    scenario(1, &|_| serde_json::json!({ "routine": "long.routine" }));
+    folder.write("tigerplace/long.routine", vec![b'\n'; 8_000_000]);
+    check("\"long.routine\" is too long: no routine has more than 256 KB");
+    folder.write("tigerplace/long.routine", vec![b'\n'; 10_001]);
+    check("\"long.routine\" is too long: no routine has more than 10000 lines");
+    scenario(30, &|_| serde_json::json!({ "routine": "long.routine" }));
+    folder.write("tigerplace/long.routine", "The person gets up at 07:00.\n".repeat(8_000_000 / 29));
+    check("\"long.routine\" is too long: no routine has more than 256 KB");
+    scenario(3, &|index| serde_json::json!({ "path": format!("p{index}.json") }));
+    for index in 0..3 {
+        folder.write(&format!("tigerplace/p{index}.json"), format!("[{}]", " ".repeat(8_000_000)));
+    }
+    check("\"p2.json\" cannot be read: with it, the files that the scenario names have more than 16 MB");
 }

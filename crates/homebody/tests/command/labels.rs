@@ -46,7 +46,7 @@ fn the_hour_that_clocks_tell_twice_is_labelled_as_two() {
     label(&transfer, &about, &truth, &RunClock::as_told(), |_| ()).unwrap();
     let wrong = differing(&labels(&folder, "told.csv"), &reference);
     println!("{} rows, {wrong} wrong by what is told alone", reference.len());
-    assert!(wrong > 50, "{wrong}");
+    assert!(wrong > 0);
 }
 
 #[test]

@@ -13,6 +13,7 @@ mod outputs;
 mod trouble;
 mod stops;
 mod resumed;
+mod driven;
 mod bad_input;
 mod hostile;
 mod logs;

@@ -51,9 +51,28 @@ fn killed(folder: &Folder, after: Duration) -> bool {
     folder.read("runs/flat-2/recording.json").contains("\"sha256\": \"\"")
 }
 
+/// Lives the same run anew in `runs/flat-2`, and stops it early.
+fn stopped(folder: &Folder) {
+    let _ = fs::remove_dir_all(folder.path("runs/flat-2"));
+    let mut running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));
+    running.say("step 20000\nstop\n");
+    running.finish().ok();
+}
+
+/// Goes on with `runs/flat-2` to its end, where it has the bytes of the whole run.
+fn goes_on_to(folder: &Folder, whole: &[(String, Vec<u8>)], what: &str) {
+    folder.run("run --resume runs/flat-2 --quiet").ok();
+    assert_eq!(differ(folder, "flat-2", whole), Vec::<String>::new(), "{what}");
+}
+
+/// How often what goes on is killed.
+pub fn kills() -> u64 {
+    std::env::var("HOMEBODY_KILLS").ok().and_then(|kills| kills.parse().ok()).unwrap_or(KILLS)
+}
+
 #[test]
 fn whatever_kills_a_run_it_is_gone_on_with_to_the_same_bytes() {
-    let kills = std::env::var("HOMEBODY_KILLS").ok().and_then(|kills| kills.parse().ok()).unwrap_or(KILLS);
+    let kills = kills();
     for (scheme, log) in KINDS {
         let (folder, took) = undisturbed(scheme, log);
         let whole = left(&folder, "flat-1");
@@ -64,12 +83,7 @@ fn whatever_kills_a_run_it_is_gone_on_with_to_the_same_bytes() {
                 fs::remove_dir_all(folder.path("runs/flat-2")).unwrap();
                 after /= 2;
             }
-            folder.run("run --resume runs/flat-2 --quiet").ok();
-            assert_eq!(
-                differ(&folder, "flat-2", &whole),
-                Vec::<String>::new(),
-                "{scheme}, kill {kill} after {after:?}"
-            );
+            goes_on_to(&folder, &whole, &format!("{scheme}, kill {kill} after {after:?}"));
             fs::remove_dir_all(folder.path("runs/flat-2")).unwrap();
         }
         println!("{scheme}: {kills} were gone on with");
@@ -81,14 +95,35 @@ fn a_run_that_was_stopped_is_gone_on_with() {
     for (scheme, log) in KINDS {
         let (folder, _) = undisturbed(scheme, log);
         let whole = left(&folder, "flat-1");
-        let mut running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));
-        running.say("step 20000\nstop\n");
-        running.finish().ok();
+        stopped(&folder);
         assert!(!differ(&folder, "flat-2", &whole).is_empty());
-        folder.run("run --resume runs/flat-2 --quiet").ok();
-        assert_eq!(differ(&folder, "flat-2", &whole), Vec::<String>::new(), "{scheme}");
+        goes_on_to(&folder, &whole, scheme);
         folder.run("run --resume runs/flat-2").fails(2, "is complete: there is nothing to go on with");
     }
+}
+
+/// What is missing of a whole run, or of a member of a cohort, is lived again.
+#[test]
+fn what_is_missing_of_a_whole_run_is_written_again() {
+    for (scheme, log) in KINDS {
+        let (folder, _) = undisturbed(scheme, log);
+        let whole = left(&folder, "flat-1");
+        for missing in [log, "truth.db", "sensors.csv"] {
+            fs::remove_file(folder.path(&format!("runs/flat-1/{missing}"))).unwrap();
+            folder.run("run --resume runs/flat-1 --quiet").ok();
+            assert_eq!(differ(&folder, "flat-1", &whole), Vec::<String>::new(), "{scheme}, {missing}");
+        }
+        folder.run("run --resume runs/flat-1").fails(2, "is complete: there is nothing to go on with");
+    }
+    let folder = flat();
+    folder.run("run flat --for 1h --residents 2 --quiet").ok();
+    let whole = left(&folder, "flat-1");
+    for missing in ["log.db", "truth.db"] {
+        fs::remove_file(folder.path(&format!("runs/flat-1/0002/{missing}"))).unwrap();
+        folder.run("run --resume runs/flat-1 --quiet").ok();
+        assert_eq!(differ(&folder, "flat-1", &whole), Vec::<String>::new(), "{missing}");
+    }
+    folder.run("run --resume runs/flat-1").fails(2, "is complete: there is nothing to go on with");
 }
 
 /// Both kinds of cohorts, the listed one with texts that only its rows name.
@@ -107,7 +142,9 @@ fn a_cohort_goes_on_with_the_members_that_are_missing() {
         let (whole, took) = (left(&folder, "tigerplace-1"), begun.elapsed());
         assert!(whole.len() > 4 * 4);
         folder.run("run --resume runs/tigerplace-1").fails(2, "is complete: there is nothing to go on with");
-        for share in [0.0, 0.3, 0.6, 0.9] {
+        // Half of the kills for each kind, evenly from before the first member on.
+        let count = kills().div_ceil(2).max(4);
+        for share in (0..count).map(|kill| kill as f64 / count as f64) {
             let running = folder.start(&live);
             folder.until("the cohort is begun", |folder| folder.path("runs/tigerplace-2/cohort.json").exists());
             thread::sleep(took.mul_f64(share));
@@ -153,8 +190,7 @@ fn one_program_at_a_time_lives_a_run() {
     folder.run("run --resume runs/flat-2").fails(1, "another program is writing into");
     running.say("step 20000\nstop\n");
     running.finish().ok();
-    folder.run("run --resume runs/flat-2 --quiet").ok();
-    assert_eq!(differ(&folder, "flat-2", &whole), Vec::<String>::new());
+    goes_on_to(&folder, &whole, "of two programs");
 }
 
 #[test]
@@ -162,16 +198,13 @@ fn who_stops_it_again_and_earlier_loses_nothing() {
     for (scheme, log) in KINDS {
         let (folder, _) = undisturbed(scheme, log);
         let whole = left(&folder, "flat-1");
-        let mut running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));
-        running.say("step 20000\nstop\n");
-        running.finish().ok();
+        stopped(&folder);
         let before = left(&folder, "flat-2");
         let mut again = folder.start("run --resume runs/flat-2 --quiet --control --paused");
         again.say("step 2000\nstop\n");
         again.finish().fails(1, "has come further than this time");
         assert_eq!(differ(&folder, "flat-2", &before), Vec::<String>::new(), "{scheme}");
-        folder.run("run --resume runs/flat-2 --quiet").ok();
-        assert_eq!(differ(&folder, "flat-2", &whole), Vec::<String>::new(), "{scheme}");
+        goes_on_to(&folder, &whole, scheme);
     }
 }
 
@@ -179,12 +212,6 @@ fn who_stops_it_again_and_earlier_loses_nothing() {
 #[test]
 fn what_was_changed_is_not_gone_on_with() {
     let (folder, _) = undisturbed("sqlite", "log.db");
-    let stopped = |folder: &Folder| {
-        let _ = fs::remove_dir_all(folder.path("runs/flat-2"));
-        let mut running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));
-        running.say("step 20000\nstop\n");
-        running.finish().ok();
-    };
     let change = |sql: &str| {
         let database = Connection::open(folder.path("runs/flat-2/log.db")).unwrap();
         assert_eq!(database.execute(sql, []).unwrap(), 1, "{sql}");
@@ -205,6 +232,86 @@ fn what_was_changed_is_not_gone_on_with() {
     folder.run("run flat --resume runs/flat-2").fails(2, "cannot be used with");
 }
 
+/// What lies where a log or the truth is to be stays as it is where the run has not made it.
+#[test]
+fn a_file_of_something_else_is_not_replaced() {
+    let (folder, _) = undisturbed("sqlite", "log.db");
+    let whole = left(&folder, "flat-1");
+    let database =
+        |sql: &'static str| move |path: &std::path::Path| Connection::open(path).unwrap().execute_batch(sql).unwrap();
+    type Lay<'a> = &'a dyn Fn(&std::path::Path);
+    let others: [(&str, Lay); 4] = [
+        ("it is the database of something else", &database("CREATE TABLE photo (name TEXT)")),
+        ("it is the database of something else", &database("CREATE TABLE run (name TEXT)")),
+        ("it holds another run", &database("CREATE TABLE run (run_id TEXT); INSERT INTO run VALUES ('seven')")),
+        ("it is no database, or a damaged one: put back what was there", &|path| fs::write(path, "a diary").unwrap()),
+    ];
+    // One that was stopped, whose truth is written anew, and one that was killed.
+    for is_killed in [false, true] {
+        let mut running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));
+        running.say("step 20000\n");
+        folder.until("rows are stored", |folder| folder.stored_rows("runs/flat-2/log.db") > 100);
+        if is_killed {
+            running.kill();
+        } else {
+            running.say("stop\n");
+            running.finish().ok();
+        }
+        for file in ["log.db", "truth.db"] {
+            let path = folder.path(&format!("runs/flat-2/{file}"));
+            let aside = folder.path(&format!("runs/{file}"));
+            fs::rename(&path, &aside).unwrap();
+            for ending in ["-wal", "-shm", "-journal", ".lock"] {
+                let _ = fs::rename(
+                    folder.path(&format!("runs/flat-2/{file}{ending}")),
+                    folder.path(&format!("runs/{file}{ending}")),
+                );
+            }
+            for (said, make) in &others {
+                make(&path);
+                let before = fs::read(&path).unwrap();
+                let done = folder.run("run --resume runs/flat-2").fails(1, said);
+                assert!(done.err.contains("hint: "), "{}", done.err);
+                assert!(fs::read(&path).unwrap() == before, "{file}: {said}");
+                fs::remove_file(&path).unwrap();
+            }
+            fs::rename(&aside, &path).unwrap();
+            for ending in ["-wal", "-shm", "-journal"] {
+                let _ = fs::rename(
+                    folder.path(&format!("runs/{file}{ending}")),
+                    folder.path(&format!("runs/flat-2/{file}{ending}")),
+                );
+            }
+            let _ = fs::remove_file(folder.path(&format!("runs/{file}.lock")));
+        }
+        // The hint is followed: what was there is put back.
+        folder.run("run --resume runs/flat-2 --quiet").ok();
+        assert_eq!(differ(&folder, "flat-2", &whole), Vec::<String>::new());
+        fs::remove_dir_all(folder.path("runs/flat-2")).unwrap();
+    }
+}
+
+/// Killed before its recording stood, a run has left nothing to go on with. The hint is followed, and works.
+#[test]
+fn what_was_killed_at_once_is_begun_anew() {
+    let folder = flat();
+    for part in ["recording.json.4711-0.part", "cohort.json.4711-0.part", ""] {
+        fs::create_dir_all(folder.path("runs/flat-1")).unwrap();
+        if !part.is_empty() {
+            folder.write(&format!("runs/flat-1/{part}"), "{ \"version\": ");
+        }
+        let said = "the run in runs/flat-1 was ended before anything of it was stored";
+        let done = folder.run("run --resume runs/flat-1").fails(1, said);
+        let hint = "hint: there is nothing to go on with: remove the folder, and begin the run anew";
+        assert!(done.err.contains(hint), "{}", done.err);
+        fs::remove_dir_all(folder.path("runs/flat-1")).unwrap();
+        folder.run("run flat --for 1m --quiet").ok();
+        fs::remove_dir_all(folder.path("runs/flat-1")).unwrap();
+    }
+    // The control: a folder of something else is none of a run.
+    folder.run("run --resume flat").fails(1, "there is no such recording");
+}
+
 /// Each hint is followed, and works.
 #[test]
 fn what_cannot_be_gone_on_with_says_what_can_be_done() {
@@ -220,8 +327,7 @@ fn what_cannot_be_gone_on_with_says_what_can_be_done() {
     let hint = "runs/flat-2/recording.json is a file\n  hint: name its folder, runs/flat-2";
     folder.run("run --resume runs/flat-2/recording.json").fails(1, hint);
     folder.run("run --resume flat/home.json").fails(1, "flat/home.json is a file, and no run or cohort has left it");
-    folder.run("run --resume runs/flat-2 --quiet").ok();
-    assert_eq!(differ(&folder, "flat-2", &whole), Vec::<String>::new());
+    goes_on_to(&folder, &whole, "after a kill");
     folder.run("replay runs/flat-2/recording.json --quiet --out csv:again.csv").ok();
 
     // An empty recording, and that of another scenario's run, which is put back.

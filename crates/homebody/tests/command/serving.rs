@@ -39,7 +39,7 @@ fn the_token_is_on_no_command_line() {
     }
     let path = format!("{}:{}", folder.path("bin").display(), std::env::var("PATH").unwrap());
     let mut command = Command::new(env!("CARGO_BIN_EXE_homebody"));
-    command.args(["serve", "by-hand", "--bind", "127.0.0.2"]).current_dir(folder.path("")).env("PATH", path);
+    command.args(["serve", "by-hand"]).current_dir(folder.path("")).env("PATH", path);
     command.env("XDG_RUNTIME_DIR", folder.path("runtime")).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut served = command.spawn().unwrap();
     let mut said = String::new();
@@ -80,4 +80,20 @@ fn the_token_is_on_no_command_line() {
     served.stderr.take().unwrap().read_to_string(&mut errors).unwrap();
     assert!(!errors.contains(token), "{errors}");
     served.wait().unwrap();
+}
+
+/// As `homebody run`, it takes a scenario for one's own where that is said.
+#[test]
+fn a_scenario_of_ones_own_is_served_by_its_links() {
+    let folder = Folder::new();
+    folder.copy_scenario("by-hand");
+    fs::rename(folder.path("by-hand/home.json"), folder.path("home.json")).unwrap();
+    std::os::unix::fs::symlink("../home.json", folder.path("by-hand/home.json")).unwrap();
+    folder.run("serve by-hand --no-open").fails(2, "it is a link that leads out of the scenario's folder");
+    let mut served = folder.command("serve by-hand --no-open --trust").stdout(Stdio::piped()).spawn().unwrap();
+    let mut said = String::new();
+    BufReader::new(served.stdout.take().unwrap()).read_line(&mut said).unwrap();
+    served.kill().unwrap();
+    served.wait().unwrap();
+    assert!(said.starts_with("http://"), "{said}");
 }

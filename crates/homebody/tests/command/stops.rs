@@ -143,6 +143,34 @@ fn the_last_line_of_an_interrupted_run_says_how_to_go_on() {
     assert!(!done.out.contains("--resume"), "{}", done.out);
 }
 
+/// Interrupted again before it has come as far as before, it changes nothing, and says how to go on.
+#[test]
+fn an_interrupted_run_that_is_gone_on_with_says_how_to_go_on() {
+    let folder = flat();
+    for who in ["", " --residents 2"] {
+        let run = if who.is_empty() { "flat-1" } else { "flat-2" };
+        let log = if who.is_empty() { "flat-1/log.db" } else { "flat-2/0001/log.db" };
+        let mut running = folder.start(&format!("run flat --for 1000d{who}"));
+        let is_some = |log: fs::Metadata| log.len() > 4_000_000;
+        folder.until("much is lived", |folder| fs::metadata(folder.path(&format!("runs/{log}"))).is_ok_and(is_some));
+        assert!(running.is_alive());
+        running.signal("TERM");
+        assert_eq!(running.finish_listening().code, Some(143));
+        let before = folder.sha256(&format!("runs/{log}"));
+        for (signal, code) in [("INT", 130), ("TERM", 143)] {
+            let mut running = folder.start(&format!("run --resume runs/{run}"));
+            folder.until("it is lived again", |folder| folder.path(&format!("runs/{log}.lock")).exists());
+            assert!(running.is_alive());
+            running.signal(signal);
+            let done = running.finish_listening();
+            assert_eq!((done.code, done.err.as_str()), (Some(code), ""), "{signal}");
+            let (_, go_on) = last_line(&done.out).split_once("homebody ").unwrap();
+            assert_eq!(go_on, format!("run --resume runs/{run}"));
+        }
+        assert_eq!(folder.sha256(&format!("runs/{log}")), before);
+    }
+}
+
 #[test]
 fn an_interrupted_cohort_says_what_it_came_to() {
     let folder = Folder::new();
@@ -202,15 +230,29 @@ fn a_second_interrupt_ends_at_once() {
 #[test]
 fn somebody_may_look_at_a_live_run() {
     let folder = flat();
-    let running = folder.start("run flat --for 5m --speed 100 --quiet --out sqlite:log.db");
+    let running = folder.start("run flat --for 5m --speed 100 --out sqlite:log.db");
     folder.until("there are rows", |folder| folder.stored_rows("log.db") > 0);
     let watcher = Connection::open(folder.path("log.db")).unwrap();
     watcher.busy_timeout(Duration::from_secs(5)).unwrap();
     watcher.execute_batch("BEGIN; SELECT count(*) FROM firing").unwrap();
-    // The watcher holds on to what it sees, and is in nobody's way.
-    running.finish().ok();
+    // The watcher holds on to what it sees, and is in nobody's way; what it keeps beside the log is told.
+    let done = running.finish().ok();
+    let told = "warning: another program is reading log.db: until it is done, log.db-wal is a part of it\n";
+    assert_eq!(done.err, told);
     watcher.execute_batch("COMMIT").unwrap();
     drop(watcher);
+    assert!(!folder.path("log.db-wal").exists());
+    // The control: one who ends within the time that is waited for leaves nothing to tell.
+    let mut running = folder.start("run flat --for 5m --speed 100 --out sqlite:brief.db");
+    folder.until("there are rows", |folder| folder.stored_rows("brief.db") > 0);
+    let watcher = Connection::open(folder.path("brief.db")).unwrap();
+    watcher.execute_batch("BEGIN; SELECT count(*) FROM firing").unwrap();
+    let rows_of = |name: &str| folder.stored_rows(name);
+    folder.until("all is stored", |_| rows_of("brief.db") == rows_of("log.db"));
+    assert!(running.is_alive());
+    drop(watcher);
+    assert_eq!(running.finish().ok().err, "");
+    assert!(!folder.path("brief.db-wal").exists());
     assert_eq!(rows(&folder, "log.db"), undisturbed(&folder, "5m"));
 }
 

@@ -8,7 +8,7 @@ use homebody_core::activity::ACTIVITIES;
 const TABLE: [&str; 2] = ["crates/homebody-core/src/activity.rs", "web/src/activities.ts"];
 
 /// Words that are labels, too, and mean something else where they stand.
-const OTHER_MEANINGS: [(&str, &str, &str); 13] = [
+const OTHER_MEANINGS: [(&str, &str, &str); 11] = [
     ("crates/homebody-analysis/src/density/entrance.rs", "laundry", "a room"),
     ("crates/homebody-core/src/role.rs", "laundry", "a room"),
     ("crates/homebody-experiment/src/daily_life/published.rs", "reading", "a line of a table for people"),
@@ -16,11 +16,9 @@ const OTHER_MEANINGS: [(&str, &str, &str); 13] = [
     ("crates/homebody-log/src/truth/mod.rs", "away", "a motion state"),
     ("crates/homebody-log/src/truth/mod.rs", "reading", "what a sensor measures"),
     ("crates/homebody-picture/src/density_map.rs", "away", "nobody at home"),
-    ("crates/homebody-routine/src/language/activities.rs", "fallen", "a form of a verb"),
-    ("crates/homebody-routine/src/language/activities.rs", "laundry", "a word of the language"),
-    ("crates/homebody-routine/src/language/activities.rs", "visit", "a word of the language"),
     ("crates/homebody-routine/src/language/build.rs", "away", "a word of the language"),
     ("crates/homebody-routine/src/living/keys.rs", "away", "what a rule waits for"),
+    ("web/src/views/life/Life.svelte", "writing", "a part of the page"),
     ("web/src/wire.ts", "away", "a motion state"),
 ];
 

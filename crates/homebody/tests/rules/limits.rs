@@ -2,13 +2,11 @@
 //!
 //! `HOMEBODY_REWRITE=1 cargo test -p homebody --test rules limits` writes it anew.
 
-use super::numbers::{Fixed, cell, fixed};
-use super::{File, files, repository};
+use super::generated::is_generated;
+use super::numbers::{Fixed, cell, fixed, is_limit};
+use super::{File, files};
 use homebody_core::scenario::schema::FileKind;
 use serde_json::Value;
-use std::fs;
-
-const DOCUMENT: &str = "docs/limits.md";
 
 const HEAD: &str = "\
 # Limits
@@ -32,18 +30,9 @@ What bounds reading, checking, drawing and living besides. The name's first word
 the longest.
 ";
 
-/// How the names of limits begin.
-const LIMITS: [&str; 4] = ["MOST", "LARGEST", "LONGEST", "GREATEST"];
-
 #[test]
 fn the_table_of_limits_is_that_of_the_code() {
-    let generated = document(&files());
-    let path = repository().join(DOCUMENT);
-    if std::env::var_os("HOMEBODY_REWRITE").is_some() {
-        fs::write(&path, &generated).expect("the table can be written");
-    }
-    let written = fs::read_to_string(&path).unwrap_or_default();
-    assert!(written == generated, "{DOCUMENT} is not what the code says; see the head of this test");
+    is_generated("docs/limits.md", &document(&files()));
 }
 
 #[test]
@@ -64,14 +53,15 @@ fn every_list_and_every_map_of_a_scenario_is_bounded() {
 fn a_limit_is_told_by_its_name() {
     let file = File::new(
         "crates/a/src/a.rs",
-        "/// No more (ours).\nconst MOST_DOORS: usize = 3;\n/// At least (ours).\nconst LEAST: u8 = 1;\n",
+        "/// No more (ours).\nconst MOST_DOORS: usize = 3;\n/// At least (ours).\nconst LEAST: u8 = 1;\n\
+         /// As far as a reader goes.\nconst GREATEST_DEPTH: usize = 64;\n",
     );
     let names: Vec<String> = limits(&[file]).map(|limit| limit.name).collect();
-    assert_eq!(names, ["MOST_DOORS"]);
+    assert_eq!(names, ["MOST_DOORS", "GREATEST_DEPTH"]);
 }
 
 fn limits(files: &[File]) -> impl Iterator<Item = Fixed> {
-    fixed(files).filter(|constant| LIMITS.iter().any(|begin| constant.name.starts_with(begin)))
+    fixed(files).filter(|constant| is_limit(&constant.path, &constant.name))
 }
 
 /// The keys of a schema's objects: the object, the key, and what the schema says of it.

@@ -7,6 +7,8 @@ mod arrows;
 mod circles;
 mod commands;
 mod documents;
+#[path = "../../../../tests/generated.rs"]
+mod generated;
 mod labels;
 mod limits;
 mod markdown;

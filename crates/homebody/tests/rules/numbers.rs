@@ -2,13 +2,11 @@
 //!
 //! `HOMEBODY_REWRITE=1 cargo test -p homebody --test rules numbers` writes it anew.
 
+use super::generated::is_generated;
 use super::source::is_for_tests;
-use super::{File, expect_none, files, has_word, repository};
+use super::{File, expect_none, files, has_word};
 use homebody_core::numbers::Number;
 use homebody_kit::numbers;
-use std::fs;
-
-const DOCUMENT: &str = "docs/numbers.md";
 
 const HEAD: &str = "\
 # The numbers of the models
@@ -34,8 +32,8 @@ was set.
 const FIXED: &str = "\
 ## Fixed
 
-What is ours besides: limits of programs, tolerances, what words mean, how pictures look. They are not set for a run; most do not touch
-what is lived. A unit is that of the name's end; `1` is a count, a share or a factor.
+What is ours besides: tolerances, what words mean, how pictures look. They are not set for a run; most do not touch what is lived.
+[Limits](limits.md) have a page of their own. A unit is that of the name's end; `1` is a count, a share or a factor.
 ";
 
 /// Ends of names, and the units that they stand for.
@@ -58,10 +56,13 @@ const UNITS: [(&str, &str); 16] = [
     ("_BYTES", "bytes"),
 ];
 
+/// How the names of limits begin.
+const LIMITS: [&str; 4] = ["MOST", "LARGEST", "LONGEST", "GREATEST"];
+
 /// Files whose fields are keys of a scenario's files, with defaults of ours: they are set there.
 const FORMS: &str = "crates/homebody-core/src/scenario/";
 
-/// A constant whose comment says that it is ours.
+/// A constant that is a limit, or whose comment says that it is ours.
 #[derive(Debug, PartialEq)]
 pub(super) struct Fixed {
     pub path: String,
@@ -73,13 +74,7 @@ pub(super) struct Fixed {
 
 #[test]
 fn the_table_of_numbers_is_that_of_the_code() {
-    let generated = document(&numbers(), &files());
-    let path = repository().join(DOCUMENT);
-    if std::env::var_os("HOMEBODY_REWRITE").is_some() {
-        fs::write(&path, &generated).expect("the table can be written");
-    }
-    let written = fs::read_to_string(&path).unwrap_or_default();
-    assert!(written == generated, "{DOCUMENT} is not what the code says; see the head of this test");
+    is_generated("docs/numbers.md", &document(&numbers(), &files()));
 }
 
 #[test]
@@ -98,6 +93,10 @@ fn a_number_that_is_in_no_list_is_found() {
     assert_eq!(wrong("/// So many (ours).\nfn most() -> u32 {\n"), 1);
     assert_eq!(wrong("// So many\n// at once (ours, after all).\nlet most = 3;\n"), 1);
     assert_eq!(wrong("let most = 3; // (ours)\n"), 1);
+    assert_eq!(wrong("/// So many.\nconst MOST: u32 = 3;\n"), 0);
+    assert_eq!(wrong("const MOST: u32 = 3;\n"), 1);
+    assert_eq!(wrong("const FEW: u32 = 3;\n"), 0);
+    assert_eq!(wrong("fn a() {\n    const MOST: u32 = 3;\n}\n"), 0);
     assert_eq!(wrong("//! A wait of 2 s (ours).\n\nuse a::b;\n"), 0);
     assert_eq!(wrong("#[cfg(test)]\nmod tests {\n    let most = 3; // (ours)\n}\n"), 0);
     let key = File::new("crates/homebody-core/src/scenario/a.rs", "/// 0.1 (ours).\n#[serde]\npub share: f64,\n");
@@ -148,7 +147,7 @@ fn code(files: &[File]) -> impl Iterator<Item = &File> {
     })
 }
 
-/// All constants of ours, in the order of the files.
+/// All constants of ours and all limits, in the order of the files.
 pub(super) fn fixed(files: &[File]) -> impl Iterator<Item = Fixed> {
     code(files).flat_map(|file| judged(file).0)
 }
@@ -162,7 +161,10 @@ fn before_tests(text: &str) -> &str {
 fn judged(file: &File) -> (Vec<Fixed>, Vec<String>) {
     let (mut fixed, mut wrong) = (Vec::new(), Vec::new());
     let mut comment = String::new();
-    let lines: Vec<&str> = before_tests(&file.text).lines().map(str::trim).collect();
+    let text = before_tests(&file.text);
+    let lines: Vec<&str> = text.lines().map(str::trim).collect();
+    // What is declared within a function is its own business, unless it is ours.
+    let is_inner: Vec<bool> = text.lines().map(|line| line.starts_with(' ')).collect();
     let mut at = 0;
     while let Some(&line) = lines.get(at) {
         at += 1;
@@ -177,7 +179,14 @@ fn judged(file: &File) -> (Vec<Fixed>, Vec<String>) {
         let said = std::mem::take(&mut comment);
         let is_ours = has_word(&said.to_lowercase(), "ours");
         let mut wanted = at - 1;
-        while let Some((constant, next)) = is_ours.then(|| constant(&lines, wanted)).flatten() {
+        while let Some((constant, next)) = constant(&lines, wanted) {
+            let is_limit = constant.as_ref().is_some_and(|[name, ..]| is_limit(&file.path, name)) && !is_inner[wanted];
+            if !is_ours && !is_limit {
+                break;
+            }
+            if said.is_empty() {
+                wrong.push(format!("{}:{at}: a limit; say above it what it bounds: {line}", file.path));
+            }
             fixed.extend(constant.map(|[name, kind, value]| Fixed {
                 path: file.path.clone(),
                 unit: unit(name.as_str(), &kind),
@@ -196,6 +205,11 @@ fn judged(file: &File) -> (Vec<Fixed>, Vec<String>) {
         at = at.max(wanted);
     }
     (fixed, wrong)
+}
+
+/// Whether a constant is a limit, by its name. What programs for developers bear is nobody else's.
+pub(super) fn is_limit(path: &str, name: &str) -> bool {
+    LIMITS.iter().any(|begin| name.starts_with(begin)) && !path.starts_with("crates/homebody-fuzz/")
 }
 
 /// The constant that is declared from a line on: its name, type and value, unless it is no number; and the line after it.
@@ -255,7 +269,7 @@ fn document(known: &[Number], files: &[File]) -> String {
     }
     text += &format!("\n{FIXED}");
     let mut group = String::new();
-    for Fixed { path, name, value, unit, what } in fixed(files) {
+    for Fixed { path, name, value, unit, what } in fixed(files).filter(|one| !is_limit(&one.path, &one.name)) {
         if path != group {
             text += &format!("\n`{path}`\n\n| name | value | unit | what it is |\n|---|---|---|---|\n");
             group = path;

@@ -2,8 +2,8 @@
 
 use super::{Report, Surroundings, folded};
 use crate::problem::Problem;
-use crate::scenario::inside::outside_folder;
-use crate::scenario::logger::LoggerFile;
+use crate::scenario::inside::{outside_folder, taken_in_run};
+use crate::scenario::logger::{LoggerFile, LumpFile, MessagesFile};
 use crate::scenario::scheme::{NoPlace, Scheme};
 use crate::scenario::source::{Source, pointer_part};
 use std::collections::{BTreeMap, BTreeSet};
@@ -12,15 +12,33 @@ use std::collections::{BTreeMap, BTreeSet};
 const INSIDE: &str =
     "name a file in there, such as \"sqlite:log.db\"; whoever runs it may say another place for that run";
 
+/// What to do about a place that something else has.
+const ANOTHER: &str = "name a file that nothing else has, such as \"csv:logs/week.csv\"";
+
 pub fn check(source: &Source, file: &LoggerFile, surroundings: &Surroundings, problems: &mut Vec<Problem>) {
     let report = &mut Report { source, problems };
     check_targets(report, &file.to);
     check_sql_names(report, file);
     check_ids(report, &file.ids, surroundings);
+    check_lumps(report, file);
+}
+
+fn check_lumps(report: &mut Report, file: &LoggerFile) {
+    let MessagesFile::OnOff(on_off) = &file.messages else { return };
+    for (index, LumpFile { parts: [least, most], .. }) in on_off.lumps.iter().enumerate() {
+        if least > most {
+            let what = format!("the least of \"parts\", {least}, is more than its most, {most}");
+            report.hinted(&format!("/messages/on_off/lumps/{index}/parts"), what, format!("write [{most}, {least}]"));
+        }
+    }
+    if !on_off.lumps.is_empty() && on_off.lumps.iter().all(|lump| lump.share == 0.0) {
+        let hint = "give one lump a share above 0, or write [] for holds of exactly \"hold_s\"";
+        report.hinted("/messages/on_off/lumps", "no lump has a share", hint);
+    }
 }
 
 fn check_targets(report: &mut Report, targets: &[String]) {
-    let mut paths = BTreeSet::new();
+    let mut paths: Vec<&str> = Vec::new();
     for (index, target) in targets.iter().enumerate() {
         let pointer = format!("/to/{index}");
         let (_, path) = match Scheme::split(target) {
@@ -32,8 +50,10 @@ fn check_targets(report: &mut Report, targets: &[String]) {
         };
         if let Some(what) = outside_folder(path, "the run's folder") {
             report.hinted(&pointer, what, INSIDE);
-        } else if !paths.insert(path) {
-            report.add(&pointer, format!("two logs cannot go to the one file {path:?}"));
+        } else if let Some(what) = taken_in_run(path, &paths) {
+            report.hinted(&pointer, what, ANOTHER);
+        } else {
+            paths.push(path);
         }
     }
 }

@@ -4,7 +4,7 @@ use super::{Report, Surroundings, at, blocking, is_within, solid_name};
 use crate::drivers::path::GREATEST_SPEED_MPS;
 use crate::geometry::{self, Point};
 use crate::home::plan::{Plan, Solid};
-use crate::problem::Problem;
+use crate::problem::{Problem, counted};
 use crate::scenario::calendar::time_of_day;
 use crate::scenario::path::{Go, PathFile, Repeat, Spot, Step, StirFile};
 use crate::scenario::resident::ResidentFile;
@@ -158,8 +158,9 @@ impl Walk<'_> {
             && outcome.moves * repeat.times.map_or(f64::INFINITY, f64::from) > FEW_MOVES
         {
             let what = format!(
-                "{} moves in {} s are repeated: nobody makes more than {MOST_MOVES_PER_S} a second",
-                outcome.moves, outcome.lasts_s
+                "{} in {} s, again and again: nobody makes more than {MOST_MOVES_PER_S} a second",
+                counted(outcome.moves as usize, "move", "moves"),
+                outcome.lasts_s
             );
             self.report.hinted(pointer, what, "let them take longer, or repeat them less often");
         }

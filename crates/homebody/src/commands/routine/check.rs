@@ -3,26 +3,53 @@
 use crate::commands::check::load_and_say;
 use crate::commands::scenario::Chosen;
 use crate::failure::Failure;
-use crate::print::tell;
+use crate::length::Length;
+use crate::print::{json_text, print_json, print_text, tell, write_file};
 use homebody_core::problem::counted;
+use homebody_kit::{Difference, LiveRun, OpenScenario};
+use serde_json::json;
+use std::path::{Path, PathBuf};
 
 /// Reports everything that is wrong with the routines of a scenario and the conditions that they show: each at its word,
 /// with what was expected and the nearest known name.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody routine check scenarios/tigerplace
-  homebody routine check my-home/scenario.json --json")]
+  homebody routine check my-home/scenario.json --json
+  homebody routine check scenarios/tigerplace --lived --days 60 --json lived.json
+
+With --lived, JSON has \"sentences\": those whose lives differ from their words, each with resident, file, line, text,
+what was expected, what was lived, and whether that was told before the run.")]
 pub struct Arguments {
     #[command(flatten)]
     scenario: Chosen,
-    /// Print the problems as one JSON object
+    /// Print the problems, or with --lived the sentences, as one JSON object; or write them into a file
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
+    json: Option<PathBuf>,
+    /// Live the scenario, and list the sentences whose lives differ from their words
     #[arg(long)]
-    json: bool,
+    lived: bool,
+    /// With --lived, how many days to live; the scenario's without it
+    #[arg(long, requires = "lived", value_parser = clap::value_parser!(u32).range(1..=36_525))]
+    days: Option<u32>,
+    /// With --lived, the number all randomness comes from, instead of the scenario's
+    #[arg(long, requires = "lived")]
+    seed: Option<u64>,
+    /// Replace a file that exists
+    #[arg(long, requires = "json")]
+    force: bool,
 }
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let opened = load_and_say(self.scenario.source(), self.json, |_| Vec::new())?;
+        let to_output = self.json.as_deref() == Some(Path::new("-"));
+        if !to_output && self.json.is_some() && !self.lived {
+            return Err(Failure::usage("a file of JSON holds lives\n  hint: add --lived, or write --json alone"));
+        }
+        let opened = load_and_say(self.scenario.source(), to_output && !self.lived, |_| Vec::new())?;
+        if self.lived {
+            return self.live(&opened);
+        }
         let (scenario, household) = (opened.scenario(), opened.household());
         let mut routines = 0;
         for (index, resident) in scenario.residents.iter().enumerate() {
@@ -42,4 +69,31 @@ impl Arguments {
         }
         Ok(())
     }
+
+    /// Lives the scenario, and tells what came of its sentences.
+    fn live(&self, opened: &OpenScenario) -> Result<(), Failure> {
+        let scenario = opened.scenario();
+        let days = self.days.map_or(scenario.file.days, f64::from);
+        let run = opened.run().seed(self.seed.unwrap_or(scenario.file.seed));
+        let mut run: LiveRun = run.length(Length::Days(days).by(&scenario.calendar)).start()?;
+        while run.next_batch()?.is_some() {}
+        let sentences = run.differences();
+        match self.json.as_deref() {
+            Some(path) if path == Path::new("-") => print_json(&json!({ "sentences": sentences })),
+            Some(path) => write_file(path, json_text(&json!({ "sentences": sentences }))?.as_bytes(), self.force),
+            None => print_text(&in_words(&sentences)),
+        }
+    }
+}
+
+/// The sentences whose lives differ from their words, each in two lines.
+pub fn in_words(sentences: &[Difference]) -> String {
+    if sentences.is_empty() {
+        return "What is said is lived: no sentence differs.\n".to_owned();
+    }
+    let line = |of: &Difference| {
+        let said = of.text.split_whitespace().collect::<Vec<_>>().join(" ");
+        format!("{}:{}: {said}\n  expected: {}; lived: {}\n", of.file, of.line, of.expected, of.lived)
+    };
+    sentences.iter().map(line).collect()
 }

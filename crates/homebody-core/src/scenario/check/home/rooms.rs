@@ -11,7 +11,7 @@ const OVERLAP_TOLERANCE_M2: f64 = 0.01;
 /// The rooms of a home have no more corners together (ours): to look for overlaps takes time with the square of their number.
 const MOST_CORNERS: usize = 5_000;
 
-/// No more overlaps are looked for (ours).
+/// No more overlaps of a home are looked for (ours).
 const MOST_OVERLAPS: usize = 200;
 
 pub fn check(report: &mut Report, home: &HomeFile) {
@@ -37,19 +37,15 @@ pub fn check(report: &mut Report, home: &HomeFile) {
             sound.push((index, outline));
         }
     }
-    let before = report.count();
-    for (i, (index, outline)) in sound.iter().enumerate() {
-        if report.count() - before > MOST_OVERLAPS {
-            return;
-        }
-        for (other, other_outline) in &sound[..i] {
-            let area = overlap::area(outline, other_outline);
-            if area > OVERLAP_TOLERANCE_M2 {
-                let (name, other) = (&home.rooms[*index].name, &home.rooms[*other].name);
-                let what = format!("the rooms {other:?} and {name:?} overlap by {area:.2} m²");
-                report.add(&format!("/rooms/{index}/outline"), what);
-            }
-        }
+    let pairs = sound.iter().enumerate().flat_map(|(i, one)| sound[..i].iter().map(move |other| (one, other)));
+    let overlaps = pairs.filter_map(|((index, outline), (other, other_outline))| {
+        let area = overlap::area(outline, other_outline);
+        (area > OVERLAP_TOLERANCE_M2).then_some((index, other, area))
+    });
+    for (index, other, area) in overlaps.take(MOST_OVERLAPS) {
+        let (name, other) = (&home.rooms[*index].name, &home.rooms[*other].name);
+        let what = format!("the rooms {other:?} and {name:?} overlap by {area:.2} m²");
+        report.add(&format!("/rooms/{index}/outline"), what);
     }
 }
 

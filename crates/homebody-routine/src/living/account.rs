@@ -1,0 +1,121 @@
+//! Where a life differs from its words: which sentences were not lived as they stand, and what came of them.
+
+use super::life::{Life, SentenceId, SentenceKind};
+use super::tally::{Lived, Tally};
+use crate::routine::{Effect, Phase, When};
+use serde::Serialize;
+
+/// A sentence whose life differs from its words.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Difference {
+    /// Whose life it is.
+    pub resident: String,
+    /// The routine or the condition that says it.
+    pub file: String,
+    /// Counted from 1.
+    pub line: u32,
+    pub text: String,
+    /// What the words say of this run, and what came of it.
+    pub expected: String,
+    pub lived: String,
+    /// Whether it can be told before the run.
+    pub told: bool,
+}
+
+/// Of what was planned, so much may be left out before it is told (ours): one day in twenty.
+const LEFT_OUT: f64 = 0.05;
+
+/// So much later than planned on average, in seconds, is told (ours).
+const LATE_S: f64 = 1800.0;
+
+/// What takes less than this of its length on average is told (ours).
+const SHORT: f64 = 0.7;
+
+/// All sentences of a life of so many days that differ from what came of them.
+pub fn differences(life: &Life, tally: &Tally, days: i32) -> Vec<Difference> {
+    let mut all = foretold(life, days);
+    for (id, file, said) in life.sentences().filter(|(id, ..)| id.source != Life::UNSAID) {
+        if all.iter().any(|known| known.file == file && known.line == said.line && known.text == said.text) {
+            continue;
+        }
+        if let Some((expected, lived)) = difference(life, id, tally.of(id)) {
+            let (resident, file) = (life.name.clone(), file.to_owned());
+            let (line, text) = (said.line, said.text.clone());
+            all.push(Difference { resident, file, line, text, expected, lived, told: false });
+        }
+    }
+    all.sort_by(|a, b| (a.file != *life.file(), &a.file, a.line).cmp(&(b.file != *life.file(), &b.file, b.line)));
+    all
+}
+
+/// What can be told before a run of so many days: sentences of the routine itself of which nothing will come.
+pub fn foretold(life: &Life, days: i32) -> Vec<Difference> {
+    let own = life.sentences().filter(|(id, ..)| id.source == Life::OWN);
+    let never = own.filter_map(|(id, file, said)| {
+        let phase = phase(life, id)?;
+        let from = phase.from.map(|from| life.day_of(from))?;
+        let lived = match from {
+            i32::MAX => return None,
+            from if from >= days => {
+                format!("nothing: it begins on day {}, and the run has {days}", i64::from(from) + 1)
+            }
+            _ if phase.until.is_some_and(|until| life.day_of(until) <= 0) => {
+                "nothing: it is over before the run".into()
+            }
+            _ => return None,
+        };
+        Some(Difference {
+            resident: life.name.clone(),
+            file: file.to_owned(),
+            line: said.line,
+            text: said.text.clone(),
+            expected: "once in the run or more".to_owned(),
+            lived,
+            told: true,
+        })
+    });
+    never.collect()
+}
+
+fn phase(life: &Life, id: SentenceId) -> Option<Phase> {
+    match id.kind {
+        SentenceKind::Habit => life.habit(id).map(|habit| habit.phase),
+        SentenceKind::Rule => life.rule(id).map(|rule| rule.phase),
+        SentenceKind::Change => life.change(id).map(|change| change.phase),
+    }
+}
+
+/// What was expected of a sentence, and what came of it, if they differ.
+fn difference(life: &Life, id: SentenceId, lived: Lived) -> Option<(String, String)> {
+    let Lived { planned, begun, done, no_way, planned_s, lasted_s, late_s } = lived;
+    match id.kind {
+        SentenceKind::Rule => return None,
+        SentenceKind::Change => {
+            // What a condition changes is told with the sentence that shows it.
+            let is_shown = life.change(id).is_some_and(|change| matches!(change.effect, Effect::Shows { .. }));
+            let is_never = planned == 0 && (id.source == Life::OWN || is_shown);
+            return is_never.then(|| ("on one day or more".to_owned(), "it held on no day".to_owned()));
+        }
+        SentenceKind::Habit => {}
+    }
+    let missed = planned.saturating_sub(begun);
+    let expected = format!("{} times", planned.max(begun));
+    if no_way > 0 || f64::from(missed) > f64::from(planned) * LEFT_OUT {
+        let why = match no_way {
+            0 => "there was no time for the others".to_owned(),
+            ways => format!("there was no way {ways} times"),
+        };
+        return Some((expected, format!("{} times: {why}", begun.saturating_sub(no_way))));
+    }
+    let habit = life.habit(id)?;
+    let late_min = late_s / f64::from(begun.max(1)) / 60.0;
+    if matches!(habit.when, When::At(_)) && late_min > LATE_S / 60.0 {
+        return Some(("at its time".to_owned(), format!("begun {late_min:.0} min later on average")));
+    }
+    if habit.lasts.is_some() && done > 0 && lasted_s / f64::from(done) < SHORT * planned_s / f64::from(begun) {
+        let minutes = |sum_s: f64, times: u32| sum_s / f64::from(times) / 60.0;
+        let expected = format!("{:.0} min on average", minutes(planned_s, begun));
+        return Some((expected, format!("{:.0} min on average", minutes(lasted_s, done))));
+    }
+    None
+}

@@ -1,0 +1,163 @@
+//! The others in the home, as one sees them: which seats are taken, who is in the way, who stands at the door.
+//!
+//! Everybody is asked one after the other, and whoever has set out for a seat has it: the end of a movement counts as much
+//! as where a body is. So no two bodies come to one seat, whoever is asked first.
+//!
+//! Pets are in nobody's way: people step over them.
+
+use super::places::{Places, Spot};
+use homebody_core::drivers::{Body, Surroundings};
+use homebody_core::geometry::{self, Point};
+use homebody_core::home::plan::Plan;
+use homebody_core::ids::{ResidentId, ThingId};
+use homebody_core::role::Role;
+use homebody_core::scenario::path::Posture;
+use std::sync::Arc;
+
+homebody_core::numbers! {
+    /// Who is nearer than this to a seat, a bed's side or a place to stand has it.
+    static TAKEN_M = "company.taken": 0.4, "m", [0.05, 1.5];
+    /// Nobody goes nearer to another who stands than this part of the sum of their radii.
+    static ELBOWS = "company.elbows": 0.8, "1", [0.0, 2.0];
+    /// Who is as near as this to the door stands at it.
+    static AT_DOOR_M = "company.at_door": 1.5, "m", [0.3, 5.0];
+}
+
+/// Who comes no nearer by more than this stands still.
+const LEAST_M: f64 = 1e-6;
+
+/// Everybody of a run, as far as it matters to who meets them.
+#[derive(Clone, Debug, Default)]
+pub struct People {
+    /// By resident, visitors last: whether it is a person.
+    pub are_people: Vec<bool>,
+    /// Who visits, by whom they visit and what the host's routine calls them.
+    pub visitors: Vec<(ResidentId, usize, String)>,
+    /// How many people live there.
+    pub residents: usize,
+}
+
+/// Who else is there now.
+#[derive(Clone, Debug)]
+pub struct Company {
+    people: Arc<People>,
+    others: Vec<Body>,
+    radius_m: f64,
+    elbows: f64,
+    taken_m: f64,
+    at_door_m: f64,
+    is_door_open: bool,
+    is_stove_on: bool,
+}
+
+impl Company {
+    pub fn new(people: Arc<People>, radius_m: f64, numbers: &homebody_core::numbers::Numbers) -> Company {
+        let [elbows, taken_m, at_door_m] = [&ELBOWS, &TAKEN_M, &AT_DOOR_M].map(|number| numbers.of(number));
+        let (others, is_door_open, is_stove_on) = (Vec::new(), false, false);
+        Company { people, others, radius_m, elbows, taken_m, at_door_m, is_door_open, is_stove_on }
+    }
+
+    /// Looks round.
+    pub fn look(&mut self, around: &Surroundings, places: &Places) {
+        self.others.clear();
+        if self.people.are_people.len() < 2 {
+            return;
+        }
+        let is_person = |body: &Body| self.people.are_people.get(body.resident.index()).is_none_or(|&is| is);
+        self.others.extend(around.others().filter(is_person));
+        let is_on = |role| places.thing(role).is_some_and(|thing| around.is_on(ThingId(thing)));
+        (self.is_door_open, self.is_stove_on) = (is_on(Role::FrontDoor), is_on(Role::Stove));
+    }
+
+    pub fn is_alone(&self) -> bool {
+        self.others.is_empty()
+    }
+
+    /// Whether somebody is at a place, comes to it or is only just leaving it.
+    pub fn is_occupied(&self, at: Point) -> bool {
+        self.others.iter().any(|other| nearness(other, at) < self.taken_m)
+    }
+
+    /// Whether several people live there, who share beds and sofas.
+    pub fn shares_home(&self) -> bool {
+        self.people.residents > 1
+    }
+
+    /// Whether somebody has the place, or is on the way to it.
+    pub fn is_taken(&self, at: Point) -> bool {
+        self.others.iter().any(|other| other.to.distance(at) < self.taken_m)
+    }
+
+    /// Whether somebody is in a room, or about to be.
+    pub fn is_anybody_in(&self, room: usize, plan: &Plan) -> bool {
+        self.others.iter().any(|other| plan.room_at(other.to) == Some(room))
+    }
+
+    /// Whether somebody who sits or lies would have to be climbed over.
+    pub fn sits_between(&self, from: Point, to: Point) -> bool {
+        let sits = |other: &&Body| other.posture != Posture::Standing;
+        self.others.iter().filter(sits).any(|other| geometry::distance_to_segment(other.at, from, to) < self.taken_m)
+    }
+
+    /// Who stands or comes in the way of a step, if anybody does who is not left behind by it. `squeezed`: one goes past as
+    /// near as so many times the usual distance.
+    pub fn in_the_way(&self, from: Point, to: Point, squeezed: f64) -> Option<&Body> {
+        self.others.iter().find(|other| {
+            let near = geometry::distance_between_segments((from, to), (other.at, other.to));
+            other.posture == Posture::Standing
+                && near < self.reach_m(other) * squeezed
+                && near < from.distance(other.at) - LEAST_M
+        })
+    }
+
+    /// Where to step instead so that one passes by who is in the way: to the right before the left.
+    pub fn ways_round(&self, other: &Body, from: Point, to: Point, squeezed: f64) -> [Point; 4] {
+        /// A hand's breadth more than there has to be (ours).
+        const ROOM: f64 = 1.05;
+        let ahead = (to - from).normalize_or_zero();
+        let reach_m = self.reach_m(other) * squeezed * ROOM;
+        [-1.0, 1.0, -1.25, 1.25].map(|sign| {
+            let beside = other.to + ahead.perp() * (sign * reach_m);
+            beside + ahead * (to - beside).dot(ahead).min(0.0)
+        })
+    }
+
+    /// Whether nobody is near enough to be touched.
+    pub fn has_room(&self, at: Point) -> bool {
+        self.others.iter().all(|other| nearness(other, at) > 2.0 * self.reach_m(other))
+    }
+
+    fn reach_m(&self, other: &Body) -> f64 {
+        (self.radius_m + other.build.radius_m) * self.elbows
+    }
+
+    /// Whether somebody is at home.
+    pub fn is_here(&self, who: ResidentId) -> bool {
+        self.others.iter().any(|other| other.resident == who)
+    }
+
+    /// Whether somebody stands at the open door to let one in.
+    pub fn opens(&self, who: ResidentId, door: &Spot) -> bool {
+        let is_at_door = |other: &&Body| other.resident == who && other.at.distance(door.at) < self.at_door_m;
+        self.is_door_open && self.others.iter().find(is_at_door).is_some_and(|other| other.posture == Posture::Standing)
+    }
+
+    /// Whether somebody else stands in the kitchen with the stove on.
+    pub fn cooks(&self, stove: &Spot) -> bool {
+        /// As near as who goes to and fro between stove, sink and counter (ours).
+        const KITCHEN_M: f64 = 3.0;
+        let is_cook = |other: &Body| other.posture == Posture::Standing && other.at.distance(stove.at) < KITCHEN_M;
+        self.is_stove_on && self.others.iter().any(is_cook)
+    }
+
+    /// Who is the visitor of this name to somebody.
+    pub fn visitor(&self, host: usize, name: &str) -> Option<ResidentId> {
+        let visitor = self.people.visitors.iter().find(|(_, of, called)| *of == host && called == name);
+        visitor.map(|(id, ..)| *id)
+    }
+}
+
+/// How near somebody is to a point, or will be as soon as the present movement ends.
+fn nearness(other: &Body, at: Point) -> f64 {
+    geometry::distance_to_segment(at, other.at, other.to)
+}

@@ -1,0 +1,360 @@
+//! How one lives with others: nobody sits down where somebody sits, nobody walks through anybody, guests are let in and
+//! seen off, and meals are waited for.
+//!
+//! Whose seat is taken takes another one, or waits. Who meets somebody on the way steps aside where there is room, and else
+//! waits; who has waited long enough squeezes past.
+
+use super::body::THERE_M;
+use super::driver::{MINUTE, RoutineDriver};
+use super::manner::Manner;
+use super::places::Spot;
+use super::script::{Interruptible, Stay, Step};
+use homebody_core::drivers::{Body, MotionSegment, Next};
+use homebody_core::event::MotionState;
+use homebody_core::geometry::{self, Point};
+use homebody_core::role::Role;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, SECOND};
+
+/// How long one stands before one tries again to pass (ours).
+const PAUSE: Micros = SECOND / 2;
+/// How many pauses one makes for somebody who stands, and for somebody who walks (ours).
+const PAUSES_FOR_STANDING: u32 = 4;
+const PAUSES_FOR_WALKING: u32 = 12;
+/// Who lives there longer in the scenario's order goes first: each one after waits so many pauses more (ours).
+const PAUSES_BY_RANK: u32 = 6;
+/// How many pauses one makes at most; then one turns back for a while (ours).
+const PAUSES_AT_MOST: u32 = 40;
+/// So much of the usual distance is kept to who will not move (ours).
+const SQUEEZED: f64 = 0.6;
+/// How far one walks before one looks up again (ours).
+const PIECE_M: f64 = 0.6;
+/// How long one waits for a seat or a place at a time, and how often (ours).
+const QUEUE: Micros = 20 * SECOND;
+const MOST_QUEUES: u32 = 60;
+/// How often who rings looks whether the door opens (ours).
+const RING: Micros = 4 * SECOND;
+
+impl RoutineDriver {
+    /// Before a stride: steps aside or waits for who is in the way, and turns away from a place that is taken.
+    pub(super) fn make_way(&mut self, now: Micros) {
+        let here = self.body.at();
+        let Some(Next::Segment(segment)) = self.ready.front_mut() else { return };
+        let (from, to) = match &mut segment.doing {
+            MotionState::Stride { from, to } => (*from, *to),
+            // Who has stepped aside stops there.
+            MotionState::InPlace { at, .. } | MotionState::Rest { at } => {
+                *at = here;
+                return;
+            }
+            MotionState::Away => return,
+        };
+        if from != here {
+            self.walk_from(here);
+        }
+        if self.company.is_alone() {
+            return;
+        }
+        let to = self.cut_stride(here, to);
+        if let Some(goal) = self.body.spot() {
+            if !self.is_free(goal, goal.at) {
+                return self.turn_away();
+            }
+            if goal.at.distance(to) < THERE_M {
+                if std::mem::take(&mut self.pushes_through) {
+                    return;
+                }
+                return self.last_steps(now, here, to);
+            }
+        }
+        if self.pushes_through {
+            return;
+        }
+        let Some(other) = self.company.in_the_way(here, to, 1.0).copied() else {
+            self.pauses = 0;
+            return;
+        };
+        let patience = if other.at == other.to { PAUSES_FOR_STANDING } else { PAUSES_FOR_WALKING };
+        let patience = patience + PAUSES_BY_RANK * self.rank;
+        let squeezed = if self.pauses < patience { 1.0 } else { SQUEEZED };
+        if let Some(way) = self.way_round(&other, here, to, squeezed) {
+            return self.step_to(way);
+        }
+        self.wait_or_turn_back(now, here);
+    }
+
+    /// The last steps to a place: one lets pass who walks by, and goes round who stands before it.
+    fn last_steps(&mut self, now: Micros, here: Point, to: Point) {
+        let Some(other) = self.company.in_the_way(here, to, SQUEEZED).copied() else { return };
+        if other.at != other.to {
+            if self.pauses < PAUSES_FOR_WALKING {
+                self.pauses += 1;
+                self.pause(now, here);
+            }
+        } else if let Some(way) = self.way_round(&other, here, to, SQUEEZED)
+            && let Some(Next::Segment(whole)) = self.ready.front().cloned()
+            && whole.end - whole.begin > 1
+        {
+            let half = (whole.begin + whole.end) / 2;
+            let doing = MotionState::Stride { from: way, to };
+            self.ready.insert(1, Next::Segment(MotionSegment { begin: half, doing, ..whole }));
+            if let Some(Next::Segment(first)) = self.ready.front_mut() {
+                (first.end, first.doing) = (half, MotionState::Stride { from: here, to: way });
+            }
+        } else {
+            self.wait_or_turn_back(now, here);
+        }
+    }
+
+    fn wait_or_turn_back(&mut self, now: Micros, here: Point) {
+        if self.pauses < PAUSES_AT_MOST {
+            self.pauses += 1;
+            self.pause(now, here);
+        } else {
+            self.turn_back();
+        }
+    }
+
+    /// Where to step to go round somebody, if there is room.
+    fn way_round(&self, other: &Body, here: Point, to: Point, squeezed: f64) -> Option<Point> {
+        let mesh = self.body.mesh();
+        let is_open = |&way: &Point| {
+            let reaches = [0.5, 1.0].iter().all(|share| mesh.is_free(here + (way - here) * *share));
+            reaches && self.company.in_the_way(here, way, squeezed).is_none()
+        };
+        self.company.ways_round(other, here, to, squeezed).into_iter().find(is_open)
+    }
+
+    /// Where others are one looks up every few steps: of a long way straight ahead, the first piece; where that leads.
+    fn cut_stride(&mut self, here: Point, to: Point) -> Point {
+        let length_m = here.distance(to);
+        let Some(Next::Segment(whole)) = self.ready.front().filter(|_| length_m > PIECE_M * 1.5).cloned() else {
+            return to;
+        };
+        let (at, way) = (
+            whole.begin + ((whole.end - whole.begin) as f64 * PIECE_M / length_m) as Micros,
+            here + (to - here) * (PIECE_M / length_m),
+        );
+        if at <= whole.begin || whole.end <= at {
+            return to;
+        }
+        let part = |from, to, begin, end| {
+            Next::Segment(MotionSegment { begin, end, doing: MotionState::Stride { from, to }, ..whole })
+        };
+        self.ready.pop_front();
+        self.ready.push_front(part(way, to, at, whole.end));
+        self.ready.push_front(part(here, way, whole.begin, at));
+        way
+    }
+
+    /// The stride that comes next sets out from here, and takes longer where it is longer now.
+    fn walk_from(&mut self, here: Point) {
+        if let Some(Next::Segment(MotionSegment { doing: MotionState::Stride { from, to }, begin, end, .. })) =
+            self.ready.front_mut()
+        {
+            let longer = here.distance(*to) / from.distance(*to).max(0.05);
+            *from = here;
+            let later = ((*end - *begin) as f64 * (longer - 1.0).max(0.0)) as Micros;
+            *end += later;
+            self.delay(1, later);
+        }
+    }
+
+    /// The stride that comes next leads somewhere else.
+    fn step_to(&mut self, way: Point) {
+        if let Some(Next::Segment(MotionSegment { doing: MotionState::Stride { from, to }, begin, end, .. })) =
+            self.ready.front_mut()
+        {
+            let longer = from.distance(way) / from.distance(*to).max(0.05);
+            *to = way;
+            let later = ((*end - *begin) as f64 * (longer - 1.0).max(0.0)) as Micros;
+            *end += later;
+            self.delay(1, later);
+        }
+    }
+
+    /// Stands for a moment before what comes next.
+    fn pause(&mut self, now: Micros, at: Point) {
+        self.delay(0, PAUSE);
+        let doing = MotionState::Rest { at };
+        let rest = MotionSegment { begin: now, end: now + PAUSE, doing, posture: Posture::Standing };
+        self.ready.push_front(Next::Segment(rest));
+    }
+
+    /// All movements that are to come, but for the first so many of what is ready, come later.
+    fn delay(&mut self, from: usize, by: Micros) {
+        for next in self.ready.iter_mut().skip(from) {
+            if let Next::Segment(segment) = next {
+                segment.begin += by;
+                segment.end += by;
+            }
+        }
+    }
+
+    /// The place was taken on the way: what is left of the way is not gone, and another place is looked for.
+    fn turn_away(&mut self) {
+        self.ready.retain(|next| !matches!(next, Next::Segment(_)));
+        if let (Some(goal), Some(playing)) = (self.body.spot().cloned(), self.scripts.last_mut()) {
+            playing.steps.push_front(Step::Go(goal));
+        }
+    }
+
+    /// There is no getting past: what is left of the way is gone later. Who has turned back too often pushes through.
+    fn turn_back(&mut self) {
+        self.pauses = 0;
+        self.ready.retain(|next| !matches!(next, Next::Segment(_)));
+        let Some(goal) = self.body.spot().cloned() else { return };
+        if !self.queue(goal.clone()) {
+            self.pushes_through = true;
+            if let Some(playing) = self.scripts.last_mut() {
+                playing.steps.push_front(Step::Go(goal));
+            }
+        }
+    }
+
+    /// Where to go for this spot now: to its side that is free, or to another spot that will do; nothing while all are
+    /// taken.
+    pub(super) fn free_spot(&mut self, spot: Spot) -> Option<Spot> {
+        let of = |spot: &Spot| spot.sides_for(self.rank as usize, self.company.shares_home()).collect::<Vec<_>>();
+        if let Some(at) = of(&spot).into_iter().find(|&at| self.is_free(&spot, at)) {
+            return Some(Spot { at, ..spot });
+        }
+        let others = self.places.instead_of(&spot);
+        others.into_iter().find_map(|other| {
+            let at = of(other).into_iter().find(|&at| self.is_free(other, at))?;
+            Some(Spot { at, ..other.clone() })
+        })
+    }
+
+    /// Whether nobody has this place of a spot, or sits between it and the way to it; a bathroom is for one at a time.
+    fn is_free(&self, spot: &Spot, at: Point) -> bool {
+        if self.company.is_alone() {
+            return true;
+        }
+        let room = spot.room.filter(|&room| self.places.is_bathroom(room) && self.body.room() != Some(room));
+        if self.company.is_taken(at) || room.is_some_and(|room| self.company.is_anybody_in(room, &self.home.plan)) {
+            return false;
+        }
+        let is_seat = spot.posture != Posture::Standing && !spot.sides.is_empty();
+        let way = self.body.mesh().approach(at).filter(|_| is_seat);
+        way.is_none_or(|way| !self.company.sits_between(way, at))
+    }
+
+    /// Waits for a place that is taken; false once one has waited long enough.
+    pub(super) fn queue(&mut self, spot: Spot) -> bool {
+        self.queues += 1;
+        if self.queues > MOST_QUEUES {
+            self.queues = 0;
+            return false;
+        }
+        let (posture, here) = (self.body.posture(), self.body.at());
+        let waits_elsewhere = self.waiting_place(here);
+        let Some(playing) = self.scripts.last_mut() else { return false };
+        playing.steps.push_front(Step::Go(spot));
+        let posture = if waits_elsewhere.is_some() { Posture::Standing } else { posture };
+        playing.steps.push_front(staying(posture, Manner::STILL, QUEUE));
+        if let Some(way) = waits_elsewhere {
+            playing.steps.push_front(way);
+        }
+        true
+    }
+
+    /// Where to wait, for who stands too near to somebody: somewhere in the room where nobody is.
+    fn waiting_place(&mut self, here: Point) -> Option<Step> {
+        /// So many points of the room are tried (ours).
+        const TRIES: usize = 20;
+        if self.company.has_room(here) {
+            return None;
+        }
+        let (mesh, room) = (self.body.mesh().clone(), self.body.room()?);
+        let stream = &mut self.scripts.last_mut()?.stream;
+        let at = (0..TRIES).map(|_| mesh.free_point(room, stream)).find(|&at| self.company.has_room(at))?;
+        Some(Step::Go(Spot::to_stand(at, room)))
+    }
+
+    /// A host waits at the door until the visitor is in, or gone; who does not come is waited for no more.
+    pub(super) fn await_visitor(&mut self, arrival: bool, left: Micros) {
+        let Some(visitor) = self.guest else { return };
+        if self.company.is_here(visitor) == arrival {
+            return;
+        }
+        let aside = if arrival { self.beside_the_door() } else { None };
+        let posture = self.body.posture();
+        let Some(playing) = self.scripts.last_mut() else { return };
+        if left > 0 {
+            if let Some(aside) = aside {
+                playing.steps.push_front(Step::Await { arrival, left });
+                playing.steps.push_front(Step::Go(aside));
+                return;
+            }
+            playing.steps.push_front(Step::Await { arrival, left: left - RING });
+            playing.steps.push_front(staying(posture, Manner::TALKING, RING));
+        } else if arrival {
+            // There is no visit: the door is shut again.
+            playing.steps.truncate(1);
+        }
+    }
+
+    /// Where to stand so that somebody can come in, for who stands in the doorway.
+    fn beside_the_door(&self) -> Option<Spot> {
+        /// So far from it, in metres (ours).
+        const ASIDE_M: f64 = 0.8;
+        let door = self.places.of(Role::FrontDoor)?;
+        if self.body.at().distance(door.at) > ASIDE_M / 2.0 {
+            return None;
+        }
+        let around = (0..16).map(|part| door.at + geometry::direction(f64::from(part) * 22.5) * ASIDE_M);
+        let is_open = |&at: &Point| {
+            let mesh = self.body.mesh();
+            mesh.is_free(at) && mesh.is_free((at + door.at) / 2.0) && self.home.plan.room_at(at) == door.room
+        };
+        let at = around.into_iter().find(is_open)?;
+        Some(Spot::to_stand(at, door.room?))
+    }
+
+    /// Who comes in waits outside while somebody stands in the doorway; a visitor besides until the host opens, and goes if nobody
+    /// does.
+    pub(super) fn ring(&mut self, left: Micros, now: Micros) {
+        let is_visitor = self.visitor.is_some();
+        let may_come_in = |door: &Spot| {
+            let is_let_in = !is_visitor || self.company.opens(self.host, door);
+            is_let_in && !self.company.is_occupied(door.at)
+        };
+        let door = self.places.of(Role::FrontDoor);
+        if door.is_none_or(may_come_in) || (!is_visitor && left <= 0) {
+            return;
+        }
+        let Some(playing) = self.scripts.last_mut() else { return };
+        if left <= 0 {
+            // Nobody is at home, or nobody opens.
+            playing.steps.clear();
+            return;
+        }
+        playing.steps.push_front(Step::Ring { left: left - RING });
+        let doing = MotionState::Away;
+        let outside = MotionSegment { begin: now, end: now + RING, doing, posture: Posture::Standing };
+        self.ready.push_back(Next::Segment(outside));
+    }
+
+    /// Whether a visitor stays where nobody is to visit.
+    pub(super) fn visits_nobody(&self) -> bool {
+        self.visitor.is_some() && !self.stays_over && !self.company.is_here(self.host)
+    }
+
+    /// Who eats waits while somebody else cooks.
+    pub(super) fn await_meal(&mut self, left: Micros) {
+        let is_cooking = self.places.of(Role::Stove).is_some_and(|stove| self.company.cooks(stove));
+        if !is_cooking || left <= 0 {
+            return;
+        }
+        let posture = self.body.posture();
+        let Some(playing) = self.scripts.last_mut() else { return };
+        playing.steps.push_front(Step::AwaitMeal { left: left - MINUTE / 3 });
+        playing.steps.push_front(staying(posture, Manner::STILL, MINUTE / 3));
+    }
+}
+
+/// Staying as one is for a while that nothing interrupts but rules.
+fn staying(posture: Posture, manner: Manner, left: Micros) -> Step {
+    Step::Stay(Stay { posture, manner, left, until: None, may: Interruptible::Rules })
+}

@@ -1,0 +1,142 @@
+//! What interrupts what is being done: rules, meals that are due, what breaks into the day, needs that press.
+
+use super::agenda::Item;
+use super::driver::{GRACE, RoutineDriver};
+use super::script::Step;
+use super::usual;
+use crate::routine::{Activity, Response};
+use homebody_core::activity::{self, UsualLength};
+use homebody_core::time::{Micros, micros};
+
+impl RoutineDriver {
+    /// When a rule is due; what is done because of one is not interrupted by another.
+    pub(super) fn rules_at(&self) -> Micros {
+        if self.scripts.iter().any(|playing| playing.is_response) { Micros::MAX } else { self.watches.due_at() }
+    }
+
+    /// When what may be interrupted will be.
+    pub(super) fn interrupted_at(&self, now: Micros) -> Micros {
+        let event = self.next_break_at(now);
+        if self.visitor.is_some() {
+            return Micros::MAX;
+        }
+        // What is being done about a need is not interrupted by another.
+        let needs = if self.scripts.len() > 2 { Micros::MAX } else { self.needs.presses_at() };
+        let meal = self.essential().map_or(Micros::MAX, |(_, due)| due);
+        event.min(needs).min(meal).min(self.rules_at()).max(now)
+    }
+
+    /// When what interrupts comes next. Lying awake waits until one is in bed.
+    pub(super) fn next_break_at(&self, now: Micros) -> Micros {
+        let Some(item) = self.agenda.breaks.get(self.next_break) else { return Micros::MAX };
+        let waits = item.activity == Activity::LieAwake && !self.needs.asleep() && now <= item.latest;
+        if waits { Micros::MAX } else { item.start }
+    }
+
+    /// The next meal or medicine of the plan, and from when on it interrupts what goes on, if that gives way to it.
+    pub(super) fn essential(&self) -> Option<(usize, Micros)> {
+        let [playing] = self.scripts.as_slice() else { return None };
+        if !playing.gives_way {
+            return None;
+        }
+        let items = self.agenda.items.iter().enumerate().skip(self.next_item);
+        let (index, item) = items.into_iter().find(|(_, item)| item.is_essential())?;
+        // What is nearly done is brought to its end, but nobody goes back to it between cooking and eating.
+        let is_next = self.at_table > item.start - 2 * GRACE;
+        Some((index, item.start + if is_next { 0 } else { GRACE }))
+    }
+
+    /// Does whatever presses now.
+    pub(super) fn interrupt(&mut self, now: Micros) {
+        if self.rules_at() <= now
+            && let Some((rule, response)) = self.watches.due(now)
+        {
+            self.tally.hold(rule);
+            self.respond(response, now);
+            if let Some(playing) = self.scripts.last_mut() {
+                playing.is_response = true;
+            }
+            return;
+        }
+        if let Some((index, due)) = self.essential()
+            && due <= now
+        {
+            let item = self.agenda.items.remove(index);
+            if now <= item.latest {
+                self.begin_at(&item, now);
+            }
+            return;
+        }
+        if self.next_break_at(now) <= now
+            && let Some(item) = self.agenda.breaks.get(self.next_break).cloned()
+        {
+            self.next_break += 1;
+            // Nobody lies awake who is up.
+            let is_idle = item.activity == Activity::LieAwake && !self.needs.asleep();
+            if now <= item.latest && !is_idle {
+                self.begin_at(&item, now);
+            }
+            return;
+        }
+        if let Some(activity) = self.needs.pressing(now, self.hour(now)) {
+            let key = format!("need/{}/{}", activity.label(), self.times(&activity));
+            let mut stream = self.life.stream_of_day(self.agenda.day, &key);
+            let UsualLength { median_min, sigma } = match activity {
+                // By night visits are shorter.
+                Activity::UseBathroom if self.needs.asleep() => UsualLength { median_min: 4.0, sigma: 0.4 },
+                ref activity => usual::length(activity, &self.life.numbers),
+            };
+            let lasts = self.parameters.lasting_s(&activity, stream.lognormal(median_min * 60.0, sigma));
+            self.begin(&Item::now(key, activity, micros(lasts)));
+        }
+    }
+
+    pub(super) fn respond(&mut self, response: Response, now: Micros) {
+        match response {
+            // The night is over, whatever is left of it.
+            Response::Do { activity: Activity::GetUp, .. } if self.needs.asleep() => {
+                for step in self.scripts.iter_mut().flat_map(|playing| playing.steps.iter_mut()) {
+                    if let Step::Stay(stay) = step {
+                        stay.until = Some(now);
+                    }
+                }
+            }
+            Response::Do { activity: Activity::GoToBed, .. } => {
+                self.scripts.clear();
+                self.go_to_bed(now);
+            }
+            Response::Turn { thing, on } => {
+                let Some(index) = self.places.thing_named(&thing) else { return };
+                let activity = Activity::Other(activity::turning(&thing, on));
+                self.begin(&Item::now("rule".into(), activity, 0));
+                let at = self.places.named(&thing).cloned();
+                if let Some(playing) = self.scripts.last_mut() {
+                    playing.steps.truncate(1);
+                    playing.steps.extend(at.map(Step::Go));
+                    playing.steps.push_back(Step::Act(index, on));
+                }
+            }
+            Response::Do { activity, place, lasts } => {
+                let key = format!("rule/{}/{}", activity.label(), self.times(&activity));
+                let mut stream = self.life.stream_of_day(self.agenda.day, &key);
+                let UsualLength { median_min, sigma } = usual::length(&activity, &self.life.numbers);
+                let lasts_s = match lasts {
+                    Some(lasts) => lasts.draw(&mut stream),
+                    None => stream.lognormal(median_min * 60.0, sigma),
+                };
+                self.begin(&Item { place, ..Item::now(key, activity, micros(lasts_s)) });
+            }
+        }
+    }
+}
+
+impl Activity {
+    /// Whether a meal that is due interrupts it: what is done for pleasure, company, the household.
+    pub(super) fn gives_way_to_meals(&self) -> bool {
+        use Activity::{Exercise, Housework, Laundry, Other, Phone, Read, Relax, UseComputer, Visit, WatchTelevision};
+        matches!(
+            self,
+            Exercise | Housework | Laundry | Other(_) | Phone | Read | Relax | UseComputer | Visit | WatchTelevision
+        )
+    }
+}

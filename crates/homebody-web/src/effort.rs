@@ -1,0 +1,58 @@
+//! How much of a life is lived for one answer, while somebody waits for it.
+
+use homebody_core::drivers::error::DriverError;
+use homebody_core::event::Events;
+use homebody_core::run::Run;
+use homebody_core::time::{DAY, Micros};
+use homebody_kit::{Cancel, Stretch};
+use std::time::{Duration, Instant};
+
+/// So long is lived at once without a look at what else there is to do (ours).
+pub const AT_ONCE: Duration = Duration::from_millis(20);
+
+/// So long is lived for one answer, and so much longer for each day of it (ours): many times what a home takes.
+const LONGEST_ANSWER: Duration = Duration::from_secs(5);
+const LONGEST_ANSWER_A_DAY: Duration = Duration::from_millis(100);
+
+/// So many things are told in one answer (ours).
+const MOST_TOLD: usize = 200_000;
+
+/// How much is lived for one answer.
+pub struct Effort<'c> {
+    stretch: Stretch,
+    cancel: &'c Cancel,
+    begun: Instant,
+    /// How much has been lived, in microseconds.
+    lived: Micros,
+}
+
+impl Effort<'_> {
+    /// No longer than somebody waits for it, and at most `longest` microseconds at once.
+    pub fn new(cancel: &Cancel, longest: Micros) -> Effort<'_> {
+        let stretch = Stretch::new(longest).within(AT_ONCE);
+        Effort { stretch, cancel, begun: Instant::now(), lived: 0 }
+    }
+
+    /// Whether more is lived; or why not, in a sentence. `told` is how much the answer tells already.
+    pub fn goes_on(&self, told: usize) -> Result<(), String> {
+        let days = u32::try_from(self.lived / DAY).unwrap_or(u32::MAX);
+        let longest = LONGEST_ANSWER + LONGEST_ANSWER_A_DAY.saturating_mul(days);
+        if self.cancel.is_cancelled() {
+            Err("Nobody waits for the rest.".into())
+        } else if told > MOST_TOLD {
+            Err(format!("More than {MOST_TOLD} things are not told at once."))
+        } else if self.begun.elapsed() > longest {
+            Err(format!("To come so far has taken {} seconds: too much happens.", longest.as_secs()))
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Lives a stretch, at most until `until`, and adds to `events` what happens in it.
+    pub fn live(&mut self, run: &mut Run, until: Micros, events: &mut Events) -> Result<(), DriverError> {
+        let begin = run.now();
+        let lived = self.stretch.live(run, until, events);
+        self.lived += run.now() - begin;
+        lived
+    }
+}

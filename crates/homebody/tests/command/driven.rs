@@ -1,0 +1,100 @@
+//! Somebody is driven by keys on the page, and the program is killed: what was done a second before is not lost, and nothing
+//! is doubled.
+
+use crate::folder::Folder;
+use crate::resumed::kills;
+use homebody_web::server::SOCKET;
+use serde_json::Value;
+use std::fs;
+use std::io::{BufRead, BufReader};
+use std::net::TcpStream;
+use std::process::{Child, Command, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
+use tungstenite::client::IntoClientRequest;
+use tungstenite::{Message, WebSocket};
+
+/// How old something has to be to be kept whatever happens.
+const SECOND: Duration = Duration::from_secs(1);
+
+/// A server of its own, and a page that drives.
+struct Driven {
+    server: Child,
+    socket: WebSocket<TcpStream>,
+}
+
+impl Driven {
+    fn begin(folder: &Folder) -> Driven {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_homebody"));
+        command.args(["serve", "by-hand", "--no-open", "--port", "0"]).current_dir(folder.path(""));
+        let mut server = command.stdout(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
+        let mut said = String::new();
+        BufReader::new(server.stdout.take().unwrap()).read_line(&mut said).unwrap();
+        let (address, token) = said.trim().strip_prefix("http://").unwrap().split_once("/#token=").unwrap();
+        let mut request = format!("ws://{address}{SOCKET}").into_client_request().unwrap();
+        request.headers_mut().insert("origin", format!("http://{address}").parse().unwrap());
+        let stream = TcpStream::connect(address).unwrap();
+        let mut driven = Driven { server, socket: tungstenite::client(request, stream).unwrap().0 };
+        driven.say(&format!(r#"{{"say":"hello","token":"{token}"}}"#));
+        driven.say(r#"{"say":"start","driven":0,"without":[],"seed":null}"#);
+        driven.say(r#"{"say":"play"}"#);
+        driven
+    }
+
+    fn say(&mut self, say: &str) {
+        self.socket.send(Message::Text(say.into())).unwrap();
+    }
+
+    /// Holds one key after the other, and kills the program after so long; how many were held more than a second before.
+    fn drive(mut self, for_so_long: Duration) -> usize {
+        const KEYS: [&str; 4] = ["right", "up", "left", "down"];
+        let begun = Instant::now();
+        let mut held = Vec::new();
+        for key in KEYS.iter().cycle() {
+            let pause = Duration::from_millis(120).min(for_so_long.saturating_sub(begun.elapsed()));
+            thread::sleep(pause);
+            if begun.elapsed() >= for_so_long {
+                break;
+            }
+            self.say(&format!(r#"{{"say":"hold","keys":["{key}"]}}"#));
+            held.push(Instant::now());
+        }
+        self.server.kill().unwrap();
+        let killed = Instant::now();
+        self.server.wait().unwrap();
+        held.iter().filter(|at| killed.duration_since(**at) > SECOND).count()
+    }
+}
+
+#[test]
+fn whatever_kills_the_program_what_was_done_a_second_before_is_kept() {
+    let folder = Folder::new();
+    folder.copy_scenario("by-hand");
+    let (mut most_held, kills) = (0, kills());
+    for kill in 0..kills {
+        let for_so_long = Duration::from_millis(300 + kill * 7919 % 2_500);
+        let held = Driven::begin(&folder).drive(for_so_long);
+        most_held = most_held.max(held);
+        let runs = fs::read_dir(folder.path("runs")).map_or(0, Iterator::count);
+        if runs == 0 {
+            // It was killed before the run was begun.
+            assert_eq!(held, 0, "kill {kill}");
+            continue;
+        }
+        let run = "runs/by-hand-1";
+        let recording: Value = serde_json::from_str(&folder.read(&format!("{run}/recording.json"))).unwrap();
+        let keys = recording["files"]["visitor.keys.json"].as_str().unwrap_or_default();
+        let kept = keys.matches("\"held\": [").count();
+        assert!(kept >= held, "kill {kill} after {for_so_long:?}: {kept} of {held} are kept");
+        // Lived to its end, its log has what the recording gives, each row once.
+        folder.run(&format!("run --resume {run} --quiet")).ok();
+        folder.run(&format!("replay {run}/recording.json --out csv:again.csv --force --quiet")).ok();
+        let of = |log: &str| folder.run(&format!("convert {log} --to csv:rows.csv --force")).ok();
+        of(&format!("{run}/log.db"));
+        let rows = folder.read("rows.csv");
+        of("again.csv");
+        assert_eq!(rows, folder.read("rows.csv"), "kill {kill} after {for_so_long:?}");
+        fs::remove_dir_all(folder.path(run)).unwrap();
+    }
+    assert!(kills < 5 || most_held > 3, "only {most_held} keys were held");
+}
