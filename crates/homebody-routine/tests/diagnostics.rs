@@ -128,9 +128,13 @@ fn a_slip_within_a_time() {
 
 #[test]
 fn a_time_that_may_be_of_two_halves_of_the_day() {
-    refused("She gets up at 7.", "7", "not clear which time of day", "write \"7 am\" or \"7 pm\"");
-    refused("She gets up at 7 o'clock.", "7 o'clock", "not clear", "7 am");
-    understood("She gets up at 7 in the morning.");
+    refused("She reads at 7.", "7", "not clear which time of day", "write \"7 am\" or \"7 pm\"");
+    refused("She reads at 7 o'clock.", "7 o'clock", "not clear", "7 am");
+    refused("She gets up at 3.", "3", "not clear", "3 am");
+    refused("She goes to church on Sunday at 11 and to bingo on Friday evening.", "11", "not clear", "11 am");
+    understood(
+        "She reads at 7 in the morning. She gets up at 7. She goes to bed at 10. She eats lunch at half past twelve.",
+    );
     let both = "write \"half past seven in the morning\" or \"half past seven in the evening\"";
     refused("She reads at half past seven.", "half past seven", "not clear which time of day", both);
     let both = "write \"quarter to one at night\" or \"quarter to one in the afternoon\"";
@@ -214,7 +218,7 @@ fn a_verb_that_goes_with_something_else() {
     refused("She makes herself a kite.", "makes herself a kite", "is nothing", known);
     let own = "a new activity needs a place and a duration: \"she whittles wood in the hall for 20 minutes\"";
     refused("She whittles wood in the hall.", "whittles wood", "is nothing", own);
-    refused("She has visitors.", "has visitors", "is nothing", "known are");
+    refused("She has dreams.", "has dreams", "is nothing", "known are");
     let rule = "\"whenever she has been in bed for 10 hours, she gets up\"";
     refused("She paces when she is restless.", "when", "is not understood here", rule);
     understood("Her son phones on Sunday.");
@@ -402,7 +406,8 @@ fn headings_and_indents() {
 #[test]
 fn a_sentence_that_is_not_complete() {
     refused("She", "She", "ends before it says what is done", "");
-    refused("Gets up at 7:00.", "Gets up", "it is not said who does this", "she gets up");
+    refused("Get up at 7:00.", "Get up", "it is not said who does this", "she gets up");
+    understood("Gets up at 7:00.");
     refused("She reads and naps or knits.", "or", "leave open what goes with what", "two sentences");
 }
 
@@ -419,9 +424,9 @@ fn a_condition_is_about_nobody_in_particular() {
 
 #[test]
 fn all_problems_come_at_once_in_the_order_of_their_places() {
-    let found = problems("She wtches TV.\nShe reads at 25:00 in the balcony for 0 minutes.\nShe gets up at 7.");
+    let found = problems("She wtches TV.\nShe reads at 25:00 in the balcony for 0 minutes.\nShe reads at 7.");
     let places: Vec<(u32, u32)> = found.iter().map(|problem| (problem.line, problem.column)).collect();
-    assert_eq!(places, [(1, 5), (2, 14), (2, 27), (3, 16)]);
+    assert_eq!(places, [(1, 5), (2, 14), (2, 27), (3, 14)]);
 }
 
 #[test]

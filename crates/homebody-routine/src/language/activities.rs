@@ -4,6 +4,7 @@ use super::calendar;
 pub use super::lexicon::third_person;
 use super::lexicon::{Is, Lexicon, Piece, Way};
 use super::reader::{Reader, is_beginning, is_determiner};
+use super::subjects::person_called;
 use super::words::Token;
 use crate::routine::{Activity, Meal};
 use std::sync::LazyLock;
@@ -31,7 +32,7 @@ pub fn event(reader: &mut Reader) -> Option<Activity> {
             return Some(event);
         }
         reader.at = back;
-        if reader.eat("she|he|they|it") || reader.eat("the person|resident") || reader.person() == Some(false) {
+        if reader.eat("she|he|they|it") || person_called(reader) || reader.person() == Some(false) {
             reader.eat("has|have");
         }
         activity(reader)

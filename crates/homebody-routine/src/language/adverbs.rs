@@ -24,9 +24,9 @@ const HALF_A_DAY_S: f64 = 12.0 * 3600.0;
 /// The words that may begin one of these parts: whatever begins otherwise need not be tried.
 const FIRST: &str = "when as last a about after afterwards all almost always an and approximately around at before beginning \
     between by daily during each every fade fades fading few for frequently from give half hardly immediately in \
-    just lasting many midday midnight most mostly nearly noon normally now occasionally often on once one over \
+    just lasting of many midday midnight most mostly nearly noon normally now occasionally often on once one over \
     plus rarely right roughly seldom several shortly since some sometimes soon starting straight then thrice till \
-    twice until usually weekday weekdays weekend weekends with within exactly the two throughout three four five \
+    twice until usually weekday weekdays weekend weekends with within exactly except the two throughout three four five \
     six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen seventeen eighteen nineteen quarter \
     while twenty thirty forty fifty sixty ninety seventy eighty";
 
@@ -223,9 +223,17 @@ impl Adverbs {
         }
     }
 
-    /// "on Tuesday and Friday", "at weekends", "in winter", "from May to September".
+    /// "on Tuesday and Friday", "at weekends", "in winter", "from May to September", "except on Sunday".
     fn days(&mut self, reader: &mut Reader) -> Option<()> {
         let from = reader.at;
+        if reader.eat("except") {
+            reader.eat("for");
+            reader.eat("on|at");
+            let weekdays = Days::ALL.weekdays & !calendar::weekdays(reader)?;
+            let span = reader.span(from);
+            put(reader, &mut self.weekdays, weekdays, span, "both say on which days");
+            return Some(());
+        }
         if reader.eat("from") {
             if let Some(months) = calendar::month_range(reader) {
                 let span = reader.span(from);
@@ -327,7 +335,10 @@ impl Adverbs {
             self.last = Last::Until;
             return Some(());
         }
-        if reader.eat("by") {
+        let is_up = |reader: &Reader| {
+            reader.at > 0 && ["up", "asleep", "bed"].contains(&reader.words[reader.at - 1].text.as_str())
+        };
+        if is_up(reader) && reader.eat("before") || reader.eat("by") {
             let time = times::time(reader, true)?;
             let span = reader.span(from);
             put(reader, &mut self.when, When::At(Fuzzy::between(time.at - BY_S, time.at)), span, kind);
@@ -339,6 +350,14 @@ impl Adverbs {
         let span = reader.span(from);
         put(reader, &mut self.when, When::At(time.fuzzy()), span, kind);
         self.last = Last::When;
+        // "2 pm to 4 pm"
+        let until = reader.at;
+        let end = reader.attempt(|reader| if reader.eat("to|until|till") { times::time(reader, true) } else { None });
+        if let Some(end) = end {
+            let span = reader.span(until);
+            put(reader, &mut self.until_time, end.fuzzy(), span, "both say until when");
+            self.last = Last::Nothing;
+        }
         Some(())
     }
 
@@ -419,10 +438,22 @@ impl Adverbs {
     /// "for about 2 hours", or "for 10 days", which is until when.
     fn duration(&mut self, reader: &mut Reader) -> Option<()> {
         let start = reader.at;
-        if !reader.eat("for|lasting") {
+        let of_each = reader.attempt(|reader| {
+            reader.eat("of").then_some(())?;
+            reader.ahead(|reader| amount(reader).is_some_and(|amount| amount.unit == Unit::Second)).then_some(())
+        });
+        if of_each.is_none() && !reader.eat("for|lasting") {
             return None;
         }
         let Some(amount) = amount(reader) else {
+            // "is up twice for the toilet"
+            let for_toilet = |reader: &mut Reader| {
+                reader.skip_determiners();
+                reader.eat("toilet|bathroom|loo|commode|wee")
+            };
+            if reader.ahead(for_toilet) {
+                return None;
+            }
             let from = reader.at;
             while !reader.is_over() && reader.token(0) != Some(Token::Comma) && reader.at < from + 3 {
                 reader.at += 1;
@@ -435,6 +466,7 @@ impl Adverbs {
         match amount.unit {
             Unit::Second => {
                 let lasts = amounts::length(reader, &amount);
+                reader.eat("each");
                 let span = reader.span(start);
                 put(reader, &mut self.lasts, lasts, span, "both say how long");
                 self.last = Last::Lasts;

@@ -1,10 +1,11 @@
 //! The time that a clock shows, in digits or in words, and what was probably meant by a slip.
 
+use super::activities;
 use super::amounts::{DAY_S, is_unit, number};
 use super::calendar::{is_month, is_weekday};
 use super::reader::Reader;
 use super::words::{Span, Token};
-use crate::routine::PartOfDay;
+use crate::routine::{Activity, Meal, PartOfDay};
 
 const HOUR_S: f64 = 3600.0;
 
@@ -40,7 +41,9 @@ pub fn clock(reader: &mut Reader, bare: bool) -> Option<f64> {
     if !(in_words.is_some() || face.is_clear || oclock || direct.is_some() || is_last) {
         return None;
     }
-    let implied = |reader: &mut Reader| half_by_end(reader, face).or_else(|| half_by_rest(reader));
+    let implied = |reader: &mut Reader| {
+        half_by_end(reader, face).or_else(|| half_by_rest(reader)).or_else(|| half_by_doing(reader, from, face))
+    };
     let half = direct.or_else(|| if face.is_clear { None } else { implied(reader) });
     let (span, by_twelve) = (reader.span(from), (1.0..=12.0).contains(&face.hours));
     // A whole time with a word right behind it lacks a blank, and no more.
@@ -140,6 +143,11 @@ fn shown(reader: &mut Reader, bare: bool) -> Option<Face> {
         let is_time = bare || is_last_of_its_kind(reader) || ["am", "pm"].contains(&reader.peek(0));
         return is_time.then_some(Face { hours, minutes, is_clear: true });
     }
+    if let Some((hours, minutes)) = of_four_digits(reader) {
+        reader.at += 1;
+        reader.eat("hrs|hours|h");
+        return Some(Face { hours, minutes, is_clear: true });
+    }
     let in_words = reader.token(0) == Some(Token::Word);
     let hours = number(reader)?;
     let minutes = reader.attempt(|reader| {
@@ -147,6 +155,17 @@ fn shown(reader: &mut Reader, bare: bool) -> Option<Face> {
         minutes.filter(|minutes| (10.0..60.0).contains(minutes) && !is_unit(reader))
     });
     Some(Face { hours, minutes: minutes.unwrap_or(0.0), is_clear: false })
+}
+
+/// The hours and minutes of "0730" and of "1430 hrs".
+fn of_four_digits(reader: &Reader) -> Option<(f64, f64)> {
+    let text = reader.peek(0);
+    let is_time = text.starts_with('0') || ["hrs", "hours", "h"].contains(&reader.peek(1));
+    if text.len() != 4 || !is_time || !text.bytes().all(|digit| digit.is_ascii_digit()) {
+        return None;
+    }
+    let (hours, minutes) = (text.get(..2)?.parse::<u8>().ok()?, text.get(2..)?.parse::<u8>().ok()?);
+    (hours < 24 && minutes < 60).then_some((hours.into(), minutes.into()))
 }
 
 /// The hours and minutes of "7.30".
@@ -204,7 +223,13 @@ fn half_by_end(reader: &mut Reader, face: Face) -> Option<bool> {
 fn half_by_rest(reader: &Reader) -> Option<bool> {
     const BEFORE: [&str; 7] = ["every", "each", "most", "some", "many", "almost", "all"];
     let words: Vec<&str> = reader.words.iter().map(|word| word.text.as_str()).collect();
-    let mut found = words.iter().enumerate().filter_map(|(at, word)| {
+    // What another clause says is about that one.
+    let joins = |at: usize| ["and", "then", "or", "but"].contains(&words[at]) || words[at] == ";";
+    let begin = (0..reader.at.min(words.len())).rev().find(|&at| joins(at)).map_or(0, |at| at + 1);
+    let end = (reader.at..words.len()).find(|&at| joins(at)).unwrap_or(words.len());
+    let verb = words.iter().position(|word| ["she", "he", "they"].contains(word)).unwrap_or(0);
+    let mut found = words.iter().enumerate().filter(|(at, _)| *at < verb || (begin..end).contains(at));
+    let mut found = found.by_ref().filter_map(|(at, word)| {
         let before = |back: usize| at.checked_sub(back).and_then(|at| words.get(at)).copied().unwrap_or_default();
         let is_when = BEFORE.contains(&before(1)) || is_weekday(before(1)) || before(1) == "the" && before(2) == "in";
         match word.trim_end_matches('s') {
@@ -218,6 +243,44 @@ fn half_by_rest(reader: &Reader) -> Option<bool> {
         (None, Some(PartOfDay::Morning)) => Some(false),
         (None, Some(PartOfDay::Afternoon | PartOfDay::Evening)) => Some(true),
         (None, _) => None,
+    }
+}
+
+/// By what is done then, where that has its half of the day: who gets up at 7 does so in the morning (ours).
+fn half_by_doing(reader: &mut Reader, from: usize, face: Face) -> Option<bool> {
+    let hour = face.full_hours();
+    let word = |at: Option<usize>| at.and_then(|at| reader.words.get(at)).map_or("", |word| word.text.as_str());
+    let back = if ["about", "around"].contains(&word(from.checked_sub(1))) { 2 } else { 1 };
+    if ["until", "till"].contains(&word(from.checked_sub(back))) {
+        let in_bed = (0..from).any(|at| ["bed", "sleeps", "sleep"].contains(&word(Some(at))));
+        return (in_bed && (4.0..12.0).contains(&hour)).then_some(false);
+    }
+    match word(from.checked_sub(back + 1)) {
+        "up" | "awake" if (4.0..12.0).contains(&hour) => return Some(false),
+        "asleep" if (7.0..12.0).contains(&hour) => return Some(true),
+        _ => {}
+    }
+    let doing = |reader: &mut Reader, at: usize| {
+        reader.ahead(|reader| {
+            reader.at = at;
+            activities::activity(reader).or_else(|| activities::noun(reader))
+        })
+    };
+    /// Further away, something else is meant.
+    const NEAR: usize = 20;
+    let before = (from.saturating_sub(NEAR)..from).rev().find_map(|at| doing(reader, at));
+    let doing = before.or_else(|| (from..reader.words.len().min(from + NEAR)).find_map(|at| doing(reader, at)))?;
+    match doing {
+        Activity::GetUp if (4.0..12.0).contains(&hour) => Some(false),
+        Activity::Eat(Meal::Breakfast) | Activity::Prepare(Meal::Breakfast) if (5.0..12.0).contains(&hour) => {
+            Some(false)
+        }
+        Activity::Eat(Meal::Lunch) | Activity::Prepare(Meal::Lunch) if hour == 11.0 => Some(false),
+        Activity::Eat(Meal::Lunch) | Activity::Prepare(Meal::Lunch) if hour >= 12.0 || hour < 3.0 => Some(true),
+        Activity::Eat(Meal::Dinner) | Activity::Prepare(Meal::Dinner) if (4.0..10.0).contains(&hour) => Some(true),
+        Activity::GoToBed if (7.0..12.0).contains(&hour) => Some(true),
+        Activity::GoToBed if hour >= 12.0 || hour < 4.0 => Some(false),
+        _ => None,
     }
 }
 

@@ -53,12 +53,20 @@ fn take_over(group: &mut [Clause]) -> Option<Span> {
         let behind = behind_verb(last);
         if !says_days(&clause.adverbs) && says_days(&behind) {
             // "She reads at 10:00 and naps on Sunday" leaves open what is on Sunday.
+            let only_often = Adverbs { chance: None, ..behind.clone() };
+            if says_time(&clause.adverbs) && !says_days(&only_often) {
+                // "Takes a tablet in the morning and goes out often": often is about going out.
+                continue;
+            }
             if says_time(&clause.adverbs) && !says_time(&behind) {
                 return days_span(&behind);
             }
             clause.adverbs = days(clause.adverbs.clone(), &behind);
         }
         if says_time(&clause.adverbs) {
+            continue;
+        }
+        if last.predicate == Predicate::Does(Activity::ComeHome) {
             continue;
         }
         clause.adverbs.part = behind.part.clone();
@@ -118,7 +126,7 @@ fn says_days(adverbs: &Adverbs) -> bool {
     days_span(adverbs).is_some()
 }
 
-fn days_span(adverbs: &Adverbs) -> Option<Span> {
+pub fn days_span(adverbs: &Adverbs) -> Option<Span> {
     let spans = [
         adverbs.weekdays.as_ref().map(|slot| slot.span),
         adverbs.chance.as_ref().map(|slot| slot.span),
@@ -162,5 +170,10 @@ fn says_time(adverbs: &Adverbs) -> bool {
 fn days(own: Adverbs, others: &Adverbs) -> Adverbs {
     let time = (own.when.clone(), own.part.clone(), own.lasts.clone(), own.until_time.clone(), own.times.clone());
     let (when, part, lasts, until_time, times) = time;
-    Adverbs { when, part, lasts, until_time, times, ..own.under(others) }
+    let (says_days, chance) =
+        (own.weekdays.is_some() || own.every.is_some() || own.of_month.is_some(), own.chance.clone());
+    let merged = own.under(others);
+    // "Most days a wash, on Sunday a bath": on all Sundays.
+    let own = Adverbs { chance: if says_days { chance } else { merged.chance.clone() }, ..merged };
+    Adverbs { when, part, lasts, until_time, times, ..own }
 }

@@ -6,7 +6,10 @@ use super::amounts::{Unit, amount};
 use super::faults::did_you_mean;
 use super::measures::{Of, measure, rises_by};
 use super::reader::{Reader, Sort, begins_adverb};
-use super::roundabout::{falls_asleep, is_doing, is_helped, is_remark, spends, tends_not, unable, unfinished, visited};
+use super::roundabout::{
+    cared, falls_asleep, has_visitors, is_doing, is_helped, is_remark, spends, takes_long, tends_not, unable,
+    unfinished, visited,
+};
 use super::said::Predicate;
 use super::subjects::Subject;
 use super::unknown::unknown_name;
@@ -62,15 +65,17 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
 
 /// What is said in a roundabout way, if it is.
 fn roundabout(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
-    let plain = [unable, unfinished, is_helped, visited].into_iter().find_map(|read| reader.attempt(read));
+    let plain =
+        [unable, unfinished, is_helped, visited, has_visitors, cared].into_iter().find_map(|read| reader.attempt(read));
     let found = plain
         .or_else(|| reader.attempt(|reader| tends_not(reader, adverbs)))
         .or_else(|| reader.attempt(|reader| falls_asleep(reader, adverbs)))
+        .or_else(|| reader.attempt(|reader| takes_long(reader, adverbs)))
         .or_else(|| reader.attempt(|reader| spends(reader, adverbs)));
     if found.is_some() {
         return found;
     }
-    if reader.ahead(|reader| reader.eat("is|are"))
+    if reader.ahead(|reader| reader.eat("is|are|be"))
         && let Some(activity) = reader.attempt(|reader| is_doing(reader, adverbs))
     {
         return Some(Predicate::Does(activity));
@@ -271,7 +276,7 @@ pub fn thing(reader: &mut Reader) -> String {
 }
 
 fn skipping(reader: &mut Reader) -> Option<Predicate> {
-    if !reader.eat("skips|skip|misses|miss") {
+    if !reader.eat("skips|skip|misses|miss|refuses|refuse|declines|decline") {
         return None;
     }
     activities::event(reader).map(Predicate::Skips)

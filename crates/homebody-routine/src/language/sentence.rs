@@ -25,8 +25,12 @@ const MOST_CLAUSES: usize = 12;
 /// Reads a sentence into the draft. If it has no verb, it is a heading: what it says is returned.
 pub fn sentence(reader: &mut Reader, draft: &mut Draft, heading: Option<&Adverbs>) -> Option<Adverbs> {
     let (mut adverbs, mut at) = (Adverbs::default(), None);
+    let mut beside = Vec::new();
     loop {
         reader.skip_commas();
+        if let Some(why) = reader.attempt(why_in_front) {
+            beside.push(why);
+        }
         // A place goes first, since a room may be named after a part of the day.
         let here = if at.is_none() { place(reader) } else { None };
         if here.is_some() {
@@ -57,7 +61,7 @@ pub fn sentence(reader: &mut Reader, draft: &mut Draft, heading: Option<&Adverbs
     {
         return None;
     }
-    clauses(reader, draft, Start { subject, who, adverbs, place: at }, heading);
+    clauses(reader, draft, Start { subject, who, adverbs, place: at, beside }, heading);
     None
 }
 
@@ -67,10 +71,34 @@ struct Start {
     who: Span,
     adverbs: Adverbs,
     place: Option<(String, Span)>,
+    beside: Vec<Span>,
+}
+
+/// "Since the fall", "because of her knees", in front of who does what: a remark.
+fn why_in_front(reader: &mut Reader) -> Option<Span> {
+    const MOST: usize = 8;
+    let from = reader.at;
+    let since = reader.eat("since her|his|the|a|an|being|having|moving|coming");
+    let after = !since
+        && reader
+            .attempt(|reader| {
+                reader.eat("after her|his|the|a|an").then_some(())?;
+                reader.ahead(|reader| activities::noun(reader).is_none()).then_some(())
+            })
+            .is_some();
+    (since || after || reader.eat("because of") || reader.eat("due|owing to") || reader.eat("despite|following"))
+        .then_some(())?;
+    while reader.at < from + MOST && reader.token(0) == Some(Token::Word) {
+        if ["she", "he", "they"].contains(&reader.peek(0)) {
+            return Some(reader.span(from));
+        }
+        reader.at += 1;
+    }
+    (reader.at > from && reader.token(0) == Some(Token::Comma)).then(|| reader.span(from))
 }
 
 fn clauses(reader: &mut Reader, draft: &mut Draft, front: Start, heading: Option<&Adverbs>) {
-    let Start { mut subject, mut who, mut adverbs, mut place } = front;
+    let Start { mut subject, mut who, mut adverbs, mut place, mut beside } = front;
     let (mut start, mut cooked) = (0, None);
     let (mut follows, mut count): (Option<Adverbs>, usize) = (None, 0);
     let (mut group, mut joined): (Vec<Clause>, Option<Join>) = (Vec::new(), None);
@@ -80,6 +108,7 @@ fn clauses(reader: &mut Reader, draft: &mut Draft, front: Start, heading: Option
         let said = Said { subject: &subject, who, cooked: cooked.as_ref(), before };
         let next = next.or_else(|| clause(reader, said, adverbs, place.take(), start));
         let Some(mut next) = next else { return };
+        next.beside.append(&mut beside);
         let Some(goes_on) = tail(reader, &mut next) else { return };
         group.push(next);
         let Some(clause) = group.last_mut() else { return };
@@ -172,7 +201,7 @@ fn clause(
     place: Option<(String, Span)>,
     start: usize,
 ) -> Option<Clause> {
-    reader.eat("also|still|again|only");
+    reader.eat("also|still|again|only|either|both");
     let _ = reader.attempt(|reader| (reader.eat("now") && reader.peek(0) != "and").then_some(()));
     adverbs.all(reader);
     let is_person = *said.subject == Subject::Person;
@@ -199,9 +228,10 @@ fn clause(
             adverbs,
             tends,
             again: false,
+            beside: Vec::new(),
         });
     }
-    let noun = if tends { noun_liked(reader) } else { None };
+    let noun = if tends || needs_to { noun_liked(reader) } else { None };
     let negated = said.before.is_some_and(|before| matches!(before.predicate, Predicate::Not(_)))
         && !is_third_person(reader.peek(0));
     let (found, predicate_span) = match noun {
@@ -227,6 +257,7 @@ fn clause(
         adverbs,
         tends,
         again: false,
+        beside: Vec::new(),
     })
 }
 
@@ -252,20 +283,43 @@ fn again(reader: &mut Reader, last: &Clause, adverbs: &mut Adverbs) -> Option<Cl
     let ends = |reader: &Reader| {
         reader.is_over() || reader.token(0) == Some(Token::Comma) || ["and", "or", "then"].contains(&reader.peek(0))
     };
+    let _ = reader.attempt(|reader| {
+        reader.eat("again").then_some(())?;
+        reader.ahead(|reader| Adverbs::default().next(reader)).then_some(())
+    });
     let from = reader.at;
     let mut more = Adverbs::default();
-    more.all(reader);
+    reader.skip_commas();
+    while more.next(reader) {
+        // "at 7:30, 12:30 and 17:00": each is one more.
+        let is_another = |reader: &mut Reader| {
+            reader.skip_commas();
+            let mut another = Adverbs::default();
+            another.next(reader) && another.when.is_some()
+        };
+        if reader.token(0) == Some(Token::Comma) && more.when.is_some() && reader.ahead(is_another) {
+            break;
+        }
+        if !reader.ahead(|reader| {
+            reader.skip_commas();
+            reader.eat("and|or")
+        }) {
+            reader.skip_commas();
+        }
+    }
     if reader.at > from {
         if !ends(reader) {
             *adverbs = more;
             return None;
         }
-        let says_when = more.when.is_some();
+        let (says_when, chance) = (more.when.is_some(), more.chance.clone());
+        let says_days = more.weekdays.is_some() || more.every.is_some() || more.of_month.is_some();
         let mut all = more.under(&last.adverbs);
+        all.chance = if says_days { chance } else { all.chance };
         if says_when {
             all.part = None;
         }
-        return Some(Clause { adverbs: all, again: true, ..last.clone() });
+        return Some(Clause { adverbs: all, again: true, beside: Vec::new(), ..last.clone() });
     }
     // Another verb begins something else.
     if reader.ahead(|reader| activities::activity(reader).is_some()) {
@@ -297,7 +351,8 @@ fn again(reader: &mut Reader, last: &Clause, adverbs: &mut Adverbs) -> Option<Cl
     };
     let adverbs = Adverbs::default();
     let predicate_span = last.predicate_span.to(reader.span(from));
-    Some(Clause { predicate, predicate_span, adverbs, again: true, place: None, measure: None, ..last.clone() })
+    let beside = Vec::new();
+    Some(Clause { predicate, predicate_span, adverbs, again: true, place: None, measure: None, beside, ..last.clone() })
 }
 
 /// What "then" takes over from the first clause: the days.
@@ -326,6 +381,8 @@ fn of_visitor(reader: &mut Reader, name: &str, who: Span) -> Option<Predicate> {
         (format!("{said:?} is nobody who visits"), hint)
     } else if reader.names.has(name, Sort::Thing) {
         (format!("{said:?} does nothing by itself"), format!("write what she does: \"she forgets the {name} rarely\""))
+    } else if reader.names.lexicon.has_last("TOPICS", name) && remarks::of_topic(reader).is_some() {
+        return Some(Predicate::Remark);
     } else if let Some(found) = helping::visiting(reader) {
         return Some(found);
     } else if remarks::remark(reader).is_some() {
@@ -359,7 +416,13 @@ fn predicate(
             }
             found
         }
-        _ => predicates::predicate(reader, adverbs),
+        _ => {
+            if let Some(verb) = past_verb(reader).filter(|_| !reader.ahead(|reader| remarks::remark(reader).is_some()))
+            {
+                return is_past(reader, &verb);
+            }
+            predicates::predicate(reader, adverbs)
+        }
     };
     if let Some(found) = found {
         return Some((found, reader.span(from)));
@@ -372,6 +435,9 @@ fn predicate(
     let is_negated = reader.at > from;
     if let Some(found) = meal_meant(reader, cooked.filter(|_| !is_negated)) {
         return found.map(|activity| (Predicate::Does(activity), reader.span(from)));
+    }
+    if let Some(verb) = reader.names.lexicon.verb_of_past(reader.peek(0)).filter(|_| !is_negated) {
+        return is_past(reader, &verb);
     }
     let own = said::own_words(reader);
     if is_negated {
@@ -390,6 +456,27 @@ fn predicate(
         return None;
     }
     Some((Predicate::Own(words), span))
+}
+
+/// The verb, where its past stands right behind who did it.
+fn past_verb(reader: &Reader) -> Option<String> {
+    let word = reader.peek(0);
+    // "used to" is a remark.
+    let is_past = word.ends_with("ed") && !["need", "feed", "used"].contains(&word);
+    reader.names.lexicon.verb_of_past(word).filter(|_| is_past && activities_begin(reader, word))
+}
+
+fn activities_begin(reader: &Reader, word: &str) -> bool {
+    reader.names.lexicon.beginning(word).next().is_some()
+}
+
+/// What was done once is no routine.
+fn is_past<T>(reader: &mut Reader, verb: &str) -> Option<T> {
+    let said = reader.said(reader.here());
+    let hint = format!("say what is usually so: \"she {} ...\"", super::lexicon::third_person(verb));
+    reader.fault(reader.here(), format!("{said:?} is past: a routine says how somebody lives"), hint);
+    reader.at = reader.words.len();
+    None
 }
 
 /// The words of an activity that begins with one that is known to begin something else: "has visitors".
@@ -437,7 +524,8 @@ fn stranger(reader: &mut Reader) -> Option<Subject> {
     if !is_capital(here) && reader.peek(1) != "is" {
         return None;
     }
-    let is_known = reader.ahead(|reader| activities::activity(reader).is_some());
+    let is_known =
+        reader.ahead(|reader| activities::activity(reader).is_some() || super::amounts::number(reader).is_some());
     let is_name = |reader: &Reader| {
         let pronoun = ["she", "he", "they", "it"].contains(&reader.peek(0));
         reader.token(0) == Some(Token::Word) && !pronoun && !begins_adverb(reader)
@@ -486,7 +574,7 @@ fn no_subject(reader: &mut Reader) {
     let from = reader.at;
     if activities::activity(reader).is_some() {
         let span = reader.span(from);
-        let hint = format!("write \"she {}\"", reader.said(span).to_lowercase());
+        let hint = format!("write \"she {}\"", activities::in_third_person(&reader.said(span).to_lowercase()));
         return reader.fault(span, "it is not said who does this", hint);
     }
     if is_determiner(reader.peek(0)) && reader.token(1) == Some(Token::Word) {

@@ -15,7 +15,9 @@ pub fn unknown_name(reader: &mut Reader, sorts: &[Sort], what: &str) -> String {
 pub fn unknown_name_or(reader: &mut Reader, sorts: &[Sort], what: &str, far: Option<&str>) -> String {
     reader.skip_determiners();
     let from = reader.at;
-    while !reader.is_over() && reader.token(0) != Some(Token::Comma) && !begins_adverb(reader) && reader.at < from + 4 {
+    let ends = |reader: &Reader| ["she", "he", "they", "when", "if", "where"].contains(&reader.peek(0));
+    let stops = |reader: &Reader| reader.is_over() || reader.token(0) != Some(Token::Word) || begins_adverb(reader);
+    while !stops(reader) && !ends(reader) && reader.at < from + 4 {
         reader.at += 1;
     }
     let span = if reader.at == from { reader.here() } else { reader.span(from) };
@@ -26,7 +28,20 @@ pub fn unknown_name_or(reader: &mut Reader, sorts: &[Sort], what: &str, far: Opt
     }
     let known = did_you_mean(&said.to_lowercase(), reader.names.of(sorts));
     let near = known.filter(|hint| far.is_none() || hint.starts_with("did"));
+    let is_weather = |word: &str| ["weather", "rain", "rainy", "sunny", "wet", "snow"].contains(&word);
+    if said.to_lowercase().split(' ').any(is_weather) {
+        return with_fault(reader, span, format!("{said:?} is {what}"), NO_WEATHER.to_owned(), said);
+    }
     reader.fault(span, format!("{said:?} is {what}"), near.or(far.map(str::to_owned)));
+    said
+}
+
+/// What is said to who speaks of rain.
+pub const NO_WEATHER: &str =
+    "Homebody knows no weather: say in which season, \"in winter\", or how often, \"on 60 % of days\"";
+
+fn with_fault(reader: &mut Reader, span: Span, what: String, hint: String, said: String) -> String {
+    reader.fault(span, what, hint);
     said
 }
 
