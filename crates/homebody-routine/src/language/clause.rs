@@ -483,7 +483,7 @@ fn says_alone(reader: &mut Reader, clause: &mut Clause) -> bool {
             || reader.eat("straight|right away")
             || reader.attempt(with_aid).is_some()
             || clause.predicate != Predicate::Does(Activity::Leave) && reader.eat("at home")
-            || reader.eat("for herself|himself|both|two")
+            || reader.eat("for herself|himself|both")
             || reader.eat("without help|assistance"))
 }
 
