@@ -374,7 +374,7 @@ const OPENED: [&str; 17] = [
 ];
 
 /// Whether what has this name is opened to get at what is in it, or for air.
-pub(super) fn is_opened(name: &str) -> bool {
+pub(crate) fn is_opened(name: &str) -> bool {
     words(name).last().is_some_and(|word| OPENED.contains(&word))
 }
 

@@ -13,6 +13,21 @@ use homebody_core::time::{Micros, SECOND, micros, seconds};
 use homebody_walk::Wandering;
 use std::collections::VecDeque;
 
+/// The roles whose things activities use: open, turn on, let run.
+pub const ACTED_ON: [Role; 11] = [
+    Role::Toilet,
+    Role::Washbasin,
+    Role::Shower,
+    Role::Medicine,
+    Role::Sink,
+    Role::Fridge,
+    Role::Drawers,
+    Role::Stove,
+    Role::Television,
+    Role::WashingMachine,
+    Role::FrontDoor,
+];
+
 /// One step of a script.
 #[derive(Clone, Debug)]
 pub enum Step {
@@ -454,6 +469,29 @@ mod tests {
             _ => None,
         });
         goes.collect()
+    }
+
+    #[test]
+    fn the_roles_that_are_acted_on_are_those_of_the_scripts() {
+        let home = include_str!("../../../../scenarios/tigerplace/home.json");
+        let home: HomeFile = serde_json::from_str(&home.replace("\"nightstand\"", "\"medicine cabinet\"")).unwrap();
+        let plan = Plan::new(&home);
+        let places = Places::new(&home, &plan, &Mesh::new(&plan, 0.22), "margaret");
+        let mut acted = BTreeSet::new();
+        for activity in USUAL.iter().chain(&[Activity::Shower, Activity::TakeMedicine, Activity::Visit]) {
+            for seed in 0..40 {
+                let (mut stream, at) = (Stream::named(seed, "script"), places.of(Role::Armchair).unwrap().at);
+                let mut setting =
+                    Setting { places: &places, at, stream: &mut stream, forgotten: Vec::new(), movement: 1.0 };
+                let steps = script(activity, None, 1200 * SECOND, None, &mut setting);
+                acted.extend(steps.into_iter().filter_map(|step| match step {
+                    Step::Act(thing, _) => Some(places.thing_name(thing).to_owned()),
+                    _ => None,
+                }));
+            }
+        }
+        let things = ACTED_ON.iter().filter_map(|&role| places.thing(role));
+        assert_eq!(acted, things.map(|thing| places.thing_name(thing).to_owned()).collect());
     }
 
     #[test]

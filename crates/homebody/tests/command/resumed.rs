@@ -102,6 +102,29 @@ fn a_run_that_was_stopped_is_gone_on_with() {
     }
 }
 
+/// Whoever reads what a run has left is told that there is more to come, and how it comes.
+#[test]
+fn a_run_that_has_not_come_to_its_end_is_told_as_such() {
+    let (folder, _) = undisturbed("sqlite", "log.db");
+    let warning = "its run has not come to its end\n  hint: homebody run --resume runs/flat-2 goes on with it";
+    let reads = ["day runs/flat-2 first", "compare runs/flat-2 runs/flat-1", "density runs/flat-2"];
+    stopped(&folder);
+    for read in reads.into_iter().chain(["label runs/flat-2 --to csv:labelled.csv"]) {
+        let said = folder.run(read).err;
+        assert!(said.contains(warning), "{read}: {said}");
+    }
+    let _ = fs::remove_dir_all(folder.path("runs/flat-2"));
+    let mut recording: Value = serde_json::from_str(&folder.read("runs/flat-1/recording.json")).unwrap();
+    (recording["sha256"], recording["firings"]) = ("".into(), 0.into());
+    folder.write("runs/flat-1/recording.json", recording.to_string());
+    let hint = "hint: homebody run --resume runs/flat-1 goes on with it first";
+    folder.run("label runs/flat-1 --to csv:killed.csv").fails(1, hint);
+    folder.run("run --resume runs/flat-1 --quiet").ok();
+    for read in ["day runs/flat-1 first", "label runs/flat-1 --to csv:killed.csv"] {
+        assert!(!folder.run(read).ok().err.contains("warning"), "{read}");
+    }
+}
+
 /// What is missing of a whole run, or of a member of a cohort, is lived again.
 #[test]
 fn what_is_missing_of_a_whole_run_is_written_again() {
