@@ -135,6 +135,10 @@ pub fn script(
     setting: &mut Setting,
 ) -> VecDeque<Step> {
     let mut steps = Steps { steps: VecDeque::new(), setting };
+    if let Activity::Eat(_) = activity {
+        // Who waits for a meal does not eat yet.
+        steps.push(Step::AwaitMeal { left: COOKING_PATIENCE });
+    }
     steps.push(Step::Name(activity.label().into()));
     steps.act_out(activity, place, lasts, until);
     steps.steps
@@ -156,7 +160,6 @@ impl Steps<'_, '_> {
             Activity::TakeMedicine => self.take_medicine(place, lasts),
             Activity::Prepare(meal) => self.prepare(*meal, lasts),
             Activity::Eat(_) => {
-                self.push(Step::AwaitMeal { left: COOKING_PATIENCE });
                 self.at(Role::DiningSeat, place, lasts, Manner::EATING, Interruptible::Rules);
                 self.push(Step::Meet(Need::Hunger));
                 self.push(Step::Meet(Need::Thirst));

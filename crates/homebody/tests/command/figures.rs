@@ -202,3 +202,18 @@ fn a_log_is_held_against_another() {
         wrong.err
     );
 }
+
+#[test]
+fn what_is_lived_is_possible() {
+    let folder = Folder::new();
+    let possible = folder.run("experiment possible --json").ok().json();
+    let rows = possible["scenarios"].as_array().unwrap();
+    assert!(rows.len() >= 6, "all templates: {possible}");
+    let visits = |name: &str| rows.iter().find(|row| row["scenario"] == name).unwrap()["visits"].as_u64().unwrap();
+    assert!(visits("couple-with-cat") >= 40 && visits("tigerplace") >= 2, "several meet: {possible}");
+    for row in rows {
+        let counts = ["on_one_spot", "through_somebody", "eaten_uncooked", "ends_before_it_begins"];
+        assert!(counts.iter().all(|count| row[count] == 0) && row["visiting_nobody_s"] == 0.0, "{row}");
+    }
+    folder.run("experiment possible nowhere").fails(1, "nowhere: there is no such scenario");
+}
