@@ -1,6 +1,6 @@
 //! What a routine needs of the home: somewhere to sleep and sit, a way out, and a way to all that its activities use.
 
-use crate::living::places::{Places, Spot, is_opened};
+use crate::living::places::{Places, Spot};
 use crate::living::script::ACTED_ON;
 use crate::routine::{Activity, Kind, Quote, Response, Routine, USUAL, shows};
 use homebody_core::geometry;
@@ -52,7 +52,8 @@ pub fn used_things(
     // The mail is fetched by somebody, and the television stands before the seat from which it is watched.
     let things = roles.chain([Role::FrontDoor, Role::Television]).filter_map(|role| places.thing(role));
     let things = things.map(|thing| places.thing_name(thing).to_owned());
-    let opened = places.stations().iter().map(|spot| spot.name.clone()).filter(|name| is_opened(name));
+    let opened = places.stations().iter().filter(|station| station.opened.is_some());
+    let opened = opened.map(|station| station.spot.name.clone());
     let turned = texts.iter().flat_map(|text| &text.rules).filter_map(|rule| match &rule.response {
         Response::Turn { thing, .. } => Some(thing.to_lowercase()),
         Response::Do { .. } => None,

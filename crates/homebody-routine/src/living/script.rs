@@ -374,7 +374,7 @@ impl Steps<'_, '_> {
         let stations = self.setting.places.stations();
         let mut left = lasts;
         while left > 0 && !stations.is_empty() {
-            let spot = &stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()];
+            let spot = &stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()].spot;
             let span = self.around(45.0);
             // Who moves less stays longer at each place.
             let span = micros(seconds(span) / self.setting.movement.clamp(0.2, 1.0)).clamp(SECOND, left.max(SECOND));
