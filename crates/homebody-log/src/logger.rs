@@ -217,10 +217,26 @@ impl Logger {
         let batch = std::mem::replace(&mut self.batch, Batch::with_capacity(BATCH, COLUMNS)).with(&self.texts);
         self.stored.rows += batch.len() as u64;
         let batch = Arc::new(batch);
+        self.each(|writer| if batch.is_empty() { writer.check() } else { writer.send(batch.clone()) })
+    }
+
+    /// Has all places make sure of what was stored so far. Nobody waits for that here.
+    pub fn settle(&mut self) -> Result<(), LogError> {
+        self.send()?;
+        self.each(Writer::settle)
+    }
+
+    /// Waits until all places have made sure of what they were asked to.
+    pub fn wait_settled(&mut self) -> Result<(), LogError> {
+        self.each(Writer::wait_settled)
+    }
+
+    /// Has each of the places do something. From then on the run does without those that fail, if it can.
+    fn each(&mut self, mut act: impl FnMut(&mut Writer) -> Result<(), LogError>) -> Result<(), LogError> {
         let mut index = 0;
         while index < self.writers.len() {
             let writer = &mut self.writers[index];
-            match if batch.is_empty() { writer.check() } else { writer.send(batch.clone()) } {
+            match act(writer) {
                 Ok(()) => index += 1,
                 Err(error) if writer.is_required() => {
                     // With a gap in one place, the others shall not go on.
@@ -229,13 +245,17 @@ impl Logger {
                     return Err(error);
                 }
                 Err(error) => {
-                    // From now on the run does without it.
                     let place = self.writers.remove(index).place().to_owned();
                     self.stored.failed.push((place, error));
                 }
             }
         }
         Ok(())
+    }
+
+    /// How many rows were made.
+    pub(crate) fn rows(&self) -> u64 {
+        self.stored.rows + self.batch.len() as u64
     }
 }
 

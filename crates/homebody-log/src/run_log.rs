@@ -22,6 +22,14 @@ use homebody_core::scenario::load::Scenario;
 use homebody_core::time::Micros;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// Rows of log and truth after which both make sure of them (ours). That takes a database three waits for the disk, so not too
+/// often.
+const SETTLE_ROWS: u64 = 200_000;
+
+/// How long rows may be unsure (ours), while the run is told again and again that time passes.
+const SETTLE_AFTER: Duration = Duration::from_secs(1);
 
 /// The open places of a run that is being lived.
 pub struct RunLog {
@@ -35,6 +43,8 @@ pub struct RunLog {
     /// The truth of a run that was stopped, which is written anew beside the old one.
     anew: Option<Anew>,
     how: How,
+    /// How many rows the log and the truth had when they were asked to make sure of them, and when that was.
+    settled: (u64, Instant),
     /// Of a run's folder, or of a recording elsewhere, from the beginning to the end.
     _lock: (Option<FolderLock>, Option<FileLock>),
 }
@@ -122,7 +132,17 @@ impl RunLog {
                 let logs = places.log.iter().filter_map(Url::file).filter(|_| is_folder).map(Path::to_owned).collect();
                 let given_up = (how == How::New || !is_folder).then_some(GivenUp { beside, logs });
                 let (logger, digest) = (Some(logger), RunDigest::default());
-                Ok(RunLog { logger, truth, record, given_up, digest, anew, how, _lock: lock })
+                Ok(RunLog {
+                    logger,
+                    truth,
+                    record,
+                    given_up,
+                    digest,
+                    anew,
+                    how,
+                    settled: (0, Instant::now()),
+                    _lock: lock,
+                })
             }
             Err(error) => {
                 if let (Some(path), How::New) = (&places.recording, how) {
@@ -144,10 +164,30 @@ impl RunLog {
         self.digest.add(&events.firings);
         let Some(logger) = &mut self.logger else { return Ok(()) };
         let joined = logger.store(&events.firings, settled)?;
-        match &mut self.truth {
-            Some(truth) => truth.store(events, joined),
-            None => Ok(()),
+        if let Some(truth) = &mut self.truth {
+            truth.store(events, joined)?;
         }
+        self.settle_if_due()
+    }
+
+    /// Has the log and the truth make sure of their rows together, now and then. Neither does so again before the other has:
+    /// wherever the program dies, one of them has at most that much more than the other.
+    fn settle_if_due(&mut self) -> Result<(), LogError> {
+        let Some(logger) = &mut self.logger else { return Ok(()) };
+        let rows = logger.rows() + self.truth.as_ref().map_or(0, TruthLog::rows);
+        let (rows_before, at) = self.settled;
+        let due = rows - rows_before >= SETTLE_ROWS || rows > rows_before && at.elapsed() >= SETTLE_AFTER;
+        if !due {
+            return Ok(());
+        }
+        logger.wait_settled()?;
+        if let Some(truth) = &mut self.truth {
+            truth.wait_settled()?;
+            truth.settle()?;
+        }
+        logger.settle()?;
+        self.settled = (rows, Instant::now());
+        Ok(())
     }
 
     /// Completes all places, and returns what was stored and the recording of what was lived: its length is where the run has
@@ -259,4 +299,90 @@ fn write_sensors(path: &Path, run: &RunInfo) -> Result<(), LogError> {
     let mut file = FreshFile::create(path, true)?;
     file.write(&written)?;
     file.finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::policy::Policy;
+    use crate::sink::{Begin, Sink, Watermark};
+    use crate::source::Log;
+    use crate::table::Batch;
+    use homebody_core::event::{Firing, Value};
+    use homebody_core::ids::SensorId;
+    use homebody_core::scenario::calendar::Calendar;
+    use homebody_core::scenario::logger::LoggerFile;
+    use std::sync::Mutex;
+    use std::thread;
+
+    /// How often the log and the truth have made sure of their rows, and the most that was ever between them.
+    #[derive(Default)]
+    struct Counts {
+        settled: [u64; 2],
+        apart: u64,
+    }
+
+    struct Counting {
+        which: usize,
+        takes: Duration,
+        counts: Arc<Mutex<Counts>>,
+    }
+
+    impl Sink for Counting {
+        fn begin(&mut self, _: &Begin) -> Result<Watermark, LogError> {
+            Ok(Watermark::none())
+        }
+
+        fn write(&mut self, _: &Batch) -> Result<(), LogError> {
+            Ok(())
+        }
+
+        fn settle(&mut self) -> Result<Watermark, LogError> {
+            thread::sleep(self.takes);
+            let mut counts = self.counts.lock().unwrap();
+            counts.settled[self.which] += 1;
+            counts.apart = counts.apart.max(counts.settled[0].abs_diff(counts.settled[1]));
+            Ok(Watermark::none())
+        }
+
+        fn finish(&mut self, _: Micros) -> Result<(), LogError> {
+            Ok(())
+        }
+    }
+
+    fn run() -> Arc<RunInfo> {
+        let calendar = Calendar::new("2009-03-02T00:00:00", "UTC").unwrap();
+        Arc::new(RunInfo::of_log("flat", calendar, &Log { sensors: vec!["motion".into()], ..Log::default() }))
+    }
+
+    #[test]
+    fn log_and_truth_make_sure_of_their_rows_together() {
+        let counts = Arc::<Mutex<Counts>>::default();
+        let own = |which, takes| {
+            let sink = Counting { which, takes: Duration::from_millis(takes), counts: counts.clone() };
+            Destination::own("counting", sink, Policy::default())
+        };
+        let (file, run) = (LoggerFile::default(), run());
+        let mut log = RunLog {
+            logger: Some(Logger::open(vec![own(0, 10)], &file, &run, How::New).unwrap()),
+            truth: Some(TruthLog::into(own(1, 0), &file, &run, How::New).unwrap()),
+            record: None,
+            given_up: None,
+            digest: RunDigest::default(),
+            anew: None,
+            how: How::New,
+            settled: (0, Instant::now()),
+            _lock: (None, None),
+        };
+        for seq in 0..30 {
+            // Long ago, so that it is due each time.
+            log.settled.1 = Instant::now() - SETTLE_AFTER;
+            let at = seq as Micros;
+            let firing = Firing { seq, at, sensor: SensorId::of(0), value: Value::Fire };
+            log.store_settled(at + 1, &Events { firings: vec![firing], ..Events::default() }).unwrap();
+        }
+        drop(log);
+        let counts = counts.lock().unwrap();
+        assert!(counts.settled[0] >= 30 && counts.apart <= 1, "{:?}, {} apart", counts.settled, counts.apart);
+    }
 }

@@ -22,11 +22,8 @@ pub(crate) const BATCH: usize = 4096;
 /// How long rows wait for a batch to fill. Whoever watches a live run sees them a little later.
 pub(crate) const BATCH_WAITS: Duration = Duration::from_millis(100);
 
-/// Rows after which a sink makes sure of them. That takes a database three waits for the disk, so not too often.
-const SETTLE_ROWS: usize = 200_000;
-
-/// How long rows may be unsure, the time it takes to write a batch aside.
-const SETTLE_AFTER: Duration = Duration::from_secs(1);
+/// How long rows are unsure where nothing comes any more, not even word to make sure of them.
+const IDLE: Duration = Duration::from_secs(1);
 
 /// How often a full queue or a thread that ends is looked at.
 const LOOK: Duration = Duration::from_micros(200);
@@ -41,6 +38,8 @@ pub(crate) struct Writer {
     shared: Arc<Shared>,
     /// Whether it was waited for in vain: nobody does so twice.
     hangs: bool,
+    /// How often it was asked to make sure of its rows.
+    asked: u64,
 }
 
 /// What the thread tells while it works.
@@ -48,11 +47,14 @@ pub(crate) struct Writer {
 struct Shared {
     /// Counts up whenever the destination has answered.
     answers: AtomicU64,
+    /// How often it has made sure of its rows because it was asked to.
+    settled: AtomicU64,
     durable: Mutex<Watermark>,
 }
 
 enum Message {
     Rows(Arc<Batch>),
+    Settle,
     Finish(Micros),
 }
 
@@ -83,7 +85,8 @@ impl Writer {
         let beginning = beginning.clone();
         let thread = thread::Builder::new().spawn(move || work.live(&beginning, &begun, incoming));
         let thread = thread.map_err(|source| LogError::NoThread { place: place.clone(), source })?;
-        let mut writer = Writer { place, policy, messages: Some(messages), thread: Some(thread), shared, hangs: false };
+        let (messages, thread) = (Some(messages), Some(thread));
+        let mut writer = Writer { place, policy, messages, thread, shared, hangs: false, asked: 0 };
         match begins.recv_timeout(writer.policy.answers_within) {
             Ok(()) => Ok(writer),
             Err(RecvTimeoutError::Timeout) => {
@@ -122,6 +125,19 @@ impl Writer {
         self.pass(Message::Rows(batch))
     }
 
+    /// Has it make sure of all rows that were handed over before. Nobody waits for that here.
+    pub fn settle(&mut self) -> Result<(), LogError> {
+        self.asked += 1;
+        self.pass(Message::Settle)
+    }
+
+    /// Waits until it has made sure of its rows as often as it was asked to.
+    pub fn wait_settled(&mut self) -> Result<(), LogError> {
+        let asked = self.asked;
+        self.wait(|writer| writer.shared.settled.load(Ordering::Acquire) >= asked)?;
+        self.check()
+    }
+
     /// The thread's error, if it has ended by one.
     pub fn check(&mut self) -> Result<(), LogError> {
         match &self.thread {
@@ -134,7 +150,7 @@ impl Writer {
     pub fn finish(mut self, end: Micros) -> Result<(), LogError> {
         self.pass(Message::Finish(end))?;
         self.messages = None;
-        self.wait()?;
+        self.wait(|_| false)?;
         self.join()
     }
 
@@ -160,10 +176,10 @@ impl Writer {
         }
     }
 
-    /// Waits for the thread's end.
-    fn wait(&mut self) -> Result<(), LogError> {
+    /// Waits until it is so, or for the thread's end.
+    fn wait(&mut self, is_so: impl Fn(&Writer) -> bool) -> Result<(), LogError> {
         let mut patience = Patience::new(self);
-        while self.thread.as_ref().is_some_and(|thread| !thread.is_finished()) {
+        while !is_so(self) && self.thread.as_ref().is_some_and(|thread| !thread.is_finished()) {
             thread::sleep(LOOK);
             if let Err(error) = patience.is_left(self) {
                 self.hangs = true;
@@ -187,7 +203,7 @@ impl Drop for Writer {
     fn drop(&mut self) {
         self.messages = None;
         if !self.hangs
-            && self.wait().is_ok()
+            && self.wait(|_| false).is_ok()
             && let Some(thread) = self.thread.take()
         {
             let _ = thread.join();
@@ -255,31 +271,32 @@ impl Work {
     }
 
     fn write(mut self, incoming: Receiver<Message>) -> Result<(), LogError> {
-        let mut unsettled = 0;
-        let mut settle_at = None;
+        let mut is_unsure = false;
         loop {
-            let message = match settle_at {
-                Some(at) => incoming.recv_timeout(Instant::saturating_duration_since(&at, Instant::now())),
-                None => incoming.recv().map_err(|_| RecvTimeoutError::Disconnected),
+            let message = match is_unsure {
+                true => incoming.recv_timeout(IDLE),
+                false => incoming.recv().map_err(|_| RecvTimeoutError::Disconnected),
             };
             match message {
                 Ok(Message::Rows(batch)) => {
-                    unsettled += batch.len();
                     self.take(&batch)?;
-                    settle_at.get_or_insert_with(|| Instant::now() + SETTLE_AFTER);
+                    is_unsure = true;
+                }
+                Ok(Message::Settle) => {
+                    self.settle()?;
+                    self.shared.settled.fetch_add(1, Ordering::Release);
+                    is_unsure = false;
                 }
                 Ok(Message::Finish(end)) => {
                     let Work { sink, policy, .. } = &mut self;
                     return policy.with_retries(|| sink.finish(end));
                 }
-                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Timeout) => {
+                    self.settle()?;
+                    is_unsure = false;
+                }
+                // Whoever made the rows has given up.
                 Err(RecvTimeoutError::Disconnected) => return self.settle(),
-            }
-            // Where rows never cease to come, no wait for them ever ends by its time.
-            if unsettled >= SETTLE_ROWS || settle_at.is_some_and(|at| Instant::now() >= at) {
-                self.settle()?;
-                unsettled = 0;
-                settle_at = None;
             }
         }
     }

@@ -332,14 +332,12 @@ impl Activity {
         ]
     };
 
-    /// The activities without ways of their own, by their rows: all that a routine can say but these, and what only the living
-    /// tells of.
+    /// The activities without ways of their own, by their rows: all that a routine can say but these. What has no usual length
+    /// only the living tells of.
     pub fn everyday() -> impl Iterator<Item = Activity> {
-        const TOLD: [&str; 5] =
-            [activity::SLEEPING, activity::LEAVING_HOME, activity::VISITING, activity::RESTING, activity::ROAMING];
         let is_own = |label: &str| Activity::OWN_WAYS.iter().any(|own| own.label() == label);
-        let rows = activity::ACTIVITIES.iter().map(|known| known.label);
-        rows.filter(move |label| !is_own(label) && !TOLD.contains(label)).map(Activity::Everyday)
+        let rows = activity::ACTIVITIES.iter().filter(|known| known.usual.is_some()).map(|known| known.label);
+        rows.filter(move |label| !is_own(label)).map(Activity::Everyday)
     }
 
     /// The activity of a label, if a routine can say it.

@@ -2,15 +2,21 @@
 
 use crate::failure::Failure;
 use crate::print::tell;
-use homebody_kit::pace::{Command, Pace, Speed};
+use homebody_kit::pace::{Command, NotUnderstood, Pace, Speed};
 use homebody_log::error::no_thread;
-use std::io::BufRead;
-use std::sync::mpsc::{Receiver, channel};
+use std::io::{self, BufRead, Read};
+use std::sync::mpsc::{Receiver, sync_channel};
 use std::thread;
 
 /// The help of `--control`: as a doc comment, its brackets would be a link.
 const CONTROL: &str = "Take commands by lines on standard input: pause, resume, step [SECONDS], speed X, stop. \
     Each waits until a step before it is done; when the lines end, the run goes on";
+
+/// No command has a longer line (ours).
+const LONGEST_COMMAND_BYTES: usize = 200;
+
+/// So many commands wait to be done; who sends more waits, too (ours).
+const MOST_WAITING: usize = 1000;
 
 /// How fast a run goes, and who may change that.
 #[derive(clap::Args)]
@@ -40,10 +46,11 @@ impl Asked {
         if !self.control {
             return Ok(None);
         }
-        let (sender, commands) = channel();
+        let (sender, commands) = sync_channel(MOST_WAITING);
         let listen = move || {
-            for line in std::io::stdin().lock().split(b'\n').map_while(Result::ok) {
-                match String::from_utf8_lossy(&line).trim_end().parse() {
+            let mut input = std::io::stdin().lock();
+            while let Ok(Some(line)) = next_line(&mut input) {
+                match line.and_then(|line| line.parse().map_err(|error: NotUnderstood| error.to_string())) {
                     Ok(command) if sender.send(command).is_err() => break,
                     Ok(_) => {}
                     Err(error) => tell(error),
@@ -53,5 +60,39 @@ impl Asked {
         let none = |error| Failure::Io(no_thread("to take commands", error));
         thread::Builder::new().spawn(listen).map_err(none)?;
         Ok(Some(commands))
+    }
+}
+
+/// The next line, or what is wrong with it; nothing at the end. Of a line that is too long only the beginning is kept.
+fn next_line(input: &mut impl BufRead) -> io::Result<Option<Result<String, String>>> {
+    let mut line = Vec::new();
+    if input.take(LONGEST_COMMAND_BYTES as u64 + 1).read_until(b'\n', &mut line)? == 0 {
+        return Ok(None);
+    }
+    if line.len() > LONGEST_COMMAND_BYTES && !line.ends_with(b"\n") {
+        input.skip_until(b'\n')?;
+        return Ok(Some(Err(format!("no command is longer than {LONGEST_COMMAND_BYTES} bytes"))));
+    }
+    Ok(Some(Ok(String::from_utf8_lossy(&line).trim_end().to_owned())))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_without_end_is_passed_over_in_little_memory() {
+        let endless = io::repeat(b'x').take(50_000_000).chain(&b"\nstop\n\xff\nlast"[..]);
+        let mut input = io::BufReader::new(endless);
+        let mut said = Vec::new();
+        while let Some(line) = next_line(&mut input).unwrap() {
+            said.push(line);
+        }
+        let too_long = Err("no command is longer than 200 bytes".to_owned());
+        assert_eq!(said, [too_long, Ok("stop".into()), Ok("\u{fffd}".into()), Ok("last".into())]);
+        let longest = "x".repeat(LONGEST_COMMAND_BYTES) + "\nstop";
+        let mut input = longest.as_bytes();
+        assert_eq!(next_line(&mut input).unwrap(), Some(Ok("x".repeat(LONGEST_COMMAND_BYTES))));
+        assert_eq!(next_line(&mut input).unwrap(), Some(Ok("stop".into())));
     }
 }

@@ -40,6 +40,6 @@ pub struct ChanceFile {
 /// `docs/realism.md`.
 impl Default for ChanceFile {
     fn default() -> Self {
-        ChanceFile { looks_per_s: 7.0, sure_deg: None, edge_m: 0.15, missed: 0.12 }
+        ChanceFile { looks_per_s: 7.0, sure_deg: None, edge_m: 0.25, missed: 0.12 }
     }
 }

@@ -48,6 +48,8 @@ pub struct TruthLog {
     offs: VecDeque<(u64, u64)>,
     batch: Batch,
     sent_at: Instant,
+    /// How many rows were handed over.
+    sent: u64,
 }
 
 impl TruthLog {
@@ -100,6 +102,7 @@ impl TruthLog {
             offs: VecDeque::new(),
             batch: Batch::default(),
             sent_at: Instant::now(),
+            sent: 0,
             shown,
             texts,
         };
@@ -128,6 +131,22 @@ impl TruthLog {
         self.writer.durable()
     }
 
+    /// Has its place make sure of what was stored so far. Nobody waits for that here.
+    pub fn settle(&mut self) -> Result<(), LogError> {
+        self.send()?;
+        self.writer.settle()
+    }
+
+    /// Waits until its place has made sure of what it was asked to.
+    pub fn wait_settled(&mut self) -> Result<(), LogError> {
+        self.writer.wait_settled()
+    }
+
+    /// How many rows were made.
+    pub(crate) fn rows(&self) -> u64 {
+        self.sent + self.batch.len() as u64
+    }
+
     /// Makes sure of all facts; what residents are doing ends with the run.
     pub fn finish(mut self, end: Micros) -> Result<(), LogError> {
         for resident in (0..self.residents.len()).map(ResidentId::of) {
@@ -149,6 +168,7 @@ impl TruthLog {
             return self.writer.check();
         }
         let batch = std::mem::replace(&mut self.batch, Batch::with_capacity(BATCH, COLUMNS)).with(&self.texts);
+        self.sent += batch.len() as u64;
         self.writer.send(Arc::new(batch))
     }
 

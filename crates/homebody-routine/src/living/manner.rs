@@ -54,7 +54,7 @@ const TABLE: &str = "stay";
 
 impl Manner {
     /// Asleep: 10-20 gross movements an hour, with silence of up to an hour between them.
-    pub const ASLEEP: Manner = manner("asleep", [560.0, 1.1], [0.7, 15.0], [3.0, 0.07]);
+    pub const ASLEEP: Manner = manner("asleep", [600.0, 1.15], [0.7, 15.0], [3.0, 0.07]);
     /// Awake in bed.
     pub const AWAKE_IN_BED: Manner = manner("awake_in_bed", [120.0, 1.2], [0.6, 8.0], [3.0, 0.15]);
     /// Getting up, lying down, rising.

@@ -21,6 +21,7 @@ mod watch;
 
 // Who carries it out.
 pub mod body;
+mod chores;
 pub mod driver;
 pub mod tally;
 pub mod account;
@@ -49,6 +50,7 @@ pub(crate) fn numbers() -> Vec<Number> {
         ways::NUMBERS,
         lamps::NUMBERS,
         spare_time::NUMBERS,
+        chores::NUMBERS,
         night::NUMBERS,
         pet::NUMBERS,
     ];

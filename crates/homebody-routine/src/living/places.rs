@@ -60,7 +60,7 @@ pub struct Places {
     things: Vec<(String, Option<Role>)>,
     /// Where the lamps begin among them.
     lamps: usize,
-    /// What to look at or dust on a round through the home.
+    /// What to look at or dust on a round through the home: the places that it names, and whatever can be opened.
     stations: Vec<Spot>,
     /// By role, where it is filled and the thing that fills it: lives ask for them all day.
     of_role: Vec<(Option<Spot>, Option<u32>)>,
@@ -342,13 +342,40 @@ impl Places {
         let door = self.door.as_ref().map(|(spot, _)| spot.name.clone());
         let named: Vec<String> = named.filter(|name| Some(name) != door.as_ref()).collect();
         let reachable = || self.spots.iter().filter(|spot| spot.is_reachable);
-        let standing = reachable().filter(|spot| spot.posture == Posture::Standing && named.contains(&spot.name));
+        let is_used = |spot: &&Spot| named.contains(&spot.name) || !spot.is_room && is_opened(&spot.name);
+        let standing = reachable().filter(|spot| spot.posture == Posture::Standing).filter(is_used);
         let stations: Vec<Spot> = standing.cloned().collect();
         if !stations.is_empty() {
             return stations;
         }
         reachable().filter(|spot| spot.is_room).cloned().collect()
     }
+}
+
+/// The last words of the names of what is opened to get at what is in it, or for air (ours).
+const OPENED: [&str; 17] = [
+    "fridge",
+    "refrigerator",
+    "freezer",
+    "microwave",
+    "drawers",
+    "drawer",
+    "cupboard",
+    "cabinet",
+    "pantry",
+    "wardrobe",
+    "closet",
+    "dresser",
+    "chest",
+    "mailbox",
+    "letterbox",
+    "window",
+    "dishwasher",
+];
+
+/// Whether what has this name is opened to get at what is in it, or for air.
+pub(super) fn is_opened(name: &str) -> bool {
+    words(name).last().is_some_and(|word| OPENED.contains(&word))
 }
 
 /// A point in a room half a metre or so from a door in its wall.

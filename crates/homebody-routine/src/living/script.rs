@@ -93,9 +93,6 @@ pub(super) const STAYING_OVER: Micros = 10 * 3600 * SECOND;
 /// How long the host then sits with them first (ours).
 const WELCOME: Micros = 3600 * SECOND;
 
-/// What takes longer is no errand (ours).
-const ERRAND: Micros = 600 * SECOND;
-
 /// What a script is made from.
 pub struct Setting<'a> {
     pub places: &'a Places,
@@ -354,21 +351,15 @@ impl Steps<'_, '_> {
         self.act(Role::WashingMachine, false);
     }
 
-    /// A round through the home, a moment here and there. Mostly one goes on to what is near: of two places, the nearer, as we
-    /// assume; nobody takes the stairs for every errand.
+    /// A round through the home, a moment here and there.
     fn housework(&mut self, lasts: Micros) {
         let stations = self.setting.places.stations();
         let mut left = lasts;
         while left > 0 && !stations.is_empty() {
-            let mut any = || &stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()];
-            let (one, other) = (any(), any());
-            let far = |spot: &Spot| self.setting.at.distance(spot.at);
-            let spot = if far(other) < far(one) { other } else { one };
+            let spot = &stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()];
             let span = self.around(45.0);
-            // Who moves less stays longer at each place; of errands there are fewer instead.
-            let slower = if lasts > ERRAND { self.setting.movement.clamp(0.2, 1.0) } else { 1.0 };
-            let span = micros(seconds(span) / slower).clamp(SECOND, left.max(SECOND));
-            self.setting.at = spot.at;
+            // Who moves less stays longer at each place.
+            let span = micros(seconds(span) / self.setting.movement.clamp(0.2, 1.0)).clamp(SECOND, left.max(SECOND));
             self.push(Step::Go(spot.clone()));
             self.stay(Posture::Standing, Manner::BUSY, span, Interruptible::Interrupt);
             left -= span;
