@@ -52,11 +52,12 @@ fn a_home_is_drawn() {
 #[test]
 fn the_shipped_homes_are_covered() {
     let folder = Folder::new();
-    for (name, rooms, sensors) in [("tigerplace", 6, 16), ("sphere-house", 9, 9)] {
+    // The hall's sensor of the house hangs beyond a door that is shut.
+    for (name, rooms, sensors, unseen) in [("tigerplace", 6, 16, 0.1), ("sphere-house", 9, 9, 0.15)] {
         let json = folder.run(&format!("coverage {ROOT}/scenarios/{name} --json")).ok().json();
         let count = |key: &str| json[key].as_array().unwrap().len();
         assert_eq!((count("rooms"), count("sensors")), (rooms, sensors), "{name}");
-        assert!(json["whole"]["seen_by"]["none"].as_f64().unwrap() < 0.1, "{name}");
+        assert!(json["whole"]["seen_by"]["none"].as_f64().unwrap() < unseen, "{name}");
     }
 }
 
