@@ -64,8 +64,7 @@ impl Company {
         }
         let is_person = |body: &Body| self.people.are_people.get(body.resident.index()).is_none_or(|&is| is);
         self.others.extend(around.others().filter(is_person));
-        let is_on = |role| places.thing(role).is_some_and(|thing| around.is_on(ThingId(thing)));
-        self.is_door_open = is_on(Role::FrontDoor);
+        self.is_door_open = places.thing(Role::FrontDoor).is_some_and(|thing| around.is_on(ThingId(thing)));
     }
 
     pub fn is_alone(&self) -> bool {
