@@ -44,7 +44,7 @@ pub struct Chance {
     pub sure_rad: f64,
     /// The width of the soft edge, in metres.
     pub edge_m: f64,
-    /// The share of spans of [`MISSED_FOR`] in which nothing is noticed.
+    /// The share of spans of 4 s in which nothing is noticed.
     pub missed: f64,
 }
 
