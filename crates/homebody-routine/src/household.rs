@@ -308,7 +308,10 @@ impl DriverProvider for Household {
 
     fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn drivers::Driver>> {
         let mesh = self.mesh(body, home);
-        let places = |name: &str| Arc::new(Places::new(&self.scenario.home, &home.plan, &mesh, name));
+        let places = |name: &str| {
+            let asleep_at = self.routine(body).and_then(Routine::sleeps_at);
+            Arc::new(Places::new(&self.scenario.home, &home.plan, &mesh, name).sleeping_at(asleep_at))
+        };
         let company = |build: Build| Company::new(self.people(), build.radius_m, &home.numbers);
         if let Some(guest) = body.checked_sub(self.scenario.residents.len()) {
             let Visitor { host, name } = self.guests.get(guest)?;

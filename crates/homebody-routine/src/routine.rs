@@ -291,6 +291,14 @@ pub enum Effect {
     Respiration(Fuzzy),
 }
 
+impl Routine {
+    /// Where somebody sleeps at night, if it is said.
+    pub fn sleeps_at(&self) -> Option<&str> {
+        let beds = self.habits.iter().filter(|habit| habit.activity == Activity::GoToBed && habit.visitor.is_none());
+        beds.filter_map(|habit| habit.place.as_deref()).next()
+    }
+}
+
 impl Activity {
     /// Those that are acted out in a way of their own.
     pub const OWN_WAYS: [Activity; 33] = {

@@ -163,6 +163,14 @@ impl Places {
         self.own_spot(&name).or_else(|| self.spot(&name))
     }
 
+    /// The same for who sleeps elsewhere at night than in a bed.
+    pub fn sleeping_at(mut self, name: Option<&str>) -> Places {
+        if let Some(spot) = name.and_then(|name| self.named(name)).cloned() {
+            self.of_role[Role::Bed as usize].0 = Some(spot);
+        }
+        self
+    }
+
     /// Where the role is filled, if anything in the home will do: the best that there is a way to, else the best.
     pub fn of(&self, role: Role) -> Option<&Spot> {
         self.of_role[role as usize].0.as_ref()
