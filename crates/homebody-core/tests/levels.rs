@@ -4,6 +4,7 @@
 use homebody_core::drivers::MotionSegment;
 use homebody_core::event::{Events, Fact, MotionState};
 use homebody_core::geometry::Point;
+use homebody_core::home::plan::Plan;
 use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::home::{Build, Home};
 use homebody_core::ids::ResidentId;
@@ -47,15 +48,20 @@ impl Life {
 
 /// When the sensor notices movement, and whose. It looks again 10 ms after each time.
 fn noticed(sensor: &Value, furniture: &Value, lives: &[Life]) -> Vec<(Micros, u32)> {
-    let mut file = json!({
+    let file = json!({
         "name": "home", "walls": [], "furniture": furniture,
         "rooms": [{ "name": "room", "outline": [[0, 0], [12, 0], [12, 8], [0, 8]] }],
-        // The lens stands 2 cm off the wall: at (0, 4).
-        "sensors": [{
-            "name": "sensor", "kind": "motion", "at": [-0.02, 4], "facing_deg": 0,
-            "first_fire_s": [0, 0], "refire_s": [0.01, 0.01], "persist_s": 0,
-        }],
     });
+    noticed_in(file, sensor, lives)
+}
+
+/// The same in a home of 12 by 8 metres.
+fn noticed_in(mut file: Value, sensor: &Value, lives: &[Life]) -> Vec<(Micros, u32)> {
+    // The lens stands 2 cm off the wall: at (0, 4).
+    file["sensors"] = json!([{
+        "name": "sensor", "kind": "motion", "at": [-0.02, 4], "facing_deg": 0,
+        "first_fire_s": [0, 0], "refire_s": [0.01, 0.01], "persist_s": 0,
+    }]);
     let fields = file["sensors"][0].as_object_mut().expect("an object");
     fields.extend(sensor.as_object().expect("an object").clone());
     let file: HomeFile = serde_json::from_value(file).expect("a home");
@@ -318,6 +324,28 @@ fn of_small_movements_most_are_missed() {
         assert!((found - by_hand(metres)).abs() < 0.06, "{metres} m: {found} instead of {}", by_hand(metres));
     }
     assert_eq!(share_seen(&json!("all"), stir(0.1)), 1.0);
+}
+
+#[test]
+fn people_go_through_a_door_that_they_shut_behind_them_and_beams_do_not() {
+    let home = |shut_behind: bool| {
+        json!({
+            "name": "home",
+            "rooms": [{ "name": "near", "outline": [[0, 0], [4, 0], [4, 8], [0, 8]] },
+                { "name": "far", "outline": [[4, 0], [12, 0], [12, 8], [4, 8]] }],
+            "walls": [{ "from": [4, 0], "to": [4, 8] }],
+            "doors": [{ "name": "door", "from": [4, 3.5], "to": [4, 4.5], "shut_behind": shut_behind }],
+        })
+    };
+    let beyond = || [Life::new().walk(1.0, (6.0, 3.0), (6.0, 5.0))];
+    assert!(!noticed_in(home(false), &json!({}), &beyond()).is_empty());
+    assert_eq!(noticed_in(home(true), &json!({}), &beyond()), []);
+    let plan = Plan::new(&serde_json::from_value(home(true)).expect("a home"));
+    assert!(plan.is_walkable(Point::new(4.0, 4.0), 0.2) && !plan.is_walkable(Point::new(4.0, 2.0), 0.2));
+    // Who comes through is seen on this side.
+    let through = [Life::new().walk(1.0, (6.0, 4.0), (2.0, 4.0))];
+    let seen = noticed_in(home(true), &json!({}), &through);
+    assert!(seen.first().is_some_and(|(at, _)| (1_500_000..2_500_000).contains(at)), "{seen:?}");
 }
 
 #[test]

@@ -220,7 +220,8 @@ impl Logger {
         self.each(|writer| if batch.is_empty() { writer.check() } else { writer.send(batch.clone()) })
     }
 
-    /// Has all places make sure of what was stored so far. Nobody waits for that here.
+    /// Has all places make sure of what was stored so far; nobody waits for that here. Otherwise they do so when nothing is
+    /// stored for a second, and at the end.
     pub fn settle(&mut self) -> Result<(), LogError> {
         self.send()?;
         self.each(Writer::settle)

@@ -172,7 +172,7 @@ impl StagedRun {
         };
         let seed = start.seed.unwrap_or(scenario.file.seed);
         let length = scenario.calendar.span_of_days(scenario.file.days);
-        let recording = Recording::of(&scenario, env!("CARGO_PKG_VERSION"), entry, seed, length);
+        let recording = Recording::of(&scenario, homebody_kit::VERSION, entry, seed, length);
         let recording = Recording { without: start.without.clone(), ..recording }.begun();
         let mut run = Run::new(&scenario, &household, seed, recording.length_us);
         if let Some(driven) = start.driven {

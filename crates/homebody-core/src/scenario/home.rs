@@ -154,6 +154,9 @@ pub struct DoorFile {
     /// An open door lets people and beams through, a closed one neither.
     #[serde(default = "yes")]
     pub open: bool,
+    /// Whether people shut an open door behind them whenever they go through: it lets them through, and beams never.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub shut_behind: bool,
     /// Whether it leads out of the home.
     #[serde(default)]
     pub outside: bool,
@@ -529,10 +532,10 @@ impl Preset {
             Preset::X10Ms16a => timing([1.0, 2.0], [10.0, 10.0], 1.0),
             // Read off a CASAS home with Bosch units: never again before about 5.4 s, and then with the next movement that is
             // noticed. That makes the 5th percentile of ON to ON, 5.5 s, and leaves the median, 8.8 s, to chance.
-            Preset::CasasPulse => timing([0.05, 0.3], [5.4, 5.6], 0.05),
+            Preset::CasasPulse => timing([0.05, 0.4], [5.4, 5.6], 0.1),
             // Read off CASAS homes with Control4 units: of the ONs that are longer than the shortest, 1.1 s, the shortest last 1.7 s:
             // a movement 0.55 s after the last prolongs the ON to 1.1 s after itself.
-            Preset::CasasFollow => timing([0.05, 0.3], [0.55, 0.65], 0.5),
+            Preset::CasasFollow => timing([0.05, 0.4], [0.55, 0.65], 0.45),
             // Zigbee2MQTT, page RTCGQ11LM: ignores movement for exactly 60 s.
             Preset::Aqara => timing([0.1, 0.5], [60.0, 60.0], 1.0),
             // Ours: the maker publishes no blind time.

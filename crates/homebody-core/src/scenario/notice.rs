@@ -23,7 +23,7 @@ pub struct ChanceFile {
     #[schemars(range(min = 0.01, max = 50))]
     pub looks_per_s: f64,
     /// A look surely notices what moves by this angle within a second, seen from the lens. Of what moves by half of it, it notices
-    /// a quarter. Without it 22, but 60 for one on a wall with a preset of CASAS, where such a sensor watches a whole room beside
+    /// a quarter. Without it 22, but 64 for one on a wall with a preset of CASAS, where such a sensor watches a whole room beside
     /// narrow ones, and misses much.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 360))]
@@ -40,6 +40,6 @@ pub struct ChanceFile {
 /// `docs/realism.md`.
 impl Default for ChanceFile {
     fn default() -> Self {
-        ChanceFile { looks_per_s: 5.0, sure_deg: None, edge_m: 0.2, missed: 0.12 }
+        ChanceFile { looks_per_s: 7.0, sure_deg: None, edge_m: 0.25, missed: 0.12 }
     }
 }

@@ -27,7 +27,7 @@ use std::ops::RangeInclusive;
 const SURE_DEG: f64 = 22.0;
 
 /// The same for the wide sensors of CASAS homes, which only see large movements (ours, fitted as well).
-const SURE_OF_WIDE_DEG: f64 = 60.0;
+const SURE_OF_WIDE_DEG: f64 = 64.0;
 
 /// For so long nothing of a body is noticed at a time: about as long as somebody takes to pass (ours).
 const MISSED_FOR: Micros = 4 * SECOND;
@@ -44,7 +44,7 @@ pub struct Chance {
     pub sure_rad: f64,
     /// The width of the soft edge, in metres.
     pub edge_m: f64,
-    /// The share of spans of [`MISSED_FOR`] in which nothing is noticed.
+    /// The share of spans of 4 s in which nothing is noticed.
     pub missed: f64,
 }
 
@@ -136,7 +136,7 @@ mod tests {
         assert_eq!(sure_deg(of(json!({ "preset": "casas_pulse" }))), Some(22.0));
         let wall =
             |preset: &str| json!({ "kind": "motion", "name": "m", "at": [0, 0], "facing_deg": 0, "preset": preset });
-        assert_eq!(["casas_follow", "hue"].map(|preset| sure_deg(chance(wall(preset)))), [Some(60.0), Some(22.0)]);
+        assert_eq!(["casas_follow", "hue"].map(|preset| sure_deg(chance(wall(preset)))), [Some(64.0), Some(22.0)]);
         assert_eq!(of(json!({ "preset": "casas_pulse", "notice": "all" })), None);
         let own = json!({ "notice": { "chance": { "looks_per_s": 4, "sure_deg": 45, "edge_m": 0, "missed": 0.5 } } });
         let quarter_turn = std::f64::consts::FRAC_PI_4;

@@ -1,50 +1,15 @@
 //! The small things that somebody rises for: a window is opened, dishes are put away, the mail is fetched.
 
 use super::manner::Manner;
-use super::places::{Places, Spot, is_opened};
+use super::places::{Spot, Station};
 use super::script::{Interruptible, Setting, Stay, Step};
-use homebody_core::activity::{AIRING, FETCHING_MAIL, FRESHENING_UP, PUTTING_CLOTHES_AWAY, SEEING_TO_KITCHEN, TIDYING};
-use homebody_core::names::words;
+use homebody_core::activity::FETCHING_MAIL;
 use homebody_core::numbers::Numbers;
 use homebody_core::random::Stream;
 use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, micros};
 use std::collections::VecDeque;
-
-/// What somebody rises for, by the words in the names of the places where it is done; the first that fits counts. The lists are
-/// ours.
-const CHORES: [(&str, &[&str]); 5] = [
-    (AIRING, &["window", "balcony"]),
-    (FETCHING_MAIL, &["mailbox", "letterbox", "mail"]),
-    (
-        PUTTING_CLOTHES_AWAY,
-        &["wardrobe", "closet", "dresser", "chest", "linen", "machine", "dryer", "clothes", "coats"],
-    ),
-    (FRESHENING_UP, &["washbasin", "basin", "mirror"]),
-    (
-        SEEING_TO_KITCHEN,
-        &[
-            "fridge",
-            "refrigerator",
-            "freezer",
-            "stove",
-            "oven",
-            "kettle",
-            "counter",
-            "worktop",
-            "sink",
-            "microwave",
-            "dishwasher",
-            "kitchen",
-            "drawers",
-            "drawer",
-            "cupboard",
-            "cabinet",
-            "pantry",
-        ],
-    ),
-];
 
 /// How long somebody is busy at one place, the median (ours).
 const MOMENT_S: f64 = 45.0;
@@ -77,43 +42,44 @@ pub fn mail_hour(stream: &mut Stream, numbers: &Numbers) -> f64 {
 /// The steps of an errand that takes about so long: one kind of thing, at one place of it after the other.
 pub fn errand(errand: Errand, lasts: Micros, setting: &mut Setting) -> VecDeque<Step> {
     let places = setting.places;
-    let front_door = places.of(Role::FrontDoor).filter(|spot| errand == Errand::Mail && spot.is_reachable);
-    let mailbox = || places.stations().iter().find(|spot| chore(&spot.name) == FETCHING_MAIL);
     let mut steps = VecDeque::new();
-    if let Some(spot) = mailbox().filter(|_| errand == Errand::Mail).or(front_door) {
-        let thing = if spot.name == places.of(Role::FrontDoor).map_or("", |door| &door.name) {
-            places.thing(Role::FrontDoor)
-        } else {
-            opened(places, &spot.name)
-        };
-        steps.push_back(Step::Name(FETCHING_MAIL.into()));
-        visit(spot, thing, lasts, setting, &mut steps);
-        return steps;
+    if errand == Errand::Mail {
+        let mailbox = places.stations().iter().find(|station| station.chore == FETCHING_MAIL);
+        let mailbox = mailbox.map(|station| (&station.spot, station.opened));
+        let door = places.of(Role::FrontDoor).filter(|door| door.is_reachable);
+        if let Some((spot, thing)) = mailbox.or(door.map(|door| (door, places.thing(Role::FrontDoor)))) {
+            steps.push_back(Step::Name(FETCHING_MAIL.into()));
+            visit(spot, thing, lasts, setting, &mut steps);
+            return steps;
+        }
     }
-    let Some(first) = nearer(&|_| true, setting) else { return steps };
-    let label = chore(&first.name);
-    steps.push_back(Step::Name(label.into()));
-    let (mut left, mut spot) = (lasts, first);
+    let Some(mut station) = nearer(&|_| true, setting) else { return steps };
+    let chore = station.chore;
+    steps.push_back(Step::Name(chore.into()));
+    let mut left = lasts;
     loop {
-        left -= visit(spot, opened(places, &spot.name), left, setting, &mut steps);
-        let next = nearer(&|spot| chore(&spot.name) == label, setting).filter(|_| left > 0);
-        match next {
-            Some(next) => spot = next,
+        left -= visit(&station.spot, station.opened, left, setting, &mut steps);
+        match nearer(&|station| station.chore == chore, setting).filter(|_| left > 0) {
+            Some(next) => station = next,
             None => return steps,
         }
     }
 }
 
 /// Mostly of two stations the nearer to where one sits: nobody takes the stairs for every errand, as we assume.
-fn nearer<'a>(fits: &dyn Fn(&Spot) -> bool, setting: &mut Setting<'a>) -> Option<&'a Spot> {
-    let stations: Vec<&Spot> = setting.places.stations().iter().filter(|spot| fits(spot)).collect();
-    if stations.is_empty() {
+fn nearer<'a>(fits: &dyn Fn(&Station) -> bool, setting: &mut Setting<'a>) -> Option<&'a Station> {
+    let stations = setting.places.stations();
+    let count = stations.iter().filter(|station| fits(station)).count();
+    if count == 0 {
         return None;
     }
+    let mut any = || {
+        let drawn = (setting.stream.unit() * count as f64) as usize % count;
+        stations.iter().filter(|station| fits(station)).nth(drawn)
+    };
+    let (one, other) = (any()?, any()?);
     let seat = setting.places.of(Role::Armchair).map(|seat| seat.at);
-    let mut any = || stations[(setting.stream.unit() * stations.len() as f64) as usize % stations.len()];
-    let (one, other) = (any(), any());
-    let far = |spot: &Spot| seat.map_or(0.0, |seat| seat.distance(spot.at));
+    let far = |station: &Station| seat.map_or(0.0, |seat| seat.distance(station.spot.at));
     let stays_near = setting.stream.chance(STAYS_NEAR);
     Some(if stays_near && far(other) < far(one) { other } else { one })
 }
@@ -130,16 +96,4 @@ fn visit(spot: &Spot, thing: Option<u32>, left: Micros, setting: &mut Setting, s
     steps.push_back(Step::Stay(stay));
     steps.extend(thing.map(|thing| Step::Act(thing, false)));
     span
-}
-
-/// What is done at a place of this name.
-fn chore(name: &str) -> &'static str {
-    let words = words(name);
-    let fits = |(_, known): &&(&str, &[&str])| words.iter().any(|word| known.contains(&word.as_str()));
-    CHORES.iter().find(fits).map_or(TIDYING, |(label, _)| label)
-}
-
-/// What is opened at a place of this name.
-fn opened(places: &Places, name: &str) -> Option<u32> {
-    places.thing_named(name).filter(|_| is_opened(name))
 }

@@ -416,7 +416,9 @@ impl RoutineDriver {
         let first = match activity {
             Activity::Wander | Activity::Pace | Activity::Lap => place.cloned(),
             // One falls on the way somewhere.
-            Activity::Fall => stations.get((stream.unit() * stations.len() as f64) as usize).cloned(),
+            Activity::Fall => {
+                stations.get((stream.unit() * stations.len() as f64) as usize).map(|one| one.spot.clone())
+            }
             _ => None,
         };
         if let Some(first) = first {

@@ -54,21 +54,21 @@ const TABLE: &str = "stay";
 
 impl Manner {
     /// Asleep: 10-20 gross movements an hour, with silence of up to an hour between them.
-    pub const ASLEEP: Manner = manner("asleep", [560.0, 1.1], [0.7, 15.0], [3.0, 0.07]);
+    pub const ASLEEP: Manner = manner("asleep", [600.0, 1.15], [0.7, 15.0], [3.0, 0.07]);
     /// Awake in bed.
     pub const AWAKE_IN_BED: Manner = manner("awake_in_bed", [120.0, 1.2], [0.6, 8.0], [3.0, 0.15]);
     /// Getting up, lying down, rising.
     pub const TURNING: Manner = manner("turning", [4.0, 0.5], [0.0, 4.0], [4.0, 0.4]);
     /// In front of a screen, or doing nothing.
-    pub const STILL: Manner = manner("still", [420.0, 1.3], [0.4, 7.0], [1.5, 0.25]);
-    pub const READING: Manner = manner(READING, [250.0, 1.3], [0.4, 7.0], [1.5, 0.25]);
-    pub const TALKING: Manner = manner("talking", [45.0, 1.2], [0.5, 6.0], [3.0, 0.3]);
-    pub const EATING: Manner = manner("eating", [60.0, 1.2], [0.4, 6.0], [2.5, 0.3]);
-    pub const ON_TOILET: Manner = manner("on_toilet", [70.0, 1.2], [0.5, 6.0], [3.0, 0.3]);
+    pub const STILL: Manner = manner("still", [600.0, 1.4], [0.6, 8.0], [1.3, 0.25]);
+    pub const READING: Manner = manner(READING, [300.0, 1.3], [0.5, 7.5], [1.5, 0.25]);
+    pub const TALKING: Manner = manner("talking", [40.0, 1.2], [0.75, 5.0], [3.0, 0.3]);
+    pub const EATING: Manner = manner("eating", [50.0, 1.2], [0.3, 6.0], [2.0, 0.3]);
+    pub const ON_TOILET: Manner = manner("on_toilet", [100.0, 1.2], [0.4, 6.0], [2.7, 0.3]);
     /// Standing and using the hands: at the stove, the sink, the wardrobe.
-    pub const BUSY: Manner = manner("busy", [60.0, 1.3], [0.5, 8.0], [4.0, 0.35]);
+    pub const BUSY: Manner = manner("busy", [75.0, 1.3], [0.55, 7.0], [4.0, 0.35]);
     /// Washing oneself, under the shower too.
-    pub const WASHING: Manner = manner(WASHING, [25.0, 1.2], [0.5, 5.0], [5.0, 0.35]);
+    pub const WASHING: Manner = manner(WASHING, [24.0, 1.2], [0.4, 4.5], [6.0, 0.35]);
     /// On the floor, trying to get up.
     pub const FALLEN: Manner = manner(FALLEN, [45.0, 1.1], [0.0, 4.0], [4.0, 0.4]);
     /// An animal asleep.

@@ -26,6 +26,7 @@ pub mod driver;
 pub mod tally;
 pub mod account;
 mod spare_time;
+pub mod stations;
 mod night;
 pub mod company;
 mod courtesy;

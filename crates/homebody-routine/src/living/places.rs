@@ -1,5 +1,6 @@
 //! Where things are done in this home: the places, seats and things that it names after them.
 
+use super::stations::{chore, is_opened};
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::{Origin, Plan};
 use homebody_core::role::{ROLES, Role};
@@ -48,6 +49,17 @@ impl Spot {
     }
 }
 
+/// A place that somebody rises for.
+#[derive(Clone, Debug)]
+pub struct Station {
+    /// Where it is.
+    pub spot: Spot,
+    /// What is done there, as the truth calls it.
+    pub chore: &'static str,
+    /// What is opened there.
+    pub opened: Option<u32>,
+}
+
 /// The places of a home as one resident uses them: what is called after them is theirs before what is anybody's.
 #[derive(Clone, Debug)]
 pub struct Places {
@@ -61,7 +73,7 @@ pub struct Places {
     /// Where the lamps begin among them.
     lamps: usize,
     /// What to look at or dust on a round through the home: the places that it names, and whatever can be opened.
-    stations: Vec<Spot>,
+    stations: Vec<Station>,
     /// By role, where it is filled and the thing that fills it: lives ask for them all day.
     of_role: Vec<(Option<Spot>, Option<u32>)>,
 }
@@ -293,7 +305,7 @@ impl Places {
     }
 
     /// What to look at on a round through the home.
-    pub fn stations(&self) -> &[Spot] {
+    pub fn stations(&self) -> &[Station] {
         &self.stations
     }
 
@@ -345,45 +357,24 @@ impl Places {
     }
 
     /// Places to stand at that there is a way to, of all rooms; beds, seats and doors aside.
-    fn find_stations(&self, home: &HomeFile) -> Vec<Spot> {
+    fn find_stations(&self, home: &HomeFile) -> Vec<Station> {
         let named = home.places.iter().map(|place| place.name.to_lowercase());
         let door = self.door.as_ref().map(|(spot, _)| spot.name.clone());
         let named: Vec<String> = named.filter(|name| Some(name) != door.as_ref()).collect();
         let reachable = || self.spots.iter().filter(|spot| spot.is_reachable);
         let is_used = |spot: &&Spot| named.contains(&spot.name) || !spot.is_room && is_opened(&spot.name);
         let standing = reachable().filter(|spot| spot.posture == Posture::Standing).filter(is_used);
-        let stations: Vec<Spot> = standing.cloned().collect();
+        let stations: Vec<Station> = standing.map(|spot| self.station(spot)).collect();
         if !stations.is_empty() {
             return stations;
         }
-        reachable().filter(|spot| spot.is_room).cloned().collect()
+        reachable().filter(|spot| spot.is_room).map(|spot| self.station(spot)).collect()
     }
-}
 
-/// The last words of the names of what is opened to get at what is in it, or for air (ours).
-const OPENED: [&str; 17] = [
-    "fridge",
-    "refrigerator",
-    "freezer",
-    "microwave",
-    "drawers",
-    "drawer",
-    "cupboard",
-    "cabinet",
-    "pantry",
-    "wardrobe",
-    "closet",
-    "dresser",
-    "chest",
-    "mailbox",
-    "letterbox",
-    "window",
-    "dishwasher",
-];
-
-/// Whether what has this name is opened to get at what is in it, or for air.
-pub(super) fn is_opened(name: &str) -> bool {
-    words(name).last().is_some_and(|word| OPENED.contains(&word))
+    fn station(&self, spot: &Spot) -> Station {
+        let opened = self.thing_named(&spot.name).filter(|_| is_opened(&spot.name));
+        Station { spot: spot.clone(), chore: chore(&spot.name), opened }
+    }
 }
 
 /// A point in a room half a metre or so from a door in its wall.

@@ -13,6 +13,21 @@ use homebody_core::time::{Micros, SECOND, micros, seconds};
 use homebody_walk::Wandering;
 use std::collections::VecDeque;
 
+/// The roles whose things activities use: open, turn on, let run.
+pub const ACTED_ON: [Role; 11] = [
+    Role::Toilet,
+    Role::Washbasin,
+    Role::Shower,
+    Role::Medicine,
+    Role::Sink,
+    Role::Fridge,
+    Role::Drawers,
+    Role::Stove,
+    Role::Television,
+    Role::WashingMachine,
+    Role::FrontDoor,
+];
+
 /// One step of a script.
 #[derive(Clone, Debug)]
 pub enum Step {
@@ -120,6 +135,10 @@ pub fn script(
     setting: &mut Setting,
 ) -> VecDeque<Step> {
     let mut steps = Steps { steps: VecDeque::new(), setting };
+    if let Activity::Eat(_) = activity {
+        // Who waits for a meal does not eat yet.
+        steps.push(Step::AwaitMeal { left: COOKING_PATIENCE });
+    }
     steps.push(Step::Name(activity.label().into()));
     steps.act_out(activity, place, lasts, until);
     steps.steps
@@ -141,7 +160,6 @@ impl Steps<'_, '_> {
             Activity::TakeMedicine => self.take_medicine(place, lasts),
             Activity::Prepare(meal) => self.prepare(*meal, lasts),
             Activity::Eat(_) => {
-                self.push(Step::AwaitMeal { left: COOKING_PATIENCE });
                 self.at(Role::DiningSeat, place, lasts, Manner::EATING, Interruptible::Rules);
                 self.push(Step::Meet(Need::Hunger));
                 self.push(Step::Meet(Need::Thirst));
@@ -356,7 +374,7 @@ impl Steps<'_, '_> {
         let stations = self.setting.places.stations();
         let mut left = lasts;
         while left > 0 && !stations.is_empty() {
-            let spot = &stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()];
+            let spot = &stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()].spot;
             let span = self.around(45.0);
             // Who moves less stays longer at each place.
             let span = micros(seconds(span) / self.setting.movement.clamp(0.2, 1.0)).clamp(SECOND, left.max(SECOND));
@@ -454,6 +472,29 @@ mod tests {
             _ => None,
         });
         goes.collect()
+    }
+
+    #[test]
+    fn the_roles_that_are_acted_on_are_those_of_the_scripts() {
+        let home = include_str!("../../../../scenarios/tigerplace/home.json");
+        let home: HomeFile = serde_json::from_str(&home.replace("\"nightstand\"", "\"medicine cabinet\"")).unwrap();
+        let plan = Plan::new(&home);
+        let places = Places::new(&home, &plan, &Mesh::new(&plan, 0.22), "margaret");
+        let mut acted = BTreeSet::new();
+        for activity in USUAL.iter().chain(&[Activity::Shower, Activity::TakeMedicine, Activity::Visit]) {
+            for seed in 0..40 {
+                let (mut stream, at) = (Stream::named(seed, "script"), places.of(Role::Armchair).unwrap().at);
+                let mut setting =
+                    Setting { places: &places, at, stream: &mut stream, forgotten: Vec::new(), movement: 1.0 };
+                let steps = script(activity, None, 1200 * SECOND, None, &mut setting);
+                acted.extend(steps.into_iter().filter_map(|step| match step {
+                    Step::Act(thing, _) => Some(places.thing_name(thing).to_owned()),
+                    _ => None,
+                }));
+            }
+        }
+        let things = ACTED_ON.iter().filter_map(|&role| places.thing(role));
+        assert_eq!(acted, things.map(|thing| places.thing_name(thing).to_owned()).collect());
     }
 
     #[test]

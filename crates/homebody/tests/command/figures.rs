@@ -52,11 +52,12 @@ fn a_home_is_drawn() {
 #[test]
 fn the_shipped_homes_are_covered() {
     let folder = Folder::new();
-    for (name, rooms, sensors) in [("tigerplace", 6, 16), ("sphere-house", 9, 9)] {
+    // The hall's sensor of the house hangs beyond a door that is shut.
+    for (name, rooms, sensors, unseen) in [("tigerplace", 6, 16, 0.1), ("sphere-house", 9, 9, 0.15)] {
         let json = folder.run(&format!("coverage {ROOT}/scenarios/{name} --json")).ok().json();
         let count = |key: &str| json[key].as_array().unwrap().len();
         assert_eq!((count("rooms"), count("sensors")), (rooms, sensors), "{name}");
-        assert!(json["whole"]["seen_by"]["none"].as_f64().unwrap() < 0.1, "{name}");
+        assert!(json["whole"]["seen_by"]["none"].as_f64().unwrap() < unseen, "{name}");
     }
 }
 
@@ -201,4 +202,19 @@ fn a_log_is_held_against_another() {
         "{}",
         wrong.err
     );
+}
+
+#[test]
+fn what_is_lived_is_possible() {
+    let folder = Folder::new();
+    let possible = folder.run("experiment possible --json").ok().json();
+    let rows = possible["scenarios"].as_array().unwrap();
+    assert!(rows.len() >= 6, "all templates: {possible}");
+    let visits = |name: &str| rows.iter().find(|row| row["scenario"] == name).unwrap()["visits"].as_u64().unwrap();
+    assert!(visits("couple-with-cat") >= 40 && visits("tigerplace") >= 2, "several meet: {possible}");
+    for row in rows {
+        let counts = ["on_one_spot", "through_somebody", "eaten_uncooked", "ends_before_it_begins"];
+        assert!(counts.iter().all(|count| row[count] == 0) && row["visiting_nobody_s"] == 0.0, "{row}");
+    }
+    folder.run("experiment possible nowhere").fails(1, "nowhere: there is no such scenario");
 }

@@ -9,8 +9,7 @@ use crate::scenario::source::{Source, pointer_part};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What to do about a place that leads out of the folder.
-const INSIDE: &str =
-    "name a file in there, such as \"sqlite:log.db\"; whoever runs it may say another place for that run";
+const INSIDE: &str = "name a file in there, such as \"sqlite:log.db\"";
 
 /// What to do about a place that something else has.
 const ANOTHER: &str = "name a file that nothing else has, such as \"csv:logs/week.csv\"";

@@ -2,6 +2,7 @@
 
 mod daily_life;
 mod godsey2009;
+mod possible;
 mod realism;
 mod sphere;
 
@@ -13,6 +14,7 @@ use crate::failure::Failure;
   homebody experiment godsey2009 --svg firings.svg
   homebody experiment sphere --data sphere_challenge --svg rooms.svg
   homebody experiment daily-life --people 20 --days 14 --png people.png
+  homebody experiment possible
   homebody experiment realism --data casas --json realism.json")]
 pub struct Arguments {
     #[command(subcommand)]
@@ -27,6 +29,8 @@ enum Experiment {
     Sphere(sphere::Arguments),
     /// Generated older adults lived at home, beside what was published of real ones
     DailyLife(daily_life::Arguments),
+    /// What cannot be, counted in lives: two on one spot, visits to nobody, meals before they are cooked
+    Possible(possible::Arguments),
     /// Real homes beside a generated life that is sensed as they are
     Realism(realism::Arguments),
 }
@@ -37,6 +41,7 @@ impl Arguments {
             Experiment::Godsey2009(arguments) => arguments.run(),
             Experiment::Sphere(arguments) => arguments.run(),
             Experiment::DailyLife(arguments) => arguments.run(),
+            Experiment::Possible(arguments) => arguments.run(),
             Experiment::Realism(arguments) => arguments.run(),
         }
     }

@@ -39,8 +39,11 @@ pub struct Arguments {
     answer: Answer,
 }
 
-/// The logs of homes with Control4 units, below the folder of the data.
-const LOGS: [&str; 2] = ["casas_hh111_week1/hh111week1.csv", "casas_tm000/tm000.multiday_absence.txt"];
+/// The logs of homes with Control4 units, below the folder of the data, and from which day on somebody is at home.
+const LOGS: [(&str, Option<jiff::civil::Date>); 2] = [
+    ("casas_hh111_week1/hh111week1.csv", None),
+    ("casas_tm000/tm000.multiday_absence.txt", Some(jiff::civil::date(2016, 7, 17))),
+];
 
 /// The scenario that is lived.
 const SCENARIO: &str = "older-adult";
@@ -55,18 +58,20 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let answer = self.answer.check(["", "other"], &[])?;
         let mut logs = Vec::new();
-        for path in LOGS {
+        for (path, from) in LOGS {
             let path = self.data.join(path);
             if !path.is_file() {
                 return Err(Failure::io(&path, "there is no such file\n  hint: the logs are not part of this program"));
             }
-            logs.push(read_log(&path.to_string_lossy(), None)?);
+            let read = read_log(&path.to_string_lossy(), None)?;
+            let last = read.log.events.iter().map(|event| event.at).max().unwrap_or(0);
+            logs.push((read, from.map(|from| midnight(from)..last + 1)));
         }
         let lived = lived(self.seed, self.days)?;
         let simulated = Told { name: SCENARIO, log: &lived, recorded: None };
         let mut homes = Vec::new();
-        for real in &logs {
-            let told = Told { name: &real.name, log: &real.log, recorded: None };
+        for (real, at_home) in &logs {
+            let told = Told { name: &real.name, log: &real.log, recorded: at_home.as_ref() };
             homes.push(realism(told, simulated).map_err(|problems| {
                 Failure::usage(problems.iter().map(NotComparable::to_string).collect::<Vec<_>>().join("\nerror: "))
             })?);
