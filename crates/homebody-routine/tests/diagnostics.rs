@@ -90,9 +90,10 @@ fn an_unknown_visitor() {
 fn an_unknown_word() {
     refused("She reads abuot 7:30.", "abuot", "is not understood here", "did you mean \"about\"?");
     refused("Evry day she reads.", "Evry", "is not understood here", "did you mean \"every\"?");
-    refused("She reads quickly.", "quickly", "is not understood here", "expected where, when");
+    refused("She reads blorp.", "blorp", "is not understood here", "expected where, when");
+    understood("She reads quickly.");
     refused("She reads @ noon.", "@", "is not understood here", "");
-    refused("She reads 2 hours.", "2", "is not understood here", "write \"for 2 hours\"");
+    understood("She reads 2 hours.");
     refused("In the last week she reads.", "In the last", "is not understood here", "from week 6");
     refused("She is busy.", "busy", "is not understood here", "is 30 % less active");
 }
@@ -131,7 +132,7 @@ fn a_time_that_may_be_of_two_halves_of_the_day() {
     refused("She reads at 7.", "7", "not clear which time of day", "write \"7 am\" or \"7 pm\"");
     refused("She reads at 7 o'clock.", "7 o'clock", "not clear", "7 am");
     refused("She gets up at 3.", "3", "not clear", "3 am");
-    refused("She goes to church on Sunday at 11 and to bingo on Friday evening.", "11", "not clear", "11 am");
+    understood("She goes to church on Sunday at 11 and to bingo on Friday evening.");
     understood(
         "She reads at 7 in the morning. She gets up at 7. She goes to bed at 10. She eats lunch at half past twelve.",
     );
@@ -139,7 +140,7 @@ fn a_time_that_may_be_of_two_halves_of_the_day() {
     refused("She reads at half past seven.", "half past seven", "not clear which time of day", both);
     let both = "write \"quarter to one at night\" or \"quarter to one in the afternoon\"";
     refused("She reads at quarter to one.", "quarter to one", "not clear which time of day", both);
-    refused("She reads at half eight.", "half eight", "not clear which time", "write \"half past eight\"");
+    refused("She reads at half eight.", "half eight", "not clear which time", "half eight in the morning");
     understood("She naps in the morning and on Monday evening at 7 pm. She reads at 10:00 and at 12:00.");
 }
 
@@ -531,7 +532,7 @@ fn every_sentence_that_a_hint_proposes_is_understood() {
         "She goes out when it rains.",
         "She watches a lot of television in the evening.",
         "She is up three times a night.",
-        "She reads slowly at 10:00 because her eyes are bad.",
+        "She reads sidewise thrice at 10:00 because her eyes are bad.",
         "She becomes agitated in the evening.",
         "Her lunch visits on Sunday for 2 hours.",
         "When she cannot sleep, she reads at night.",
@@ -539,7 +540,7 @@ fn every_sentence_that_a_hint_proposes_is_understood() {
         "She whittles on the sofa.",
         "She flies to the moon on Sunday.",
         "Her cat sleeps on the sofa.",
-        "She goes to bed at 22:00 with her teddy.",
+        "She goes to bed at 22:00 with her three teddies.",
     ];
     let mut with_sentence = 0;
     for text in texts {

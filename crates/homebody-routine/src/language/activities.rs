@@ -59,8 +59,11 @@ pub fn fits(reader: &Reader, way: &Way) -> Option<usize> {
         if piece.after_others {
             ahead += adjectives(reader, ahead, piece);
         }
-        match (length(reader, piece, ahead, at), piece.optional) {
-            (Some(length), _) => at = ahead + length,
+        let after_determiners = length(reader, piece, ahead, at).map(|length| ahead + length);
+        // "Her" may be the word that is wanted.
+        let end = after_determiners.or_else(|| length(reader, piece, at, at).map(|length| at + length));
+        match (end, piece.optional) {
+            (Some(end), _) => at = end,
             (None, true) => {}
             (None, false) => return None,
         }

@@ -8,7 +8,7 @@ use super::reader::Reader;
 use super::times;
 use super::words::{Span, Token};
 use crate::fuzzy::Fuzzy;
-use crate::routine::{Activity, Chance, Days, Moment, PartOfDay, When};
+use crate::routine::{Activity, Chance, Moment, PartOfDay, When};
 
 /// Something that was said, where, and whether by this sentence or by the heading above it.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,7 +28,7 @@ const FIRST: &str = "when as last a about after afterwards all almost always an 
     plus rarely right roughly seldom several shortly since some sometimes soon starting straight then thrice till \
     twice until usually weekday weekdays weekend weekends with within exactly except the two throughout three four five \
     six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen seventeen eighteen nineteen quarter \
-    while twenty thirty forty fifty sixty ninety seventy eighty";
+    while twenty thirty forty fifty sixty ninety seventy eighty but excluding bar apart aside other not of";
 
 fn is_first(word: &str) -> bool {
     FIRST.split(' ').any(|first| first == word)
@@ -75,7 +75,7 @@ pub enum Last {
     Until,
 }
 
-fn put<T>(reader: &mut Reader, slot: &mut Option<Slot<T>>, value: T, span: Span, kind: &str) {
+pub fn put<T>(reader: &mut Reader, slot: &mut Option<Slot<T>>, value: T, span: Span, kind: &str) {
     if let Some(first) = slot {
         let what = format!("{:?} comes after {:?}: {kind}", reader.said(span), reader.said(first.span));
         reader.fault(span, what, "leave one of them out, or make two sentences".to_owned());
@@ -205,7 +205,7 @@ impl Adverbs {
         Some(())
     }
 
-    fn put_often(&mut self, reader: &mut Reader, often: Often, span: Span) {
+    pub(super) fn put_often(&mut self, reader: &mut Reader, often: Often, span: Span) {
         if let Some(chance) = often.chance {
             put(reader, &mut self.chance, chance, span, "both say how often");
         }
@@ -221,72 +221,6 @@ impl Adverbs {
         if let Some(times) = often.times {
             put(reader, &mut self.times, times, span, "both say how many times");
         }
-    }
-
-    /// "on Tuesday and Friday", "at weekends", "in winter", "from May to September", "except on Sunday".
-    fn days(&mut self, reader: &mut Reader) -> Option<()> {
-        let from = reader.at;
-        if reader.eat("except") {
-            reader.eat("for");
-            reader.eat("on|at");
-            let weekdays = Days::ALL.weekdays & !calendar::weekdays(reader)?;
-            let span = reader.span(from);
-            put(reader, &mut self.weekdays, weekdays, span, "both say on which days");
-            return Some(());
-        }
-        if reader.eat("from") {
-            if let Some(months) = calendar::month_range(reader) {
-                let span = reader.span(from);
-                put(reader, &mut self.months, months, span, "both say in which months");
-                return Some(());
-            }
-        } else if reader.ahead(|reader| {
-            reader.eat("on|at");
-            calendar::day_of_month(reader).is_some() || {
-                reader.eat("the");
-                calendar::days_of_year(reader).is_some()
-            }
-        }) {
-            return self.days_of_month(reader);
-        } else if reader.eat("in|during") {
-            let months = calendar::months(reader)?;
-            let span = reader.span(from);
-            put(reader, &mut self.months, months, span, "both say in which months");
-            return Some(());
-        } else {
-            reader.eat("on|at");
-            reader.eat("the");
-        }
-        let weekdays = calendar::weekdays(reader)?;
-        let part = reader.eat_any(&times::PARTS);
-        let span = reader.span(from);
-        let often = Often { chance: None, weekdays: Some(weekdays), part, every: None, times: None };
-        self.put_often(reader, often, span);
-        Some(())
-    }
-
-    /// "on 25 December", "on the first Monday of the month".
-    fn days_of_month(&mut self, reader: &mut Reader) -> Option<()> {
-        let from = reader.at;
-        reader.eat("on|at");
-        let kind = "both say on which days";
-        if let Some((weekdays, days, months)) = calendar::day_of_month(reader) {
-            let span = reader.span(from);
-            put(reader, &mut self.of_month, days, span, kind);
-            if let Some(weekdays) = weekdays {
-                put(reader, &mut self.weekdays, weekdays, span, kind);
-            }
-            if months != Days::ALL.months {
-                put(reader, &mut self.months, months, span, "both say in which months");
-            }
-            return Some(());
-        }
-        reader.eat("the");
-        let (months, days) = calendar::days_of_year(reader)?;
-        let span = reader.span(from);
-        put(reader, &mut self.of_month, days, span, kind);
-        put(reader, &mut self.months, months, span, "both say in which months");
-        Some(())
     }
 
     /// "in the morning", "at night", "during the day".

@@ -389,6 +389,11 @@ fn check_times(reader: &mut Reader, adverbs: &Adverbs, when: &When) {
 }
 
 fn change(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
+    // Where she does not go any more she does not go: nothing is left to live of it.
+    if matches!(clause.predicate, Predicate::Not(_)) && names_one_outing(reader, clause) {
+        draft.routine.remarks.push(draft.said(clause.span));
+        return;
+    }
     let Some((effect, allowed)) = effect(reader, clause) else { return };
     let why = "a change holds from its beginning on, on the days that are said";
     only(reader, &clause.adverbs, &allowed, why);

@@ -4,6 +4,7 @@ use super::activities;
 use super::amounts::{DAY_S, is_unit, number};
 use super::calendar::{is_month, is_weekday};
 use super::reader::Reader;
+use super::said::visits;
 use super::words::{Span, Token};
 use crate::routine::{Activity, Meal, PartOfDay};
 
@@ -21,7 +22,8 @@ struct Face {
 }
 
 /// Seconds since midnight, if a time of day comes next. `bare` says whether a number alone is taken for one.
-pub fn clock(reader: &mut Reader, bare: bool) -> Option<f64> {
+/// Of what ends after another time, it is the first of the two that may be meant.
+pub fn clock(reader: &mut Reader, bare: bool, begin: Option<f64>) -> Option<f64> {
     let from = reader.at;
     if reader.eat("noon|midday") || reader.eat("12|twelve noon|midday") {
         return Some(12.0 * HOUR_S);
@@ -42,9 +44,14 @@ pub fn clock(reader: &mut Reader, bare: bool) -> Option<f64> {
         return None;
     }
     let implied = |reader: &mut Reader| {
-        half_by_end(reader, face).or_else(|| half_by_rest(reader)).or_else(|| half_by_doing(reader, from, face))
+        half_by_end(reader, face).or_else(|| half_by_rest(reader, face)).or_else(|| half_by_doing(reader, from, face))
     };
-    let half = direct.or_else(|| if face.is_clear { None } else { implied(reader) });
+    let next = begin.map(|begin| {
+        let after =
+            |late: bool| (face.after_twelve_s() + if late { DAY_S / 2.0 } else { 0.0 } - begin).rem_euclid(DAY_S);
+        after(true) < after(false)
+    });
+    let half = direct.or_else(|| if face.is_clear { None } else { next.or_else(|| implied(reader)) });
     let (span, by_twelve) = (reader.span(from), (1.0..=12.0).contains(&face.hours));
     // A whole time with a word right behind it lacks a blank, and no more.
     let lacks_blank = face.is_clear && face.is_time() && reader.token(0) == Some(Token::Word);
@@ -102,10 +109,16 @@ fn in_words(reader: &mut Reader, bare: bool) -> Option<Face> {
     };
     let says_minutes = !half && !quarter && reader.eat("minutes|minute|min|mins");
     let Some(is_to) = reader.eat_any(&[("past", false), ("to", true)]) else {
-        return if half && bare { half_an_hour_off(reader, from) } else { None };
+        return if half && bare { half_past(reader) } else { None };
     };
     // "From 10 to 12" is a stretch of time.
     if is_to && (half || in_digits && !says_minutes) {
+        return None;
+    }
+    // Nor is "from ten to six" ten minutes to six, unless it goes on.
+    let begins =
+        from.checked_sub(1).and_then(|before| reader.words.get(before)).is_some_and(|word| word.text == "from");
+    if is_to && begins && !quarter && !says_minutes && !["to", "until", "till"].contains(&reader.peek(1)) {
         return None;
     }
     let noon = reader.eat("noon|midday");
@@ -123,13 +136,10 @@ fn in_words(reader: &mut Reader, bare: bool) -> Option<Face> {
     Some(Face { hours, minutes: if is_to { -minutes } else { minutes }, is_clear })
 }
 
-/// "Half eight" is half past eight to some and half past seven to others.
-fn half_an_hour_off(reader: &mut Reader, from: usize) -> Option<Face> {
-    let word = reader.peek(0).to_owned();
+/// "Half eight" is half past eight.
+fn half_past(reader: &mut Reader) -> Option<Face> {
     let hours = number(reader).filter(|hours| hours.fract() == 0.0 && (1.0..=12.0).contains(hours))?;
-    let (span, hint) = (reader.span(from), format!("write \"half past {word}\" if it is that"));
-    reader.fault(span, format!("it is not clear which time {:?} is", reader.said(span)), hint);
-    Some(Face { hours, minutes: 30.0, is_clear: true })
+    Some(Face { hours, minutes: 30.0, is_clear: false })
 }
 
 /// "7:30", "7.30", "7", "seven", "seven thirty".
@@ -220,7 +230,7 @@ fn half_by_end(reader: &mut Reader, face: Face) -> Option<bool> {
 }
 
 /// By the only part of the day that the sentence names, or else the heading above it: `every evening at 8`.
-fn half_by_rest(reader: &Reader) -> Option<bool> {
+fn half_by_rest(reader: &Reader, face: Face) -> Option<bool> {
     const BEFORE: [&str; 7] = ["every", "each", "most", "some", "many", "almost", "all"];
     let words: Vec<&str> = reader.words.iter().map(|word| word.text.as_str()).collect();
     // What another clause says is about that one.
@@ -235,6 +245,9 @@ fn half_by_rest(reader: &Reader) -> Option<bool> {
         match word.trim_end_matches('s') {
             "morning" if is_when => Some(false),
             "afternoon" | "evening" if is_when => Some(true),
+            "night" | "weeknight" if is_when || before(1) == "at" || word.ends_with('s') => {
+                Some((6.0..12.0).contains(&face.full_hours()))
+            }
             _ => None,
         }
     });
@@ -252,11 +265,20 @@ fn half_by_doing(reader: &mut Reader, from: usize, face: Face) -> Option<bool> {
     let word = |at: Option<usize>| at.and_then(|at| reader.words.get(at)).map_or("", |word| word.text.as_str());
     let back = if ["about", "around"].contains(&word(from.checked_sub(1))) { 2 } else { 1 };
     if ["until", "till"].contains(&word(from.checked_sub(back))) {
+        let to_bed = (1..from).any(|at| word(Some(at)) == "bed" && word(Some(at - 1)) == "to");
+        if to_bed {
+            return match hour {
+                _ if (7.0..12.0).contains(&hour) => Some(true),
+                _ if hour >= 12.0 || hour < 4.0 => Some(false),
+                _ => None,
+            };
+        }
         let in_bed = (0..from).any(|at| ["bed", "sleeps", "sleep"].contains(&word(Some(at))));
         return (in_bed && (4.0..12.0).contains(&hour)).then_some(false);
     }
+    let rises = ["her", "him", "them", "me"].iter().all(|whom| *whom != word(from.checked_sub(back + 2)));
     match word(from.checked_sub(back + 1)) {
-        "up" | "awake" if (4.0..12.0).contains(&hour) => return Some(false),
+        "up" | "awake" if (4.0..12.0).contains(&hour) && rises => return Some(false),
         "asleep" if (7.0..12.0).contains(&hour) => return Some(true),
         _ => {}
     }
@@ -269,7 +291,14 @@ fn half_by_doing(reader: &mut Reader, from: usize, face: Face) -> Option<bool> {
     /// Further away, something else is meant.
     const NEAR: usize = 20;
     let before = (from.saturating_sub(NEAR)..from).rev().find_map(|at| doing(reader, at));
-    let doing = before.or_else(|| (from..reader.words.len().min(from + NEAR)).find_map(|at| doing(reader, at)))?;
+    let doing = before.or_else(|| (from..reader.words.len().min(from + NEAR)).find_map(|at| doing(reader, at)));
+    let comes = |reader: &mut Reader| {
+        (0..from).any(|at| {
+            reader.at = at;
+            visits(reader)
+        })
+    };
+    let doing = doing.or_else(|| reader.ahead(comes).then_some(Activity::Visit))?;
     match doing {
         Activity::GetUp if (4.0..12.0).contains(&hour) => Some(false),
         Activity::Eat(Meal::Breakfast) | Activity::Prepare(Meal::Breakfast) if (5.0..12.0).contains(&hour) => {
@@ -280,6 +309,27 @@ fn half_by_doing(reader: &mut Reader, from: usize, face: Face) -> Option<bool> {
         Activity::Eat(Meal::Dinner) | Activity::Prepare(Meal::Dinner) if (4.0..10.0).contains(&hour) => Some(true),
         Activity::GoToBed if (7.0..12.0).contains(&hour) => Some(true),
         Activity::GoToBed if hour >= 12.0 || hour < 4.0 => Some(false),
+        Activity::WatchTelevision if hour >= 12.0 || hour < 11.0 => Some(true),
+        Activity::Dress if (5.0..12.0).contains(&hour) => Some(false),
+        Activity::TakeMedicine if (6.0..10.0).contains(&hour) => Some(false),
+        Activity::Leave | Activity::Visit | Activity::Exercise | Activity::Housework | Activity::Laundry
+            if (8.0..12.0).contains(&hour) =>
+        {
+            Some(false)
+        }
+        Activity::Drink if (9.0..12.0).contains(&hour) => Some(false),
+        Activity::Leave
+        | Activity::Visit
+        | Activity::Exercise
+        | Activity::Housework
+        | Activity::Laundry
+        | Activity::Drink
+        | Activity::TakeMedicine
+        | Activity::Nap
+            if hour >= 12.0 || hour < 6.0 =>
+        {
+            Some(true)
+        }
         _ => None,
     }
 }

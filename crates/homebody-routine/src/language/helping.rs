@@ -1,9 +1,11 @@
 //! What somebody who visits does there: with the person, or instead of them.
 
 use super::activities::{self, activity, event};
+use super::adverbs::Adverbs;
 use super::reader::Reader;
 use super::said::{Help, Predicate, visits};
 use super::subjects::person_called;
+use super::words::Token;
 use crate::routine::{Activity, Meal};
 use homebody_core::activity::{ActivityKind, TimeUse};
 
@@ -20,6 +22,27 @@ pub fn visiting(reader: &mut Reader) -> Option<Predicate> {
         return Some(more.unwrap_or(Predicate::Visits));
     }
     reader.attempt(doing)
+}
+
+/// "does her legs", "fills her pill box": whatever it is, who does it is there.
+pub fn seeing_to(reader: &mut Reader) -> Option<Predicate> {
+    const MOST: usize = 7;
+    reader.attempt(|reader| {
+        let from = reader.at;
+        let lexicon = reader.names.lexicon.clone();
+        reader.at += lexicon.list("SEEING", |ahead| reader.peek(ahead))?;
+        while reader.token(0) == Some(Token::Word)
+            && !(reader.ahead(|reader| Adverbs::default().next(reader))
+                || ["and", "but", "or"].contains(&reader.peek(0)))
+            && reader.at < from + MOST
+        {
+            reader.at += 1;
+        }
+        // At which time, or how often, says that they come.
+        let mut more = Adverbs::default();
+        let comes = reader.ahead(|reader| more.next(reader));
+        (reader.at > from + 1 && (comes || reader.is_over())).then_some(Predicate::Visits)
+    })
 }
 
 /// "for coffee", "for Sunday lunch".

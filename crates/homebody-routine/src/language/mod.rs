@@ -18,6 +18,7 @@ mod clock;
 pub mod times;
 mod often;
 mod adverbs;
+mod days;
 mod meaning;
 pub mod activities;
 mod measures;
@@ -28,14 +29,17 @@ mod roundabout;
 mod unknown;
 mod draft;
 mod clause;
+mod circumstances;
 mod build;
 mod rules;
 mod helping;
 mod remarks;
+mod aside;
 mod rewording;
 mod shape;
 mod joined;
 mod simpler;
+mod strangers;
 mod sentence;
 mod check;
 #[cfg(test)]
@@ -43,6 +47,7 @@ mod tests;
 
 use crate::routine::{Quote, Routine};
 use adverbs::Adverbs;
+use aside::set_aside;
 pub use calendar::LAST_WEEK;
 use draft::Draft;
 use faults::Faults;
@@ -168,6 +173,14 @@ fn one(draft: &mut Draft, names: &mut Names, faults: &mut Faults, heading: &mut 
     let above = heading.as_ref().map(|heading| &heading.adverbs);
     let part = above.and_then(|above| above.part.as_ref()).map(|part| part.value);
     let (shaped, words) = shape::in_shape(names, draft, &sentence.words);
+    let aside = if simpler::reads(names, draft, &words) { None } else { set_aside(names, draft, &shaped) };
+    let words = match &aside {
+        Some(aside) => rewording::reworded(names, draft.text, &aside.words),
+        None => words,
+    };
+    for left_out in aside.iter().flat_map(|aside| &aside.left_out) {
+        draft.routine.remarks.push(draft.said(*left_out));
+    }
     let mut reader = Reader { words: &words, at: 0, names, faults, text: draft.text, part };
     let before = reader.faults.count();
     let Some(adverbs) = sentence::sentence(&mut reader, draft, above) else {

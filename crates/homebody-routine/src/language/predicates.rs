@@ -12,6 +12,7 @@ use super::roundabout::{
 };
 use super::said::Predicate;
 use super::subjects::Subject;
+use super::times;
 use super::unknown::unknown_name;
 use super::words::Token;
 use crate::routine::{Activity, Kind, PartOfDay, When};
@@ -32,7 +33,8 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
     let stops = |reader: &mut Reader| reader.eat("stops|stop") && !reader.ahead(|reader| reader.eat(WHERE));
     if not || reader.attempt(|reader| stops(reader).then_some(())).is_some() {
         reader.eat("ever");
-        return negated(reader);
+        let other = reader.attempt(|reader| not_before(reader, adverbs)).or_else(|| reader.attempt(not_missed));
+        return other.or_else(|| negated(reader));
     }
     if let Some(activity) = reader.attempt(|reader| until_up(reader, adverbs)) {
         return Some(Predicate::Does(activity));
@@ -181,6 +183,32 @@ fn being(reader: &mut Reader, adverbs: &mut Adverbs) -> Predicate {
         return Predicate::Does(Activity::Leave);
     }
     Predicate::Is
+}
+
+/// "never misses Mass": that is what is done.
+fn not_missed(reader: &mut Reader) -> Option<Predicate> {
+    reader.eat("misses|miss|skips|skip").then_some(())?;
+    activities::event(reader).map(Predicate::Does)
+}
+
+/// "does not go to bed until two", "never gets up before ten": that is when.
+fn not_before(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
+    let activity = activities::activity(reader)?;
+    let from = reader.at;
+    reader.eat("much|well");
+    if reader.eat("before|until|till") {
+        if let Some(at) = times::time(reader, true) {
+            let (value, span) = (When::At(at.fuzzy()), reader.span(from));
+            adverbs.when = Some(Slot { value, span, own: true });
+            return Some(Predicate::Does(activity));
+        }
+        reader.eat("after");
+        let other = activities::event(reader)?;
+        let (value, span) = (When::After(other, None), reader.span(from));
+        adverbs.when = Some(Slot { value, span, own: true });
+        return Some(Predicate::Does(activity));
+    }
+    None
 }
 
 fn negated(reader: &mut Reader) -> Option<Predicate> {

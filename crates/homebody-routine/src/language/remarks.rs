@@ -25,6 +25,8 @@ const STATES: &[(&str, Rest)] = &[
     ("used to", Rest::Any),
     ("worked|lived|moved|retired|died|married|emigrated|raised|fell|broke|served", Rest::Any),
     ("never married", Rest::Any),
+    ("gave up", Rest::Any),
+    ("is|are independent|dependent", Rest::Any),
     ("grew up", Rest::Any),
     ("had", Rest::Any),
     ("was|were", Rest::Any),
@@ -35,7 +37,8 @@ const STATES: &[(&str, Rest)] = &[
     ("refuses|refuse|declines|accepts|resists help|care|support|assistance|treatment", Rest::Any),
     ("has|have declined|deteriorated|improved|worsened|changed|fallen|broken|stayed|remained|been", Rest::Any),
     ("wants|want|wishes|hopes", Rest::Any),
-    ("would like", Rest::Any),
+    ("would like|love", Rest::Any),
+    ("misses|miss her|him|them|home|company", Rest::Any),
     ("fears|worries|worry|dreads", Rest::Any),
     ("is|are afraid|scared|frightened|fearful|worried|anxious|fond|proud", Rest::Any),
     ("needs|need|requires|require help|assistance|support|supervision|prompting|reminding|encouragement", Rest::Any),
@@ -85,6 +88,30 @@ pub fn remark(reader: &mut Reader) -> Option<()> {
     })
 }
 
+/// "are hoping she can stay": what somebody who writes of her thinks.
+pub fn of_mind(reader: &mut Reader) -> bool {
+    let thinks = reader
+        .eat("are|am|have|hope|think|worry|feel|believe|want|would|wish|know|find|need|cannot|can|do|had|were|was");
+    if thinks {
+        reader.at = reader.words.len();
+    }
+    thinks
+}
+
+/// "Nobody visits", "years ago she walked to work": nothing that is lived now.
+pub fn of_nobody_or_past(reader: &mut Reader) -> bool {
+    let nobody = reader.ahead(|reader| reader.eat("nobody|none") || reader.eat("no one|visitors|family|relatives"));
+    let lexicon = reader.names.lexicon.clone();
+    let words =
+        |from: usize| lexicon.list("LONGAGO", |ahead| reader.words.get(from + ahead).map_or("", |word| &word.text));
+    let past = (0..reader.words.len()).any(|from| words(from).is_some())
+        && reader.words.iter().any(|word| word.text.ends_with("ed") || lexicon.verb_of_past(&word.text).is_some());
+    if nobody || past {
+        reader.at = reader.words.len();
+    }
+    nobody || past
+}
+
 /// What is said of her mood, her memory or her weight.
 pub fn of_topic(reader: &mut Reader) -> Option<()> {
     reader.attempt(|reader| {
@@ -129,7 +156,14 @@ fn feels(reader: &mut Reader) -> Option<()> {
 
 /// The verb of a state.
 fn state(reader: &mut Reader) -> Option<Rest> {
-    // What can be lived is no remark.
+    // What goes on by now is lived, and so is what can be.
+    let goes_on = |reader: &mut Reader| {
+        (reader.eat("has|have been") && activities::activity(reader).is_some())
+            || reader.eat("can|could|may|might be up|awake|restless")
+    };
+    if reader.ahead(goes_on) {
+        return None;
+    }
     let end = |reader: &mut Reader, found: bool| if found { reader.at } else { 0 };
     let lived = reader.ahead(|reader| {
         let found = activities::activity(reader).is_some();
@@ -194,6 +228,7 @@ fn known_state(reader: &mut Reader) -> Option<Rest> {
     }
     if reader.eat("cannot|can't")
         || reader.eat("can not")
+        || reader.eat("can no longer")
         || reader.eat("is|are unable to")
         || reader.eat("is|are not able to")
     {
@@ -284,7 +319,7 @@ fn begins_clause(reader: &mut Reader) -> bool {
         && reader.ahead(|reader| {
             reader.at += 1;
             reader.eat("she|he|they|it|then");
-            reader.eat("now|often");
+            while reader.eat("now|often|only|just") {}
             Adverbs::default().all(reader);
             let lexicon = reader.names.lexicon.clone();
             let somebody = reader.ahead(|reader| {

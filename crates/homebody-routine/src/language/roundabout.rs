@@ -31,8 +31,7 @@ pub fn tends(reader: &mut Reader) -> bool {
                     (true, _) => true,
                     (_, true) if is_gerund => activities::activity(reader).is_some() || own_words(reader).is_some(),
                     (_, true) if named => {
-                        reader.skip_determiners();
-                        activities::noun(reader).is_some()
+                        noun_with_adjective(reader).is_some()
                             && (reader.is_over() || reader.token(0) != Some(Token::Word) || begins_adverb(reader))
                     }
                     _ => false,
@@ -41,6 +40,20 @@ pub fn tends(reader: &mut Reader) -> bool {
             reader.ahead(begins).then_some(())
         })
         .is_some()
+}
+
+/// "her crossword", "a long soak".
+pub fn noun_with_adjective(reader: &mut Reader) -> Option<Activity> {
+    reader.skip_determiners();
+    reader.attempt(activities::noun).or_else(|| {
+        reader.attempt(|reader| {
+            ["long", "good", "short", "little", "quick", "nice", "hot", "warm", "daily"]
+                .contains(&reader.peek(0))
+                .then_some(())?;
+            reader.at += 1;
+            activities::noun(reader)
+        })
+    })
 }
 
 /// Passes over "needs to" and "has to": who has to do it does it.
@@ -53,9 +66,11 @@ pub fn needs_to(reader: &mut Reader) -> bool {
                 || reader.eat("is|are to")
                 || reader.eat("continues|continue|manages|manage to")
                 || reader.eat("continues|continue with");
-            (to && !reader.ahead(|reader| reader.eat("be"))
-                && reader.ahead(|reader| activities::activity(reader).is_some() || activities::noun(reader).is_some()))
-            .then_some(())
+            let does = |reader: &mut Reader| {
+                Adverbs::default().all(reader);
+                activities::activity(reader).is_some() || activities::noun(reader).is_some()
+            };
+            (to && !reader.ahead(|reader| reader.eat("be")) && reader.ahead(does)).then_some(())
         })
         .is_some()
 }
@@ -64,6 +79,9 @@ pub fn needs_to(reader: &mut Reader) -> bool {
 pub fn spends(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
     if !reader.eat("spends|spend") {
         return None;
+    }
+    if let Some(found) = reader.attempt(|reader| spends_length(reader, adverbs)) {
+        return Some(found);
     }
     let start = reader.at;
     let most_of_day = ["most of the day", "much of the day", "all day", "her|his|their days|day", "the day"];
@@ -99,6 +117,35 @@ pub fn spends(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
     Some(Predicate::Does(activity))
 }
 
+/// "spends an hour a day on the phone", "spends hours at the window watching the birds".
+fn spends_length(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
+    /// "Hours" are so many (ours).
+    const HOURS_S: Fuzzy = Fuzzy { low: 5_400.0, from: 7_200.0, to: 10_800.0, high: 12_600.0 };
+    let from = reader.at;
+    let length = if reader.eat("hours|ages") {
+        HOURS_S
+    } else {
+        amount(reader).filter(|amount| amount.unit == super::amounts::Unit::Second)?.as_duration()
+    };
+    let span = reader.span(from);
+    let mut rest = adverbs.clone();
+    rest.all(reader);
+    let at_place = reader.attempt(|reader| {
+        (reader.eat("in|on|at|by") && reader.name(&[Sort::Place, Sort::Room]).is_some()).then_some(())
+    });
+    let activity = match reader.attempt(activities::activity) {
+        Some(activity) => activity,
+        None if at_place.is_some() => return None,
+        None => {
+            reader.eat("on|with|at").then_some(())?;
+            activities::event(reader)?
+        }
+    };
+    rest.lasts.get_or_insert(Slot { value: length, span, own: true });
+    *adverbs = rest;
+    Some(Predicate::Does(activity))
+}
+
 fn in_garden(reader: &mut Reader) -> Option<()> {
     reader.eat("in|on|at").then_some(())?;
     reader.skip_determiners();
@@ -126,7 +173,13 @@ pub fn falls_asleep(reader: &mut Reader, adverbs: &Adverbs) -> Option<Predicate>
     /// From then on, and until then, it is late (ours).
     const LATE_S: f64 = 20.0 * 3600.0;
     const EARLY_S: f64 = 5.0 * 3600.0;
-    if !reader.eat("falls|fall|falling|drifts|drift asleep|off") || reader.ahead(|reader| reader.eat("in front")) {
+    let is_asleep = |reader: &mut Reader| {
+        reader.eat("is|are").then_some(())?;
+        Adverbs::default().all(reader);
+        reader.eat("asleep|dozing|snoozing|napping").then_some(())
+    };
+    let falls = reader.eat("falls|fall|falling|drifts|drift asleep|off") || reader.attempt(is_asleep).is_some();
+    if !falls || reader.ahead(|reader| reader.eat("in front")) {
         return None;
     }
     let mut rest = adverbs.clone();

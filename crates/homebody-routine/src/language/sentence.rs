@@ -3,17 +3,17 @@
 use super::activities::{self, MEALS};
 use super::adverbs::{Adverbs, Slot};
 use super::build;
-use super::clause::{Clause, Join, place, tail, vocabulary};
+use super::clause::{Clause, Join, place, tail};
 use super::draft::Draft;
-use super::faults::did_you_mean;
 use super::helping;
 use super::joined;
 use super::predicates;
-use super::reader::{Reader, Sort, begins_adverb, is_determiner};
+use super::reader::{Reader, Sort, begins_adverb};
 use super::remarks;
 use super::roundabout;
 use super::rules;
 use super::said::{self, Predicate};
+use super::strangers::{is_introduced, no_subject, stranger};
 use super::subjects::{self, Subject};
 use super::unknown;
 use super::words::{Span, Token};
@@ -51,6 +51,10 @@ pub fn sentence(reader: &mut Reader, draft: &mut Draft, heading: Option<&Adverbs
         return None;
     }
     let from = reader.at;
+    if remarks::of_nobody_or_past(reader) {
+        draft.routine.remarks.push(draft.said(reader.span(0)));
+        return None;
+    }
     let Some(subject) = subjects::subject(reader).or_else(|| stranger(reader)) else {
         no_subject(reader);
         return None;
@@ -201,8 +205,8 @@ fn clause(
     place: Option<(String, Span)>,
     start: usize,
 ) -> Option<Clause> {
-    reader.eat("also|still|again|only|either|both");
-    let _ = reader.attempt(|reader| (reader.eat("now") && reader.peek(0) != "and").then_some(()));
+    let now = |reader: &mut Reader| (reader.eat("now") && reader.peek(0) != "and").then_some(());
+    while reader.eat("also|still|again|only|just|either|both") || reader.attempt(now).is_some() {}
     adverbs.all(reader);
     let is_person = *said.subject == Subject::Person;
     // "She likes to read and knit": both are liked.
@@ -247,6 +251,9 @@ fn clause(
     // The person is who goes out, or is on the phone, whoever makes them.
     let does_person = matches!(found, Predicate::Does(_) | Predicate::HelpedBy(..) | Predicate::VisitedBy(_));
     let subject = if does_person && !is_person { Subject::Person } else { said.subject.clone() };
+    // What a visitor sees to, and no sensor sees, is said beside the visit.
+    let beside =
+        if found == Predicate::Visits && !is_visit(reader, predicate_span) { vec![predicate_span] } else { Vec::new() };
     Some(Clause {
         span: reader.span(start),
         subject,
@@ -257,15 +264,22 @@ fn clause(
         adverbs,
         tends,
         again: false,
-        beside: Vec::new(),
+        beside,
+    })
+}
+
+/// Whether these words only say that somebody comes.
+fn is_visit(reader: &mut Reader, span: Span) -> bool {
+    reader.ahead(|reader| {
+        reader.at = reader.words.iter().position(|word| word.span.start >= span.start).unwrap_or(reader.at);
+        helping::visiting(reader).is_some()
     })
 }
 
 /// "enjoys her crossword": the noun stands for what is done.
 fn noun_liked(reader: &mut Reader) -> Option<(Predicate, Span)> {
     let from = reader.at;
-    reader.skip_determiners();
-    let found = if reader.at > from || !reader.peek(0).ends_with("ing") { activities::noun(reader) } else { None };
+    let found = if reader.peek(0).ends_with("ing") { None } else { roundabout::noun_with_adjective(reader) };
     let Some(found) = found else {
         reader.at = from;
         return None;
@@ -383,10 +397,14 @@ fn of_visitor(reader: &mut Reader, name: &str, who: Span) -> Option<Predicate> {
         (format!("{said:?} does nothing by itself"), format!("write what she does: \"she forgets the {name} rarely\""))
     } else if reader.names.lexicon.has_last("TOPICS", name) && remarks::of_topic(reader).is_some() {
         return Some(Predicate::Remark);
+    } else if name == subjects::WRITERS && remarks::of_mind(reader) {
+        return Some(Predicate::Remark);
     } else if let Some(found) = helping::visiting(reader) {
         return Some(found);
     } else if remarks::remark(reader).is_some() {
         return Some(Predicate::Remark);
+    } else if let Some(found) = helping::seeing_to(reader) {
+        return Some(found);
     } else {
         let what = format!("{said:?} is nobody who lives here: a visitor only visits");
         (what, format!("write \"her {name} visits on Sunday for 2 hours\""))
@@ -512,91 +530,4 @@ fn meal_meant(reader: &mut Reader, cooked: Option<&crate::routine::Meal>) -> Opt
             Some(None)
         }
     }
-}
-
-/// A name that nobody here has, in front of a verb.
-fn stranger(reader: &mut Reader) -> Option<Subject> {
-    const LONGEST: usize = 4;
-    let from = reader.at;
-    let is_capital =
-        |span: Span| reader.text.get(span.start..).is_some_and(|text| text.starts_with(char::is_uppercase));
-    let here = reader.here();
-    if !is_capital(here) && reader.peek(1) != "is" {
-        return None;
-    }
-    let is_known =
-        reader.ahead(|reader| activities::activity(reader).is_some() || super::amounts::number(reader).is_some());
-    let is_name = |reader: &Reader| {
-        let pronoun = ["she", "he", "they", "it"].contains(&reader.peek(0));
-        reader.token(0) == Some(Token::Word) && !pronoun && !begins_adverb(reader)
-    };
-    while !is_known && reader.at < from + LONGEST && is_name(reader) {
-        reader.at += 1;
-        let is_verb = |reader: &mut Reader| {
-            Adverbs::default().all(reader);
-            reader.eat("is|walks|shows") || said::visits(reader) || activities::activity(reader).is_some()
-        };
-        if reader.ahead(is_verb) {
-            return Some(Subject::Stranger(reader.said(reader.span(from))));
-        }
-    }
-    reader.at = from;
-    None
-}
-
-/// Whether a name may be the person's: nobody has said another, and it is said who that is.
-fn is_introduced(reader: &mut Reader, draft: &mut Draft, name: &str, who: Span) -> bool {
-    if reader.ahead(said::visits) {
-        let hint = "write who it is: \"her daughter visits\" or \"a nurse visits\"".to_owned();
-        reader.fault(who, format!("{name:?} is nobody that this routine knows"), hint);
-        return false;
-    }
-    if let Some(person) = reader.names.person.clone() {
-        let hint = did_you_mean(name, [person.as_str()].into_iter()).filter(|hint| hint.starts_with("did"));
-        let hint = hint.unwrap_or_else(|| "each person has a routine of their own".to_owned());
-        reader.fault(who, format!("this routine is about {person:?}, not about {name:?}"), hint);
-        return false;
-    }
-    if draft.is_condition {
-        let hint = "write \"she\", \"he\", \"they\" or \"the person\"".to_owned();
-        reader.fault(who, format!("a condition is about nobody in particular, not about {name:?}"), hint);
-        return false;
-    }
-    if reader.peek(0) != "is" {
-        reader.fault(who, format!("{name:?} has not been said to be anybody"), format!("begin with \"{name} is 82.\""));
-        return false;
-    }
-    draft.name = Some(name.to_owned());
-    true
-}
-
-fn no_subject(reader: &mut Reader) {
-    let from = reader.at;
-    if activities::activity(reader).is_some() {
-        let span = reader.span(from);
-        let hint = format!("write \"she {}\"", activities::in_third_person(&reader.said(span).to_lowercase()));
-        return reader.fault(span, "it is not said who does this", hint);
-    }
-    if is_determiner(reader.peek(0)) && reader.token(1) == Some(Token::Word) {
-        reader.at += 2;
-        let span = reader.span(from);
-        let what = format!("what {:?} does is not understood", reader.said(span));
-        let hint = "write \"she reads\" for what the person does, or \"her daughter visits on Sunday\"".to_owned();
-        return reader.fault(span, what, hint);
-    }
-    let (here, word) = (reader.here(), reader.peek(0).to_owned());
-    if reader.faults.is_trial {
-        return reader.fault(here, word, None);
-    }
-    if begins_adverb(reader) {
-        reader.at = (from + 3).min(reader.words.len());
-        let what = format!("{:?} is not understood here", reader.said(reader.span(from)));
-        let hint = "expected when or where: \"in the morning\", \"on Monday\", \"from week 6\", \"in the kitchen\"";
-        return reader.fault(reader.span(from), what, hint.to_owned());
-    }
-    let known = did_you_mean(&word, vocabulary().filter(|known| *known != word));
-    let hint = known.filter(|hint| hint.starts_with("did")).unwrap_or_else(|| {
-        "a sentence says who does what: \"she gets up at about 06:45\", \"her daughter visits on Sunday\"".into()
-    });
-    reader.fault(here, format!("{:?} is not understood here", reader.said(here)), hint);
 }

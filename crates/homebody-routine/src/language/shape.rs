@@ -12,6 +12,7 @@ use super::reader::{Names, Reader, begins_adverb, is_determiner};
 use super::rewording::reworded;
 use super::simpler::reads;
 use super::subjects;
+use super::times;
 use super::words::{Span, Token, Word};
 
 /// Longer sentences are read as they stand.
@@ -49,7 +50,7 @@ pub fn is_put_in(word: &Word) -> bool {
 fn shapes(names: &Names, text: &str, words: &[Word]) -> Vec<Vec<Word>> {
     let mut all: Vec<Vec<Word>> = Vec::new();
     let mut base = words.to_vec();
-    for change in [without_label, without_length, with_both_days, by_now, counted] {
+    for change in [without_label, without_length, with_both_days, by_now, counted, slept] {
         if let Some(changed) = change(names, text, &base) {
             base = changed;
             all.push(base.clone());
@@ -116,8 +117,11 @@ fn counted(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
                 reader.at += 1;
             }
             let noun = reader.at;
-            let is_counted =
-                noun > count && reader.eat("a|per|each|every") && reader.eat("day|night|week|morning|evening");
+            let is_had =
+                from > 0 && ["has", "takes", "drinks", "eats", "have"].contains(&words[from - 1].text.as_str());
+            let is_end = reader.is_over() || begins_adverb(reader) || reader.token(0) == Some(Token::Comma);
+            let is_counted = noun > count
+                && (is_had && is_end || reader.eat("a|per|each|every") && reader.eat("day|night|week|morning|evening"));
             let is_unit =
                 ["times", "days", "hours", "minutes", "nights", "meals", "afternoons", "mornings", "evenings"];
             (is_counted && !is_unit.contains(&words[noun - 1].text.as_str())).then_some((count, noun))
@@ -132,6 +136,25 @@ fn counted(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
         shaped.extend_from_slice(&words[noun..]);
         Some(put_in(&shaped, at, "times"))
     })
+}
+
+/// "sleeps from 10 pm to 6 am": goes to bed at the one time and gets up at the other.
+fn slept(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
+    let sleeps = words.iter().position(|word| ["sleeps", "sleep", "sleeping"].contains(&word.text.as_str()))?;
+    let (to, end) = try_out(names, text, words, |reader| {
+        reader.at = sleeps + 1;
+        reader.eat("usually|mostly");
+        reader.eat("from|between").then_some(())?;
+        let begin = reader.at;
+        let (_, end) = times::time_range(reader, "to|until|till|and").map(|range| (range, reader.at))?;
+        (begin..end).find(|&at| ["to", "until", "till", "and"].contains(&words[at].text.as_str())).map(|to| (to, end))
+    })?;
+    let begin = (sleeps..to).find(|&at| ["from", "between"].contains(&words[at].text.as_str()))? + 1;
+    let bed = put_in(&[&words[..sleeps], &words[begin..to]].concat(), sleeps, "goes to bed at");
+    let at = bed.len();
+    let shaped = [&bed, &words[to + 1..end]].concat();
+    let shaped = put_in(&shaped, at, "and gets up at");
+    Some([&shaped, &words[end..]].concat())
 }
 
 fn try_out<T>(names: &Names, text: &str, words: &[Word], what: impl FnOnce(&mut Reader) -> T) -> T {
@@ -296,6 +319,11 @@ fn completed(names: &Names, text: &str, words: &[Word]) -> Vec<Vec<Word>> {
         || names.lexicon.is_third_person(&word)
     {
         return vec![with(at, "she")];
+    }
+    // "Carers four times a day": they come.
+    let people = names.lexicon.list("PEOPLE", |ahead| words.get(at + ahead).map_or("", |word| &word.text));
+    if let Some(people) = people {
+        return vec![with(at + people, "visit")];
     }
     if STATES.split(' ').any(|state| state == word)
         || names.lexicon.list("STATES", |ahead| words.get(at + ahead).map_or("", |word| &word.text)).is_some()

@@ -10,7 +10,7 @@ use super::rewording::reworded;
 use super::sentence;
 use super::shape::is_put_in;
 use super::words::{self, Span, Token, Word};
-use crate::routine::Routine;
+use crate::routine::{Activity, Routine};
 
 /// No more ways of leaving words out are tried of a sentence.
 const MOST_TRIES: usize = 150;
@@ -175,6 +175,7 @@ fn without(names: &Names, draft: &Draft, words: &[Word], at: Span) -> Option<Str
         if !is_sentence(&text) || text.contains(['(', ')']) {
             return None;
         }
-        understood(names, draft, &text).filter(|routine| routine.remarks.is_empty()).map(|_| text)
+        let falls = |routine: &Routine| routine.habits.iter().any(|habit| habit.activity == Activity::Fall);
+        understood(names, draft, &text).filter(|routine| routine.remarks.is_empty() && !falls(routine)).map(|_| text)
     })
 }

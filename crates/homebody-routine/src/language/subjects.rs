@@ -23,12 +23,25 @@ pub enum Subject {
     Breathing,
 }
 
+/// Who writes "we" and "I" of somebody else.
+pub const WRITERS: &str = "family";
+
+/// "We visit her", "I ring Mum every night".
+fn writers(reader: &mut Reader) -> Option<Subject> {
+    let others = ["her", "him", "she", "he", "mum", "mom", "dad"];
+    let of_others = reader.words.iter().any(|word| others.contains(&word.text.as_str()));
+    (reader.eat("we") || of_others && reader.eat("i")).then(|| Subject::Visitor(WRITERS.to_owned()))
+}
+
 const HOURS: &str = "hours|times|days|day|routine";
 
 /// The subject, if a sentence has one here.
 pub fn subject(reader: &mut Reader) -> Option<Subject> {
     if reader.eat("she|he|they|it") || person_called(reader) {
         return Some(Subject::Person);
+    }
+    if let Some(writers) = reader.attempt(writers) {
+        return Some(writers);
     }
     if let Some(owner) = reader.peek(0).strip_suffix("'s")
         && reader.names.lexicon.list("PERSON", |at| if at == 0 { owner } else { "" }).is_some()

@@ -89,9 +89,9 @@ fn own_example(reader: &Reader, words: &str) -> Option<String> {
 /// that turns it into something else.
 pub fn looks_like_doing(words: &str) -> bool {
     const NO_DOING: &str = "is goes comes walks moves gets likes wants needs becomes has seems feels knows leaves returns arrives \
-        does says says asks tells tries keeps stops starts begins appears remains stays lives shows suffers hardly always";
+        does follows looks stares says says asks tells tries keeps stops starts begins appears remains stays lives shows suffers hardly always";
     const TURNING: &str = "not no never without when because if while so that which who she he they and or but more less too as than \
-        lot lots of any much many her him them it this up down out off back away cannot it's slowly well badly";
+        lot lots of any much many her him them me us you it this up down out off back away cannot it's slowly well badly";
     let mut list = words.split(' ');
     let verb = list.next().unwrap_or_default();
     let is_verb = verb.len() > 3
@@ -165,6 +165,11 @@ pub fn meant(words: &str) -> Option<String> {
 fn is_slip(said: &str, phrase: &str, slips: usize) -> bool {
     let (same, longer) = same_letters(said, phrase);
     same + slips >= longer
+}
+
+/// Whether a word is another but for one letter, which is not the first.
+pub fn is_slip_of(said: &str, known: &str) -> bool {
+    said.as_bytes().first() == known.as_bytes().first() && is_slip(said, known, 1)
 }
 
 /// Whether these words are a phrase but for a letter in each: too near to be something new.

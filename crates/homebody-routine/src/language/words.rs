@@ -259,6 +259,21 @@ impl Lexer<'_> {
             }
             self.at += 1;
         }
+        if self.is_count(from) {
+            self.at = from + 1;
+            self.number(self.at);
+            self.push(from, Token::Word);
+            self.rename("times");
+            return false;
+        }
+        if let Some(sign) = self.slice(from).find('/').filter(|&sign| is_day(&self.slice(from)[..sign])) {
+            self.at = from + sign;
+            self.push(from, Token::Word);
+            self.at += 1;
+            self.push(self.at - 1, Token::Word);
+            self.rename("and");
+            return false;
+        }
         let is_half_day = matches!(self.slice(from), "a" | "p" | "A" | "P");
         let is_m = self.peek(0) == Some('.') && matches!(self.peek(1), Some('m' | 'M'));
         if is_half_day && is_m && !self.peek(2).is_some_and(char::is_alphanumeric) {
@@ -272,6 +287,12 @@ impl Lexer<'_> {
         }
         self.push(from, Token::Word);
         false
+    }
+
+    /// Whether what was read is "x3": three times.
+    fn is_count(&self, from: usize) -> bool {
+        let count = self.slice(from).strip_prefix(['x', 'X']);
+        count.is_some_and(|count| matches!(count.len(), 1 | 2) && count.bytes().all(|digit| digit.is_ascii_digit()))
     }
 
     fn slice(&self, from: usize) -> &str {
@@ -297,6 +318,12 @@ impl Lexer<'_> {
             word.text = text.into();
         }
     }
+}
+
+/// Whether a word is the name of a day in short, as in "Mon/Wed/Fri".
+fn is_day(word: &str) -> bool {
+    let word = word.to_lowercase();
+    ["mon", "tue", "wed", "thu", "fri", "sat", "sun"].iter().any(|day| word.starts_with(day))
 }
 
 #[cfg(test)]
