@@ -95,7 +95,8 @@ fn somebody(reader: &Reader, ahead: usize, from: usize) -> Option<usize> {
     };
     if ahead == from {
         let is_somebody = is_name(ahead)
-            || ["friends", "relatives", "family", "neighbours", "neighbors", "her", "him", "them"].contains(&word);
+            || ["friends", "relatives", "family", "neighbours", "neighbors", "her", "him", "them", "me", "us"]
+                .contains(&word);
         return is_somebody.then_some(1);
     }
     if word.is_empty() || is_beginning(word) || reader.token(ahead) != Some(Token::Word) || calendar::is_weekday(word) {

@@ -133,8 +133,12 @@ fn begins(names: &Names, words: &[Word], from: usize) -> bool {
 
 /// "For her arthritis, she ...", "being a former nurse, she ...".
 fn begins_in_front(words: &[Word]) -> bool {
+    const OPENING: &str = "however therefore sadly unfortunately luckily thankfully apparently basically anyway overall previously \
+        formerly nowadays please bless following given";
     let first = words.first().map_or("", |word| &word.text);
-    is_one_of(BEGINNING, first) || first.len() > 4 && (first.ends_with("ly") || first.ends_with("ing"))
+    is_one_of(BEGINNING, first)
+        || is_one_of(OPENING, first)
+        || first.len() > 4 && (first.ends_with("ly") || first.ends_with("ing"))
 }
 
 /// Whether something else, or nothing, begins at this word.
@@ -144,7 +148,11 @@ fn ends(words: &[Word], to: usize) -> bool {
         return false;
     }
     let Some(next) = words.get(to) else { return true };
-    next.token != Token::Word || is_beginning(&next.text) || is_weekday(&next.text) || next.text == "then"
+    last.token == Token::Comma
+        || next.token != Token::Word
+        || is_beginning(&next.text)
+        || is_weekday(&next.text)
+        || next.text == "then"
 }
 
 /// Whether nothing in this part is anything that is lived.

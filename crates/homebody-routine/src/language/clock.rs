@@ -267,11 +267,7 @@ fn half_by_doing(reader: &mut Reader, from: usize, face: Face) -> Option<bool> {
     if ["until", "till"].contains(&word(from.checked_sub(back))) {
         let to_bed = (1..from).any(|at| word(Some(at)) == "bed" && word(Some(at - 1)) == "to");
         if to_bed {
-            return match hour {
-                _ if (7.0..12.0).contains(&hour) => Some(true),
-                _ if hour >= 12.0 || hour < 4.0 => Some(false),
-                _ => None,
-            };
+            return half_of(&Activity::GoToBed, hour);
         }
         let in_bed = (0..from).any(|at| ["bed", "sleeps", "sleep"].contains(&word(Some(at))));
         return (in_bed && (4.0..12.0).contains(&hour)).then_some(false);
@@ -299,39 +295,29 @@ fn half_by_doing(reader: &mut Reader, from: usize, face: Face) -> Option<bool> {
         })
     };
     let doing = doing.or_else(|| reader.ahead(comes).then_some(Activity::Visit))?;
-    match doing {
-        Activity::GetUp if (4.0..12.0).contains(&hour) => Some(false),
-        Activity::Eat(Meal::Breakfast) | Activity::Prepare(Meal::Breakfast) if (5.0..12.0).contains(&hour) => {
-            Some(false)
+    half_of(&doing, hour)
+}
+
+/// Whether something is done in the second half of the day, where it is done at this hour of the clock in one half only (ours).
+fn half_of(doing: &Activity, hour: f64) -> Option<bool> {
+    let never = 0.0..0.0;
+    let (first, second) = match doing {
+        Activity::GetUp => (4.0..12.0, never),
+        Activity::Eat(Meal::Breakfast) | Activity::Prepare(Meal::Breakfast) | Activity::Dress => (5.0..12.0, never),
+        Activity::Eat(Meal::Lunch) | Activity::Prepare(Meal::Lunch) => (11.0..12.0, 0.0..3.0),
+        Activity::Eat(Meal::Dinner) | Activity::Prepare(Meal::Dinner) => (never, 4.0..10.0),
+        Activity::GoToBed => (0.0..4.0, 7.0..12.0),
+        Activity::WatchTelevision => (never, 0.0..11.0),
+        Activity::TakeMedicine => (6.0..10.0, 0.0..6.0),
+        Activity::Leave | Activity::Visit | Activity::Exercise | Activity::Housework | Activity::Laundry => {
+            (8.0..12.0, 0.0..6.0)
         }
-        Activity::Eat(Meal::Lunch) | Activity::Prepare(Meal::Lunch) if hour == 11.0 => Some(false),
-        Activity::Eat(Meal::Lunch) | Activity::Prepare(Meal::Lunch) if hour >= 12.0 || hour < 3.0 => Some(true),
-        Activity::Eat(Meal::Dinner) | Activity::Prepare(Meal::Dinner) if (4.0..10.0).contains(&hour) => Some(true),
-        Activity::GoToBed if (7.0..12.0).contains(&hour) => Some(true),
-        Activity::GoToBed if hour >= 12.0 || hour < 4.0 => Some(false),
-        Activity::WatchTelevision if hour >= 12.0 || hour < 11.0 => Some(true),
-        Activity::Dress if (5.0..12.0).contains(&hour) => Some(false),
-        Activity::TakeMedicine if (6.0..10.0).contains(&hour) => Some(false),
-        Activity::Leave | Activity::Visit | Activity::Exercise | Activity::Housework | Activity::Laundry
-            if (8.0..12.0).contains(&hour) =>
-        {
-            Some(false)
-        }
-        Activity::Drink if (9.0..12.0).contains(&hour) => Some(false),
-        Activity::Leave
-        | Activity::Visit
-        | Activity::Exercise
-        | Activity::Housework
-        | Activity::Laundry
-        | Activity::Drink
-        | Activity::TakeMedicine
-        | Activity::Nap
-            if hour >= 12.0 || hour < 6.0 =>
-        {
-            Some(true)
-        }
-        _ => None,
-    }
+        Activity::Drink => (9.0..12.0, 0.0..6.0),
+        Activity::Nap => (never, 0.0..6.0),
+        _ => return None,
+    };
+    let hour = hour % 12.0;
+    if first.contains(&hour) { Some(false) } else { second.contains(&hour).then_some(true) }
 }
 
 /// Whether a time goes on right behind what was read of it: `7:4o`, `7;40`.

@@ -106,6 +106,13 @@ pub fn of_nobody_or_past(reader: &mut Reader) -> bool {
         |from: usize| lexicon.list("LONGAGO", |ahead| reader.words.get(from + ahead).map_or("", |word| &word.text));
     let past = (0..reader.words.len()).any(|from| words(from).is_some())
         && reader.words.iter().any(|word| word.text.ends_with("ed") || lexicon.verb_of_past(&word.text).is_some());
+    let lexicon = reader.names.lexicon.clone();
+    let no_concern = reader.ahead(|reader| {
+        reader.eat("no|nil|none")
+            && reader.peek(0) != "longer"
+            && lexicon.list("CONCERNS", |ahead| reader.peek(ahead)).is_some()
+    });
+    let nobody = nobody || no_concern;
     if nobody || past {
         reader.at = reader.words.len();
     }

@@ -3,12 +3,13 @@
 use super::activities::{self, MEALS};
 use super::adverbs::{Adverbs, Slot};
 use super::build;
+use super::calendar;
 use super::clause::{Clause, Join, place, tail};
 use super::draft::Draft;
 use super::helping;
 use super::joined;
 use super::predicates;
-use super::reader::{Reader, Sort, begins_adverb};
+use super::reader::{Reader, Sort, begins_adverb, is_determiner};
 use super::remarks;
 use super::roundabout;
 use super::rules;
@@ -78,11 +79,20 @@ struct Start {
     beside: Vec<Span>,
 }
 
+/// "The resident", "Margaret", as who does something.
+fn begins_with_person(reader: &mut Reader) -> bool {
+    subjects::person_called(reader) || reader.person() == Some(false)
+}
+
 /// "Since the fall", "because of her knees", in front of who does what: a remark.
 fn why_in_front(reader: &mut Reader) -> Option<Span> {
-    const MOST: usize = 8;
+    const MOST: usize = 14;
     let from = reader.at;
-    let since = reader.eat("since her|his|the|a|an|being|having|moving|coming");
+    reader.eat("ever");
+    let since = reader.eat("since")
+        && (is_determiner(reader.peek(0))
+            || !reader.ahead(|reader| calendar::moment(reader).is_some() || calendar::months(reader).is_some()))
+        || reader.eat("now that");
     let after = !since
         && reader
             .attempt(|reader| {
@@ -93,7 +103,9 @@ fn why_in_front(reader: &mut Reader) -> Option<Span> {
     (since || after || reader.eat("because of") || reader.eat("due|owing to") || reader.eat("despite|following"))
         .then_some(())?;
     while reader.at < from + MOST && reader.token(0) == Some(Token::Word) {
-        if ["she", "he", "they"].contains(&reader.peek(0)) {
+        let who =
+            ["she", "he", "they"].contains(&reader.peek(0)) || reader.at > from + 2 && reader.ahead(begins_with_person);
+        if who && reader.at > from + 1 {
             return Some(reader.span(from));
         }
         reader.at += 1;
@@ -167,6 +179,7 @@ fn finish(
     (follows, heading): (&mut Option<Adverbs>, Option<&Adverbs>),
 ) -> bool {
     joined::without_waking(group);
+    joined::without_count(group);
     if let Some(unclear) = joined::share(group, joined) {
         let what = format!("it is not clear whether {:?} is about both", reader.said(unclear));
         let hint = "make two sentences, or begin the sentence with it if it is about both".to_owned();
@@ -395,9 +408,9 @@ fn of_visitor(reader: &mut Reader, name: &str, who: Span) -> Option<Predicate> {
         (format!("{said:?} is nobody who visits"), hint)
     } else if reader.names.has(name, Sort::Thing) {
         (format!("{said:?} does nothing by itself"), format!("write what she does: \"she forgets the {name} rarely\""))
-    } else if reader.names.lexicon.has_last("TOPICS", name) && remarks::of_topic(reader).is_some() {
-        return Some(Predicate::Remark);
-    } else if name == subjects::WRITERS && remarks::of_mind(reader) {
+    } else if reader.names.lexicon.has_last("TOPICS", name) && remarks::of_topic(reader).is_some()
+        || name == subjects::WRITERS && remarks::of_mind(reader)
+    {
         return Some(Predicate::Remark);
     } else if let Some(found) = helping::visiting(reader) {
         return Some(found);

@@ -50,7 +50,7 @@ pub fn is_put_in(word: &Word) -> bool {
 fn shapes(names: &Names, text: &str, words: &[Word]) -> Vec<Vec<Word>> {
     let mut all: Vec<Vec<Word>> = Vec::new();
     let mut base = words.to_vec();
-    for change in [without_label, without_length, with_both_days, by_now, counted, slept] {
+    for change in [without_label, reported, without_length, with_both_days, by_now, counted, slept, when_then] {
         if let Some(changed) = change(names, text, &base) {
             base = changed;
             all.push(base.clone());
@@ -136,6 +136,44 @@ fn counted(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
         shaped.extend_from_slice(&words[noun..]);
         Some(put_in(&shaped, at, "times"))
     })
+}
+
+/// "The client reports that he sleeps badly": what is said is what follows.
+fn reported(_names: &Names, _text: &str, words: &[Word]) -> Option<Vec<Word>> {
+    const SAYS: [&str; 16] = [
+        "reports",
+        "says",
+        "states",
+        "tells",
+        "admits",
+        "explains",
+        "mentions",
+        "note",
+        "notes",
+        "recommended",
+        "observed",
+        "reported",
+        "said",
+        "noticed",
+        "noted",
+        "confirms",
+    ];
+    const NEAR: usize = 6;
+    let said = words.iter().take(NEAR).position(|word| SAYS.contains(&word.text.as_str()))?;
+    let rest = words.get(said + 1..)?;
+    let rest = if rest.first()?.text == "that" { &rest[1..] } else { rest };
+    let is_whole = rest.first().is_some_and(|first| ["she", "he", "they", "her", "his"].contains(&first.text.as_str()));
+    is_whole.then(|| rest.to_vec())
+}
+
+/// "rises at 7, when she makes tea": and then.
+fn when_then(_names: &Names, _text: &str, words: &[Word]) -> Option<Vec<Word>> {
+    let is = |at: usize, one: &[&str]| words.get(at).is_some_and(|word| one.contains(&word.text.as_str()));
+    let at =
+        (2..words.len()).find(|&at| is(at - 1, &[","]) && is(at, &["when"]) && is(at + 1, &["she", "he", "they"]))?;
+    let mut shaped = words.to_vec();
+    "then".clone_into(&mut shaped[at].text);
+    Some(shaped)
 }
 
 /// "sleeps from 10 pm to 6 am": goes to bed at the one time and gets up at the other.

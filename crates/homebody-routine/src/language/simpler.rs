@@ -1,7 +1,9 @@
 //! Hints that are held to what they say: a sentence that a hint proposes is understood. Where a hint proposes none, the sentence
 //! is tried without the words that stand in the way, and what is understood of it then is proposed.
 
-use super::activities::fits;
+use super::activities::{self, fits};
+use super::adverbs::Adverbs;
+use super::calendar::is_weekday;
 use super::draft::Draft;
 use super::faults::Faults;
 use super::lexicon::third_person;
@@ -21,6 +23,7 @@ const LONGEST: usize = 40;
 pub fn hints(faults: &mut Faults, since: usize, names: &Names, draft: &Draft, words: &[Word]) {
     let mut shorter: Option<Option<String>> = None;
     let mut clearer: Option<Option<String>> = None;
+    let mut gist: Option<Option<String>> = None;
     for fault in faults.since(since) {
         let proposed = fault.hint.as_deref().map(sentences_in).unwrap_or_default();
         let is_sound = proposed.iter().all(|sentence| understood(names, draft, sentence).is_some());
@@ -36,8 +39,15 @@ pub fn hints(faults: &mut Faults, since: usize, names: &Names, draft: &Draft, wo
         }
         if proposed.is_empty() && !is_certain || !is_sound {
             let without = shorter.get_or_insert_with(|| without(names, draft, words, fault.span)).clone();
-            let Some(without) = without else { continue };
-            let without = format!("without it: {without:?}");
+            let part =
+                |gist: &mut Option<Option<String>>| gist.get_or_insert_with(|| self::gist(names, draft, words)).clone();
+            let without = match without {
+                Some(without) => format!("without it: {without:?}"),
+                None => match part(&mut gist) {
+                    Some(gist) => format!("what can be lived of it: {gist:?}"),
+                    None => continue,
+                },
+            };
             fault.hint = Some(fault.hint.take().map_or(without.clone(), |hint| format!("{hint}; {without}")));
         }
     }
@@ -128,12 +138,66 @@ fn is_sentence(text: &str) -> bool {
     after.find(|word| !BEFORE.contains(word)).is_none_or(|verb| verb.ends_with('s') && !verb.ends_with("ss"))
 }
 
+/// What is done, and when or how often, as far as any of it is understood: "she talks on the phone at 20:30".
+fn gist(names: &Names, draft: &Draft, words: &[Word]) -> Option<String> {
+    const MOST: usize = 3;
+    if words.len() > LONGEST || words.iter().any(|word| denies(&word.text)) {
+        return None;
+    }
+    let mut faults = Faults::of_trial();
+    let mut reader = Reader { words, at: 0, names, faults: &mut faults, text: draft.text, part: None };
+    let (mut doing, mut when): (Option<String>, Vec<String>) = (None, Vec::new());
+    while !reader.is_over() {
+        let from = reader.at;
+        // "Tea" and "the bathroom" may be anything's.
+        let is_doing = |activity: &Activity| {
+            !matches!(activity, Activity::UseBathroom | Activity::Drink | Activity::GoToBed | Activity::Fall)
+        };
+        let named =
+            |reader: &mut Reader| activities::activity(reader).or_else(|| activities::noun(reader).filter(is_doing));
+        if doing.is_none()
+            && let Some(activity) = reader.attempt(named)
+        {
+            doing = Some(activities::phrase(&activity)).filter(|phrase| !phrase.is_empty());
+            continue;
+        }
+        let before = reader.faults.count();
+        let mut adverbs = Adverbs::default();
+        if when.len() < MOST && adverbs.next(&mut reader) && reader.faults.count() == before {
+            let said = reader.passed(from);
+            let before = match reader.words[from].token {
+                Token::Clock(..) => "at ",
+                _ if ["midnight", "noon"].contains(&reader.words[from].text.as_str()) => "at ",
+                _ if is_weekday(&reader.words[from].text) => "on ",
+                _ => "",
+            };
+            if adverbs.says_when() && !said.starts_with("with") {
+                when.push(format!("{before}{said}"));
+            }
+            continue;
+        }
+        reader.faults.forget_since(before);
+        reader.at = from + 1;
+    }
+    let doing = doing?;
+    (0..=when.len()).rev().find_map(|count| {
+        let text = [&[format!("she {doing}")], &when[..count]].concat().join(" ");
+        understood(names, draft, &text).map(|_| text)
+    })
+}
+
+/// Whether without a part of it a sentence with this word may say the contrary.
+fn denies(word: &str) -> bool {
+    const DENIES: [&str; 11] =
+        ["not", "never", "no", "cannot", "without", "hardly", "nor", "except", "unless", "only", "if"];
+    DENIES.contains(&word) || word.ends_with("n't")
+}
+
 /// The sentence without the fewest words around a place that lets it be understood.
 fn without(names: &Names, draft: &Draft, words: &[Word], at: Span) -> Option<String> {
     let first = words.iter().position(|word| word.span.end > at.start).filter(|_| words.len() <= LONGEST)?;
     // Without "alone", "she does not go out alone" says something else.
-    let denies = ["not", "never", "no", "cannot", "without", "hardly", "nor", "except", "unless", "only", "if"];
-    if words.iter().any(|word| denies.contains(&word.text.as_str()) || word.text.ends_with("n't")) {
+    if words.iter().any(|word| denies(&word.text)) {
         return None;
     }
     let last = words.iter().rposition(|word| word.span.start < at.end).unwrap_or(first);

@@ -51,7 +51,17 @@ pub fn subject(reader: &mut Reader) -> Option<Subject> {
             of_the_person(reader)
         });
     }
-    if let Some(people) = reader.attempt(people) {
+    let of_called = |reader: &mut Reader| {
+        reader.eat("the|my|our").then_some(())?;
+        let owner = reader.peek(0).strip_suffix("'s")?.to_owned();
+        reader.names.lexicon.list("PERSON", |at| if at == 0 { &owner } else { "" })?;
+        reader.at += 1;
+        of_the_person(reader)
+    };
+    if let Some(of_person) = reader.attempt(of_called) {
+        return Some(of_person);
+    }
+    if let Some(people) = reader.attempt(people).or_else(|| reader.attempt(relative)) {
         return Some(people);
     }
     if let Some(topic) = reader.attempt(topic) {
@@ -137,6 +147,15 @@ fn people(reader: &mut Reader) -> Option<Subject> {
     let lexicon = reader.names.lexicon.clone();
     reader.eat("two|three|both|2|3");
     reader.at += lexicon.list("PEOPLE", |ahead| reader.peek(ahead))?;
+    let name = reader.passed(from);
+    reader.ahead(visitor_verb).then_some(Subject::Visitor(name))
+}
+
+/// "Daughter visits", of notes.
+fn relative(reader: &mut Reader) -> Option<Subject> {
+    let from = reader.at;
+    let lexicon = reader.names.lexicon.clone();
+    reader.at += lexicon.list("RELATIVES", |ahead| reader.peek(ahead))?;
     let name = reader.passed(from);
     reader.ahead(visitor_verb).then_some(Subject::Visitor(name))
 }

@@ -286,7 +286,28 @@ impl Lexer<'_> {
             return stops && rest.next().is_none_or(char::is_uppercase);
         }
         self.push(from, Token::Word);
+        self.part_contraction();
         false
+    }
+
+    /// "She's" is "she is", and "he'll" is "he will".
+    fn part_contraction(&mut self) {
+        const WHO: [&str; 12] = ["she", "he", "it", "they", "we", "i", "that", "there", "who", "mum", "dad", "you"];
+        let Some(word) = self.words.last_mut() else { return };
+        let Some((who, rest)) = word.text.split_once('\'').filter(|(who, _)| WHO.contains(who)) else { return };
+        let is = match rest {
+            "s" if ["mum", "dad"].contains(&who) => return,
+            "s" => "is",
+            "ll" => "will",
+            "d" => "would",
+            "re" => "are",
+            "ve" => "have",
+            "m" => "am",
+            _ => return,
+        };
+        let second = Word { text: is.to_owned(), ..word.clone() };
+        word.text = who.to_owned();
+        self.words.push(second);
     }
 
     /// Whether what was read is "x3": three times.
