@@ -9,9 +9,8 @@ mod keys;
 mod usual;
 mod rising;
 pub mod agenda;
-pub mod places;
+pub use homebody_walk::{manner, places};
 pub mod script;
-mod manner;
 
 // What interrupts: needs and rules.
 mod need;
@@ -20,7 +19,7 @@ mod errands;
 mod watch;
 
 // Who carries it out.
-pub mod body;
+pub use homebody_walk::body;
 pub mod driver;
 pub mod tally;
 pub mod account;
@@ -44,7 +43,6 @@ pub(crate) fn numbers() -> Vec<Number> {
         rising::NUMBERS,
         agenda::NUMBERS,
         needs::NUMBERS,
-        body::NUMBERS,
         company::NUMBERS,
         ways::NUMBERS,
         lamps::NUMBERS,
@@ -53,5 +51,5 @@ pub(crate) fn numbers() -> Vec<Number> {
         pet::NUMBERS,
     ];
     let own = modules.concat().into_iter().cloned();
-    own.chain(usual::numbers()).chain(manner::Manner::numbers()).chain(spare_time::numbers()).collect()
+    own.chain(usual::numbers()).chain(spare_time::numbers()).collect()
 }
