@@ -10,3 +10,6 @@ pub mod sphere;
 
 /// Generated lives beside what was measured of real ones.
 pub mod daily_life;
+
+/// Lives in which nothing happens that cannot be.
+pub mod possible;

@@ -20,6 +20,7 @@ mod label;
 mod layers;
 mod legend;
 mod paint;
+mod realism_page;
 mod shade;
 mod sheet;
 mod svg;
@@ -35,6 +36,7 @@ pub use day_chart::{Band, DayChart, Holds, Ticks, day_chart};
 pub use density_map::density_map;
 pub use film_strip::film_strip;
 pub use floor_plan::floor_plan;
+pub use realism_page::{realism_chart, realism_page};
 
 /// Why an SVG did not become a PNG.
 #[derive(Debug, thiserror::Error)]

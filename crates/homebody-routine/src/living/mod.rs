@@ -20,10 +20,12 @@ mod watch;
 
 // Who carries it out.
 pub use homebody_walk::body;
+mod chores;
 pub mod driver;
 pub mod tally;
 pub mod account;
 mod spare_time;
+pub mod stations;
 mod night;
 pub mod company;
 mod courtesy;
@@ -47,6 +49,7 @@ pub(crate) fn numbers() -> Vec<Number> {
         ways::NUMBERS,
         lamps::NUMBERS,
         spare_time::NUMBERS,
+        chores::NUMBERS,
         night::NUMBERS,
         pet::NUMBERS,
     ];

@@ -2,6 +2,8 @@
 
 mod daily_life;
 mod godsey2009;
+mod possible;
+mod realism;
 mod sphere;
 
 use crate::failure::Failure;
@@ -11,7 +13,9 @@ use crate::failure::Failure;
 #[command(after_help = "Examples:
   homebody experiment godsey2009 --svg firings.svg
   homebody experiment sphere --data sphere_challenge --svg rooms.svg
-  homebody experiment daily-life --people 20 --days 14 --png people.png")]
+  homebody experiment daily-life --people 20 --days 14 --png people.png
+  homebody experiment possible
+  homebody experiment realism --data casas --json realism.json")]
 pub struct Arguments {
     #[command(subcommand)]
     experiment: Experiment,
@@ -25,6 +29,10 @@ enum Experiment {
     Sphere(sphere::Arguments),
     /// Generated older adults lived at home, beside what was published of real ones
     DailyLife(daily_life::Arguments),
+    /// What cannot be, counted in lives: two on one spot, visits to nobody, meals before they are cooked
+    Possible(possible::Arguments),
+    /// Real homes beside a generated life that is sensed as they are
+    Realism(realism::Arguments),
 }
 
 impl Arguments {
@@ -33,6 +41,8 @@ impl Arguments {
             Experiment::Godsey2009(arguments) => arguments.run(),
             Experiment::Sphere(arguments) => arguments.run(),
             Experiment::DailyLife(arguments) => arguments.run(),
+            Experiment::Possible(arguments) => arguments.run(),
+            Experiment::Realism(arguments) => arguments.run(),
         }
     }
 }
