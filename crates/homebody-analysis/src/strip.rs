@@ -61,6 +61,8 @@ pub struct RunNames<'a> {
     pub sensors: Vec<&'a str>,
     /// Things, as facts number them.
     pub things: Vec<&'a str>,
+    /// How many of these, from the first, are doors.
+    pub doors: usize,
 }
 
 /// Takes a run's events, and keeps what its strip is made of.
@@ -132,7 +134,12 @@ impl Film {
         let used = self.kept.facts.iter().filter_map(|fact| match fact {
             Fact::Use { at: used, act, .. } if *used > since && *used <= at => {
                 let thing = names.things.get(act.thing.index()).copied().unwrap_or_default();
-                Some(format!("{thing} {}", if act.on { "on" } else { "off" }))
+                Some(match (act.thing.index() < names.doors, act.on) {
+                    (true, true) => format!("{thing} opened"),
+                    (true, false) => format!("{thing} shut"),
+                    (false, true) => format!("{thing} on"),
+                    (false, false) => format!("{thing} off"),
+                })
             }
             _ => None,
         });

@@ -219,7 +219,8 @@ fn next(around) {
 
 #[test]
 fn what_reaches_beyond_the_script_is_not_there() {
-    for call in ["sleep(1)", "timestamp()", "import \"x\" as y", "eval(\"1\")", "open_file(\"x\")", "exit()", "rand()"] {
+    for call in ["sleep(1)", "timestamp()", "import \"x\" as y", "eval(\"1\")", "open_file(\"x\")", "exit()", "rand()"]
+    {
         assert!(!problems(&format!("fn next(around) {{ {call}; wait(1) }}")).is_empty(), "{call}");
     }
 }
@@ -229,7 +230,10 @@ fn a_script_that_runs_away_is_stopped_with_its_line() {
     for (script, what) in [
         ("fn next(around) {\n    loop { }\n}", "clara.rhai:2"),
         ("fn next(around) {\n    loop { }\n}", "runs away: it takes more than 50000 operations"),
-        ("// idle\nfn next(around) { turn_on(\"hall\") }", "clara.rhai:2:1: the script runs away: 100 decisions in a row"),
+        (
+            "// idle\nfn next(around) { turn_on(\"hall\") }",
+            "clara.rhai:2:1: the script runs away: 100 decisions in a row",
+        ),
         (
             "fn next(around) {\n    let n = 0;\n    while n < 5000 { n += 1; }\n    rest(0.1)\n}",
             "runs away: it takes more than 5000000 operations in an hour",

@@ -23,6 +23,8 @@ const WIDE: f64 = (WIDTH - 2.0 * MARGIN - GAP * (COLUMNS as f64 - 1.0)) / COLUMN
 /// A plan is no higher than this.
 const TALLEST: f64 = 420.0;
 const LINE: f64 = 16.0;
+/// Between a plan and its words, where the arrow at the front door stands.
+const BELOW: f64 = 30.0;
 const BODY: f64 = 7.0;
 const CAPTION: Type = Type::new(12.0, INK);
 /// No moment has more lines of people (ours).
@@ -35,7 +37,7 @@ pub fn film_strip(home: &HomeFile, strip: &Strip) -> String {
     let extent = most - least;
     let high = (WIDE / extent.x * extent.y).min(TALLEST);
     let lines = strip.moments.first().map_or(0, |moment| moment.people.len().min(MOST_PEOPLE)) + 2;
-    let row = 26.0 + high + LINE * lines as f64 + GAP;
+    let row = 26.0 + high + BELOW + LINE * lines as f64 + GAP;
     let subtitle = format!("{} moments, {} s apart", strip.moments.len(), strip.every_s);
     let mut svg = Svg::new(&format!("{}: {subtitle}", strip.name), &strip.to_string());
     let title = font::shortened(&strip.name, 26.0, WIDTH - 2.0 * MARGIN);
@@ -64,7 +66,7 @@ fn frame(mut svg: Svg, home: &HomeFile, plan: &Plan, moment: &Moment, corner: Po
         body(&mut sheet, person, colour);
     }
     let mut svg = sheet.svg;
-    let mut y = corner.y + 26.0 + high + LINE;
+    let mut y = corner.y + 26.0 + high + BELOW;
     let mut line = |svg: &mut Svg, words: &str, left: f64, set: Type| {
         svg.text(&font::shortened(words, set.size, WIDE - left), Point::new(corner.x + left, y), &set);
         y += LINE;

@@ -23,7 +23,7 @@ use homebody_core::problem::{Problem, Problems};
 use homebody_core::recording::Recording;
 use homebody_core::run::{DriverProvider, Guest, Run};
 use homebody_core::scenario::home::HomeFile;
-use homebody_core::scenario::load::{Driver, Files, Language, NoText, DriverText, Scenario, too_long};
+use homebody_core::scenario::load::{Driver, DriverText, Files, Language, NoText, Scenario, too_long};
 use homebody_core::time::DAY;
 use homebody_script::{Cast, Names, Program, ScriptDriver};
 use homebody_walk::Mesh;

@@ -174,7 +174,8 @@ impl Check<'_> {
         }
         let known = QUESTIONS.iter().map(|word| word.name).chain(self.functions.iter().map(|(name, _)| name.as_str()));
         let near = nearest(name, known.chain(standard_functions().iter().map(String::as_str)));
-        let hint = near.map_or_else(|| "docs/scripts.md lists what there is".to_owned(), |near| format!("did you mean {near}?"));
+        let hint = near
+            .map_or_else(|| "docs/scripts.md lists what there is".to_owned(), |near| format!("did you mean {near}?"));
         self.say(position, name.chars().count(), format!("there is no function {name}"), Some(hint));
     }
 
@@ -218,7 +219,12 @@ impl Check<'_> {
             return self.say(position, 1, what, None);
         }
         if let Some(number) = number.filter(|number| kind == Kind::Seconds && *number <= 0.0) {
-            return self.say(position, 1, format!("nothing lasts {number} seconds"), Some("say how many, above 0".into()));
+            return self.say(
+                position,
+                1,
+                format!("nothing lasts {number} seconds"),
+                Some("say how many, above 0".into()),
+            );
         }
         let Ok(text) = value.into_string() else { return };
         self.name(kind, &text, position);

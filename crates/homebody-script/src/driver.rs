@@ -258,7 +258,8 @@ impl ScriptDriver {
         }
         self.spent.1 += operations + OPERATIONS_OF_ASKING;
         if self.spent.1 > MOST_OPERATIONS_AN_HOUR {
-            let what = format!("the script runs away: it takes more than {MOST_OPERATIONS_AN_HOUR} operations in an hour");
+            let what =
+                format!("the script runs away: it takes more than {MOST_OPERATIONS_AN_HOUR} operations in an hour");
             return Err(cast.program.at_next(&what, "decide less often, or with less work each time"));
         }
         answer
@@ -319,14 +320,16 @@ impl ScriptDriver {
             Some(step @ (Step::Go(_) | Step::GoTo(_))) => Some(step),
             _ => None,
         };
-        let Some(step) = resumed.filter(|step| still > 0 || matches!(step, Step::Wait { left, .. } if *left > 0)) else {
+        let Some(step) = resumed.filter(|step| still > 0 || matches!(step, Step::Wait { left, .. } if *left > 0))
+        else {
             return;
         };
         let stays = matches!(step, Step::Wait { .. } | Step::Rest { .. });
         self.steps.push_front(step);
         if stays {
             let there = self.body.spot().filter(|spot| self.is_at(spot));
-            let back = |spot: &Spot| Step::Go(Spot { at: self.body.at(), posture: self.body.posture(), ..spot.clone() });
+            let back =
+                |spot: &Spot| Step::Go(Spot { at: self.body.at(), posture: self.body.posture(), ..spot.clone() });
             self.steps.push_front(there.map_or(Step::GoTo(self.body.at()), back));
         }
         self.steps.push_front(Step::Activity(self.activity.clone()));
@@ -387,10 +390,8 @@ impl ScriptDriver {
 
     /// Lets a body that is nowhere yet, or out, be where the step can begin; true where that was the whole of it.
     fn begins_elsewhere(&mut self, step: &Step) -> Result<bool, String> {
-        let needs_body = !matches!(
-            step,
-            Step::Activity(_) | Step::Use { .. } | Step::LeaveHome | Step::Outside | Step::Instead
-        );
+        let needs_body =
+            !matches!(step, Step::Activity(_) | Step::Use { .. } | Step::LeaveHome | Step::Outside | Step::Instead);
         match self.whereabouts {
             Whereabouts::Nowhere if matches!(step, Step::LeaveHome) => {
                 self.whereabouts = Whereabouts::Out;

@@ -60,12 +60,17 @@ pub fn standard_functions() -> &'static BTreeSet<String> {
         let own: BTreeSet<&str> = vocabulary::words().map(|word| word.name).collect();
         let known = signatures.iter().map(name).filter(|name| is_word(name) && !own.contains(name.as_str()));
         let spoken = known.map(|name| name.trim_start_matches("get ").trim_start_matches("set ").to_owned());
-        spoken.chain(["type_of", "print", "debug", "call", "curry", "is_def_fn", "is_def_var"].map(String::from)).collect()
+        spoken
+            .chain(["type_of", "print", "debug", "call", "curry", "is_def_fn", "is_def_var"].map(String::from))
+            .collect()
     });
     &NAMES
 }
 
-#[expect(deprecated, reason = "the hooks for tokens and variables may change with the crate's version, which is locked")]
+#[expect(
+    deprecated,
+    reason = "the hooks for tokens and variables may change with the crate's version, which is locked"
+)]
 fn engine() -> Engine {
     let mut engine = Engine::new_raw();
     ArithmeticPackage::new().register_into_engine(&mut engine);

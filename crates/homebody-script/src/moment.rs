@@ -91,7 +91,9 @@ impl Moment {
             body: around.body().map(|body| (body.at, body.posture)),
             place: place.into(),
             others: others.map(other).collect(),
-            on: (0..cast.home.plan.things.len() as u32).map(|thing| around.is_on(homebody_core::ids::ThingId(thing))).collect(),
+            on: (0..cast.home.plan.things.len() as u32)
+                .map(|thing| around.is_on(homebody_core::ids::ThingId(thing)))
+                .collect(),
             streams,
             cast,
         }
@@ -276,7 +278,11 @@ pub fn unknown_name<'a>(noun: &str, name: &str, known: impl Iterator<Item = &'a 
 pub fn number(value: &Dynamic, what: &str) -> Result<f64, Wrong> {
     let number = value.as_float().or_else(|_| value.as_int().map(|whole| whole as f64));
     let number = number.map_err(|of| wrong(format!("{what} is a number, and not a {}", type_name(of))))?;
-    if number.is_finite() { Ok(number) } else { Err(wrong(format!("{what} is {number}, which is no number to live by"))) }
+    if number.is_finite() {
+        Ok(number)
+    } else {
+        Err(wrong(format!("{what} is {number}, which is no number to live by")))
+    }
 }
 
 /// A span as a script wrote it, in seconds.

@@ -117,7 +117,11 @@ impl Program {
         let options = CallFnOptions::new().eval_ast(false).with_tag(around.clone());
         let memory = ENGINE.call_fn_with_options::<Dynamic>(options, &mut Scope::new(), &self.ast, BEGIN, ());
         let memory = memory.map_err(|error| self.why(*error))?;
-        if memory.is_map() { Ok(memory) } else { Err(self.at_function(BEGIN, "begin() gives a map, such as #{ rounds: 0 }")) }
+        if memory.is_map() {
+            Ok(memory)
+        } else {
+            Err(self.at_function(BEGIN, "begin() gives a map, such as #{ rounds: 0 }"))
+        }
     }
 
     /// The answer to what comes next.
@@ -230,7 +234,11 @@ fn told(error: EvalAltResult) -> (Position, String, Option<String>) {
         Raised::ErrorTooManyOperations(_) | Raised::ErrorTerminated(..) => {
             let most = crate::engine::MOST_OPERATIONS;
             let hint = "end its loop, or spread the work over several decisions";
-            (position, format!("the script runs away: it takes more than {most} operations to decide"), Some(hint.into()))
+            (
+                position,
+                format!("the script runs away: it takes more than {most} operations to decide"),
+                Some(hint.into()),
+            )
         }
         Raised::ErrorStackOverflow(_) => {
             (position, "functions call each other too deep".into(), Some("let one of them end".into()))
@@ -240,9 +248,7 @@ fn told(error: EvalAltResult) -> (Position, String, Option<String>) {
             (position, format!("nothing is remembered as {name}"), Some(hint.into()))
         }
         Raised::ErrorVariableNotFound(name, _) => (position, format!("there is no variable {name}"), None),
-        Raised::ErrorFunctionNotFound(signature, _) => {
-            (position, format!("there is no function {signature}"), None)
-        }
+        Raised::ErrorFunctionNotFound(signature, _) => (position, format!("there is no function {signature}"), None),
         mut other => {
             other.clear_position();
             let mut text = other.to_string();

@@ -85,12 +85,12 @@ pub const STEPS: [Word; 21] = [
 /// Chance, from named streams, and numbers.
 pub const CHANCE: [Word; 12] = [
     word("random", &[("stream", Kind::Text)], "A number from 0 to 1, from the stream of this name."),
+    word("random", &[("stream", Kind::Text), ("least", Kind::Number), ("most", Kind::Number)], "A number between two."),
     word(
-        "random",
-        &[("stream", Kind::Text), ("least", Kind::Number), ("most", Kind::Number)],
-        "A number between two.",
+        "chance",
+        &[("stream", Kind::Text), ("probability", Kind::Number)],
+        "True with this probability, from 0 to 1.",
     ),
-    word("chance", &[("stream", Kind::Text), ("probability", Kind::Number)], "True with this probability, from 0 to 1."),
     word("pick", &[("stream", Kind::Text), ("list", Kind::List)], "One of a list, each as likely."),
     word("sin", &[("degrees", Kind::Number)], "The sine of an angle."),
     word("cos", &[("degrees", Kind::Number)], "The cosine of an angle."),

@@ -51,6 +51,7 @@ mod pattern;
 
 // Where things are done in a home, how a body that stays there stirs, and how it gets from one place to the next.
 pub mod places;
+pub mod stations;
 pub mod manner;
 pub mod body;
 

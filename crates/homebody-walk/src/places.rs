@@ -1,12 +1,12 @@
 //! Where things are done in this home: the places, seats and things that it names after them.
 
 use super::stations::{chore, is_opened};
+use crate::mesh::Mesh;
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::{Origin, Plan};
 use homebody_core::role::{ROLES, Role};
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::path::Posture;
-use crate::mesh::Mesh;
 use std::collections::BTreeMap;
 
 /// A place to be, and how the body is there.

@@ -112,8 +112,8 @@ fn lines(text: &mut String, dice: &mut Dice) {
 /// What is called is another thing: a word for a word.
 fn call_for_call(text: &mut String, dice: &mut Dice) {
     const WORDS: [&str; 16] = [
-        "go", "sit", "lie", "stand", "step", "wander", "wait", "rest", "use", "turn_on", "random", "chance", "pick", "free",
-        "is_on", "who",
+        "go", "sit", "lie", "stand", "step", "wander", "wait", "rest", "use", "turn_on", "random", "chance", "pick",
+        "free", "is_on", "who",
     ];
     let calls: Vec<usize> = text.match_indices('(').map(|(at, _)| at).collect();
     if calls.is_empty() {
@@ -121,6 +121,8 @@ fn call_for_call(text: &mut String, dice: &mut Dice) {
     }
     let end = *dice.one(&calls);
     let is_of_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    let begin = text[..end].rfind(|c: char| !is_of_word(c)).map_or(0, |at| at + text[at..].chars().next().map_or(1, char::len_utf8));
-    text.replace_range(begin..end, dice.one(&WORDS));
+    let begin = text[..end]
+        .rfind(|c: char| !is_of_word(c))
+        .map_or(0, |at| at + text[at..].chars().next().map_or(1, char::len_utf8));
+    text.replace_range(begin..end, dice.one::<&str>(&WORDS));
 }

@@ -10,14 +10,8 @@ use homebody_kit::{Error, OpenScenario, Source, Template};
 use std::collections::BTreeMap;
 use std::path::Path;
 
-pub const TARGET: Target = Target {
-    name: "script",
-    about: "scripts, checked and lived",
-    cases: 10_000,
-    corpus,
-    mutate,
-    run,
-};
+pub const TARGET: Target =
+    Target { name: "script", about: "scripts, checked and lived", cases: 10_000, corpus, mutate, run };
 
 /// The file of a case.
 const FILE: &str = "clara.rhai";
@@ -28,7 +22,8 @@ const LIVED: Micros = 3_600 * SECOND;
 fn corpus() -> Vec<Files> {
     let of = |text: &[u8]| Files::from([(FILE.to_owned(), text.to_vec())]);
     let all = corpus::of(TARGET.name).into_iter().chain(corpus::scenarios());
-    let scripts = all.flat_map(|files| files.into_iter().filter(|(name, _)| name.ends_with(".rhai")).collect::<Vec<_>>());
+    let scripts =
+        all.flat_map(|files| files.into_iter().filter(|(name, _)| name.ends_with(".rhai")).collect::<Vec<_>>());
     scripts.map(|(_, text)| of(&text)).collect()
 }
 
@@ -64,7 +59,7 @@ fn lived(opened: &OpenScenario) -> Result<(usize, Option<String>), String> {
         match run.next_batch() {
             Ok(Some(batch)) => facts += batch.facts.len(),
             Ok(None) => return Ok((facts, None)),
-            Err(error @ Error::Driver(_)) => {
+            Err(error @ Error::Driver { .. }) => {
                 let said = error.to_string();
                 return match said.contains("cannot go on: clara.rhai") {
                     true => Ok((facts, Some(said))),

@@ -9,7 +9,7 @@ mod keys;
 mod usual;
 mod rising;
 pub mod agenda;
-pub use homebody_walk::{manner, places};
+pub use homebody_walk::{manner, places, stations};
 pub mod script;
 
 // What interrupts: needs and rules.
@@ -25,7 +25,6 @@ pub mod driver;
 pub mod tally;
 pub mod account;
 mod spare_time;
-pub mod stations;
 mod night;
 pub mod company;
 mod courtesy;

@@ -41,7 +41,7 @@ impl Arguments {
         let home = recorded.scenario().home.clone();
         let calendar = recorded.scenario().calendar.clone();
         let first = self.first(&calendar)?;
-        let length = recorded.recording().length;
+        let length = recorded.recording().length_us;
         if first >= length {
             let [begin, end] = [0, length].map(|at| clock(&calendar, at));
             return Err(Failure::usage(format!("the run has no {}\n  hint: it goes from {begin} to {end}", self.from)));
@@ -58,6 +58,7 @@ impl Arguments {
             scenario: &run.scenario().file.name,
             people: run.residents(),
             sensors: run.sensors().collect(),
+            doors: home.doors.len(),
             things: home.plan().things.iter().map(|thing| thing.name.as_str()).collect(),
         };
         let strip = film.strip(&names, |at| clock(&calendar, at));
