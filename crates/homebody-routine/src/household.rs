@@ -308,8 +308,7 @@ impl Household {
     ) -> ScriptDriver {
         let file = &self.scenario.residents[body].file;
         let residents = self.scenario.residents.iter().map(|resident| resident.file.name.clone());
-        ScriptDriver::new(Cast {
-            program: program.clone(),
+        let cast = Cast {
             places: Arc::new(Places::new(&self.scenario.home, &home.plan, &mesh, &file.name)),
             home: home.clone(),
             mesh,
@@ -318,7 +317,8 @@ impl Household {
             name: file.name.clone(),
             pace_mps: file.pace_mps,
             seed,
-        })
+        };
+        ScriptDriver::new(program.clone(), cast)
     }
 
     /// What a body walks by.

@@ -2,7 +2,7 @@
 
 use crate::engine::standard_functions;
 use crate::moment::{type_name, unknown_name};
-use crate::program::{ASKED, Names};
+use crate::names::{ASKED, Names};
 use crate::vocabulary::{self, Kind, QUESTIONS, SEEN, Word};
 use homebody_core::problem::{Problem, counted};
 use homebody_core::scenario::nearest::nearest;

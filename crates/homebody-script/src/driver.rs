@@ -7,6 +7,7 @@
 //! We assume that somebody sees and hears what happens in the whole home, half a second later at most while they walk, and
 //! a second while they stay. Left out: waiting for others who are in the way.
 
+use crate::cast::Cast;
 use crate::engine::{counted, to_step};
 use crate::moment::{Around, Moment, Other, Streams};
 use crate::program::Program;
@@ -14,16 +15,13 @@ use crate::step::Step;
 use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::{MotionState, ThingUse};
 use homebody_core::geometry::{self, Point};
-use homebody_core::home::Home;
 use homebody_core::ids::ThingId;
 use homebody_core::random::Stream;
 use homebody_core::role::Role;
-use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::path::Posture;
-use homebody_core::time::{DAY, Micros, SECOND, micros};
-use homebody_walk::Mesh;
+use homebody_core::time::{Micros, SECOND, micros};
 use homebody_walk::body::Body;
-use homebody_walk::places::{Places, Spot};
+use homebody_walk::places::Spot;
 use rhai::Dynamic;
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -41,6 +39,8 @@ const OPERATIONS_OF_ASKING: u64 = 100;
 /// So many steps may be waiting (ours).
 const MOST_STEPS: usize = 500;
 
+const HOUR: Micros = 3_600 * SECOND;
+
 /// Who walks looks around so often, and who stays so often (ours).
 const LOOKS_WALKING: Micros = SECOND / 2;
 const LOOKS_STAYING: Micros = SECOND;
@@ -54,47 +54,10 @@ const SHORTEST_STEP_M: f64 = 0.02;
 /// How long one stands at the open front door (ours), as those do who live by routines.
 const AT_THE_DOOR: Micros = 5 * SECOND;
 
-const HOUR: Micros = 3_600 * SECOND;
-
-/// All that stays the same for a resident who lives by a script.
-#[derive(Debug)]
-pub struct Cast {
-    /// The script.
-    pub program: Arc<Program>,
-    /// The home.
-    pub home: Arc<Home>,
-    /// Its places, as the resident uses them.
-    pub places: Arc<Places>,
-    /// What the body walks by.
-    pub mesh: Arc<Mesh>,
-    /// Which time of day an instant is.
-    pub calendar: Calendar,
-    /// The names of all who have a body, by their ids.
-    pub names: Vec<String>,
-    /// The resident's name.
-    pub name: String,
-    /// How fast the resident usually walks.
-    pub pace_mps: f64,
-    /// The run's.
-    pub seed: u64,
-}
-
-impl Cast {
-    /// The time of day, from 0 to 24.
-    pub fn hour(&self, now: Micros) -> f64 {
-        let midnight = self.calendar.instant(self.calendar.day(now), 0);
-        ((now - midnight) as f64 / HOUR as f64).clamp(0.0, DAY as f64 / HOUR as f64)
-    }
-
-    /// A stream of the resident's script.
-    pub(crate) fn stream(&self, name: &str) -> Stream {
-        Stream::named(self.seed, &format!("script/{}/{name}", self.name))
-    }
-}
-
 /// A resident who lives by a script. A copy has the same memory and draws the same numbers.
 #[derive(Clone, Debug)]
 pub struct ScriptDriver {
+    program: Arc<Program>,
     cast: Arc<Cast>,
     body: Body,
     whereabouts: Whereabouts,
@@ -153,10 +116,11 @@ impl Seen {
 
 impl ScriptDriver {
     /// A resident at the beginning of a run. Where the first step leads, they are already.
-    pub fn new(cast: Cast) -> ScriptDriver {
+    pub fn new(program: Arc<Program>, cast: Cast) -> ScriptDriver {
         let body = Body::new(cast.home.clone(), cast.mesh.clone(), cast.pace_mps);
         let own = Stream::named(cast.seed, &format!("script body/{}", cast.name));
         ScriptDriver {
+            program,
             cast: Arc::new(cast),
             body,
             whereabouts: Whereabouts::Nowhere,
@@ -179,7 +143,7 @@ impl ScriptDriver {
     fn decide(&mut self, around: &Surroundings) -> Result<Next, String> {
         let now = around.now();
         loop {
-            if self.whereabouts == Whereabouts::Home && self.is_busy() && self.cast.program.notices() {
+            if self.whereabouts == Whereabouts::Home && self.is_busy() && self.program.notices() {
                 self.notice(around)?;
             }
             if let Some(next) = self.next_answer(now) {
@@ -191,7 +155,7 @@ impl ScriptDriver {
                 continue;
             }
             let answer = self.ask(around, |program, around, memory| program.next(around, memory))?;
-            let step = to_step(answer).map_err(|error| self.cast.program.answered(*error))?;
+            let step = to_step(answer).map_err(|error| self.program.answered(*error))?;
             self.plan(step)?;
         }
     }
@@ -217,7 +181,7 @@ impl ScriptDriver {
         self.idle = 0;
         let is_walk = matches!(next.doing, MotionState::Stride { .. });
         let look = now + if is_walk { LOOKS_WALKING } else { LOOKS_STAYING };
-        if next.end > look && self.cast.program.notices() && next.doing != MotionState::Away {
+        if next.end > look && self.program.notices() && next.doing != MotionState::Away {
             let first = next.until(look);
             let doing = match (first.to(), next.doing) {
                 (Some(from), MotionState::Stride { to, .. }) => MotionState::Stride { from, to },
@@ -239,17 +203,17 @@ impl ScriptDriver {
         self.idle += 1;
         if self.idle > MOST_DECISIONS {
             let what = format!("the script runs away: {MOST_DECISIONS} decisions in a row take no time");
-            return Err(self.cast.program.at_next(&what, "answer with a step that takes time, such as wait(60)"));
+            return Err(self.program.at_next(&what, "answer with a step that takes time, such as wait(60)"));
         }
         let place = self.body.spot().filter(|spot| self.is_at(spot)).map_or("", |spot| spot.name.as_str());
         let streams = std::mem::take(&mut self.streams);
-        let moment = Around::new(Moment::new(self.cast.clone(), around, place, streams));
-        let cast = self.cast.clone();
+        let moment = Around::new(Moment::new(self.cast.clone(), self.program.constants(), around, place, streams));
+        let program = self.program.clone();
         let mut memory = match self.memory.take() {
             Some(memory) => memory,
-            None => cast.program.begin(&moment)?,
+            None => program.begin(&moment)?,
         };
-        let (answer, operations) = counted(|| question(&cast.program, &moment, &mut memory));
+        let (answer, operations) = counted(|| question(&program, &moment, &mut memory));
         self.memory = Some(memory);
         self.streams = std::mem::take(&mut moment.moment().streams);
         let hour = around.now().div_euclid(HOUR);
@@ -260,7 +224,7 @@ impl ScriptDriver {
         if self.spent.1 > MOST_OPERATIONS_AN_HOUR {
             let what =
                 format!("the script runs away: it takes more than {MOST_OPERATIONS_AN_HOUR} operations in an hour");
-            return Err(cast.program.at_next(&what, "decide less often, or with less work each time"));
+            return Err(program.at_next(&what, "decide less often, or with less work each time"));
         }
         answer
     }
@@ -271,7 +235,7 @@ impl ScriptDriver {
 
     /// Asks whether something is to be done at once, where anything has changed.
     fn notice(&mut self, around: &Surroundings) -> Result<(), String> {
-        let seen = Seen::of(&Moment::new(self.cast.clone(), around, "", Streams::new()));
+        let seen = Seen::of(&Moment::new(self.cast.clone(), self.program.constants(), around, "", Streams::new()));
         if self.seen.as_ref() == Some(&seen) {
             return Ok(());
         }
@@ -280,7 +244,7 @@ impl ScriptDriver {
         if answer.is_unit() {
             return Ok(());
         }
-        let step = to_step(answer).map_err(|error| self.cast.program.answered(*error))?;
+        let step = to_step(answer).map_err(|error| self.program.answered(*error))?;
         if step.is_instant() {
             self.do_at_once(step);
             return Ok(());
@@ -355,7 +319,7 @@ impl ScriptDriver {
             return Ok(());
         }
         let what = format!("more than {MOST_STEPS} steps are to be done");
-        Err(self.cast.program.at_next(&what, "answer with what comes next; the rest can be decided later"))
+        Err(self.program.at_next(&what, "answer with what comes next; the rest can be decided later"))
     }
 
     /// Begins a step.
@@ -405,7 +369,7 @@ impl ScriptDriver {
                     Step::GoTo(at) if self.cast.mesh.is_free(*at) => Spot::to_stand(*at, 0),
                     _ => self.cast.places.of(Role::Armchair).cloned().ok_or_else(|| {
                         let what = "the home has no place to begin at";
-                        self.cast.program.at_next(what, "answer with go(..) first: where it leads, the run begins")
+                        self.program.at_next(what, "answer with go(..) first: where it leads, the run begins")
                     })?,
                 };
                 let posture = spot.posture;
@@ -434,7 +398,7 @@ impl ScriptDriver {
         let door = self.cast.places.of(Role::FrontDoor).cloned();
         door.ok_or_else(|| {
             let hint = "give one of its doors \"outside\": true";
-            self.cast.program.at_next("the home has no front door to leave by", hint)
+            self.program.at_next("the home has no front door to leave by", hint)
         })
     }
 
@@ -451,7 +415,7 @@ impl ScriptDriver {
         let moves = match &step {
             Step::Go(spot) => self.go(spot, hour, now).ok_or_else(|| {
                 let what = format!("no way leads to {:?}", spot.name);
-                self.cast.program.at_next(&what, "around.can_reach(..) says where a way leads")
+                self.program.at_next(&what, "around.can_reach(..) says where a way leads")
             })?,
             Step::GoTo(at) => {
                 let room = self.cast.home.plan.room_at(*at);

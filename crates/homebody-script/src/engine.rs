@@ -107,7 +107,7 @@ fn engine() -> Engine {
     // Functions see the constants of their script.
     engine.on_var(|name, _, context| {
         let is_constant = name.starts_with(|c: char| c.is_ascii_uppercase());
-        Ok(is_constant.then(|| around(context.tag()).ok()?.moment().cast.program.constant(name)).flatten())
+        Ok(is_constant.then(|| around(context.tag()).ok()?.moment().constants.get(name).cloned()).flatten())
     });
     engine.register_type_with_name::<Step>("step").register_type_with_name::<Around>("around");
     steps_of_places(&mut engine);

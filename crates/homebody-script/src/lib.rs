@@ -14,6 +14,8 @@ pub mod vocabulary;
 mod step;
 
 // What a script is asked with, and how it is read and asked.
+mod cast;
+mod names;
 mod moment;
 mod engine;
 mod check;
@@ -22,6 +24,8 @@ mod program;
 // Who lives by it.
 mod driver;
 
-pub use driver::{Cast, ScriptDriver};
+pub use cast::Cast;
+pub use driver::ScriptDriver;
 pub use engine::{known_words, standard_functions};
-pub use program::{Names, Program};
+pub use names::Names;
+pub use program::Program;

@@ -1,6 +1,6 @@
 //! What a script is asked with: its surroundings at an instant, and the streams that it draws from.
 
-use crate::driver::Cast;
+use crate::cast::Cast;
 use crate::step::Step;
 use homebody_core::drivers::Surroundings;
 use homebody_core::geometry::Point;
@@ -33,6 +33,9 @@ pub const LOOKS_M: f64 = 5.0;
 /// The sine of the sun's height below which it is dark: that at which those who live by routines light lamps (ours).
 const DARK: f64 = 0.08;
 
+/// The constants of a script, by name.
+pub type Constants = Arc<BTreeMap<String, Dynamic>>;
+
 /// A message of ours, raised where the script called.
 pub type Wrong = Box<EvalAltResult>;
 
@@ -48,6 +51,8 @@ pub struct Around(Arc<Mutex<Moment>>);
 /// An instant as one resident sees it.
 pub struct Moment {
     pub cast: Arc<Cast>,
+    /// Of the script.
+    pub constants: Constants,
     pub now: Micros,
     /// The own body; `None` while one is out.
     pub body: Option<(Point, Posture)>,
@@ -79,7 +84,7 @@ impl Around {
 }
 
 impl Moment {
-    pub fn new(cast: Arc<Cast>, around: &Surroundings, place: &str, streams: Streams) -> Moment {
+    pub fn new(cast: Arc<Cast>, constants: Constants, around: &Surroundings, place: &str, streams: Streams) -> Moment {
         let others = around.others();
         let other = |body: homebody_core::drivers::Body| Other {
             index: body.resident.index(),
@@ -95,6 +100,7 @@ impl Moment {
                 .map(|thing| around.is_on(homebody_core::ids::ThingId(thing)))
                 .collect(),
             streams,
+            constants,
             cast,
         }
     }

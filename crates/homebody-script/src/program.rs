@@ -2,22 +2,12 @@
 
 use crate::check;
 use crate::engine::ENGINE;
-use crate::moment::Around;
-use homebody_core::home::plan::Plan;
+use crate::moment::{Around, Constants};
+use crate::names::{BEGIN, NEXT, NOTICE, Names};
 use homebody_core::problem::{Excerpt, Problem, readable};
-use homebody_core::scenario::home::HomeFile;
 use rhai::{AST, CallFnOptions, Dynamic, EvalAltResult, Map, ParseErrorType, Position, Scope};
 use std::collections::BTreeMap;
-
-/// Asked what comes next, whenever the body is free.
-const NEXT: &str = "next";
-/// Asked whether something is to be done at once, whenever something around has changed.
-const NOTICE: &str = "notice";
-/// Asked what is to be remembered, as a run begins.
-const BEGIN: &str = "begin";
-
-/// The functions that a script is asked by, each with how many values it is handed.
-pub const ASKED: [(&str, usize); 3] = [(NEXT, 1), (NOTICE, 1), (BEGIN, 0)];
+use std::sync::Arc;
 
 /// A script that has passed its check.
 #[derive(Clone, Debug)]
@@ -25,42 +15,8 @@ pub struct Program {
     file: String,
     text: String,
     ast: AST,
-    constants: BTreeMap<String, Dynamic>,
+    constants: Constants,
     notices: bool,
-}
-
-/// What may be named in a home.
-#[derive(Clone, Debug, Default)]
-pub struct Names {
-    /// Places, pieces of furniture and rooms.
-    pub places: Vec<String>,
-    /// Furniture that people get on or into.
-    pub seats: Vec<String>,
-    /// Doors, furniture and rooms.
-    pub things: Vec<String>,
-    /// Rooms.
-    pub rooms: Vec<String>,
-}
-
-impl Names {
-    /// The names of a home for a resident, to whom what is called after them has a shorter name too.
-    pub fn of(home: &HomeFile, plan: &Plan, resident: Option<&str>) -> Names {
-        let whose = resident.map(|name| format!("{}'s ", name.to_lowercase()));
-        let with_own = |names: Vec<String>| -> Vec<String> {
-            let own = |name: &String| Some(name.to_lowercase().strip_prefix(whose.as_ref()?)?.to_owned());
-            let own: Vec<String> = names.iter().filter_map(own).collect();
-            names.into_iter().chain(own).collect()
-        };
-        let furniture = home.furniture.iter().map(|piece| piece.name.clone());
-        let seats = home.furniture.iter().filter(|piece| piece.enterable).map(|piece| piece.name.clone());
-        let rooms: Vec<String> = plan.rooms.iter().map(|room| room.name.clone()).collect();
-        Names {
-            places: with_own(plan.places.iter().map(|(name, _)| name.clone()).chain(furniture).collect()),
-            seats: with_own(seats.collect()),
-            things: plan.things.iter().map(|thing| thing.name.clone()).collect(),
-            rooms,
-        }
-    }
 }
 
 impl Program {
@@ -96,7 +52,7 @@ impl Program {
             return Err(problems);
         }
         let notices = has(&ast, NOTICE);
-        Ok(Program { file: file.into(), text: text.into(), ast, constants, notices })
+        Ok(Program { file: file.into(), text: text.into(), ast, constants: Arc::new(constants), notices })
     }
 
     /// Whether it is to be asked when something has changed.
@@ -104,9 +60,9 @@ impl Program {
         self.notices
     }
 
-    /// A constant of the script.
-    pub(crate) fn constant(&self, name: &str) -> Option<Dynamic> {
-        self.constants.get(name).cloned()
+    /// The constants of the script.
+    pub(crate) fn constants(&self) -> Constants {
+        self.constants.clone()
     }
 
     /// What is remembered at the beginning.
@@ -144,6 +100,7 @@ impl Program {
     /// An error of a run, in words with its place.
     pub(crate) fn why(&self, error: EvalAltResult) -> String {
         let (position, what, hint) = told(error);
+        let position = if position.is_none() { self.function(NEXT) } else { position };
         shown(&problem(&self.file, &self.text, position, 1, what, hint))
     }
 
@@ -248,6 +205,10 @@ fn told(error: EvalAltResult) -> (Position, String, Option<String>) {
             (position, format!("nothing is remembered as {name}"), Some(hint.into()))
         }
         Raised::ErrorVariableNotFound(name, _) => (position, format!("there is no variable {name}"), None),
+        Raised::ErrorFunctionNotFound(signature, _) if signature.contains("()") => {
+            let what = format!("a value is missing in {signature}: () is nothing");
+            (position, what, Some("give what is remembered a value in fn begin(), such as #{ rounds: 0 }".into()))
+        }
         Raised::ErrorFunctionNotFound(signature, _) => (position, format!("there is no function {signature}"), None),
         mut other => {
             other.clear_position();
