@@ -23,5 +23,8 @@ pub mod density;
 /// One day: what sensors said, and what residents did.
 pub mod day;
 
+/// Moments of a run, with where everybody went in between.
+pub mod strip;
+
 #[cfg(test)]
 mod sample;

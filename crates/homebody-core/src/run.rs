@@ -327,6 +327,7 @@ impl Run {
                     events.facts.push(Fact::Condition { resident, at: now, name, severity });
                 }
                 Next::Segment(next) => break next,
+                Next::Failed(why) => return Err(DriverFault::Failed { why }),
             }
             answers += 1;
             if answers == MOST_ANSWERS {
@@ -422,6 +423,6 @@ fn driver(resident: &load::Resident, plan: &Plan, start_of_day: Micros) -> Optio
             let keys = KeyTrack::written(input, plan);
             Some(Box::new(LiveDriver::new(plan, *start, file.radius_m, file.pace_mps, keys)))
         }
-        load::Driver::Routine { .. } => None,
+        load::Driver::Routine { .. } | load::Driver::Script { .. } => None,
     }
 }

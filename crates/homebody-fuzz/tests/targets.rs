@@ -63,6 +63,7 @@ each! {
     scenarios: "scenario",
     homes: "home",
     routines: "routine",
+    scripts: "script",
     profiles: "profile",
     recordings: "recording",
     lists_of_cohorts: "cohort",

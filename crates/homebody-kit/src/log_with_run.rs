@@ -83,7 +83,8 @@ impl LogWithRun {
         let truth = truth.map(|truth| truth.files(&tables())).unwrap_or_default();
         let sources = url.file().map(Path::to_owned).into_iter().chain(truth).chain(beside).collect();
         let without = run.map(|run| run.without).filter(|without| !without.is_empty());
-        let name = called(text) + &without.map_or_else(String::new, |names| format!(", without {}", names.join(", ")));
+        let name =
+            called(text) + without.map_or_else(String::new, |names| format!(", without {}", names.join(", "))).as_str();
         Ok(LogWithRun { name, log, lives, recorded, sources, unfinished })
     }
 

@@ -13,6 +13,7 @@ mod chart;
 mod coverage_map;
 mod day_chart;
 mod density_map;
+mod film_strip;
 mod floor_plan;
 mod font;
 mod label;
@@ -33,6 +34,7 @@ pub use chart::{
 pub use coverage_map::coverage_map;
 pub use day_chart::{Band, DayChart, Holds, Ticks, day_chart};
 pub use density_map::density_map;
+pub use film_strip::film_strip;
 pub use floor_plan::floor_plan;
 pub use realism_page::{realism_chart, realism_page};
 

@@ -54,6 +54,14 @@ impl Sheet {
         Sheet { svg, labels, px_per_m, bounds, corner }
     }
 
+    /// A plan in a box of another picture: its corner and size in pixels. The picture goes on in `svg`.
+    pub fn in_box(svg: Svg, bounds: (Point, Point), corner: Point, size: Point) -> Sheet {
+        let extent = bounds.1 - bounds.0;
+        let px_per_m = (size / extent).min_element();
+        let corner = corner + (size - extent * px_per_m) / 2.0;
+        Sheet { svg, labels: Labels::default(), px_per_m, bounds, corner }
+    }
+
     /// Where a point of the plan lies on the sheet.
     pub fn at(&self, p: Point) -> Point {
         self.corner + Point::new(p.x - self.bounds.0.x, self.bounds.1.y - p.y) * self.px_per_m

@@ -1,4 +1,4 @@
-//! Everybody of a scenario who lives by a routine: the residents, and those who visit them.
+//! Everybody of a scenario who lives by a routine or a script: the residents, and those who visit them.
 
 use crate::completion::{self, Word};
 use crate::language::lexicon::OWN_FILE;
@@ -23,8 +23,9 @@ use homebody_core::problem::{Problem, Problems};
 use homebody_core::recording::Recording;
 use homebody_core::run::{DriverProvider, Guest, Run};
 use homebody_core::scenario::home::HomeFile;
-use homebody_core::scenario::load::{Driver, Files, Language, NoText, RoutineText, Scenario, too_long};
+use homebody_core::scenario::load::{Driver, DriverText, Files, Language, NoText, Scenario, too_long};
 use homebody_core::time::DAY;
+use homebody_script::{Cast, Names, Program, ScriptDriver};
 use homebody_walk::Mesh;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -35,6 +36,8 @@ pub struct Household {
     scenario: Scenario,
     /// By resident; nothing for those who follow a path or keys.
     routines: Vec<Option<Routine>>,
+    /// The scripts of those who live by one, by resident.
+    scripts: BTreeMap<usize, Arc<Program>>,
     conditions: BTreeMap<String, Routine>,
     /// What people do where their routines say nothing of it.
     ordinary: Routine,
@@ -111,10 +114,11 @@ impl Household {
     pub fn load(files: &dyn Files, entry: &str, without: &[String]) -> Result<(Scenario, Household), Problems> {
         let mut language = RoutineLanguage::default();
         let mut scenario = Scenario::load_in(&mut language, files, entry)?;
-        let RoutineLanguage { mut routines, conditions, sources } = language;
+        let RoutineLanguage { mut routines, scripts, conditions, sources } = language;
         scenario.sources.extend(sources);
         let household = Household {
             routines: (0..scenario.residents.len()).map(|resident| routines.remove(&resident)).collect(),
+            scripts,
             conditions,
             ordinary: ordinary(&scenario.home, scenario.home.plan()),
             guests: Vec::new(),
@@ -179,6 +183,7 @@ impl Household {
         let household = Household {
             scenario: scenario.clone(),
             routines,
+            scripts: BTreeMap::new(),
             conditions,
             ordinary: ordinary(&scenario.home, plan),
             guests: Vec::new(),
@@ -292,6 +297,30 @@ impl Household {
         Arc::new(People { are_people, visitors, residents })
     }
 
+    /// The driver of a resident who lives by a script.
+    fn scripted(
+        &self,
+        body: usize,
+        program: &Arc<Program>,
+        home: &Arc<Home>,
+        mesh: Arc<Mesh>,
+        seed: u64,
+    ) -> ScriptDriver {
+        let file = &self.scenario.residents[body].file;
+        let residents = self.scenario.residents.iter().map(|resident| resident.file.name.clone());
+        let cast = Cast {
+            places: Arc::new(Places::new(&self.scenario.home, &home.plan, &mesh, &file.name)),
+            home: home.clone(),
+            mesh,
+            calendar: self.scenario.calendar.clone(),
+            names: residents.chain(self.guests().into_iter().map(|guest| guest.name)).collect(),
+            name: file.name.clone(),
+            pace_mps: file.pace_mps,
+            seed,
+        };
+        ScriptDriver::new(program.clone(), cast)
+    }
+
     /// What a body walks by.
     fn mesh(&self, body: usize, home: &Home) -> Arc<Mesh> {
         let radius_m = self.scenario.residents.get(body).map_or(Build::adult().radius_m, |one| one.file.radius_m);
@@ -322,6 +351,9 @@ impl DriverProvider for Household {
             let company = company(Build::adult());
             return Some(Box::new(RoutineDriver::visitor(life, home.clone(), places, own, (host, name), company)));
         }
+        if let Some(program) = self.scripts.get(&body) {
+            return Some(Box::new(self.scripted(body, program, home, mesh, seed)));
+        }
         let life = Arc::new(self.life(body, seed)?);
         let places = places(&life.name);
         let kind = self.routine(body)?.person.as_ref().map_or(Kind::Person, |person| person.kind);
@@ -337,11 +369,13 @@ impl DriverProvider for Household {
     }
 }
 
-/// Reads the routines of a scenario as it is loaded, and keeps what it has understood.
+/// Reads the routines and scripts of a scenario as it is loaded, and keeps what it has understood.
 #[derive(Clone, Debug, Default)]
 pub struct RoutineLanguage {
     /// By resident.
     routines: BTreeMap<usize, Routine>,
+    /// By resident.
+    scripts: BTreeMap<usize, Arc<Program>>,
     /// Those that any of them shows, by name.
     conditions: BTreeMap<String, Routine>,
     /// The texts of these, by file.
@@ -349,7 +383,7 @@ pub struct RoutineLanguage {
 }
 
 impl Language for RoutineLanguage {
-    fn read(&mut self, said: &RoutineText, home: &HomeFile, plan: &Plan, files: &dyn Files) -> Vec<Problem> {
+    fn read(&mut self, said: &DriverText, home: &HomeFile, plan: &Plan, files: &dyn Files) -> Vec<Problem> {
         let mut reader = Reader::new(files, home, plan, said.calendar.map(|calendar| calendar.date(0)));
         reader.known = std::mem::take(&mut self.conditions);
         let routine = reader.routine(said.file, said.text, said.resident);
@@ -359,6 +393,16 @@ impl Language for RoutineLanguage {
         self.sources.extend(reader.sources);
         // The words of a scenario are those of all who live there.
         reader.problems.into_iter().filter(|problem| !are_told || problem.file != OWN_FILE).collect()
+    }
+
+    fn read_script(&mut self, said: &DriverText, home: &HomeFile, plan: &Plan) -> Vec<Problem> {
+        match Program::read(said.file, said.text, &Names::of(home, plan, said.resident)) {
+            Ok(program) => {
+                self.scripts.insert(said.of, Arc::new(program));
+                Vec::new()
+            }
+            Err(problems) => problems,
+        }
     }
 
     fn numbers(&self) -> Option<Vec<Number>> {

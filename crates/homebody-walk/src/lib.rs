@@ -49,6 +49,12 @@ mod schemas;
 // What kind of travel it is.
 mod pattern;
 
+// Where things are done in a home, how a body that stays there stirs, and how it gets from one place to the next.
+pub mod places;
+pub mod stations;
+pub mod manner;
+pub mod body;
+
 #[cfg(test)]
 mod homes;
 
@@ -62,5 +68,6 @@ pub use schemas::{Wandering, wander};
 
 /// The numbers that walking is made of, each with its unit and its range.
 pub fn numbers() -> Vec<Number> {
-    [gait::NUMBERS, schemas::NUMBERS, mesh::NUMBERS].concat().into_iter().cloned().collect()
+    let own = [gait::NUMBERS, schemas::NUMBERS, mesh::NUMBERS, body::NUMBERS].concat().into_iter().cloned();
+    own.chain(manner::Manner::numbers()).collect()
 }

@@ -193,6 +193,22 @@ impl Mesh {
         own
     }
 
+    /// How far the body can go straight from a free point in a direction (degrees, 0 to the east, 90 to the north), to the
+    /// centimetre: no further than `most_m` metres. 0 where the point is not free.
+    pub fn free_way(&self, from: Point, towards_deg: f64, most_m: f64) -> f64 {
+        let ahead = geometry::direction(towards_deg);
+        let is_clear = |metres: f64| self.is_clear_way(from, from + ahead * metres);
+        if is_clear(most_m) {
+            return most_m;
+        }
+        let (mut clear, mut blocked) = (0.0, most_m);
+        while blocked - clear > 0.01 {
+            let middle = (clear + blocked) / 2.0;
+            if is_clear(middle) { clear = middle } else { blocked = middle }
+        }
+        clear
+    }
+
     /// Whether a straight line keeps that far away from everything, and stays in the home.
     fn is_clear(&self, from: Point, to: Point, clearance_m: f64) -> bool {
         let (least, most) = (from.min(to), from.max(to));

@@ -93,7 +93,7 @@ impl Desk {
                 let before: Vec<&str> = saved.keys().map(String::as_str).collect();
                 let told =
                     if before.is_empty() { String::new() } else { format!("; {} was written", before.join(", ")) };
-                return Err(failed(&file.name, error.to_string()) + &told);
+                return Err(failed(&file.name, error.to_string()) + told.as_str());
             }
             saved.insert(file.name.clone(), version(&file.text));
         }

@@ -89,7 +89,7 @@ fn late_months() {
             served.token,
             asked.len()
         );
-        let answer = served.ask((head + &asked).as_bytes());
+        let answer = served.ask((head + asked.as_str()).as_bytes());
         assert!(answer.code == 200 && answer.body.len() > 10_000, "{}", answer.code);
     };
     month(0);
@@ -120,7 +120,7 @@ fn hasty_months() {
             asked.len()
         );
         let (before, begun) = (memory_kb(), Instant::now());
-        let answer = served.ask((head + &asked).as_bytes());
+        let answer = served.ask((head + asked.as_str()).as_bytes());
         let growth = memory_kb().saturating_sub(before);
         println!("memory grows by {growth} kB over {path} of a hasty life, in {:?}", begun.elapsed());
         assert_eq!(answer.code, 200, "after {:?}", begun.elapsed());

@@ -18,7 +18,7 @@ use homebody_core::recording::Recording;
 use homebody_core::run::Run;
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::link::{LinkFile, Network};
-use homebody_core::scenario::load::{Files, NoText, Scenario};
+use homebody_core::scenario::load::{Files, NoText, Overlay, Scenario};
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use homebody_core::world::World;
 use homebody_log::logger::destinations;
@@ -46,10 +46,11 @@ type Figure<'a> = &'a dyn Fn(&str) -> String;
 
 fn main() {
     let zigbee = || LinkFile { preset: Network::Zigbee, ..LinkFile::default() };
-    let figures: [(&str, Figure); 5] = [
+    let figures: [(&str, Figure); 6] = [
         ("life_vs_kernel", &|name| against_kernel(name, None, 90 * DAY)),
         ("life_with_link_vs_kernel", &|name| against_kernel(name, Some(zigbee()), 90 * DAY)),
         ("life_sqlite_vs_bare", &|name| against_inserts(name, YEAR)),
+        ("script_vs_life", &script_against_life),
         ("DECLINE", &decline),
         ("cohort_vs_programs", &cohort_against_programs),
     ];
@@ -128,6 +129,41 @@ fn kernel(home: &Arc<Home>, moves: &[Vec<MotionSegment>], length: Micros) -> f64
         events.clear();
     }
     start.elapsed().as_secs_f64()
+}
+
+/// A thousand decisions of a script a day against the rest of a life: what they add to a day on which nothing else happens,
+/// beside a day of a routine in the same home.
+fn script_against_life(name: &str) -> String {
+    const DECIDES: &str = r#"
+        fn begin() { #{ decisions: 0, late: 0 } }
+        fn next(around) {
+            this.decisions += 1;
+            if around.hour > 22.0 && (around.is_light("bedroom") || around.others.len() > 3) { this.late += 1; }
+            if around.room == "kitchen" && around.is_on("stove") { return turn_off("stove"); }
+            if chance("wait", 0.5) { rest(random("longer", 86.4, 100)) } else { rest(random("shorter", 72.8, 86.4)) }
+        }"#;
+    let length = 90 * DAY;
+    let [deciding, resting] = [DECIDES, "fn next(around) { rest(8640000) }"].map(with_script);
+    let usual = scenario("tigerplace");
+    let mut ratios = Vec::new();
+    for _ in 0..ROUNDS {
+        let [deciding_s, resting_s, life_s] =
+            [&deciding, &resting, &usual].map(|(scenario, household)| live(scenario, household, length));
+        let per_day = [deciding_s - resting_s, life_s].map(|all_s| all_s / (seconds(length) / 86_400.0) * 1e6);
+        println!("a day: a thousand decisions {:.0} us, a life by a routine {:.0} us", per_day[0], per_day[1]);
+        ratios.push((deciding_s - resting_s) / life_s);
+    }
+    Spread::of(&ratios).line(name, 3)
+}
+
+/// The apartment with its resident driven by a script.
+fn with_script(script: &str) -> (Scenario, Household) {
+    let folder = Folder(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/tigerplace"));
+    let resident = r#"{ "name": "margaret", "driver": { "script": "margaret.rhai" } }"#;
+    let texts = [("margaret.json", resident), ("margaret.rhai", script)];
+    let texts = texts.map(|(name, text)| (name.to_owned(), text.to_owned())).into();
+    let files = Overlay { texts, others: &folder };
+    Household::load(&files, "scenario.json", &[]).expect("a scenario without problems")
 }
 
 /// A resident-year into SQLite against a bare loop that inserts the same rows: how many times as long it takes.

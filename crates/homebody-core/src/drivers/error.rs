@@ -19,7 +19,7 @@ pub struct DriverError {
 }
 
 /// What is wrong with an answer. Instants are in microseconds since the start of the run, places in metres.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum DriverFault {
     /// The segment begins at another instant than that at which the driver was asked.
     BeginsElsewhen {
@@ -60,6 +60,11 @@ pub enum DriverFault {
         /// How many there were.
         answers: usize,
     },
+    /// The driver itself says that it cannot go on.
+    Failed {
+        /// Why, in its own words.
+        why: String,
+    },
 }
 
 /// A body is where its last segment ended, but for rounding (ours).
@@ -86,6 +91,7 @@ impl DriverFault {
                 no_number("the vitals")
             }
             Next::Need(_, level) if !level.is_finite() => no_number("the level of a need"),
+            Next::Failed(why) => Some(DriverFault::Failed { why: why.clone() }),
             Next::Condition(_, severity) if !severity.is_finite() => no_number("the severity of a condition"),
             _ => None,
         }
@@ -114,8 +120,9 @@ impl DriverFault {
         Some(DriverFault::Jump { from: here, to: from })
     }
 
-    fn hint(&self) -> &'static str {
-        match self {
+    /// `None`: what is wrong says already what to do.
+    fn hint(&self) -> Option<&'static str> {
+        Some(match self {
             DriverFault::BeginsElsewhen { .. } => "a segment begins when the driver is asked: at `around.now()`",
             DriverFault::EndsTooSoon { .. } => "a segment takes at least a microsecond",
             DriverFault::NoNumber { .. } => "places, amplitudes and levels are finite, and amplitudes not below 0",
@@ -123,14 +130,19 @@ impl DriverFault {
             DriverFault::Outside { .. } => "who leaves the home is `MotionState::Away`",
             DriverFault::NoSuchThing { .. } => "find it by its name with `Plan::thing`",
             DriverFault::NoEnd { .. } => "answer with a segment, which takes time",
-        }
+            DriverFault::Failed { .. } => return None,
+        })
     }
 }
 
 impl fmt::Display for DriverError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let DriverError { resident, at, fault } = self;
-        write!(f, "the driver of {resident:?}, asked at {} s, gave ", seconds(*at))?;
+        write!(f, "the driver of {resident:?}, asked at {} s, ", seconds(*at))?;
+        if let DriverFault::Failed { why } = fault {
+            return write!(f, "cannot go on: {why}");
+        }
+        f.write_str("gave ")?;
         match *fault {
             DriverFault::BeginsElsewhen { begin } => write!(f, "a segment that begins at {} s", seconds(begin)),
             DriverFault::EndsTooSoon { end } => write!(f, "a segment that ends at {} s", seconds(end)),
@@ -141,8 +153,9 @@ impl fmt::Display for DriverError {
                 write!(f, "the use of thing {}, but the home has {things}, counted from 0", thing.0)
             }
             DriverFault::NoEnd { answers } => write!(f, "{answers} answers that take no time"),
+            DriverFault::Failed { .. } => Ok(()),
         }?;
-        write!(f, "\n  hint: {}", fault.hint())
+        fault.hint().map_or(Ok(()), |hint| write!(f, "\n  hint: {hint}"))
     }
 }
 

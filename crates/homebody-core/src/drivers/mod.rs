@@ -37,6 +37,8 @@ pub enum Next {
     Need(Need, f64),
     /// For the truth: from this instant on a condition is this severe. It takes no time: ask again.
     Condition(String, f64),
+    /// The driver cannot go on: why, in words for people, with a hint of its own. It ends the run.
+    Failed(String),
 }
 
 /// Who decides what a resident does.

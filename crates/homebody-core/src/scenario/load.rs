@@ -45,19 +45,23 @@ pub trait Files {
 /// No scenario names files that have more bytes together, each counted as often as it is named (ours).
 pub const MOST_BYTES: usize = 16 << 20;
 
-/// No routine has more bytes (ours): a long one has some thousands. As for all that one text costs by each who lives by it.
+/// No routine or script has more bytes (ours): a long one has some thousands. As for all that one text costs by each who lives by it.
 pub const LARGEST_ROUTINE_BYTES: usize = 256 << 10;
 
-/// No routine has more lines (ours).
+/// No routine or script has more lines (ours).
 pub const MOST_ROUTINE_LINES: usize = 10_000;
 
 /// What is wrong with a text that is too long for a routine or a condition; `None` for one that is not.
 pub fn too_long(text: &str) -> Option<String> {
+    longer_than_any(text, "routine")
+}
+
+fn longer_than_any(text: &str, noun: &str) -> Option<String> {
     if text.len() > LARGEST_ROUTINE_BYTES {
-        return Some(format!("no routine has more than {} KB", LARGEST_ROUTINE_BYTES >> 10));
+        return Some(format!("no {noun} has more than {} KB", LARGEST_ROUTINE_BYTES >> 10));
     }
     let is_long = text.lines().nth(MOST_ROUTINE_LINES).is_some();
-    is_long.then(|| format!("no routine has more than {MOST_ROUTINE_LINES} lines"))
+    is_long.then(|| format!("no {noun} has more than {MOST_ROUTINE_LINES} lines"))
 }
 
 /// Why a file has no text.
@@ -176,24 +180,34 @@ pub enum Driver {
         /// What the file says.
         text: String,
     },
+    /// The text as it is, as of a routine.
+    Script {
+        /// The name of the script's file.
+        file: String,
+        /// What the file says.
+        text: String,
+    },
 }
 
-/// Who knows the language of routines: this crate reads them as text.
+/// Who knows the languages of routines and of scripts: this crate reads them as text.
 pub trait Language {
     /// Reads a resident's routine in a home that is sound, and says what is wrong with it. What is understood, the reader
     /// keeps: a text is read once. A resident with a routine is not asked about where the home is not sound.
-    fn read(&mut self, said: &RoutineText, home: &HomeFile, plan: &Plan, files: &dyn Files) -> Vec<Problem>;
+    fn read(&mut self, said: &DriverText, home: &HomeFile, plan: &Plan, files: &dyn Files) -> Vec<Problem>;
+
+    /// The same for a resident's script.
+    fn read_script(&mut self, said: &DriverText, home: &HomeFile, plan: &Plan) -> Vec<Problem>;
 
     /// The numbers that a scenario may set, those of this crate among them. `None`: not known, so that what a scenario sets
     /// is taken as it is.
     fn numbers(&self) -> Option<Vec<Number>>;
 }
 
-/// A routine as it stands in its file.
-pub struct RoutineText<'a> {
+/// A routine or a script as it stands in its file.
+pub struct DriverText<'a> {
     /// Index of the resident who lives by it.
     pub of: usize,
-    /// The name of the routine's file, for problems.
+    /// The name of its file, for problems.
     pub file: &'a str,
     /// What the file says.
     pub text: &'a str,
@@ -205,7 +219,11 @@ pub struct RoutineText<'a> {
 
 /// Nobody who knows it.
 impl Language for () {
-    fn read(&mut self, _said: &RoutineText, _home: &HomeFile, _plan: &Plan, _files: &dyn Files) -> Vec<Problem> {
+    fn read(&mut self, _said: &DriverText, _home: &HomeFile, _plan: &Plan, _files: &dyn Files) -> Vec<Problem> {
+        Vec::new()
+    }
+
+    fn read_script(&mut self, _said: &DriverText, _home: &HomeFile, _plan: &Plan) -> Vec<Problem> {
         Vec::new()
     }
 
@@ -373,13 +391,21 @@ impl Loader<'_> {
             check::path::check(&path.source, &data, &walker, surroundings, &mut self.problems);
             Driver::Path(ResolvedPath::new(data, surroundings.plan?, walker.pace_mps)?)
         } else if let Some(name) = root.pointer("/driver/routine").and_then(serde_json::Value::as_str) {
-            let text = self.text(&source, "/driver/routine", name)?;
+            let text = self.text(&source, "/driver/routine", name, "routine")?;
             if let Some((home, plan)) = surroundings.home.zip(surroundings.plan) {
                 let resident = file.as_ref().map(|file| file.name.as_str());
-                let said = RoutineText { of: index, file: name, text: &text, resident, calendar };
+                let said = DriverText { of: index, file: name, text: &text, resident, calendar };
                 self.problems.extend(self.language.read(&said, home, plan, self.files));
             }
             Driver::Routine { file: name.into(), text }
+        } else if let Some(name) = root.pointer("/driver/script").and_then(serde_json::Value::as_str) {
+            let text = self.text(&source, "/driver/script", name, "script")?;
+            if let Some((home, plan)) = surroundings.home.zip(surroundings.plan) {
+                let resident = file.as_ref().map(|file| file.name.as_str());
+                let said = DriverText { of: index, file: name, text: &text, resident, calendar };
+                self.problems.extend(self.language.read_script(&said, home, plan));
+            }
+            Driver::Script { file: name.into(), text }
         } else {
             let live = match &file {
                 Some(ResidentFile { driver: DriverFile::Live(live), .. }) => Some(live),
@@ -408,12 +434,12 @@ impl Loader<'_> {
         self.linked(from, link, name, kind)
     }
 
-    /// Reads a linked file that is no JSON.
-    fn text(&mut self, from: &Source, link: &str, name: &str) -> Option<String> {
+    /// Reads a linked file that is no JSON: a routine or a script, as `noun` says.
+    fn text(&mut self, from: &Source, link: &str, name: &str, noun: &str) -> Option<String> {
         let problem = match outside_folder(name, "the scenario's folder") {
             Some(what) => Some((what, Some(WHERE.to_string()))),
             None if self.order.iter().any(|(known, _)| known == name) => {
-                Some((format!("{name:?} is a routine and another file at once"), None))
+                Some((format!("{name:?} is a {noun} and another file at once"), None))
             }
             None => None,
         };
@@ -422,7 +448,7 @@ impl Loader<'_> {
             None => {
                 let read = self.read(name);
                 let read = read.map_err(|why| (format!("{name:?} cannot be read: {why}"), self.instead(name, &why)));
-                let read = read.and_then(|text| match too_long(&text) {
+                let read = read.and_then(|text| match longer_than_any(&text, noun) {
                     Some(why) => Err((format!("{name:?} is too long: {why}"), None)),
                     None => Ok(text),
                 });

@@ -48,6 +48,8 @@ pub enum DriverFile {
     Path(String),
     /// A routine in plain language to live by.
     Routine(String),
+    /// A script that decides, for what a routine cannot say.
+    Script(String),
     /// A file of key states over time that drives the body through the physics.
     Live(LiveFile),
 }

@@ -13,6 +13,7 @@ pub mod json;
 pub mod markup;
 pub mod numbers;
 pub mod outlines;
+pub mod scripts;
 pub mod sentences;
 pub mod sql;
 pub mod tables;

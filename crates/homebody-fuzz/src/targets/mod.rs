@@ -11,6 +11,7 @@ mod profile;
 mod recording;
 mod routine;
 mod scenario;
+mod script;
 mod text;
 mod told;
 mod trial;
@@ -20,10 +21,11 @@ mod wire;
 use crate::target::Target;
 
 /// All targets.
-pub const TARGETS: [Target; 12] = [
+pub const TARGETS: [Target; 13] = [
     scenario::TARGET,
     home::TARGET,
     routine::TARGET,
+    script::TARGET,
     profile::TARGET,
     recording::TARGET,
     cohort::TARGET,

@@ -95,7 +95,7 @@ fn of_habit(habit: &Habit) -> String {
     if habit.times != (1, 1) {
         text += &format!(" times {} {}", habit.times.0, habit.times.1);
     }
-    text + &of_phase(&habit.phase)
+    text + of_phase(&habit.phase).as_str()
 }
 
 fn of_rule(rule: &Rule) -> String {
@@ -137,7 +137,7 @@ fn of_change(change: &Change) -> String {
         Effect::Pulse(by) => format!("pulse {}", of_fuzzy(by)),
         Effect::Respiration(by) => format!("respiration {}", of_fuzzy(by)),
     };
-    effect + &of_phase(&change.phase)
+    effect + of_phase(&change.phase).as_str()
 }
 
 fn of_phase(phase: &Phase) -> String {

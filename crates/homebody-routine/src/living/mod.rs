@@ -9,9 +9,8 @@ mod keys;
 mod usual;
 mod rising;
 pub mod agenda;
-pub mod places;
+pub use homebody_walk::{manner, places, stations};
 pub mod script;
-mod manner;
 
 // What interrupts: needs and rules.
 mod need;
@@ -20,13 +19,12 @@ mod errands;
 mod watch;
 
 // Who carries it out.
-pub mod body;
+pub use homebody_walk::body;
 mod chores;
 pub mod driver;
 pub mod tally;
 pub mod account;
 mod spare_time;
-pub mod stations;
 mod night;
 pub mod company;
 mod courtesy;
@@ -46,7 +44,6 @@ pub(crate) fn numbers() -> Vec<Number> {
         rising::NUMBERS,
         agenda::NUMBERS,
         needs::NUMBERS,
-        body::NUMBERS,
         company::NUMBERS,
         ways::NUMBERS,
         lamps::NUMBERS,
@@ -56,5 +53,5 @@ pub(crate) fn numbers() -> Vec<Number> {
         pet::NUMBERS,
     ];
     let own = modules.concat().into_iter().cloned();
-    own.chain(usual::numbers()).chain(manner::Manner::numbers()).chain(spare_time::numbers()).collect()
+    own.chain(usual::numbers()).chain(spare_time::numbers()).collect()
 }

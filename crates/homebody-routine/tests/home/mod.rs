@@ -72,7 +72,7 @@ fn habit(habit: &Habit) -> String {
     if habit.times != (1, 1) {
         text += &format!(" times {:?}", habit.times);
     }
-    text + &phase(&habit.phase)
+    text + phase(&habit.phase).as_str()
 }
 
 fn days(days: &Days) -> String {
@@ -140,7 +140,7 @@ fn change(change: &Change) -> String {
         Effect::Pulse(by) => format!("Pulse {}", fuzzy(by)),
         Effect::Respiration(by) => format!("Respiration {}", fuzzy(by)),
     };
-    effect + &days(&change.days) + &phase(&change.phase)
+    effect + days(&change.days).as_str() + phase(&change.phase).as_str()
 }
 
 fn phase(phase: &Phase) -> String {

@@ -22,7 +22,7 @@ impl Served {
              Content-Type: application/json\r\nContent-Length: {}\r\n\r\n",
             body.len()
         );
-        self.ask((head + &body).as_bytes())
+        self.ask((head + body.as_str()).as_bytes())
     }
 
     pub fn told(&self, path: &str, body: &Value) -> Value {

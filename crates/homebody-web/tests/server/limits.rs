@@ -89,7 +89,7 @@ fn what_nobody_waits_for_is_not_lived() {
         );
         let mut streams: Vec<TcpStream> = (0..20).map(|_| TcpStream::connect(served.address).unwrap()).collect();
         for stream in &mut streams {
-            stream.write_all((head.clone() + &asked).as_bytes()).unwrap();
+            stream.write_all((head.clone() + asked.as_str()).as_bytes()).unwrap();
         }
         streams[0].set_read_timeout(Some(Duration::from_millis(500))).unwrap();
         assert!(streams[0].read(&mut [0; 1]).is_err(), "{path} takes longer than this test");

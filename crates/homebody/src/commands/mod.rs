@@ -24,6 +24,7 @@ mod run;
 mod scenario;
 mod schema;
 mod serve;
+mod strip;
 
 use crate::failure::Failure;
 use clap::Subcommand;
@@ -52,6 +53,8 @@ pub enum Command {
     Density(density::Arguments),
     /// Say what happened on one day, with a chart
     Day(day::Arguments),
+    /// Show moments of a run side by side, as a film strip
+    Strip(strip::Arguments),
     /// Do an experiment again that was done in the real world
     Experiment(experiment::Arguments),
     /// Carry a log from one form into another
@@ -85,6 +88,7 @@ impl Command {
             Command::Realism(arguments) => arguments.run(),
             Command::Density(arguments) => arguments.run(),
             Command::Day(arguments) => arguments.run(),
+            Command::Strip(arguments) => arguments.run(),
             Command::Experiment(arguments) => arguments.run(),
             Command::Convert(arguments) => arguments.run(),
             Command::Label(arguments) => arguments.run(),

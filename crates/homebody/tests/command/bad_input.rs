@@ -84,7 +84,7 @@ fn what_is_asked_wrongly_is_refused() {
         ("run flat --owt csv:a", "--out"),
         (
             "new home --template castle",
-            "there is none of that name; there are: by-hand, couple-with-cat, house-two-floors, older-adult, sphere-house, studio, tigerplace, \
+            "there is none of that name; there are: by-hand, couple-with-cat, dark-hall, door-bell, house-two-floors, older-adult, robot, sphere-house, studio, tigerplace, \
              tigerplace-decline, tigerplace-depression",
         ),
         ("convert flat/home.json --to csv:a --time-zone Mars/Olympus", "Mars/Olympus"),

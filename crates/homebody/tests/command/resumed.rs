@@ -32,7 +32,7 @@ fn undisturbed(scheme: &str, log: &str) -> (Folder, Duration) {
 fn left(folder: &Folder, run: &str) -> Vec<(String, Vec<u8>)> {
     let begins = format!("runs/{run}/");
     let names = folder.files().into_iter().filter_map(|name| name.strip_prefix(&begins).map(str::to_owned));
-    names.map(|name| (name.clone(), fs::read(folder.path(&(begins.clone() + &name))).unwrap())).collect()
+    names.map(|name| (name.clone(), fs::read(folder.path(&(begins.clone() + name.as_str()))).unwrap())).collect()
 }
 
 fn differ(folder: &Folder, run: &str, whole: &[(String, Vec<u8>)]) -> Vec<String> {

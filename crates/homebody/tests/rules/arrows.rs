@@ -5,12 +5,13 @@ use std::fs;
 use toml::{Table, Value};
 
 /// On which of our crates each of them may depend.
-const ARROWS: [(&str, &[&str]); 12] = [
+const ARROWS: [(&str, &[&str]); 13] = [
     ("homebody-core", &[]),
     ("homebody-import", &["homebody-core"]),
     ("homebody-walk", &["homebody-core"]),
     ("homebody-log", &["homebody-core"]),
-    ("homebody-routine", &["homebody-core", "homebody-walk"]),
+    ("homebody-script", &["homebody-core", "homebody-walk"]),
+    ("homebody-routine", &["homebody-core", "homebody-script", "homebody-walk"]),
     ("homebody-analysis", &["homebody-core", "homebody-log"]),
     ("homebody-picture", &["homebody-analysis", "homebody-core"]),
     ("homebody-experiment", &["homebody-core", "homebody-picture", "homebody-walk"]),

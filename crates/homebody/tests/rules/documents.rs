@@ -5,8 +5,9 @@ use super::{expect_none, ignored, paths, repository};
 use std::fs;
 
 /// What makes a bare name that of a file.
-const EXTENSIONS: [&str; 16] = [
-    "rs", "toml", "lock", "json", "md", "routine", "sh", "py", "ts", "js", "svelte", "css", "html", "yml", "png", "svg",
+const EXTENSIONS: [&str; 17] = [
+    "rs", "toml", "lock", "json", "md", "rhai", "routine", "sh", "py", "ts", "js", "svelte", "css", "html", "yml",
+    "png", "svg",
 ];
 
 /// Names that look like files of the repository and are none, and what they are.

@@ -1,6 +1,10 @@
-//! The body of somebody who lives by a routine: where it is, how it gets from place to place.
+//! The body of somebody who lives in a home: where it is, how it gets from place to place.
 
-use super::places::Spot;
+use crate::gait::{Gait, rise, sit, walk};
+use crate::mesh::Mesh;
+use crate::places::Spot;
+use crate::routes::Routes;
+use crate::schemas::{Wandering, wander};
 use homebody_core::drivers::MotionSegment;
 use homebody_core::event::MotionState;
 use homebody_core::geometry::Point;
@@ -8,7 +12,6 @@ use homebody_core::home::Home;
 use homebody_core::random::Stream;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, micros};
-use homebody_walk::{Gait, Mesh, Routes, Wandering, rise, sit, walk, wander};
 use std::sync::Arc;
 
 /// Where a body is, and what it walks by.
@@ -23,7 +26,7 @@ pub struct Body {
 }
 
 /// Nearer than this is there.
-pub(super) const THERE_M: f64 = 0.01;
+pub const THERE_M: f64 = 0.01;
 
 homebody_core::numbers! {
     /// Who walks slower than this is frail in rising and sitting, wholly so at half of it: 0.4-0.8 m/s is limited community
@@ -38,6 +41,7 @@ homebody_core::numbers! {
 }
 
 impl Body {
+    /// A body that is nowhere yet, of somebody who usually walks so fast.
     pub fn new(home: Arc<Home>, mesh: Arc<Mesh>, pace_mps: f64) -> Body {
         Body { home, routes: Routes::new(mesh), pace_mps, at: Point::ZERO, posture: Posture::Standing, spot: None }
     }
@@ -57,10 +61,12 @@ impl Body {
         self.posture = next.posture;
     }
 
+    /// Where it is, in metres.
     pub fn at(&self) -> Point {
         self.at
     }
 
+    /// How it is.
     pub fn posture(&self) -> Posture {
         self.posture
     }
@@ -75,6 +81,7 @@ impl Body {
         self.spot.as_ref()
     }
 
+    /// Index of the plan's room in which it is.
     pub fn room(&self) -> Option<usize> {
         self.home.plan.room_at(self.at)
     }
@@ -117,13 +124,7 @@ impl Body {
     ) -> Vec<MotionSegment> {
         let mut moves = self.stand_up(now, pace, stream);
         let gait = Gait::of_walk(self.pace_mps * pace, hour, 0.0, &self.home.numbers, stream);
-        let mut from = self.at;
-        let begin = moves.last().map_or(now, |last| last.end);
-        // Out of the bed or the chair first.
-        if let Some(beside) = self.routes.mesh().approach(from).filter(|beside| beside.distance(from) > THERE_M) {
-            moves.extend(walk(&[beside], from, begin, &gait));
-            from = beside;
-        }
+        let from = self.step_out(now, &gait, &mut moves);
         let begin = moves.last().map_or(now, |last| last.end);
         let mesh = self.routes.mesh();
         moves.extend(wander(
@@ -139,6 +140,29 @@ impl Body {
         ));
         self.spot = None;
         moves
+    }
+
+    /// The moves of getting up, and out of the bed or the chair; none for who stands on free floor.
+    pub fn get_up(&mut self, now: Micros, hour: f64, pace: f64, stream: &mut Stream) -> Vec<MotionSegment> {
+        let mut moves = self.stand_up(now, pace, stream);
+        let gait = Gait::of_walk(self.pace_mps * pace, hour, 0.0, &self.home.numbers, stream);
+        self.step_out(now, &gait, &mut moves);
+        self.spot = None;
+        moves
+    }
+
+    /// Sitting or lying down where the body is already.
+    pub fn settle(&self, posture: Posture, now: Micros, pace: f64, stream: &mut Stream) -> MotionSegment {
+        sit(self.at, now, self.frailty(pace), posture, &self.home.numbers, stream)
+    }
+
+    /// Adds the step out of a bed or a chair to the moves; where it leads.
+    fn step_out(&self, now: Micros, gait: &Gait, moves: &mut Vec<MotionSegment>) -> Point {
+        let beside = self.routes.mesh().approach(self.at).filter(|beside| beside.distance(self.at) > THERE_M);
+        let Some(beside) = beside else { return self.at };
+        let begin = moves.last().map_or(now, |last| last.end);
+        moves.extend(walk(&[beside], self.at, begin, gait));
+        beside
     }
 
     /// Sitting up and rising, if it does not stand.

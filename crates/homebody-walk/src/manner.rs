@@ -61,9 +61,13 @@ impl Manner {
     pub const TURNING: Manner = manner("turning", [4.0, 0.5], [0.0, 4.0], [4.0, 0.4]);
     /// In front of a screen, or doing nothing.
     pub const STILL: Manner = manner("still", [600.0, 1.4], [0.6, 8.0], [1.3, 0.25]);
+    /// Over a book, a newspaper or a keyboard.
     pub const READING: Manner = manner(READING, [300.0, 1.3], [0.5, 7.5], [1.5, 0.25]);
+    /// In company, or on the telephone.
     pub const TALKING: Manner = manner("talking", [40.0, 1.2], [0.75, 5.0], [3.0, 0.3]);
+    /// At a meal.
     pub const EATING: Manner = manner("eating", [50.0, 1.2], [0.3, 6.0], [2.0, 0.3]);
+    /// On the toilet.
     pub const ON_TOILET: Manner = manner("on_toilet", [100.0, 1.2], [0.4, 6.0], [2.7, 0.3]);
     /// Standing and using the hands: at the stove, the sink, the wardrobe.
     pub const BUSY: Manner = manner("busy", [75.0, 1.3], [0.55, 7.0], [4.0, 0.35]);
@@ -101,6 +105,16 @@ impl Manner {
             bout_s: of("bout", self.bout_s),
             amplitude_m: of("amplitude", self.amplitude_m),
         }
+    }
+
+    /// What the manners are called.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        Manner::ALL.into_iter().map(|manner| manner.name)
+    }
+
+    /// The manner of a name.
+    pub fn named(name: &str) -> Option<Manner> {
+        Manner::ALL.into_iter().find(|manner| manner.name == name)
     }
 
     /// Whether one stirs so in bed, where being restless counts.

@@ -1,20 +1,24 @@
 //! Where things are done in this home: the places, seats and things that it names after them.
 
 use super::stations::{chore, is_opened};
+use crate::mesh::Mesh;
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::{Origin, Plan};
 use homebody_core::role::{ROLES, Role};
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::path::Posture;
-use homebody_walk::Mesh;
 use std::collections::BTreeMap;
 
 /// A place to be, and how the body is there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spot {
+    /// In small letters; empty for anywhere in a room.
     pub name: String,
+    /// Metres, in the plan's coordinates.
     pub at: Point,
+    /// How the body is there.
     pub posture: Posture,
+    /// Index of the plan's room.
     pub room: Option<usize>,
     /// Whether it is the room itself, where nothing in it is called so.
     pub is_room: bool,
@@ -289,6 +293,7 @@ impl Places {
         thing.map(|thing| thing as u32)
     }
 
+    /// The thing of a name that the user wrote; the name of a room is its lamp.
     pub fn thing_named(&self, name: &str) -> Option<u32> {
         let name = name.to_lowercase();
         self.things.iter().position(|(thing, _)| *thing == name).map(|index| index as u32)

@@ -1,0 +1,219 @@
+//! A film strip: moments of a run, one after the other, with what happened in between.
+//!
+//! A moment has where everybody is and what they do. Between it and the one before lie the ways that they went, what they
+//! used and which sensors fired; of the first moment, as long before it as between two moments.
+
+use homebody_core::event::{Events, Fact, Firing, MotionState};
+use homebody_core::geometry::Point;
+use homebody_core::scenario::path::Posture;
+use homebody_core::stride::Stride;
+use homebody_core::time::{Micros, seconds};
+use serde::Serialize;
+use std::collections::BTreeSet;
+use std::fmt;
+
+/// Moments of a run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Strip {
+    /// What the scenario is called.
+    pub name: String,
+    /// How many seconds lie between two moments.
+    pub every_s: f64,
+    /// In order of time.
+    pub moments: Vec<Moment>,
+}
+
+/// An instant of a run, and what happened since the one before.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Moment {
+    /// By the clock on the wall, such as `2026-01-12 18:20:10`.
+    pub at: String,
+    /// Seconds since the run began.
+    pub at_s: f64,
+    /// Everybody of the scenario, in its order.
+    pub people: Vec<Person>,
+    /// What was used, such as `hall on`, in order of time.
+    pub used: Vec<String>,
+    /// The sensors that fired, by name.
+    pub fired: Vec<String>,
+}
+
+/// Somebody at a moment.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Person {
+    /// What they are called.
+    pub name: String,
+    /// The corners of the way that they went, in metres; the last is where they are. Empty for who is out, or was not there.
+    pub path_m: Vec<[f64; 2]>,
+    /// How they are; `None` for who is out.
+    pub posture: Option<Posture>,
+    /// What they do, by its label.
+    pub activity: Option<String>,
+}
+
+/// What the numbers in a run's events stand for.
+pub struct RunNames<'a> {
+    /// What the scenario is called.
+    pub scenario: &'a str,
+    /// Residents, then visitors.
+    pub people: Vec<String>,
+    /// Sensors, as firings number them.
+    pub sensors: Vec<&'a str>,
+    /// Things, as facts number them.
+    pub things: Vec<&'a str>,
+    /// How many of these, from the first, are doors.
+    pub doors: usize,
+}
+
+/// Takes a run's events, and keeps what its strip is made of.
+pub struct Film {
+    first: Micros,
+    every: Micros,
+    count: usize,
+    kept: Events,
+    /// Up to when each body's movements have been told.
+    told: Vec<Micros>,
+}
+
+impl Film {
+    /// So many moments from an instant on, of a run with so many people. Spans are in microseconds, above 0.
+    pub fn new(first: Micros, every: Micros, count: usize, people: usize) -> Film {
+        Film { first, every: every.max(1), count, kept: Events::default(), told: vec![0; people] }
+    }
+
+    fn begin(&self) -> Micros {
+        self.first.saturating_sub(self.every)
+    }
+
+    fn end(&self) -> Micros {
+        self.first.saturating_add(self.every.saturating_mul(self.count as Micros - 1))
+    }
+
+    /// Takes what has happened next, as a run tells it.
+    pub fn take(&mut self, firings: &[Firing], facts: &[Fact]) {
+        let (begin, end) = (self.begin(), self.end());
+        self.kept.firings.extend(firings.iter().filter(|firing| (begin..=end).contains(&firing.at)).copied());
+        for fact in facts {
+            let is_kept = match fact {
+                Fact::Movement { resident, begin: from, end: to, .. } => {
+                    if let Some(told) = self.told.get_mut(resident.index()) {
+                        *told = *to;
+                    }
+                    *from <= end && *to >= begin
+                }
+                // What was begun before is done still.
+                Fact::Activity { at, .. } => *at <= end,
+                Fact::Use { at, .. } => (begin..=end).contains(at),
+                _ => false,
+            };
+            if is_kept {
+                self.kept.facts.push(fact.clone());
+            }
+        }
+    }
+
+    /// Whether all has been told that the strip shows; the rest of the run adds nothing.
+    pub fn is_complete(&self) -> bool {
+        self.told.iter().all(|told| *told > self.end())
+    }
+
+    /// The strip; `clock` says what an instant is on the wall.
+    pub fn strip(&self, names: &RunNames, clock: impl Fn(Micros) -> String) -> Strip {
+        let moment = |index: usize| {
+            let at = self.first + self.every * index as Micros;
+            self.moment(at, names, clock(at))
+        };
+        let moments = (0..self.count).map(moment).collect();
+        Strip { name: names.scenario.into(), every_s: seconds(self.every), moments }
+    }
+
+    fn moment(&self, at: Micros, names: &RunNames, clock: String) -> Moment {
+        let since = at - self.every;
+        let fired = self.kept.firings.iter().filter(|firing| firing.at > since && firing.at <= at);
+        let fired: BTreeSet<usize> = fired.map(|firing| firing.sensor.index()).collect();
+        let used = self.kept.facts.iter().filter_map(|fact| match fact {
+            Fact::Use { at: used, act, .. } if *used > since && *used <= at => {
+                let thing = names.things.get(act.thing.index()).copied().unwrap_or_default();
+                Some(match (act.thing.index() < names.doors, act.on) {
+                    (true, true) => format!("{thing} opened"),
+                    (true, false) => format!("{thing} shut"),
+                    (false, true) => format!("{thing} on"),
+                    (false, false) => format!("{thing} off"),
+                })
+            }
+            _ => None,
+        });
+        Moment {
+            at: clock,
+            at_s: seconds(at),
+            people: (0..names.people.len()).map(|person| self.person(person, since, at, names)).collect(),
+            used: used.collect(),
+            fired: fired.into_iter().filter_map(|sensor| names.sensors.get(sensor)).map(ToString::to_string).collect(),
+        }
+    }
+
+    fn person(&self, person: usize, since: Micros, at: Micros, names: &RunNames) -> Person {
+        let (mut path_m, mut posture, mut activity) = (Vec::new(), None, None);
+        for fact in &self.kept.facts {
+            match fact {
+                Fact::Movement { resident, begin, end, doing, posture: held }
+                    if resident.index() == person && *begin <= at && *end > since =>
+                {
+                    let corners: Vec<Point> = match *doing {
+                        MotionState::Stride { from, to } => {
+                            let stride = Stride::new(from, to, *begin, *end);
+                            vec![stride.position((*begin).max(since)), stride.position((*end).min(at))]
+                        }
+                        MotionState::InPlace { at, .. } | MotionState::Rest { at } => vec![at],
+                        MotionState::Away => Vec::new(),
+                    };
+                    if corners.is_empty() {
+                        path_m.clear();
+                    }
+                    posture = (!corners.is_empty()).then_some(*held);
+                    path_m.extend(corners.into_iter().map(|corner| [corner.x, corner.y]));
+                }
+                Fact::Activity { resident, at: from, name } if resident.index() == person && *from <= at => {
+                    activity.clone_from(name);
+                }
+                _ => {}
+            }
+        }
+        path_m.dedup();
+        Person { name: names.people[person].clone(), path_m, posture, activity }
+    }
+}
+
+impl fmt::Display for Strip {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        writeln!(f, "{}: {} moments, {} s apart", self.name, self.moments.len(), self.every_s)?;
+        for moment in &self.moments {
+            writeln!(f, "{}", moment.at)?;
+            for person in &moment.people {
+                writeln!(f, "  {}", person.told())?;
+            }
+            for (what, list) in [("used", &moment.used), ("fired", &moment.fired)] {
+                if !list.is_empty() {
+                    writeln!(f, "  {what}: {}", list.join(", "))?;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Person {
+    /// Who it is, how they are and what they do, in a few words.
+    pub fn told(&self) -> String {
+        let posture = match self.posture {
+            Some(Posture::Standing) => "on their feet",
+            Some(Posture::Sitting) => "sitting",
+            Some(Posture::Lying) => "lying",
+            None => "out",
+        };
+        match &self.activity {
+            Some(activity) => format!("{}: {posture}, {}", self.name, activity.replace('_', " ")),
+            None => format!("{}: {posture}", self.name),
+        }
+    }
+}

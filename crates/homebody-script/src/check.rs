@@ -1,0 +1,258 @@
+//! What is wrong with a script before anybody lives by it: names, functions and values that it writes out.
+
+use crate::engine::standard_functions;
+use crate::moment::{type_name, unknown_name};
+use crate::names::{ASKED, Names};
+use crate::vocabulary::{self, Kind, QUESTIONS, SEEN, Word};
+use homebody_core::problem::{Problem, counted};
+use homebody_core::scenario::nearest::nearest;
+use homebody_walk::manner::Manner;
+use rhai::{AST, ASTFlags, ASTNode, Dynamic, Expr, FnCallExpr, Position, Stmt};
+use std::collections::BTreeMap;
+
+/// What scripts call what they are asked with.
+const AROUND: &str = "around";
+
+/// Makes a problem of a place, how many characters it is about, what is wrong and a hint.
+pub type Report<'a> = &'a mut dyn FnMut(Position, usize, String, Option<String>) -> Problem;
+
+/// What stands beside the functions of a script, and is no constant.
+pub fn stray(ast: &AST, report: Report) -> Vec<Problem> {
+    let is_constant = |stmt: &Stmt| matches!(stmt, Stmt::Var(_, flags, _) if flags.intersects(ASTFlags::CONSTANT));
+    let wrong = ast.statements().iter().filter(|stmt| !is_constant(stmt) && !matches!(stmt, Stmt::Noop(_)));
+    let mut problems: Vec<Problem> = wrong
+        .map(|stmt| {
+            let hint = "a script has functions and constants; what is to be done stands in fn next(around)";
+            report(stmt.position(), 1, "this stands outside of every function".into(), Some(hint.into()))
+        })
+        .collect();
+    for stmt in ast.statements().iter().filter(|stmt| is_constant(stmt)) {
+        if let Stmt::Var(var, ..) = stmt
+            && !var.0.name.starts_with(|c: char| c.is_ascii_uppercase())
+        {
+            let (name, hint) = (&var.0.name, "write it in capital letters, so that functions see it");
+            let what = format!("the constant {name} does not begin with a capital letter");
+            problems.push(report(var.0.pos, name.len(), what, Some(hint.into())));
+        }
+    }
+    problems
+}
+
+/// All problems of a script whose constants are these.
+pub fn check(ast: &AST, constants: &BTreeMap<String, Dynamic>, names: &Names, report: Report) -> Vec<Problem> {
+    let functions = ast.iter_functions().map(|function| (function.name.to_owned(), function.params.len()));
+    let mut check = Check { functions: functions.collect(), constants, names, report, problems: Vec::new() };
+    check.asked();
+    ast.walk(&mut |path: &[ASTNode]| {
+        match path.last() {
+            Some(ASTNode::Expr(expr)) => check.expression(expr),
+            Some(ASTNode::Stmt(Stmt::FnCall(call, position))) => check.call(call, *position),
+            _ => {}
+        }
+        true
+    });
+    check.problems
+}
+
+struct Check<'a> {
+    /// Those of the script, with how many values they want.
+    functions: Vec<(String, usize)>,
+    constants: &'a BTreeMap<String, Dynamic>,
+    names: &'a Names,
+    report: Report<'a>,
+    problems: Vec<Problem>,
+}
+
+impl Check<'_> {
+    fn say(&mut self, position: Position, width: usize, what: String, hint: Option<String>) {
+        let problem = (self.report)(position, width, what, hint);
+        self.problems.push(problem);
+    }
+
+    /// Whether the functions are there that a script is asked by.
+    fn asked(&mut self) {
+        for (name, wanted) in ASKED {
+            let form = format!("fn {name}({})", if wanted == 1 { AROUND } else { "" });
+            let found: Vec<usize> =
+                self.functions.iter().filter(|(known, _)| known == name).map(|(_, count)| *count).collect();
+            if found.is_empty() && name == ASKED[0].0 {
+                let hint = format!("write {form} {{ .. }}, which answers with a step such as wait(60)");
+                self.say(Position::NONE, 1, "the script has no function next".into(), Some(hint));
+            } else if !found.is_empty() && !found.contains(&wanted) {
+                let what = format!("the function {name} has {}", counted(found[0], "parameter", "parameters"));
+                self.say(Position::NONE, 1, what, Some(format!("write {form}")));
+            }
+        }
+    }
+
+    fn expression(&mut self, expr: &Expr) {
+        match expr {
+            Expr::FnCall(call, position) => self.call(call, *position),
+            Expr::MethodCall(call, position) => self.method(call, *position),
+            Expr::Variable(of, None, position) if of.0.is_none() => self.variable(&of.1, *position),
+            Expr::Dot(pair, ..) if matches!(&pair.lhs, Expr::Variable(of, ..) if of.1 == AROUND) => {
+                let first = match &pair.rhs {
+                    Expr::Dot(rest, ..) | Expr::Index(rest, ..) => &rest.lhs,
+                    other => other,
+                };
+                if let Expr::Property(property, position) = first {
+                    self.property(&property.2, *position);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn variable(&mut self, name: &str, position: Position) {
+        if self.constants.contains_key(name) {
+            return;
+        }
+        let near = nearest(name, self.constants.keys().map(String::as_str));
+        let hint = near.map_or_else(
+            || "let gives a variable a value; what is to last from one decision to the next is this.name".into(),
+            |near| format!("did you mean {near}?"),
+        );
+        self.say(position, name.chars().count(), format!("there is no variable {name}"), Some(hint));
+    }
+
+    fn property(&mut self, name: &str, position: Position) {
+        if SEEN.iter().any(|(known, _)| *known == name) {
+            return;
+        }
+        let hint = if QUESTIONS.iter().any(|word| word.name == name) {
+            format!("ask it with brackets: around.{name}(..)")
+        } else {
+            let known = SEEN.iter().map(|(known, _)| *known).chain(QUESTIONS.iter().map(|word| word.name));
+            nearest(name, known).map_or_else(
+                || format!("there are {}", SEEN.map(|(known, _)| known).join(", ")),
+                |near| format!("did you mean around.{near}?"),
+            )
+        };
+        self.say(position, name.chars().count(), format!("around has no {name}"), Some(hint));
+    }
+
+    fn call(&mut self, call: &FnCallExpr, position: Position) {
+        if call.is_operator_call() || !call.name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') {
+            return;
+        }
+        let name = call.name.as_str();
+        if self.functions.iter().any(|(known, count)| known == name && *count == call.args.len()) {
+            return;
+        }
+        let words: Vec<&Word> = said().filter(|word| word.name == name).collect();
+        if !words.is_empty() {
+            return self.word(&words, call, position);
+        }
+        let hint = if let Some((_, count)) = self.functions.iter().find(|(known, _)| known == name) {
+            format!("the script's own function of that name wants {}", counted(*count, "value", "values"))
+        } else if standard_functions().contains(name) {
+            return;
+        } else if QUESTIONS.iter().any(|word| word.name == name) {
+            format!("ask what is around: around.{name}(..)")
+        } else {
+            let known = said().map(|word| word.name).chain(self.functions.iter().map(|(name, _)| name.as_str()));
+            let known: Vec<&str> = known.chain(standard_functions().iter().map(String::as_str)).collect();
+            nearest(name, known).map_or_else(
+                || "docs/scripts.md lists what there is".to_owned(),
+                |near| format!("did you mean {near}?"),
+            )
+        };
+        self.say(position, name.chars().count(), format!("there is no function {name}"), Some(hint));
+    }
+
+    fn method(&mut self, call: &FnCallExpr, position: Position) {
+        let name = call.name.as_str();
+        let words: Vec<&Word> = QUESTIONS.iter().filter(|word| word.name == name).collect();
+        if !words.is_empty() {
+            return self.word(&words, call, position);
+        }
+        let is_known = self.functions.iter().any(|(known, _)| known == name)
+            || standard_functions().contains(name)
+            || said().any(|word| word.name == name);
+        if is_known {
+            return;
+        }
+        let known = QUESTIONS.iter().map(|word| word.name).chain(self.functions.iter().map(|(name, _)| name.as_str()));
+        let near = nearest(name, known.chain(standard_functions().iter().map(String::as_str)));
+        let hint = near
+            .map_or_else(|| "docs/scripts.md lists what there is".to_owned(), |near| format!("did you mean {near}?"));
+        self.say(position, name.chars().count(), format!("there is no function {name}"), Some(hint));
+    }
+
+    /// A word of ours, which may have several forms.
+    fn word(&mut self, forms: &[&Word], call: &FnCallExpr, position: Position) {
+        let Some(word) = forms.iter().find(|word| word.wants.len() == call.args.len()) else {
+            let form = |word: &&Word| {
+                let wants: Vec<&str> = word.wants.iter().map(|(name, _)| *name).collect();
+                format!("{}({})", word.name, wants.join(", "))
+            };
+            let what = format!("{} is said with {}", call.name, counted(call.args.len(), "value", "values"));
+            let hint = format!("write {}", forms.iter().map(form).collect::<Vec<_>>().join(" or "));
+            return self.say(position, call.name.chars().count(), what, Some(hint));
+        };
+        for ((name, kind), value) in word.wants.iter().zip(&call.args) {
+            self.value(word.name, name, *kind, value);
+        }
+    }
+
+    /// A value that a word is said with, as far as it is written out.
+    fn value(&mut self, word: &str, name: &str, kind: Kind, expr: &Expr) {
+        let constant = match expr {
+            Expr::Variable(of, None, _) if of.0.is_none() => self.constants.get(of.1.as_str()).cloned(),
+            _ => expr.get_literal_value(None),
+        };
+        let Some(value) = constant else { return };
+        let wanted = match kind {
+            Kind::Seconds | Kind::Number => "a number",
+            Kind::List => "a list",
+            _ => "a text",
+        };
+        let number = value.as_float().or_else(|_| value.as_int().map(|whole| whole as f64)).ok();
+        let fits = match kind {
+            Kind::Seconds | Kind::Number => number.is_some(),
+            Kind::List => value.is_array(),
+            _ => value.is_string(),
+        };
+        let position = expr.position();
+        if !fits {
+            let what = format!("{word} wants {wanted} for the {name}, and this is {}", type_name(value.type_name()));
+            return self.say(position, 1, what, None);
+        }
+        if let Some(number) = number.filter(|number| kind == Kind::Seconds && *number <= 0.0) {
+            return self.say(
+                position,
+                1,
+                format!("nothing lasts {number} seconds"),
+                Some("say how many, above 0".into()),
+            );
+        }
+        let Ok(text) = value.into_string() else { return };
+        self.name(kind, &text, position);
+    }
+
+    /// A name that is written out.
+    fn name(&mut self, kind: Kind, text: &str, position: Position) {
+        let width = text.chars().count() + 2;
+        let (noun, known): (&str, &[String]) = match kind {
+            Kind::Place => ("place", &self.names.places),
+            Kind::Seat => ("seat", &self.names.seats),
+            Kind::Thing => ("thing", &self.names.things),
+            Kind::Room => ("room", &self.names.rooms),
+            Kind::Manner if Manner::named(text).is_none() => {
+                let hint = unknown_name("manner", text, Manner::names()).1;
+                return self.say(position, width, format!("there is no manner {text:?}"), Some(hint));
+            }
+            _ => return,
+        };
+        if known.iter().any(|known| known.to_lowercase() == text.to_lowercase()) {
+            return;
+        }
+        let (what, hint) = unknown_name(noun, text, known.iter().map(String::as_str));
+        self.say(position, width, what, Some(hint));
+    }
+}
+
+/// The words that are said by themselves.
+fn said() -> impl Iterator<Item = &'static Word> {
+    vocabulary::STEPS.iter().chain(&vocabulary::CHANCE)
+}

@@ -1,0 +1,323 @@
+//! What a script is asked with: its surroundings at an instant, and the streams that it draws from.
+
+use crate::cast::Cast;
+use crate::step::Step;
+use homebody_core::drivers::Surroundings;
+use homebody_core::geometry::Point;
+use homebody_core::home::plan::Plan;
+use homebody_core::random::Stream;
+use homebody_core::scenario::nearest::nearest;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, micros, seconds};
+use homebody_walk::manner::Manner;
+use homebody_walk::places::Spot;
+use rhai::{Dynamic, EvalAltResult, Map, Position};
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// The streams that a script has drawn from, by name.
+pub type Streams = BTreeMap<String, Stream>;
+
+/// A resident's script has no more streams (ours).
+const MOST_STREAMS: usize = 1_000;
+
+/// No step lasts longer, in seconds (ours): a hundred years.
+const LONGEST_S: f64 = 100.0 * 365.25 * 86_400.0;
+
+/// A step that lasts takes at least so long (ours): who decides more often gains nothing that a sensor tells.
+pub const SHORTEST_S: f64 = 0.1;
+
+/// How far a script can look ahead for what is in the way, in metres (ours).
+pub const LOOKS_M: f64 = 5.0;
+
+/// The sine of the sun's height below which it is dark: that at which those who live by routines light lamps (ours).
+const DARK: f64 = 0.08;
+
+/// The constants of a script, by name.
+pub type Constants = Arc<BTreeMap<String, Dynamic>>;
+
+/// A message of ours, raised where the script called.
+pub type Wrong = Box<EvalAltResult>;
+
+/// What went wrong, with a hint, to be told with the place of the call.
+pub fn wrong(what: impl Into<String>) -> Wrong {
+    EvalAltResult::ErrorRuntime(Dynamic::from(what.into()), Position::NONE).into()
+}
+
+/// `around` as scripts have it. Copies are the same moment, which is over once the script has decided.
+#[derive(Clone)]
+pub struct Around(Arc<Mutex<Moment>>);
+
+/// An instant as one resident sees it.
+pub struct Moment {
+    pub cast: Arc<Cast>,
+    /// Of the script.
+    pub constants: Constants,
+    pub now: Micros,
+    /// The own body; `None` while one is out.
+    pub body: Option<(Point, Posture)>,
+    /// The place that one went to last.
+    pub place: String,
+    /// Who else is at home.
+    pub others: Vec<Other>,
+    /// By thing of the plan.
+    pub on: Vec<bool>,
+    pub streams: Streams,
+}
+
+/// Somebody else.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Other {
+    pub index: usize,
+    pub at: Point,
+    pub posture: Posture,
+}
+
+impl Around {
+    pub fn new(moment: Moment) -> Around {
+        Around(Arc::new(Mutex::new(moment)))
+    }
+
+    pub fn moment(&self) -> MutexGuard<'_, Moment> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Moment {
+    pub fn new(cast: Arc<Cast>, constants: Constants, around: &Surroundings, place: &str, streams: Streams) -> Moment {
+        let others = around.others();
+        let other = |body: homebody_core::drivers::Body| Other {
+            index: body.resident.index(),
+            at: body.at,
+            posture: body.posture,
+        };
+        Moment {
+            now: around.now(),
+            body: around.body().map(|body| (body.at, body.posture)),
+            place: place.into(),
+            others: others.map(other).collect(),
+            on: (0..cast.home.plan.things.len() as u32)
+                .map(|thing| around.is_on(homebody_core::ids::ThingId(thing)))
+                .collect(),
+            streams,
+            constants,
+            cast,
+        }
+    }
+
+    fn plan(&self) -> &Plan {
+        &self.cast.home.plan
+    }
+
+    fn room_name(&self, at: Point) -> String {
+        self.plan().room_at(at).map(|room| self.plan().rooms[room].name.clone()).unwrap_or_default()
+    }
+
+    pub fn room(&self) -> String {
+        self.body.map(|(at, _)| self.room_name(at)).unwrap_or_default()
+    }
+
+    pub fn posture(&self) -> &'static str {
+        self.body.map_or("out", |(_, posture)| posture_name(posture))
+    }
+
+    pub fn hour(&self) -> f64 {
+        self.cast.hour(self.now)
+    }
+
+    pub fn day(&self) -> i64 {
+        self.cast.calendar.day(self.now).into()
+    }
+
+    pub fn weekday(&self) -> &'static str {
+        const DAYS: [&str; 7] = ["Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday", "Sunday"];
+        DAYS[usize::from(self.cast.calendar.weekday(self.cast.calendar.day(self.now))) % 7]
+    }
+
+    pub fn is_dark(&self) -> bool {
+        self.cast.home.sun.elevation_sine(self.now) < DARK
+    }
+
+    pub fn now_s(&self) -> f64 {
+        seconds(self.now)
+    }
+
+    /// Where one is; the middle of nothing while one is out.
+    pub fn at(&self) -> Point {
+        self.body.map_or(Point::ZERO, |(at, _)| at)
+    }
+
+    pub fn others(&self) -> Vec<Dynamic> {
+        let other = |other: &Other| {
+            let name = self.cast.names.get(other.index).cloned().unwrap_or_default();
+            let map: Map = [
+                ("name", Dynamic::from(name)),
+                ("room", self.room_name(other.at).into()),
+                ("posture", Dynamic::from(posture_name(other.posture).to_owned())),
+                ("x", other.at.x.into()),
+                ("y", other.at.y.into()),
+                ("distance", self.at().distance(other.at).into()),
+            ]
+            .into_iter()
+            .map(|(name, value)| (name.into(), value))
+            .collect();
+            Dynamic::from(map)
+        };
+        self.others.iter().map(other).collect()
+    }
+
+    pub fn who(&self, room: &str) -> Result<Vec<Dynamic>, Wrong> {
+        let room = self.room_named(room)?;
+        let there = self.others.iter().filter(|other| self.plan().room_at(other.at) == Some(room));
+        Ok(there.map(|other| Dynamic::from(self.cast.names.get(other.index).cloned().unwrap_or_default())).collect())
+    }
+
+    fn room_named(&self, name: &str) -> Result<usize, Wrong> {
+        let rooms = || self.plan().rooms.iter();
+        let room = rooms().position(|room| room.name.eq_ignore_ascii_case(name));
+        room.ok_or_else(|| unknown("room", name, rooms().map(|room| room.name.as_str())))
+    }
+
+    pub fn thing(&self, name: &str) -> Result<u32, Wrong> {
+        let thing = self.cast.places.thing_named(name);
+        thing.ok_or_else(|| unknown("thing", name, self.plan().things.iter().map(|thing| thing.name.as_str())))
+    }
+
+    pub fn is_on(&self, name: &str) -> Result<bool, Wrong> {
+        Ok(self.on[self.thing(name)? as usize])
+    }
+
+    pub fn is_light(&self, room: &str) -> Result<bool, Wrong> {
+        let room = self.room_named(room)?;
+        Ok(!self.is_dark() || self.on[self.cast.places.lamp(room) as usize])
+    }
+
+    pub fn spot(&self, name: &str) -> Result<Spot, Wrong> {
+        if let Some(spot) = self.cast.places.named(name) {
+            return Ok(spot.clone());
+        }
+        let rooms = self.plan().rooms.iter().map(|room| room.name.as_str());
+        let known = self.plan().places.iter().map(|(name, _)| name.as_str());
+        let things = self.plan().things.iter().map(|thing| thing.name.as_str());
+        Err(unknown("place", name, known.chain(things).chain(rooms)))
+    }
+
+    /// A place at which one sits or lies.
+    pub fn seat(&self, name: &str, posture: Posture) -> Result<Step, Wrong> {
+        let spot = self.spot(name)?;
+        if spot.posture == Posture::Standing {
+            let hint = "sit and lie want a piece of furniture that is `enterable`; go(..) stands beside others";
+            return Err(wrong(format!("nobody can {} at {name:?}\n  hint: {hint}", verb(posture))));
+        }
+        Ok(Step::Go(Spot { posture, ..spot }))
+    }
+
+    pub fn distance(&self, place: &str) -> Result<f64, Wrong> {
+        Ok(self.spot(place)?.at.distance(self.at()))
+    }
+
+    pub fn can_reach(&self, place: &str) -> Result<bool, Wrong> {
+        let to = self.spot(place)?.at;
+        Ok(self.body.is_some_and(|(at, _)| self.cast.mesh.can_reach(at, to)))
+    }
+
+    pub fn toward(&self, place: &str) -> Result<f64, Wrong> {
+        let (at, to) = (self.at(), self.spot(place)?.at);
+        let path = self.body.and_then(|_| self.cast.mesh.path(at, to)).unwrap_or_default();
+        let corner = path.into_iter().find(|corner| corner.distance(at) > 0.05).unwrap_or(to);
+        let ahead = corner - at;
+        Ok(libm::atan2(ahead.y, ahead.x).to_degrees().rem_euclid(360.0))
+    }
+
+    pub fn free(&self, degrees: f64) -> f64 {
+        self.body.map_or(0.0, |(at, _)| self.cast.mesh.free_way(at, degrees, LOOKS_M))
+    }
+
+    /// A stream of the script's own, which no other resident and no sensor draws from.
+    pub fn stream(&mut self, name: &str) -> Result<&mut Stream, Wrong> {
+        if !self.streams.contains_key(name) {
+            if self.streams.len() >= MOST_STREAMS {
+                let hint = "name streams by what they are for, not by numbers";
+                return Err(wrong(format!("it draws from more than {MOST_STREAMS} streams\n  hint: {hint}")));
+            }
+            let stream = self.cast.stream(name);
+            self.streams.insert(name.into(), stream);
+        }
+        self.streams.get_mut(name).ok_or_else(|| wrong("there is no such stream"))
+    }
+}
+
+fn posture_name(posture: Posture) -> &'static str {
+    match posture {
+        Posture::Standing => "standing",
+        Posture::Sitting => "sitting",
+        Posture::Lying => "lying",
+    }
+}
+
+fn verb(posture: Posture) -> &'static str {
+    if posture == Posture::Lying { "lie" } else { "sit" }
+}
+
+/// What is said of a name that there is none of.
+pub fn unknown<'a>(noun: &str, name: &str, known: impl Iterator<Item = &'a str>) -> Wrong {
+    let (what, hint) = unknown_name(noun, name, known);
+    wrong(format!("{what}\n  hint: {hint}"))
+}
+
+/// The same as what is wrong, and a hint.
+pub fn unknown_name<'a>(noun: &str, name: &str, known: impl Iterator<Item = &'a str>) -> (String, String) {
+    /// So many are listed (ours).
+    const LISTED: usize = 12;
+    let known: Vec<&str> = known.collect();
+    let hint = match nearest(name, known.iter().copied()) {
+        Some(near) => format!("did you mean {near:?}?"),
+        None => {
+            let more = if known.len() > LISTED { " and more" } else { "" };
+            format!("there are {}{more}", known.iter().take(LISTED).copied().collect::<Vec<_>>().join(", "))
+        }
+    };
+    (format!("the home has no {noun} {name:?}"), hint)
+}
+
+/// A number as a script wrote it, whole or not.
+pub fn number(value: &Dynamic, what: &str) -> Result<f64, Wrong> {
+    let number = value.as_float().or_else(|_| value.as_int().map(|whole| whole as f64));
+    let number = number.map_err(|of| wrong(format!("{what} is a number, and not a {}", type_name(of))))?;
+    if number.is_finite() {
+        Ok(number)
+    } else {
+        Err(wrong(format!("{what} is {number}, which is no number to live by")))
+    }
+}
+
+/// A span as a script wrote it, in seconds.
+pub fn span(value: &Dynamic) -> Result<Micros, Wrong> {
+    let seconds = number(value, "how long it lasts")?;
+    if seconds <= 0.0 {
+        return Err(wrong(format!("nothing lasts {seconds} seconds\n  hint: say how many, above 0")));
+    }
+    Ok(micros(seconds.clamp(SHORTEST_S, LONGEST_S)))
+}
+
+/// The manner of a name.
+pub fn manner(name: &str) -> Result<Manner, Wrong> {
+    Manner::named(name).ok_or_else(|| {
+        let (_, hint) = unknown_name("manner", name, Manner::names());
+        wrong(format!("there is no manner {name:?}\n  hint: {hint}"))
+    })
+}
+
+/// What people call a type of Rhai.
+pub fn type_name(of: &str) -> &str {
+    match of {
+        "string" | "&str" => "text",
+        "i64" | "f64" => "number",
+        "bool" => "true or false",
+        "()" => "nothing",
+        "array" => "list",
+        "map" => "map",
+        "step" => "step",
+        other => other,
+    }
+}

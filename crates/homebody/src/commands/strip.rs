@@ -1,0 +1,95 @@
+//! `homebody strip`: moments of a recorded run side by side.
+
+use super::answer::Answer;
+use crate::failure::Failure;
+use crate::length::span;
+use homebody_analysis::strip::{Film, RunNames};
+use homebody_core::scenario::calendar::{Calendar, time_of_day};
+use homebody_core::time::{DAY, Micros};
+use homebody_kit::Recorded;
+use homebody_log::places::RECORDING;
+use homebody_picture::film_strip;
+use std::path::PathBuf;
+
+/// Lives a recorded run again and shows moments of it as a film strip: where everybody is and went, what they used, and which
+/// sensors fired.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  homebody strip runs/dark-hall-1 18:40 --every 5s --png strip.png
+  homebody strip runs/tigerplace-1 2009-03-03T07:00 --every 30s --frames 9 --png morning.png")]
+pub struct Arguments {
+    /// A run's folder, or its recording
+    run: PathBuf,
+    /// The first moment: a date and time such as 2026-01-12T18:40:05, or a time of day of the run's first 24 hours
+    #[arg(value_name = "FROM")]
+    from: String,
+    /// How far apart the moments are
+    #[arg(long, value_name = "SPAN", default_value = "10s", value_parser = span)]
+    every: Micros,
+    /// How many moments there are
+    #[arg(long, value_name = "COUNT", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=60))]
+    frames: u8,
+    #[command(flatten)]
+    answer: Answer,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let path = if self.run.is_dir() { self.run.join(RECORDING) } else { self.run.clone() };
+        let answer = self.answer.check([""], std::slice::from_ref(&path))?;
+        let recorded = Recorded::open(&path)?;
+        let home = recorded.scenario().home.clone();
+        let calendar = recorded.scenario().calendar.clone();
+        let first = self.first(&calendar)?;
+        let length = recorded.recording().length_us;
+        if first >= length {
+            let [begin, end] = [0, length].map(|at| clock(&calendar, at));
+            return Err(Failure::usage(format!("the run has no {}\n  hint: it goes from {begin} to {end}", self.from)));
+        }
+        let fits = (length - first - 1) / self.every + 1;
+        let count = usize::from(self.frames).min(usize::try_from(fits).unwrap_or(usize::MAX));
+        let mut run = recorded.start();
+        let mut film = Film::new(first, self.every, count, run.residents().len());
+        while !film.is_complete() {
+            let Some(batch) = run.next_batch()? else { break };
+            film.take(batch.firings, batch.facts);
+        }
+        let names = RunNames {
+            scenario: &run.scenario().file.name,
+            people: run.residents(),
+            sensors: run.sensors().collect(),
+            doors: home.doors.len(),
+            things: home.plan().things.iter().map(|thing| thing.name.as_str()).collect(),
+        };
+        let strip = film.strip(&names, |at| clock(&calendar, at));
+        answer.give(&strip, [&|| film_strip(&home, &strip)])
+    }
+
+    /// The instant of the first moment.
+    fn first(&self, calendar: &Calendar) -> Result<Micros, Failure> {
+        let wrong = || {
+            let hint = "write 2026-01-12T18:40:05, or 18:40:05 for a time of the first 24 hours";
+            Failure::usage(format!("{:?} is no time\n  hint: {hint}", self.from))
+        };
+        let (date, time) = match self.from.split_once(['T', ' ']) {
+            Some((date, time)) => (Some(date), time),
+            None => (None, self.from.as_str()),
+        };
+        let time = time_of_day(time).ok_or_else(wrong)?;
+        let Some(date) = date else {
+            let at = calendar.instant(0, time);
+            return Ok(if at < 0 { calendar.instant(0, time + DAY) } else { at });
+        };
+        let parts: Vec<&str> = date.split('-').collect();
+        let [year, month, day] = parts[..] else { return Err(wrong()) };
+        let date = year.parse().ok().zip(month.parse().ok()).zip(day.parse().ok());
+        let day = date.and_then(|((year, month), day)| calendar.day_of(year, month, day)).ok_or_else(wrong)?;
+        let at = calendar.instant(day, time);
+        if at < 0 { Err(Failure::usage(format!("{} is before the run begins", self.from))) } else { Ok(at) }
+    }
+}
+
+/// An instant on the clock on the wall.
+fn clock(calendar: &Calendar, at: Micros) -> String {
+    calendar.local(at).strftime("%Y-%m-%d %H:%M:%S").to_string()
+}
