@@ -5,7 +5,7 @@ use super::driver::{GRACE, RoutineDriver};
 use super::script::Step;
 use super::usual;
 use crate::routine::{Activity, Response};
-use homebody_core::activity::{self, UsualLength};
+use homebody_core::activity::{self, ActivityKind, UsualLength};
 use homebody_core::time::{Micros, micros};
 
 impl RoutineDriver {
@@ -134,9 +134,14 @@ impl Activity {
     /// Whether a meal that is due interrupts it: what is done for pleasure, company, the household.
     pub(super) fn gives_way_to_meals(&self) -> bool {
         use Activity::{Exercise, Housework, Laundry, Other, Phone, Read, Relax, UseComputer, Visit, WatchTelevision};
-        matches!(
-            self,
-            Exercise | Housework | Laundry | Other(_) | Phone | Read | Relax | UseComputer | Visit | WatchTelevision
-        )
+        match self {
+            Exercise | Housework | Laundry | Other(_) | Phone | Read | Relax | UseComputer | Visit | WatchTelevision => {
+                true
+            }
+            Activity::Everyday(label) => {
+                matches!(ActivityKind::of(label), ActivityKind::Leisure | ActivityKind::Food | ActivityKind::Housework)
+            }
+            _ => false,
+        }
     }
 }

@@ -1,17 +1,19 @@
-//! `homebody experiment`: what was measured in the real world, done again.
+//! `homebody experiment`: what was measured in the real world, done again, and what is said, measured in lives.
 
+mod claims;
 mod daily_life;
 mod godsey2009;
 mod sphere;
 
 use crate::failure::Failure;
 
-/// Does an experiment again that was done in the real world, and says what agrees.
+/// Does an experiment again that was done in the real world, or measures what routines come to, and says what agrees.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody experiment godsey2009 --svg firings.svg
   homebody experiment sphere --data sphere_challenge --svg rooms.svg
-  homebody experiment daily-life --people 20 --days 14 --png people.png")]
+  homebody experiment daily-life --people 20 --days 14 --png people.png
+  homebody experiment claims --json claims.json")]
 pub struct Arguments {
     #[command(subcommand)]
     experiment: Experiment,
@@ -25,6 +27,8 @@ enum Experiment {
     Sphere(sphere::Arguments),
     /// Generated older adults lived at home, beside what was published of real ones
     DailyLife(daily_life::Arguments),
+    /// What sentences of routines come to, beside their words
+    Claims(claims::Arguments),
 }
 
 impl Arguments {
@@ -33,6 +37,7 @@ impl Arguments {
             Experiment::Godsey2009(arguments) => arguments.run(),
             Experiment::Sphere(arguments) => arguments.run(),
             Experiment::DailyLife(arguments) => arguments.run(),
+            Experiment::Claims(arguments) => arguments.run(),
         }
     }
 }
