@@ -177,7 +177,7 @@ fn gaps(mut times: Vec<Micros>) -> Vec<Micros> {
 }
 
 /// The Kolmogorov-Smirnov distance of two samples; none where one is empty.
-fn distance(mut samples: [Vec<Micros>; 2]) -> Option<f64> {
+pub(crate) fn distance(mut samples: [Vec<Micros>; 2]) -> Option<f64> {
     samples.iter_mut().for_each(|sample| sample.sort_unstable());
     let [a, b] = &samples;
     if a.is_empty() || b.is_empty() {

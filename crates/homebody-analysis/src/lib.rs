@@ -14,6 +14,8 @@ pub mod signs;
 
 /// How alike two logs are.
 pub mod compare;
+/// How near a log is to a real one, and what gives it away.
+pub mod realism;
 
 /// How much somebody moved in each hour of each day, and when nobody was at home.
 pub mod density;

@@ -3,10 +3,11 @@
 //! Logs do not tell what their sensors are, so we go by what they say: a sensor is taken for what most of its rows
 //! look like. Motion begins and ends (`ON`, `OFF`, `true`, `FIRE`), contacts open and close, and all else that is no
 //! number is something that somebody used. Where values alone mislead, names decide: those of CASAS's lights are `L`
-//! and a number, and a mattress that says `ON` has not moved. The words are ours.
+//! and a number, and a mattress that says `ON` has not moved. A bed, a chair or a stove may be where a motion sensor looks, as in
+//! names of CASAS such as `BedroomABed`: it is one if it is `ON` for seconds. The words are ours.
 
 use homebody_core::names::words;
-use homebody_core::time::Micros;
+use homebody_core::time::{Micros, SECOND};
 use homebody_log::Log;
 use serde::Serialize;
 
@@ -73,13 +74,15 @@ pub fn kinds(log: &Log) -> Vec<Kind> {
         };
         rows[event.sensor as usize][looks] += 1;
     }
-    let kind = |(name, &[motion, contact, reading]): (&String, &[u64; 3])| match () {
+    let spans = spans(log);
+    let kind = |(sensor, &[motion, contact, reading]): (usize, &[u64; 3])| match () {
         () if reading > motion.max(contact) || motion + contact == 0 => Kind::Reading,
         () if contact > motion => Kind::Contact,
-        () if is_used(name) => Kind::Used,
+        () if is_named(&log.sensors[sensor], &THINGS) => Kind::Used,
+        () if is_named(&log.sensors[sensor], &PLACES) && !is_brief(&spans[sensor]) => Kind::Used,
         () => Kind::Motion,
     };
-    log.sensors.iter().zip(&rows).map(kind).collect()
+    rows.iter().enumerate().map(kind).collect()
 }
 
 /// The spans over which each sensor says that something goes on, in order. Where a sensor never says that it ends, a span
@@ -109,17 +112,28 @@ pub fn spans(log: &Log) -> Vec<Vec<(Micros, Micros)>> {
     spans
 }
 
-/// Whether a name is that of a thing that is used, though it says `ON`.
-fn is_used(name: &str) -> bool {
-    const THINGS: [&str; 14] = [
-        "light", "lamp", "switch", "pressure", "mattress", "mat", "item", "power", "bed", "chair", "stove", "water",
-        "flow", "tv",
-    ];
-    // CASAS's lights and items: L012, I05.
+/// Things that are used, though they say `ON`.
+const THINGS: [&str; 11] =
+    ["light", "lamp", "switch", "pressure", "mattress", "mat", "item", "power", "water", "flow", "tv"];
+
+/// Things that are used, or else places that a motion sensor looks at.
+const PLACES: [&str; 3] = ["bed", "chair", "stove"];
+
+/// Whether a name is that of one of these things, or of one of CASAS's lights and items: L012, I05.
+fn is_named(name: &str, things: &[&str]) -> bool {
     let is_numbered = name.strip_prefix(['L', 'I']).is_some_and(|rest| rest.parse::<u32>().is_ok());
     let words = words(name);
     is_numbered
-        || words.iter().any(|word| THINGS.contains(&word.as_str())) && !words.iter().any(|word| word == "motion")
+        || words.iter().any(|word| things.contains(&word.as_str())) && !words.iter().any(|word| word == "motion")
+}
+
+/// Whether something goes on for seconds at a time, as movements do: nobody lies, sits or cooks for so short.
+fn is_brief(spans: &[(Micros, Micros)]) -> bool {
+    /// At least half of the spans are shorter (ours).
+    const BRIEF: Micros = 20 * SECOND;
+    let of_length: Vec<Micros> = spans.iter().map(|(from, to)| to - from).filter(|&length| length > 0).collect();
+    let brief = of_length.iter().filter(|&&length| length < BRIEF).count();
+    brief > 0 && 2 * brief >= of_length.len()
 }
 
 #[cfg(test)]
@@ -143,6 +157,19 @@ mod tests {
         ]);
         let wanted = [Kind::Motion, Kind::Contact, Kind::Reading, Kind::Used, Kind::Used, Kind::Motion];
         assert_eq!(kinds(&log), wanted);
+    }
+
+    #[test]
+    fn a_bed_that_is_on_for_seconds_is_where_a_motion_sensor_looks() {
+        let rows: Vec<(i64, &str, &str)> = (0..10)
+            .flat_map(|time| {
+                let (from, to) = (1000 * time, 1000 * time + 4);
+                [(from, "BedroomBed", "ON"), (to, "BedroomBed", "OFF"), (from, "bed", "ON"), (to + 900, "bed", "OFF")]
+            })
+            .collect();
+        assert_eq!(kinds(&log(&rows)), [Kind::Motion, Kind::Used]);
+        // An instant tells nothing of how long it lasts.
+        assert_eq!(kinds(&log(&[(0, "chair", "ON"), (1, "kitchen", "ON")])), [Kind::Used, Kind::Motion]);
     }
 
     #[test]

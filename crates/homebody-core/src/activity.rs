@@ -136,8 +136,19 @@ activities! {
     TELEPHONING "telephoning": "On the telephone", Leisure, Company, around(14.0, 0.7), [Telephone];
     NAPPING "napping": "A nap by day, in bed or on a seat", Sleep, Sleep, around(40.0, 0.5), [Bed, Armchair];
     LAUNDRY "laundry": "Washing and drying clothes", Housework, Household, around(12.0, 0.4), [WashingMachine, Dryer];
-    HOUSEWORK "housework": "A round through the home: tidying, dusting, small errands",
+    HOUSEWORK "housework": "A round through the home: cleaning, dusting, tidying",
         Housework, Household, around(35.0, 0.5), [];
+    TIDYING "tidying": "A small errand: putting things where they belong, looking for something",
+        Housework, Household, None, [];
+    SEEING_TO_KITCHEN "seeing_to_kitchen": "A small errand in the kitchen: putting dishes away, wiping, looking for food",
+        Housework, Household, None, [];
+    PUTTING_CLOTHES_AWAY "putting_clothes_away": "A small errand at wardrobes and washing machines: clothes and linen",
+        Housework, Household, None, [];
+    AIRING "airing": "A small errand: a window opened for air, a look out of it",
+        Housework, Household, None, [];
+    FETCHING_MAIL "fetching_mail": "The mail, from the mailbox or from outside the door",
+        Housework, Household, None, [];
+    FRESHENING_UP "freshening_up": "A small errand to the washbasin: hands, face, hair", Care, Care, None, [];
     LEAVING_HOME "leaving_home": "Putting on a coat and going to the door", Out, Out, None, [Coats, FrontDoor];
     AWAY "away": "Out of the home", Out, Out, around(110.0, 0.5), [Coats, FrontDoor];
     COMING_HOME "coming_home": "Coming home, and whatever that takes", Out, Out, around(2.0, 0.3), [];

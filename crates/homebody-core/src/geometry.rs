@@ -85,6 +85,12 @@ pub fn distance_to_area(outline: &[Point], p: Point) -> f64 {
     if contains(outline, p) { 0.0 } else { distance_to_border(outline, p) }
 }
 
+/// How deep `p` lies inside the outline: the distance to its border, below 0 outside.
+pub fn depth_in_area(outline: &[Point], p: Point) -> f64 {
+    let distance = distance_to_border(outline, p);
+    if contains(outline, p) { distance } else { -distance }
+}
+
 /// Distance from `p` to the outline's border.
 pub fn distance_to_border(outline: &[Point], p: Point) -> f64 {
     sides(outline).map(|(a, b)| distance_to_segment(p, a, b)).fold(f64::INFINITY, f64::min)

@@ -143,6 +143,25 @@ impl DrawnValue {
     }
 }
 
+/// Random numbers that are not drawn one after the other but looked up: each belongs to a number, whenever and however often it is
+/// asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Marks(u64);
+
+impl Marks {
+    /// The marks of this name, such as `sensor/bedroom motion/notice`.
+    pub fn named(seed: u64, name: &str) -> Marks {
+        Marks(Stream::named(seed, name).0.next_u64())
+    }
+
+    /// The random numbers that belong to a number.
+    pub fn of(self, number: u64) -> DrawnValue {
+        // Two rounds of SplitMix64, so that the numbers of neighbours have nothing in common.
+        let mixed = (self.0 ^ number).wrapping_mul(0xd1b5_4a32_d192_ed03);
+        DrawnValue((mixed ^ (mixed >> 32)).wrapping_mul(0x9e37_79b9_7f4a_7c15))
+    }
+}
+
 /// 2^-53: the distance of the numbers just below 1.
 const UNIT_STEP: f64 = 1.0 / (1u64 << 53) as f64;
 
@@ -176,6 +195,21 @@ pub fn no_stream() -> Stream {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn marks_are_spread_evenly_and_those_of_neighbours_have_nothing_in_common() {
+        let marks = Marks::named(7, "test");
+        assert_eq!(marks.of(5), Marks::named(7, "test").of(5));
+        let of = |number: u64, index| marks.of(number).unit(index);
+        let count = 100_000;
+        let mean_of = |of: &dyn Fn(u64) -> f64| (0..count).map(of).sum::<f64>() / count as f64;
+        assert!((mean_of(&|n| of(n, 0)) - 0.5).abs() < 0.005 && (mean_of(&|n| of(n, 1)) - 0.5).abs() < 0.005);
+        // The covariance of numbers of 1/12 variance each.
+        let together = |a: &dyn Fn(u64) -> f64| mean_of(&|n| (of(n, 0) - 0.5) * (a(n) - 0.5)) * 12.0;
+        assert!((together(&|n| of(n, 0)) - 1.0).abs() < 0.02);
+        assert!(together(&|n| of(n + 1, 0)).abs() < 0.02 && together(&|n| of(n, 1)).abs() < 0.02);
+        assert!(together(&|n| Marks::named(8, "test").of(n).unit(0)).abs() < 0.02);
+    }
 
     #[test]
     fn spans_fill_their_range_evenly_and_reach_both_ends() {

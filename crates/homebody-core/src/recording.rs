@@ -17,7 +17,7 @@ pub const LONGEST: Micros = 36_525 * DAY;
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Recording {
-    /// The version of the program that made it.
+    /// The version of the program that made it, with what tells apart builds whose models differ.
     pub version: String,
     /// The name of the scenario's own file among `files`.
     pub entry: String,

@@ -14,11 +14,12 @@ use crate::geometry::Point;
 use crate::home::Home;
 use crate::home::field::{Cell, Field};
 use crate::ids::{ResidentId, SensorId};
-use crate::random::Stream;
+use crate::random::{Marks, Stream};
 use crate::scenario::path::Posture;
 use crate::sensor_set::{BLOCK, BLOCKS, Mask, SensorSet, bit, bits, blocks};
 use crate::sensors::device::Device;
 use crate::sensors::motion::{Level, Motion};
+use crate::sensors::notice::{Chance, Look};
 use crate::sensors::outbox::{Change, DeviceModel, Outbox};
 use crate::sensors::timing::{Machine, Seen, TimerOutcome};
 use crate::sensors::zones::Pulses;
@@ -26,6 +27,7 @@ use crate::sensors::{Kind, Sensor};
 use crate::stride::Stride;
 use crate::time::Micros;
 use crate::timers::Timers;
+use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 /// The bodies and the sensors of a home at an instant.
@@ -48,6 +50,8 @@ pub struct World {
     timers: Timers,
     /// By sensor: whether it takes any change in a beam for movement.
     plain: Vec<bool>,
+    /// By sensor: its looks, if it does not notice all.
+    looks: Vec<Option<(Chance, Marks)>>,
     /// What sensors that count pulses have counted, in the order of these sensors.
     pulses: Vec<Pulses>,
     seq: u64,
@@ -120,6 +124,8 @@ impl World {
             Kind::Device(_) => None,
         };
         let levels: Vec<Option<Level>> = home.sensors.iter().map(level).collect();
+        let looks =
+            |sensor: &Sensor| Some((sensor.chance?, Marks::named(seed, &format!("sensor/{}/notice", sensor.name))));
         let zoned = (0..levels.len()).filter(|&sensor| matches!(levels[sensor], Some(Level::Zones { .. })));
         World {
             now: 0,
@@ -131,6 +137,7 @@ impl World {
             told,
             feeling,
             plain: levels.iter().map(|level| matches!(level, Some(Level::Paper))).collect(),
+            looks: home.sensors.iter().map(looks).collect(),
             pulses: zoned.map(|sensor| Pulses::new(sensor, residents)).collect(),
             seq: 0,
             light_m: home.numbers.of(&LIGHT_M),
@@ -388,7 +395,10 @@ impl World {
             if mover.cell.may >> (sensor % BLOCK) & 1 == 0 {
                 continue;
             }
-            let at = self.first_movement(mover, sensor, from);
+            let at = match &self.looks[sensor] {
+                None => self.first_movement(mover, sensor, from),
+                Some((chance, marks)) => self.first_notice(mover, sensor, chance, *marks, from..=last),
+            };
             if let Some(at) = at.filter(|&at| at <= last && first.is_none_or(|first| at < first.at)) {
                 first = Some(Seen { resident: ResidentId(mover.body), at });
             }
@@ -434,6 +444,56 @@ impl World {
                 _ => self.pulses_of(sensor).first_detection(mover.body, from),
             },
         }
+    }
+
+    /// The first look of a sensor in a span, which lies within the present slice, that notices the mover.
+    fn first_notice(
+        &self,
+        mover: &Mover,
+        sensor: usize,
+        chance: &Chance,
+        marks: Marks,
+        span: RangeInclusive<Micros>,
+    ) -> Option<Micros> {
+        let Body { posture, motion } = &self.bodies[mover.body as usize];
+        let field = self.home.field(mover.body as usize, *posture);
+        let moved_m = match motion {
+            BodyMotion::Stride(stride) => stride.speed_mps(),
+            BodyMotion::InPlace { amplitude_m, .. } => *amplitude_m,
+            BodyMotion::Rest { .. } | BodyMotion::Away => return None,
+        };
+        let kind = &self.home.sensors[sensor].kind;
+        let chance_at = |at: Point| match kind {
+            Kind::Motion(pir) => {
+                let view = pir.view(at);
+                let is_too_small =
+                    matches!(pir.level, Level::Sensitivity { reach_per_m } if moved_m * reach_per_m < view.distance_m);
+                if is_too_small { 0.0 } else { chance.of(view, moved_m, field.size.radius_m) }
+            }
+            Kind::CeilingMotion(area) => chance.of(area.view(at), moved_m, field.size.radius_m),
+            Kind::Device(_) => 0.0,
+        };
+        // Who stays is seen as well at each look.
+        let (stays_at, likely) = match motion {
+            BodyMotion::InPlace { at, .. } => (*at, chance_at(*at)),
+            _ => (Point::ZERO, 1.0),
+        };
+        let notices = |look: &Look| {
+            if look.mark >= likely {
+                return false;
+            }
+            let (at, likely) = match motion {
+                BodyMotion::Stride(stride) => {
+                    let at = stride.position(look.at);
+                    (at, chance_at(at))
+                }
+                _ => (stays_at, likely),
+            };
+            look.mark < likely
+                && (mover.cell.sure >> (sensor % BLOCK) & 1 != 0 || field.sees_in(&mover.cell, sensor, at))
+                && !chance.misses(marks, mover.body, look.at)
+        };
+        chance.looks(marks, mover.body, span).find(notices).map(|look| look.at)
     }
 
     fn pulses_of(&self, sensor: usize) -> &Pulses {

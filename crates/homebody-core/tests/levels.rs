@@ -4,6 +4,7 @@
 use homebody_core::drivers::MotionSegment;
 use homebody_core::event::{Events, Fact, MotionState};
 use homebody_core::geometry::Point;
+use homebody_core::home::plan::Plan;
 use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::home::{Build, Home};
 use homebody_core::ids::ResidentId;
@@ -47,15 +48,20 @@ impl Life {
 
 /// When the sensor notices movement, and whose. It looks again 10 ms after each time.
 fn noticed(sensor: &Value, furniture: &Value, lives: &[Life]) -> Vec<(Micros, u32)> {
-    let mut file = json!({
+    let file = json!({
         "name": "home", "walls": [], "furniture": furniture,
         "rooms": [{ "name": "room", "outline": [[0, 0], [12, 0], [12, 8], [0, 8]] }],
-        // The lens stands 2 cm off the wall: at (0, 4).
-        "sensors": [{
-            "name": "sensor", "kind": "motion", "at": [-0.02, 4], "facing_deg": 0,
-            "first_fire_s": [0, 0], "refire_s": [0.01, 0.01], "persist_s": 0,
-        }],
     });
+    noticed_in(file, sensor, lives)
+}
+
+/// The same in a home of 12 by 8 metres.
+fn noticed_in(mut file: Value, sensor: &Value, lives: &[Life]) -> Vec<(Micros, u32)> {
+    // The lens stands 2 cm off the wall: at (0, 4).
+    file["sensors"] = json!([{
+        "name": "sensor", "kind": "motion", "at": [-0.02, 4], "facing_deg": 0,
+        "first_fire_s": [0, 0], "refire_s": [0.01, 0.01], "persist_s": 0,
+    }]);
     let fields = file["sensors"][0].as_object_mut().expect("an object");
     fields.extend(sensor.as_object().expect("an object").clone());
     let file: HomeFile = serde_json::from_value(file).expect("a home");
@@ -257,4 +263,99 @@ fn a_walk_across_zones_makes_the_sensor_fire_within_one_to_two_seconds() {
     delays_s.sort_by(f64::total_cmp);
     let median_s = delays_s[delays_s.len() / 2];
     assert!((1.0..2.0).contains(&median_s), "{median_s}");
+}
+
+/// Of 400 times that somebody does this, a minute apart, how many a narrow sensor above (5, 4) sees.
+fn share_seen(notice: &Value, once: impl Fn(Life) -> Life) -> f64 {
+    const TIMES: usize = 400;
+    let file = json!({
+        "name": "home", "walls": [],
+        "rooms": [{ "name": "room", "outline": [[0, 0], [12, 0], [12, 8], [0, 8]] }],
+        "sensors": [{
+            "name": "narrow", "kind": "ceiling_motion", "area": [[4.75, 3.75], [5.25, 3.75], [5.25, 4.25], [4.75, 4.25]],
+            "preset": "casas_pulse", "notice": notice,
+        }],
+    });
+    let file: HomeFile = serde_json::from_value(file).expect("a home");
+    let home = Home::bake(&ResolvedHome::new(file).unwrap(), &[Build { radius_m: 0.2, height_m: 1.65 }]);
+    let mut world = World::new(Arc::new(home), 1, 1);
+    let (mut life, mut begins) = (Life::new(), Vec::new());
+    for _ in 0..TIMES {
+        begins.push(life.0.last().map_or(0, |last| last.end));
+        life = once(life).rest(60.0, Posture::Standing, (1.0, 1.0));
+    }
+    let mut events = Events::default();
+    for next in &life.0 {
+        world.begin(ResidentId::of(0), next);
+        world.advance(next.end, &mut events);
+    }
+    let mut seen: Vec<usize> =
+        events.firings.iter().map(|firing| begins.partition_point(|&at| at <= firing.at)).collect();
+    seen.dedup();
+    seen.len() as f64 / TIMES as f64
+}
+
+#[test]
+fn passing_is_seen_nine_times_in_ten_and_the_edge_is_soft() {
+    let (all, chance) = (json!("all"), json!({ "chance": {} }));
+    let pass = |y: f64| move |life: Life| life.walk(0.65, (2.0, y), (8.0, y));
+    assert_eq!(share_seen(&all, pass(4.0)), 1.0);
+    assert_eq!(share_seen(&all, pass(4.4)), 1.0, "0.15 m beside the area it still touches a body of 0.2 m");
+    let [middle, edge] = [4.0, 4.4].map(|y| share_seen(&chance, pass(y)));
+    assert!((0.82..0.97).contains(&middle), "{middle}");
+    assert!((0.05..middle - 0.1).contains(&edge), "{edge}");
+    assert_eq!(share_seen(&chance, pass(4.5)), 0.0);
+    // What is missed altogether is most of what is missed in the middle.
+    let never = json!({ "chance": { "missed": 0 } });
+    assert!(share_seen(&never, pass(4.0)) > 0.97);
+}
+
+#[test]
+fn of_small_movements_most_are_missed() {
+    let chance = json!({ "chance": { "looks_per_s": 2, "sure_deg": 20, "missed": 0 } });
+    let stir = |amplitude_m: f64| move |life: Life| life.stir(3.0, Posture::Sitting, (5.0, 4.0), amplitude_m);
+    let [blanket, hand, arm] = [0.1, 0.2, 0.5].map(|amplitude_m| share_seen(&chance, stir(amplitude_m)));
+    // Six looks, each of which notices 0.1 m 1.5 m below the lens, 3.8 degrees, with the square of 3.8 / 20: 0.036.
+    let by_hand = |metres: f64| {
+        let angle = metres / 1.5 / 20.0_f64.to_radians();
+        1.0 - libm::pow(1.0 - (angle * angle).min(1.0), 6.0)
+    };
+    for (found, metres) in [(blanket, 0.1), (hand, 0.2), (arm, 0.5)] {
+        assert!((found - by_hand(metres)).abs() < 0.06, "{metres} m: {found} instead of {}", by_hand(metres));
+    }
+    assert_eq!(share_seen(&json!("all"), stir(0.1)), 1.0);
+}
+
+#[test]
+fn people_go_through_a_door_that_they_shut_behind_them_and_beams_do_not() {
+    let home = |shut_behind: bool| {
+        json!({
+            "name": "home",
+            "rooms": [{ "name": "near", "outline": [[0, 0], [4, 0], [4, 8], [0, 8]] },
+                { "name": "far", "outline": [[4, 0], [12, 0], [12, 8], [4, 8]] }],
+            "walls": [{ "from": [4, 0], "to": [4, 8] }],
+            "doors": [{ "name": "door", "from": [4, 3.5], "to": [4, 4.5], "shut_behind": shut_behind }],
+        })
+    };
+    let beyond = || [Life::new().walk(1.0, (6.0, 3.0), (6.0, 5.0))];
+    assert!(!noticed_in(home(false), &json!({}), &beyond()).is_empty());
+    assert_eq!(noticed_in(home(true), &json!({}), &beyond()), []);
+    let plan = Plan::new(&serde_json::from_value(home(true)).expect("a home"));
+    assert!(plan.is_walkable(Point::new(4.0, 4.0), 0.2) && !plan.is_walkable(Point::new(4.0, 2.0), 0.2));
+    // Who comes through is seen on this side.
+    let through = [Life::new().walk(1.0, (6.0, 4.0), (2.0, 4.0))];
+    let seen = noticed_in(home(true), &json!({}), &through);
+    assert!(seen.first().is_some_and(|(at, _)| (1_500_000..2_500_000).contains(at)), "{seen:?}");
+}
+
+#[test]
+fn a_threshold_holds_besides_chance() {
+    let sensor = |threshold_deg: f64| {
+        json!({ "level": { "sensitivity": { "threshold_deg": threshold_deg } },
+            "notice": { "chance": { "looks_per_s": 50, "sure_deg": 5, "edge_m": 0, "missed": 0 } } })
+    };
+    // 0.3 m at 3 m are 5.7 degrees.
+    let life = || [Life::new().stir(10.0, Posture::Sitting, (3.0, 4.0), 0.3)];
+    assert!(!noticed(&sensor(5.0), &json!([]), &life()).is_empty());
+    assert_eq!(noticed(&sensor(6.0), &json!([]), &life()), []);
 }

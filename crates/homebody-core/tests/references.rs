@@ -106,7 +106,8 @@ fn places() -> String {
 }
 
 /// What a key's numbers count, by the end of its name.
-const UNITS: [(&str, &str); 14] = [
+const UNITS: [(&str, &str); 15] = [
+    ("_per_s", "1/s"),
     ("_m", "m"),
     ("_deg", "°"),
     ("_s", "s"),
@@ -126,8 +127,8 @@ const UNITS: [(&str, &str); 14] = [
 /// Keys of points whose names do not end so.
 const POINTS: [&str; 3] = ["from", "to", "start"];
 
-/// Keys of counts, and of numbers that each have a unit of their own.
-const COUNTS: [&str; 6] = ["beams", "rows", "pulses", "times", "seed", "numbers"];
+/// Keys of counts and shares, and of numbers that each have a unit of their own.
+const COUNTS: [&str; 9] = ["beams", "rows", "pulses", "times", "seed", "numbers", "missed", "share", "parts"];
 
 /// Definitions that another page has, and where.
 const ELSEWHERE: [(&str, &str); 1] = [("Role", "[role](activities.md#roles-of-furniture)")];

@@ -13,3 +13,5 @@ pub mod daily_life;
 
 /// What is said is lived, or told before the run.
 pub mod claims;
+/// Lives in which nothing happens that cannot be.
+pub mod possible;

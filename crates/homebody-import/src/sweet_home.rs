@@ -116,7 +116,7 @@ fn wall_file(wall: Wall, origin: Point) -> WallFile {
 
 fn door_file(door: Door, origin: Point) -> DoorFile {
     let (from, to) = (at(door.from, origin), at(door.to, origin));
-    DoorFile { name: door.name, from, to, open: !door.is_outside, outside: door.is_outside }
+    DoorFile { name: door.name, from, to, open: !door.is_outside, shut_behind: false, outside: door.is_outside }
 }
 
 fn furniture_file(piece: Furniture, origin: Point) -> FurnitureFile {

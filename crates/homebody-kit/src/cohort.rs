@@ -1,5 +1,6 @@
 //! Cohorts: many lives of one scenario side by side, on all processors.
 
+use crate::VERSION;
 use crate::cancel::Cancel;
 use crate::cohort_list::{Asked, CohortFile, CohortList, ListedMember};
 use crate::error::Error;
@@ -183,7 +184,7 @@ impl CohortSetup {
             Members::Listed(_) => opened.household.clone(),
         };
         let (seed, length) = (self.seed.unwrap_or(scenario.file.seed), self.length.of(scenario)?);
-        let recording = Recording::of(scenario, env!("CARGO_PKG_VERSION"), source.entry(), seed, length);
+        let recording = Recording::of(scenario, VERSION, source.entry(), seed, length);
         let recording = Recording { without: self.without, one_of_many: true, ..recording };
         let household = household.one_of_many();
         Ok(Cohort { scenario: opened, household, members: self.members, recording, cancel: self.cancel })

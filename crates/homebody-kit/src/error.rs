@@ -1,5 +1,6 @@
 //! What can go wrong with a scenario, a run or a log, in this crate's own words.
 
+use crate::VERSION;
 use homebody_core::drivers::error::DriverError;
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::time::Micros;
@@ -94,7 +95,7 @@ pub enum Error {
         folder: PathBuf,
     },
     /// A run or a cohort was begun by another version of the program, which may live it otherwise.
-    #[error("the {what} in {} was begun by version {version}\n  hint: go on with that version, or begin it anew", folder.display())]
+    #[error("the {what} in {} was begun by version {version}; this is {VERSION}\n  hint: go on with that version, or begin it anew", folder.display())]
     OtherVersion {
         /// What it is: `run` or `cohort`.
         what: &'static str,

@@ -28,6 +28,10 @@ mod error;
 mod source;
 mod scenario;
 
+/// The program's version, and behind a `+` a digest of its models: what is recorded by one build and lived by another with other
+/// models may come out otherwise.
+pub const VERSION: &str = env!("HOMEBODY_VERSION");
+
 pub mod pace;
 mod cancel;
 mod own_driver;
@@ -41,6 +45,7 @@ mod profiles;
 mod cohort_list;
 mod cohort;
 
+mod idle_sensors;
 mod log_with_run;
 
 pub use cancel::Cancel;
@@ -51,7 +56,7 @@ pub use error::{BoxError, Error};
 pub use homebody_log::Url;
 pub use homebody_log::places::LIST;
 pub use homebody_routine::living::account::Difference;
-pub use log_with_run::{LogWithRun, NamedLog};
+pub use log_with_run::{LogWithRun, NamedLog, Unended};
 pub use profiles::Profile;
 pub use recorded::{Recorded, Unfinished, recording};
 pub use run::{Batch, BatchSink, LiveRun, Progress, RunSetup};

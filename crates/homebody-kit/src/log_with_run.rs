@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 
 /// A log on the clock on the wall of its home.
 pub struct LogWithRun {
-    /// What it is called.
+    /// What it is called, and what its run is without.
     pub name: String,
     /// Its rows; `log.clock` says whether they could be put on the wall.
     pub log: Log,
@@ -30,6 +30,17 @@ pub struct LogWithRun {
     pub recorded: Option<Range<Micros>>,
     /// The files that it comes from, which nothing replaces.
     pub sources: Vec<PathBuf>,
+    /// The folder of its run, if that was not lived to its end: see [`NamedLog::unfinished`].
+    pub unfinished: Option<Unended>,
+}
+
+/// The run of a log that was killed or stopped.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unended {
+    /// In which it is gone on with.
+    pub folder: PathBuf,
+    /// Whether it was killed, so that its log and its truth may end at different instants.
+    pub is_killed: bool,
 }
 
 impl LogWithRun {
@@ -47,6 +58,7 @@ impl LogWithRun {
         let truth = named.truth();
         // Days are drawn on the wall, so these are the instants as the truth tells them.
         let mut lives = truth.as_ref().map(|truth| lives(truth, &RunClock::as_told())).transpose()?.unwrap_or_default();
+        let unfinished = named.unfinished();
         let NamedLog { place: url, run, scenario, .. } = named;
         if let Some(scenario) = &scenario {
             name_sensors(&mut log, scenario);
@@ -70,7 +82,9 @@ impl LogWithRun {
         let beside = url.file().map(|file| file.with_file_name(RECORDING)).filter(|path| path.is_file());
         let truth = truth.map(|truth| truth.files(&tables())).unwrap_or_default();
         let sources = url.file().map(Path::to_owned).into_iter().chain(truth).chain(beside).collect();
-        Ok(LogWithRun { name: called(text), log, lives, recorded, sources })
+        let without = run.map(|run| run.without).filter(|without| !without.is_empty());
+        let name = called(text) + &without.map_or_else(String::new, |names| format!(", without {}", names.join(", ")));
+        Ok(LogWithRun { name, log, lives, recorded, sources, unfinished })
     }
 
     /// The first and the last of its dates: those of its run, on which nothing may have been said, else those of its rows.
@@ -164,6 +178,13 @@ impl NamedLog {
             true => Err(no_rows(file.parent().unwrap_or(Path::new("")).to_owned())),
             false => Ok(read?),
         }
+    }
+
+    /// What is known of its run, if that was not lived to its end.
+    pub fn unfinished(&self) -> Option<Unended> {
+        let run = self.run.as_ref().filter(|run| !run.is_whole() && self.is_of_its_run())?;
+        let folder = self.place.file()?.parent()?.to_owned();
+        Some(Unended { folder, is_killed: !run.is_complete() })
     }
 
     /// Whether the recording beside it says that the run's log is here.

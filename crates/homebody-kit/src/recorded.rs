@@ -1,5 +1,6 @@
 //! Runs that were recorded, to be lived again.
 
+use crate::VERSION;
 use crate::cancel::Cancel;
 use crate::error::Error;
 use crate::pace::{Command, Pace, Paced};
@@ -182,7 +183,7 @@ fn left_in(path: &Path) -> Option<PathBuf> {
 
 /// Another version may live a run otherwise than the one that began it.
 pub(crate) fn must_be_of_this_version(what: &'static str, folder: &Path, recording: &Recording) -> Result<(), Error> {
-    match recording.version == env!("CARGO_PKG_VERSION") {
+    match recording.version == VERSION {
         true => Ok(()),
         false => Err(Error::OtherVersion { what, folder: folder.into(), version: readable(recording.version.clone()) }),
     }

@@ -1,5 +1,6 @@
 //! A run: what it is to be, and living it, by hand or into destinations.
 
+use crate::VERSION;
 use crate::cancel::Cancel;
 use crate::error::{BoxError, Error};
 use crate::own_driver::{MakeDriver, Provider};
@@ -20,8 +21,6 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::Receiver;
-
-const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// What a run is to be; made by [`OpenScenario::run`]. What is not asked for is as the scenario says.
 ///

@@ -1,6 +1,7 @@
 //! A scenario that was opened: checked, its routines understood, ready to be lived any number of times.
 
 use crate::error::Error;
+use crate::idle_sensors;
 use crate::profiles::{self, Base, Profile};
 use crate::source::{Source, Template};
 use homebody_core::numbers::{self, Number};
@@ -10,7 +11,7 @@ use homebody_core::scenario::remarks;
 use homebody_core::time::{DAY, Micros};
 use homebody_routine::household::{self, Household};
 use homebody_routine::living::account::Difference;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -98,14 +99,34 @@ impl OpenScenario {
     /// What is right in it but hardly meant, in a run of `length` microseconds.
     pub fn remarks(&self, length: Micros) -> Vec<Problem> {
         let mut all = remarks::of(&self.scenario, length);
-        let days = i32::try_from((length + DAY - 1).div_euclid(DAY)).unwrap_or(i32::MAX);
-        all.extend(self.household.foretold(days).into_iter().map(|told| {
-            let Difference { file, line, text, lived, .. } = told;
-            let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-            let hint = "let it begin earlier, or the run last longer".to_owned();
-            Problem { line, ..Problem::of_file(&file, format!("of {text:?} comes {lived}"), Some(hint)) }
-        }));
+        all.extend(idle_sensors::remarks(&self.scenario, &self.household));
+        all.extend(self.household.foretold(days(length)).iter().map(foretold));
         all
+    }
+
+    /// The same of what the profiles of a list say besides, each combination of conditions and times once; `list` is what
+    /// problems call the list.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Problems`] if a profile is not one of this scenario.
+    pub fn remarks_on(&self, list: &str, profiles: &[Profile], length: Micros) -> Result<Vec<Problem>, Error> {
+        let known = self.household.foretold(days(length));
+        let (mut told, mut all) = (BTreeSet::new(), Vec::new());
+        for profile in profiles {
+            let says =
+                ["conditions", "severity", "onset", "over", "until", "routine"].map(|column| profile.row.get(column));
+            if !told.insert(says) {
+                continue;
+            }
+            let (_, household) = self.base().lived(profile)?;
+            let own = household.foretold(days(length)).into_iter();
+            all.extend(own.filter(|one| known.iter().all(|known| known.text != one.text)).map(|one| {
+                let Problem { what, hint, .. } = foretold(&one);
+                Problem::of_file(list, format!("{}: {what}", profile.name), hint)
+            }));
+        }
+        Ok(all)
     }
 
     /// The members of a list: a CSV file with a row for each. The conditions in `without` are left out of the lives of those
@@ -181,4 +202,17 @@ impl OpenScenario {
     pub(crate) fn base(&self) -> Base<'_> {
         Base { scenario: &self.scenario, household: &self.household, files: self.source.files() }
     }
+}
+
+/// In how many days a run is lived, the last of them perhaps in part.
+fn days(length: Micros) -> i32 {
+    i32::try_from((length + DAY - 1).div_euclid(DAY)).unwrap_or(i32::MAX)
+}
+
+/// What can be told of a sentence before the run.
+fn foretold(told: &Difference) -> Problem {
+    let Difference { file, line, text, lived, .. } = told;
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let hint = "let it begin earlier, or the run last longer".to_owned();
+    Problem { line: *line, ..Problem::of_file(file, format!("of {text:?} comes {lived}"), Some(hint)) }
 }

@@ -1,5 +1,6 @@
 //! Living a run into destinations: logs, the truth apart from them, and the recording that lives it again.
 
+use crate::VERSION;
 use crate::error::Error;
 use crate::run::{LiveRun, Progress};
 use homebody_core::recording::Recording;
@@ -188,7 +189,7 @@ impl LiveRun {
         mut progress: impl FnMut(Progress),
     ) -> Result<Lived, Error> {
         let started = Instant::now();
-        let version = env!("CARGO_PKG_VERSION").into();
+        let version = VERSION.into();
         let recording = Recording { version, ..self.recording.clone() };
         let mut log = RunLog::open_with(places, own, &self.scenario, &self.run, &recording, how)?;
         let ended = loop {

@@ -13,6 +13,7 @@ use homebody_kit::pace::{Command, Pace, Speed};
 use homebody_kit::{
     BoxError, Cancel, Destinations, Error, LiveRun, OpenScenario, Recorded, Unfinished, UnfinishedCohort, template,
 };
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::sync::mpsc::channel;
@@ -399,4 +400,27 @@ fn nothing_is_touched_where_another_program_writes_one_table_of_the_truth() {
     assert_eq!(fs::read_to_string(at("recording.json")).unwrap(), "of another run");
     drop(lock);
     run().store(&to, |_| ()).unwrap();
+}
+
+#[test]
+fn sensors_that_will_say_nothing_are_told() {
+    let texts: BTreeMap<String, String> = homebody_kit::Template::named("tigerplace").unwrap().files().collect();
+    let with = |sensor: &str| {
+        let mut texts = texts.clone();
+        let home = texts["home.json"].replacen("\"sensors\": [", &format!("\"sensors\": [\n{sensor},"), 1);
+        texts.insert("home.json".into(), home);
+        let scenario = homebody_kit::Source::of_texts(texts, "scenario.json").open().unwrap();
+        scenario.remarks(DAY).into_iter().map(|remark| remark.what).collect::<Vec<_>>()
+    };
+    let contact = |on: &str| with(&format!(r#"{{ "kind": "contact", "name": "new", "on": "{on}" }}"#));
+    assert_eq!(contact("bookcase"), ["\"new\" will say nothing: nobody in these lives uses \"bookcase\""]);
+    for used in ["fridge", "wardrobe", "front door"] {
+        assert_eq!(contact(used), [""; 0], "{used}");
+    }
+    let motion = |facing: u32| {
+        let at = format!(r#""at": [3.8, 6.45], "height_m": 2.1, "facing_deg": {facing}"#);
+        with(&format!(r#"{{ "kind": "motion", "name": "new", {at} }}"#))
+    };
+    assert_eq!(motion(45), ["\"new\" sees no floor on which anybody can stand"]);
+    assert_eq!(motion(225), [""; 0]);
 }

@@ -126,7 +126,7 @@ impl Logger {
         let mut texts = Texts::default();
         Ok(Logger {
             writers,
-            messages: Messages::new(&file.messages, sensors.len()),
+            messages: Messages::new(&file.messages, run.seed, &sensors),
             ids: texts.ids(&shown.sensors),
             on: shown.cell(Value::On, &mut texts),
             shown,
@@ -220,7 +220,8 @@ impl Logger {
         self.each(|writer| if batch.is_empty() { writer.check() } else { writer.send(batch.clone()) })
     }
 
-    /// Has all places make sure of what was stored so far. Nobody waits for that here.
+    /// Has all places make sure of what was stored so far; nobody waits for that here. Otherwise they do so when nothing is
+    /// stored for a second, and at the end.
     pub fn settle(&mut self) -> Result<(), LogError> {
         self.send()?;
         self.each(Writer::settle)

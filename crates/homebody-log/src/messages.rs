@@ -1,11 +1,13 @@
 //! What of a firing reaches the log: the firing alone, or an ON and, once the sensor has been quiet, an OFF.
 //!
 //! Only motion sensors are held; what others say is stored as they say it. A held sensor is ON from a firing while it was OFF until the hold after its last firing; firings meanwhile only
-//! prolong it. At one instant OFF comes before ON, and OFFs come in the order of sensors.
+//! prolong it. How long a firing holds differs from firing to firing, as `logger.json` says: it belongs to the sensor's name and the
+//! firing's number, whatever else is stored. At one instant OFF comes before ON, and OFFs come in the order of sensors.
 
 use homebody_core::event::{Firing, Value};
 use homebody_core::ids::SensorId;
-use homebody_core::scenario::logger::MessagesFile;
+use homebody_core::random::Marks;
+use homebody_core::scenario::logger::{LumpFile, MessagesFile};
 use homebody_core::time::{Micros, micros};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -31,12 +33,43 @@ pub(crate) struct Messages {
 
 #[derive(Clone)]
 struct Hold {
-    span: Micros,
+    lengths: Lengths,
     /// What each sensor is held by; none while it is OFF.
     held: Vec<Option<Held>>,
     /// One entry for each sensor that is ON. A firing does not move its sensor's entry, so an entry may come up
     /// too early; it is then put back to where it belongs.
     due: BinaryHeap<Reverse<(Micros, SensorId)>>,
+}
+
+/// How long firings hold.
+#[derive(Clone)]
+struct Lengths {
+    span: Micros,
+    /// Up to which share of the firings a lump goes, and its least and greatest part of the span; none where all hold for the span.
+    lumps: Vec<(f64, [f64; 2])>,
+    /// By sensor.
+    marks: Vec<Marks>,
+}
+
+impl Lengths {
+    fn new(span: Micros, lumps: &[LumpFile], seed: u64, sensors: &[String]) -> Lengths {
+        let whole: f64 = lumps.iter().map(|lump| lump.share).sum();
+        let up_to = lumps.iter().scan(0.0, |sum, lump| {
+            *sum += lump.share / whole;
+            Some((*sum, lump.parts))
+        });
+        let marks = sensors.iter().map(|name| Marks::named(seed, &format!("sensor/{name}/hold")));
+        Lengths { span, lumps: if whole > 0.0 { up_to.collect() } else { Vec::new() }, marks: marks.collect() }
+    }
+
+    /// How long a firing holds.
+    fn of(&self, firing: &Firing) -> Micros {
+        let Some((_, last)) = self.lumps.last() else { return self.span };
+        let drawn = self.marks[firing.sensor.index()].of(firing.seq);
+        let lump = self.lumps.iter().find(|(up_to, _)| drawn.unit(0) < *up_to).map_or(last, |(_, parts)| parts);
+        let part = lump[0] + (lump[1] - lump[0]) * drawn.unit(1);
+        ((self.span as f64 * part) as Micros).max(1)
+    }
 }
 
 /// A sensor that is held ON.
@@ -51,13 +84,18 @@ struct Held {
 }
 
 impl Messages {
-    pub fn new(messages: &MessagesFile, sensors: usize) -> Messages {
-        let span = match messages {
+    /// The messages of a run of this seed, of the sensors of these names.
+    pub fn new(messages: &MessagesFile, seed: u64, sensors: &[String]) -> Messages {
+        let lengths = match messages {
             MessagesFile::FireOnly => None,
-            MessagesFile::OnOff(on_off) => Some(micros(on_off.hold_s)),
-            MessagesFile::Occupancy(occupancy) => Some(micros(occupancy.timeout_s)),
+            MessagesFile::OnOff(on_off) => Some((on_off.hold_s, &on_off.lumps[..])),
+            MessagesFile::Occupancy(occupancy) => Some((occupancy.timeout_s, &[][..])),
         };
-        let hold = span.map(|span| Hold { span, held: vec![None; sensors], due: BinaryHeap::new() });
+        let hold = lengths.map(|(span_s, lumps)| Hold {
+            lengths: Lengths::new(micros(span_s), lumps, seed, sensors),
+            held: vec![None; sensors.len()],
+            due: BinaryHeap::new(),
+        });
         Messages { hold, next_seq: 0 }
     }
 
@@ -107,9 +145,10 @@ impl Hold {
 
     /// Holds the sensor ON from this firing; the row that said ON if it was so before, else `row` will.
     fn prolong(&mut self, firing: &Firing, row: u64) -> Option<u64> {
-        let off_at = firing.at + self.span;
         let held = &mut self.held[firing.sensor.index()];
         let before = held.map(|held| held.row);
+        // A short hold does not end a longer one before.
+        let off_at = (firing.at + self.lengths.of(firing)).max(held.map_or(0, |held| held.off_at));
         *held = Some(Held { off_at, row: before.unwrap_or(row), firing: firing.seq });
         if before.is_none() {
             self.due.push(Reverse((off_at, firing.sensor)));
@@ -129,15 +168,20 @@ mod tests {
     use homebody_core::scenario::logger::OnOffFile;
 
     const SENSORS: u32 = 4;
+
+    fn names() -> Vec<String> {
+        (0..SENSORS).map(|sensor| format!("sensor {sensor}")).collect()
+    }
+
     const ON: Value = Value::Fire;
     const OFF: Value = Value::Off;
 
     fn on_off(hold: Micros) -> MessagesFile {
-        MessagesFile::OnOff(OnOffFile { hold_s: hold as f64 / 1e6 })
+        MessagesFile::OnOff(OnOffFile::exactly(hold as f64 / 1e6))
     }
 
     fn stored(firings: &[(Micros, u32)], hold: Micros, until: Micros) -> Vec<(Micros, u32, Value)> {
-        let mut messages = Messages::new(&on_off(hold), SENSORS as usize);
+        let mut messages = Messages::new(&on_off(hold), 1, &names());
         let mut rows = Vec::new();
         for (seq, &(at, sensor)) in firings.iter().enumerate() {
             messages.firing(&Firing { seq: seq as u64, at, sensor: SensorId(sensor), value: Value::Fire }, &mut rows);
@@ -172,7 +216,7 @@ mod tests {
 
     #[test]
     fn firings_alone_are_stored_as_they_are() {
-        let mut messages = Messages::new(&MessagesFile::FireOnly, 2);
+        let mut messages = Messages::new(&MessagesFile::FireOnly, 1, &names());
         let mut rows = Vec::new();
         messages.firing(&Firing { seq: 7, at: 5, sensor: SensorId(1), value: Value::Fire }, &mut rows);
         messages.quiet(1_000_000_000, &mut rows);
@@ -181,7 +225,7 @@ mod tests {
 
     #[test]
     fn what_other_sensors_say_is_not_held() {
-        let mut messages = Messages::new(&on_off(5), 2);
+        let mut messages = Messages::new(&on_off(5), 1, &names());
         let mut rows = Vec::new();
         for (at, sensor, value) in [(0, 0, Value::Fire), (1, 1, Value::Open), (2, 1, Value::Open), (9, 1, Value::Close)]
         {
@@ -198,6 +242,34 @@ mod tests {
         let rows = stored(&[(0, 0), (3, 0), (8, 0), (8, 1), (9, 0)], 5, 15);
         assert_eq!(rows, [(0, 0, ON), (8, 0, OFF), (8, 0, ON), (8, 1, ON), (13, 1, OFF), (14, 0, OFF)]);
         assert_eq!(stored(&[(0, 0)], 5, 5), [(0, 0, ON)], "what is due at the end itself is not written");
+    }
+
+    /// Each firing by itself, an hour after the last: the lengths are those of the lumps, whatever other sensors do.
+    #[test]
+    fn holds_lump_and_spread_as_the_file_says() {
+        let file: OnOffFile = serde_json::from_value(serde_json::json!({ "hold_s": 4 })).unwrap();
+        let lengths = |seed, sensors: &[String]| -> Vec<Micros> {
+            let mut messages = Messages::new(&MessagesFile::OnOff(file.clone()), seed, sensors);
+            let mut rows = Vec::new();
+            for seq in 0..20_000 {
+                let sensor = SensorId::of(sensors.len() - 1);
+                let at = seq as Micros * 3_600_000_000;
+                messages.firing(&Firing { seq, at, sensor, value: Value::Fire }, &mut rows);
+                messages.quiet(at + 1_000_000_000, &mut rows);
+            }
+            rows.chunks(2).map(|pair| pair[1].at - pair[0].at).collect()
+        };
+        let all = lengths(1, &names());
+        assert_eq!(all, lengths(1, &names()[3..]));
+        assert_ne!(all, lengths(2, &names()));
+        let mut sorted = all;
+        sorted.sort_unstable();
+        let quantile = |share: f64| sorted[(sorted.len() as f64 * share) as usize] as f64 / 1e6;
+        // 0.05 of 0.55 on the way from 3.8 to 4 s, half of 0.55, and 0.10 of 0.12 on the way from 4.2 to 4.5 s.
+        for (share, expected) in [(0.05, 3.8182), (0.5, 3.9818), (0.95, 4.45)] {
+            assert!((quantile(share) - expected).abs() < 0.03, "{share}: {}", quantile(share));
+        }
+        assert!(sorted[0] >= 3_800_000 && sorted[sorted.len() - 1] <= 6_400_000);
     }
 
     #[test]

@@ -37,10 +37,10 @@ pub struct RowText {
 }
 
 impl Rows {
-    /// For the sensors of these names, in their order; wrong names are refused as a logger refuses them.
-    pub fn new(file: &LoggerFile, sensors: &[String], calendar: &Calendar) -> Result<Rows, LogError> {
+    /// Of a run of this seed, for the sensors of these names, in their order; wrong names are refused as a logger refuses them.
+    pub fn new(file: &LoggerFile, seed: u64, sensors: &[String], calendar: &Calendar) -> Result<Rows, LogError> {
         Ok(Rows {
-            messages: Messages::new(&file.messages, sensors.len()),
+            messages: Messages::new(&file.messages, seed, sensors),
             shown: Shown::new(file, sensors)?,
             clock: Clock::new(calendar, file.time),
             rows: Vec::new(),

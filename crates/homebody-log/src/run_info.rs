@@ -20,7 +20,7 @@ pub struct RunInfo {
     pub scenario: String,
     /// The number that all randomness of the run comes from.
     pub seed: u64,
-    /// The program's version.
+    /// The program's version, without what tells its builds apart.
     pub version: String,
     /// From when on, by which clock.
     pub calendar: Calendar,
@@ -56,7 +56,7 @@ impl RunInfo {
             home: recording.home.clone(),
             scenario: scenario.file.name.clone(),
             seed: recording.seed,
-            version: recording.version.clone(),
+            version: recording.version.split('+').next().unwrap_or_default().to_owned(),
             calendar: scenario.calendar.clone(),
             sensors: run.sensors().iter().map(sensor).collect(),
             residents: run.names(),

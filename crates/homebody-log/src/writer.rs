@@ -22,6 +22,9 @@ pub(crate) const BATCH: usize = 4096;
 /// How long rows wait for a batch to fill. Whoever watches a live run sees them a little later.
 pub(crate) const BATCH_WAITS: Duration = Duration::from_millis(100);
 
+/// How long rows are unsure where nothing comes any more, not even word to make sure of them.
+const IDLE: Duration = Duration::from_secs(1);
+
 /// How often a full queue or a thread that ends is looked at.
 const LOOK: Duration = Duration::from_micros(200);
 
@@ -268,21 +271,34 @@ impl Work {
     }
 
     fn write(mut self, incoming: Receiver<Message>) -> Result<(), LogError> {
-        for message in incoming {
+        let mut is_unsure = false;
+        loop {
+            let message = match is_unsure {
+                true => incoming.recv_timeout(IDLE),
+                false => incoming.recv().map_err(|_| RecvTimeoutError::Disconnected),
+            };
             match message {
-                Message::Rows(batch) => self.take(&batch)?,
-                Message::Settle => {
+                Ok(Message::Rows(batch)) => {
+                    self.take(&batch)?;
+                    is_unsure = true;
+                }
+                Ok(Message::Settle) => {
                     self.settle()?;
                     self.shared.settled.fetch_add(1, Ordering::Release);
+                    is_unsure = false;
                 }
-                Message::Finish(end) => {
+                Ok(Message::Finish(end)) => {
                     let Work { sink, policy, .. } = &mut self;
                     return policy.with_retries(|| sink.finish(end));
                 }
+                Err(RecvTimeoutError::Timeout) => {
+                    self.settle()?;
+                    is_unsure = false;
+                }
+                // Whoever made the rows has given up.
+                Err(RecvTimeoutError::Disconnected) => return self.settle(),
             }
         }
-        // Whoever made the rows has given up.
-        self.settle()
     }
 
     /// Writes a batch, but for what is there already.

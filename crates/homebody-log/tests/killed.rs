@@ -20,8 +20,11 @@ fn child() {
     let urls = ["sqlite", "csv"].map(|scheme| format!("{scheme}:{path}.{scheme}").parse().unwrap());
     let mut logger = stage::open(&urls, &LoggerFile::default(), false).unwrap();
     let firings = stage::firings(5_000_000);
-    for step in firings.chunks(50) {
+    for (index, step) in firings.chunks(50).enumerate() {
         logger.store(step, step[step.len() - 1].at + 1).unwrap();
+        if index % 1000 == 999 {
+            logger.settle().unwrap();
+        }
     }
     logger.finish().unwrap();
 }

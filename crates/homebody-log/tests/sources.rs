@@ -36,7 +36,7 @@ fn told(log: &Log) -> Vec<(i64, &str, &str)> {
 #[test]
 fn what_was_logged_is_read_back() {
     let firings = stage::firings(5_000);
-    let messages = MessagesFile::OnOff(OnOffFile { hold_s: 4.0 });
+    let messages = MessagesFile::OnOff(OnOffFile::exactly(4.0));
     for time in [TimeFormat::Local, TimeFormat::LocalOffset, TimeFormat::Utc, TimeFormat::EpochS] {
         let folder = Folder::new(&format!("back-{time:?}"));
         let file = LoggerFile { messages: messages.clone(), time, ..Default::default() };
@@ -63,7 +63,7 @@ fn what_was_logged_is_read_back() {
 #[test]
 fn a_log_goes_from_form_to_form_and_comes_back_the_same() {
     let folder = Folder::new("round");
-    let file = LoggerFile { messages: MessagesFile::OnOff(OnOffFile { hold_s: 4.0 }), ..Default::default() };
+    let file = LoggerFile { messages: MessagesFile::OnOff(OnOffFile::exactly(4.0)), ..Default::default() };
     let logger = stage::open(&[folder.url("casas:first.txt")], &file, false).unwrap();
     stage::store(logger, &stage::firings(10_000), 100).unwrap();
     let mut from = folder.url("casas:first.txt");

@@ -63,7 +63,7 @@ fn a_run_reaches_all_places() {
 #[test]
 fn how_a_run_advances_changes_no_byte() {
     let firings = stage::firings(60_000);
-    let file = LoggerFile { messages: MessagesFile::OnOff(OnOffFile { hold_s: 4.0 }), ..Default::default() };
+    let file = LoggerFile { messages: MessagesFile::OnOff(OnOffFile::exactly(4.0)), ..Default::default() };
     let mut all = Vec::new();
     for step in [1, 13, 5_000, 100_000] {
         let folder = Folder::new(&format!("advance-{step}"));
@@ -115,7 +115,7 @@ fn instants_can_be_numbers() {
 #[test]
 fn what_is_held_at_the_end_is_not_let_go() {
     let folder = Folder::new("held");
-    let file = LoggerFile { messages: MessagesFile::OnOff(OnOffFile { hold_s: 4.0 }), ..Default::default() };
+    let file = LoggerFile { messages: MessagesFile::OnOff(OnOffFile::exactly(4.0)), ..Default::default() };
     let mut logger = stage::open(&[folder.url("casas:log.txt")], &file, false).unwrap();
     logger.store(&[Firing { seq: 0, at: 0, sensor: SensorId(0), value: Value::Fire }], 2 * SECOND).unwrap();
     logger.store(&[Firing { seq: 1, at: 2 * SECOND, sensor: SensorId(2), value: Value::Fire }], 5 * SECOND).unwrap();

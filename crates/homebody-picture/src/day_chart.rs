@@ -3,7 +3,7 @@
 //! Its input is plain data, so that a day which is only planned can be drawn as well: bands without ticks.
 
 use homebody_analysis::day::{Day, Resident, Sensor};
-use homebody_core::activity::ActivityKind;
+use homebody_core::activity::{AWAY, ActivityKind};
 use homebody_core::geometry::Point;
 use homebody_core::sensors::form::Colour;
 use std::fmt::Write;
@@ -55,17 +55,26 @@ pub enum Holds {
     Rooms,
 }
 
+/// Whether somebody is called after one of the others, as visitors are: `margaret's daughter`.
+fn is_visitor(name: &str, names: &[&str]) -> bool {
+    names.iter().any(|host| name.strip_prefix(host).is_some_and(|rest| rest.starts_with("'s ")))
+}
+
 impl DayChart {
     /// A day of a log, or of lives, as it is drawn.
     pub fn of(day: &Day) -> DayChart {
         let mut bands = Vec::new();
+        let names: Vec<&str> = day.residents.iter().filter_map(|resident| resident.name.as_deref()).collect();
         for Resident { name, activities, rooms } in &day.residents {
+            // A visitor's day elsewhere is not of this home.
+            let is_visitor = name.as_deref().is_some_and(|name| is_visitor(name, &names));
             let name = name.as_deref().unwrap_or("activities");
             for (name, holds, stretches) in
                 [(name.to_owned(), Holds::Activities, activities), (format!("{name}: room"), Holds::Rooms, rooms)]
             {
-                let spans = stretches.iter().map(|part| (part.begin_s, part.end_s, part.what.clone())).collect();
-                if !stretches.is_empty() {
+                let here = stretches.iter().filter(|part| !is_visitor || part.what != AWAY);
+                let spans: Vec<_> = here.map(|part| (part.begin_s, part.end_s, part.what.clone())).collect();
+                if !spans.is_empty() {
                     bands.push(Band { name, holds, spans });
                 }
             }

@@ -19,6 +19,7 @@ mod label;
 mod layers;
 mod legend;
 mod paint;
+mod realism_page;
 mod shade;
 mod sheet;
 mod svg;
@@ -33,6 +34,7 @@ pub use coverage_map::coverage_map;
 pub use day_chart::{Band, DayChart, Holds, Ticks, day_chart};
 pub use density_map::density_map;
 pub use floor_plan::floor_plan;
+pub use realism_page::{realism_chart, realism_page};
 
 /// Why an SVG did not become a PNG.
 #[derive(Debug, thiserror::Error)]

@@ -244,7 +244,7 @@ impl Display for Px {
 }
 
 /// Text as it may stand in XML: markup escaped, and characters that XML forbids replaced.
-fn escaped(text: &str) -> String {
+pub fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

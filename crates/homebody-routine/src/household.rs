@@ -26,7 +26,7 @@ use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::load::{Driver, Files, Language, NoText, RoutineText, Scenario, too_long};
 use homebody_core::time::DAY;
 use homebody_walk::Mesh;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// The routines of a scenario, understood.
@@ -248,6 +248,21 @@ impl Household {
         residents.flat_map(|driver| account::differences(driver.life(), driver.tally(), days)).collect()
     }
 
+    /// The things of the home that anybody's life uses, by their names in small letters; `None` where somebody lives by something
+    /// else than a routine, and may use any.
+    pub fn used_things(&self) -> Option<BTreeSet<String>> {
+        let (home, plan) = (&self.scenario.home, self.scenario.home.plan());
+        let mut all = BTreeSet::new();
+        for (resident, routine) in self.scenario.residents.iter().zip(&self.routines) {
+            let routine = routine.as_ref()?;
+            let is_person = routine.person.as_ref().is_none_or(|person| person.kind == Kind::Person);
+            if is_person {
+                all.extend(needs_of_home::used_things(home, plan, &resident.file, routine, &self.conditions));
+            }
+        }
+        Some(all)
+    }
+
     /// What of this can be told before a run of so many days.
     pub fn foretold(&self, days: i32) -> Vec<Difference> {
         let lives = (0..self.routines.len()).filter_map(|resident| self.life(resident, 0));
@@ -293,7 +308,10 @@ impl DriverProvider for Household {
 
     fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn drivers::Driver>> {
         let mesh = self.mesh(body, home);
-        let places = |name: &str| Arc::new(Places::new(&self.scenario.home, &home.plan, &mesh, name));
+        let places = |name: &str| {
+            let asleep_at = self.routine(body).and_then(Routine::sleeps_at);
+            Arc::new(Places::new(&self.scenario.home, &home.plan, &mesh, name).sleeping_at(asleep_at))
+        };
         let company = |build: Build| Company::new(self.people(), build.radius_m, &home.numbers);
         if let Some(guest) = body.checked_sub(self.scenario.residents.len()) {
             let Visitor { host, name } = self.guests.get(guest)?;

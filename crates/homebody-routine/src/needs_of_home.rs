@@ -1,6 +1,7 @@
 //! What a routine needs of the home: somewhere to sleep and sit, a way out, and a way to all that its activities use.
 
 use crate::living::places::{Places, Spot};
+use crate::living::script::ACTED_ON;
 use crate::routine::{Activity, Kind, Quote, Response, Routine, USUAL, shows};
 use homebody_core::geometry;
 use homebody_core::home::plan::{self, Plan};
@@ -22,15 +23,7 @@ pub fn check(
     conditions: &BTreeMap<String, Routine>,
 ) -> Vec<Problem> {
     let places = Places::new(&scenario.home, plan, &mesh(plan, resident, scenario.home.numbers()), &resident.name);
-    let mut texts = vec![routine];
-    let mut next = 0;
-    while let Some(text) = texts.get(next) {
-        let shown: Vec<&Routine> = shows(text).filter_map(|name| conditions.get(name)).collect();
-        texts.extend(
-            shown.into_iter().filter(|shown| !texts.iter().any(|known| known.file == shown.file)).collect::<Vec<_>>(),
-        );
-        next += 1;
-    }
+    let texts = with_conditions(routine, conditions);
     let kind = routine.person.as_ref().map_or(Kind::Person, |person| person.kind);
     let mut check = Check {
         home: &scenario.home,
@@ -43,6 +36,43 @@ pub fn check(
     };
     check.all(&places, &texts, kind == Kind::Person);
     check.problems
+}
+
+/// The things of a home that a resident uses, by their names in small letters: opens, turns on, lets water run.
+pub fn used_things(
+    home: &HomeFile,
+    plan: &Plan,
+    resident: &ResidentFile,
+    routine: &Routine,
+    conditions: &BTreeMap<String, Routine>,
+) -> BTreeSet<String> {
+    let places = Places::new(home, plan, &mesh(plan, resident, &Numbers::default()), &resident.name);
+    let texts = with_conditions(routine, conditions);
+    let roles = used_roles(&places, &texts).into_iter().map(|(role, _)| role).filter(|role| ACTED_ON.contains(role));
+    // The mail is fetched by somebody, and the television stands before the seat from which it is watched.
+    let things = roles.chain([Role::FrontDoor, Role::Television]).filter_map(|role| places.thing(role));
+    let things = things.map(|thing| places.thing_name(thing).to_owned());
+    let opened = places.stations().iter().filter(|station| station.opened.is_some());
+    let opened = opened.map(|station| station.spot.name.clone());
+    let turned = texts.iter().flat_map(|text| &text.rules).filter_map(|rule| match &rule.response {
+        Response::Turn { thing, .. } => Some(thing.to_lowercase()),
+        Response::Do { .. } => None,
+    });
+    things.chain(opened).chain(turned).collect()
+}
+
+/// A routine and the conditions that it shows, and those that they show.
+fn with_conditions<'t>(routine: &'t Routine, conditions: &'t BTreeMap<String, Routine>) -> Vec<&'t Routine> {
+    let mut texts = vec![routine];
+    let mut next = 0;
+    while let Some(text) = texts.get(next) {
+        let shown: Vec<&Routine> = shows(text).filter_map(|name| conditions.get(name)).collect();
+        texts.extend(
+            shown.into_iter().filter(|shown| !texts.iter().any(|known| known.file == shown.file)).collect::<Vec<_>>(),
+        );
+        next += 1;
+    }
+    texts
 }
 
 /// What a resident walks by in a home of this plan.

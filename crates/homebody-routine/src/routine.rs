@@ -291,6 +291,14 @@ pub enum Effect {
     Respiration(Fuzzy),
 }
 
+impl Routine {
+    /// Where somebody sleeps at night, if it is said.
+    pub fn sleeps_at(&self) -> Option<&str> {
+        let beds = self.habits.iter().filter(|habit| habit.activity == Activity::GoToBed && habit.visitor.is_none());
+        beds.filter_map(|habit| habit.place.as_deref()).next()
+    }
+}
+
 impl Activity {
     /// Those that are acted out in a way of their own.
     pub const OWN_WAYS: [Activity; 33] = {
@@ -332,14 +340,12 @@ impl Activity {
         ]
     };
 
-    /// The activities without ways of their own, by their rows: all that a routine can say but these, and what only the living
-    /// tells of.
+    /// The activities without ways of their own, by their rows: all that a routine can say but these. What has no usual length
+    /// only the living tells of.
     pub fn everyday() -> impl Iterator<Item = Activity> {
-        const TOLD: [&str; 5] =
-            [activity::SLEEPING, activity::LEAVING_HOME, activity::VISITING, activity::RESTING, activity::ROAMING];
         let is_own = |label: &str| Activity::OWN_WAYS.iter().any(|own| own.label() == label);
-        let rows = activity::ACTIVITIES.iter().map(|known| known.label);
-        rows.filter(move |label| !is_own(label) && !TOLD.contains(label)).map(Activity::Everyday)
+        let rows = activity::ACTIVITIES.iter().filter(|known| known.usual.is_some()).map(|known| known.label);
+        rows.filter(move |label| !is_own(label)).map(Activity::Everyday)
     }
 
     /// The activity of a label, if a routine can say it.

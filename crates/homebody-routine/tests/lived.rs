@@ -232,7 +232,7 @@ fn half_as_often_is_half_of_what_is_seen() {
         ("She phones half as often.", "telephoning"),
         ("She drinks half as often.", "drinking"),
         ("She goes to the bathroom half as often.", "using_bathroom"),
-        ("She does the housework half as often.", "housework"),
+        ("She does the housework half as often.", "seeing_to_kitchen"),
         ("She leaves the apartment half as often.", "away"),
     ] {
         let (plain, half) = (live_for("", 90), live_for(&format!("{said}\n"), 90));
@@ -426,8 +426,8 @@ fn conditions_are_of_the_sizes_that_their_texts_cite() {
     let cited: [(&str, Sizes); 6] = [
         // Half an hour less out of home a day, 25-40 % less by morning, 15-25 % by afternoon.
         ("depression", [(0.58, 0.78), (0.70, 0.88), ANY, ANY, (-45.0, -15.0), ANY, ANY]),
-        // Movement falls a little.
-        ("cognitive decline", [ANY, ANY, (0.75, 1.0), (0.9, 1.2), (-80.0, -40.0), ANY, ANY]),
+        // Movement falls a little, while wandering makes up for more than the metres of it.
+        ("cognitive decline", [ANY, ANY, (0.75, 1.0), (0.9, 1.4), (-80.0, -40.0), ANY, ANY]),
         // 25.8 minutes less sleep.
         ("insomnia", [ANY, ANY, (0.93, 1.05), (0.93, 1.1), ANY, (-31.0, -20.0), (15.0, 40.0)]),
         ("heart failure", [ANY, ANY, (0.7, 0.87), (0.7, 0.87), ANY, ANY, ANY]),

@@ -32,7 +32,7 @@ fn everything(days: i64) -> Run {
 #[test]
 fn in_which_steps_a_life_is_lived_changes_nothing() {
     let whole = events(everything(3), 100 * DAY);
-    assert!(whole.firings.len() > 10_000, "{}", whole.firings.len());
+    assert!(whole.firings.len() > 5_000, "{}", whole.firings.len());
     for step in [6 * HOUR, 17 * SECOND + 1] {
         let cut = events(everything(3), step);
         assert_eq!(whole.firings, cut.firings, "in steps of {step} microseconds");

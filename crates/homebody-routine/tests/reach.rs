@@ -162,3 +162,22 @@ fn what_cannot_be_reached_does_not_take_the_day() {
         }
     }
 }
+
+/// How many hours a night somebody rests where the armchair of the example is.
+fn asleep_in_the_armchair_h(sentence: &str) -> f64 {
+    let (scenario, household) = household(&files(&format!("{ORDINARY}\n{sentence}\n"), &[]), &[]).unwrap();
+    let run = || Run::new(&scenario, &household, 3, 3 * DAY);
+    let armchair = scenario.home.plan().places.iter().find(|(name, _)| name == "armchair").unwrap().1;
+    let moves = run().moves().unwrap().swap_remove(0);
+    let is_night = |at: Micros| (0..5).contains(&(at / HOUR % 24));
+    let rests = moves.iter().filter(|next| {
+        is_night(next.begin) && matches!(next.doing, MotionState::Rest { at } if at.distance(armchair) < 0.3)
+    });
+    rests.map(|next| next.end - next.begin).sum::<Micros>() as f64 / (3 * HOUR) as f64
+}
+
+#[test]
+fn who_sleeps_in_the_recliner_does_not_sleep_in_the_bed() {
+    let (recliner, bed) = (asleep_in_the_armchair_h("She sleeps in her recliner."), asleep_in_the_armchair_h(""));
+    assert!(recliner > 3.0 && bed < 1.0, "{recliner} {bed}");
+}

@@ -21,7 +21,7 @@ mod tests;
 
 use ground::{Footing, Ground};
 use homebody_core::geometry::{self, Point};
-use homebody_core::home::plan::Plan;
+use homebody_core::home::plan::{Origin, Plan, Solid};
 use homebody_core::numbers::Numbers;
 use homebody_core::random::Stream;
 
@@ -98,10 +98,12 @@ impl Mesh {
     /// The same with what is set of the numbers that a mesh is made by.
     pub fn with_numbers(plan: &Plan, radius_m: f64, numbers: &Numbers) -> Mesh {
         let rug_m = numbers.of(&RUG_M);
+        // Whoever goes through a door that is shut behind them opens it.
+        let is_furniture = |solid: &Solid| matches!(solid.origin, Origin::Furniture(_));
         let obstacles: Vec<Obstacle> = plan
             .solids
             .iter()
-            .filter(|solid| solid.stops_bodies || solid.height_m > rug_m)
+            .filter(|solid| solid.stops_bodies || is_furniture(solid) && solid.height_m > rug_m)
             .map(|solid| {
                 let (least, most) = geometry::bounds(solid.outline.iter().copied());
                 Obstacle { outline: solid.outline.clone(), is_seat: !solid.stops_bodies, least, most }

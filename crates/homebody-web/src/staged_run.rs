@@ -172,7 +172,7 @@ impl StagedRun {
         };
         let seed = start.seed.unwrap_or(scenario.file.seed);
         let length = scenario.calendar.span_of_days(scenario.file.days);
-        let recording = Recording::of(&scenario, env!("CARGO_PKG_VERSION"), entry, seed, length);
+        let recording = Recording::of(&scenario, homebody_kit::VERSION, entry, seed, length);
         let recording = Recording { without: start.without.clone(), ..recording }.begun();
         let mut run = Run::new(&scenario, &household, seed, recording.length_us);
         if let Some(driven) = start.driven {
@@ -199,7 +199,8 @@ impl StagedRun {
         is_replay: bool,
     ) -> Result<StagedRun, String> {
         let sensors: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
-        let rows = Rows::new(&scenario.logger, &sensors, &scenario.calendar).map_err(|error| error.to_string())?;
+        let rows = Rows::new(&scenario.logger, recording.seed, &sensors, &scenario.calendar);
+        let rows = rows.map_err(|error| error.to_string())?;
         let bodies = run.names().len();
         let held = start.input.last().cloned().unwrap_or_else(nothing_held);
         let conditions = household.conditions().keys().chain(&start.without).cloned().collect();

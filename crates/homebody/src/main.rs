@@ -12,13 +12,13 @@ use clap::{CommandFactory, Parser};
 use commands::Command;
 use failure::{EXIT_CODES, Failure};
 use homebody_core::problem::counted;
-use homebody_kit::TRUST;
+use homebody_kit::{TRUST, VERSION};
 use print::tell;
 use std::process::ExitCode;
 
 /// Simulates homes wired with sensors and the people who live in them.
 #[derive(Parser)]
-#[command(version, arg_required_else_help = true, after_help = format!("{EXAMPLES}\n\n{EXIT_CODES},\n{SIGNALS}"))]
+#[command(version = VERSION, arg_required_else_help = true, after_help = format!("{EXAMPLES}\n\n{EXIT_CODES},\n{SIGNALS}"))]
 struct Arguments {
     #[command(subcommand)]
     command: Command,

@@ -60,7 +60,7 @@ fn tell(f: &mut fmt::Formatter, map: &Map) -> fmt::Result {
     writeln!(f, "{}: {days}, {} to {last}; {} firings of {sensors}", map.name, map.from, map.events)?;
     match map.density_per_h {
         Some(density) => writeln!(f, "At home:  {density:.1} firings an hour")?,
-        None => writeln!(f, "At home:  never")?,
+        None => writeln!(f, "At home:  not long enough to say how many firings an hour")?,
     }
     writeln!(f, "Away:     {} a day; {:.1} h in all", hours_and_minutes(map.away_h_per_day), map.away_h)?;
     let names = map.entrance.sensors.join(", ");

@@ -31,7 +31,7 @@ impl Room {
 pub enum Origin {
     /// A piece of the wall of this index, between its doors.
     Wall(usize),
-    /// The closed door of this index.
+    /// The door of this index, which is closed or is shut behind whoever goes through.
     Door(usize),
     /// The piece of furniture of this index.
     Furniture(usize),
@@ -50,7 +50,7 @@ pub struct Solid {
     pub stops_bodies: bool,
 }
 
-/// Where a door stands open: a rectangle through its wall.
+/// Where people can go through a door: a rectangle through its wall.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Opening {
     /// Index into the home's doors, which are also the first of its things.
@@ -79,7 +79,7 @@ pub struct Plan {
     pub things: Vec<Thing>,
     /// What stops bodies or beams: walls between their doors, closed doors, furniture.
     pub solids: Vec<Solid>,
-    /// The doors that stand open.
+    /// The doors that let people through.
     pub openings: Vec<Opening>,
     /// Points with a name: places, then enterable furniture, then rooms.
     pub places: Vec<(String, Point)>,
@@ -102,11 +102,12 @@ impl Plan {
                 let Some((start, end)) = span_on_wall(from, to, point(door.from), point(door.to)) else { continue };
                 gaps.push((start, end));
                 let outline = geometry::thick_segment(from + along * start, from + along * end, wall.thickness_m);
+                if !door.open || door.shut_behind {
+                    let (origin, outline) = (Origin::Door(door_index), outline.clone());
+                    solids.push(Solid { origin, outline, height_m: f64::INFINITY, stops_bodies: !door.open });
+                }
                 if door.open {
                     openings.push(Opening { door: door_index, outline });
-                } else {
-                    let origin = Origin::Door(door_index);
-                    solids.push(Solid { origin, outline, height_m: f64::INFINITY, stops_bodies: true });
                 }
             }
             gaps.sort_by(|a, b| a.0.total_cmp(&b.0));

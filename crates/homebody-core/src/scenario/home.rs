@@ -3,6 +3,7 @@
 use crate::geometry::At;
 use crate::home::sun::COLUMBIA_DEG;
 use crate::role::Role;
+use crate::scenario::notice::{ChanceFile, Notice};
 use crate::sensors::form::{DeviceForm, KindRow, Moment, Wrong};
 use crate::sensors::kinds::{CEILING_MOTION, MOTION, devices};
 use schemars::JsonSchema;
@@ -98,6 +99,7 @@ impl MotionFile {
             beams: beams(),
             level: Level::default(),
             preset: Preset::default(),
+            notice: None,
             first_fire_s: None,
             refire_s: None,
             persist_s: None,
@@ -152,6 +154,9 @@ pub struct DoorFile {
     /// An open door lets people and beams through, a closed one neither.
     #[serde(default = "yes")]
     pub open: bool,
+    /// Whether people shut an open door behind them whenever they go through: it lets them through, and beams never.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub shut_behind: bool,
     /// Whether it leads out of the home.
     #[serde(default)]
     pub outside: bool,
@@ -295,6 +300,16 @@ impl SensorFile {
         matches!(self, SensorFile::Motion(_) | SensorFile::CeilingMotion(_))
     }
 
+    /// What it notices of the movements in its field, where it looks for any: the preset's, unless the file says otherwise.
+    pub fn notice(&self) -> Option<Notice> {
+        match self {
+            SensorFile::Motion(MotionFile { level: Level::Zones(_), .. }) => Some(Notice::All),
+            SensorFile::Motion(s) => Some(s.notice.unwrap_or(s.preset.notice())),
+            SensorFile::CeilingMotion(s) => Some(s.notice.unwrap_or(s.preset.notice())),
+            _ => None,
+        }
+    }
+
     /// The numbers of the timing state machine: the preset's, with whatever the file overrides.
     ///
     /// A device's first delay holds the time of the pulses that it counts. A sensor at level `zones` has counted them
@@ -356,9 +371,12 @@ pub struct MotionFile {
     /// What it takes for movement.
     #[serde(default)]
     pub level: Level,
-    /// The device whose timing it has: how soon it says something, and how often.
+    /// The device whose timing it has: how soon it says something, and how often; and what it notices.
     #[serde(default)]
     pub preset: Preset,
+    /// Overrides the preset: which of the movements in its field it notices.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub notice: Option<Notice>,
     /// Overrides the preset: delay from the first movement to the first firing, least and most.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(inner(range(min = 0, max = 86_400)))]
@@ -384,9 +402,12 @@ pub struct CeilingMotionFile {
     /// The convex area on the floor that it sees: its corners in order.
     #[schemars(length(min = 3, max = 64), inner(inner(range(min = -10_000, max = 10_000))))]
     pub area: Vec<At>,
-    /// The device whose timing it has: how soon it says something, and how often.
+    /// The device whose timing it has: how soon it says something, and how often; and what it notices.
     #[serde(default)]
     pub preset: Preset,
+    /// Overrides the preset: which of the movements in its field it notices.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub notice: Option<Notice>,
     /// Overrides the preset: delay from the first movement to the first firing, least and most.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(inner(range(min = 0, max = 86_400)))]
@@ -465,6 +486,23 @@ pub enum Preset {
     Hue,
 }
 
+impl Preset {
+    /// Whether it is a unit of the CASAS homes, which have wide sensors on walls beside narrow ones on ceilings.
+    pub fn is_casas(self) -> bool {
+        matches!(self, Preset::CasasPulse | Preset::CasasFollow)
+    }
+
+    /// What the device notices. The paper's notices all: its rays are cast at whatever moves.
+    pub fn notice(self) -> Notice {
+        match self {
+            Preset::Paper => Notice::All,
+            Preset::X10Ms16a | Preset::CasasPulse | Preset::CasasFollow | Preset::Aqara | Preset::Hue => {
+                Notice::Chance(ChanceFile::default())
+            }
+        }
+    }
+}
+
 /// The numbers of the timing state machine, in seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Timing {
@@ -492,12 +530,12 @@ impl Preset {
             // X10 Active Eye setup guide: 10 s until it trips again. The first delay is the paper's, whose sensors
             // are of this class.
             Preset::X10Ms16a => timing([1.0, 2.0], [10.0, 10.0], 1.0),
-            // Read off a CASAS home with Bosch units: ON to ON while movement goes on has its
-            // 5th percentile at 5.5 s and its median at 8.8 s. To wait about from the one to the other is ours.
-            Preset::CasasPulse => timing([0.1, 0.5], [5.4, 8.8], 1.0),
-            // Read off CASAS homes with Control4 units: ON to ON has its 5th percentile at
-            // 1.7-2.0 s, on which the wait is ours; ON lasts as long as the movement and 1.1 s more.
-            Preset::CasasFollow => timing([0.1, 0.5], [1.6, 2.0], 1.1),
+            // Read off a CASAS home with Bosch units: never again before about 5.4 s, and then with the next movement that is
+            // noticed. That makes the 5th percentile of ON to ON, 5.5 s, and leaves the median, 8.8 s, to chance.
+            Preset::CasasPulse => timing([0.05, 0.4], [5.4, 5.6], 0.1),
+            // Read off CASAS homes with Control4 units: of the ONs that are longer than the shortest, 1.1 s, the shortest last 1.7 s:
+            // a movement 0.55 s after the last prolongs the ON to 1.1 s after itself.
+            Preset::CasasFollow => timing([0.05, 0.4], [0.55, 0.65], 0.45),
             // Zigbee2MQTT, page RTCGQ11LM: ignores movement for exactly 60 s.
             Preset::Aqara => timing([0.1, 0.5], [60.0, 60.0], 1.0),
             // Ours: the maker publishes no blind time.

@@ -16,6 +16,7 @@ pub mod link;
 pub mod load;
 pub mod logger;
 pub mod nearest;
+pub mod notice;
 pub mod path;
 pub mod remarks;
 pub mod resident;

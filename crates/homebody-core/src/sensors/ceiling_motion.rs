@@ -12,15 +12,21 @@
 //! Left out: the height of the body (the beam widens downward), furniture above the area, and walls: the checks refuse
 //! an area that reaches through one.
 
+use super::notice::View;
 use crate::geometry::{self, Point, point};
 use crate::scenario::home::CeilingMotionFile;
 use crate::stride::Beam;
+
+/// How high the lens is, at 2.4 m, above the middle of somebody who stands or sits (ours).
+const LENS_ABOVE_M: f64 = 1.5;
 
 /// A ceiling sensor's area.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CeilingMotion {
     /// Convex, corners counter-clockwise.
     pub outline: Vec<Point>,
+    /// Below the lens: a point inside the area.
+    pub middle: Point,
 }
 
 impl CeilingMotion {
@@ -30,7 +36,13 @@ impl CeilingMotion {
         if geometry::signed_area(&outline) < 0.0 {
             outline.reverse();
         }
-        CeilingMotion { outline }
+        CeilingMotion { middle: geometry::inner_point(&outline), outline }
+    }
+
+    /// Where a body is as the lens above the middle of the area has it.
+    pub fn view(&self, at: Point) -> View {
+        let distance_m = libm::hypot(at.distance(self.middle), LENS_ABOVE_M);
+        View { distance_m, depth_m: geometry::depth_in_area(&self.outline, at) }
     }
 
     /// The sides of the area as beams.
@@ -44,5 +56,19 @@ impl CeilingMotion {
                 number: number as u32,
             })
             .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_body_is_as_deep_in_the_area_as_it_is_from_its_border() {
+        let file = serde_json::json!({ "name": "m", "area": [[0, 0], [0, 2], [2, 2], [2, 0]] });
+        let area = CeilingMotion::new(&serde_json::from_value(file).expect("a ceiling sensor"));
+        assert_eq!(area.view(Point::ONE), View { distance_m: 1.5, depth_m: 1.0 });
+        // 2 m to the east of the middle: sqrt(1.5^2 + 2^2) = 2.5, and 1 m outside.
+        assert_eq!(area.view(Point::new(3.0, 1.0)), View { distance_m: 2.5, depth_m: -1.0 });
     }
 }

@@ -9,6 +9,7 @@ pub mod form;
 pub mod kinds;
 pub mod light;
 pub mod motion;
+pub mod notice;
 pub mod outbox;
 pub mod power;
 pub mod pressure;
@@ -27,6 +28,7 @@ use ceiling_motion::CeilingMotion;
 use device::Device;
 use form::{KindRow, Site, Unit};
 use motion::Motion;
+use notice::Chance;
 use timing::Timing;
 
 /// A sensor as a run uses it.
@@ -36,6 +38,8 @@ pub struct Sensor {
     pub name: String,
     /// Of sensors that look for movement.
     pub timing: Timing,
+    /// What a sensor that looks for movement notices of it; `None` for all.
+    pub chance: Option<Chance>,
     /// What it works with.
     pub kind: Kind,
     /// Where it is, seen from above.
@@ -87,7 +91,7 @@ impl Sensor {
             }
             SensorFile::CeilingMotion(file) => {
                 let area = CeilingMotion::new(file);
-                let middle = geometry::inner_point(&area.outline);
+                let middle = area.middle;
                 (Kind::CeilingMotion(area), middle)
             }
             told => {
@@ -99,6 +103,7 @@ impl Sensor {
         Some(Sensor {
             name: file.name().to_owned(),
             timing: Timing::new(file.timing()),
+            chance: Chance::new(file),
             kind,
             at,
             row: file.row(),

@@ -18,6 +18,7 @@
 //! Left out: temperature and its contrast, the lens' gain by angle, mirrors and glass; a blade's
 //! steep lower limit behind low furniture.
 
+use super::notice::View;
 use crate::geometry::{self, Point, point};
 use crate::scenario::home::{Level as LevelFile, MotionFile};
 use crate::time::{Micros, micros};
@@ -136,6 +137,21 @@ impl Motion {
             far = far.min(self.height_m / blade.least_depression);
         }
         (near < far).then_some((near, far))
+    }
+
+    /// Where a body is as the lens has it: its depth is how far it is from where the fan ends, at its reach and at its two sides.
+    pub fn view(&self, at: Point) -> View {
+        let from_lens = at - self.lens;
+        let distance_m = from_lens.length();
+        let mut depth_m = self.reach_m - distance_m;
+        // A fan of half a turn and more has no sides to speak of. Blades run from right to left.
+        if let (Some(first), Some(last)) = (self.blades.first(), self.blades.last())
+            && first.direction.perp_dot(last.direction) > 0.0
+        {
+            let (right, left) = (first.direction.perp_dot(from_lens), -last.direction.perp_dot(from_lens));
+            depth_m = depth_m.min(right).min(left);
+        }
+        View { distance_m, depth_m }
     }
 
     /// The ranges at which furniture hides a body of this height: it stands on the blade from
@@ -278,6 +294,21 @@ mod tests {
             hidden += u32::from(cut);
         }
         assert!(hidden > 200, "only {hidden} were hidden");
+    }
+
+    #[test]
+    fn a_fan_ends_at_its_reach_and_its_sides() {
+        let motion = Motion::new(&file(serde_json::json!({ "name": "m", "at": [-LENS_OFF_WALL_M, 0], "facing_deg": 0,
+            "field_deg": [90, 50], "reach_m": 6 })));
+        let depth = |x: f64, y: f64| motion.view(Point::new(x, y)).depth_m;
+        // The sides are the diagonals.
+        let off = 0.1 * 2.0_f64.sqrt();
+        for (x, y) in [(5.9, 0.0), (2.0, 2.0 - off), (2.0, off - 2.0)] {
+            assert!((depth(x, y) - 0.1).abs() < 1e-9, "({x}, {y}): {}", depth(x, y));
+        }
+        assert!(
+            (depth(2.0, 2.0 + off) + 0.1).abs() < 1e-9 && (motion.view(Point::X * 3.0).distance_m - 3.0).abs() < 1e-9
+        );
     }
 
     #[test]

@@ -188,6 +188,10 @@ fn places_and_sensors() {
 #[rustfmt::skip] // A case is read line by line: the change, then what is said of it.
 fn the_logger() {
     check(&[
+        ("logger.json", r#""hold_s": 4"#, r#""hold_s": 4, "lumps": [{ "share": 1, "parts": [1.2, 1] }]"#,
+            r#"logger.json:6:75: the least of "parts", 1.2, is more than its most, 1; write [1, 1.2]"#),
+        ("logger.json", r#""hold_s": 4"#, r#""hold_s": 4, "lumps": [{ "share": 0, "parts": [1, 1] }]"#,
+            r#"logger.json:6:51: no lump has a share; give one lump a share above 0, or write [] for holds of exactly "hold_s""#),
         ("logger.json", r#""sqlite:log.db""#, r#""sqlit:log.db""#,
             r#"logger.json:2:10: "sqlit:log.db" is nowhere a log can go; did you mean "sqlite:log.db"?"#),
         ("logger.json", r#""sqlite:log.db""#, r#""log.db""#,
@@ -195,9 +199,9 @@ fn the_logger() {
         ("logger.json", r#""sqlite:log.db""#, r#""sqlite:""#,
             r#"logger.json:2:10: "sqlite:" names no file; write sqlite:FILE"#),
         ("logger.json", r#""sqlite:log.db""#, r#""csv:/srv/start.sh""#,
-            r#"logger.json:2:10: "/srv/start.sh" is no file name inside the run's folder; name a file in there, such as "sqlite:log.db"; whoever runs it may say another place for that run"#),
+            r#"logger.json:2:10: "/srv/start.sh" is no file name inside the run's folder; name a file in there, such as "sqlite:log.db""#),
         ("logger.json", r#""sqlite:log.db""#, r#""csv:logs/../../log.csv""#,
-            r#"logger.json:2:10: "logs/../../log.csv" is no file name inside the run's folder; name a file in there, such as "sqlite:log.db"; whoever runs it may say another place for that run"#),
+            r#"logger.json:2:10: "logs/../../log.csv" is no file name inside the run's folder; name a file in there, such as "sqlite:log.db""#),
         ("logger.json", r#""sqlite:log.db""#, r#""csv:log.txt""#,
             r#"logger.json:2:25: two logs cannot go to the one file "log.txt"; name a file that nothing else has, such as "csv:logs/week.csv""#),
         ("logger.json", r#""table": "event""#, r#""table": "Event""#,

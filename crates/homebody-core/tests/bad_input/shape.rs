@@ -17,7 +17,7 @@ fn keys() {
         ("home.json", r#""height_m": 2.1"#, r#""height": 2.1"#,
             r#"home.json:28:69: "height" is no key of a motion sensor; did you mean "height_m"?"#),
         ("home.json", r#""height_m": 2.1"#, r#""colour": "red""#,
-            r#"home.json:28:69: "colour" is no key of a motion sensor; its keys are "kind", "name", "at", "height_m", "facing_deg", "tilt_deg", "field_deg", "reach_m", "beams", "level", "preset", "first_fire_s", "refire_s", "persist_s""#),
+            r#"home.json:28:69: "colour" is no key of a motion sensor; its keys are "kind", "name", "at", "height_m", "facing_deg", "tilt_deg", "field_deg", "reach_m", "beams", "level", "preset", "notice", "first_fire_s", "refire_s", "persist_s""#),
         ("home.json", r#""height_m": 0.7"#, r#""heigth_m": 0.7"#,
             r#"home.json:19:62: "heigth_m" is no key of a piece of furniture; did you mean "height_m"?"#),
         ("home.json", r#", "height_m": 0.7"#, "",

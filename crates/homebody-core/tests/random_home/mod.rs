@@ -123,6 +123,9 @@ fn sensor(dice: &mut Dice, index: i64, width: f64, depth: f64, model: Model) -> 
     };
     let fields = sensor.as_object_mut().expect("an object");
     fields.insert("name".into(), json!(format!("sensor {index}")));
+    if model != Model::Whole {
+        fields.insert("notice".into(), json!("all"));
+    }
     fields.extend(timing.as_object().expect("an object").clone());
     sensor
 }

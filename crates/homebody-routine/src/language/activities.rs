@@ -241,11 +241,16 @@ mod tests {
 
     #[test]
     fn what_can_be_said_is_in_the_table_of_activities_and_all_else_there_has_a_reason() {
-        use homebody_core::activity::{ACTIVITIES, LEAVING_HOME, RESTING, ROAMING, SLEEPING, VISITING};
+        use homebody_core::activity::{
+            ACTIVITIES, AIRING, FETCHING_MAIL, FRESHENING_UP, LEAVING_HOME, PUTTING_CLOTHES_AWAY, RESTING, ROAMING,
+            SEEING_TO_KITCHEN, SLEEPING, TIDYING, VISITING,
+        };
         let said: Vec<Activity> = Activity::OWN_WAYS.into_iter().chain(Activity::everyday()).collect();
         let mut labels: Vec<&str> = said.iter().map(Activity::label).collect();
         // The night, parts of outings and visits, and pets.
         labels.extend([SLEEPING, LEAVING_HOME, VISITING, RESTING, ROAMING]);
+        // Small errands, of which nobody speaks: together they are housework.
+        labels.extend([TIDYING, SEEING_TO_KITCHEN, PUTTING_CLOTHES_AWAY, AIRING, FETCHING_MAIL, FRESHENING_UP]);
         labels.sort();
         let mut known: Vec<&str> = ACTIVITIES.iter().map(|known| known.label).collect();
         known.sort();

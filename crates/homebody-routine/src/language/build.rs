@@ -23,6 +23,7 @@ pub fn build(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
         Predicate::Age(_) | Predicate::Kind(_) | Predicate::Pace(_) => person(reader, draft, &clause),
         Predicate::Visits | Predicate::Own(_) => habit(reader, draft, clause),
         Predicate::Remark => remark(reader, draft, &clause),
+        Predicate::Sleeps if clause.measure.is_none() && clause.place.is_some() => sleeps(reader, draft, clause),
         Predicate::Helps(ref activity, help) => {
             let activity = activity.clone();
             helps(reader, draft, clause, activity, help);
@@ -38,6 +39,23 @@ pub fn build(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
         Predicate::Does(_) if clause.measure.is_none() => habit(reader, draft, clause),
         _ => change(reader, draft, &clause),
     }
+}
+
+/// "She sleeps in the recliner": by day a nap, by night where her bed is.
+fn sleeps(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
+    let part = clause.adverbs.part.as_ref().map(|part| part.value);
+    if part.is_some_and(|part| part != PartOfDay::Night) {
+        return habit(reader, draft, Clause { predicate: Predicate::Does(Activity::Nap), ..clause });
+    }
+    let why = "where somebody sleeps holds for all nights; for sleep by day, write \"naps\"";
+    let is_every = |chance: &Chance| chance.quantifier == Some(Quantifier::Every);
+    if clause.adverbs.chance.as_ref().is_some_and(|chance| is_every(&chance.value)) {
+        only(reader, &clause.adverbs, &[Part::Chance, Part::Part], why);
+    } else {
+        only(reader, &clause.adverbs, &[Part::Part], why);
+    }
+    let adverbs = Adverbs::default();
+    habit(reader, draft, Clause { predicate: Predicate::Does(Activity::GoToBed), adverbs, ..clause });
 }
 
 /// What somebody is, has or likes: kept as it was said.

@@ -47,14 +47,13 @@ pub struct Company {
     taken_m: f64,
     at_door_m: f64,
     is_door_open: bool,
-    is_stove_on: bool,
 }
 
 impl Company {
     pub fn new(people: Arc<People>, radius_m: f64, numbers: &homebody_core::numbers::Numbers) -> Company {
         let [elbows, taken_m, at_door_m] = [&ELBOWS, &TAKEN_M, &AT_DOOR_M].map(|number| numbers.of(number));
-        let (others, is_door_open, is_stove_on) = (Vec::new(), false, false);
-        Company { people, others, radius_m, elbows, taken_m, at_door_m, is_door_open, is_stove_on }
+        let (others, is_door_open) = (Vec::new(), false);
+        Company { people, others, radius_m, elbows, taken_m, at_door_m, is_door_open }
     }
 
     /// Looks round.
@@ -65,12 +64,16 @@ impl Company {
         }
         let is_person = |body: &Body| self.people.are_people.get(body.resident.index()).is_none_or(|&is| is);
         self.others.extend(around.others().filter(is_person));
-        let is_on = |role| places.thing(role).is_some_and(|thing| around.is_on(ThingId(thing)));
-        (self.is_door_open, self.is_stove_on) = (is_on(Role::FrontDoor), is_on(Role::Stove));
+        self.is_door_open = places.thing(Role::FrontDoor).is_some_and(|thing| around.is_on(ThingId(thing)));
     }
 
     pub fn is_alone(&self) -> bool {
         self.others.is_empty()
+    }
+
+    /// Whether somebody is at a place, comes to it or is only just leaving it.
+    pub fn is_occupied(&self, at: Point) -> bool {
+        self.others.iter().any(|other| nearness(other, at) < self.taken_m)
     }
 
     /// Whether several people live there, who share beds and sofas.
@@ -137,12 +140,12 @@ impl Company {
         self.is_door_open && self.others.iter().find(is_at_door).is_some_and(|other| other.posture == Posture::Standing)
     }
 
-    /// Whether somebody else stands in the kitchen with the stove on.
+    /// Whether somebody else is busy in the kitchen: at a cold breakfast the stove is off.
     pub fn cooks(&self, stove: &Spot) -> bool {
         /// As near as who goes to and fro between stove, sink and counter (ours).
         const KITCHEN_M: f64 = 3.0;
         let is_cook = |other: &Body| other.posture == Posture::Standing && other.at.distance(stove.at) < KITCHEN_M;
-        self.is_stove_on && self.others.iter().any(is_cook)
+        self.others.iter().any(is_cook)
     }
 
     /// Who is the visitor of this name to somebody.

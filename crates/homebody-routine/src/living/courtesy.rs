@@ -312,10 +312,16 @@ impl RoutineDriver {
         Some(Spot::to_stand(at, door.room?))
     }
 
-    /// A visitor comes in once the host opens, and goes if nobody does.
+    /// Who comes in waits outside while somebody stands in the doorway; a visitor besides until the host opens, and goes if nobody
+    /// does.
     pub(super) fn ring(&mut self, left: Micros, now: Micros) {
+        let is_visitor = self.visitor.is_some();
+        let may_come_in = |door: &Spot| {
+            let is_let_in = !is_visitor || self.company.opens(self.host, door);
+            is_let_in && !self.company.is_occupied(door.at)
+        };
         let door = self.places.of(Role::FrontDoor);
-        if door.is_none_or(|door| self.company.opens(self.host, door) && !self.company.is_taken(door.at)) {
+        if door.is_none_or(may_come_in) || (!is_visitor && left <= 0) {
             return;
         }
         let Some(playing) = self.scripts.last_mut() else { return };

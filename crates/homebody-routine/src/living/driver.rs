@@ -6,6 +6,7 @@
 
 use super::agenda::{Agenda, Item};
 use super::body::Body;
+use super::chores::{self, Errand};
 use super::company::Company;
 use super::errands::Errands;
 use super::life::{DayParameters, Life, SentenceId};
@@ -61,6 +62,8 @@ pub struct RoutineDriver {
     pub(super) tally: Tally,
     /// Whether what filled the time last was an errand.
     pub(super) was_errand: bool,
+    /// The hour from which on the mail of today is fetched, until it is.
+    pub(super) mail_hour: Option<f64>,
     /// The hour of the day as the last script began.
     pub(super) hour_now: f64,
     /// When a meal or medicine was over last: what follows it at once is not put off.
@@ -112,8 +115,10 @@ pub(super) struct Playing {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Walks {
     Need,
-    /// An errand, or back from one.
+    /// An errand.
     Errand,
+    /// Back from one, to what is done next.
+    Back,
     /// To and fro in the kitchen, or with a duster: who moves less takes longer at each place instead.
     Cooking,
     /// Wandering, which is counted for itself.
@@ -167,6 +172,7 @@ impl RoutineDriver {
             errands: Errands::new(),
             tally: Tally::default(),
             was_errand: false,
+            mail_hour: None,
             hour_now: 0.0,
             at_table: Micros::MIN,
             needs,
@@ -239,10 +245,20 @@ impl RoutineDriver {
                 continue;
             };
             if std::mem::take(&mut playing.is_interrupted) {
-                if let Some(back) = playing.spot.clone() {
-                    playing.steps.push_front(Step::Go(back));
+                let name = Step::Name(playing.name.clone());
+                match playing.spot.clone() {
+                    // Who walks back to bed does not sleep yet: the way is a part of what they got up for.
+                    Some(back) if back.posture == Posture::Lying => {
+                        playing.steps.push_front(name);
+                        playing.steps.push_front(Step::Go(back));
+                    }
+                    back => {
+                        if let Some(back) = back {
+                            playing.steps.push_front(Step::Go(back));
+                        }
+                        playing.steps.push_front(name);
+                    }
                 }
-                playing.steps.push_front(Step::Name(playing.name.clone()));
             }
             match playing.steps.front() {
                 None => self.end_script(now),
@@ -389,12 +405,20 @@ impl RoutineDriver {
         let movement = self.parameters.activity(self.hour_now);
         let mut setting =
             Setting { places: &self.places, at: self.body.at(), stream: &mut stream, forgotten, movement };
-        let mut steps = script(activity, place, *lasts, *until, &mut setting);
+        let mut steps = match item.is_errand() {
+            true => {
+                let is_mail = self.mail_hour.take_if(|hour| *hour <= self.hour_now).is_some();
+                chores::errand(if is_mail { Errand::Mail } else { Errand::Any }, *lasts, &mut setting)
+            }
+            false => script(activity, place, *lasts, *until, &mut setting),
+        };
         let stations = self.places.stations();
         let first = match activity {
             Activity::Wander | Activity::Pace | Activity::Lap => place.cloned(),
             // One falls on the way somewhere.
-            Activity::Fall => stations.get((stream.unit() * stations.len() as f64) as usize).cloned(),
+            Activity::Fall => {
+                stations.get((stream.unit() * stations.len() as f64) as usize).map(|one| one.spot.clone())
+            }
             _ => None,
         };
         if let Some(first) = first {
@@ -410,17 +434,16 @@ impl RoutineDriver {
 
     /// What the ways of something are walked for. Who sits down after an errand comes back from it.
     fn walks_for(&mut self, item: &Item) -> Walks {
-        let is_filler = item.key.starts_with("fill/");
         let was_errand = std::mem::take(&mut self.was_errand);
         match item.activity {
-            Activity::Housework if is_filler => {
+            Activity::Housework if item.is_errand() => {
                 self.errands.run();
                 self.was_errand = true;
                 Walks::Errand
             }
             Activity::Prepare(_) | Activity::Housework => Walks::Cooking,
             Activity::Wander | Activity::Pace | Activity::Lap => Walks::Roaming,
-            _ if is_filler && was_errand => Walks::Errand,
+            _ if item.is_filler() && was_errand => Walks::Back,
             _ => Walks::Need,
         }
     }

@@ -93,7 +93,7 @@ pub struct DayParameters {
     most_movement: f64,
     pub pulse: f64,
     pub respiration: f64,
-    /// How lively the day is.
+    /// So many times the usual liveliness: more errands, less sitting between them, and more stirring.
     pub level: f64,
     active: Vec<(Option<PartOfDay>, f64)>,
     later_s: BTreeMap<Activity, f64>,
@@ -369,10 +369,13 @@ impl Life {
         (chance * strength * self.phase(&habit.phase, day)).min(1.0)
     }
 
-    /// How lively a day is: better days and worse ones, each somewhat like the day before.
+    /// How lively a day is: better days and worse ones, each somewhat like the day before. Its logarithm is a normal
+    /// autoregression of the first order, of which no more than a week is remembered.
     fn level(&self, day: i32) -> f64 {
+        let (spread, like) = (self.numbers.of(&DAY_SPREAD), self.numbers.of(&DAY_LIKE));
         let of = |day: i32| self.stream_of_day(day, "level").normal(0.0, 1.0);
-        libm::exp(self.numbers.of(&DAY_SPREAD) * (of(day) + of(day - 1)))
+        let remembered = (0..7).map(|ago| libm::pow(like, f64::from(ago)) * of(day - ago)).sum::<f64>();
+        libm::exp(spread * libm::sqrt(1.0 - like * like) * remembered)
     }
 
     /// How things are on a day.
@@ -460,9 +463,11 @@ fn each<'a, T>(
 }
 
 homebody_core::numbers! {
-    /// How much more or less lively days are, each somewhat like the day before: the standard deviation of the logarithm that
-    /// each of two days brings.
-    static DAY_SPREAD = "life.day_spread": 0.25, "1", [0.0, 2.0];
+    /// How much more or less lively days are: the standard deviation of the logarithm. The firings an awake hour of real homes
+    /// vary between days by 0.3 to 0.5 of their mean.
+    static DAY_SPREAD = "life.day_spread": 0.4, "1", [0.0, 2.0];
+    /// How much a day is like the one before: the correlation of the two.
+    static DAY_LIKE = "life.day_like": 0.25, "1", [0.0, 0.95];
     /// Nobody moves more than so many times as much as usual.
     static MOST_MOVEMENT = "life.most_movement": 20.0, "1", [1.0, 100.0];
     /// For how many weeks at most a gait that slows by so much a week goes on slowing.

@@ -3,13 +3,15 @@
 //! Movement on the spot comes in short bouts with gaps between them that have a heavy tail, as the gaps between motion
 //! firings of real homes have.
 //!
-//! We assume lognormal gaps and bouts, one pair for each manner of staying. Their numbers are ours, set so that a day
-//! of a generated older adult has about as many firings, and gaps as long, as the CASAS homes of single older adults;
-//! `homebody experiment daily-life` says how near they come.
+//! Movements come in clusters: after a movement another follows soon, with a chance for each manner of staying, or a long
+//! gap. We assume that gaps of both kinds and bouts are lognormal, with a set of numbers for each manner. Their numbers are ours,
+//! set so that a day of a generated older adult has about as many firings, and gaps as long, as the CASAS homes of single
+//! older adults; `homebody experiment daily-life` and `homebody experiment realism` say how near they come.
 //!
-//! A gap and a bout are drawn one after the other; a factor for activity shortens the gaps.
+//! A gap and a bout are drawn one after the other; a factor for activity shortens the long gaps. What shows of a movement in bed is
+//! what a blanket leaves of it: sleepers turn by 0.3 m, of which a quarter shows (ours).
 //!
-//! Left out: which limb moves, and that movements of one kind come in clusters.
+//! Left out: which limb moves.
 
 use homebody_core::activity::{FALLEN, READING, WASHING};
 use homebody_core::numbers::{Number, Numbers};
@@ -21,44 +23,56 @@ use homebody_core::time::{Micros, SECOND, micros};
 pub struct Manner {
     /// What its numbers are called after.
     name: &'static str,
-    /// The median gap between two movements, in seconds.
+    /// The median gap between two clusters of movements, in seconds.
     pub gap_s: f64,
-    /// The spread of the gaps: the standard deviation of their logarithm.
+    /// The spread of these gaps: the standard deviation of their logarithm.
     pub sigma: f64,
+    /// The chance that another movement follows soon.
+    pub more: f64,
+    /// The median gap between the movements of a cluster, in seconds.
+    pub soon_s: f64,
     /// The median length of a movement, in seconds.
     pub bout_s: f64,
     /// How far what moves moves, in metres.
     pub amplitude_m: f64,
 }
 
-const fn manner(name: &'static str, gap_s: f64, sigma: f64, bout_s: f64, amplitude_m: f64) -> Manner {
-    Manner { name, gap_s, sigma, bout_s, amplitude_m }
+const fn manner(
+    name: &'static str,
+    [gap_s, sigma]: [f64; 2],
+    [more, soon_s]: [f64; 2],
+    [bout_s, amplitude_m]: [f64; 2],
+) -> Manner {
+    Manner { name, gap_s, sigma, more, soon_s, bout_s, amplitude_m }
 }
+
+/// The standard deviation of the logarithm of the gaps in a cluster (ours).
+const SOON_SPREAD: f64 = 0.6;
 
 /// The table that the numbers of these are of.
 const TABLE: &str = "stay";
 
 impl Manner {
-    /// Asleep: 10-20 gross movements an hour.
-    pub const ASLEEP: Manner = manner("asleep", 50.0, 2.4, 3.0, 0.3);
+    /// Asleep: 10-20 gross movements an hour, with silence of up to an hour between them.
+    pub const ASLEEP: Manner = manner("asleep", [600.0, 1.15], [0.7, 15.0], [3.0, 0.07]);
     /// Awake in bed.
-    pub const AWAKE_IN_BED: Manner = manner("awake_in_bed", 45.0, 1.5, 3.0, 0.3);
+    pub const AWAKE_IN_BED: Manner = manner("awake_in_bed", [120.0, 1.2], [0.6, 8.0], [3.0, 0.15]);
     /// Getting up, lying down, rising.
-    pub const TURNING: Manner = manner("turning", 4.0, 0.5, 4.0, 0.4);
+    pub const TURNING: Manner = manner("turning", [4.0, 0.5], [0.0, 4.0], [4.0, 0.4]);
     /// In front of a screen, or doing nothing.
-    pub const STILL: Manner = manner("still", 300.0, 2.0, 2.0, 0.2);
-    pub const READING: Manner = manner(READING, 150.0, 2.0, 2.0, 0.25);
-    pub const TALKING: Manner = manner("talking", 25.0, 1.5, 3.0, 0.25);
-    pub const EATING: Manner = manner("eating", 40.0, 1.8, 4.0, 0.3);
-    pub const ON_TOILET: Manner = manner("on_toilet", 90.0, 1.5, 3.0, 0.25);
+    pub const STILL: Manner = manner("still", [600.0, 1.4], [0.6, 8.0], [1.3, 0.25]);
+    pub const READING: Manner = manner(READING, [300.0, 1.3], [0.5, 7.5], [1.5, 0.25]);
+    pub const TALKING: Manner = manner("talking", [40.0, 1.2], [0.75, 5.0], [3.0, 0.3]);
+    pub const EATING: Manner = manner("eating", [50.0, 1.2], [0.3, 6.0], [2.0, 0.3]);
+    pub const ON_TOILET: Manner = manner("on_toilet", [100.0, 1.2], [0.4, 6.0], [2.7, 0.3]);
     /// Standing and using the hands: at the stove, the sink, the wardrobe.
-    pub const BUSY: Manner = manner("busy", 50.0, 1.5, 6.0, 0.4);
-    /// Washing oneself.
-    pub const WASHING: Manner = manner(WASHING, 35.0, 1.4, 6.0, 0.4);
+    pub const BUSY: Manner = manner("busy", [75.0, 1.3], [0.55, 7.0], [4.0, 0.35]);
+    /// Washing oneself, under the shower too.
+    pub const WASHING: Manner = manner(WASHING, [24.0, 1.2], [0.4, 4.5], [6.0, 0.35]);
     /// On the floor, trying to get up.
-    pub const FALLEN: Manner = manner(FALLEN, 45.0, 1.1, 4.0, 0.4);
+    pub const FALLEN: Manner = manner(FALLEN, [45.0, 1.1], [0.0, 4.0], [4.0, 0.4]);
     /// An animal asleep.
-    pub const CURLED_UP: Manner = manner("curled_up", 400.0, 1.0, 2.0, 0.15);
+    pub const CURLED_UP: Manner = manner("curled_up", [400.0, 1.0], [0.0, 4.0], [2.0, 0.15]);
 
     const ALL: [Manner; 12] = [
         Manner::ASLEEP,
@@ -82,6 +96,8 @@ impl Manner {
             name: self.name,
             gap_s: of("gap", self.gap_s),
             sigma: of("spread", self.sigma),
+            more: of("more", self.more),
+            soon_s: of("soon", self.soon_s),
             bout_s: of("bout", self.bout_s),
             amplitude_m: of("amplitude", self.amplitude_m),
         }
@@ -101,8 +117,10 @@ impl Manner {
                 Number::of_table([TABLE, name, column], value, unit, range, what, file!())
             };
             [
-                number("gap", manner.gap_s, "s", [0.5, 21_600.0], "The median gap between two movements"),
+                number("gap", manner.gap_s, "s", [0.5, 21_600.0], "The median gap between two clusters of movements"),
                 number("spread", manner.sigma, "1", [0.0, 5.0], "The standard deviation of the logarithm of the gaps"),
+                number("more", manner.more, "1", [0.0, 0.99], "The chance that another movement follows soon"),
+                number("soon", manner.soon_s, "s", [0.5, 600.0], "The median gap between the movements of a cluster"),
                 number("bout", manner.bout_s, "s", [0.5, 30.0], "The median length of a movement"),
                 number("amplitude", manner.amplitude_m, "m", [0.0, 1.0], "How far moves what moves"),
             ]
@@ -110,14 +128,53 @@ impl Manner {
         Manner::ALL.iter().flat_map(of).collect()
     }
 
-    /// The next gap; `activity` 2 is twice as many movements.
+    /// The next gap; `activity` 2 is twice as many clusters of movements.
     pub fn gap(&self, activity: f64, stream: &mut Stream) -> Micros {
-        let gap_s = stream.lognormal(self.gap_s, self.sigma) / activity.max(0.05);
+        let gap_s = match stream.chance(self.more) {
+            true => stream.lognormal(self.soon_s, SOON_SPREAD),
+            false => stream.lognormal(self.gap_s, self.sigma) / activity.max(0.05),
+        };
         micros(gap_s.clamp(0.5, 6.0 * 3600.0))
     }
 
     /// The next movement.
     pub fn bout(&self, stream: &mut Stream) -> Micros {
         micros(stream.lognormal(self.bout_s, 0.5).clamp(0.5, 30.0)).max(SECOND / 2)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homebody_core::time::seconds;
+
+    /// 20,000 gaps of a manner, in seconds.
+    fn gaps(manner: Manner, activity: f64) -> Vec<f64> {
+        let stream = &mut Stream::named(1, "gaps");
+        (0..20_000).map(|_| seconds(manner.gap(activity, stream))).collect()
+    }
+
+    #[test]
+    fn movements_come_in_clusters_with_long_silence_between() {
+        let manner = Manner { gap_s: 600.0, sigma: 0.5, more: 0.75, soon_s: 10.0, ..Manner::ASLEEP };
+        let gaps = gaps(manner, 1.0);
+        // The two kinds hardly overlap: exp(3.2 * 0.6) * 10 = 68 s, and 600 / exp(3.2 * 0.5) = 121 s.
+        let soon = gaps.iter().filter(|&&gap| gap < 95.0).count() as f64 / gaps.len() as f64;
+        assert!((soon - 0.75).abs() < 0.02, "{soon}");
+        let mut long: Vec<f64> = gaps.into_iter().filter(|&gap| gap >= 95.0).collect();
+        long.sort_by(f64::total_cmp);
+        assert!((long[long.len() / 2] / 600.0 - 1.0).abs() < 0.05, "{}", long[long.len() / 2]);
+    }
+
+    #[test]
+    fn who_is_more_active_has_more_clusters_not_longer_ones() {
+        let manner = Manner { more: 0.5, soon_s: 1.0, gap_s: 1_000.0, sigma: 0.1, ..Manner::STILL };
+        let mean_long = |activity| {
+            let long: Vec<f64> = gaps(manner, activity).into_iter().filter(|&gap| gap > 100.0).collect();
+            (long.len(), long.iter().sum::<f64>() / long.len() as f64)
+        };
+        let ((usual, usual_s), (active, active_s)) = (mean_long(1.0), mean_long(2.0));
+        assert_eq!(usual, active);
+        assert!((usual_s / active_s - 2.0).abs() < 0.01, "{usual_s} and {active_s}");
     }
 }

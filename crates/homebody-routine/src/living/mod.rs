@@ -21,10 +21,12 @@ mod watch;
 
 // Who carries it out.
 pub mod body;
+mod chores;
 pub mod driver;
 pub mod tally;
 pub mod account;
 mod spare_time;
+pub mod stations;
 mod night;
 pub mod company;
 mod courtesy;
@@ -49,6 +51,7 @@ pub(crate) fn numbers() -> Vec<Number> {
         ways::NUMBERS,
         lamps::NUMBERS,
         spare_time::NUMBERS,
+        chores::NUMBERS,
         night::NUMBERS,
         pet::NUMBERS,
     ];

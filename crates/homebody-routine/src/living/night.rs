@@ -1,6 +1,7 @@
 //! The nights of somebody who lives by a routine: going to bed, falling asleep, waking now and then, getting up.
 
 use super::agenda::{Agenda, Item};
+use super::chores::mail_hour;
 use super::driver::{MINUTE, RoutineDriver};
 use super::manner::Manner;
 use super::places::Spot;
@@ -145,6 +146,9 @@ impl RoutineDriver {
         self.life.changes(day).for_each(|change| self.tally.hold(change));
         self.unplanned.clear();
         self.errands.wake();
+        // One of a household fetches it.
+        let mail = self.life.stream_of_day(day, "mail");
+        self.mail_hour = (self.host.index() == 0).then(|| mail_hour(&mut { mail }, &self.life.numbers));
         self.next_break = self.agenda.breaks.partition_point(|item| item.start < now);
         self.tell_conditions();
         self.needs.waking(now, &self.life, day, &self.parameters);

@@ -133,7 +133,7 @@ impl PetDriver {
             (false, share) if share < 0.3 => self.places.of(Role::FoodBowl).cloned(),
             (false, share) if share < 0.7 => {
                 let stations = self.places.stations();
-                stations.get((self.stream.unit() * stations.len() as f64) as usize).cloned()
+                stations.get((self.stream.unit() * stations.len() as f64) as usize).map(|one| one.spot.clone())
             }
             (false, _) => None,
         };

@@ -1,5 +1,6 @@
 //! Where things are done in this home: the places, seats and things that it names after them.
 
+use super::stations::{chore, is_opened};
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::{Origin, Plan};
 use homebody_core::role::{ROLES, Role};
@@ -48,6 +49,17 @@ impl Spot {
     }
 }
 
+/// A place that somebody rises for.
+#[derive(Clone, Debug)]
+pub struct Station {
+    /// Where it is.
+    pub spot: Spot,
+    /// What is done there, as the truth calls it.
+    pub chore: &'static str,
+    /// What is opened there.
+    pub opened: Option<u32>,
+}
+
 /// The places of a home as one resident uses them: what is called after them is theirs before what is anybody's.
 #[derive(Clone, Debug)]
 pub struct Places {
@@ -60,8 +72,8 @@ pub struct Places {
     things: Vec<(String, Option<Role>)>,
     /// Where the lamps begin among them.
     lamps: usize,
-    /// What to look at or dust on a round through the home.
-    stations: Vec<Spot>,
+    /// What to look at or dust on a round through the home: the places that it names, and whatever can be opened.
+    stations: Vec<Station>,
     /// By role, where it is filled and the thing that fills it: lives ask for them all day.
     of_role: Vec<(Option<Spot>, Option<u32>)>,
 }
@@ -149,6 +161,14 @@ impl Places {
     pub fn named(&self, name: &str) -> Option<&Spot> {
         let name = name.to_lowercase();
         self.own_spot(&name).or_else(|| self.spot(&name))
+    }
+
+    /// The same for who sleeps elsewhere at night than in a bed.
+    pub fn sleeping_at(mut self, name: Option<&str>) -> Places {
+        if let Some(spot) = name.and_then(|name| self.named(name)).cloned() {
+            self.of_role[Role::Bed as usize].0 = Some(spot);
+        }
+        self
     }
 
     /// Where the role is filled, if anything in the home will do: the best that there is a way to, else the best.
@@ -285,7 +305,7 @@ impl Places {
     }
 
     /// What to look at on a round through the home.
-    pub fn stations(&self) -> &[Spot] {
+    pub fn stations(&self) -> &[Station] {
         &self.stations
     }
 
@@ -337,17 +357,23 @@ impl Places {
     }
 
     /// Places to stand at that there is a way to, of all rooms; beds, seats and doors aside.
-    fn find_stations(&self, home: &HomeFile) -> Vec<Spot> {
+    fn find_stations(&self, home: &HomeFile) -> Vec<Station> {
         let named = home.places.iter().map(|place| place.name.to_lowercase());
         let door = self.door.as_ref().map(|(spot, _)| spot.name.clone());
         let named: Vec<String> = named.filter(|name| Some(name) != door.as_ref()).collect();
         let reachable = || self.spots.iter().filter(|spot| spot.is_reachable);
-        let standing = reachable().filter(|spot| spot.posture == Posture::Standing && named.contains(&spot.name));
-        let stations: Vec<Spot> = standing.cloned().collect();
+        let is_used = |spot: &&Spot| named.contains(&spot.name) || !spot.is_room && is_opened(&spot.name);
+        let standing = reachable().filter(|spot| spot.posture == Posture::Standing).filter(is_used);
+        let stations: Vec<Station> = standing.map(|spot| self.station(spot)).collect();
         if !stations.is_empty() {
             return stations;
         }
-        reachable().filter(|spot| spot.is_room).cloned().collect()
+        reachable().filter(|spot| spot.is_room).map(|spot| self.station(spot)).collect()
+    }
+
+    fn station(&self, spot: &Spot) -> Station {
+        let opened = self.thing_named(&spot.name).filter(|_| is_opened(&spot.name));
+        Station { spot: spot.clone(), chore: chore(&spot.name), opened }
     }
 }
 

@@ -13,6 +13,21 @@ use homebody_core::time::{Micros, SECOND, micros, seconds};
 use homebody_walk::Wandering;
 use std::collections::VecDeque;
 
+/// The roles whose things activities use: open, turn on, let run.
+pub const ACTED_ON: [Role; 11] = [
+    Role::Toilet,
+    Role::Washbasin,
+    Role::Shower,
+    Role::Medicine,
+    Role::Sink,
+    Role::Fridge,
+    Role::Drawers,
+    Role::Stove,
+    Role::Television,
+    Role::WashingMachine,
+    Role::FrontDoor,
+];
+
 /// One step of a script.
 #[derive(Clone, Debug)]
 pub enum Step {
@@ -41,7 +56,7 @@ pub enum Step {
         arrival: bool,
         left: Micros,
     },
-    /// A visitor outside waits so long to be let in.
+    /// Who is outside waits so long for the doorway to be free; a visitor to be let in as well.
     Ring {
         left: Micros,
     },
@@ -82,6 +97,8 @@ pub enum Interruptible {
 const ARRIVAL_PATIENCE: Micros = 5 * 60 * SECOND;
 /// How long a host waits for a visitor to have gone (ours).
 const FAREWELL_PATIENCE: Micros = 5 * 60 * SECOND;
+/// How long who comes home waits for somebody to leave the doorway (ours).
+const DOORWAY: Micros = 2 * 60 * SECOND;
 /// How long somebody waits for a meal that somebody else still cooks (ours).
 const COOKING_PATIENCE: Micros = 45 * 60 * SECOND;
 
@@ -90,9 +107,6 @@ pub(super) const STAYING_OVER: Micros = 10 * 3600 * SECOND;
 
 /// How long the host then sits with them first (ours).
 const WELCOME: Micros = 3600 * SECOND;
-
-/// What takes longer is no errand (ours).
-const ERRAND: Micros = 600 * SECOND;
 
 /// What a script is made from.
 pub struct Setting<'a> {
@@ -121,6 +135,10 @@ pub fn script(
     setting: &mut Setting,
 ) -> VecDeque<Step> {
     let mut steps = Steps { steps: VecDeque::new(), setting };
+    if let Activity::Eat(_) = activity {
+        // Who waits for a meal does not eat yet.
+        steps.push(Step::AwaitMeal { left: COOKING_PATIENCE });
+    }
     steps.push(Step::Name(activity.label().into()));
     steps.act_out(activity, place, lasts, until);
     steps.steps
@@ -142,7 +160,6 @@ impl Steps<'_, '_> {
             Activity::TakeMedicine => self.take_medicine(place, lasts),
             Activity::Prepare(meal) => self.prepare(*meal, lasts),
             Activity::Eat(_) => {
-                self.push(Step::AwaitMeal { left: COOKING_PATIENCE });
                 self.at(Role::DiningSeat, place, lasts, Manner::EATING, Interruptible::Rules);
                 self.push(Step::Meet(Need::Hunger));
                 self.push(Step::Meet(Need::Thirst));
@@ -352,21 +369,15 @@ impl Steps<'_, '_> {
         self.act(Role::WashingMachine, false);
     }
 
-    /// A round through the home, a moment here and there. Mostly it is near where one sits: of two places, the
-    /// nearer, as we assume; nobody takes the stairs for every errand.
+    /// A round through the home, a moment here and there.
     fn housework(&mut self, lasts: Micros) {
         let stations = self.setting.places.stations();
-        let seat = self.setting.places.of(Role::Armchair).map(|seat| seat.at);
         let mut left = lasts;
         while left > 0 && !stations.is_empty() {
-            let mut any = || &stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()];
-            let (one, other) = (any(), any());
-            let far = |spot: &Spot| seat.map_or(0.0, |seat| seat.distance(spot.at));
-            let spot = if far(other) < far(one) { other } else { one };
+            let spot = &stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()].spot;
             let span = self.around(45.0);
-            // Who moves less stays longer at each place; of errands there are fewer instead.
-            let slower = if lasts > ERRAND { self.setting.movement.clamp(0.2, 1.0) } else { 1.0 };
-            let span = micros(seconds(span) / slower).clamp(SECOND, left.max(SECOND));
+            // Who moves less stays longer at each place.
+            let span = micros(seconds(span) / self.setting.movement.clamp(0.2, 1.0)).clamp(SECOND, left.max(SECOND));
             self.push(Step::Go(spot.clone()));
             self.stay(Posture::Standing, Manner::BUSY, span, Interruptible::Interrupt);
             left -= span;
@@ -380,6 +391,7 @@ impl Steps<'_, '_> {
         self.through_the_door();
         self.push(Step::Name(label.into()));
         self.push(Step::Away { lasts, until });
+        self.push(Step::Ring { left: DOORWAY });
         self.push(Step::Name(Activity::ComeHome.label().into()));
         self.act(Role::FrontDoor, true);
         let inside = self.around(6.0);
@@ -460,6 +472,29 @@ mod tests {
             _ => None,
         });
         goes.collect()
+    }
+
+    #[test]
+    fn the_roles_that_are_acted_on_are_those_of_the_scripts() {
+        let home = include_str!("../../../../scenarios/tigerplace/home.json");
+        let home: HomeFile = serde_json::from_str(&home.replace("\"nightstand\"", "\"medicine cabinet\"")).unwrap();
+        let plan = Plan::new(&home);
+        let places = Places::new(&home, &plan, &Mesh::new(&plan, 0.22), "margaret");
+        let mut acted = BTreeSet::new();
+        for activity in USUAL.iter().chain(&[Activity::Shower, Activity::TakeMedicine, Activity::Visit]) {
+            for seed in 0..40 {
+                let (mut stream, at) = (Stream::named(seed, "script"), places.of(Role::Armchair).unwrap().at);
+                let mut setting =
+                    Setting { places: &places, at, stream: &mut stream, forgotten: Vec::new(), movement: 1.0 };
+                let steps = script(activity, None, 1200 * SECOND, None, &mut setting);
+                acted.extend(steps.into_iter().filter_map(|step| match step {
+                    Step::Act(thing, _) => Some(places.thing_name(thing).to_owned()),
+                    _ => None,
+                }));
+            }
+        }
+        let things = ACTED_ON.iter().filter_map(|&role| places.thing(role));
+        assert_eq!(acted, things.map(|thing| places.thing_name(thing).to_owned()).collect());
     }
 
     #[test]

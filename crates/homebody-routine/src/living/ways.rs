@@ -4,7 +4,6 @@ use super::driver::{RoutineDriver, Walks};
 use super::manner::Manner;
 use super::places::Spot;
 use super::script::{Interruptible, Stay, Step};
-use crate::routine::Activity;
 use homebody_core::drivers::{MotionSegment, Next};
 use homebody_core::event::MotionState;
 use homebody_core::scenario::path::Posture;
@@ -46,20 +45,19 @@ impl RoutineDriver {
         let metres: f64 = moves.iter().map(metres).sum();
         match playing.walks {
             Walks::Need => self.errands.need(hour, metres),
-            Walks::Errand => {
+            Walks::Errand => self.errands.errand(metres),
+            Walks::Back => {
                 self.errands.errand(metres);
                 // Whatever interrupts the sitting down afterwards leads back there of need.
-                if self.name != Activity::Housework.label() {
-                    playing.walks = Walks::Need;
-                }
+                playing.walks = Walks::Need;
             }
             Walks::Cooking | Walks::Roaming => {}
         }
+        let is_errand = playing.walks == Walks::Errand;
         let arrival = moves.last().map_or(now, |last| last.end);
         self.lamps(from, spot.room, now, moves);
         self.watches.arrive(spot.room, &spot.name, &self.home.plan, arrival, &self.life);
         // Who comes by sees what was left on; on an errand only at the thing itself.
-        let is_errand = self.name == Activity::Housework.label();
         for thing in self.watches.left_on() {
             if self.home.plan.room_at(self.home.plan.things[thing as usize].at) == spot.room
                 && (!is_errand || spot.name == self.places.thing_name(thing))

@@ -89,7 +89,7 @@ fn first_rows(
     let seed = scenario.file.seed;
     let length = scenario.calendar.span_of_days(scenario.file.days).min(LONGEST_LIVED);
     let mut run = Run::new(scenario, household, seed, length);
-    let recording = Recording::of(scenario, env!("CARGO_PKG_VERSION"), "", seed, length);
+    let recording = Recording::of(scenario, homebody_kit::VERSION, "", seed, length);
     let info = Arc::new(RunInfo::of(scenario, &run, &recording));
     let mut logger = Logger::open(destinations(&hidden, How::New)?, &scenario.logger, &info, How::New)?;
     let (mut events, mut count, mut cut) = (Events::default(), 0, None);

@@ -1,6 +1,7 @@
 //! `homebody compare`: how alike two logs are.
 
 use super::convert::tell_remarks;
+use super::read_log::tell_unfinished;
 use crate::failure::Failure;
 use crate::print::{print_json, print_text, tell};
 use homebody_analysis::compare::{MEASURES, begins, compare};
@@ -45,6 +46,7 @@ fn log(text: &str) -> Result<Log, Failure> {
         put_on_run(&mut log, &clock);
     }
     tell_remarks(text, &log);
+    tell_unfinished(text, named.unfinished().as_ref());
     if log.skipped > 0 {
         tell(format_args!("{text}: {} lines were left out; homebody convert says which", log.skipped));
     }

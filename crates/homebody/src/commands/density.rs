@@ -84,6 +84,12 @@ impl Arguments {
         if [Some(&density.of), density.against.as_ref().map(|other| &other.of)].into_iter().flatten().any(is_by_name) {
             tell("The entrance is told by names; --door SENSOR names others");
         }
+        for log in &known {
+            let people: Vec<&str> = log.lives.iter().map(|life| life.resident.as_str()).collect();
+            if people.len() > 1 {
+                tell(format_args!("{}: its firings are of all who are there: {}", log.name, people.join(", ")));
+            }
+        }
         answer.give_beside(&density, [&|| density_map(&density)], &|| density.of.map.csv())
     }
 

@@ -1,8 +1,10 @@
 //! `homebody label`: a log with what the truth says of each row.
 
 use super::convert::{LOG_COLUMNS, forms_of_logs, keep, rows_bar, tell_remarks};
+use super::read_log::{go_on, tell_unfinished};
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
+use homebody_core::problem::counted;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_kit::NamedLog;
 use homebody_log::{How, Labelled, Transfer, Url, label, truth_at};
@@ -61,6 +63,12 @@ impl Arguments {
         };
         keep(&self.to, &[&named.place, &truth])?;
         let log = named.survey()?;
+        let unfinished = named.unfinished();
+        if let Some(run) = unfinished.as_ref().filter(|run| run.is_killed) {
+            let what = "its run has not come to its end, so that its log and its truth may end at different rows";
+            return Err(Failure::Io(format!("{}: {what}\n  hint: {} first", self.log, go_on(run))));
+        }
+        tell_unfinished(&self.log, unfinished.as_ref());
         tell_remarks(&self.log, &log);
         let how = if self.force { How::Replace } else { How::New };
         let (name, zone) = (&self.log, &self.time_zone);
@@ -69,7 +77,8 @@ impl Arguments {
         let labelled = label(&transfer, &log, &truth, &named.clock_beside(&truth), |rows| progress.set_position(rows));
         progress.finish_and_clear();
         let Labelled { rows, somebodys, nobodys, unexplained } = labelled?;
-        tell(format_args!("{}: {rows} rows, {somebodys} of somebody's doing, {nobodys} of nobody's", self.to));
+        let rows = counted(rows as usize, "row", "rows");
+        tell(format_args!("{}: {rows}, {somebodys} of somebody's doing, {nobodys} of nobody's", self.to));
         if unexplained > 0 {
             tell(format_args!("{unexplained} rows have no cause in the truth"));
         }

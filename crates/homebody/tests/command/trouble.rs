@@ -209,7 +209,12 @@ fn two_programs_never_write_one_file() {
         let whole = ["log", "truth.db", "r.json"].map(|name| folder.sha256(name));
         let mut running = folder.start(&format!("run flat --for 30m --quiet --control --paused {words}"));
         running.say("step 60\n");
-        folder.until("it is begun", |folder| folder.path("truth.db.lock").exists());
+        // The truth that was there is put aside until the new one is whole.
+        let is_begun = |folder: &Folder| {
+            let is_aside = |name: &String| name.starts_with("truth.db.") && name.ends_with(".old");
+            folder.files().iter().any(is_aside) && folder.path("truth.db").exists()
+        };
+        folder.until("it is begun", is_begun);
         // A database's journals come and go while it is written.
         let files = || {
             let is_journal = |name: &String| ["-wal", "-shm", "-journal"].iter().any(|end| name.ends_with(end));

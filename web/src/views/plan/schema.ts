@@ -71,11 +71,13 @@ const WORDS: Record<string, string[]> = {
 const LABELS: Record<string, string> = {
   at: 'Place', from: 'From', to: 'To', on: 'Hangs on', facing_deg: 'Looks to', enterable: 'People can be in it', outside: 'Leads outside',
   level: 'Sees', preset: 'Timing as of', first_fire_s: 'First firing', refire_s: 'Next firings',
+  notice: 'Notices',
 };
 
 /** What choices are called, where the file's word alone tells little. */
 const CHOICES: Record<string, string> = {
   'level paper': 'any change in a beam', 'level sensitivity': 'large changes only', 'level zones': 'changes between zones',
+  'notice all': 'every movement', 'notice chance': 'by chance',
   'preset paper': 'Godsey and Skubic 2009', 'preset x10_ms16a': 'X10 ActiveEye MS16A', 'preset casas_pulse': 'CASAS, a pulse of 4 s',
   'role ': 'as its name says',
   'preset casas_follow': 'CASAS, while it lasts', 'preset aqara': 'Aqara RTCGQ11LM', 'preset hue': 'Philips Hue',

@@ -3,14 +3,13 @@
 use super::{Report, Surroundings, folded};
 use crate::problem::Problem;
 use crate::scenario::inside::{outside_folder, taken_in_run};
-use crate::scenario::logger::LoggerFile;
+use crate::scenario::logger::{LoggerFile, LumpFile, MessagesFile};
 use crate::scenario::scheme::{NoPlace, Scheme};
 use crate::scenario::source::{Source, pointer_part};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What to do about a place that leads out of the folder.
-const INSIDE: &str =
-    "name a file in there, such as \"sqlite:log.db\"; whoever runs it may say another place for that run";
+const INSIDE: &str = "name a file in there, such as \"sqlite:log.db\"";
 
 /// What to do about a place that something else has.
 const ANOTHER: &str = "name a file that nothing else has, such as \"csv:logs/week.csv\"";
@@ -20,6 +19,21 @@ pub fn check(source: &Source, file: &LoggerFile, surroundings: &Surroundings, pr
     check_targets(report, &file.to);
     check_sql_names(report, file);
     check_ids(report, &file.ids, surroundings);
+    check_lumps(report, file);
+}
+
+fn check_lumps(report: &mut Report, file: &LoggerFile) {
+    let MessagesFile::OnOff(on_off) = &file.messages else { return };
+    for (index, LumpFile { parts: [least, most], .. }) in on_off.lumps.iter().enumerate() {
+        if least > most {
+            let what = format!("the least of \"parts\", {least}, is more than its most, {most}");
+            report.hinted(&format!("/messages/on_off/lumps/{index}/parts"), what, format!("write [{most}, {least}]"));
+        }
+    }
+    if !on_off.lumps.is_empty() && on_off.lumps.iter().all(|lump| lump.share == 0.0) {
+        let hint = "give one lump a share above 0, or write [] for holds of exactly \"hold_s\"";
+        report.hinted("/messages/on_off/lumps", "no lump has a share", hint);
+    }
 }
 
 fn check_targets(report: &mut Report, targets: &[String]) {

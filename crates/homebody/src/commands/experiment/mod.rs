@@ -3,6 +3,8 @@
 mod claims;
 mod daily_life;
 mod godsey2009;
+mod possible;
+mod realism;
 mod sphere;
 
 use crate::failure::Failure;
@@ -13,7 +15,9 @@ use crate::failure::Failure;
   homebody experiment godsey2009 --svg firings.svg
   homebody experiment sphere --data sphere_challenge --svg rooms.svg
   homebody experiment daily-life --people 20 --days 14 --png people.png
-  homebody experiment claims --json claims.json")]
+  homebody experiment claims --json claims.json
+  homebody experiment possible
+  homebody experiment realism --data casas --json realism.json")]
 pub struct Arguments {
     #[command(subcommand)]
     experiment: Experiment,
@@ -29,6 +33,10 @@ enum Experiment {
     DailyLife(daily_life::Arguments),
     /// What sentences of routines come to, beside their words
     Claims(claims::Arguments),
+    /// What cannot be, counted in lives: two on one spot, visits to nobody, meals before they are cooked
+    Possible(possible::Arguments),
+    /// Real homes beside a generated life that is sensed as they are
+    Realism(realism::Arguments),
 }
 
 impl Arguments {
@@ -38,6 +46,8 @@ impl Arguments {
             Experiment::Sphere(arguments) => arguments.run(),
             Experiment::DailyLife(arguments) => arguments.run(),
             Experiment::Claims(arguments) => arguments.run(),
+            Experiment::Possible(arguments) => arguments.run(),
+            Experiment::Realism(arguments) => arguments.run(),
         }
     }
 }

@@ -1,0 +1,190 @@
+//! The measures by themselves: distances of two logs, and figures of one.
+
+use super::heard::Heard;
+use crate::compare::distance;
+use homebody_core::time::{Micros, SECOND, seconds};
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// Two sensors fire together within this span.
+pub const TOGETHER: Micros = 3 * SECOND;
+
+/// From one sensor to another within this span is a way from the one to the other.
+const ON_THE_WAY: Micros = 60 * SECOND;
+
+/// The times from each firing in the home to the next.
+pub fn gaps(log: &Heard) -> Vec<Micros> {
+    log.firings.windows(2).map(|pair| pair[1].0 - pair[0].0).collect()
+}
+
+/// The times from each firing of a sensor to its next.
+pub fn refires(log: &Heard) -> Vec<Micros> {
+    let mut last = vec![None; log.sensors.len()];
+    log.firings.iter().filter_map(|&(at, sensor)| Some(at - last[sensor].replace(at)?)).collect()
+}
+
+/// How long each ON lasts.
+pub fn on_lengths(log: &Heard) -> Vec<Micros> {
+    log.on.iter().map(|(on, _)| on.end - on.start).collect()
+}
+
+/// The firings of each day.
+pub fn firings_a_day(log: &Heard) -> Vec<Micros> {
+    log.each_day().map(|day| log.firings_in(&day).len() as Micros).collect()
+}
+
+/// The Kolmogorov-Smirnov distance of a sample of each of two logs.
+pub fn ks(of: fn(&Heard) -> Vec<Micros>, logs: [&Heard; 2]) -> Option<f64> {
+    distance(logs.map(of))
+}
+
+/// How the firings are spread over the hours of the day, in firings an hour.
+pub fn profile(log: &Heard) -> [f64; 24] {
+    let mut hours = [0.0; 24];
+    for (index, hour) in log.each_hour().enumerate() {
+        hours[index % 24] += log.firings_in(&hour).len() as f64 / log.days_count() as f64;
+    }
+    hours
+}
+
+/// The distance of two profiles of the day.
+pub fn hours_apart(logs: [&Heard; 2]) -> Option<f64> {
+    let [a, b] = logs.map(profile);
+    jensen_shannon(a.into_iter().zip(b))
+}
+
+/// Whether sensors of the same name fire at least half of the time in both logs, so that their names can be compared.
+pub fn names_agree(logs: [&Heard; 2]) -> bool {
+    let counts = logs.map(Heard::counts);
+    let agrees = |which: usize| {
+        let own = &counts[which];
+        let known: f64 = own.iter().filter(|(name, _)| counts[1 - which].contains_key(*name)).map(|(_, n)| n).sum();
+        known > 0.0 && known * 2.0 >= own.values().sum::<f64>()
+    };
+    agrees(0) && agrees(1)
+}
+
+/// The distance of the shares that the sensors have in the firings.
+pub fn shares_apart(logs: [&Heard; 2]) -> Option<f64> {
+    names_agree(logs).then(|| jensen_shannon_of(&logs.map(Heard::counts)))?
+}
+
+/// The distance of the shares that each way from sensor to sensor has in all ways.
+pub fn ways_apart(logs: [&Heard; 2]) -> Option<f64> {
+    names_agree(logs).then(|| jensen_shannon_of(&logs.map(ways)))?
+}
+
+/// How often which sensor is followed by which other.
+fn ways(log: &Heard) -> BTreeMap<(&str, &str), f64> {
+    let mut ways = BTreeMap::new();
+    for pair in log.firings.windows(2) {
+        if pair[0].1 != pair[1].1 && pair[1].0 - pair[0].0 <= ON_THE_WAY {
+            *ways.entry((log.sensors[pair[0].1].as_str(), log.sensors[pair[1].1].as_str())).or_insert(0.0) += 1.0;
+        }
+    }
+    ways
+}
+
+/// The distance of how long one, two, and three and more sensors are ON at once.
+pub fn at_once_apart(logs: [&Heard; 2]) -> Option<f64> {
+    let [a, b] = logs.map(|log| at_once(&log.on));
+    jensen_shannon(a.into_iter().zip(b))
+}
+
+/// For how many seconds exactly one, exactly two, and three and more sensors are ON.
+pub fn at_once(on: &[(Range<Micros>, usize)]) -> [f64; 3] {
+    let mut turns: Vec<(Micros, i32)> = on.iter().flat_map(|(on, _)| [(on.start, 1), (on.end, -1)]).collect();
+    turns.sort_unstable();
+    let (mut spans, mut count, mut since) = ([0.0; 3], 0_i32, 0);
+    for (at, change) in turns {
+        if count > 0 {
+            spans[(count as usize - 1).min(2)] += seconds(at - since);
+        }
+        (count, since) = (count + change, at);
+    }
+    spans
+}
+
+/// Whether another sensor fires within `span` of a firing.
+pub fn is_together(firings: &[(Micros, usize)], index: usize, span: Micros) -> bool {
+    let (at, sensor) = firings[index];
+    let before = firings[..index].iter().rev().take_while(|firing| at - firing.0 <= span);
+    let after = firings[index + 1..].iter().take_while(|firing| firing.0 - at <= span);
+    before.chain(after).any(|firing| firing.1 != sensor)
+}
+
+/// The share of firings beside which another sensor fires.
+pub fn together(log: &Heard) -> Option<f64> {
+    let beside = (0..log.firings.len()).filter(|&index| is_together(&log.firings, index, TOGETHER)).count();
+    (!log.firings.is_empty()).then(|| beside as f64 / log.firings.len() as f64)
+}
+
+/// The share of hours in which nothing fires.
+pub fn empty_hours(log: &Heard) -> Option<f64> {
+    let empty = log.each_hour().filter(|hour| log.firings_in(hour).is_empty()).count();
+    (log.days_count() > 0).then(|| empty as f64 / (24 * log.days_count()) as f64)
+}
+
+/// By day the firings an hour, of hours in which anything fires; nothing of a day on which nothing does.
+fn liveliness(log: &Heard) -> Vec<Option<f64>> {
+    let of = |day: Range<Micros>| {
+        let hours = (0..24).map(|hour| day.start + hour * super::heard::HOUR);
+        let lively = hours.filter(|&hour| !log.firings_in(&(hour..hour + super::heard::HOUR)).is_empty()).count();
+        (lively > 0).then(|| log.firings_in(&day).len() as f64 / lively as f64)
+    };
+    log.each_day().map(of).collect()
+}
+
+/// How much days differ: the standard deviation of their liveliness over its mean.
+pub fn days_differ(log: &Heard) -> Option<f64> {
+    spread(&liveliness(log).into_iter().flatten().collect::<Vec<f64>>())
+}
+
+/// How much days are like the day before: the correlation of their liveliness, of four pairs or more.
+pub fn days_follow(log: &Heard) -> Option<f64> {
+    let pairs: Vec<(f64, f64)> = liveliness(log).windows(2).filter_map(|pair| pair[0].zip(pair[1])).collect();
+    if pairs.len() < 4 {
+        return None;
+    }
+    let mean = |of: fn(&(f64, f64)) -> f64| pairs.iter().map(of).sum::<f64>() / pairs.len() as f64;
+    let (a, b) = (mean(|pair| pair.0), mean(|pair| pair.1));
+    let sum = |of: &dyn Fn(&(f64, f64)) -> f64| pairs.iter().map(of).sum::<f64>();
+    let both = sum(&|pair| (pair.0 - a) * (pair.1 - b));
+    let each = sum(&|pair| (pair.0 - a) * (pair.0 - a)) * sum(&|pair| (pair.1 - b) * (pair.1 - b));
+    (each > 0.0).then(|| both / each.sqrt())
+}
+
+/// The standard deviation over the mean.
+pub fn spread(values: &[f64]) -> Option<f64> {
+    let count = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / count;
+    let squares: f64 = values.iter().map(|value| (value - mean) * (value - mean)).sum();
+    (values.len() > 1 && mean > 0.0).then(|| (squares / (count - 1.0)).sqrt() / mean)
+}
+
+/// A quantile of a sorted sample: the value at the share, rounded down.
+pub fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
+    sorted.get(((sorted.len() as f64 * share) as usize).min(sorted.len().saturating_sub(1))).copied()
+}
+
+/// The Jensen-Shannon distance of what two logs count, by key.
+fn jensen_shannon_of<K: Ord>(counts: &[BTreeMap<K, f64>; 2]) -> Option<f64> {
+    let of_a = counts[0].iter().map(|(key, &a)| (a, counts[1].get(key).copied().unwrap_or(0.0)));
+    let of_b = counts[1].iter().filter(|(key, _)| !counts[0].contains_key(key)).map(|(_, &b)| (0.0, b));
+    jensen_shannon(of_a.chain(of_b).collect::<Vec<_>>().into_iter())
+}
+
+/// The Jensen-Shannon distance of two rows of weights: the root of the divergence, in bits; 0 is equal, 1 has nothing in
+/// common. Nothing where a row has no weight.
+pub fn jensen_shannon(weights: impl Iterator<Item = (f64, f64)> + Clone) -> Option<f64> {
+    let (whole_a, whole_b) = weights.clone().fold((0.0, 0.0), |(a, b), (x, y)| (a + x, b + y));
+    if whole_a <= 0.0 || whole_b <= 0.0 {
+        return None;
+    }
+    let term = |p: f64, middle: f64| if p > 0.0 { p * (p / middle).log2() } else { 0.0 };
+    let divergence: f64 = weights
+        .map(|(a, b)| (a / whole_a, b / whole_b))
+        .map(|(p, q)| (term(p, (p + q) / 2.0) + term(q, (p + q) / 2.0)) / 2.0)
+        .sum();
+    Some(divergence.max(0.0).sqrt())
+}

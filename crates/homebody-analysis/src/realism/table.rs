@@ -1,0 +1,48 @@
+//! The measures for people.
+
+use super::{Realism, Sign, Summary};
+use std::fmt;
+
+impl fmt::Display for Realism {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        for (letter, Summary { name, days, motion_sensors, firings_a_day, .. }) in [("A", &self.a), ("B", &self.b)] {
+            writeln!(
+                f,
+                "{letter}  {name}: {days} days, {motion_sensors} motion sensors, {firings_a_day:.0} firings a day"
+            )?;
+        }
+        writeln!(f, "\n{:16}  {:>6}  {:>6}  what", "measure", "value", "floor")?;
+        let shown = |value: Option<f64>| value.map_or("-".into(), |value| format!("{value:.3}"));
+        for (name, what, measure) in self.measures() {
+            let each = match measure.of {
+                Some([a, b]) => format!(": A {}, B {}", shown(a), shown(b)),
+                None => String::new(),
+            };
+            writeln!(f, "{name:16}  {:>6}  {:>6}  {what}{each}", shown(measure.value), shown(measure.floor))?;
+        }
+        for (what, signs) in [("Days", &self.days_told_by), ("Hours", &self.hours_told_by)] {
+            told_by(f, what, signs)?;
+        }
+        write!(f, "\n{MEASURES}")
+    }
+}
+
+fn told_by(f: &mut fmt::Formatter, what: &str, signs: &[Sign]) -> fmt::Result {
+    if signs.is_empty() {
+        return Ok(());
+    }
+    writeln!(f, "\n{what} are told apart by  (part, median of A, of B)")?;
+    for Sign { figure, part, medians: [a, b] } in signs {
+        writeln!(f, "  {:>4.1} %  {a:>9.2}  {b:>9.2}  {figure}", part * 100.0)?;
+    }
+    Ok(())
+}
+
+/// What the measures are, for people.
+pub const MEASURES: &str = "\
+value  How far B is from A: 0 is alike, and 1 is wholly apart, but for density maps. KS is the Kolmogorov-Smirnov
+       distance, JS the Jensen-Shannon distance. The area under the curve is 0.5 if telling A from B is guessing.
+floor  The same of the first half of A's days against the second.
+-      It cannot be said: names of sensors differ, ONs have no end, or there are too few days (a forest needs 4 on each
+       side for days, 2 for hours).
+";

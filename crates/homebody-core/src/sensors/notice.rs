@@ -1,0 +1,196 @@
+//! What a motion sensor notices: the chance that a movement in its field is seen.
+//!
+//! A passive infrared sensor answers to changes of heat on its element. What moves little, far away, or at the edge of what
+//! the lens gathers changes little; a step sideways may fall between two facets. So real sensors miss some movements, notice
+//! others late, and neighbours disagree where their fields meet.
+//!
+//! We assume that a sensor looks now and then, once in each slot of `1 / looks_per_s` at an instant that is evenly spread in
+//! it, and that a look notices a body that moves in the field with the chance `size * edge`, each look by itself. With the
+//! angle `a` by which the body moves in a second as seen from the lens, `size = min(1, (a / sure)^2)`: heat on an element
+//! falls with the square of distance. With the depth `d` of the body's middle inside the field, below 0 outside, and its radius `r`,
+//! `edge = min(1, (d + r) / edge_m)`: 0 where the body only just touches the field. Of both kinds of
+//! sensor its own file says from where it looks.
+//! Besides, of spans of 4 s a share `missed` is lost: whoever passes then, along a facet or between two, is not seen at all.
+//!
+//! Looks and their marks are not drawn one after the other but belong to the number of their slot, so that it does not matter
+//! when and how often the world asks: time may be cut anywhere. Each body has marks of its own.
+//!
+//! Left out: which way a body moves, how warm it and the room are. A sensor at level `sensitivity` has its threshold besides.
+
+use crate::random::{DrawnValue, Marks};
+use crate::scenario::home::SensorFile;
+use crate::scenario::notice::Notice;
+use crate::time::{Micros, SECOND};
+use std::ops::RangeInclusive;
+
+/// What moves by this angle in a second is surely noticed, in degrees (ours, fitted: see `docs/realism.md`).
+const SURE_DEG: f64 = 22.0;
+
+/// The same for the wide sensors of CASAS homes, which only see large movements (ours, fitted as well).
+const SURE_OF_WIDE_DEG: f64 = 64.0;
+
+/// For so long nothing of a body is noticed at a time: about as long as somebody takes to pass (ours).
+const MISSED_FOR: Micros = 4 * SECOND;
+
+/// Nearer than this nothing looks larger (ours).
+const NEAREST_M: f64 = 0.5;
+
+/// How likely a sensor notices what moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chance {
+    /// How long a slot is, in each of which it looks once, in microseconds.
+    pub slot: Micros,
+    /// What moves by this angle in a second is surely noticed, in radians.
+    pub sure_rad: f64,
+    /// The width of the soft edge, in metres.
+    pub edge_m: f64,
+    /// The share of spans of 4 s in which nothing is noticed.
+    pub missed: f64,
+}
+
+/// Where a body is as a sensor has it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// From the lens to the middle of the body, in metres.
+    pub distance_m: f64,
+    /// How deep in the field the middle of the body is, in metres; below 0 outside.
+    pub depth_m: f64,
+}
+
+/// One look of a sensor at one body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Look {
+    /// When it looks.
+    pub at: Micros,
+    /// It notices what has a greater chance than this.
+    pub mark: f64,
+}
+
+impl Chance {
+    /// Of a sensor's file that has passed its checks; `None` for one that notices all, or does not look for movement.
+    pub fn new(file: &SensorFile) -> Option<Chance> {
+        let is_wide = matches!(file, SensorFile::Motion(wall) if wall.preset.is_casas());
+        let usual_deg = if is_wide { SURE_OF_WIDE_DEG } else { SURE_DEG };
+        match file.notice()? {
+            Notice::All => None,
+            Notice::Chance(chance) => Some(Chance {
+                slot: ((SECOND as f64 / chance.looks_per_s) as Micros).max(1),
+                sure_rad: chance.sure_deg.unwrap_or(usual_deg).to_radians(),
+                edge_m: chance.edge_m,
+                missed: chance.missed,
+            }),
+        }
+    }
+
+    /// The chance that a look notices a body of this radius which is there and moves so far within a second.
+    pub fn of(&self, there: View, moved_m: f64, radius_m: f64) -> f64 {
+        let size = moved_m / there.distance_m.max(NEAREST_M) / self.sure_rad;
+        let inside_m = there.depth_m + radius_m;
+        let edge = if self.edge_m > 0.0 { (inside_m / self.edge_m).clamp(0.0, 1.0) } else { 1.0 };
+        (size * size).min(1.0) * edge
+    }
+
+    /// Whether nothing of a body is noticed at an instant.
+    pub fn misses(&self, marks: Marks, body: u32, at: Micros) -> bool {
+        // Beside the numbers of the slots.
+        marks.of(!(at.div_euclid(MISSED_FOR) as u64)).unit(body + 1) < self.missed
+    }
+
+    /// The looks at a body in a span.
+    pub fn looks(self, marks: Marks, body: u32, span: RangeInclusive<Micros>) -> impl Iterator<Item = Look> {
+        let slots = span.start().div_euclid(self.slot)..=span.end().div_euclid(self.slot);
+        let look = move |slot: Micros| {
+            let drawn: DrawnValue = marks.of(slot as u64);
+            let at = slot * self.slot + (drawn.unit(0) * self.slot as f64) as Micros;
+            Look { at, mark: drawn.unit(body + 1) }
+        };
+        slots.map(look).filter(move |look| span.contains(&look.at))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn chance(file: serde_json::Value) -> Option<Chance> {
+        Chance::new(&serde_json::from_value(file).expect("a sensor"))
+    }
+
+    const CHANCE: Chance = Chance { slot: SECOND / 2, sure_rad: 0.25, edge_m: 0.5, missed: 0.0 };
+
+    fn close(found: f64, expected: f64) {
+        assert!((found - expected).abs() < 1e-9, "{found} is not {expected}");
+    }
+
+    #[test]
+    fn presets_of_real_devices_notice_by_chance_and_the_papers_all() {
+        let area = json!([[0, 0], [1, 0], [1, 1], [0, 1]]);
+        let of = |more: serde_json::Value| {
+            let mut file = json!({ "kind": "ceiling_motion", "name": "m", "area": area });
+            file.as_object_mut().unwrap().extend(more.as_object().unwrap().clone());
+            chance(file)
+        };
+        assert_eq!(of(json!({})), None);
+        let sure_deg = |chance: Option<Chance>| chance.map(|chance| chance.sure_rad.to_degrees().round());
+        assert_eq!(sure_deg(of(json!({ "preset": "casas_pulse" }))), Some(22.0));
+        let wall =
+            |preset: &str| json!({ "kind": "motion", "name": "m", "at": [0, 0], "facing_deg": 0, "preset": preset });
+        assert_eq!(["casas_follow", "hue"].map(|preset| sure_deg(chance(wall(preset)))), [Some(64.0), Some(22.0)]);
+        assert_eq!(of(json!({ "preset": "casas_pulse", "notice": "all" })), None);
+        let own = json!({ "notice": { "chance": { "looks_per_s": 4, "sure_deg": 45, "edge_m": 0, "missed": 0.5 } } });
+        let quarter_turn = std::f64::consts::FRAC_PI_4;
+        assert_eq!(of(own), Some(Chance { slot: SECOND / 4, sure_rad: quarter_turn, edge_m: 0.0, missed: 0.5 }));
+        let zones = json!({ "kind": "motion", "name": "m", "at": [0, 0], "facing_deg": 0, "preset": "hue",
+            "level": { "zones": {} } });
+        assert_eq!(chance(zones), None);
+    }
+
+    #[test]
+    fn a_look_notices_less_of_what_is_small_far_or_at_the_edge() {
+        let of = |distance_m, depth_m, moved_m| CHANCE.of(View { distance_m, depth_m }, moved_m, 0.2);
+        // 1.5 m away 0.375 m are 0.25 rad; half of that, or twice as far, is a quarter as sure.
+        close(of(1.5, 1.0, 0.375), 1.0);
+        close(of(1.5, 1.0, 0.1875), 0.25);
+        close(of(3.0, 1.0, 0.375), 0.25);
+        close(of(1.5, 1.0, 5.0), 1.0);
+        // At the edge 0.2 m of the body are inside the field, of 0.5 m; 0.2 m outside nothing is.
+        close(of(1.5, 0.0, 5.0), 0.4);
+        close(of(1.5, -0.2, 5.0), 0.0);
+        close(of(1.5, 0.1, 5.0), 0.6);
+    }
+
+    #[test]
+    fn a_share_of_spans_of_four_seconds_is_missed() {
+        let (chance, marks) = (Chance { missed: 0.3, ..CHANCE }, Marks::named(1, "missed"));
+        let spans = 10_000;
+        let missed = (0..spans).filter(|&span| chance.misses(marks, 0, span * MISSED_FOR)).count();
+        assert!((missed as f64 / spans as f64 - 0.3).abs() < 0.015, "{missed}");
+        let whole =
+            |span: Micros| [0, 1, SECOND, MISSED_FOR - 1].map(|at| chance.misses(marks, 0, span * MISSED_FOR + at));
+        assert!((0..100).all(|span| whole(span) == [whole(span)[0]; 4]));
+        assert!(!CHANCE.misses(marks, 0, 0) && Chance { missed: 1.0, ..CHANCE }.misses(marks, 0, 0));
+    }
+
+    #[test]
+    fn looks_are_the_same_however_a_span_is_cut() {
+        let marks = Marks::named(1, "looks");
+        let whole: Vec<Look> = CHANCE.looks(marks, 0, 0..=100 * SECOND - 1).collect();
+        assert_eq!(whole.len(), 200);
+        assert!(whole.iter().enumerate().all(|(slot, look)| look.at / CHANCE.slot == slot as Micros));
+        let mut cut = Vec::new();
+        let mut from = 0;
+        for length in [1, 7, 100_000, 16_667, 999_999].into_iter().cycle() {
+            let to = (from + length).min(100 * SECOND);
+            cut.extend(CHANCE.looks(marks, 0, from..=to - 1));
+            from = to;
+            if from == 100 * SECOND {
+                break;
+            }
+        }
+        assert_eq!(cut, whole);
+        // Bodies are looked at together, and noticed or not each by itself.
+        let other: Vec<Look> = CHANCE.looks(marks, 1, 0..=100 * SECOND - 1).collect();
+        assert!(whole.iter().zip(&other).all(|(a, b)| a.at == b.at && a.mark != b.mark));
+    }
+}

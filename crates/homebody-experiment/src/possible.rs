@@ -1,0 +1,261 @@
+//! What cannot be, counted in lives: two on one spot, somebody who walks through somebody, a visit to nobody, a meal that is
+//! eaten before it is cooked.
+//!
+//! It looks at the truth alone, so that it says of any driver's life the same.
+
+use homebody_core::activity::{
+    EATING_BREAKFAST, EATING_DINNER, EATING_LUNCH, PREPARING_BREAKFAST, PREPARING_DINNER, PREPARING_LUNCH,
+};
+use homebody_core::drivers::MotionSegment;
+use homebody_core::event::{Fact, MotionState};
+use homebody_core::time::{Micros, SECOND};
+use serde::Serialize;
+use std::fmt;
+
+/// Nearer than this, two are on one spot (ours): who squeezes past somebody in a narrow place does not come as near.
+pub const ONE_SPOT_M: f64 = 0.2;
+
+/// At so many instants of a part of two movements it is looked how near they are (ours).
+const LOOKS: i64 = 5;
+
+/// Who sits down to a meal while the last is put on the table does not eat it uncooked (ours).
+const SERVING: Micros = 60 * SECOND;
+
+/// What cannot be, of one life or household.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Impossible {
+    /// Two who stay on one spot.
+    pub on_one_spot: u32,
+    /// How long in all.
+    pub on_one_spot_s: f64,
+    /// Somebody who walks through somebody who stands or walks.
+    pub through_somebody: u32,
+    /// A visitor where no host is.
+    pub visiting_nobody_s: f64,
+    /// Meals that one eats while another still cooks them.
+    pub eaten_uncooked: u32,
+    /// Things that end before they begin.
+    pub ends_before_it_begins: u32,
+}
+
+impl Impossible {
+    /// Whether nothing of it happened.
+    pub fn is_nothing(&self) -> bool {
+        *self == Impossible::default()
+    }
+}
+
+/// Who does what and is where, in a household.
+#[derive(Clone, Debug, Default)]
+pub struct Lives {
+    /// By body, in the order of [`ResidentId`](homebody_core::ids::ResidentId): the residents, then the visitors.
+    moves: Vec<Vec<MotionSegment>>,
+    doing: Vec<Vec<(Micros, Option<String>)>>,
+    /// Whether it is a person, and no pet.
+    are_people: Vec<bool>,
+    /// Of each visitor, by their place among the bodies, the host.
+    hosts: Vec<(usize, usize)>,
+}
+
+impl Lives {
+    /// Nobody has lived yet; `hosts` says of each visitor, by their place among the bodies, who the host is.
+    pub fn new(are_people: Vec<bool>, hosts: Vec<(usize, usize)>) -> Lives {
+        let bodies = are_people.len();
+        Lives { moves: vec![Vec::new(); bodies], doing: vec![Vec::new(); bodies], are_people, hosts }
+    }
+
+    /// Takes a fact of the truth, in the order in which they are told.
+    pub fn take(&mut self, fact: &Fact) {
+        match fact {
+            Fact::Movement { resident, begin, end, doing, posture } => {
+                let (begin, end, doing, posture) = (*begin, *end, *doing, *posture);
+                self.moves[resident.index()].push(MotionSegment { begin, end, doing, posture });
+            }
+            Fact::Activity { resident, at, name } => self.doing[resident.index()].push((*at, name.clone())),
+            _ => {}
+        }
+    }
+
+    /// How often visitors have come in.
+    pub fn visits(&self) -> usize {
+        let is_out = |segment: &MotionSegment| segment.doing == MotionState::Away;
+        let comings =
+            |moves: &[MotionSegment]| moves.windows(2).filter(|pair| is_out(&pair[0]) && !is_out(&pair[1])).count();
+        self.hosts.iter().map(|&(visitor, _)| comings(&self.moves[visitor])).sum()
+    }
+
+    /// What of it cannot be.
+    pub fn impossible(&self) -> Impossible {
+        let mut found = Impossible::default();
+        let people: Vec<usize> = (0..self.moves.len()).filter(|&body| self.are_people[body]).collect();
+        for (place, &first) in people.iter().enumerate() {
+            for &second in &people[place + 1..] {
+                meet(&self.moves[first], &self.moves[second], &mut found);
+                found.eaten_uncooked += self.uncooked(first, second) + self.uncooked(second, first);
+            }
+        }
+        for &(visitor, host) in &self.hosts {
+            together(&self.moves[visitor], &self.moves[host], |visits, hosts, from, until| {
+                let is_home = |segment: &MotionSegment| segment.doing != MotionState::Away;
+                if is_home(visits) && !is_home(hosts) {
+                    found.visiting_nobody_s += (until - from) as f64 / SECOND as f64;
+                }
+            });
+        }
+        let backwards = self.moves.iter().flatten().filter(|segment| segment.end < segment.begin).count();
+        let turns = self.doing.iter().flat_map(|doing| doing.windows(2)).filter(|pair| pair[1].0 < pair[0].0).count();
+        found.ends_before_it_begins = (backwards + turns) as u32;
+        found
+    }
+
+    /// How often one sits down to a meal that another is still cooking.
+    fn uncooked(&self, eats: usize, cooks: usize) -> u32 {
+        let meals = [
+            (EATING_BREAKFAST, PREPARING_BREAKFAST),
+            (EATING_LUNCH, PREPARING_LUNCH),
+            (EATING_DINNER, PREPARING_DINNER),
+        ];
+        let begins = self.doing[eats].iter().filter_map(|(at, name)| {
+            let (_, cooking) = meals.iter().find(|(eating, _)| name.as_deref() == Some(eating))?;
+            Some((*at, *cooking))
+        });
+        let is_cooking = |at: Micros, cooking| [at, at + SERVING].iter().all(|&at| self.is_doing(cooks, at, cooking));
+        begins.filter(|&(at, cooking)| is_cooking(at, cooking)).count() as u32
+    }
+
+    fn is_doing(&self, body: usize, at: Micros, what: &str) -> bool {
+        let next = self.doing[body].partition_point(|(begin, _)| *begin <= at);
+        self.doing[body][..next].last().is_some_and(|(_, name)| name.as_deref() == Some(what))
+    }
+}
+
+/// How often two who live together are where the other is.
+fn meet(a: &[MotionSegment], b: &[MotionSegment], found: &mut Impossible) {
+    together(a, b, |a, b, from, until| {
+        let stays = |segment: &MotionSegment| !matches!(segment.doing, MotionState::Stride { .. });
+        let nearest = nearest(a, b, from, until);
+        if nearest < ONE_SPOT_M && stays(a) && stays(b) {
+            found.on_one_spot += 1;
+            found.on_one_spot_s += (until - from) as f64 / SECOND as f64;
+        } else if nearest < ONE_SPOT_M && a.posture == b.posture {
+            found.through_somebody += 1;
+        }
+    });
+}
+
+/// How near two come in a span of time; infinitely far while one is out.
+fn nearest(a: &MotionSegment, b: &MotionSegment, from: Micros, until: Micros) -> f64 {
+    let at = |instant: Micros| -> Option<f64> { Some(a.position(instant)?.distance(b.position(instant)?)) };
+    let instants = (0..LOOKS).map(|part| from + (until - from) * part / (LOOKS - 1));
+    instants.filter_map(at).fold(f64::INFINITY, f64::min)
+}
+
+/// All that two do at a time, from when until when.
+fn together(
+    a: &[MotionSegment],
+    b: &[MotionSegment],
+    mut each: impl FnMut(&MotionSegment, &MotionSegment, Micros, Micros),
+) {
+    let (mut of_a, mut of_b) = (a.iter().peekable(), b.iter().peekable());
+    while let (Some(a), Some(b)) = (of_a.peek(), of_b.peek()) {
+        let (from, until) = (a.begin.max(b.begin), a.end.min(b.end));
+        if from < until {
+            each(a, b, from, until);
+        }
+        if a.end <= b.end {
+            of_a.next();
+        } else {
+            of_b.next();
+        }
+    }
+}
+
+/// What cannot be, scenario by scenario.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Possible {
+    /// How many days each was lived.
+    pub days: u32,
+    /// In the order in which they were named.
+    pub scenarios: Vec<Row>,
+}
+
+/// One scenario.
+#[derive(Clone, Debug, Serialize)]
+pub struct Row {
+    /// Its name.
+    pub scenario: String,
+    /// How many people live there or come.
+    pub people: usize,
+    /// How often visitors came in.
+    pub visits: usize,
+    /// What of it cannot be.
+    #[serde(flatten)]
+    pub impossible: Impossible,
+}
+
+impl Possible {
+    /// Whether nothing impossible happened.
+    pub fn is_clean(&self) -> bool {
+        self.scenarios.iter().all(|row| row.impossible.is_nothing())
+    }
+}
+
+impl fmt::Display for Possible {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let width = self.scenarios.iter().map(|row| row.scenario.chars().count()).max().unwrap_or(0).max(8);
+        writeln!(
+            f,
+            "{:width$}  people  visits  one spot  through  visit to nobody  uncooked  backwards",
+            format!("{} days", self.days)
+        )?;
+        for Row { scenario, people, visits, impossible } in &self.scenarios {
+            let Impossible { on_one_spot, through_somebody, visiting_nobody_s, .. } = impossible;
+            let Impossible { eaten_uncooked, ends_before_it_begins, .. } = impossible;
+            writeln!(
+                f,
+                "{scenario:width$}  {people:>6}  {visits:>6}  {on_one_spot:>8}  {through_somebody:>7}  {visiting_nobody_s:>13.0} s  {eaten_uncooked:>8}  {ends_before_it_begins:>9}"
+            )?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homebody_core::geometry::Point;
+    use homebody_core::ids::ResidentId;
+    use homebody_core::scenario::path::Posture;
+
+    #[test]
+    fn what_is_impossible_is_found() {
+        let mut lives = Lives::new(vec![true, true], vec![(1, 0)]);
+        let rest = |x: f64| MotionState::Rest { at: Point::new(x, 0.0) };
+        let walk = MotionState::Stride { from: Point::new(1.0, 0.0), to: Point::new(-1.0, 0.0) };
+        for (body, begin, end, doing) in [
+            (0, 0, 10, rest(0.0)),
+            (0, 10, 20, MotionState::Away),
+            (1, 0, 4, rest(0.1)),
+            (1, 4, 6, walk),
+            (1, 6, 20, rest(3.0)),
+            (1, 20, 19, rest(3.0)),
+        ] {
+            let (begin, end, posture) = (begin * SECOND, end * SECOND, Posture::Standing);
+            lives.take(&Fact::Movement { resident: ResidentId::of(body), begin, end, doing, posture });
+        }
+        for (body, at, name) in [(0, 0, PREPARING_LUNCH), (1, 5, EATING_LUNCH), (0, 100, EATING_LUNCH)] {
+            let (resident, name) = (ResidentId::of(body), Some(name.to_owned()));
+            lives.take(&Fact::Activity { resident, at: at * SECOND, name });
+        }
+        let expected = Impossible {
+            on_one_spot: 1,
+            on_one_spot_s: 4.0,
+            through_somebody: 1,
+            visiting_nobody_s: 10.0,
+            eaten_uncooked: 1,
+            ends_before_it_begins: 1,
+        };
+        assert_eq!(lives.impossible(), expected);
+        assert!(!expected.is_nothing() && Impossible::default().is_nothing());
+    }
+}

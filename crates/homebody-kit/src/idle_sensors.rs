@@ -1,0 +1,61 @@
+//! Sensors that will say nothing: what they look at is nowhere where anybody stands, or nobody uses what they hang on.
+
+use homebody_analysis::coverage;
+use homebody_core::geometry::signed_area;
+use homebody_core::home::Build;
+use homebody_core::problem::Problem;
+use homebody_core::scenario::home::SensorFile;
+use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::source::Source;
+use homebody_core::sensors::form::Moment;
+use homebody_routine::household::Household;
+
+/// The floor is looked at in steps of so many metres (ours).
+const STEP_M: f64 = 0.1;
+
+/// Homes with more floor are not looked at: it would take too long (ours).
+const LARGEST_M2: f64 = 2_000.0;
+
+/// Who sees less of the floor sees nothing (ours).
+const LEAST_M2: f64 = 0.05;
+
+/// A remark for each sensor that will say nothing in these lives.
+pub(crate) fn remarks(scenario: &Scenario, household: &Household) -> Vec<Problem> {
+    let file = &scenario.file.home;
+    let text = scenario.sources.get(file).map(String::as_str).unwrap_or_default();
+    let Ok(source) = Source::parse(file, text) else { return Vec::new() };
+    let sensors = scenario.home.sensors.iter().enumerate();
+    let at = |index: usize| format!("/sensors/{index}");
+    let blind = blind(scenario);
+    let mut all: Vec<(usize, Problem)> = Vec::new();
+    for (index, sensor) in sensors.clone().filter(|(_, sensor)| blind.contains(&sensor.name().to_owned())) {
+        let what = format!("{:?} sees no floor on which anybody can stand", sensor.name());
+        let hint = "turn it or move it: homebody coverage draws what each sensor sees".to_owned();
+        all.push((index, source.problem(&at(index), what, Some(hint))));
+    }
+    if let Some(used) = household.used_things() {
+        for (index, sensor) in sensors {
+            let Some(Moment::Used(thing)) = sensor.moment() else { continue };
+            if !used.contains(&thing.to_lowercase()) {
+                let what = format!("{:?} will say nothing: nobody in these lives uses {thing:?}", sensor.name());
+                let hint =
+                    "hang it on something that is used, such as a fridge, a cupboard or the front door".to_owned();
+                all.push((index, source.problem(&at(index), what, Some(hint))));
+            }
+        }
+    }
+    all.sort_by_key(|(index, _)| *index);
+    all.into_iter().map(|(_, remark)| remark).collect()
+}
+
+/// The names of the sensors of movement that see nothing of any resident who stands.
+fn blind(scenario: &Scenario) -> Vec<String> {
+    let floor_m2: f64 = scenario.home.plan().rooms.iter().map(|room| signed_area(&room.outline).abs()).sum();
+    if floor_m2 > LARGEST_M2 || !scenario.home.sensors.iter().any(SensorFile::senses_motion) {
+        return Vec::new();
+    }
+    let tallest = scenario.residents.iter().map(|resident| Build::of(&resident.file));
+    let build = tallest.max_by(|a, b| a.height_m.total_cmp(&b.height_m)).unwrap_or(Build::adult());
+    let seen = coverage::of_home(&scenario.home, build, STEP_M).coverage;
+    seen.sensors.into_iter().filter(|sensor| sensor.seen_m2 < LEAST_M2).map(|sensor| sensor.name).collect()
+}

@@ -1,0 +1,99 @@
+//! The small things that somebody rises for: a window is opened, dishes are put away, the mail is fetched.
+
+use super::manner::Manner;
+use super::places::{Spot, Station};
+use super::script::{Interruptible, Setting, Stay, Step};
+use homebody_core::activity::FETCHING_MAIL;
+use homebody_core::numbers::Numbers;
+use homebody_core::random::Stream;
+use homebody_core::role::Role;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, SECOND, micros};
+use std::collections::VecDeque;
+
+/// How long somebody is busy at one place, the median (ours).
+const MOMENT_S: f64 = 45.0;
+
+/// How often somebody takes the nearer of two things to do (ours).
+const STAYS_NEAR: f64 = 0.5;
+
+homebody_core::numbers! {
+    /// When the mail is fetched at the earliest.
+    static MAIL_FROM_H = "chores.mail_from": 10.0, "h", [0.0, 24.0];
+    /// When the mail is fetched at the latest, at the next errand.
+    static MAIL_UNTIL_H = "chores.mail_until": 14.0, "h", [0.0, 24.0];
+}
+
+/// What somebody rises for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Errand {
+    /// The mail, which comes once a day.
+    Mail,
+    /// Whatever there is to do, mostly near where one sits.
+    Any,
+}
+
+/// From which hour of a day on the mail is fetched.
+pub fn mail_hour(stream: &mut Stream, numbers: &Numbers) -> f64 {
+    let [from, until] = [&MAIL_FROM_H, &MAIL_UNTIL_H].map(|number| numbers.of(number));
+    from + stream.unit() * (until - from).max(0.0)
+}
+
+/// The steps of an errand that takes about so long: one kind of thing, at one place of it after the other.
+pub fn errand(errand: Errand, lasts: Micros, setting: &mut Setting) -> VecDeque<Step> {
+    let places = setting.places;
+    let mut steps = VecDeque::new();
+    if errand == Errand::Mail {
+        let mailbox = places.stations().iter().find(|station| station.chore == FETCHING_MAIL);
+        let mailbox = mailbox.map(|station| (&station.spot, station.opened));
+        let door = places.of(Role::FrontDoor).filter(|door| door.is_reachable);
+        if let Some((spot, thing)) = mailbox.or(door.map(|door| (door, places.thing(Role::FrontDoor)))) {
+            steps.push_back(Step::Name(FETCHING_MAIL.into()));
+            visit(spot, thing, lasts, setting, &mut steps);
+            return steps;
+        }
+    }
+    let Some(mut station) = nearer(&|_| true, setting) else { return steps };
+    let chore = station.chore;
+    steps.push_back(Step::Name(chore.into()));
+    let mut left = lasts;
+    loop {
+        left -= visit(&station.spot, station.opened, left, setting, &mut steps);
+        match nearer(&|station| station.chore == chore, setting).filter(|_| left > 0) {
+            Some(next) => station = next,
+            None => return steps,
+        }
+    }
+}
+
+/// Mostly of two stations the nearer to where one sits: nobody takes the stairs for every errand, as we assume.
+fn nearer<'a>(fits: &dyn Fn(&Station) -> bool, setting: &mut Setting<'a>) -> Option<&'a Station> {
+    let stations = setting.places.stations();
+    let count = stations.iter().filter(|station| fits(station)).count();
+    if count == 0 {
+        return None;
+    }
+    let mut any = || {
+        let drawn = (setting.stream.unit() * count as f64) as usize % count;
+        stations.iter().filter(|station| fits(station)).nth(drawn)
+    };
+    let (one, other) = (any()?, any()?);
+    let seat = setting.places.of(Role::Armchair).map(|seat| seat.at);
+    let far = |station: &Station| seat.map_or(0.0, |seat| seat.distance(station.spot.at));
+    let stays_near = setting.stream.chance(STAYS_NEAR);
+    Some(if stays_near && far(other) < far(one) { other } else { one })
+}
+
+/// A moment at a place, with what has to be opened for it open; how long.
+fn visit(spot: &Spot, thing: Option<u32>, left: Micros, setting: &mut Setting, steps: &mut VecDeque<Step>) -> Micros {
+    let span = micros(setting.stream.lognormal(MOMENT_S, 0.4)).clamp(SECOND, left.max(SECOND));
+    // What is open is not left for something else.
+    let may = if thing.is_some() { Interruptible::Rules } else { Interruptible::Interrupt };
+    setting.at = spot.at;
+    steps.push_back(Step::Go(spot.clone()));
+    steps.extend(thing.map(|thing| Step::Act(thing, true)));
+    let stay = Stay { posture: Posture::Standing, manner: Manner::BUSY, left: span, until: None, may };
+    steps.push_back(Step::Stay(stay));
+    steps.extend(thing.map(|thing| Step::Act(thing, false)));
+    span
+}
