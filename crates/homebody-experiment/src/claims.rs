@@ -49,7 +49,9 @@ pub struct Row {
     pub form: String,
     /// The line of the case in the table of claims.
     pub line: usize,
-    pub sentence: String,
+    /// The sentences that are tried.
+    pub text: String,
+    /// What is to come of them, as the table has it.
     pub claim: String,
     pub expected: String,
     pub measured: String,
@@ -59,13 +61,12 @@ pub struct Row {
 /// All claims and what came of them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Experiment {
-    pub claims: usize,
+    pub claims: Vec<Row>,
     pub lived: usize,
     pub told: usize,
     pub neither: usize,
     pub days: i32,
     pub seed: u64,
-    pub rows: Vec<Row>,
 }
 
 /// What a case came to: its life, or what is told before.
@@ -80,13 +81,12 @@ impl Experiment {
     pub fn of(rows: Vec<Row>, days: i32, seed: u64) -> Experiment {
         let count = |verdict: Verdict| rows.iter().filter(|row| row.verdict == verdict).count();
         Experiment {
-            claims: rows.len(),
             lived: count(Verdict::Lived),
             told: count(Verdict::Told),
             neither: count(Verdict::Neither),
             days,
             seed,
-            rows,
+            claims: rows,
         }
     }
 }
@@ -106,8 +106,7 @@ impl Case {
             Ok(loaded) => loaded,
             Err(problems) => return Tried { life: None, who: 0, told: vec![problems.to_string()] },
         };
-        let mut told: Vec<String> =
-            household.foretold(days).into_iter().map(|of| format!("{}: {}", of.text, of.lived)).collect();
+        let mut told = Vec::new();
         for routine in (0..scenario.residents.len()).filter_map(|resident| household.routine(resident)) {
             told.extend(routine.remarks.iter().map(|remark| format!("{}: remark: not lived", remark.text)));
         }
@@ -123,6 +122,10 @@ impl Case {
             life.absorb(&events);
             events.clear();
         }
+        // What `homebody routine check --lived` tells of these sentences.
+        let all = words(&said.join(" "));
+        let of_them = Household::differences(&run).into_iter().filter(|of| all.contains(&words(&of.text)));
+        told.extend(of_them.map(|of| format!("{}: expected {}; lived {}", of.text, of.expected, of.lived)));
         let who = life.body(self.whose.as_deref(), 0).unwrap_or(0);
         Tried { life: Some(life), who, told }
     }
@@ -141,11 +144,12 @@ impl Case {
         files
     }
 
+    /// Judges one claim by what was lived, beside the twin, and by what is told.
     fn judge(&self, claim: &Claim, with: &Tried, twin: Option<&Tried>) -> Row {
         let row = |expected: String, measured: String, verdict: Verdict| Row {
             form: self.form.clone(),
             line: self.line,
-            sentence: self.sentence(),
+            text: self.sentence(),
             claim: claim.text.clone(),
             expected,
             measured,
@@ -183,4 +187,9 @@ impl Case {
         let measured = measure.value_in_words(value, beside);
         row(expected, if holds || with.told.is_empty() { measured } else { format!("{measured}; {}", told()) }, verdict)
     }
+}
+
+/// A text with one space between its words.
+fn words(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -2,8 +2,8 @@
 
 use super::measure::{Filter, Subject};
 use homebody_core::activity::{
-    AWAY, DRINKING, HAVING_A_SNACK, LYING_AWAKE, PACING, SLEEPING, TAKING_MEDICINE, USING_BATHROOM, LAPPING,
-    WANDERING,
+    AWAY, DRINKING, EATING_BREAKFAST, EATING_DINNER, EATING_LUNCH, HAVING_A_SNACK, LAPPING, LYING_AWAKE, PACING,
+    PREPARING_BREAKFAST, PREPARING_DINNER, PREPARING_LUNCH, SLEEPING, TAKING_MEDICINE, USING_BATHROOM, WANDERING,
 };
 use homebody_core::event::{Events, Fact, MotionState};
 use homebody_core::ids::RoomId;
@@ -12,8 +12,23 @@ use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, seconds};
 
-/// What is gone on with within so long after it was interrupted is one (ours).
+/// What is gone on with within so long after it was interrupted is one, beside the time that meals, medicine and the toilet took
+/// of it (ours).
 const INTERRUPTED: Micros = 20 * 60 * SECOND;
+
+/// What interrupts other things, which are gone on with after it: its time is none of the gap's.
+const INTERRUPTING: [&str; 10] = [
+    DRINKING,
+    EATING_BREAKFAST,
+    EATING_DINNER,
+    EATING_LUNCH,
+    HAVING_A_SNACK,
+    PREPARING_BREAKFAST,
+    PREPARING_DINNER,
+    PREPARING_LUNCH,
+    TAKING_MEDICINE,
+    USING_BATHROOM,
+];
 
 /// What is short, so that each time is one of its own.
 const EACH_ALONE: [&str; 9] = [
@@ -166,11 +181,17 @@ impl Life {
             Subject::Activity(name) => {
                 let apart = EACH_ALONE.contains(&name.as_str());
                 let done = &self.bodies[who].done;
-                let each = done.iter().enumerate().filter(|(_, (_, of))| of == name).map(|(index, (at, _))| {
+                // By what interrupts: how long it had taken in all, whenever something begins.
+                let (mut taken, mut spans) = (0, Vec::new());
+                for (index, (at, of)) in done.iter().enumerate() {
                     let over = done.get(index + 1).map_or(end, |(at, _)| *at);
-                    (*at, over)
-                });
-                self.joined(each, if apart { 1 } else { INTERRUPTED })
+                    if of == name {
+                        spans.push((*at, over, taken));
+                    } else if INTERRUPTING.contains(&of.as_str()) {
+                        taken += over - at;
+                    }
+                }
+                self.joined(spans.into_iter(), if apart { 1 } else { INTERRUPTED })
             }
             Subject::Thing(name) => {
                 let is_it = |index: &usize| self.things[*index].0 == *name && *index < self.lamps_from;
@@ -178,29 +199,31 @@ impl Life {
             }
             Subject::Lamps => self.while_on(self.lamps_from..self.things.len(), end),
             Subject::Says(value) => {
-                self.joined(self.said.iter().filter(|(_, of)| of == value).map(|(at, _)| (*at, *at)), 1)
+                self.joined(self.said.iter().filter(|(_, of)| of == value).map(|(at, _)| (*at, *at, 0)), 1)
             }
             _ => Vec::new(),
         }
     }
 
     fn while_on(&self, things: impl Iterator<Item = usize>, end: Micros) -> Vec<Occurrence> {
-        let mut spans: Vec<(Micros, Micros)> = Vec::new();
+        let mut spans: Vec<(Micros, Micros, Micros)> = Vec::new();
         for thing in things {
             let acts = &self.things[thing].1;
             for (index, (at, _)) in acts.iter().enumerate().filter(|(_, (_, on))| *on) {
-                spans.push((*at, acts.get(index + 1).map_or(end, |(at, _)| *at)));
+                spans.push((*at, acts.get(index + 1).map_or(end, |(at, _)| *at), 0));
             }
         }
         spans.sort_unstable();
         self.joined(spans.into_iter(), 1)
     }
 
-    fn joined(&self, spans: impl Iterator<Item = (Micros, Micros)>, gap: Micros) -> Vec<Occurrence> {
-        let mut all: Vec<Occurrence> = Vec::new();
-        for (begin, end) in spans {
+    /// Spans with less than a gap between them as one: from when, to when, and how long interruptions had taken by then.
+    fn joined(&self, spans: impl Iterator<Item = (Micros, Micros, Micros)>, gap: Micros) -> Vec<Occurrence> {
+        let (mut all, mut before): (Vec<Occurrence>, Micros) = (Vec::new(), 0);
+        for (begin, end, taken) in spans {
+            let interrupted = taken - std::mem::replace(&mut before, taken);
             match all.last_mut() {
-                Some(last) if begin - last.end < gap => {
+                Some(last) if begin - last.end - interrupted < gap => {
                     last.lasted += end - begin.max(last.end).min(end);
                     last.end = last.end.max(end);
                 }

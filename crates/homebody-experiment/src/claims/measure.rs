@@ -63,9 +63,10 @@ pub enum Measure {
     Spread(Range),
     /// Most end then.
     Ends(Range),
-    /// The mean and the longest, in minutes.
+    /// The mean and the longest, in minutes, and of most.
     Lasts(Range),
     Longest(Range),
+    Mostly(Range),
     /// Minutes a day.
     Minutes(Range),
     /// Most begin so many minutes after the end, before the beginning, or after the beginning of another activity.
@@ -136,6 +137,7 @@ impl Measure {
             ["ends", clocks] => Measure::Ends(clock_range(clocks).ok_or_else(no_clock)?),
             ["lasts", by] => Measure::Lasts(range(by)?),
             ["lasts", by, unit] => Measure::Lasts(scaled(by, unit)?),
+            ["mostly", by, unit] => Measure::Mostly(scaled(by, unit)?),
             ["longest", by, unit] => Measure::Longest(scaled(by, unit)?),
             ["times", by] => Measure::TimesADay { range: range(by)?, nights: false },
             [by, unit, "a", "day"] => Measure::Minutes(scaled(by, unit)?),
@@ -163,6 +165,7 @@ impl Measure {
             | Measure::After(..)
             | Measure::Before(..)
             | Measure::With(..)
+            | Measure::Mostly(_)
             | Measure::In(_) => (MOST_OF_THEM, 1.0),
             Measure::Lasts(range) if !is_twin => (range.0 * (1.0 - OF_LENGTH), range.1 * (1.0 + OF_LENGTH)),
             Measure::Times(range)
@@ -200,13 +203,18 @@ impl Measure {
             Measure::TimesADay { .. } => all.len() as f64 / days,
             Measure::Begins(range) => share(&|one| is_then(one.clock_min(), *range)),
             Measure::Ends(range) => share(&|one| is_then(minutes(one.end - life.midnight(one.end)), *range)),
-            Measure::BeginsOnAverage(range) => mean(&begins(range)),
+            // The day is a circle: by how much each is before or after the first.
+            Measure::BeginsOnAverage(_) => {
+                let first = all.first().map_or(0.0, Occurrence::clock_min);
+                mean(&begins(&(first, first)))
+            }
             Measure::Spread(_) => {
                 let first = all.first().map_or(0.0, Occurrence::clock_min);
                 spread(&begins(&(first, first)))
             }
             Measure::Lasts(_) => mean(&all.iter().map(|one| minutes(one.lasted)).collect::<Vec<_>>()),
             Measure::Longest(_) => all.iter().map(|one| minutes(one.end - one.begin)).fold(0.0, f64::max),
+            Measure::Mostly((from, to)) => share(&|one| (*from..=*to).contains(&minutes(one.end - one.begin))),
             Measure::Minutes(_) => all.iter().map(|one| minutes(one.lasted)).sum::<f64>() / days,
             Measure::After(other, range) => {
                 let others = life.spans(who, &Subject::Activity(other.clone()));

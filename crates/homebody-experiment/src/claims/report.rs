@@ -31,7 +31,8 @@ impl Measure {
             | Measure::Ends(_)
             | Measure::After(..)
             | Measure::Before(..)
-            | Measure::With(..) => format!("{:.0} % of times", value * 100.0),
+            | Measure::With(..)
+            | Measure::Mostly(_) => format!("{:.0} % of times", value * 100.0),
             Measure::In(_) => format!("{:.0} % of the time", value * 100.0),
             Measure::Times(_) => format!("{} times", plain(value)),
             Measure::TimesADay { nights: true, .. } => format!("{} a night", plain(value)),
@@ -66,7 +67,8 @@ fn length(minutes: f64) -> String {
 
 impl fmt::Display for Experiment {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Experiment { claims, lived, told, neither, days, seed, rows } = self;
+        let Experiment { claims: rows, lived, told, neither, days, seed } = self;
+        let claims = rows.len();
         writeln!(f, "{claims} claims of what sentences come to, over {days} days where a case says no other (seed {seed})")?;
         writeln!(f, "\n  {:<34} {:>7} {:>6} {:>5} {:>8}", "form", "claims", "lived", "told", "neither")?;
         for group in rows.chunk_by(|a, b| a.form == b.form) {
@@ -85,7 +87,7 @@ impl fmt::Display for Experiment {
             }
             for row in of {
                 let measured = row.measured.lines().next().unwrap_or_default();
-                writeln!(f, "  line {}: {}", row.line, row.sentence)?;
+                writeln!(f, "  line {}: {}", row.line, row.text)?;
                 writeln!(f, "    {}\n    expected: {}; measured: {measured}", row.claim, row.expected)?;
             }
         }

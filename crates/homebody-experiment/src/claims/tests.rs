@@ -33,7 +33,7 @@ fn a_claim_that_is_wrong_is_found() {
     assert_eq!(rows.len(), 7);
     assert!(rows.iter().all(|row| row.verdict == Verdict::Neither), "{rows:?}");
     let experiment = Experiment::of(rows, 14, 11);
-    assert_eq!((experiment.claims, experiment.lived, experiment.told, experiment.neither), (7, 0, 0, 7));
+    assert_eq!((experiment.claims.len(), experiment.lived, experiment.told, experiment.neither), (7, 0, 0, 7));
     assert!(experiment.to_string().contains("Neither lived nor told:"));
 }
 

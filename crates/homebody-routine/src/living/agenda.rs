@@ -52,6 +52,10 @@ pub struct Item {
     pub is_unsaid: bool,
     /// Whether it waits for what has its time: what nobody says, and what is overdue.
     pub waits: bool,
+    /// Whether it is said with a time of day of its own.
+    pub has_its_time: bool,
+    /// What it comes after, and how long after the end of that.
+    pub follows: Option<(SentenceId, Micros)>,
 }
 
 impl Item {
@@ -69,6 +73,8 @@ impl Item {
             of: None,
             is_unsaid: true,
             waits: true,
+            has_its_time: false,
+            follows: None,
         }
     }
 
@@ -393,12 +399,19 @@ impl Planner<'_> {
             of: Some(in_force.id()),
             is_unsaid: source == Life::UNSAID,
             waits: source == Life::UNSAID,
+            has_its_time: source != Life::UNSAID && matches!(habit.when, When::At(_)),
+            follows: None,
             key,
         };
         let in_the_night = start >= self.bed;
         let is_break = item.visitor.is_none() && item.activity.interrupts(in_the_night);
         if matches!(known, Start::Known) && is_break {
-            self.breaks.push(Item { latest: start + 3600 * SECOND, ..item });
+            let latest = match (item.activity.can_come_later(), &habit.when) {
+                (true, When::AnyTime) => self.bed,
+                (true, When::Within(part)) if *part != PartOfDay::Night => at(part.hours().1),
+                _ => start,
+            };
+            self.breaks.push(Item { latest: latest.max(start + 3600 * SECOND), ..item });
             return Some(Start::At(start + lasts));
         }
         self.drafts.push(Draft { item, start: known });
@@ -451,7 +464,65 @@ impl Planner<'_> {
 
     /// Puts what hangs on something beside it.
     fn resolve(&mut self) -> Vec<Item> {
-        let mut known: Vec<bool> = self.drafts.iter().map(|draft| matches!(draft.start, Start::Known)).collect();
+        self.tie();
+        self.settle(&|_| false);
+        self.come_home();
+        self.cook_before_eating();
+        // What hangs on a meal goes with it.
+        self.settle(&|activity| matches!(activity, Activity::Prepare(_) | Activity::Eat(_)));
+        let mornings = self.drafts.iter().filter(|draft| matches!(draft.start, Start::After(Activity::GetUp, _)));
+        self.mornings = mornings.map(|draft| draft.item.key.clone()).collect();
+        let is_done = |activity: &Activity| self.drafts.iter().any(|draft| draft.item.activity == *activity);
+        // There is nothing to wash up after a meal that was skipped.
+        let is_idle = |draft: &Draft| match &draft.start {
+            Start::After(meal, _) => draft.item.activity == Activity::WashUp && !is_done(meal),
+            _ => false,
+        };
+        self.drafts.iter().filter(|draft| !is_idle(draft)).map(|draft| draft.item.clone()).collect()
+    }
+
+    /// What is said to come before, with or after something makes that as firm as it is itself, and what comes after it waits
+    /// for its end.
+    fn tie(&mut self) {
+        for index in 0..self.drafts.len() {
+            let gap = match self.drafts[index].start {
+                Start::After(_, gap) => Some(gap),
+                Start::Then(_) => Some(0),
+                _ => None,
+            };
+            let Some(anchor) = self.anchor(index) else { continue };
+            let of = self.drafts[anchor].item.of;
+            if !self.drafts[index].item.is_unsaid {
+                let cooked = match self.drafts[anchor].item.activity {
+                    Activity::Eat(meal) => Some(Activity::Prepare(meal)),
+                    _ => None,
+                };
+                let is_for_it = |item: &Item| item.of == of || Some(&item.activity) == cooked.as_ref();
+                let firm = self.drafts.iter_mut().map(|draft| &mut draft.item).filter(|item| is_for_it(item));
+                firm.for_each(|item| item.waits = false);
+            }
+            self.drafts[index].item.follows = of.zip(gap);
+        }
+    }
+
+    /// The draft that another hangs on.
+    fn anchor(&self, index: usize) -> Option<usize> {
+        let of = |wanted: &Activity| {
+            let is_it = |draft: &Draft| draft.item.activity == *wanted && draft.item.visitor.is_none();
+            self.drafts.iter().position(is_it).filter(|of| *of != index)
+        };
+        match &self.drafts[index].start {
+            Start::After(Activity::ComeHome, _) => of(&Activity::Leave),
+            Start::After(activity, _) | Start::Before(activity, _) | Start::With(activity) => of(activity),
+            Start::Then(of) => Some(*of),
+            Start::Known | Start::At(_) => None,
+        }
+    }
+
+    /// Finds the starts of all that hang on others, but of those that are settled before.
+    fn settle(&mut self, is_settled: &dyn Fn(&Activity) -> bool) {
+        let is_known = |draft: &Draft| matches!(draft.start, Start::Known) || is_settled(&draft.item.activity);
+        let mut known: Vec<bool> = self.drafts.iter().map(is_known).collect();
         // Each pass settles at least one, or none is left that can be.
         for last in (0..=self.drafts.len()).rev() {
             for index in 0..self.drafts.len() {
@@ -467,17 +538,6 @@ impl Planner<'_> {
                 break;
             }
         }
-        self.come_home();
-        self.cook_before_eating();
-        let mornings = self.drafts.iter().filter(|draft| matches!(draft.start, Start::After(Activity::GetUp, _)));
-        self.mornings = mornings.map(|draft| draft.item.key.clone()).collect();
-        let is_done = |activity: &Activity| self.drafts.iter().any(|draft| draft.item.activity == *activity);
-        // There is nothing to wash up after a meal that was skipped.
-        let is_idle = |draft: &Draft| match &draft.start {
-            Start::After(meal, _) => draft.item.activity == Activity::WashUp && !is_done(meal),
-            _ => false,
-        };
-        self.drafts.iter().filter(|draft| !is_idle(draft)).map(|draft| draft.item.clone()).collect()
     }
 
     /// What is eaten is prepared first; which of the two moves is the one that is not said.
@@ -575,6 +635,11 @@ impl Activity {
     pub(crate) fn is_of_the_night(&self) -> bool {
         use Activity::{Drink, Fall, Lap, Leave, LieAwake, Pace, Snack, UseBathroom, Wander};
         matches!(self, UseBathroom | LieAwake | Fall | Wander | Pace | Lap | Drink | Snack | Leave)
+    }
+
+    /// Whether it is made up for who was out, or asleep, as it should have been done: not what one does elsewhere, too.
+    fn can_come_later(&self) -> bool {
+        matches!(self, Activity::Wander | Activity::Pace | Activity::Lap | Activity::Fall)
     }
 
     /// Whether it interrupts what goes on rather than waiting for its turn.

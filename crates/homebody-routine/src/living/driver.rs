@@ -13,7 +13,7 @@ use super::life::{DayParameters, Life, SentenceId};
 use super::manner::Manner;
 use super::needs::Needs;
 use super::places::{Places, Spot};
-use super::script::{Interruptible, Setting, Step, script};
+use super::script::{Interruptible, STAYING_OVER, Setting, Step, script};
 use super::tally::Tally;
 use super::watch::Watches;
 use crate::routine::Activity;
@@ -244,6 +244,12 @@ impl RoutineDriver {
                 }
                 continue;
             };
+            if playing.is_interrupted && self.essential().is_some_and(|(_, due)| due <= now) {
+                // Between cooking and eating nobody goes back to what was interrupted for both.
+                self.interrupt(now);
+                continue;
+            }
+            let Some(playing) = self.scripts.last_mut() else { continue };
             if std::mem::take(&mut playing.is_interrupted) {
                 let name = Step::Name(playing.name.clone());
                 match playing.spot.clone() {
@@ -279,6 +285,7 @@ impl RoutineDriver {
             if over.is_essential {
                 self.at_table = now;
             }
+            self.let_follow(over.of, now);
         }
         self.watches.leave_behind();
         if let Some(below) = self.scripts.last_mut() {
@@ -379,7 +386,10 @@ impl RoutineDriver {
         self.tally.begin(item, now);
         // How long it still is until it has to end.
         let lasts = item.until.map_or(item.lasts, |until| (until - now).max(SECOND));
-        self.begin(&Item { lasts, ..item.clone() });
+        // Visitors leave when they leave, whatever the host had to do meanwhile.
+        let is_visit = item.activity == Activity::Visit && lasts < STAYING_OVER;
+        let until = if is_visit { Some(now + lasts) } else { item.until };
+        self.begin(&Item { lasts, until, ..item.clone() });
         let gives_way = item.activity.gives_way_to_meals();
         if let Some(playing) = self.scripts.last_mut() {
             (playing.of, playing.since) = (item.of, now);
@@ -517,16 +527,44 @@ impl RoutineDriver {
         }
     }
 
-    /// What nobody says waits where it would make something late that is said.
+    /// What nobody says waits where it would make something late that is said, and nobody goes out just before a meal.
     fn let_the_said_go_first(&mut self, now: Micros) {
-        let rest = &mut self.agenda.items[self.next_item..];
+        let (breaks, rest) = (&self.agenda.breaks[self.next_break..], &mut self.agenda.items[self.next_item..]);
         let Some(next) = rest.first().filter(|next| next.waits && next.start <= now + MINUTE) else { return };
+        let is_outing = next.activity == Activity::Leave;
         // It takes somewhat longer than planned: there are ways to go.
-        let end = now + next.lasts + 2 * MINUTE;
-        let is_first = |item: &Item| !item.waits && item.start < end && item.start >= now - GRACE;
+        let end = now + next.lasts + if is_outing { 4 * MINUTE } else { 2 * MINUTE };
+        let is_said = |item: &Item| !item.waits && item.start < end && item.start >= now - GRACE;
+        let is_meal = |item: &Item| is_outing && item.is_essential() && item.start < now + 2 * GRACE;
+        let is_first = |item: &Item| is_said(item) || is_meal(item) && item.latest >= now;
         if let Some(said) = rest.iter().position(is_first) {
             rest[0].latest = rest[0].latest.max(rest[said].latest);
             rest[..=said].rotate_right(1);
+            return;
+        }
+        // Who is out comes too late for what would have interrupted at its time.
+        let timed = breaks.iter().find(|item| item.has_its_time && (now..end).contains(&item.start));
+        if let Some(timed) = timed.filter(|_| is_outing) {
+            rest[0].start = timed.start + timed.lasts;
+            rest[0].latest = rest[0].latest.max(rest[0].start);
+            rest.sort_by_key(|item| item.start);
+        }
+    }
+
+    /// What comes after something begins so long after its end, whenever that was.
+    fn let_follow(&mut self, over: Option<SentenceId>, now: Micros) {
+        let Some(over) = over else { return };
+        let rest = &mut self.agenda.items[self.next_item..];
+        let mut has_moved = false;
+        for item in rest.iter_mut() {
+            if let Some((_, gap)) = item.follows.take_if(|(of, _)| *of == over) {
+                let by = now + gap - item.start;
+                (item.start, item.latest) = (item.start + by, item.latest + by.max(0));
+                has_moved = true;
+            }
+        }
+        if has_moved {
+            rest.sort_by_key(|item| item.start);
         }
     }
 

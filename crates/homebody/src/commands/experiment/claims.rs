@@ -17,8 +17,8 @@ use rayon::prelude::*;
   homebody experiment claims
   homebody experiment claims --days 120 --seed 3 --json claims.json
 
-JSON has \"claims\", \"lived\", \"told\" and \"neither\", and \"rows\": each with form, sentence, claim, expected, measured and
-verdict, and the line of its case in the table of claims.")]
+JSON has \"claims\", each with form, text, claim, expected, measured and verdict, and the line of its case in the table of
+claims; and how many are \"lived\", \"told\" and \"neither\".")]
 pub struct Arguments {
     /// How many days each case lives, where it says no other
     #[arg(long, default_value_t = 60, value_parser = clap::value_parser!(i32).range(60..=3660))]
