@@ -31,17 +31,8 @@ const INTERRUPTING: [&str; 10] = [
 ];
 
 /// What is short, so that each time is one of its own.
-const EACH_ALONE: [&str; 9] = [
-    AWAY,
-    DRINKING,
-    HAVING_A_SNACK,
-    LYING_AWAKE,
-    PACING,
-    TAKING_MEDICINE,
-    USING_BATHROOM,
-    LAPPING,
-    WANDERING,
-];
+const EACH_ALONE: [&str; 9] =
+    [AWAY, DRINKING, HAVING_A_SNACK, LYING_AWAKE, PACING, TAKING_MEDICINE, USING_BATHROOM, LAPPING, WANDERING];
 
 /// Strides of at least so many metres have a speed that can be told (ours).
 const LEAST_M: f64 = 1.0;
@@ -68,7 +59,7 @@ pub struct Life {
     lamps_from: usize,
     bodies: Vec<Body>,
     said: Vec<(Micros, String)>,
-    firings: Vec<f64>,
+    fired: Vec<Micros>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -104,7 +95,7 @@ impl Life {
             lamps_from: plan.things.len() - plan.rooms.len(),
             bodies: run.names().into_iter().map(body).collect(),
             said: Vec::new(),
-            firings: vec![0.0; many],
+            fired: Vec::new(),
         }
     }
 
@@ -128,7 +119,7 @@ impl Life {
             }
         }
         for firing in &events.firings {
-            self.firings[self.calendar.day(firing.at).clamp(0, self.days) as usize] += 1.0;
+            self.fired.push(firing.at);
             self.said.push((firing.at, firing.value.to_string()));
         }
     }
@@ -197,12 +188,20 @@ impl Life {
                 let is_it = |index: &usize| self.things[*index].0 == *name && *index < self.lamps_from;
                 self.while_on((0..self.lamps_from).filter(is_it), end)
             }
+            Subject::Room(name) => self.joined(self.in_room(who, name, end).into_iter(), 1),
             Subject::Lamps => self.while_on(self.lamps_from..self.things.len(), end),
             Subject::Says(value) => {
                 self.joined(self.said.iter().filter(|(_, of)| of == value).map(|(at, _)| (*at, *at, 0)), 1)
             }
             _ => Vec::new(),
         }
+    }
+
+    fn in_room(&self, who: usize, name: &str, end: Micros) -> Vec<(Micros, Micros, Micros)> {
+        let rooms = &self.bodies[who].rooms;
+        let is_it = |of: &Option<RoomId>| of.is_some_and(|of| self.rooms[of.index()] == name);
+        let stays = rooms.iter().enumerate().filter(|(_, (_, of))| is_it(of));
+        stays.map(|(index, (at, _))| (*at, rooms.get(index + 1).map_or(end, |(at, _)| *at), 0)).collect()
     }
 
     fn while_on(&self, things: impl Iterator<Item = usize>, end: Micros) -> Vec<Occurrence> {
@@ -261,7 +260,12 @@ impl Life {
             match subject {
                 Subject::Metres => body.metres[index],
                 Subject::Pace => body.paces[index].0 / body.paces[index].1,
-                Subject::Firings => self.firings[index],
+                Subject::Firings => {
+                    let (from, to) = filter.between.unwrap_or((0.0, 1440.0));
+                    let at = |minute: f64| self.calendar.instant(*day, (minute * 60.0) as Micros * SECOND);
+                    let before = |at: Micros| self.fired.partition_point(|fired| *fired < at) as f64;
+                    before(at(to)) - before(at(from))
+                }
                 Subject::Turning => {
                     let one = Filter { days: Some((day + 1, day + 1)), ..Filter::default() };
                     let asleep = self.occurrences(who, &Subject::Activity(SLEEPING.to_owned()), &one, false);

@@ -29,6 +29,8 @@ pub enum Subject {
     Activity(String),
     /// A door, a piece of furniture or a lamp: while it is open or on.
     Thing(String),
+    /// While in a room.
+    Room(String),
     /// While any lamp is on.
     Lamps,
     /// What a sensor says, such as `OPEN`.
@@ -41,7 +43,7 @@ pub enum Subject {
     Turning,
     /// How severe a condition is.
     Severity(String),
-    /// All firings of a day.
+    /// All firings of a day, or of some of its hours.
     Firings,
 }
 
@@ -49,13 +51,19 @@ pub enum Subject {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Measure {
     /// On this share of the days or nights that count; three standard errors are added.
-    OnDays { share: f64, nights: bool },
+    OnDays {
+        share: f64,
+        nights: bool,
+    },
     /// On so many days of each week.
     DaysAWeek(usize),
     /// So many in all.
     Times(Range),
     /// So many on a day or night that counts.
-    TimesADay { range: Range, nights: bool },
+    TimesADay {
+        range: Range,
+        nights: bool,
+    },
     /// Most begin then, in minutes of the day.
     Begins(Range),
     /// The mean, and the standard deviation, of when they begin, in minutes of the day.
@@ -101,6 +109,7 @@ const WEEKDAYS: [&str; 7] = ["Monday", "Tuesday", "Wednesday", "Thursday", "Frid
 impl Subject {
     pub fn read(text: &str) -> Subject {
         match text.split_once(' ').unwrap_or((text, "")) {
+            ("room", name) => Subject::Room(name.to_owned()),
             ("thing", name) => Subject::Thing(name.to_owned()),
             ("says", value) => Subject::Says(value.to_owned()),
             ("severity", name) => Subject::Severity(name.to_owned()),
@@ -186,9 +195,8 @@ impl Measure {
         }
         let nights = matches!(self, Measure::OnDays { nights: true, .. } | Measure::TimesADay { nights: true, .. });
         let all = life.occurrences(who, subject, filter, nights);
-        let share = |holds: &dyn Fn(&Occurrence) -> bool| {
-            all.iter().filter(|one| holds(one)).count() as f64 / all.len() as f64
-        };
+        let share =
+            |holds: &dyn Fn(&Occurrence) -> bool| all.iter().filter(|one| holds(one)).count() as f64 / all.len() as f64;
         let minutes = |span: Micros| span as f64 / (60 * SECOND) as f64;
         let days = life.days(filter, nights).len() as f64;
         let begins = |range: &Range| -> Vec<f64> { all.iter().map(|one| near(one.clock_min(), *range)).collect() };
@@ -237,7 +245,8 @@ impl Measure {
             }
             Measure::In(room) => {
                 let [there, all] = all.iter().fold([0, 0], |[there, all], one| {
-                    [there + life.time_in(who, room, one.begin, one.end), all + one.end - one.begin]
+                    // Where else somebody goes meanwhile is no part of it.
+                    [there + life.time_in(who, room, one.begin, one.end).min(one.lasted), all + one.lasted]
                 });
                 there as f64 / all as f64
             }
@@ -286,9 +295,7 @@ fn weekdays(words: &[&str]) -> Result<u8, String> {
 /// The share of whole weeks that have it on so many days.
 fn weeks_with(all: &[Occurrence], life: &Life, each: usize) -> f64 {
     let weeks = life.whole_weeks();
-    let on = |monday: i32| {
-        (monday..monday + 7).filter(|day| all.iter().any(|one| one.day == *day)).count() == each
-    };
+    let on = |monday: i32| (monday..monday + 7).filter(|day| all.iter().any(|one| one.day == *day)).count() == each;
     weeks.iter().filter(|monday| on(**monday)).count() as f64 / weeks.len() as f64
 }
 

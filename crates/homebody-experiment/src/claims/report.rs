@@ -69,7 +69,10 @@ impl fmt::Display for Experiment {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let Experiment { claims: rows, lived, told, neither, days, seed } = self;
         let claims = rows.len();
-        writeln!(f, "{claims} claims of what sentences come to, over {days} days where a case says no other (seed {seed})")?;
+        writeln!(
+            f,
+            "{claims} claims of what sentences come to, over {days} days where a case says no other (seed {seed})"
+        )?;
         writeln!(f, "\n  {:<34} {:>7} {:>6} {:>5} {:>8}", "form", "claims", "lived", "told", "neither")?;
         for group in rows.chunk_by(|a, b| a.form == b.form) {
             let of = |verdict: Verdict| group.iter().filter(|row| row.verdict == verdict).count();
@@ -78,8 +81,7 @@ impl fmt::Display for Experiment {
             writeln!(f, "  {form:<34} {:>7} {lived:>6} {told:>5} {neither:>8}", group.len())?;
         }
         writeln!(f, "  {:<34} {claims:>7} {lived:>6} {told:>5} {neither:>8}", "all")?;
-        for (verdict, title) in
-            [(Verdict::Told, "Told before the run:"), (Verdict::Neither, "Neither lived nor told:")]
+        for (verdict, title) in [(Verdict::Told, "Told before the run:"), (Verdict::Neither, "Neither lived nor told:")]
         {
             let mut of = rows.iter().filter(|row| row.verdict == verdict).peekable();
             if of.peek().is_some() {

@@ -51,7 +51,13 @@ pub struct Claim {
 pub enum What {
     /// It is told before the run, in these words.
     Told(String),
-    Measured { of: Option<String>, subject: Subject, measure: Measure, filter: Filter, beside: Beside },
+    Measured {
+        of: Option<String>,
+        subject: Subject,
+        measure: Measure,
+        filter: Filter,
+        beside: Beside,
+    },
 }
 
 /// What a measure stands for.
@@ -122,8 +128,7 @@ impl Case {
 
     /// Whether a claim needs the twin.
     pub fn has_twin(&self) -> bool {
-        let needs =
-            |claim: &Claim| matches!(&claim.what, What::Measured { beside, .. } if *beside != Beside::Itself);
+        let needs = |claim: &Claim| matches!(&claim.what, What::Measured { beside, .. } if *beside != Beside::Itself);
         self.claims.iter().any(needs)
     }
 }
@@ -142,7 +147,11 @@ fn finish(cases: &mut Vec<Case>, case: &mut Case) -> Result<(), String> {
 
 impl Claim {
     fn read(text: &str) -> Result<Claim, String> {
-        let (subject, said) = text.strip_suffix(':').map(|subject| (subject, "")).or(text.split_once(": ")).ok_or("a colon is missing")?;
+        let (subject, said) = text
+            .strip_suffix(':')
+            .map(|subject| (subject, ""))
+            .or(text.split_once(": "))
+            .ok_or("a colon is missing")?;
         if subject == "told" {
             return Ok(Claim { text: text.to_owned(), what: What::Told(said.to_owned()) });
         }

@@ -52,7 +52,7 @@ pub struct Item {
     pub is_unsaid: bool,
     /// Whether it waits for what has its time: what nobody says, and what is overdue.
     pub waits: bool,
-    /// Whether it is said with a time of day of its own.
+    /// Whether its time is said, and not just a part of the day.
     pub has_its_time: bool,
     /// What it comes after, and how long after the end of that.
     pub follows: Option<(SentenceId, Micros)>,
@@ -91,7 +91,7 @@ struct Draft {
     start: Start,
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 enum Start {
     Known,
     At(Micros),
@@ -177,6 +177,12 @@ fn one_meal_after_the_other(items: &mut [Item]) {
 
 /// Until then it is night: what is said of later hours is overdue for who sleeps longer (ours).
 const NIGHT_S: f64 = 6.0 * HOUR;
+
+/// How much longer than planned cooking takes at most, for the ways between stove, sink and fridge (ours).
+const TO_AND_FRO: Micros = 4 * 60 * SECOND;
+
+/// So long after a visitor was to come what they help with begins (ours).
+const WELCOMED: Micros = 3 * 60 * SECOND;
 
 /// Nothing lasts longer, in days (ours).
 const MOST_DAYS: f64 = 400.0;
@@ -399,7 +405,7 @@ impl Planner<'_> {
             of: Some(in_force.id()),
             is_unsaid: source == Life::UNSAID,
             waits: source == Life::UNSAID,
-            has_its_time: source != Life::UNSAID && matches!(habit.when, When::At(_)),
+            has_its_time: source != Life::UNSAID && !matches!(habit.when, When::AnyTime | When::Within(_)),
             follows: None,
             key,
         };
@@ -478,10 +484,18 @@ impl Planner<'_> {
             Start::After(meal, _) => draft.item.activity == Activity::WashUp && !is_done(meal),
             _ => false,
         };
-        self.drafts.iter().filter(|draft| !is_idle(draft)).map(|draft| draft.item.clone()).collect()
+        // Whoever helps is there first.
+        let is_helped = |draft: &&Draft| draft.start == Start::With(Activity::Visit) && draft.item.visitor.is_none();
+        let helped = self.drafts.iter().filter(is_helped).map(|draft| {
+            let start = draft.item.start + WELCOMED;
+            Item { start, latest: start + 3600 * SECOND, ..draft.item.clone() }
+        });
+        self.breaks.extend(helped);
+        let items = self.drafts.iter().filter(|draft| !is_idle(draft) && !is_helped(draft));
+        items.map(|draft| draft.item.clone()).collect()
     }
 
-    /// What is said to come before, with or after something makes that as firm as it is itself, and what comes after it waits
+    /// What is said to come with or after something makes that as firm as it is itself, and what comes after it waits
     /// for its end.
     fn tie(&mut self) {
         for index in 0..self.drafts.len() {
@@ -491,8 +505,9 @@ impl Planner<'_> {
                 _ => None,
             };
             let Some(anchor) = self.anchor(index) else { continue };
+            let is_before = matches!(self.drafts[index].start, Start::Before(..));
             let of = self.drafts[anchor].item.of;
-            if !self.drafts[index].item.is_unsaid {
+            if !self.drafts[index].item.is_unsaid && !is_before {
                 let cooked = match self.drafts[anchor].item.activity {
                     Activity::Eat(meal) => Some(Activity::Prepare(meal)),
                     _ => None,
@@ -550,10 +565,10 @@ impl Planner<'_> {
             let (cooking, eating) = (self.drafts[cook].item.clone(), self.drafts[eat].item.clone());
             let ready = cooking.start + cooking.lasts;
             if cooking.is_unsaid && !eating.is_unsaid {
-                let start = (eating.start - cooking.lasts).max(self.up);
+                let start = (eating.start - cooking.lasts - TO_AND_FRO).max(self.up);
                 let item = &mut self.drafts[cook].item;
                 (item.start, item.latest, item.is_unsaid, item.waits) = (start, eating.latest, false, false);
-                let late = start + cooking.lasts - eating.start;
+                let late = start + cooking.lasts + TO_AND_FRO - eating.start;
                 if late > 0 {
                     self.drafts[eat].item.start += late;
                 }

@@ -13,7 +13,7 @@ use super::life::{DayParameters, Life, SentenceId};
 use super::manner::Manner;
 use super::needs::Needs;
 use super::places::{Places, Spot};
-use super::script::{Interruptible, STAYING_OVER, Setting, Step, script};
+use super::script::{Interruptible, STAYING_OVER, Setting, Stay, Step, script};
 use super::tally::Tally;
 use super::watch::Watches;
 use crate::routine::Activity;
@@ -109,6 +109,14 @@ pub(super) struct Playing {
     pub(super) is_response: bool,
     /// Whether the stay's next move is a movement.
     pub(super) stirs: bool,
+}
+
+impl Playing {
+    /// Whether nothing is left but a stay whose time is over: nobody goes back for that.
+    fn is_nearly_over(&self, now: Micros) -> bool {
+        let is_over = |stay: &Stay| stay.until.is_some_and(|until| until <= now);
+        matches!(self.steps.front(), Some(Step::Stay(stay)) if self.steps.len() == 1 && is_over(stay))
+    }
 }
 
 /// What the ways of a script are walked for.
@@ -250,7 +258,10 @@ impl RoutineDriver {
                 continue;
             }
             let Some(playing) = self.scripts.last_mut() else { continue };
-            if std::mem::take(&mut playing.is_interrupted) {
+            if playing.is_interrupted && playing.is_nearly_over(now) {
+                playing.steps.clear();
+            }
+            if std::mem::take(&mut playing.is_interrupted) && !playing.steps.is_empty() {
                 let name = Step::Name(playing.name.clone());
                 match playing.spot.clone() {
                     // Who walks back to bed does not sleep yet: the way is a part of what they got up for.
@@ -390,7 +401,8 @@ impl RoutineDriver {
         let is_visit = item.activity == Activity::Visit && lasts < STAYING_OVER;
         let until = if is_visit { Some(now + lasts) } else { item.until };
         self.begin(&Item { lasts, until, ..item.clone() });
-        let gives_way = item.activity.gives_way_to_meals();
+        let gives_way =
+            item.activity.gives_way_to_meals() && !(item.activity == Activity::Visit && lasts <= SHORT_VISIT);
         if let Some(playing) = self.scripts.last_mut() {
             (playing.of, playing.since) = (item.of, now);
             (playing.gives_way, playing.is_essential) = (gives_way, item.is_essential());
@@ -527,24 +539,36 @@ impl RoutineDriver {
         }
     }
 
-    /// What nobody says waits where it would make something late that is said, and nobody goes out just before a meal.
+    /// What nobody says waits where it would make something late that is said, and so does what may be done at any time of its
+    /// part of the day for what has its time. Nobody goes out just before a meal.
     fn let_the_said_go_first(&mut self, now: Micros) {
+        let bed = self.agenda.bed;
         let (breaks, rest) = (&self.agenda.breaks[self.next_break..], &mut self.agenda.items[self.next_item..]);
-        let Some(next) = rest.first().filter(|next| next.waits && next.start <= now + MINUTE) else { return };
-        let is_outing = next.activity == Activity::Leave;
+        let Some(next) = rest.first().filter(|next| next.start <= now + MINUTE) else { return };
+        let may_wait = next.visitor.is_none() && !next.has_its_time && !next.is_essential() && next.until.is_none();
+        if !next.waits && !may_wait {
+            return;
+        }
+        let (is_outing, gives_way) = (next.activity == Activity::Leave, next.activity.gives_way_to_meals());
         // It takes somewhat longer than planned: there are ways to go.
         let end = now + next.lasts + if is_outing { 4 * MINUTE } else { 2 * MINUTE };
-        let is_said = |item: &Item| !item.waits && item.start < end && item.start >= now - GRACE;
+        let fits_after = |item: &Item| item.start + item.lasts + next.lasts < bed;
+        let is_timed = |item: &Item| {
+            item.has_its_time && item.follows.is_none() && !(gives_way && item.is_essential()) && fits_after(item)
+        };
+        let is_said = |item: &Item| {
+            !item.waits && item.start < end && item.start >= now - GRACE && (next.waits || is_timed(item))
+        };
         let is_meal = |item: &Item| is_outing && item.is_essential() && item.start < now + 2 * GRACE;
         let is_first = |item: &Item| is_said(item) || is_meal(item) && item.latest >= now;
-        if let Some(said) = rest.iter().position(is_first) {
+        if let Some(said) = rest.iter().skip(1).position(is_first).map(|said| said + 1) {
             rest[0].latest = rest[0].latest.max(rest[said].latest);
             rest[..=said].rotate_right(1);
             return;
         }
         // Who is out comes too late for what would have interrupted at its time.
         let timed = breaks.iter().find(|item| item.has_its_time && (now..end).contains(&item.start));
-        if let Some(timed) = timed.filter(|_| is_outing) {
+        if let Some(timed) = timed.filter(|timed| is_outing && (next.waits || fits_after(timed))) {
             rest[0].start = timed.start + timed.lasts;
             rest[0].latest = rest[0].latest.max(rest[0].start);
             rest.sort_by_key(|item| item.start);
@@ -579,6 +603,9 @@ impl RoutineDriver {
         self.ready.push_back(Next::Need(need, 0.0));
     }
 }
+
+/// Nobody leaves who came for no longer alone to eat (ours).
+const SHORT_VISIT: Micros = 45 * MINUTE;
 
 /// How late a meal may be before what is done for pleasure is interrupted for it (ours).
 pub(super) const GRACE: Micros = 10 * MINUTE;
