@@ -8,13 +8,14 @@ mod homes;
 mod life;
 mod measure;
 mod report;
+mod subject;
 mod text;
 
 #[cfg(test)]
 mod tests;
 
 pub use life::Life;
-pub use text::{CLAIMS, Case, Claim, Home};
+pub use text::{CLAIMS, CONDITIONS, Case, Claim, Home};
 
 use homebody_core::event::Events;
 use homebody_core::run::Run;
@@ -53,6 +54,9 @@ pub struct Row {
     pub text: String,
     /// What is to come of them, as the table has it.
     pub claim: String,
+    /// Where the size is from, if the table says it.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub source: String,
     pub expected: String,
     pub measured: String,
     pub verdict: Verdict,
@@ -67,6 +71,22 @@ pub struct Experiment {
     pub neither: usize,
     pub days: i32,
     pub seed: u64,
+}
+
+/// What conditions do to a life, beside the sizes that their sources cite.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Conditions {
+    pub conditions: Vec<Row>,
+    /// How many lie within what is expected.
+    pub within: usize,
+    pub seed: u64,
+}
+
+impl Conditions {
+    pub fn of(rows: Vec<Row>, seed: u64) -> Conditions {
+        let within = rows.iter().filter(|row| row.verdict == Verdict::Lived).count();
+        Conditions { conditions: rows, within, seed }
+    }
 }
 
 /// What a case came to: its life, or what is told before.
@@ -151,6 +171,7 @@ impl Case {
             line: self.line,
             text: self.sentence(),
             claim: claim.text.clone(),
+            source: claim.source.clone(),
             expected,
             measured,
             verdict,

@@ -1,6 +1,6 @@
 //! A life as the truth tells it, kept in little memory: activities, rooms, ways, and what was on or open.
 
-use super::measure::{Filter, Subject};
+use super::subject::{Filter, Subject};
 use homebody_core::activity::{
     AWAY, DRINKING, EATING_BREAKFAST, EATING_DINNER, EATING_LUNCH, HAVING_A_SNACK, LAPPING, LYING_AWAKE, PACING,
     PREPARING_BREAKFAST, PREPARING_DINNER, PREPARING_LUNCH, SLEEPING, TAKING_MEDICINE, USING_BATHROOM, WANDERING,

@@ -1,8 +1,9 @@
 //! The table: a line for each claim, what does not hold first.
 
-use super::measure::{Measure, Range};
+use super::measure::Measure;
+use super::subject::Range;
 use super::text::Beside;
-use super::{Experiment, Verdict};
+use super::{Conditions, Experiment, Verdict};
 use std::fmt;
 
 impl Measure {
@@ -94,5 +95,24 @@ impl fmt::Display for Experiment {
             }
         }
         Ok(())
+    }
+}
+
+/// A table in Markdown.
+impl fmt::Display for Conditions {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        writeln!(f, "| condition | what is measured | source | expected | measured |")?;
+        writeln!(f, "|---|---|---|---|---|")?;
+        for row in &self.conditions {
+            let what = row.claim.split(": ").next().unwrap_or_default();
+            let when = row
+                .claim
+                .split_once(" | ")
+                .map_or(String::new(), |(_, when)| format!(", {}", when.replace(" | ", ", ")));
+            let is_out = if row.verdict == Verdict::Lived { "" } else { " (not within)" };
+            let (condition, source, expected) = (&row.form, &row.source, &row.expected);
+            writeln!(f, "| {condition} | {what}{when} | {source} | {expected} | {}{is_out} |", row.measured)?;
+        }
+        writeln!(f, "\n{} of {} lie within (seed {}).", self.within, self.conditions.len(), self.seed)
     }
 }

@@ -1,10 +1,14 @@
 //! The claims as they stand in `claims.txt`: cases, each some sentences of a routine and what is to come of them.
 
-use super::measure::{Filter, Measure, Subject};
+use super::measure::Measure;
+use super::subject::{Filter, Subject};
 use std::fmt::Write;
 
 /// The whole table.
 pub const CLAIMS: &str = include_str!("claims.txt");
+
+/// What conditions do to a life, by their sources.
+pub const CONDITIONS: &str = include_str!("conditions.txt");
 
 /// What is put over which life, and what is claimed of it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -44,6 +48,8 @@ pub enum Home {
 pub struct Claim {
     /// As it stands in the table.
     pub text: String,
+    /// Where its size is from, if that is said.
+    pub source: String,
     pub what: What,
 }
 
@@ -147,13 +153,15 @@ fn finish(cases: &mut Vec<Case>, case: &mut Case) -> Result<(), String> {
 
 impl Claim {
     fn read(text: &str) -> Result<Claim, String> {
+        let (text, source) = text.split_once(" ; ").unwrap_or((text, ""));
+        let source = source.to_owned();
         let (subject, said) = text
             .strip_suffix(':')
             .map(|subject| (subject, ""))
             .or(text.split_once(": "))
             .ok_or("a colon is missing")?;
         if subject == "told" {
-            return Ok(Claim { text: text.to_owned(), what: What::Told(said.to_owned()) });
+            return Ok(Claim { text: text.to_owned(), source, what: What::Told(said.to_owned()) });
         }
         let (subject, of) = match subject.split_once(" of ") {
             Some((subject, of)) => (subject, Some(of.to_owned())),
@@ -168,6 +176,6 @@ impl Claim {
             (said, Beside::Itself)
         };
         let (subject, measure) = (Subject::read(subject), Measure::read(said)?);
-        Ok(Claim { text: text.to_owned(), what: What::Measured { of, subject, measure, filter, beside } })
+        Ok(Claim { text: text.to_owned(), source, what: What::Measured { of, subject, measure, filter, beside } })
     }
 }

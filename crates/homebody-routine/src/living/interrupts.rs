@@ -1,7 +1,7 @@
 //! What interrupts what is being done: rules, meals that are due, what breaks into the day, needs that press.
 
-use super::agenda::Item;
 use super::driver::{GRACE, RoutineDriver};
+use super::item::Item;
 use super::script::Step;
 use super::usual;
 use crate::routine::{Activity, Response};

@@ -8,6 +8,8 @@ mod keys;
 // What is to be done on a day, where, and how each thing is done.
 mod usual;
 mod rising;
+pub mod item;
+mod drafts;
 pub mod agenda;
 pub mod places;
 pub mod script;
@@ -23,6 +25,7 @@ mod watch;
 pub mod body;
 mod chores;
 pub mod driver;
+mod turns;
 pub mod tally;
 pub mod account;
 mod spare_time;

@@ -1,8 +1,9 @@
 //! The nights of somebody who lives by a routine: going to bed, falling asleep, waking now and then, getting up.
 
-use super::agenda::{Agenda, Item};
+use super::agenda::Agenda;
 use super::chores::mail_hour;
 use super::driver::{MINUTE, RoutineDriver};
+use super::item::Item;
 use super::life::Life;
 use super::manner::Manner;
 use super::places::Spot;

@@ -1,6 +1,7 @@
 //! What came of each sentence of a life: how often it was planned, begun and done, how late, and for how long.
 
-use super::agenda::{Agenda, Item};
+use super::agenda::Agenda;
+use super::item::Item;
 use super::life::SentenceId;
 use homebody_core::time::{Micros, SECOND, seconds};
 use std::collections::BTreeMap;

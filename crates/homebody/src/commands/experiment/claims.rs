@@ -34,23 +34,29 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let answer = self.answer.check([], &[])?;
         let cases = Case::read(CLAIMS).map_err(Failure::usage)?;
-        let progress = ProgressBar::new(cases.len() as u64);
-        let style = ProgressStyle::with_template("{bar:40} {pos} of {len} cases  {eta} left");
-        progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-        let live = |case: &Case| {
-            let rows = case.live(self.days, self.seed);
-            progress.inc(1);
-            rows
-        };
-        let pool = rayon::ThreadPoolBuilder::new().build();
-        let pool = pool.map_err(|error| Error::Threads(error.to_string()))?;
-        let rows: Vec<Vec<Row>> = pool.install(|| cases.par_iter().map(live).collect());
-        progress.finish_and_clear();
-        let experiment = Experiment::of(rows.concat(), self.days, self.seed);
+        let rows = lived(&cases, self.days, self.seed)?;
+        let experiment = Experiment::of(rows, self.days, self.seed);
         answer.give(&experiment, [])?;
         match experiment.neither {
             0 => Ok(()),
             neither => Err(Failure::usage(format!("{neither} claims are neither lived nor told before the run"))),
         }
     }
+}
+
+/// Lives all cases, on all processors: what came of them in their order.
+pub fn lived(cases: &[Case], days: i32, seed: u64) -> Result<Vec<Row>, Failure> {
+    let progress = ProgressBar::new(cases.len() as u64);
+    let style = ProgressStyle::with_template("{bar:40} {pos} of {len} cases  {eta} left");
+    progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let live = |case: &Case| {
+        let rows = case.live(days, seed);
+        progress.inc(1);
+        rows
+    };
+    let pool = rayon::ThreadPoolBuilder::new().build();
+    let pool = pool.map_err(|error| Error::Threads(error.to_string()))?;
+    let rows: Vec<Vec<Row>> = pool.install(|| cases.par_iter().map(live).collect());
+    progress.finish_and_clear();
+    Ok(rows.concat())
 }

@@ -1,6 +1,7 @@
 //! `homebody experiment`: what was measured in the real world, done again, and what is said, measured in lives.
 
 mod claims;
+mod conditions;
 mod daily_life;
 mod godsey2009;
 mod possible;
@@ -16,6 +17,7 @@ use crate::failure::Failure;
   homebody experiment sphere --data sphere_challenge --svg rooms.svg
   homebody experiment daily-life --people 20 --days 14 --png people.png
   homebody experiment claims --json claims.json
+  homebody experiment conditions
   homebody experiment possible
   homebody experiment realism --data casas --json realism.json")]
 pub struct Arguments {
@@ -33,6 +35,8 @@ enum Experiment {
     DailyLife(daily_life::Arguments),
     /// What sentences of routines come to, beside their words
     Claims(claims::Arguments),
+    /// What conditions do to a life, beside the sizes that their sources cite
+    Conditions(conditions::Arguments),
     /// What cannot be, counted in lives: two on one spot, visits to nobody, meals before they are cooked
     Possible(possible::Arguments),
     /// Real homes beside a generated life that is sensed as they are
@@ -46,6 +50,7 @@ impl Arguments {
             Experiment::Sphere(arguments) => arguments.run(),
             Experiment::DailyLife(arguments) => arguments.run(),
             Experiment::Claims(arguments) => arguments.run(),
+            Experiment::Conditions(arguments) => arguments.run(),
             Experiment::Possible(arguments) => arguments.run(),
             Experiment::Realism(arguments) => arguments.run(),
         }
