@@ -11,5 +11,7 @@ pub mod sphere;
 /// Generated lives beside what was measured of real ones.
 pub mod daily_life;
 
+/// What is said is lived, or told before the run.
+pub mod claims;
 /// Lives in which nothing happens that cannot be.
 pub mod possible;

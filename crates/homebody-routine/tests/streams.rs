@@ -8,7 +8,8 @@ use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::DAY;
 use homebody_routine::household::{CONDITIONS, Household};
-use homebody_routine::living::agenda::{Agenda, Item};
+use homebody_routine::living::agenda::Agenda;
+use homebody_routine::living::item::Item;
 use homebody_routine::routine::Activity;
 use stage::{ORDINARY, events, files, household};
 use std::collections::{BTreeMap, BTreeSet};
@@ -119,7 +120,7 @@ fn planned(routine: &str) -> Vec<Agenda> {
     let mut plans = plans(&scenario, &household);
     // The place of its sentence among the others is no number of its own.
     for plan in &mut plans {
-        plan.items.iter_mut().chain(&mut plan.breaks).for_each(|item| item.of = None);
+        plan.items.iter_mut().chain(&mut plan.breaks).for_each(|item| (item.of, item.follows) = (None, None));
     }
     plans
 }

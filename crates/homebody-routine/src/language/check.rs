@@ -152,8 +152,10 @@ fn surely_from_to(habit: &Habit) -> Option<(f64, f64)> {
 
 /// Somebody is out, and does something at home, or comes home at another time.
 fn home_while_out(draft: &Draft, faults: &mut Faults) {
+    // Who is away for days does nothing of the kind meanwhile: that is meant.
+    let is_of_days = |habit: &Habit| habit.lasts.is_some_and(|lasts| lasts.low >= 86_400.0);
     let outings: Vec<(usize, &Habit)> =
-        own_habits(draft).filter(|(_, habit)| habit.activity == Activity::Leave).collect();
+        own_habits(draft).filter(|(_, habit)| habit.activity == Activity::Leave && !is_of_days(habit)).collect();
     for (index, habit) in own_habits(draft) {
         let When::At(at) = habit.when else { continue };
         let is_meal = matches!(habit.activity, Activity::Eat(_) | Activity::Nap | Activity::Prepare(_));

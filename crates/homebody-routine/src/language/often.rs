@@ -115,7 +115,9 @@ fn every_so_many(reader: &mut Reader) -> Option<Often> {
         return Some(Often { every: Some(every), weekdays: Some(weekdays), part, ..Often::NOTHING });
     }
     if let Some(days) = reader.eat_any(&PERIODS) {
-        return Some(Often { chance: Some(with_probability(1.0 / days)), ..Often::NOTHING });
+        let days_a_week = (days == 7.0).then_some(1);
+        let chance = Chance { days_a_week, ..with_probability(1.0 / days) };
+        return Some(Often { chance: Some(chance), ..Often::NOTHING });
     }
     let from = reader.at;
     let days = if reader.ahead(|reader| reader.eat("hour")) { 1.0 } else { number(reader)? };

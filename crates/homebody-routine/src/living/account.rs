@@ -1,8 +1,9 @@
 //! Where a life differs from its words: which sentences were not lived as they stand, and what came of them.
 
 use super::life::{Life, SentenceId, SentenceKind};
-use super::tally::{Lived, Tally};
+use super::tally::{LATE, Lived, Tally};
 use crate::routine::{Effect, Phase, When};
+use homebody_core::time::SECOND;
 use serde::Serialize;
 
 /// A sentence whose life differs from its words.
@@ -25,8 +26,8 @@ pub struct Difference {
 /// Of what was planned, so much may be left out before it is told (ours): one day in twenty.
 const LEFT_OUT: f64 = 0.05;
 
-/// So much later than planned on average, in seconds, is told (ours).
-const LATE_S: f64 = 1800.0;
+/// Of what has a time, so much may come late before it is told (ours).
+const LATE_SHARE: f64 = 0.1;
 
 /// What takes less than this of its length on average is told (ours).
 const SHORT: f64 = 0.7;
@@ -87,7 +88,7 @@ fn phase(life: &Life, id: SentenceId) -> Option<Phase> {
 
 /// What was expected of a sentence, and what came of it, if they differ.
 fn difference(life: &Life, id: SentenceId, lived: Lived) -> Option<(String, String)> {
-    let Lived { planned, begun, done, no_way, planned_s, lasted_s, late_s } = lived;
+    let Lived { planned, begun, done, no_way, planned_s, lasted_s, late } = lived;
     match id.kind {
         SentenceKind::Rule => return None,
         SentenceKind::Change => {
@@ -108,9 +109,9 @@ fn difference(life: &Life, id: SentenceId, lived: Lived) -> Option<(String, Stri
         return Some((expected, format!("{} times: {why}", begun.saturating_sub(no_way))));
     }
     let habit = life.habit(id)?;
-    let late_min = late_s / f64::from(begun.max(1)) / 60.0;
-    if matches!(habit.when, When::At(_)) && late_min > LATE_S / 60.0 {
-        return Some(("at its time".to_owned(), format!("begun {late_min:.0} min later on average")));
+    if matches!(habit.when, When::At(_)) && f64::from(late) > f64::from(begun) * LATE_SHARE {
+        let minutes = LATE / (60 * SECOND);
+        return Some(("at its time".to_owned(), format!("begun more than {minutes} min late {late} of {begun} times")));
     }
     if habit.lasts.is_some() && done > 0 && lasted_s / f64::from(done) < SHORT * planned_s / f64::from(begun) {
         let minutes = |sum_s: f64, times: u32| sum_s / f64::from(times) / 60.0;

@@ -7,7 +7,9 @@
 //! 03:00 is lived whether one sleeps then or is still up. What is said comes before what is not: unsaid washing and
 //! dressing wait for a shower that has its time.
 
-use super::life::{DayParameters, InForce, Life, SentenceId};
+use super::drafts::{Draft, Drafts, Resolved, Start};
+use super::item::Item;
+use super::life::{DayParameters, InForce, Life};
 use super::rising::{bed, of_time, up, varied, varied_length};
 use super::usual;
 use crate::routine::{Activity, Habit, Meal, PartOfDay, When};
@@ -30,70 +32,6 @@ pub struct Agenda {
     pub items: Vec<Item>,
     /// What interrupts whatever goes on then, in order of start; also in the night after the day.
     pub breaks: Vec<Item>,
-}
-
-/// One thing to do.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Item {
-    /// Tells its random numbers from those of all others of the day.
-    pub key: String,
-    pub activity: Activity,
-    pub place: Option<String>,
-    pub visitor: Option<String>,
-    pub start: Micros,
-    pub lasts: Micros,
-    /// It ends then, however late it begins.
-    pub until: Option<Micros>,
-    /// It is left out if it cannot begin by then.
-    pub latest: Micros,
-    /// The sentence that it comes from, if it was planned.
-    pub of: Option<SentenceId>,
-    /// Whether no sentence of the routine says it.
-    pub is_unsaid: bool,
-    /// Whether it waits for what has its time: what nobody says, and what is overdue.
-    pub waits: bool,
-}
-
-impl Item {
-    /// Something that nobody planned, to be done at once.
-    pub fn now(key: String, activity: Activity, lasts: Micros) -> Item {
-        Item {
-            key,
-            activity,
-            place: None,
-            visitor: None,
-            start: 0,
-            lasts,
-            until: None,
-            latest: Micros::MAX,
-            of: None,
-            is_unsaid: true,
-            waits: true,
-        }
-    }
-
-    /// Whether what is done for pleasure is interrupted for it: meals and medicine.
-    pub fn is_essential(&self) -> bool {
-        let is = matches!(self.activity, Activity::Prepare(_) | Activity::Eat(_) | Activity::TakeMedicine);
-        is && self.visitor.is_none()
-    }
-}
-
-/// An item whose start may hang on another's.
-struct Draft {
-    item: Item,
-    start: Start,
-}
-
-#[derive(Clone, Debug)]
-enum Start {
-    Known,
-    At(Micros),
-    After(Activity, Micros),
-    Before(Activity, Micros),
-    With(Activity),
-    /// The end of the draft of this index.
-    Then(usize),
 }
 
 const MINUTE: f64 = 60.0;
@@ -122,34 +60,43 @@ impl Agenda {
             up,
             bed,
             next_up,
-            drafts: Vec::new(),
+            drafts: Drafts { life, day, up, bed, list: Vec::new() },
             breaks: Vec::new(),
-            mornings: Vec::new(),
             bathroom: None,
         };
         planner.draw();
-        let mut items = planner.resolve();
+        let Planner { drafts, mut breaks, bathroom, .. } = planner;
+        let Resolved { mut items, helped, mornings } = drafts.resolve();
+        breaks.extend(helped);
         items.sort_by_key(|item| item.start);
-        let ready = planner.ready(&items);
+        let ready = ready(life, up, &items, &mornings);
         // Who gets up late begins the day later, and not with what is overdue; what is said keeps a time that is not past.
         let waits = |item: &Item| item.start < if item.is_unsaid { ready } else { up };
-        for item in items.iter_mut().filter(|item| waits(item) && !planner.mornings.contains(&item.key)) {
+        for item in items.iter_mut().filter(|item| waits(item) && !mornings.contains(&item.key)) {
             item.latest += ready - item.start;
             item.start = ready;
             item.waits = true;
         }
         one_meal_after_the_other(&mut items);
         items.sort_by_key(|item| item.start);
-        let mut breaks = planner.breaks;
         // What comes after going to bed interrupts the night.
         let is_of_the_night =
             |item: &Item| item.visitor.is_none() && item.start >= bed && item.activity.is_of_the_night();
         let late = items.extract_if(.., |item| is_of_the_night(item));
         breaks.extend(late.map(|item| Item { latest: item.start + 3600 * SECOND, ..item }));
         breaks.sort_by_key(|item| item.start);
-        let visits = planner.bathroom.unwrap_or(2);
+        let visits = bathroom.unwrap_or(2);
         Agenda { day, up, bed, next_up, bathroom_first: visits > 0, bathroom_last: visits > 1, items, breaks }
     }
+}
+
+/// When what is done after getting up is done, as far as it is done soon.
+fn ready(life: &Life, up: Micros, items: &[Item], mornings: &[String]) -> Micros {
+    let soon_is_over = up + micros(life.numbers.of(&SOON_S));
+    let soon = items.iter().filter(|item| {
+        mornings.contains(&item.key) && item.start < soon_is_over && item.activity != Activity::ComeHome
+    });
+    soon.map(|item| item.start + item.lasts).fold(up, Micros::max)
 }
 
 /// Who has breakfast late has lunch after it.
@@ -182,10 +129,8 @@ struct Planner<'a> {
     up: Micros,
     bed: Micros,
     next_up: Micros,
-    drafts: Vec<Draft>,
+    drafts: Drafts<'a>,
     breaks: Vec<Item>,
-    /// What is done after getting up, by key: washing, dressing.
-    mornings: Vec<String>,
     /// How often the routine says that the bathroom is visited by day, if it does.
     bathroom: Option<u32>,
 }
@@ -237,6 +182,17 @@ impl Planner<'_> {
             before.1 = last;
         }
         self.draw_small_hours();
+        self.share_time_out();
+    }
+
+    /// Who is out so much less a day is out less on each of the day's outings.
+    fn share_time_out(&mut self) {
+        let is_outing = |item: &Item| item.activity == Activity::Leave && item.visitor.is_none();
+        let outings =
+            || self.drafts.list.iter().map(|draft| &draft.item).chain(&self.breaks).filter(|item| is_outing(item));
+        let longer = micros(self.parameters.longer_s(&Activity::Leave) / outings().count().max(1) as f64);
+        let all = self.drafts.list.iter_mut().map(|draft| &mut draft.item).chain(&mut self.breaks);
+        all.filter(|item| is_outing(item)).for_each(|item| item.lasts = (item.lasts + longer).max(SECOND));
     }
 
     /// What tomorrow's sentences say of the hours before tomorrow's rising.
@@ -393,16 +349,23 @@ impl Planner<'_> {
             of: Some(in_force.id()),
             is_unsaid: source == Life::UNSAID,
             waits: source == Life::UNSAID,
+            has_its_time: source != Life::UNSAID && !matches!(habit.when, When::AnyTime | When::Within(_)),
+            follows: None,
             key,
         };
         let in_the_night = start >= self.bed;
         let is_break = item.visitor.is_none() && item.activity.interrupts(in_the_night);
         if matches!(known, Start::Known) && is_break {
-            self.breaks.push(Item { latest: start + 3600 * SECOND, ..item });
+            let latest = match (item.activity.can_come_later(), &habit.when) {
+                (true, When::AnyTime) => self.bed,
+                (true, When::Within(part)) if *part != PartOfDay::Night => at(part.hours().1),
+                _ => start,
+            };
+            self.breaks.push(Item { latest: latest.max(start + 3600 * SECOND), ..item });
             return Some(Start::At(start + lasts));
         }
-        self.drafts.push(Draft { item, start: known });
-        Some(Start::Then(self.drafts.len() - 1))
+        self.drafts.list.push(Draft { item, start: known });
+        Some(Start::Then(self.drafts.list.len() - 1))
     }
 
     /// How much later than usual all goes that nobody says of somebody whose day begins late, in seconds; earlier where
@@ -448,126 +411,6 @@ impl Planner<'_> {
         let span = (to - from).max(0) as f64;
         (from + (span * place.clamp(0.0, 1.0)) as Micros, Start::Known)
     }
-
-    /// Puts what hangs on something beside it.
-    fn resolve(&mut self) -> Vec<Item> {
-        let mut known: Vec<bool> = self.drafts.iter().map(|draft| matches!(draft.start, Start::Known)).collect();
-        // Each pass settles at least one, or none is left that can be.
-        for last in (0..=self.drafts.len()).rev() {
-            for index in 0..self.drafts.len() {
-                if !known[index]
-                    && let Some(start) = self.start_of(index, &known, last == 0)
-                {
-                    let item = &mut self.drafts[index].item;
-                    (item.start, item.latest) = (start, start + micros(4.0 * HOUR));
-                    known[index] = true;
-                }
-            }
-            if known.iter().all(|&known| known) {
-                break;
-            }
-        }
-        self.come_home();
-        self.cook_before_eating();
-        let mornings = self.drafts.iter().filter(|draft| matches!(draft.start, Start::After(Activity::GetUp, _)));
-        self.mornings = mornings.map(|draft| draft.item.key.clone()).collect();
-        let is_done = |activity: &Activity| self.drafts.iter().any(|draft| draft.item.activity == *activity);
-        // There is nothing to wash up after a meal that was skipped.
-        let is_idle = |draft: &Draft| match &draft.start {
-            Start::After(meal, _) => draft.item.activity == Activity::WashUp && !is_done(meal),
-            _ => false,
-        };
-        self.drafts.iter().filter(|draft| !is_idle(draft)).map(|draft| draft.item.clone()).collect()
-    }
-
-    /// What is eaten is prepared first; which of the two moves is the one that is not said.
-    fn cook_before_eating(&mut self) {
-        for meal in Meal::ALL {
-            let of = |activity: Activity| {
-                self.drafts.iter().position(|draft| draft.item.activity == activity && draft.item.visitor.is_none())
-            };
-            let (Some(cook), Some(eat)) = (of(Activity::Prepare(meal)), of(Activity::Eat(meal))) else { continue };
-            let (cooking, eating) = (self.drafts[cook].item.clone(), self.drafts[eat].item.clone());
-            let ready = cooking.start + cooking.lasts;
-            if cooking.is_unsaid && !eating.is_unsaid {
-                let start = (eating.start - cooking.lasts).max(self.up);
-                let item = &mut self.drafts[cook].item;
-                (item.start, item.latest, item.is_unsaid, item.waits) = (start, eating.latest, false, false);
-                let late = start + cooking.lasts - eating.start;
-                if late > 0 {
-                    self.drafts[eat].item.start += late;
-                }
-            } else if eating.start < ready && eating.is_unsaid {
-                let item = &mut self.drafts[eat].item;
-                item.latest += ready - item.start;
-                (item.start, item.is_unsaid, item.waits) = (ready, cooking.is_unsaid, cooking.waits);
-            }
-        }
-    }
-
-    /// When what is done after getting up is done, as far as it is done soon.
-    fn ready(&self, items: &[Item]) -> Micros {
-        let soon_is_over = self.up + micros(self.life.numbers.of(&SOON_S));
-        let soon = items.iter().filter(|item| {
-            self.mornings.contains(&item.key) && item.start < soon_is_over && item.activity != Activity::ComeHome
-        });
-        soon.map(|item| item.start + item.lasts).fold(self.up, Micros::max)
-    }
-
-    /// Coming home at a time ends the outing before it.
-    fn come_home(&mut self) {
-        let homes = self.drafts.iter().filter(|draft| draft.item.activity == Activity::ComeHome);
-        let homes: Vec<Micros> = homes.map(|draft| draft.item.start).collect();
-        for home in homes {
-            let outings = self.drafts.iter_mut().map(|draft| &mut draft.item);
-            let outings = outings.filter(|item| item.activity == Activity::Leave && item.start < home);
-            if let Some(outing) = outings.max_by_key(|item| item.start) {
-                outing.until = Some(home);
-            }
-        }
-        // It is in the outing.
-        self.drafts.iter_mut().filter(|draft| draft.item.activity == Activity::ComeHome).for_each(|draft| {
-            draft.item.latest = Micros::MIN;
-        });
-    }
-
-    /// The start of a draft whose reference is known; `at_last` it is guessed where the reference is never.
-    fn start_of(&self, index: usize, known: &[bool], at_last: bool) -> Option<Micros> {
-        let Draft { item, start } = &self.drafts[index];
-        let span = |activity: &Activity| self.span_of(activity, known, at_last);
-        match start {
-            Start::Known => Some(item.start),
-            Start::At(start) => Some(*start),
-            Start::After(activity, gap) => Some(span(activity)?.1 + gap),
-            Start::Before(activity, gap) => Some(span(activity)?.0 - gap - item.lasts),
-            // One microsecond before, so that it comes first.
-            Start::With(activity) => Some(span(activity)?.0 - 1),
-            Start::Then(of) => {
-                let of_item = &self.drafts[*of].item;
-                known[*of].then_some(of_item.start + of_item.lasts)
-            }
-        }
-    }
-
-    /// From when to when something is done today; where it is not done, when it usually would be.
-    fn span_of(&self, activity: &Activity, known: &[bool], at_last: bool) -> Option<(Micros, Micros)> {
-        match activity {
-            Activity::GetUp => return Some((self.up, self.up + 60 * SECOND)),
-            Activity::GoToBed => return Some((self.bed, self.bed + 60 * SECOND)),
-            Activity::ComeHome => return Some((0, self.span_of(&Activity::Leave, known, at_last)?.1)),
-            _ => {}
-        }
-        let mut of = self.drafts.iter().zip(known).filter(|(draft, _)| draft.item.activity == *activity);
-        match of.next() {
-            Some((draft, true)) => Some((draft.item.start, draft.item.start + draft.item.lasts)),
-            Some((_, false)) if !at_last => None,
-            _ => {
-                let usual = usual::clock(activity, &self.life.numbers).map_or(12.0 * HOUR, |clock| clock.mean());
-                let start = self.life.instant(self.day, usual);
-                Some((start, start + micros(usual::length(activity, &self.life.numbers).median_min * MINUTE)))
-            }
-        }
-    }
 }
 
 impl Activity {
@@ -575,6 +418,11 @@ impl Activity {
     pub(crate) fn is_of_the_night(&self) -> bool {
         use Activity::{Drink, Fall, Lap, Leave, LieAwake, Pace, Snack, UseBathroom, Wander};
         matches!(self, UseBathroom | LieAwake | Fall | Wander | Pace | Lap | Drink | Snack | Leave)
+    }
+
+    /// Whether it is made up for who was out, or asleep, as it should have been done: not what one does elsewhere, too.
+    fn can_come_later(&self) -> bool {
+        matches!(self, Activity::Wander | Activity::Pace | Activity::Lap | Activity::Fall)
     }
 
     /// Whether it interrupts what goes on rather than waiting for its turn.

@@ -4,16 +4,17 @@
 //! interrupt; the plan of the day says what is next; and where it says nothing, the time is filled. What is interrupted
 //! goes on where it was.
 
-use super::agenda::{Agenda, Item};
+use super::agenda::Agenda;
 use super::body::Body;
 use super::chores::{self, Errand};
 use super::company::Company;
 use super::errands::Errands;
+use super::item::Item;
 use super::life::{DayParameters, Life, SentenceId};
 use super::manner::Manner;
 use super::needs::Needs;
 use super::places::{Places, Spot};
-use super::script::{Interruptible, Setting, Step, script};
+use super::script::{Interruptible, STAYING_OVER, Setting, Stay, Step, script};
 use super::tally::Tally;
 use super::watch::Watches;
 use crate::routine::Activity;
@@ -109,6 +110,14 @@ pub(super) struct Playing {
     pub(super) is_response: bool,
     /// Whether the stay's next move is a movement.
     pub(super) stirs: bool,
+}
+
+impl Playing {
+    /// Whether nothing is left but a stay whose time is over: nobody goes back for that.
+    fn is_nearly_over(&self, now: Micros) -> bool {
+        let is_over = |stay: &Stay| stay.until.is_some_and(|until| until <= now);
+        matches!(self.steps.front(), Some(Step::Stay(stay)) if self.steps.len() == 1 && is_over(stay))
+    }
 }
 
 /// What the ways of a script are walked for.
@@ -244,7 +253,16 @@ impl RoutineDriver {
                 }
                 continue;
             };
-            if std::mem::take(&mut playing.is_interrupted) {
+            if playing.is_interrupted && self.essential().is_some_and(|(_, due)| due <= now) {
+                // Between cooking and eating nobody goes back to what was interrupted for both.
+                self.interrupt(now);
+                continue;
+            }
+            let Some(playing) = self.scripts.last_mut() else { continue };
+            if playing.is_interrupted && playing.is_nearly_over(now) {
+                playing.steps.clear();
+            }
+            if std::mem::take(&mut playing.is_interrupted) && !playing.steps.is_empty() {
                 let name = Step::Name(playing.name.clone());
                 match playing.spot.clone() {
                     // Who walks back to bed does not sleep yet: the way is a part of what they got up for.
@@ -279,6 +297,7 @@ impl RoutineDriver {
             if over.is_essential {
                 self.at_table = now;
             }
+            self.let_follow(over.of, now);
         }
         self.watches.leave_behind();
         if let Some(below) = self.scripts.last_mut() {
@@ -379,8 +398,12 @@ impl RoutineDriver {
         self.tally.begin(item, now);
         // How long it still is until it has to end.
         let lasts = item.until.map_or(item.lasts, |until| (until - now).max(SECOND));
-        self.begin(&Item { lasts, ..item.clone() });
-        let gives_way = item.activity.gives_way_to_meals();
+        // Visitors leave when they leave, whatever the host had to do meanwhile.
+        let is_visit = item.activity == Activity::Visit && lasts < STAYING_OVER;
+        let until = if is_visit { Some(now + lasts) } else { item.until };
+        self.begin(&Item { lasts, until, ..item.clone() });
+        let gives_way =
+            item.activity.gives_way_to_meals() && !(item.activity == Activity::Visit && lasts <= SHORT_VISIT);
         if let Some(playing) = self.scripts.last_mut() {
             (playing.of, playing.since) = (item.of, now);
             (playing.gives_way, playing.is_essential) = (gives_way, item.is_essential());
@@ -517,19 +540,6 @@ impl RoutineDriver {
         }
     }
 
-    /// What nobody says waits where it would make something late that is said.
-    fn let_the_said_go_first(&mut self, now: Micros) {
-        let rest = &mut self.agenda.items[self.next_item..];
-        let Some(next) = rest.first().filter(|next| next.waits && next.start <= now + MINUTE) else { return };
-        // It takes somewhat longer than planned: there are ways to go.
-        let end = now + next.lasts + 2 * MINUTE;
-        let is_first = |item: &Item| !item.waits && item.start < end && item.start >= now - GRACE;
-        if let Some(said) = rest.iter().position(is_first) {
-            rest[0].latest = rest[0].latest.max(rest[said].latest);
-            rest[..=said].rotate_right(1);
-        }
-    }
-
     /// The time of day, in hours.
     pub(super) fn hour(&self, now: Micros) -> f64 {
         (now - self.midnight).rem_euclid(DAY) as f64 / (3600 * SECOND) as f64
@@ -541,6 +551,9 @@ impl RoutineDriver {
         self.ready.push_back(Next::Need(need, 0.0));
     }
 }
+
+/// Nobody leaves who came for no longer alone to eat (ours).
+const SHORT_VISIT: Micros = 45 * MINUTE;
 
 /// How late a meal may be before what is done for pleasure is interrupted for it (ours).
 pub(super) const GRACE: Micros = 10 * MINUTE;

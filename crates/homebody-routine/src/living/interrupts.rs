@@ -1,11 +1,11 @@
 //! What interrupts what is being done: rules, meals that are due, what breaks into the day, needs that press.
 
-use super::agenda::Item;
 use super::driver::{GRACE, RoutineDriver};
+use super::item::Item;
 use super::script::Step;
 use super::usual;
 use crate::routine::{Activity, Response};
-use homebody_core::activity::{self, UsualLength};
+use homebody_core::activity::{self, ActivityKind, UsualLength};
 use homebody_core::time::{Micros, micros};
 
 impl RoutineDriver {
@@ -40,7 +40,14 @@ impl RoutineDriver {
             return None;
         }
         let items = self.agenda.items.iter().enumerate().skip(self.next_item);
-        let (index, item) = items.into_iter().find(|(_, item)| item.is_essential())?;
+        let mut essential = items.filter(|(_, item)| item.is_essential());
+        let (index, item) = essential.next()?;
+        // Medicine that has its time is not taken after what nobody says.
+        let end = item.start + item.lasts;
+        let is_first = |of: &Item| of.has_its_time && of.activity == Activity::TakeMedicine && of.start < end;
+        if let Some((index, medicine)) = essential.find(|(_, of)| item.waits && is_first(of)) {
+            return Some((index, medicine.start));
+        }
         // What is nearly done is brought to its end, but nobody goes back to it between cooking and eating.
         let is_next = self.at_table > item.start - 2 * GRACE;
         Some((index, item.start + if is_next { 0 } else { GRACE }))
@@ -134,9 +141,13 @@ impl Activity {
     /// Whether a meal that is due interrupts it: what is done for pleasure, company, the household.
     pub(super) fn gives_way_to_meals(&self) -> bool {
         use Activity::{Exercise, Housework, Laundry, Other, Phone, Read, Relax, UseComputer, Visit, WatchTelevision};
-        matches!(
-            self,
-            Exercise | Housework | Laundry | Other(_) | Phone | Read | Relax | UseComputer | Visit | WatchTelevision
-        )
+        match self {
+            Exercise | Housework | Laundry | Other(_) | Phone | Read | Relax | UseComputer | Visit
+            | WatchTelevision => true,
+            Activity::Everyday(label) => {
+                matches!(ActivityKind::of(label), ActivityKind::Leisure | ActivityKind::Food | ActivityKind::Housework)
+            }
+            _ => false,
+        }
     }
 }

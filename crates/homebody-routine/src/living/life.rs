@@ -558,12 +558,8 @@ impl DayParameters {
             })
         };
         // Several changes together are not without bounds.
-        self.active
-            .iter()
-            .filter(|(part, _)| holds(part))
-            .map(|(_, factor)| factor)
-            .product::<f64>()
-            .min(self.most_movement)
+        let factors = self.active.iter().filter(|(part, _)| holds(part)).map(|(_, factor)| factor);
+        factors.product::<f64>().min(self.most_movement)
     }
 
     /// How many seconds later something is done.
@@ -571,10 +567,16 @@ impl DayParameters {
         self.later_s.get(activity).copied().unwrap_or(0.0)
     }
 
-    /// How long something takes that would take so many seconds.
+    /// How long something takes that would take so many seconds; of being out without `longer_s`.
     pub fn lasting_s(&self, activity: &Activity, seconds: f64) -> f64 {
         let factor = self.longer.get(activity).copied().unwrap_or(1.0);
-        (seconds * factor + self.longer_s.get(activity).copied().unwrap_or(0.0)).max(0.0)
+        let longer_s = Some(self.longer_s(activity)).filter(|_| *activity != Activity::Leave);
+        (seconds * factor + longer_s.unwrap_or(0.0)).max(0.0)
+    }
+
+    /// How many seconds longer something is done; of being out, in all of a day.
+    pub fn longer_s(&self, activity: &Activity) -> f64 {
+        self.longer_s.get(activity).copied().unwrap_or(0.0)
     }
 
     /// How many times as often something is done, in a part of the day.

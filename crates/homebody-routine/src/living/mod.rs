@@ -8,6 +8,8 @@ mod keys;
 // What is to be done on a day, where, and how each thing is done.
 mod usual;
 mod rising;
+pub mod item;
+mod drafts;
 pub mod agenda;
 pub use homebody_walk::{manner, places, stations};
 pub mod script;
@@ -22,6 +24,7 @@ mod watch;
 pub use homebody_walk::body;
 mod chores;
 pub mod driver;
+mod turns;
 pub mod tally;
 pub mod account;
 mod spare_time;

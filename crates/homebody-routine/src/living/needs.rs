@@ -20,6 +20,10 @@ pub struct Needs {
     constitution: Constitution,
     /// How likely something is done about thirst and hunger that press: less than 1 where it is said to be done less often.
     answers: [f64; 2],
+    /// Thirst and hunger once more, where something is said to be done about them more often, and how likely it is.
+    more: [Need; 2],
+    more_answers: [f64; 2],
+    more_streams: [Stream; 2],
     rates: Rates,
     /// A stream for each kind, so that a meal that is skipped leaves the toilet's thresholds as they are.
     streams: [Stream; 4],
@@ -82,6 +86,9 @@ impl Rates {
 /// All of them, in their own order.
 const KINDS: [Kind; 4] = [Kind::Toilet, Kind::Thirst, Kind::Hunger, Kind::Tiredness];
 
+/// Those that are done about more often by there being more of them: what meets one at each meal meets the others, too.
+const MORE: [Kind; 2] = [Kind::Thirst, Kind::Hunger];
+
 impl Needs {
     pub fn new(life: &Life, now: Micros) -> Needs {
         // Who naps by plan does not nap for being tired, too.
@@ -91,8 +98,10 @@ impl Needs {
         let constitution = Constitution { naps, ..life.constitution };
         let mut streams = KINDS.map(|kind| life.stream(&format!("needs/{kind:?}")));
         let rates = Rates::of(&life.numbers);
-        let [toilet, thirst, hunger, _] =
-            streams.each_mut().map(|stream| Need::new(now, stream.gamma(rates.shape, 1.0)));
+        let mut more_streams = MORE.map(|kind| life.stream(&format!("needs/{kind:?}/more")));
+        let fresh = |stream: &mut Stream| Need::new(now, stream.gamma(rates.shape, 1.0));
+        let [toilet, thirst, hunger, _] = streams.each_mut().map(fresh);
+        let more = more_streams.each_mut().map(fresh);
         Needs {
             toilet,
             thirst,
@@ -101,6 +110,9 @@ impl Needs {
             asleep: false,
             constitution,
             answers: [1.0; 2],
+            more,
+            more_answers: [0.0; 2],
+            more_streams,
             rates,
             streams,
         }
@@ -124,8 +136,14 @@ impl Needs {
         });
         self.answers = [drinks, snacks];
         self.toilet.rise(now, if is_planned(&Activity::UseBathroom) { 0.0 } else { toilet });
-        self.thirst.rise(now, self.rates.thirst * drinks.max(1.0));
-        self.hunger.rise(now, self.rates.hunger * snacks.max(1.0));
+        self.thirst.rise(now, self.rates.thirst);
+        self.hunger.rise(now, self.rates.hunger);
+        for (index, (often, rate)) in [(drinks, self.rates.thirst), (snacks, self.rates.hunger)].into_iter().enumerate()
+        {
+            let (more, times) = ((often - 1.0).max(0.0), libm::ceil(often - 1.0).max(0.0));
+            self.more[index].rise(now, rate * times);
+            self.more_answers[index] = more / times.max(1.0);
+        }
         self.tiredness.rise(now, self.rates.tiredness);
     }
 
@@ -137,14 +155,14 @@ impl Needs {
         let toilet =
             visits * 24.0 / self.rates.sleeping_h * parameters.oftener(&Activity::UseBathroom, Some(PartOfDay::Night));
         self.toilet.rise(now, if is_planned { 0.0 } else { toilet });
-        for need in [&mut self.thirst, &mut self.hunger, &mut self.tiredness] {
+        for need in [&mut self.thirst, &mut self.hunger, &mut self.tiredness].into_iter().chain(&mut self.more) {
             need.rise(now, 0.0);
         }
     }
 
     /// Only tiredness rises while away: elsewhere there are toilets and meals, too, but no beds.
     pub fn pause(&mut self, now: Micros) {
-        for need in [&mut self.toilet, &mut self.thirst, &mut self.hunger] {
+        for need in [&mut self.toilet, &mut self.thirst, &mut self.hunger].into_iter().chain(&mut self.more) {
             need.rise(now, 0.0);
         }
     }
@@ -156,7 +174,8 @@ impl Needs {
 
     /// When the first of them presses.
     pub fn presses_at(&self) -> Micros {
-        let awake = [&self.thirst, &self.hunger, &self.tiredness].map(Need::presses_at).into_iter().min();
+        let awake = [&self.thirst, &self.hunger, &self.tiredness].into_iter().chain(&self.more);
+        let awake = awake.map(Need::presses_at).min();
         let awake = if self.asleep { None } else { awake };
         self.toilet.presses_at().min(awake.unwrap_or(Micros::MAX))
     }
@@ -182,6 +201,15 @@ impl Needs {
             }
             self.put_off(kind, now);
         }
+        for (index, activity) in [Activity::Drink, Activity::Snack].into_iter().enumerate() {
+            if self.more[index].presses_at() > now {
+                continue;
+            }
+            if self.more_streams[index].chance(self.more_answers[index]) {
+                return Some(activity);
+            }
+            self.meet_more(index, now);
+        }
         if self.tiredness.presses_at() > now {
             return None;
         }
@@ -197,6 +225,17 @@ impl Needs {
 
     /// A need is met; how strong it was.
     pub fn meet(&mut self, kind: Kind, now: Micros) -> f64 {
+        if let Some(index) = MORE.iter().position(|of| *of == kind) {
+            let need = if kind == Kind::Thirst { &self.thirst } else { &self.hunger };
+            let presses = [need, &self.more[index]].map(|need| need.presses_at() <= now);
+            // A meal meets all of it; what presses alone is met alone.
+            if presses[1] || !presses[0] {
+                self.meet_more(index, now);
+            }
+            if presses[1] && !presses[0] {
+                return 1.0;
+            }
+        }
         let threshold =
             if kind == Kind::Tiredness { 1.5 } else { self.streams[kind as usize].gamma(self.rates.shape, 1.0) };
         let need = match kind {
@@ -208,6 +247,11 @@ impl Needs {
         let strength = need.strength(now);
         need.meet(now, threshold);
         strength.min(1.0)
+    }
+
+    fn meet_more(&mut self, index: usize, now: Micros) {
+        let threshold = self.more_streams[index].gamma(self.rates.shape, 1.0);
+        self.more[index].meet(now, threshold);
     }
 
     /// Nothing can be done about a need: it presses again as if it had been met.

@@ -1,8 +1,10 @@
 //! The nights of somebody who lives by a routine: going to bed, falling asleep, waking now and then, getting up.
 
-use super::agenda::{Agenda, Item};
+use super::agenda::Agenda;
 use super::chores::mail_hour;
 use super::driver::{MINUTE, RoutineDriver};
+use super::item::Item;
+use super::life::Life;
 use super::manner::Manner;
 use super::places::Spot;
 use super::rising;
@@ -77,7 +79,13 @@ impl RoutineDriver {
         } else {
             steps.push_back(Step::LieDown);
         }
-        let (awake_min, bout_min) = (self.life.constitution.awake_min, self.life.numbers.of(&AWAKE_BOUT_MIN));
+        // Where it is said how long somebody lies awake tonight, that is all.
+        let is_said = self.agenda.breaks.iter().any(|item| {
+            let is_own = item.of.is_some_and(|of| of.source == Life::OWN);
+            item.activity == Activity::LieAwake && is_own && !item.has_its_time
+        });
+        let awake_min = if is_said { 0.0 } else { self.life.constitution.awake_min };
+        let bout_min = self.life.numbers.of(&AWAKE_BOUT_MIN);
         let mut wakings: Vec<f64> = (0..stream.poisson(awake_min / bout_min)).map(|_| stream.unit()).collect();
         wakings.sort_by(f64::total_cmp);
         for share in wakings {

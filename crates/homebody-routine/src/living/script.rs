@@ -170,10 +170,10 @@ impl Steps<'_, '_> {
             Activity::Phone => self.until(Role::Telephone, place, lasts, until, Manner::TALKING),
             Activity::Nap => self.nap(place, lasts, until),
             Activity::Laundry => self.laundry(lasts),
-            Activity::Housework => self.housework(lasts),
+            Activity::Housework => self.housework(place, lasts),
             Activity::Leave => self.leave(activity.label(), lasts, until),
             Activity::ComeHome | Activity::GoToBed => {}
-            Activity::Visit => self.visit(lasts),
+            Activity::Visit => self.visit(lasts, until),
             Activity::Drink => self.drink(lasts),
             Activity::Snack => self.snack(lasts),
             Activity::Exercise => self.at(Role::Armchair, place, lasts, Manner::BUSY, Interruptible::Interrupt),
@@ -369,12 +369,15 @@ impl Steps<'_, '_> {
         self.act(Role::WashingMachine, false);
     }
 
-    /// A round through the home, a moment here and there.
-    fn housework(&mut self, lasts: Micros) {
-        let stations = self.setting.places.stations();
+    /// A round through the home, or through the room that was said, a moment here and there.
+    fn housework(&mut self, place: Option<&Spot>, lasts: Micros) {
+        let stations = self.setting.places.stations().iter().map(|station| &station.spot);
+        let mut stations: Vec<&Spot> =
+            stations.filter(|spot| place.is_none_or(|place| spot.room == place.room)).collect();
+        stations.extend(place.filter(|_| stations.is_empty()));
         let mut left = lasts;
         while left > 0 && !stations.is_empty() {
-            let spot = &stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()].spot;
+            let spot = stations[(self.setting.stream.unit() * stations.len() as f64) as usize % stations.len()];
             let span = self.around(45.0);
             // Who moves less stays longer at each place.
             let span = micros(seconds(span) / self.setting.movement.clamp(0.2, 1.0)).clamp(SECOND, left.max(SECOND));
@@ -410,7 +413,7 @@ impl Steps<'_, '_> {
     }
 
     /// Opens the door, sits with the visitor, sees them off.
-    fn visit(&mut self, lasts: Micros) {
+    fn visit(&mut self, lasts: Micros, until: Option<Micros>) {
         self.go(Role::FrontDoor, None);
         self.act(Role::FrontDoor, true);
         self.push(Step::Await { arrival: true, left: ARRIVAL_PATIENCE });
@@ -418,8 +421,10 @@ impl Steps<'_, '_> {
         let welcome = self.around(40.0);
         self.at(Role::FrontDoor, None, welcome, Manner::TALKING, Interruptible::Rules);
         // With who stays for days, life goes on.
-        let talk = if lasts < STAYING_OVER { lasts } else { WELCOME };
-        self.at(Role::Armchair, None, talk, Manner::TALKING, Interruptible::Interrupt);
+        let (talk, until) = if lasts < STAYING_OVER { (lasts, until) } else { (WELCOME, None) };
+        let posture = self.go(Role::Armchair, None);
+        let may = Interruptible::Interrupt;
+        self.push(Step::Stay(Stay { posture, manner: Manner::TALKING, left: talk, until, may }));
         if lasts < STAYING_OVER {
             let farewell = self.around(60.0);
             self.at(Role::FrontDoor, None, farewell, Manner::TALKING, Interruptible::Rules);

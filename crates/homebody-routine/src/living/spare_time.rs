@@ -1,7 +1,7 @@
 //! What fills the time until something is due.
 
-use super::agenda::Item;
 use super::driver::{MINUTE, RoutineDriver};
+use super::item::Item;
 use super::life::InForce;
 use super::manner::Manner;
 use super::script::{Interruptible, Stay, Step};

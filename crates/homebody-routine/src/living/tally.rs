@@ -1,9 +1,13 @@
 //! What came of each sentence of a life: how often it was planned, begun and done, how late, and for how long.
 
-use super::agenda::{Agenda, Item};
+use super::agenda::Agenda;
+use super::item::Item;
 use super::life::SentenceId;
-use homebody_core::time::{Micros, seconds};
+use homebody_core::time::{Micros, SECOND, seconds};
 use std::collections::BTreeMap;
+
+/// What is being done is finished first, and then there is a way to go: so much later is still in time (ours).
+pub const LATE: Micros = 15 * 60 * SECOND;
 
 /// What has been lived of a life so far, sentence by sentence.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,8 +28,8 @@ pub struct Lived {
     /// How long it was to take, of all that were begun, and how long it took, from its beginning to its end.
     pub planned_s: f64,
     pub lasted_s: f64,
-    /// How much later than planned it began, of all that were begun.
-    pub late_s: f64,
+    /// How many were begun more than [`LATE`] after their time.
+    pub late: u32,
 }
 
 impl Tally {
@@ -46,7 +50,7 @@ impl Tally {
         self.count(item.of, |lived| {
             lived.begun += 1;
             lived.planned_s += until_s.unwrap_or(seconds(item.lasts));
-            lived.late_s += seconds((now - item.start).max(0));
+            lived.late += u32::from(now - item.start > LATE);
         });
     }
 

@@ -14,7 +14,7 @@ const ARROWS: [(&str, &[&str]); 13] = [
     ("homebody-routine", &["homebody-core", "homebody-script", "homebody-walk"]),
     ("homebody-analysis", &["homebody-core", "homebody-log"]),
     ("homebody-picture", &["homebody-analysis", "homebody-core"]),
-    ("homebody-experiment", &["homebody-core", "homebody-picture", "homebody-walk"]),
+    ("homebody-experiment", &["homebody-core", "homebody-picture", "homebody-routine", "homebody-walk"]),
     ("homebody-kit", &["homebody-analysis", "homebody-core", "homebody-log", "homebody-routine"]),
     (
         "homebody-web",

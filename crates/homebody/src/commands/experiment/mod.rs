@@ -1,5 +1,7 @@
-//! `homebody experiment`: what was measured in the real world, done again.
+//! `homebody experiment`: what was measured in the real world, done again, and what is said, measured in lives.
 
+mod claims;
+mod conditions;
 mod daily_life;
 mod godsey2009;
 mod possible;
@@ -8,12 +10,14 @@ mod sphere;
 
 use crate::failure::Failure;
 
-/// Does an experiment again that was done in the real world, and says what agrees.
+/// Does an experiment again that was done in the real world, or measures what routines come to, and says what agrees.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody experiment godsey2009 --svg firings.svg
   homebody experiment sphere --data sphere_challenge --svg rooms.svg
   homebody experiment daily-life --people 20 --days 14 --png people.png
+  homebody experiment claims --json claims.json
+  homebody experiment conditions
   homebody experiment possible
   homebody experiment realism --data casas --json realism.json")]
 pub struct Arguments {
@@ -29,6 +33,10 @@ enum Experiment {
     Sphere(sphere::Arguments),
     /// Generated older adults lived at home, beside what was published of real ones
     DailyLife(daily_life::Arguments),
+    /// What sentences of routines come to, beside their words
+    Claims(claims::Arguments),
+    /// What conditions do to a life, beside the sizes that their sources cite
+    Conditions(conditions::Arguments),
     /// What cannot be, counted in lives: two on one spot, visits to nobody, meals before they are cooked
     Possible(possible::Arguments),
     /// Real homes beside a generated life that is sensed as they are
@@ -41,6 +49,8 @@ impl Arguments {
             Experiment::Godsey2009(arguments) => arguments.run(),
             Experiment::Sphere(arguments) => arguments.run(),
             Experiment::DailyLife(arguments) => arguments.run(),
+            Experiment::Claims(arguments) => arguments.run(),
+            Experiment::Conditions(arguments) => arguments.run(),
             Experiment::Possible(arguments) => arguments.run(),
             Experiment::Realism(arguments) => arguments.run(),
         }

@@ -1,0 +1,227 @@
+//! What is measured of a life, and within which bounds it has to lie.
+//!
+//! Bounds that the words of a sentence give are widened by chance and by the way there alone: a share of days by three standard
+//! errors of so many days; a time of day by [`GRACE_MIN`], since what is being done is finished first and then walked from; a
+//! length by a tenth, as "for 20 minutes" is give or take that much; "every day" leaves out one day in twenty.
+
+use super::life::{Life, Occurrence};
+use super::subject::{Filter, Range, Subject, clock_range, number, range, scaled};
+use homebody_core::time::{DAY, Micros, SECOND};
+
+/// Whatever is done is finished first, and then one walks there: so many minutes later still counts as then (ours).
+pub const GRACE_MIN: f64 = 15.0;
+
+/// Of what has a time, at least this share keeps it (ours).
+pub const MOST_OF_THEM: f64 = 0.9;
+
+/// "Every day" leaves out one day in twenty (ours).
+pub const EVERY: f64 = 0.95;
+
+/// How many standard errors chance may bring (ours): of a thousand claims that hold it makes three seem not to.
+pub const ERRORS: f64 = 3.0;
+
+/// A length may be off by a tenth (ours).
+const OF_LENGTH: f64 = 0.1;
+
+/// What is asked of it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Measure {
+    /// On this share of the days or nights that count; three standard errors are added.
+    OnDays {
+        share: f64,
+        nights: bool,
+    },
+    /// On so many days of each week.
+    DaysAWeek(usize),
+    /// So many in all.
+    Times(Range),
+    /// So many on a day or night that counts.
+    TimesADay {
+        range: Range,
+        nights: bool,
+    },
+    /// Most begin then, in minutes of the day.
+    Begins(Range),
+    /// The mean, and the standard deviation, of when they begin, in minutes of the day.
+    BeginsOnAverage(Range),
+    Spread(Range),
+    /// Most end then.
+    Ends(Range),
+    /// The mean and the longest, in minutes, and of most.
+    Lasts(Range),
+    Longest(Range),
+    Mostly(Range),
+    /// Minutes a day.
+    Minutes(Range),
+    /// Most begin so many minutes after the end, before the beginning, or after the beginning of another activity.
+    After(String, Range),
+    Before(String, Range),
+    With(String, Range),
+    /// Most of the time it is done in this room.
+    In(String),
+    /// A number of each day, on average.
+    Is(Range),
+}
+
+impl Measure {
+    pub fn read(text: &str) -> Result<Measure, String> {
+        let words: Vec<&str> = text.split(' ').collect();
+        let no_clock = || format!("no times of day in {text:?}");
+        Ok(match *words {
+            ["every", span @ ("day" | "night")] => Measure::OnDays { share: 1.0, nights: span == "night" },
+            ["never"] => Measure::Times((0.0, 0.0)),
+            ["on", share, "%", "of", span @ ("days" | "nights")] => {
+                Measure::OnDays { share: number(share)? / 100.0, nights: span == "nights" }
+            }
+            ["on", days, "days", "a", "week"] => Measure::DaysAWeek(number(days)? as usize),
+            [times, "times"] => Measure::Times(range(times)?),
+            [times, "times", "a", span @ ("day" | "night")] => {
+                Measure::TimesADay { range: range(times)?, nights: span == "night" }
+            }
+            ["begins", clocks] => Measure::Begins(clock_range(clocks).ok_or_else(no_clock)?),
+            ["begins", "on", "average", clocks] => Measure::BeginsOnAverage(clock_range(clocks).ok_or_else(no_clock)?),
+            ["begins", by, "min"] => Measure::BeginsOnAverage(range(by)?),
+            ["spread", by, "min"] => Measure::Spread(range(by)?),
+            ["spread", by] => Measure::Spread(range(by)?),
+            ["ends", clocks] => Measure::Ends(clock_range(clocks).ok_or_else(no_clock)?),
+            ["lasts", by] => Measure::Lasts(range(by)?),
+            ["lasts", by, unit] => Measure::Lasts(scaled(by, unit)?),
+            ["mostly", by, unit] => Measure::Mostly(scaled(by, unit)?),
+            ["longest", by, unit] => Measure::Longest(scaled(by, unit)?),
+            ["times", by] => Measure::TimesADay { range: range(by)?, nights: false },
+            [by, unit, "a", "day"] => Measure::Minutes(scaled(by, unit)?),
+            ["time", by] | [by] => Measure::Minutes(range(by)?),
+            ["after", other, by, "min"] => Measure::After(other.to_owned(), range(by)?),
+            ["before", other, by, "min"] => Measure::Before(other.to_owned(), range(by)?),
+            ["with", other, by, "min"] => Measure::With(other.to_owned(), range(by)?),
+            ["in", ..] => Measure::In(words[1..].join(" ")),
+            ["is", by] => Measure::Is(range(by)?),
+            _ => return Err(format!("there is no such measure as {text:?}")),
+        })
+    }
+
+    /// The bounds that a measured value has to lie within, of so many days.
+    pub fn bounds(&self, days: f64, is_twin: bool) -> Range {
+        match self {
+            Measure::OnDays { share, .. } if *share >= 1.0 => (EVERY, 1.0),
+            Measure::OnDays { share, .. } => {
+                let error = ERRORS * (share * (1.0 - share) / days.max(1.0)).sqrt();
+                ((share - error).max(0.0), (share + error).min(1.0))
+            }
+            Measure::DaysAWeek(_)
+            | Measure::Begins(_)
+            | Measure::Ends(_)
+            | Measure::After(..)
+            | Measure::Before(..)
+            | Measure::With(..)
+            | Measure::Mostly(_)
+            | Measure::In(_) => (MOST_OF_THEM, 1.0),
+            Measure::Lasts(range) if !is_twin => (range.0 * (1.0 - OF_LENGTH), range.1 * (1.0 + OF_LENGTH)),
+            Measure::Times(range)
+            | Measure::TimesADay { range, .. }
+            | Measure::BeginsOnAverage(range)
+            | Measure::Spread(range)
+            | Measure::Lasts(range)
+            | Measure::Longest(range)
+            | Measure::Minutes(range)
+            | Measure::Is(range) => *range,
+        }
+    }
+
+    /// What a life has of it.
+    pub fn of(&self, life: &Life, who: usize, subject: &Subject, filter: &Filter) -> f64 {
+        if let Measure::Is(_) = self {
+            return mean(&life.daily(who, subject, filter));
+        }
+        let nights = matches!(self, Measure::OnDays { nights: true, .. } | Measure::TimesADay { nights: true, .. });
+        let all = life.occurrences(who, subject, filter, nights);
+        let share =
+            |holds: &dyn Fn(&Occurrence) -> bool| all.iter().filter(|one| holds(one)).count() as f64 / all.len() as f64;
+        let minutes = |span: Micros| span as f64 / (60 * SECOND) as f64;
+        let days = life.days(filter, nights).len() as f64;
+        let begins = |range: &Range| -> Vec<f64> { all.iter().map(|one| near(one.clock_min(), *range)).collect() };
+        match self {
+            Measure::OnDays { .. } => {
+                let mut on: Vec<i32> = all.iter().map(|one| one.day).collect();
+                on.dedup();
+                on.len() as f64 / days
+            }
+            Measure::DaysAWeek(each) => weeks_with(&all, life, *each),
+            Measure::Times(_) => all.len() as f64,
+            Measure::TimesADay { .. } => all.len() as f64 / days,
+            Measure::Begins(range) => share(&|one| is_then(one.clock_min(), *range)),
+            Measure::Ends(range) => share(&|one| is_then(minutes(one.end - life.midnight(one.end)), *range)),
+            // The day is a circle: by how much each is before or after the first.
+            Measure::BeginsOnAverage(_) => {
+                let first = all.first().map_or(0.0, Occurrence::clock_min);
+                mean(&begins(&(first, first)))
+            }
+            Measure::Spread(_) => {
+                let first = all.first().map_or(0.0, Occurrence::clock_min);
+                spread(&begins(&(first, first)))
+            }
+            Measure::Lasts(_) => mean(&all.iter().map(|one| minutes(one.lasted)).collect::<Vec<_>>()),
+            Measure::Longest(_) => all.iter().map(|one| minutes(one.end - one.begin)).fold(0.0, f64::max),
+            Measure::Mostly((from, to)) => share(&|one| (*from..=*to).contains(&minutes(one.end - one.begin))),
+            Measure::Minutes(_) => all.iter().map(|one| minutes(one.lasted)).sum::<f64>() / days,
+            Measure::After(other, range) => {
+                let others = life.spans(who, &Subject::Activity(other.clone()));
+                share(&|one| {
+                    let last = others.iter().filter(|of| of.end <= one.begin).max_by_key(|of| of.end);
+                    last.is_some_and(|last| is_within(minutes(one.begin - last.end), *range))
+                })
+            }
+            Measure::Before(other, range) => {
+                let others = life.spans(who, &Subject::Activity(other.clone()));
+                share(&|one| {
+                    let next = others.iter().find(|of| of.begin >= one.begin);
+                    next.is_some_and(|next| is_within(minutes(next.begin - one.begin), *range))
+                })
+            }
+            Measure::With(other, range) => {
+                let others = life.spans(who, &Subject::Activity(other.clone()));
+                let off = |one: &Occurrence, of: &Occurrence| minutes(one.begin - of.begin);
+                share(&|one| others.iter().any(|of| (range.0..=range.1).contains(&off(one, of))))
+            }
+            Measure::In(room) => {
+                let [there, all] = all.iter().fold([0, 0], |[there, all], one| {
+                    // Where else somebody goes meanwhile is no part of it.
+                    [there + life.time_in(who, room, one.begin, one.end).min(one.lasted), all + one.lasted]
+                });
+                there as f64 / all as f64
+            }
+            Measure::Is(_) => f64::NAN,
+        }
+    }
+}
+
+/// The share of whole weeks that have it on so many days.
+fn weeks_with(all: &[Occurrence], life: &Life, each: usize) -> f64 {
+    let weeks = life.whole_weeks();
+    let on = |monday: i32| (monday..monday + 7).filter(|day| all.iter().any(|one| one.day == *day)).count() == each;
+    weeks.iter().filter(|monday| on(**monday)).count() as f64 / weeks.len() as f64
+}
+
+/// A minute of the day as the one of its days that lies nearest to a range.
+fn near(minute: f64, (from, to): Range) -> f64 {
+    let middle = (from + to) / 2.0;
+    let day = (DAY / (60 * SECOND)) as f64;
+    (minute - middle + 1.5 * day).rem_euclid(day) - day / 2.0 + middle
+}
+
+fn is_then(minute: f64, range: Range) -> bool {
+    is_within(near(minute, range), range)
+}
+
+fn is_within(minutes: f64, (from, to): Range) -> bool {
+    (from - 1.0..=to + GRACE_MIN).contains(&minutes)
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+fn spread(values: &[f64]) -> f64 {
+    let mean = mean(values);
+    (values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / values.len() as f64).sqrt()
+}

@@ -1,0 +1,63 @@
+//! Whose turn it is: what has its time before what is said, what is said before what nobody says, and what comes after something once
+//! that is over.
+
+use super::driver::{GRACE, MINUTE, RoutineDriver};
+use super::item::Item;
+use super::life::SentenceId;
+use crate::routine::Activity;
+use homebody_core::time::Micros;
+
+impl RoutineDriver {
+    /// What nobody says waits where it would make something late that is said, and so does what may be done at any time of its
+    /// part of the day for what has its time. Nobody goes out just before a meal.
+    pub(super) fn let_the_said_go_first(&mut self, now: Micros) {
+        let bed = self.agenda.bed;
+        let (breaks, rest) = (&self.agenda.breaks[self.next_break..], &mut self.agenda.items[self.next_item..]);
+        let Some(next) = rest.first().filter(|next| next.start <= now + MINUTE) else { return };
+        let may_wait = next.visitor.is_none() && !next.has_its_time && !next.is_essential() && next.until.is_none();
+        if !next.waits && !may_wait {
+            return;
+        }
+        let (is_outing, gives_way) = (next.activity == Activity::Leave, next.activity.gives_way_to_meals());
+        // It takes somewhat longer than planned: there are ways to go.
+        let end = now + next.lasts + if is_outing { 4 * MINUTE } else { 2 * MINUTE };
+        let fits_after = |item: &Item| item.start + item.lasts + next.lasts < bed;
+        let is_timed = |item: &Item| {
+            item.has_its_time && item.follows.is_none() && !(gives_way && item.is_essential()) && fits_after(item)
+        };
+        let is_said = |item: &Item| {
+            !item.waits && item.start < end && item.start >= now - GRACE && (next.waits || is_timed(item))
+        };
+        let is_meal = |item: &Item| is_outing && item.is_essential() && item.start < now + 2 * GRACE;
+        let is_first = |item: &Item| is_said(item) || is_meal(item) && item.latest >= now;
+        if let Some(said) = rest.iter().skip(1).position(is_first).map(|said| said + 1) {
+            rest[0].latest = rest[0].latest.max(rest[said].latest);
+            rest[..=said].rotate_right(1);
+            return;
+        }
+        // Who is out comes too late for what would have interrupted at its time.
+        let timed = breaks.iter().find(|item| item.has_its_time && (now..end).contains(&item.start));
+        if let Some(timed) = timed.filter(|timed| is_outing && (next.waits || fits_after(timed))) {
+            rest[0].start = timed.start + timed.lasts;
+            rest[0].latest = rest[0].latest.max(rest[0].start);
+            rest.sort_by_key(|item| item.start);
+        }
+    }
+
+    /// What comes after something begins so long after its end, whenever that was.
+    pub(super) fn let_follow(&mut self, over: Option<SentenceId>, now: Micros) {
+        let Some(over) = over else { return };
+        let rest = &mut self.agenda.items[self.next_item..];
+        let mut has_moved = false;
+        for item in rest.iter_mut() {
+            if let Some((_, gap)) = item.follows.take_if(|(of, _)| *of == over) {
+                let by = now + gap - item.start;
+                (item.start, item.latest) = (item.start + by, item.latest + by.max(0));
+                has_moved = true;
+            }
+        }
+        if has_moved {
+            rest.sort_by_key(|item| item.start);
+        }
+    }
+}
