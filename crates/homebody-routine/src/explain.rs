@@ -5,15 +5,21 @@ use crate::language::LAST_WEEK;
 use crate::language::activities::phrase;
 use crate::routine::{
     Activity, Chance, Change, Days, Effect, Habit, Moment, PartOfDay, Person, Phase, Quote, Response, Routine, Rule,
-    Trigger, When,
+    When,
 };
 use serde::Serialize;
+use words::{clock, join, lasts_words, number, numbers, sentence, span_words};
+
+mod rules;
+mod words;
 
 /// A routine, explained in the order of its file.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Explanation {
     pub file: String,
     pub sentences: Vec<Row>,
+    /// The rules as layers, the upper before the lower; empty where there are none.
+    pub layers: String,
 }
 
 /// One thing that was understood.
@@ -83,7 +89,8 @@ pub fn explain(routine: &Routine) -> Explanation {
     rows.extend(routine.changes.iter().map(|change| (change.said.column, of_change(change))));
     rows.extend(routine.remarks.iter().map(|remark| (remark.column, of_remark(remark))));
     rows.sort_by_key(|(column, row)| (row.line, *column));
-    Explanation { file: routine.file.clone(), sentences: rows.into_iter().map(|(_, row)| row).collect() }
+    let sentences = rows.into_iter().map(|(_, row)| row).collect();
+    Explanation { file: routine.file.clone(), sentences, layers: rules::layers(routine) }
 }
 
 impl Explanation {
@@ -107,6 +114,9 @@ impl Explanation {
         }
         for row in &self.sentences {
             text += &format!("\n{}:{}: {}\n  {}\n", self.file, row.line, row.said, row.in_words);
+        }
+        if !self.layers.is_empty() {
+            text += &format!("\n{}", self.layers);
         }
         text
     }
@@ -192,31 +202,17 @@ fn of_habit(habit: &Habit) -> Row {
 }
 
 fn of_rule(rule: &Rule) -> Row {
-    let whenever = match &rule.whenever {
-        Trigger::On(thing) => format!("the {thing} has been on or open"),
-        Trigger::At(place) => format!("the person has been at the {place}"),
-        Trigger::Away => "the person has been out".into(),
-        Trigger::InBed => "the person has been in bed".into(),
-    };
-    let response = match &rule.response {
-        Response::Turn { thing, on: true } => format!("goes to the {thing} and turns it on or opens it"),
-        Response::Turn { thing, on: false } => format!("goes to the {thing} and turns it off or closes it"),
-        Response::Do { activity, place, lasts } => {
-            let place = place.as_ref().map(|place| format!("at the {place}"));
-            let lasts = lasts.as_ref().map(|lasts| format!("for {}", lasts_words(lasts)));
-            join([Some(phrase(activity)), place, lasts].into_iter().flatten(), " ")
-        }
-    };
-    let after = lasts_words(&rule.lasts);
+    let whenever = rules::whenever(rule);
+    let response = rules::answers(rule);
     let lasts = match &rule.response {
         Response::Do { lasts, .. } => lasts.as_ref().map(Spread::of),
         Response::Turn { .. } => None,
     };
     let chance = format!("with probability {}", number(rule.probability));
-    let said = [format!("whenever {whenever} for {after}, {chance} the person {response}"), phase_words(&rule.phase)];
+    let said = [format!("{whenever}, {chance} the person {response}"), phase_words(&rule.phase)];
     Row {
         probability: Some(rule.probability),
-        when: format!("whenever {whenever} for {after}"),
+        when: whenever,
         waits: Some(Spread::of(&rule.lasts)),
         lasts,
         days: format!("p {}", number(rule.probability)),
@@ -411,36 +407,6 @@ fn clock_words(at: &Fuzzy) -> String {
     format!("{most_often}between {low} and {high} (mean {mean}, 5 % before {p5}, 5 % after {p95})")
 }
 
-fn lasts_words(lasts: &Fuzzy) -> String {
-    span_words(lasts.low, lasts.high)
-}
-
-fn span_words(low: f64, high: f64) -> String {
-    let (low, high) = (span(low), span(high));
-    if low == high { low } else { format!("{low} to {high}") }
-}
-
-/// Seconds as hours and minutes.
-fn span(seconds: f64) -> String {
-    let whole = seconds.clamp(0.0, 1e9).round() as u64;
-    match (whole / 3600, whole / 60 % 60, whole % 60) {
-        (0, 0, seconds) => format!("{seconds} s"),
-        (0, minutes, 0) => format!("{minutes} min"),
-        (0, minutes, seconds) => format!("{minutes} min {seconds} s"),
-        (hours, 0, _) => format!("{hours} h"),
-        (hours, minutes, _) => format!("{hours} h {minutes} min"),
-    }
-}
-
-/// Seconds since midnight as a clock shows them.
-fn clock(seconds: f64) -> String {
-    let minutes = (seconds / 60.0).round() as i64;
-    let of_day = minutes.rem_euclid(24 * 60);
-    let next = if minutes > 24 * 60 { " the next day" } else { "" };
-    let hours = if minutes == 24 * 60 { 24 } else { of_day / 60 };
-    format!("{hours:02}:{:02}{next}", of_day % 60)
-}
-
 fn phase_words(phase: &Phase) -> String {
     let days = |days: f64| format!("{} days", number(days));
     let over = (phase.over_days > 0.0).then(|| format!("fully there after {}", days(phase.over_days)));
@@ -455,25 +421,4 @@ fn moment_words(moment: Moment) -> String {
         Moment::Day(day) => format!("day {}", i64::from(day) + 1),
         Moment::Date(year, month, day) => format!("{year:04}-{month:02}-{day:02}"),
     }
-}
-
-fn numbers(low: f64, high: f64) -> String {
-    let (low, high) = (number(low), number(high));
-    if low == high { low } else { format!("{low} to {high}") }
-}
-
-/// At most three digits after the point.
-fn number(value: f64) -> String {
-    let rounded = (value * 1000.0).round() / 1000.0 + 0.0;
-    rounded.to_string()
-}
-
-fn join(parts: impl Iterator<Item = String>, between: &str) -> String {
-    parts.filter(|part| !part.is_empty()).collect::<Vec<_>>().join(between)
-}
-
-fn sentence(parts: impl Iterator<Item = String>) -> String {
-    let text = join(parts, "; ").replace(",;", ",");
-    let mut chars = text.chars();
-    chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).chain(['.']).collect())
 }

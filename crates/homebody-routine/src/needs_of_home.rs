@@ -2,7 +2,7 @@
 
 use crate::living::places::{Places, Spot};
 use crate::living::script::ACTED_ON;
-use crate::routine::{Activity, Kind, Quote, Response, Routine, USUAL, shows};
+use crate::routine::{Activity, Kind, Quote, Response, Routine, Rule, USUAL, shows};
 use homebody_core::geometry;
 use homebody_core::home::plan::{self, Plan};
 use homebody_core::numbers::Numbers;
@@ -54,7 +54,8 @@ pub fn used_things(
     let things = things.map(|thing| places.thing_name(thing).to_owned());
     let opened = places.stations().iter().filter(|station| station.opened.is_some());
     let opened = opened.map(|station| station.spot.name.clone());
-    let turned = texts.iter().flat_map(|text| &text.rules).filter_map(|rule| match &rule.response {
+    let answers = texts.iter().flat_map(|text| &text.rules).flat_map(Rule::answers);
+    let turned = answers.filter_map(|answer| match answer {
         Response::Turn { thing, .. } => Some(thing.to_lowercase()),
         Response::Do { .. } => None,
     });
@@ -240,8 +241,10 @@ fn used_roles<'t>(places: &Places, texts: &[&'t Routine]) -> Vec<(Role, Option<(
         });
         used.extend(done.map(|habit| (habit.activity.clone(), Some((text.file.as_str(), &habit.said)))));
         for rule in &text.rules {
-            if let Response::Do { activity, .. } = &rule.response {
-                used.push((activity.clone(), Some((text.file.as_str(), &rule.said))));
+            for answer in rule.answers() {
+                if let Response::Do { activity, .. } = answer {
+                    used.push((activity.clone(), Some((text.file.as_str(), &rule.said))));
+                }
             }
         }
     }
@@ -267,8 +270,9 @@ fn used_roles<'t>(places: &Places, texts: &[&'t Routine]) -> Vec<(Role, Option<(
 fn named_places(text: &Routine) -> Vec<(&str, (&str, &Quote))> {
     let file = text.file.as_str();
     let habits = text.habits.iter().filter_map(|habit| Some((habit.place.as_deref()?, (file, &habit.said))));
-    let rules = text.rules.iter().filter_map(|rule| {
-        let place = match &rule.response {
+    let answers = text.rules.iter().flat_map(|rule| rule.answers().map(move |answer| (rule, answer)));
+    let rules = answers.filter_map(|(rule, answer)| {
+        let place = match answer {
             Response::Turn { thing, .. } => Some(thing.as_str()),
             Response::Do { place, .. } => place.as_deref(),
         };

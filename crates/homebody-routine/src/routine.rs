@@ -220,9 +220,35 @@ pub struct Rule {
     pub whenever: Trigger,
     /// How long it has to last, in seconds.
     pub lasts: Fuzzy,
+    /// What else has to be so as it becomes due.
+    pub only_if: Vec<Circumstance>,
     pub probability: f64,
     pub phase: Phase,
     pub response: Response,
+    /// What is done after that.
+    pub then: Vec<Response>,
+    pub lapse: Option<Lapse>,
+}
+
+impl Rule {
+    /// What is done, one after the other.
+    pub fn answers(&self) -> impl Iterator<Item = &Response> {
+        std::iter::once(&self.response).chain(&self.then)
+    }
+}
+
+/// Something that has to be so, or must not be.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Circumstance {
+    pub holds: bool,
+    pub state: Trigger,
+}
+
+/// How often what a rule asks for is forgotten, and how much later, in seconds, it is done then; never, if that was not said.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Lapse {
+    pub probability: f64,
+    pub later: Option<Fuzzy>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -236,6 +262,39 @@ pub enum Trigger {
     Away,
     /// The person is in bed.
     InBed,
+    /// Anybody has turned a thing on, such as a door bell.
+    Rings(String),
+    /// It is dark out of doors; of a room, there too, with its lamp off.
+    Dark(Option<String>),
+    /// Somebody else is at home: anybody, or a visitor by name.
+    Company(Option<String>),
+    /// Nobody else is at home.
+    Alone,
+    /// The person sits.
+    Sitting,
+    /// The person does this.
+    Doing(Activity),
+    /// The person has done this: it is over.
+    Done(Activity),
+    /// It is between these times of day, in seconds since midnight.
+    Between(f64, f64),
+    /// The rule before it in the text has been answered.
+    Follows,
+}
+
+impl Trigger {
+    /// Whether it is looked out for: it begins and ends with what others do, or with the light.
+    pub fn is_looked_for(&self) -> bool {
+        matches!(
+            self,
+            Trigger::Rings(_)
+                | Trigger::Dark(_)
+                | Trigger::Company(_)
+                | Trigger::Alone
+                | Trigger::Sitting
+                | Trigger::Between(..)
+        )
+    }
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -1,10 +1,10 @@
 //! Finds activities among the words of a sentence, by the ways of saying them that the lexicon has.
 
 use super::calendar;
+use super::called::person_called;
 pub use super::lexicon::third_person;
 use super::lexicon::{Is, Lexicon, Piece, Way};
 use super::reader::{Reader, is_beginning, is_determiner};
-use super::subjects::person_called;
 use super::words::Token;
 use crate::routine::{Activity, Meal};
 use std::sync::LazyLock;

@@ -6,13 +6,14 @@
 
 use super::activities::fits;
 use super::calendar::is_weekday;
-use super::clause::{PLACES, vocabulary};
+use super::clause::PLACES;
 use super::draft::Draft;
 use super::faults::Faults;
 use super::reader::{Names, Reader, Sort, is_beginning, is_determiner};
 use super::remarks::is_lived;
 use super::rewording::reworded;
 use super::sentence;
+use super::tail::vocabulary;
 use super::unknown;
 use super::words::{Span, Token, Word};
 use crate::routine::Routine;

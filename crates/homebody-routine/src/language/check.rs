@@ -5,7 +5,7 @@ use super::calendar::days_between;
 use super::draft::Draft;
 use super::faults::Faults;
 use crate::fuzzy::Fuzzy;
-use crate::routine::{Activity, Days, Effect, Habit, Meal, Moment, PartOfDay, Phase, Trigger, When};
+use crate::routine::{Activity, Days, Effect, Habit, Meal, Moment, PartOfDay, Phase, Response, Rule, Trigger, When};
 use homebody_core::scenario::nearest::nearest;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -353,9 +353,22 @@ fn idle_rules(draft: &Draft, faults: &mut Faults) {
                     faults.add(*lasts, what, Some("compare how long she is out".into()));
                 }
             }
-            Trigger::At(_) | Trigger::InBed => {}
+            Trigger::Doing(activity) | Trigger::Done(activity)
+                if !does(draft, activity) && !is_answered(draft, activity) =>
+            {
+                let what = format!("this never comes true: no sentence says that she {}", phrase(activity));
+                let hint = format!("add a sentence such as \"she {} at about 12:00\"", phrase(activity));
+                faults.add(*trigger, what, Some(hint));
+            }
+            _ => {}
         }
     }
+}
+
+/// Whether a rule has her do it.
+fn is_answered(draft: &Draft, activity: &Activity) -> bool {
+    let is_it = |answer: &Response| matches!(answer, Response::Do { activity: done, .. } if done == activity);
+    draft.routine.rules.iter().flat_map(Rule::answers).any(is_it)
 }
 
 /// How long something lasts at most, as far as it was said.

@@ -4,7 +4,7 @@ use super::activities;
 use super::amounts::{DAY_S, is_unit, number};
 use super::calendar::{is_month, is_weekday};
 use super::reader::Reader;
-use super::said::visits;
+use super::visits::visits;
 use super::words::{Span, Token};
 use crate::routine::{Activity, Meal, PartOfDay};
 
@@ -259,7 +259,7 @@ fn half_by_rest(reader: &Reader, face: Face) -> Option<bool> {
     }
 }
 
-/// By what is done then, where that has its half of the day: who gets up at 7 does so in the morning (ours).
+/// By what is done then, where that has its half of the day: who gets up at 7 does so in the morning.
 fn half_by_doing(reader: &mut Reader, from: usize, face: Face) -> Option<bool> {
     let hour = face.full_hours();
     let word = |at: Option<usize>| at.and_then(|at| reader.words.get(at)).map_or("", |word| word.text.as_str());
@@ -298,26 +298,30 @@ fn half_by_doing(reader: &mut Reader, from: usize, face: Face) -> Option<bool> {
     half_of(&doing, hour)
 }
 
-/// Whether something is done in the second half of the day, where it is done at this hour of the clock in one half only (ours).
+/// The hours of the clock at which something is done in the first half of the day, and those at which in the second (ours).
+const HALVES: [(&[Activity], [f64; 2], [f64; 2]); 9] = [
+    (&[Activity::GetUp], [4.0, 12.0], NONE),
+    (&[Activity::Eat(Meal::Breakfast), Activity::Prepare(Meal::Breakfast), Activity::Dress], [5.0, 12.0], NONE),
+    (&[Activity::Eat(Meal::Lunch), Activity::Prepare(Meal::Lunch)], [11.0, 12.0], [0.0, 3.0]),
+    (&[Activity::Eat(Meal::Dinner), Activity::Prepare(Meal::Dinner)], NONE, [4.0, 10.0]),
+    (&[Activity::GoToBed], [0.0, 4.0], [7.0, 12.0]),
+    (&[Activity::WatchTelevision], NONE, [0.0, 11.0]),
+    (&[Activity::TakeMedicine], [6.0, 10.0], [0.0, 6.0]),
+    (
+        &[Activity::Leave, Activity::Visit, Activity::Exercise, Activity::Housework, Activity::Laundry],
+        [8.0, 12.0],
+        [0.0, 6.0],
+    ),
+    (&[Activity::Drink, Activity::Nap], [9.0, 12.0], [0.0, 6.0]),
+];
+
+const NONE: [f64; 2] = [0.0, 0.0];
+
+/// Whether something is done in the second half of the day, where at this hour of the clock it is done in one half only.
 fn half_of(doing: &Activity, hour: f64) -> Option<bool> {
-    let never = 0.0..0.0;
-    let (first, second) = match doing {
-        Activity::GetUp => (4.0..12.0, never),
-        Activity::Eat(Meal::Breakfast) | Activity::Prepare(Meal::Breakfast) | Activity::Dress => (5.0..12.0, never),
-        Activity::Eat(Meal::Lunch) | Activity::Prepare(Meal::Lunch) => (11.0..12.0, 0.0..3.0),
-        Activity::Eat(Meal::Dinner) | Activity::Prepare(Meal::Dinner) => (never, 4.0..10.0),
-        Activity::GoToBed => (0.0..4.0, 7.0..12.0),
-        Activity::WatchTelevision => (never, 0.0..11.0),
-        Activity::TakeMedicine => (6.0..10.0, 0.0..6.0),
-        Activity::Leave | Activity::Visit | Activity::Exercise | Activity::Housework | Activity::Laundry => {
-            (8.0..12.0, 0.0..6.0)
-        }
-        Activity::Drink => (9.0..12.0, 0.0..6.0),
-        Activity::Nap => (never, 0.0..6.0),
-        _ => return None,
-    };
-    let hour = hour % 12.0;
-    if first.contains(&hour) { Some(false) } else { second.contains(&hour).then_some(true) }
+    let (_, first, second) = HALVES.iter().find(|(activities, ..)| activities.contains(doing))?;
+    let is_in = |[from, to]: &[f64; 2]| (*from..*to).contains(&(hour % 12.0));
+    if is_in(first) { Some(false) } else { is_in(second).then_some(true) }
 }
 
 /// Whether a time goes on right behind what was read of it: `7:4o`, `7;40`.

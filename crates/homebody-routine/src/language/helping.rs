@@ -2,9 +2,10 @@
 
 use super::activities::{self, activity, event};
 use super::adverbs::Adverbs;
+use super::called::person_called;
 use super::reader::Reader;
-use super::said::{Help, Predicate, visits};
-use super::subjects::person_called;
+use super::said::{Help, Predicate};
+use super::visits::visits;
 use super::words::Token;
 use crate::routine::{Activity, Meal};
 use homebody_core::activity::{ActivityKind, TimeUse};

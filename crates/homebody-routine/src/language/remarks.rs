@@ -5,10 +5,10 @@
 
 use super::activities;
 use super::adverbs::Adverbs;
+use super::called::person_called;
 use super::lexicon::third_person;
 use super::reader::{Reader, Sort, is_beginning, is_determiner};
-use super::said::visits;
-use super::subjects;
+use super::visits::visits;
 use super::words::Token;
 
 /// What may stand in the rest of a remark.
@@ -319,6 +319,16 @@ fn joins_now(reader: &Reader) -> bool {
 }
 
 /// Whether "and" or the like stands here, with something that is done behind it.
+/// Whether somebody is named: the person, or who comes.
+fn begins_with_somebody(reader: &mut Reader) -> bool {
+    if reader.eat("she|he|they|it") || person_called(reader) || reader.person().is_some() {
+        return true;
+    }
+    reader.skip_determiners();
+    let lexicon = reader.names.lexicon.clone();
+    ["PEOPLE", "RELATIVES"].iter().any(|list| lexicon.list(list, |ahead| reader.peek(ahead)).is_some())
+}
+
 fn begins_clause(reader: &mut Reader) -> bool {
     let joins = ["and", "but", "so", "then", "or", "who", "which", "because"].contains(&reader.peek(0));
     let comma = reader.token(0) == Some(Token::Comma);
@@ -335,7 +345,7 @@ fn begins_clause(reader: &mut Reader) -> bool {
             });
             (somebody && joins_now(reader))
                 || lexicon.is_third_person(reader.peek(0))
-                || subjects::subject(reader).is_some()
+                || reader.ahead(begins_with_somebody)
                 || activities::activity(reader).is_some()
                 || state(reader).is_some()
                 || reader.eat("walks|walk|sleeps|sleep|does|do")

@@ -2,27 +2,27 @@
 
 use super::activities;
 use super::adverbs::Adverbs;
-use super::amounts::{self, Unit, amount};
+use super::amounts::{Unit, amount};
 use super::build::only;
-use super::clause::{Clause, PLACES, eat_preposition, tail};
+use super::clause::{Clause, PLACES};
 use super::draft::Draft;
 use super::meaning::Kind;
 use super::predicates;
 use super::reader::{Reader, Sort};
 use super::said::{self, Predicate};
 use super::subjects::{self, Subject};
+use super::tail::tail;
+use super::triggers::{circumstances, trigger};
 use super::unknown;
-use super::words::Span;
-use crate::fuzzy::Fuzzy;
-use crate::routine::{Response, Rule, Trigger};
+use super::words::{Token, Word};
+use crate::routine::{Lapse, Response, Rule, Trigger};
 
 /// Reads a rule from behind "whenever".
 pub fn rule(reader: &mut Reader, draft: &mut Draft, front: &Adverbs) {
     only(reader, front, &[Kind::Phase], "a rule holds whenever it comes true");
-    let from = reader.at;
-    let Some(whenever) = trigger(reader) else { return };
-    let trigger_span = reader.span(from);
-    let Some((lasts, lasts_span)) = how_long(reader) else { return };
+    let is_first = draft.routine.rules.is_empty();
+    let Some((whenever, trigger_span, lasts, lasts_span)) = trigger(reader, is_first) else { return };
+    let Some(mut only_if) = circumstances(reader) else { return };
     reader.skip_commas();
     reader.eat("then");
     let mut adverbs = Adverbs::default();
@@ -45,7 +45,11 @@ pub fn rule(reader: &mut Reader, draft: &mut Draft, front: &Adverbs) {
     }
     adverbs.all(reader);
     let Some(response) = response(reader, &whenever, &mut adverbs) else { return };
-    adverbs.all(reader);
+    more(reader, &mut adverbs);
+    let Some(then) = steps(reader, &whenever, &response) else { return };
+    let lapse = reader.attempt(lapse);
+    let Some(more) = circumstances(reader) else { return };
+    only_if.extend(more);
     if !reader.is_over() {
         let (here, hint) = (reader.here(), "a rule ends with what she does".to_owned());
         let what = format!("{:?} is not understood here", reader.said(here));
@@ -57,73 +61,90 @@ pub fn rule(reader: &mut Reader, draft: &mut Draft, front: &Adverbs) {
     let phase = all.phase_meant(reader, draft.is_condition);
     let span = reader.span(0);
     draft.phase(reader, &phase, &all, span);
-    let rule = Rule { said: draft.said(span), whenever, lasts, probability, phase, response };
+    let rule = Rule { said: draft.said(span), whenever, lasts, only_if, probability, phase, response, then, lapse };
     draft.routine.rules.push(rule);
     draft.rule_spans.push((trigger_span, lasts_span));
 }
 
-fn trigger(reader: &mut Reader) -> Option<Trigger> {
-    let from = reader.at;
-    if subjects::subject(reader) == Some(Subject::Person) {
-        if !is_or_was(reader) {
-            let hint = "write \"she has been in the bathroom for 45 minutes\"".to_owned();
-            reader.fault(reader.here(), "it is not said where she is", hint);
-            return None;
-        }
-        reader.eat("sitting|lying|standing|staying");
-        if reader.eat("away|out|gone|outside") || reader.eat("away from home") {
-            return Some(Trigger::Away);
-        }
-        if reader.eat("in bed") {
-            return Some(Trigger::InBed);
-        }
-        if eat_preposition(reader)
-            && let Some(place) = reader.name(&PLACES)
-        {
-            return Some(Trigger::At(place));
-        }
-        unknown::unknown_name(reader, &PLACES, "no place of this home");
-        return None;
-    }
-    reader.at = from;
-    let Some(thing) = reader.name(&[Sort::Thing]) else {
-        unknown::unknown_name(reader, &[Sort::Thing], "nothing that this home has");
-        return None;
-    };
-    let is = is_or_was(reader);
-    reader.eat("left");
-    if is && reader.eat("on|open|running") {
-        return Some(Trigger::On(thing));
-    }
-    let hint = format!("write \"the {thing} has been on for 20 minutes\" or \"has been open for 5 minutes\"");
-    reader.fault(reader.here(), format!("it is not said how the {thing} is"), hint);
-    None
+/// How long and how often, up to where something else begins.
+fn more(reader: &mut Reader, adverbs: &mut Adverbs) {
+    while reader.token(0) == Some(Token::Word) && !ENDS.contains(&reader.peek(0)) && adverbs.next(reader) {}
 }
 
-fn is_or_was(reader: &mut Reader) -> bool {
-    reader.eat("has|have been") || reader.eat("is|are|stays|lies")
+/// What begins another part of a rule.
+const ENDS: [&str; 7] = ["and", "then", "but", "unless", "if", "while", "only"];
+
+/// What is done after the first: "and opens it, then she talks for 2 minutes".
+fn steps(reader: &mut Reader, whenever: &Trigger, first: &Response) -> Option<Vec<Response>> {
+    let mut then: Vec<Response> = Vec::new();
+    loop {
+        let goes_on = |reader: &mut Reader| {
+            let comma = reader.token(0) == Some(Token::Comma);
+            reader.skip_commas();
+            let joins = reader.eat("and then|afterwards") || reader.eat("and|then");
+            reader.eat("she|he|they");
+            let is_step = (joins || comma)
+                && !reader.is_over()
+                && !["if", "unless", "only", "while", "but"].contains(&reader.peek(0));
+            (is_step && reader.ahead(|reader| is_verb(reader))).then_some(())
+        };
+        if reader.attempt(goes_on).is_none() {
+            return Some(then);
+        }
+        let mut adverbs = Adverbs::default();
+        // "Opens it" is about what was gone to.
+        let is_thing = |place: &str| reader.names.has(&place.to_lowercase(), Sort::Thing);
+        let used = then.iter().rev().chain([first]).find_map(|step| match step {
+            Response::Turn { thing, .. } => Some(thing.clone()),
+            Response::Do { place: Some(place), .. } if is_thing(place) => Some(place.clone()),
+            Response::Do { .. } => None,
+        });
+        let it = used.map_or(whenever.clone(), Trigger::On);
+        let step = response(reader, &it, &mut adverbs)?;
+        more(reader, &mut adverbs);
+        then.push(match (step, adverbs.lasts) {
+            (Response::Do { activity, place, lasts: None }, Some(lasts)) => {
+                Response::Do { activity, place, lasts: Some(lasts.value) }
+            }
+            (step, _) => step,
+        });
+    }
 }
 
-fn how_long(reader: &mut Reader) -> Option<(Fuzzy, Span)> {
-    let hint = "write \"for 20 minutes\"".to_owned();
-    let from = reader.at;
-    if !reader.eat("for") {
-        reader.fault(reader.here(), "it is not said for how long", hint);
-        return None;
-    }
-    let _ = reader.eat("more|longer than") || reader.eat("over");
-    let Some(amount) = amount(reader).filter(|amount| amount.unit == Unit::Second) else {
-        reader.fault(reader.here(), "it is not said for how long", hint);
-        return None;
-    };
-    let span = reader.span(from);
-    if amount.from <= 0.0 {
-        let what = format!("{:?} is no time at all: this would always be so", reader.said(amount.span));
-        reader.fault(amount.span, what, hint);
-        return Some((Fuzzy::exactly(1.0), span));
-    }
-    Some((amounts::duration(reader, &amount), span))
+/// Whether something that is done begins here.
+fn is_verb(reader: &mut Reader) -> bool {
+    let first = reader.peek(0).to_owned();
+    first.ends_with('s') && !is_state(&first)
 }
+
+fn is_state(word: &str) -> bool {
+    ["is", "has", "somebody", "this"].contains(&word)
+}
+
+/// "but often forgets it", "but she forgets it on 20 % of occasions and does it an hour later".
+fn lapse(reader: &mut Reader) -> Option<Lapse> {
+    reader.skip_commas();
+    reader.eat("but|and").then_some(())?;
+    reader.eat("she|he|they");
+    let mut adverbs = Adverbs::default();
+    adverbs.all(reader);
+    reader.eat("forgets").then_some(())?;
+    reader.eat("it|to|this|so");
+    adverbs.all(reader);
+    let later = reader.attempt(|reader| {
+        reader.eat("and");
+        reader.eat("she|he|they");
+        reader.eat("does|remembers it|so").then_some(())?;
+        reader.eat("only|about");
+        let later = amount(reader).filter(|amount| amount.unit == Unit::Second)?.as_duration();
+        reader.eat("later|afterwards").then_some(later)
+    });
+    let probability = adverbs.chance.as_ref().map_or(FORGETS, |chance| chance.value.probability);
+    Some(Lapse { probability, later })
+}
+
+/// How often something is forgotten where it is not said (ours).
+const FORGETS: f64 = 0.3;
 
 fn response(reader: &mut Reader, whenever: &Trigger, adverbs: &mut Adverbs) -> Option<Response> {
     let from = reader.at;
@@ -137,7 +158,7 @@ fn response(reader: &mut Reader, whenever: &Trigger, adverbs: &mut Adverbs) -> O
     if reader.eat("checks|check") || reader.eat("looks|look at|after") || reader.eat("goes|go to") {
         let words = reader.passed(from).trim_end_matches(" to").to_owned();
         let place = match (reader.eat("it"), whenever) {
-            (true, Trigger::On(thing)) => Some(thing.clone()),
+            (true, Trigger::On(thing) | Trigger::Rings(thing)) => Some(thing.clone()),
             (true, _) => None,
             (false, _) => reader.name(&PLACES),
         };
@@ -146,7 +167,7 @@ fn response(reader: &mut Reader, whenever: &Trigger, adverbs: &mut Adverbs) -> O
             return None;
         };
         let activity = crate::routine::Activity::Other(words);
-        adverbs.all(reader);
+        more(reader, adverbs);
         let lasts = adverbs.lasts.as_ref().map(|slot| slot.value);
         return Some(Response::Do { activity, place: Some(place), lasts });
     }
@@ -174,7 +195,7 @@ fn turn(reader: &mut Reader, whenever: &Trigger) -> Option<Option<Response>> {
     };
     let thing = if reader.eat("it|them") {
         match whenever {
-            Trigger::On(thing) => thing.clone(),
+            Trigger::On(thing) | Trigger::Rings(thing) => thing.clone(),
             _ => {
                 let span = reader.span(reader.at.saturating_sub(1));
                 reader.fault(span, "it is not clear what \"it\" is", "name the thing".to_owned());
@@ -208,8 +229,25 @@ fn done(reader: &mut Reader, predicate: Predicate, from: usize, adverbs: &mut Ad
         beside: Vec::new(),
         again: false,
     };
-    let then = tail(reader, &mut clause)?;
-    if let Some(span) = then.map(|(_, span)| span).or(clause.measure.map(|measure| measure.span)) {
+    // What it depends on comes after it.
+    let is_other = |word: &Word| ["but", "unless", "if", "while"].contains(&word.text.as_str());
+    let rest = reader.words.get(reader.at..).unwrap_or_default();
+    let end = rest.iter().position(is_other).map_or(reader.words.len(), |end| reader.at + end);
+    let mut up_to = Reader {
+        words: &reader.words[..end],
+        at: reader.at,
+        names: reader.names,
+        faults: &mut *reader.faults,
+        text: reader.text,
+        part: reader.part,
+    };
+    let then = tail(&mut up_to, &mut clause)?;
+    reader.at = up_to.at;
+    // What comes after it is read for itself.
+    if let Some((_, join)) = then {
+        reader.at = reader.words.iter().position(|word| word.span.start >= join.start).unwrap_or(reader.at);
+    }
+    if let Some(span) = clause.measure.map(|measure| measure.span) {
         let what = format!("{:?} does not fit here: a rule says one thing that is done", reader.said(span));
         reader.fault(span, what, None);
         return None;

@@ -53,39 +53,6 @@ pub enum Help {
     Instead,
 }
 
-/// How somebody comes.
-pub const VISITS: [&str; 25] = [
-    "is|are there|present|here",
-    "is|are with her|him|them",
-    "arrives|arrive",
-    "turns|turn up",
-    "stays|stay over|overnight",
-    "stays|stay the night|weekend",
-    "calls|call to see her|him|them",
-    "attends|attend",
-    "comes|come to stay with her|him|them",
-    "comes|come to stay",
-    "comes|come to the house|home|flat|apartment",
-    "pops|pop in|by|round|over",
-    "stops|stop by|in",
-    "looks|look in on her|him|them",
-    "stays|stay with|at her|him|them",
-    "stays|stay",
-    "visits|visit her|him|them|it",
-    "visits|visit",
-    "comes|come to visit|help",
-    "comes|come to see|visit her|him|them",
-    "comes|come to help her|him|them",
-    "comes|come by|over|round|in|around",
-    "comes|come",
-    "drops|drop by|in",
-    "calls|call in|by|round",
-];
-
-pub fn visits(reader: &mut Reader) -> bool {
-    VISITS.iter().any(|phrase| reader.eat(phrase))
-}
-
 /// Words of the user's own for something that is done, up to where or when it is done.
 pub fn own_words(reader: &mut Reader) -> Option<(String, Span)> {
     const MOST: usize = 6;

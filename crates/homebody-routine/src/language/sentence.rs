@@ -4,7 +4,8 @@ use super::activities::{self, MEALS};
 use super::adverbs::{Adverbs, Slot};
 use super::build;
 use super::calendar;
-use super::clause::{Clause, Join, place, tail};
+use super::called::person_called;
+use super::clause::{Clause, Join, place};
 use super::draft::Draft;
 use super::helping;
 use super::joined;
@@ -16,6 +17,7 @@ use super::rules;
 use super::said::{self, Predicate};
 use super::strangers::{is_introduced, no_subject, stranger};
 use super::subjects::{self, Subject};
+use super::tail::tail;
 use super::unknown;
 use super::words::{Span, Token};
 use crate::routine::{Activity, When};
@@ -81,7 +83,7 @@ struct Start {
 
 /// "The resident", "Margaret", as who does something.
 fn begins_with_person(reader: &mut Reader) -> bool {
-    subjects::person_called(reader) || reader.person() == Some(false)
+    person_called(reader) || reader.person() == Some(false)
 }
 
 /// "Since the fall", "because of her knees", in front of who does what: a remark.

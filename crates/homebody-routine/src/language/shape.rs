@@ -28,9 +28,9 @@ pub fn in_shape(names: &Names, draft: &Draft, words: &[Word]) -> (Vec<Word>, Vec
     let mut tried = shapes(names, draft.text, words);
     let found = tried.iter().position(|words| reads(names, draft, &known(words)));
     // What begins with a verb is about the person, understood or not.
-    let found = found.or(tried.iter().position(|words| words.first().is_some_and(is_put_in)));
+    let found = found.or(tried.iter().position(|words| words.first().is_some_and(Word::is_put_in)));
     // What is put otherwise may be nearer to what is known.
-    let found = found.or(tried.iter().position(|words| !words.iter().any(is_put_in)));
+    let found = found.or(tried.iter().position(|words| !words.iter().any(Word::is_put_in)));
     match found {
         Some(found) => {
             let words = tried.swap_remove(found);
@@ -39,11 +39,6 @@ pub fn in_shape(names: &Names, draft: &Draft, words: &[Word]) -> (Vec<Word>, Vec
         }
         None => (words.to_vec(), plain),
     }
-}
-
-/// Whether a word was not written there.
-pub fn is_put_in(word: &Word) -> bool {
-    word.span.start == word.span.end
 }
 
 /// The shapes that a sentence may stand for, the likeliest first.
@@ -178,7 +173,7 @@ fn when_then(_names: &Names, _text: &str, words: &[Word]) -> Option<Vec<Word>> {
 
 /// "sleeps from 10 pm to 6 am": goes to bed at the one time and gets up at the other.
 fn slept(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
-    let sleeps = words.iter().position(|word| ["sleeps", "sleep", "sleeping"].contains(&word.text.as_str()))?;
+    let sleeps = words.iter().position(|word| word.text.starts_with("sleep"))?;
     let (to, end) = try_out(names, text, words, |reader| {
         reader.at = sleeps + 1;
         reader.eat("usually|mostly");
@@ -361,7 +356,7 @@ fn completed(names: &Names, text: &str, words: &[Word]) -> Vec<Vec<Word>> {
     // "Carers four times a day": they come.
     let people = names.lexicon.list("PEOPLE", |ahead| words.get(at + ahead).map_or("", |word| &word.text));
     if let Some(people) = people {
-        return vec![with(at + people, "visit")];
+        return vec![with(at + people, "come")];
     }
     if STATES.split(' ').any(|state| state == word)
         || names.lexicon.list("STATES", |ahead| words.get(at + ahead).map_or("", |word| &word.text)).is_some()

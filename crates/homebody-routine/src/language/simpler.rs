@@ -10,7 +10,6 @@ use super::lexicon::third_person;
 use super::reader::{Names, Reader, is_beginning, is_determiner};
 use super::rewording::reworded;
 use super::sentence;
-use super::shape::is_put_in;
 use super::words::{self, Span, Token, Word};
 use crate::routine::{Activity, Routine};
 
@@ -206,11 +205,11 @@ fn without(names: &Names, draft: &Draft, words: &[Word], at: Span) -> Option<Str
         let mut text = String::new();
         for word in kept {
             let written = draft.text.get(word.span.start..word.span.end).unwrap_or_default();
-            let written = if is_put_in(word) { &word.text } else { written };
+            let written = if word.is_put_in() { &word.text } else { written };
             let joins = text.is_empty() || word.token == Token::Comma;
             text += if joins { "" } else { " " };
             // What follows a "she" that was put in begins no sentence.
-            let begins = words.first().is_some_and(is_put_in);
+            let begins = words.first().is_some_and(Word::is_put_in);
             text += &if begins { written.to_lowercase() } else { written.to_owned() };
         }
         text.trim_matches([',', ' ']).to_owned()

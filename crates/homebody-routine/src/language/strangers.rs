@@ -2,12 +2,12 @@
 
 use super::activities;
 use super::adverbs::Adverbs;
-use super::clause::vocabulary;
 use super::draft::Draft;
 use super::faults::did_you_mean;
 use super::reader::{Reader, begins_adverb, is_determiner};
-use super::said;
 use super::subjects::Subject;
+use super::tail::vocabulary;
+use super::visits::visits;
 use super::words::{Span, Token};
 
 /// A name that nobody here has, in front of a verb.
@@ -30,7 +30,7 @@ pub fn stranger(reader: &mut Reader) -> Option<Subject> {
         reader.at += 1;
         let is_verb = |reader: &mut Reader| {
             Adverbs::default().all(reader);
-            reader.eat("is|walks|shows") || said::visits(reader) || activities::activity(reader).is_some()
+            reader.eat("is|walks|shows") || visits(reader) || activities::activity(reader).is_some()
         };
         if reader.ahead(is_verb) {
             return Some(Subject::Stranger(reader.said(reader.span(from))));
@@ -42,7 +42,7 @@ pub fn stranger(reader: &mut Reader) -> Option<Subject> {
 
 /// Whether a name may be the person's: nobody has said another, and it is said who that is.
 pub fn is_introduced(reader: &mut Reader, draft: &mut Draft, name: &str, who: Span) -> bool {
-    if reader.ahead(said::visits) {
+    if reader.ahead(visits) {
         let hint = "write who it is: \"her daughter visits\" or \"a nurse visits\"".to_owned();
         reader.fault(who, format!("{name:?} is nobody that this routine knows"), hint);
         return false;

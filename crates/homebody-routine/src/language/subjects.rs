@@ -2,10 +2,10 @@
 
 use super::activities;
 use super::adverbs::Adverbs;
+use super::called::person_called;
 use super::helping::visiting;
 use super::reader::{Reader, is_determiner};
 use super::remarks::remark;
-use super::said::visits;
 use super::words::Token;
 
 /// Who or what a sentence is about.
@@ -85,29 +85,6 @@ pub fn subject(reader: &mut Reader) -> Option<Subject> {
         });
     }
     None
-}
-
-/// "Mum", "the resident", "Mr. Hill", "I": what the person is called by those who write about them.
-pub fn person_called(reader: &mut Reader) -> bool {
-    const WHO: [&str; 8] = ["she", "he", "her", "him", "his", "mum", "dad", "they"];
-    let called = |reader: &mut Reader| {
-        if reader.peek(0) == "i" {
-            // Who writes "I" of herself writes of nobody else.
-            let others = reader.words.iter().any(|word| WHO.contains(&word.text.as_str()));
-            reader.at += 1;
-            return (!others && !reader.ahead(visits)).then_some(());
-        }
-        let has_title = ["mr", "mrs", "ms", "miss"].contains(&reader.peek(0)) && reader.names.person.is_some();
-        if has_title && reader.token(1) == Some(Token::Word) {
-            reader.at += 2;
-            return (!reader.passed(reader.at - 1).ends_with("'s") && !reader.ahead(visits)).then_some(());
-        }
-        reader.eat("my|our|the|this");
-        let lexicon = reader.names.lexicon.clone();
-        reader.at += lexicon.list("PERSON", |ahead| reader.peek(ahead))?;
-        (!reader.ahead(visits)).then_some(())
-    };
-    reader.attempt(called).is_some()
 }
 
 /// "her daughter", "her pulse", "her hours".

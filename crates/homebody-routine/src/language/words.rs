@@ -21,6 +21,13 @@ pub struct Word {
     pub span: Span,
 }
 
+impl Word {
+    /// Whether it was not written there, but put in.
+    pub fn is_put_in(&self) -> bool {
+        self.span.start == self.span.end
+    }
+}
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Token {
     Word,

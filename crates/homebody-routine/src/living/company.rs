@@ -71,6 +71,11 @@ impl Company {
         self.others.is_empty()
     }
 
+    /// Whether somebody is at home.
+    pub fn is_there(&self, who: ResidentId) -> bool {
+        self.others.iter().any(|other| other.resident == who)
+    }
+
     /// Whether somebody is at a place, comes to it or is only just leaving it.
     pub fn is_occupied(&self, at: Point) -> bool {
         self.others.iter().any(|other| nearness(other, at) < self.taken_m)

@@ -15,9 +15,10 @@ use super::manner::Manner;
 use super::needs::Needs;
 use super::places::{Places, Spot};
 use super::script::{Interruptible, STAYING_OVER, Setting, Stay, Step, script};
+use super::sight::Sight;
 use super::tally::Tally;
 use super::watch::Watches;
-use crate::routine::Activity;
+use crate::routine::{Activity, Response};
 use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::{MotionState, Need};
 use homebody_core::home::Home;
@@ -67,6 +68,8 @@ pub struct RoutineDriver {
     pub(super) mail_hour: Option<f64>,
     /// The hour of the day as the last script began.
     pub(super) hour_now: f64,
+    /// The instant at which it was asked last.
+    pub(super) now: Micros,
     /// When a meal or medicine was over last: what follows it at once is not put off.
     pub(super) at_table: Micros,
     /// From which the hours of the day are counted.
@@ -88,6 +91,7 @@ pub struct RoutineDriver {
     pub(super) queues: u32,
     /// Whether one has waited so often that one lets nobody stop one.
     pub(super) pushes_through: bool,
+    pub(super) sight: Sight,
 }
 
 /// A script that is being played.
@@ -96,6 +100,8 @@ pub(super) struct Playing {
     pub(super) steps: VecDeque<Step>,
     pub(super) stream: Stream,
     pub(super) name: String,
+    /// What it was called as it began.
+    pub(super) label: String,
     /// Where it was when it was interrupted.
     pub(super) spot: Option<Spot>,
     pub(super) is_interrupted: bool,
@@ -106,8 +112,9 @@ pub(super) struct Playing {
     /// Whether meals and medicine interrupt it: what is done for pleasure, and company.
     pub(super) gives_way: bool,
     pub(super) is_essential: bool,
-    /// Whether it answers a rule.
-    pub(super) is_response: bool,
+    /// Which rule it answers, by its place, and what that asks for still, the next last.
+    pub(super) answers: Option<usize>,
+    pub(super) still: Vec<Response>,
     /// Whether the stay's next move is a movement.
     pub(super) stirs: bool,
 }
@@ -178,11 +185,13 @@ impl RoutineDriver {
             pauses: 0,
             queues: 0,
             pushes_through: false,
+            sight: Sight::default(),
             errands: Errands::new(),
             tally: Tally::default(),
             was_errand: false,
             mail_hour: None,
             hour_now: 0.0,
+            now: 0,
             at_table: Micros::MIN,
             needs,
             agenda,
@@ -231,7 +240,7 @@ impl RoutineDriver {
     }
 
     fn step(&mut self, now: Micros) -> Next {
-        self.hour_now = self.hour(now);
+        (self.now, self.hour_now) = (now, self.hour(now));
         loop {
             self.make_way(now);
             if let Some(next) = self.ready.front() {
@@ -292,7 +301,10 @@ impl RoutineDriver {
 
     /// What was interrupted for the script that has ended goes on.
     fn end_script(&mut self, now: Micros) {
+        let mut still = None;
         if let Some(over) = self.scripts.pop() {
+            still = over.answers.map(|rank| (rank, over.still)).filter(|(_, still)| !still.is_empty());
+            self.watches.has_done(&over.label, now, &self.life);
             self.tally.end(over.of, now - over.since);
             if over.is_essential {
                 self.at_table = now;
@@ -300,6 +312,9 @@ impl RoutineDriver {
             self.let_follow(over.of, now);
         }
         self.watches.leave_behind();
+        if let Some((rank, still)) = still {
+            return self.go_on_answering(rank, still, now);
+        }
         if let Some(below) = self.scripts.last_mut() {
             below.is_interrupted = !below.steps.is_empty();
         }
@@ -450,6 +465,7 @@ impl RoutineDriver {
         self.watches.forget(left);
         let walks = self.walks_for(item);
         self.play(steps, stream, activity.label());
+        self.watches.does(activity.label(), self.now, &self.life);
         if let Some(playing) = self.scripts.last_mut() {
             playing.walks = walks;
         }
@@ -486,6 +502,7 @@ impl RoutineDriver {
         self.scripts.push(Playing {
             steps,
             stream,
+            label: name.into(),
             name: name.into(),
             spot,
             is_interrupted: false,
@@ -494,7 +511,8 @@ impl RoutineDriver {
             walks: Walks::Need,
             gives_way: false,
             is_essential: false,
-            is_response: false,
+            answers: None,
+            still: Vec::new(),
             stirs: true,
         });
     }
@@ -568,7 +586,14 @@ impl Item {
 impl Driver for RoutineDriver {
     fn next(&mut self, around: &Surroundings) -> Next {
         self.company.look(around, &self.places);
-        self.step(around.now())
+        self.look(around);
+        match self.held_back(around.now()) {
+            Some(next) => next,
+            None => {
+                let next = self.step(around.now());
+                self.hold_back(next)
+            }
+        }
     }
 
     fn copy(&self) -> Box<dyn Driver> {

@@ -4,14 +4,20 @@ use super::driver::{GRACE, RoutineDriver};
 use super::item::Item;
 use super::script::Step;
 use super::usual;
+use super::watch::Watches;
 use crate::routine::{Activity, Response};
 use homebody_core::activity::{self, ActivityKind, UsualLength};
 use homebody_core::time::{Micros, micros};
 
 impl RoutineDriver {
-    /// When a rule is due; what is done because of one is not interrupted by another.
+    /// When a rule is due; what is done because of one is not interrupted by one that stands after it.
     pub(super) fn rules_at(&self) -> Micros {
-        if self.scripts.iter().any(|playing| playing.is_response) { Micros::MAX } else { self.watches.due_at() }
+        self.watches.due_before(self.answering())
+    }
+
+    /// Where the first rule stands that is being answered: only those before it break into that (Brooks 1986).
+    fn answering(&self) -> usize {
+        self.scripts.iter().filter_map(|playing| playing.answers).min().unwrap_or(usize::MAX)
     }
 
     /// When what may be interrupted will be.
@@ -55,14 +61,7 @@ impl RoutineDriver {
 
     /// Does whatever presses now.
     pub(super) fn interrupt(&mut self, now: Micros) {
-        if self.rules_at() <= now
-            && let Some((rule, response)) = self.watches.due(now)
-        {
-            self.tally.hold(rule);
-            self.respond(response, now);
-            if let Some(playing) = self.scripts.last_mut() {
-                playing.is_response = true;
-            }
+        if self.rules_at() <= now && self.answer_rule(now) {
             return;
         }
         if let Some((index, due)) = self.essential()
@@ -95,6 +94,28 @@ impl RoutineDriver {
             };
             let lasts = self.parameters.lasting_s(&activity, stream.lognormal(median_min * 60.0, sigma));
             self.begin(&Item::now(key, activity, micros(lasts)));
+        }
+    }
+
+    /// Does what a rule asks for that is due; false where nothing of it is done.
+    fn answer_rule(&mut self, now: Micros) -> bool {
+        let mut watches = std::mem::replace(&mut self.watches, Watches::none());
+        let due = watches.due(self.answering(), now, |state| self.is_so(state, now), &self.life);
+        self.watches = watches;
+        let Some((rule, rank, mut answers)) = due else { return false };
+        self.tally.hold(rule);
+        answers.reverse();
+        self.go_on_answering(rank, answers, now);
+        true
+    }
+
+    /// Does the next of what a rule asks for, the last of the list.
+    pub(super) fn go_on_answering(&mut self, rank: usize, mut answers: Vec<Response>, now: Micros) {
+        let Some(next) = answers.pop() else { return };
+        let before = self.scripts.len();
+        self.respond(next, now);
+        if let Some(playing) = self.scripts.last_mut().filter(|_| before < usize::MAX) {
+            (playing.answers, playing.still) = (Some(rank), answers);
         }
     }
 

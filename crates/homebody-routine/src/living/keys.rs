@@ -8,7 +8,9 @@
 //! every change of this file does.
 
 use crate::fuzzy::Fuzzy;
-use crate::routine::{Change, Days, Effect, Habit, Moment, PartOfDay, Phase, Response, Routine, Rule, Trigger, When};
+use crate::routine::{
+    Change, Circumstance, Days, Effect, Habit, Moment, PartOfDay, Phase, Response, Routine, Rule, Trigger, When,
+};
 use std::collections::BTreeMap;
 
 /// The streams' names of all that one routine or condition says, each in the order of the file.
@@ -99,22 +101,48 @@ fn of_habit(habit: &Habit) -> String {
 }
 
 fn of_rule(rule: &Rule) -> String {
-    let trigger = match &rule.whenever {
+    let trigger = of_trigger(&rule.whenever);
+    let only_if =
+        |one: &Circumstance| format!(" {} {}", if one.holds { "if" } else { "unless" }, of_trigger(&one.state));
+    let only_if: String = rule.only_if.iter().map(only_if).collect();
+    let response = of_response(&rule.response);
+    let then: String = rule.then.iter().map(|then| format!(" then {}", of_response(then))).collect();
+    let lapse = rule.lapse.map(|lapse| {
+        let later = lapse.later.map(|later| format!(" later {}", of_fuzzy(&later))).unwrap_or_default();
+        format!(" forgets {}{later}", lapse.probability)
+    });
+    let lapse = lapse.unwrap_or_default();
+    let (after, phase) = (of_fuzzy(&rule.lasts), of_phase(&rule.phase));
+    format!("{trigger} after {after}{only_if} p {} {response}{then}{lapse}{phase}", rule.probability)
+}
+
+fn of_trigger(trigger: &Trigger) -> String {
+    match trigger {
         Trigger::On(thing) => format!("on {}", thing.to_lowercase()),
         Trigger::At(place) => format!("at {}", place.to_lowercase()),
         Trigger::Away => "away".to_owned(),
         Trigger::InBed => "in bed".to_owned(),
-    };
-    let response = match &rule.response {
+        Trigger::Rings(thing) => format!("rings {}", thing.to_lowercase()),
+        Trigger::Dark(room) => format!("dark {}", room.as_deref().unwrap_or_default().to_lowercase()),
+        Trigger::Company(who) => format!("company {}", who.as_deref().unwrap_or_default()),
+        Trigger::Alone => "alone".to_owned(),
+        Trigger::Sitting => "sitting".to_owned(),
+        Trigger::Doing(activity) => format!("doing {}", activity.label()),
+        Trigger::Done(activity) => format!("done {}", activity.label()),
+        Trigger::Between(from, to) => format!("between {from} {to}"),
+        Trigger::Follows => "follows".to_owned(),
+    }
+}
+
+fn of_response(response: &Response) -> String {
+    match response {
         Response::Turn { thing, on } => format!("turn {} {}", thing.to_lowercase(), if *on { "on" } else { "off" }),
         Response::Do { activity, place, lasts } => {
             let place = place.as_ref().map(|place| format!(" at {}", place.to_lowercase())).unwrap_or_default();
             let lasts = lasts.as_ref().map(|lasts| format!(" for {}", of_fuzzy(lasts))).unwrap_or_default();
             format!("{}{place}{lasts}", activity.label())
         }
-    };
-    let (after, phase) = (of_fuzzy(&rule.lasts), of_phase(&rule.phase));
-    format!("{trigger} after {after} p {} {response}{phase}", rule.probability)
+    }
 }
 
 fn of_change(change: &Change) -> String {

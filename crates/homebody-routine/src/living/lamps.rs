@@ -9,7 +9,7 @@ use homebody_core::time::Micros;
 
 homebody_core::numbers! {
     /// The sine of the sun's height below which lamps are lit.
-    static DARK = "driver.dark": 0.08, "1", [-1.0, 1.0];
+    pub(super) static DARK = "driver.dark": 0.08, "1", [-1.0, 1.0];
 }
 
 impl RoutineDriver {

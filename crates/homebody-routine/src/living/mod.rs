@@ -34,6 +34,7 @@ mod courtesy;
 mod interrupts;
 mod ways;
 mod lamps;
+mod sight;
 mod visit;
 pub mod pet;
 

@@ -13,6 +13,8 @@ pub struct Watches {
     rules: Vec<Watch>,
     /// What the script that is being played will leave on.
     forgotten: Vec<u32>,
+    /// Whether any of the rules waits for what others do, or for the light.
+    looks: bool,
 }
 
 #[derive(Clone, Debug)]
@@ -30,18 +32,20 @@ struct Watch {
     /// What it waits for goes on.
     holds: bool,
     due: Micros,
+    /// It was forgotten, and comes to mind later.
+    is_late: bool,
 }
 
 impl Watches {
     pub fn new(life: &Life, day: i32) -> Watches {
-        let mut watches = Watches { on: Vec::new(), rules: Vec::new(), forgotten: Vec::new() };
+        let mut watches = Watches::none();
         watches.wake(day, life);
         watches
     }
 
     /// Nothing is on, and nobody watches.
     pub fn none() -> Watches {
-        Watches { on: Vec::new(), rules: Vec::new(), forgotten: Vec::new() }
+        Watches { on: Vec::new(), rules: Vec::new(), forgotten: Vec::new(), looks: false }
     }
 
     /// The rules of a new day; those that go on go on waiting.
@@ -51,12 +55,82 @@ impl Watches {
             let InForce { said: rule, strength, key, .. } = in_force;
             if strength * life.phase(&rule.phase, day) > 0.0 {
                 let kept = before.iter().position(|watch| watch.key == key).map(|index| before.swap_remove(index));
-                let new =
-                    || Watch { rule: rule.clone(), id: in_force.id(), key: key.to_owned(), holds: false, due: NEVER };
+                let new = || Watch {
+                    rule: rule.clone(),
+                    id: in_force.id(),
+                    key: key.to_owned(),
+                    holds: false,
+                    due: NEVER,
+                    is_late: false,
+                };
                 self.rules.push(kept.unwrap_or_else(new));
             }
         }
         self.end(&|trigger| *trigger == Trigger::InBed);
+        self.looks = self.rules.iter().any(|watch| watch.rule.whenever.is_looked_for());
+    }
+
+    /// Whether what others do, and the light, has to be looked out for.
+    pub fn looks(&self) -> bool {
+        self.looks
+    }
+
+    /// Whether any rule asks for what others do, or for the light.
+    pub fn needs_sight(&self) -> bool {
+        self.looks || self.rules.iter().any(|watch| !watch.rule.only_if.is_empty())
+    }
+
+    /// Looks at what rules wait for: `is_so` says what is so now.
+    pub fn look(&mut self, is_so: impl Fn(&Trigger) -> bool, now: Micros, life: &Life) {
+        for index in 0..self.rules.len() {
+            let watch = &self.rules[index];
+            if !watch.rule.whenever.is_looked_for() {
+                continue;
+            }
+            match (is_so(&watch.rule.whenever), watch.holds) {
+                (true, false) => self.begin_one(index, now, life),
+                (false, true) => {
+                    // A bell that has rung has rung.
+                    let watch = &mut self.rules[index];
+                    watch.holds = false;
+                    if watch.rule.lasts.high > 0.0 {
+                        watch.due = NEVER;
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// Something is begun, or over.
+    pub fn does(&mut self, label: &str, at: Micros, life: &Life) {
+        self.begin(&|trigger| matches!(trigger, Trigger::Doing(activity) if activity.label() == label), at, life);
+    }
+
+    /// Something is over.
+    pub fn has_done(&mut self, label: &str, at: Micros, life: &Life) {
+        let lasts = |watch: &Watch| watch.rule.lasts.high > 0.0;
+        for watch in &mut self.rules {
+            if matches!(&watch.rule.whenever, Trigger::Doing(activity) if activity.label() == label) {
+                watch.holds = false;
+                watch.due = if lasts(watch) { NEVER } else { watch.due };
+            }
+        }
+        self.happen(
+            &|watch| matches!(&watch.rule.whenever, Trigger::Done(activity) if activity.label() == label),
+            at,
+            life,
+        );
+    }
+
+    /// What waits for something that happens and does not last.
+    fn happen(&mut self, of: &dyn Fn(&Watch) -> bool, at: Micros, life: &Life) {
+        for index in 0..self.rules.len() {
+            if of(&self.rules[index]) {
+                self.begin_one(index, at, life);
+                self.rules[index].holds = false;
+            }
+        }
     }
 
     pub fn is_on(&self, thing: u32) -> bool {
@@ -127,28 +201,63 @@ impl Watches {
         self.begin(&|trigger| *trigger == Trigger::InBed, now, life);
     }
 
-    /// When the first rule is due.
-    pub fn due_at(&self) -> Micros {
-        self.rules.iter().map(|watch| watch.due).min().unwrap_or(NEVER)
+    /// When the first rule is due that stands before `rank` in the text: what it asks for goes before what later ones do.
+    pub fn due_before(&self, rank: usize) -> Micros {
+        self.rules.iter().take(rank).map(|watch| watch.due).min().unwrap_or(NEVER)
     }
 
-    /// What is to be done now and by which rule, if one is due; it is not due again before what it waits for has ended and begun anew.
-    pub fn due(&mut self, now: Micros) -> Option<(SentenceId, Response)> {
-        let watch = self.rules.iter_mut().find(|watch| watch.due <= now)?;
-        watch.due = NEVER;
+    /// What is to be done now, by which rule, and where that stands, if one is due before `rank` and nothing that was said stands
+    /// against it; it is not due again before what it waits for has ended and begun anew.
+    pub fn due(
+        &mut self,
+        rank: usize,
+        now: Micros,
+        is_so: impl Fn(&Trigger) -> bool,
+        life: &Life,
+    ) -> Option<(SentenceId, usize, Vec<Response>)> {
+        let at = self.rules.iter().take(rank).position(|watch| watch.due <= now)?;
+        let watch = &mut self.rules[at];
+        let was_due = std::mem::replace(&mut watch.due, NEVER);
         if watch.rule.whenever == Trigger::Away {
             watch.holds = false;
         }
-        Some((watch.id, watch.rule.response.clone()))
+        if !watch.rule.only_if.iter().all(|one| is_so(&one.state) == one.holds) {
+            return None;
+        }
+        if let Some(lapse) = watch.rule.lapse.filter(|_| !watch.is_late) {
+            let mut stream = life.stream(&format!("{}/forgets/{was_due}", watch.key));
+            if stream.chance(lapse.probability) {
+                if let Some(later) = lapse.later {
+                    watch.due = now.saturating_add(micros(later.draw(&mut stream)));
+                    watch.is_late = true;
+                }
+                return None;
+            }
+        }
+        watch.is_late = false;
+        let (id, answers) = (watch.id, watch.rule.answers().cloned().collect());
+        let follows = |watch: &Watch| {
+            watch.rule.whenever == Trigger::Follows && watch.id.source == id.source && watch.id.index == id.index + 1
+        };
+        self.happen(&follows, now, life);
+        Some((id, at, answers))
     }
 
     fn begin(&mut self, of: &dyn Fn(&Trigger) -> bool, at: Micros, life: &Life) {
-        for watch in self.rules.iter_mut().filter(|watch| !watch.holds && of(&watch.rule.whenever)) {
-            let mut stream = life.stream(&format!("{}/at/{at}", watch.key));
-            let lasts = micros(watch.rule.lasts.draw(&mut stream));
-            watch.holds = true;
-            watch.due = if stream.chance(watch.rule.probability) { at.saturating_add(lasts) } else { NEVER };
+        for index in 0..self.rules.len() {
+            let watch = &self.rules[index];
+            if !watch.holds && of(&watch.rule.whenever) {
+                self.begin_one(index, at, life);
+            }
         }
+    }
+
+    fn begin_one(&mut self, index: usize, at: Micros, life: &Life) {
+        let watch = &mut self.rules[index];
+        let mut stream = life.stream(&format!("{}/at/{at}", watch.key));
+        let lasts = micros(watch.rule.lasts.draw(&mut stream));
+        watch.holds = true;
+        watch.due = if stream.chance(watch.rule.probability) { at.saturating_add(lasts) } else { NEVER };
     }
 
     fn end(&mut self, of: &dyn Fn(&Trigger) -> bool) {

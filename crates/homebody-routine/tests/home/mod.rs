@@ -14,7 +14,9 @@ pub fn home() -> Known {
             "armchair, sofa, bed, dining chair, toilet, shower, stove, fridge, sink, washbasin, living room window, \
              bedroom window, front door, bookcase",
         ),
-        things: list("stove, fridge, front door, bedroom door, television, lamp, washing machine, armchair, bed, sofa"),
+        things: list(
+            "stove, fridge, front door, bedroom door, television, lamp, washing machine, armchair, bed, sofa, door bell, telephone",
+        ),
         rooms: list("bedroom, bathroom, kitchen, living room, hall"),
         conditions: list("depression, heart-failure, urinary-tract-infection, cognitive-decline"),
         first_date: Some((2009, 3, 2)),
@@ -115,7 +117,21 @@ fn rule(rule: &Rule) -> String {
         }
     };
     let (lasts, phase) = (fuzzy(&rule.lasts), phase(&rule.phase));
-    format!("{:?} for {lasts}: p{} {response}{phase}", rule.whenever, rule.probability)
+    let mut more = String::new();
+    for one in &rule.only_if {
+        more += &format!(" {} {:?}", if one.holds { "if" } else { "unless" }, one.state);
+    }
+    for step in &rule.then {
+        more += &format!(" then {step:?}");
+    }
+    if let Some(lapse) = &rule.lapse {
+        more += &format!(
+            " forgets {}{}",
+            lapse.probability,
+            lapse.later.map(|by| format!(" {}", fuzzy(&by))).unwrap_or_default()
+        );
+    }
+    format!("{:?} for {lasts}: p{} {response}{phase}{more}", rule.whenever, rule.probability)
 }
 
 fn change(change: &Change) -> String {

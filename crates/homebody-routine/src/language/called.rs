@@ -1,0 +1,28 @@
+//! What the person is called by those who write about them.
+
+use super::reader::Reader;
+use super::visits::visits;
+use super::words::Token;
+
+/// "Mum", "the resident", "Mr. Hill", "I": what the person is called by those who write about them.
+pub fn person_called(reader: &mut Reader) -> bool {
+    const WHO: [&str; 8] = ["she", "he", "her", "him", "his", "mum", "dad", "they"];
+    let called = |reader: &mut Reader| {
+        if reader.peek(0) == "i" {
+            // Who writes "I" of herself writes of nobody else.
+            let others = reader.words.iter().any(|word| WHO.contains(&word.text.as_str()));
+            reader.at += 1;
+            return (!others && !reader.ahead(visits)).then_some(());
+        }
+        let has_title = ["mr", "mrs", "ms", "miss"].contains(&reader.peek(0)) && reader.names.person.is_some();
+        if has_title && reader.token(1) == Some(Token::Word) {
+            reader.at += 2;
+            return (!reader.passed(reader.at - 1).ends_with("'s") && !reader.ahead(visits)).then_some(());
+        }
+        reader.eat("my|our|the|this");
+        let lexicon = reader.names.lexicon.clone();
+        reader.at += lexicon.list("PERSON", |ahead| reader.peek(ahead))?;
+        (!reader.ahead(visits)).then_some(())
+    };
+    reader.attempt(called).is_some()
+}

@@ -1,0 +1,257 @@
+//! What stands behind the verb, in any order, and what is said where something there is not understood.
+
+use super::activities;
+use super::adverbs::Adverbs;
+use super::amounts::{Unit, amount};
+use super::circumstances::{
+    counts_cups, says_alone, says_beside, says_company, says_doing, says_errand, says_late, says_length, says_meal,
+    says_outside, says_purpose, stays_on,
+};
+use super::clause::{Clause, Join, PLACES, eat_preposition, place};
+use super::faults::did_you_mean;
+use super::measures::measure;
+use super::predicates::IS;
+use super::reader::Reader;
+use super::said::Predicate;
+use super::unknown;
+use super::words::{Span, Token};
+use crate::routine::Activity;
+
+/// Reads the rest of a clause. Nothing if it is not understood; else how another clause follows, and where that is said.
+pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<(Join, Span)>> {
+    loop {
+        if says_beside(reader, clause) || stays_on(reader, clause) {
+            continue;
+        }
+        if let Some(join) = in_list(reader, clause) {
+            let span = reader.here();
+            reader.skip_commas();
+            return Some(Some((join, span)));
+        }
+        reader.skip_commas();
+        if reader.is_over() {
+            return Some(None);
+        }
+        let at = reader.at;
+        if matches!(clause.predicate, Predicate::Remark | Predicate::Age(_) | Predicate::Kind(_)) && reader.eat("who") {
+            return Some(Some((Join::And, reader.span(at))));
+        }
+        // What is said to be done is done as it is said, and not besides.
+        if matches!(clause.predicate, Predicate::Does(_)) && reader.eat("only") {
+            continue;
+        }
+        if clause.adverbs.excepted(reader).is_some() {
+            continue;
+        }
+        if reader.eat("and then") || reader.eat("then") {
+            return Some(Some((Join::Then, reader.span(at))));
+        }
+        if let Some(join) = reader.eat_any(&[("and also", Join::And), ("and|but", Join::And), ("or", Join::Or)]) {
+            return Some(Some((join, reader.span(at))));
+        }
+        if matches!(clause.predicate, Predicate::Remark) {
+            not_understood(reader, clause);
+            return None;
+        }
+        // "sees her at home"
+        if matches!(clause.predicate, Predicate::Visits | Predicate::Helps(..)) && reader.eat("at home") {
+            continue;
+        }
+        let more = [
+            says_purpose,
+            says_doing,
+            says_alone,
+            says_outside,
+            says_company,
+            says_meal,
+            says_errand,
+            says_late,
+            counts_cups,
+        ];
+        if more.iter().any(|more| more(reader, clause)) {
+            continue;
+        }
+        if let Some(measure) = measure(reader) {
+            if clause.measure.is_some() {
+                let what = format!("{:?} is a second change in one sentence", reader.said(measure.span));
+                reader.fault(measure.span, what, "make two sentences".to_owned());
+            }
+            clause.measure = Some(measure);
+            continue;
+        }
+        if put_place(reader, clause) || clause.adverbs.next(reader) || says_length(reader, clause) {
+            continue;
+        }
+        not_understood(reader, clause);
+        return None;
+    }
+}
+
+/// Whether a comma stands for the "and" or "or" that comes later: "washes, dresses and has breakfast".
+fn in_list(reader: &mut Reader, clause: &Clause) -> Option<Join> {
+    if reader.token(0) != Some(Token::Comma) {
+        return None;
+    }
+    let says_who = reader.ahead(|reader| {
+        reader.skip_commas();
+        Adverbs::default().all(reader);
+        reader.eat("she|he") && !reader.is_over()
+    });
+    if says_who && !matches!(clause.predicate, Predicate::Remark) {
+        return Some(Join::And);
+    }
+    let goes_on = reader.ahead(|reader| {
+        reader.skip_commas();
+        let is_verb = reader.names.lexicon.is_third_person(reader.peek(0));
+        is_verb && activities::activity(reader).is_some()
+    });
+    let rest = reader.words.get(reader.at..).unwrap_or_default();
+    let has = |word: &str| rest.iter().any(|one| one.text == word);
+    if goes_on && !has("or") && !has("then") && !matches!(clause.predicate, Predicate::Remark) {
+        return Some(Join::And);
+    }
+    let joins = |word: &str| rest.iter().any(|one| one.text == word);
+    let join = if joins("or") { Join::Or } else { Join::And };
+    if !(joins("or") || joins("and")) || rest.iter().any(|one| one.text == "then") {
+        return None;
+    }
+    let goes_on = reader.ahead(|reader| {
+        reader.skip_commas();
+        let from = reader.at;
+        let verb = activities::activity(reader).is_some();
+        reader.at = from;
+        let again = clause.adverbs.when.is_some() && {
+            let mut more = Adverbs::default();
+            more.next(reader) && more.when.is_some()
+        };
+        reader.at = from;
+        let object = activities::noun(reader).is_some() && matches!(clause.predicate, Predicate::Does(_));
+        verb || again || object
+    });
+    goes_on.then_some(join)
+}
+
+/// A place within the rest of a clause; the kitchen of "cleans the kitchen" is one too.
+fn put_place(reader: &mut Reader, clause: &mut Clause) -> bool {
+    let start = reader.at;
+    let cleans = matches!(&clause.predicate, Predicate::Does(Activity::Housework));
+    let found = place(reader).or_else(|| {
+        let name = if cleans { reader.name(&PLACES) } else { None }?;
+        Some((name, reader.span(start)))
+    });
+    let Some((name, span)) = found else { return false };
+    if let Some((first, _)) = &clause.place {
+        let what = format!("{:?} is a second place beside {first:?}", reader.said(span));
+        reader.fault(span, what, "leave one of them out, or make two sentences".to_owned());
+    }
+    clause.place = Some((name, span));
+    true
+}
+
+fn not_understood(reader: &mut Reader, clause: &Clause) {
+    let (here, word) = (reader.here(), reader.peek(0).to_owned());
+    let at = reader.at;
+    if reader.eat("to") && activities::activity(reader).is_some() {
+        let (span, doing) = (reader.span(at), reader.said(reader.span(at + 1)));
+        if let Predicate::Own(words) = &clause.predicate {
+            let what = format!("{:?} says more than what is done", format!("{words} {}", reader.said(span)));
+            let is_not = words.split(' ').any(|word| word == "not");
+            let hint = format!("write \"she {}\"", activities::in_third_person(&doing));
+            return reader.fault(clause.predicate_span.to(span), what, (!is_not).then_some(hint));
+        }
+        let hint = format!("say what she does, not what for: \"then she {}\"", activities::in_third_person(&doing));
+        return reader.fault(span, format!("{:?} is a purpose", reader.said(span)), hint);
+    }
+    reader.at = at;
+    if eat_preposition(reader) && !reader.is_over() && !matches!(reader.token(0), Some(Token::Number(_))) {
+        let goes = match &clause.predicate {
+            Predicate::Own(words) => unknown::is_way(words),
+            other => *other == Predicate::Is,
+        };
+        let outside = goes.then_some("for what is outside, write \"she goes out at 10:00 for 2 hours\"");
+        unknown::unknown_name_or(reader, &PLACES, "no place of this home, and no time", outside);
+        return;
+    }
+    reader.at = at;
+    if let Predicate::Own(words) = &clause.predicate {
+        return unknown::unknown_verb(reader, words, clause.predicate_span);
+    }
+    let what = format!("{:?} is not understood here", reader.said(here));
+    if reader.faults.is_trial {
+        return reader.fault(here, what, None);
+    }
+    let hint = expected(reader, clause, &word);
+    reader.fault(here, what, hint);
+}
+
+/// What could stand where a word is not understood.
+fn expected(reader: &mut Reader, clause: &Clause, word: &str) -> String {
+    if word == "when" && (reader.peek(1) == "it" || reader.peek(2) == "weather")
+        || ["weather", "rain", "snow"].contains(&reader.peek(1))
+    {
+        return unknown::NO_WEATHER.into();
+    }
+    if clause.predicate == Predicate::Walks && ["slowly", "unsteadily", "carefully", "quickly"].contains(&word) {
+        return "say how fast, \"she walks at 0.5 m/s\", or how it changes: \"from week 10 she walks 10 % slower\""
+            .into();
+    }
+    if clause.predicate == Predicate::Is && word == "up" {
+        return "say what she does then: \"she goes to the bathroom 3 times a night\", \"she lies awake at night\", \"she wanders \
+            at night\""
+            .into();
+    }
+    if ["when", "if", "whenever", "because", "unless"].contains(&word) {
+        return "what depends on something begins with it: \"whenever she has been in bed for 10 hours, she gets up\""
+            .into();
+    }
+    if word == "late" || word == "early" {
+        return format!(
+            "say at what time, such as \"at about 9:00\", or by how much: \"1 hour {}\"",
+            if word == "late" { "later" } else { "earlier" }
+        );
+    }
+    let known = did_you_mean(word, vocabulary().filter(|known| *known != word));
+    if let Some(hint) = known.filter(|hint| hint.starts_with("did")) {
+        return hint;
+    }
+    let length = reader.ahead(amount).filter(|amount| matches!(amount.unit, Unit::Second | Unit::Day));
+    if let Some(length) = length {
+        return format!("write \"for {}\"", reader.said(length.span));
+    }
+    if clause.predicate == Predicate::Is {
+        return IS.into();
+    }
+    if word == "to" {
+        return "for a stretch of time, write \"from 10:00 to 12:00\"".into();
+    }
+    if matches!(reader.token(0), Some(Token::Number(_)))
+        && reader.token(1) == Some(Token::Word)
+        && !reader.ahead(|reader| amount(reader).is_some_and(|amount| amount.unit != Unit::None))
+    {
+        return format!("say how many times, or for how long: \"{word} times a day\", \"for {word} minutes\"");
+    }
+    if word == "until" || word == "till" {
+        return "write \"until 22:00\" or \"until day 100\"".into();
+    }
+    if word.contains(',') {
+        return format!("a number has a point, not a comma: {:?}", word.replace(',', "."));
+    }
+    if "later earlier longer shorter more less slower faster".split(' ').any(|more| more == word) {
+        if clause.predicate == Predicate::Walks {
+            return "say by how much, such as \"10 % slower\"".into();
+        }
+        return format!("say by how much, such as \"1 hour {word}\" or \"30 % {word}\"");
+    }
+    "expected where, when, how long or how often: \"in the armchair\", \"at about 19:00\", \"for 20 minutes\"".into()
+}
+
+/// Words that slips are looked for among.
+pub fn vocabulary() -> impl Iterator<Item = &'static str> + Clone {
+    const WORDS: &str = "she he they her his their the about around at on in for from until over after before with \
+        between and then every most often sometimes rarely usually always almost never once twice times minutes hours \
+        days weeks months morning afternoon evening night noon midnight monday tuesday wednesday thursday friday \
+        saturday sunday weekdays weekends january february march april june july august september october november \
+        december winter spring summer autumn breakfast lunch dinner bed give take later earlier longer shorter more \
+        less slower faster week day whenever first fading percent seldom daily o'clock during half";
+    WORDS.split_whitespace()
+}
