@@ -90,9 +90,10 @@ fn an_unknown_visitor() {
 fn an_unknown_word() {
     refused("She reads abuot 7:30.", "abuot", "is not understood here", "did you mean \"about\"?");
     refused("Evry day she reads.", "Evry", "is not understood here", "did you mean \"every\"?");
-    refused("She reads quickly.", "quickly", "is not understood here", "expected where, when");
+    refused("She reads blorp.", "blorp", "is not understood here", "expected where, when");
+    understood("She reads quickly.");
     refused("She reads @ noon.", "@", "is not understood here", "");
-    refused("She reads 2 hours.", "2", "is not understood here", "write \"for 2 hours\"");
+    understood("She reads 2 hours.");
     refused("In the last week she reads.", "In the last", "is not understood here", "from week 6");
     refused("She is busy.", "busy", "is not understood here", "is 30 % less active");
 }
@@ -128,14 +129,18 @@ fn a_slip_within_a_time() {
 
 #[test]
 fn a_time_that_may_be_of_two_halves_of_the_day() {
-    refused("She gets up at 7.", "7", "not clear which time of day", "write \"7 am\" or \"7 pm\"");
-    refused("She gets up at 7 o'clock.", "7 o'clock", "not clear", "7 am");
-    understood("She gets up at 7 in the morning.");
+    refused("She reads at 7.", "7", "not clear which time of day", "write \"7 am\" or \"7 pm\"");
+    refused("She reads at 7 o'clock.", "7 o'clock", "not clear", "7 am");
+    refused("She gets up at 3.", "3", "not clear", "3 am");
+    understood("She goes to church on Sunday at 11 and to bingo on Friday evening.");
+    understood(
+        "She reads at 7 in the morning. She gets up at 7. She goes to bed at 10. She eats lunch at half past twelve.",
+    );
     let both = "write \"half past seven in the morning\" or \"half past seven in the evening\"";
     refused("She reads at half past seven.", "half past seven", "not clear which time of day", both);
     let both = "write \"quarter to one at night\" or \"quarter to one in the afternoon\"";
     refused("She reads at quarter to one.", "quarter to one", "not clear which time of day", both);
-    refused("She reads at half eight.", "half eight", "not clear which time", "write \"half past eight\"");
+    refused("She reads at half eight.", "half eight", "not clear which time", "half eight in the morning");
     understood("She naps in the morning and on Monday evening at 7 pm. She reads at 10:00 and at 12:00.");
 }
 
@@ -214,7 +219,7 @@ fn a_verb_that_goes_with_something_else() {
     refused("She makes herself a kite.", "makes herself a kite", "is nothing", known);
     let own = "a new activity needs a place and a duration: \"she whittles wood in the hall for 20 minutes\"";
     refused("She whittles wood in the hall.", "whittles wood", "is nothing", own);
-    refused("She has visitors.", "has visitors", "is nothing", "known are");
+    refused("She has dreams.", "has dreams", "is nothing", "known are");
     let rule = "\"whenever she has been in bed for 10 hours, she gets up\"";
     refused("She paces when she is restless.", "when", "is not understood here", rule);
     understood("Her son phones on Sunday.");
@@ -402,7 +407,8 @@ fn headings_and_indents() {
 #[test]
 fn a_sentence_that_is_not_complete() {
     refused("She", "She", "ends before it says what is done", "");
-    refused("Gets up at 7:00.", "Gets up", "it is not said who does this", "she gets up");
+    refused("Get up at 7:00.", "Get up", "it is not said who does this", "she gets up");
+    understood("Gets up at 7:00.");
     refused("She reads and naps or knits.", "or", "leave open what goes with what", "two sentences");
 }
 
@@ -419,9 +425,9 @@ fn a_condition_is_about_nobody_in_particular() {
 
 #[test]
 fn all_problems_come_at_once_in_the_order_of_their_places() {
-    let found = problems("She wtches TV.\nShe reads at 25:00 in the balcony for 0 minutes.\nShe gets up at 7.");
+    let found = problems("She wtches TV.\nShe reads at 25:00 in the balcony for 0 minutes.\nShe reads at 7.");
     let places: Vec<(u32, u32)> = found.iter().map(|problem| (problem.line, problem.column)).collect();
-    assert_eq!(places, [(1, 5), (2, 14), (2, 27), (3, 16)]);
+    assert_eq!(places, [(1, 5), (2, 14), (2, 27), (3, 14)]);
 }
 
 #[test]
@@ -526,7 +532,7 @@ fn every_sentence_that_a_hint_proposes_is_understood() {
         "She goes out when it rains.",
         "She watches a lot of television in the evening.",
         "She is up three times a night.",
-        "She reads slowly at 10:00 because her eyes are bad.",
+        "She reads sidewise thrice at 10:00 because her eyes are bad.",
         "She becomes agitated in the evening.",
         "Her lunch visits on Sunday for 2 hours.",
         "When she cannot sleep, she reads at night.",
@@ -534,7 +540,7 @@ fn every_sentence_that_a_hint_proposes_is_understood() {
         "She whittles on the sofa.",
         "She flies to the moon on Sunday.",
         "Her cat sleeps on the sofa.",
-        "She goes to bed at 22:00 with her teddy.",
+        "She goes to bed at 22:00 with her three teddies.",
     ];
     let mut with_sentence = 0;
     for text in texts {

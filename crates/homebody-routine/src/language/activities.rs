@@ -4,6 +4,7 @@ use super::calendar;
 pub use super::lexicon::third_person;
 use super::lexicon::{Is, Lexicon, Piece, Way};
 use super::reader::{Reader, is_beginning, is_determiner};
+use super::subjects::person_called;
 use super::words::Token;
 use crate::routine::{Activity, Meal};
 use std::sync::LazyLock;
@@ -31,7 +32,7 @@ pub fn event(reader: &mut Reader) -> Option<Activity> {
             return Some(event);
         }
         reader.at = back;
-        if reader.eat("she|he|they|it") || reader.eat("the person|resident") || reader.person() == Some(false) {
+        if reader.eat("she|he|they|it") || person_called(reader) || reader.person() == Some(false) {
             reader.eat("has|have");
         }
         activity(reader)
@@ -58,8 +59,11 @@ pub fn fits(reader: &Reader, way: &Way) -> Option<usize> {
         if piece.after_others {
             ahead += adjectives(reader, ahead, piece);
         }
-        match (length(reader, piece, ahead, at), piece.optional) {
-            (Some(length), _) => at = ahead + length,
+        let after_determiners = length(reader, piece, ahead, at).map(|length| ahead + length);
+        // "Her" may be the word that is wanted.
+        let end = after_determiners.or_else(|| length(reader, piece, at, at).map(|length| at + length));
+        match (end, piece.optional) {
+            (Some(end), _) => at = end,
             (None, true) => {}
             (None, false) => return None,
         }
@@ -91,7 +95,8 @@ fn somebody(reader: &Reader, ahead: usize, from: usize) -> Option<usize> {
     };
     if ahead == from {
         let is_somebody = is_name(ahead)
-            || ["friends", "relatives", "family", "neighbours", "neighbors", "her", "him", "them"].contains(&word);
+            || ["friends", "relatives", "family", "neighbours", "neighbors", "her", "him", "them", "me", "us"]
+                .contains(&word);
         return is_somebody.then_some(1);
     }
     if word.is_empty() || is_beginning(word) || reader.token(ahead) != Some(Token::Word) || calendar::is_weekday(word) {

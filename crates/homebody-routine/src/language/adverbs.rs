@@ -8,7 +8,7 @@ use super::reader::Reader;
 use super::times;
 use super::words::{Span, Token};
 use crate::fuzzy::Fuzzy;
-use crate::routine::{Activity, Chance, Days, Moment, PartOfDay, When};
+use crate::routine::{Activity, Chance, Moment, PartOfDay, When};
 
 /// Something that was said, where, and whether by this sentence or by the heading above it.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,11 +24,11 @@ const HALF_A_DAY_S: f64 = 12.0 * 3600.0;
 /// The words that may begin one of these parts: whatever begins otherwise need not be tried.
 const FIRST: &str = "when as last a about after afterwards all almost always an and approximately around at before beginning \
     between by daily during each every fade fades fading few for frequently from give half hardly immediately in \
-    just lasting many midday midnight most mostly nearly noon normally now occasionally often on once one over \
+    just lasting of many midday midnight most mostly nearly noon normally now occasionally often on once one over \
     plus rarely right roughly seldom several shortly since some sometimes soon starting straight then thrice till \
-    twice until usually weekday weekdays weekend weekends with within exactly the two throughout three four five \
+    twice until usually weekday weekdays weekend weekends with within exactly except the two throughout three four five \
     six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen seventeen eighteen nineteen quarter \
-    while twenty thirty forty fifty sixty ninety seventy eighty";
+    while twenty thirty forty fifty sixty ninety seventy eighty but excluding bar apart aside other not of";
 
 fn is_first(word: &str) -> bool {
     FIRST.split(' ').any(|first| first == word)
@@ -75,7 +75,7 @@ pub enum Last {
     Until,
 }
 
-fn put<T>(reader: &mut Reader, slot: &mut Option<Slot<T>>, value: T, span: Span, kind: &str) {
+pub fn put<T>(reader: &mut Reader, slot: &mut Option<Slot<T>>, value: T, span: Span, kind: &str) {
     if let Some(first) = slot {
         let what = format!("{:?} comes after {:?}: {kind}", reader.said(span), reader.said(first.span));
         reader.fault(span, what, "leave one of them out, or make two sentences".to_owned());
@@ -205,7 +205,7 @@ impl Adverbs {
         Some(())
     }
 
-    fn put_often(&mut self, reader: &mut Reader, often: Often, span: Span) {
+    pub(super) fn put_often(&mut self, reader: &mut Reader, often: Often, span: Span) {
         if let Some(chance) = often.chance {
             put(reader, &mut self.chance, chance, span, "both say how often");
         }
@@ -221,64 +221,6 @@ impl Adverbs {
         if let Some(times) = often.times {
             put(reader, &mut self.times, times, span, "both say how many times");
         }
-    }
-
-    /// "on Tuesday and Friday", "at weekends", "in winter", "from May to September".
-    fn days(&mut self, reader: &mut Reader) -> Option<()> {
-        let from = reader.at;
-        if reader.eat("from") {
-            if let Some(months) = calendar::month_range(reader) {
-                let span = reader.span(from);
-                put(reader, &mut self.months, months, span, "both say in which months");
-                return Some(());
-            }
-        } else if reader.ahead(|reader| {
-            reader.eat("on|at");
-            calendar::day_of_month(reader).is_some() || {
-                reader.eat("the");
-                calendar::days_of_year(reader).is_some()
-            }
-        }) {
-            return self.days_of_month(reader);
-        } else if reader.eat("in|during") {
-            let months = calendar::months(reader)?;
-            let span = reader.span(from);
-            put(reader, &mut self.months, months, span, "both say in which months");
-            return Some(());
-        } else {
-            reader.eat("on|at");
-            reader.eat("the");
-        }
-        let weekdays = calendar::weekdays(reader)?;
-        let part = reader.eat_any(&times::PARTS);
-        let span = reader.span(from);
-        let often = Often { chance: None, weekdays: Some(weekdays), part, every: None, times: None };
-        self.put_often(reader, often, span);
-        Some(())
-    }
-
-    /// "on 25 December", "on the first Monday of the month".
-    fn days_of_month(&mut self, reader: &mut Reader) -> Option<()> {
-        let from = reader.at;
-        reader.eat("on|at");
-        let kind = "both say on which days";
-        if let Some((weekdays, days, months)) = calendar::day_of_month(reader) {
-            let span = reader.span(from);
-            put(reader, &mut self.of_month, days, span, kind);
-            if let Some(weekdays) = weekdays {
-                put(reader, &mut self.weekdays, weekdays, span, kind);
-            }
-            if months != Days::ALL.months {
-                put(reader, &mut self.months, months, span, "both say in which months");
-            }
-            return Some(());
-        }
-        reader.eat("the");
-        let (months, days) = calendar::days_of_year(reader)?;
-        let span = reader.span(from);
-        put(reader, &mut self.of_month, days, span, kind);
-        put(reader, &mut self.months, months, span, "both say in which months");
-        Some(())
     }
 
     /// "in the morning", "at night", "during the day".
@@ -327,7 +269,10 @@ impl Adverbs {
             self.last = Last::Until;
             return Some(());
         }
-        if reader.eat("by") {
+        let is_up = |reader: &Reader| {
+            reader.at > 0 && ["up", "asleep", "bed"].contains(&reader.words[reader.at - 1].text.as_str())
+        };
+        if is_up(reader) && reader.eat("before") || reader.eat("by") {
             let time = times::time(reader, true)?;
             let span = reader.span(from);
             put(reader, &mut self.when, When::At(Fuzzy::between(time.at - BY_S, time.at)), span, kind);
@@ -339,6 +284,14 @@ impl Adverbs {
         let span = reader.span(from);
         put(reader, &mut self.when, When::At(time.fuzzy()), span, kind);
         self.last = Last::When;
+        // "2 pm to 4 pm"
+        let until = reader.at;
+        let end = reader.attempt(|reader| if reader.eat("to|until|till") { times::time(reader, true) } else { None });
+        if let Some(end) = end {
+            let span = reader.span(until);
+            put(reader, &mut self.until_time, end.fuzzy(), span, "both say until when");
+            self.last = Last::Nothing;
+        }
         Some(())
     }
 
@@ -419,10 +372,22 @@ impl Adverbs {
     /// "for about 2 hours", or "for 10 days", which is until when.
     fn duration(&mut self, reader: &mut Reader) -> Option<()> {
         let start = reader.at;
-        if !reader.eat("for|lasting") {
+        let of_each = reader.attempt(|reader| {
+            reader.eat("of").then_some(())?;
+            reader.ahead(|reader| amount(reader).is_some_and(|amount| amount.unit == Unit::Second)).then_some(())
+        });
+        if of_each.is_none() && !reader.eat("for|lasting") {
             return None;
         }
         let Some(amount) = amount(reader) else {
+            // "is up twice for the toilet"
+            let for_toilet = |reader: &mut Reader| {
+                reader.skip_determiners();
+                reader.eat("toilet|bathroom|loo|commode|wee")
+            };
+            if reader.ahead(for_toilet) {
+                return None;
+            }
             let from = reader.at;
             while !reader.is_over() && reader.token(0) != Some(Token::Comma) && reader.at < from + 3 {
                 reader.at += 1;
@@ -435,6 +400,7 @@ impl Adverbs {
         match amount.unit {
             Unit::Second => {
                 let lasts = amounts::length(reader, &amount);
+                reader.eat("each");
                 let span = reader.span(start);
                 put(reader, &mut self.lasts, lasts, span, "both say how long");
                 self.last = Last::Lasts;

@@ -78,7 +78,7 @@ const TENS: [(&str, f64); 8] = [
     ("ninety", 90.0),
 ];
 
-const UNITS: [(&str, (Unit, f64)); 19] = [
+const UNITS: [(&str, (Unit, f64)); 20] = [
     ("m/s", (Unit::Speed, 1.0)),
     ("metres|meters|metre|meter|m per|a second", (Unit::Speed, 1.0)),
     ("beats|beat per|a minute", (Unit::Beats, 1.0)),
@@ -90,6 +90,7 @@ const UNITS: [(&str, (Unit, f64)); 19] = [
     ("h|hr|hrs|hour|hours", (Unit::Second, 3600.0)),
     ("day|days|night|nights", (Unit::Day, 1.0)),
     ("week|weeks", (Unit::Day, 7.0)),
+    ("fortnight|fortnights", (Unit::Day, 14.0)),
     ("month|months", (Unit::Day, MONTH_DAYS)),
     ("year|years old", (Unit::Years, 1.0)),
     ("year|years of age", (Unit::Years, 1.0)),
@@ -107,7 +108,7 @@ pub const ABOUT: [(&str, ()); 5] =
 pub fn amount(reader: &mut Reader) -> Option<Amount> {
     reader.attempt(|reader| {
         let start = reader.at;
-        let about = reader.eat_any(&ABOUT).is_some();
+        let about = reader.eat_any(&ABOUT).is_some() || reader.eat("at least|most") || reader.eat("up to");
         let (from, to, unit) = if reader.eat("between") { pair(reader, "and")? } else { one_or_two(reader)? };
         let span = reader.span(start);
         if !from.is_finite() || !to.is_finite() || to > 1e9 {
@@ -156,6 +157,15 @@ fn one_or_two(reader: &mut Reader) -> Option<(f64, f64, Unit)> {
             let (unit, factor) = reader.eat_any(&UNITS)?;
             return Some((from * factor, to * factor, unit));
         }
+    }
+    // "an hour or two"
+    let one_or_two = reader.attempt(|reader| {
+        reader.eat("a|an|one").then_some(())?;
+        let (unit, factor) = reader.eat_any(&UNITS)?;
+        reader.eat("or two|so").then_some((factor, unit, reader.passed(reader.at - 1) == "two"))
+    });
+    if let Some((factor, unit, is_two)) = one_or_two {
+        return Some((factor, if is_two { 2.0 * factor } else { factor }, unit));
     }
     if let Some(pair) = reader.attempt(|reader| pair(reader, "to|or")) {
         return Some(pair);

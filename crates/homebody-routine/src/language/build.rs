@@ -18,7 +18,10 @@ use crate::fuzzy::{Fuzzy, Quantifier};
 use crate::routine::{Activity, Chance, Change, Effect, Habit, Kind, PartOfDay, Person, Phase, When};
 use homebody_core::activity::TimeUse;
 
-pub fn build(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
+pub fn build(reader: &mut Reader, draft: &mut Draft, mut clause: Clause) {
+    for beside in std::mem::take(&mut clause.beside) {
+        draft.routine.remarks.push(draft.said(beside));
+    }
     match clause.predicate {
         Predicate::Age(_) | Predicate::Kind(_) | Predicate::Pace(_) => person(reader, draft, &clause),
         Predicate::Visits | Predicate::Own(_) => habit(reader, draft, clause),
@@ -73,6 +76,12 @@ fn helps(reader: &mut Reader, draft: &mut Draft, clause: Clause, activity: Activ
     let done = draft.routine.habits.len();
     habit(reader, draft, Clause { predicate: Predicate::Visits, ..clause.clone() });
     let Some(visit) = draft.routine.habits.get(done).cloned() else { return };
+    // "Does the floors and the bathroom" is one visit.
+    let is_same = |other: &Habit| Habit { said: visit.said.clone(), ..other.clone() } == visit;
+    if clause.again && draft.routine.habits[..done].iter().any(is_same) {
+        draft.routine.habits.truncate(done);
+        draft.habit_spans.truncate(done);
+    }
     match help {
         Help::Together => {
             let is_of_day = matches!(activity, Activity::GetUp | Activity::GoToBed);
@@ -380,6 +389,11 @@ fn check_times(reader: &mut Reader, adverbs: &Adverbs, when: &When) {
 }
 
 fn change(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
+    // Where she does not go any more she does not go: nothing is left to live of it.
+    if matches!(clause.predicate, Predicate::Not(_)) && names_one_outing(reader, clause) {
+        draft.routine.remarks.push(draft.said(clause.span));
+        return;
+    }
     let Some((effect, allowed)) = effect(reader, clause) else { return };
     let why = "a change holds from its beginning on, on the days that are said";
     only(reader, &clause.adverbs, &allowed, why);

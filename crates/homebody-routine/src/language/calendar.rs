@@ -283,7 +283,7 @@ pub fn day_of_month(reader: &mut Reader) -> Option<(Option<u8>, (u8, u8), u16)> 
 pub fn month_range(reader: &mut Reader) -> Option<u16> {
     reader.attempt(|reader| {
         let first = reader.eat_any(&MONTHS)?;
-        if !reader.eat("to|until|through") {
+        if !reader.eat("to|until|through|and") {
             return None;
         }
         let last = reader.eat_any(&MONTHS)?;

@@ -1,19 +1,21 @@
 //! A clause: who does what, with what stands behind the verb in any order.
 
 use super::activities;
-use super::adverbs::{Adverbs, Slot};
+use super::adverbs::Adverbs;
 use super::amounts::{Unit, amount};
-use super::calendar::is_weekday;
+use super::circumstances::{
+    counts_cups, says_alone, says_beside, says_company, says_doing, says_errand, says_late, says_length, says_meal,
+    says_outside, says_purpose, stays_on,
+};
 use super::faults::did_you_mean;
-use super::helping;
 use super::measures::{Measure, measure};
 use super::predicates::IS;
-use super::reader::{Reader, Sort, begins_adverb, is_determiner};
+use super::reader::{Reader, Sort};
 use super::said::Predicate;
 use super::subjects::Subject;
 use super::unknown;
 use super::words::{Span, Token};
-use crate::routine::{Activity, PartOfDay};
+use crate::routine::Activity;
 
 /// What a habit may be said to be done at.
 pub const PLACES: [Sort; 3] = [Sort::Place, Sort::Room, Sort::Thing];
@@ -32,6 +34,8 @@ pub struct Clause {
     pub tends: bool,
     /// Whether it goes on with the verb of the clause before it.
     pub again: bool,
+    /// What is said beside it and not lived: why it is so, or what stands between brackets.
+    pub beside: Vec<Span>,
 }
 
 /// What joins a clause with another.
@@ -45,6 +49,9 @@ pub enum Join {
 /// Reads the rest of a clause. Nothing if it is not understood; else how another clause follows, and where that is said.
 pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<(Join, Span)>> {
     loop {
+        if says_beside(reader, clause) || stays_on(reader, clause) {
+            continue;
+        }
         if let Some(join) = in_list(reader, clause) {
             let span = reader.here();
             reader.skip_commas();
@@ -62,6 +69,9 @@ pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<(Join, Sp
         if matches!(clause.predicate, Predicate::Does(_)) && reader.eat("only") {
             continue;
         }
+        if clause.adverbs.excepted(reader).is_some() {
+            continue;
+        }
         if reader.eat("and then") || reader.eat("then") {
             return Some(Some((Join::Then, reader.span(at))));
         }
@@ -72,11 +82,22 @@ pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<(Join, Sp
             not_understood(reader, clause);
             return None;
         }
-        if says_purpose(reader, clause)
-            || says_alone(reader, clause)
-            || says_outside(reader, clause)
-            || says_company(reader, clause)
-        {
+        // "sees her at home"
+        if matches!(clause.predicate, Predicate::Visits | Predicate::Helps(..)) && reader.eat("at home") {
+            continue;
+        }
+        let more = [
+            says_purpose,
+            says_doing,
+            says_alone,
+            says_outside,
+            says_company,
+            says_meal,
+            says_errand,
+            says_late,
+            counts_cups,
+        ];
+        if more.iter().any(|more| more(reader, clause)) {
             continue;
         }
         if let Some(measure) = measure(reader) {
@@ -87,7 +108,7 @@ pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<(Join, Sp
             clause.measure = Some(measure);
             continue;
         }
-        if put_place(reader, clause) || clause.adverbs.next(reader) {
+        if put_place(reader, clause) || clause.adverbs.next(reader) || says_length(reader, clause) {
             continue;
         }
         not_understood(reader, clause);
@@ -100,7 +121,24 @@ fn in_list(reader: &mut Reader, clause: &Clause) -> Option<Join> {
     if reader.token(0) != Some(Token::Comma) {
         return None;
     }
+    let says_who = reader.ahead(|reader| {
+        reader.skip_commas();
+        Adverbs::default().all(reader);
+        reader.eat("she|he") && !reader.is_over()
+    });
+    if says_who && !matches!(clause.predicate, Predicate::Remark) {
+        return Some(Join::And);
+    }
+    let goes_on = reader.ahead(|reader| {
+        reader.skip_commas();
+        let is_verb = reader.names.lexicon.is_third_person(reader.peek(0));
+        is_verb && activities::activity(reader).is_some()
+    });
     let rest = reader.words.get(reader.at..).unwrap_or_default();
+    let has = |word: &str| rest.iter().any(|one| one.text == word);
+    if goes_on && !has("or") && !has("then") && !matches!(clause.predicate, Predicate::Remark) {
+        return Some(Join::And);
+    }
     let joins = |word: &str| rest.iter().any(|one| one.text == word);
     let join = if joins("or") { Join::Or } else { Join::And };
     if !(joins("or") || joins("and")) || rest.iter().any(|one| one.text == "then") {
@@ -120,116 +158,6 @@ fn in_list(reader: &mut Reader, clause: &Clause) -> Option<Join> {
         verb || again || object
     });
     goes_on.then_some(join)
-}
-
-/// "gets up to use the toilet", "goes to the kitchen to make tea": what for is what is done.
-fn says_purpose(reader: &mut Reader, clause: &mut Clause) -> bool {
-    let from = reader.at;
-    let found = reader.attempt(|reader| {
-        if !reader.eat("in order to") && !reader.eat("to") {
-            return None;
-        }
-        if clause.predicate == Predicate::Visits {
-            return helping::doing(reader);
-        }
-        let purpose = activities::activity(reader)?;
-        let goes = matches!(&clause.predicate, Predicate::Own(words) if unknown::is_way(words) || words == "stands");
-        match &clause.predicate {
-            Predicate::Does(Activity::GetUp | Activity::Relax) => Some(Predicate::Does(purpose)),
-            Predicate::Own(_) if goes && clause.place.is_some() => Some(Predicate::Does(purpose)),
-            Predicate::Does(Activity::Leave) => Some(Predicate::Does(Activity::Leave)),
-            _ => None,
-        }
-    });
-    let Some(found) = found else { return false };
-    let is_new = matches!(&found, Predicate::Does(activity) if Predicate::Does(activity.clone()) != clause.predicate);
-    // Who gets up for something and says no time does so in the night.
-    if clause.predicate == Predicate::Does(Activity::GetUp) && is_new {
-        clause.adverbs.all(reader);
-        if clause.adverbs.when.is_none() && clause.adverbs.part.is_none() {
-            clause.adverbs.part = Some(Slot { value: PartOfDay::Night, span: reader.span(from), own: true });
-        }
-    }
-    clause.predicate = found;
-    true
-}
-
-/// "plays bingo at the community centre": what is done out of the home is being out.
-fn says_outside(reader: &mut Reader, clause: &mut Clause) -> bool {
-    if !matches!(clause.predicate, Predicate::Does(_) | Predicate::Own(_)) || clause.place.is_some() {
-        return false;
-    }
-    let found = reader.attempt(|reader| {
-        if !reader.eat("at|in") {
-            return None;
-        }
-        reader.skip_determiners();
-        if reader.ahead(|reader| reader.name(&PLACES).is_some()) {
-            return None;
-        }
-        let lexicon = reader.names.lexicon.clone();
-        let length = (0..3).find_map(|before| {
-            let length = lexicon.list("OUTSIDE", |ahead| reader.peek(before + ahead))?;
-            Some(before + length)
-        });
-        reader.at += length?;
-        (reader.is_over()
-            || reader.token(0) != Some(Token::Word)
-            || begins_adverb(reader)
-            || is_weekday(reader.peek(0)))
-        .then_some(())
-    });
-    if found.is_some() {
-        clause.predicate = Predicate::Does(Activity::Leave);
-    }
-    found.is_some()
-}
-
-/// "with her daughter", of who is out: who else is there no sensor of the home sees. "With help from a carer": who comes.
-fn says_company(reader: &mut Reader, clause: &mut Clause) -> bool {
-    let Predicate::Does(activity) = clause.predicate.clone() else { return false };
-    let from = reader.at;
-    if !reader.eat("with") {
-        return false;
-    }
-    let helped = reader.eat("the help|assistance of|from") || reader.eat("help|assistance from");
-    let starts = reader.at;
-    let with_determiner = is_determiner(reader.peek(0));
-    reader.skip_determiners();
-    let start = reader.at;
-    while reader.token(0) == Some(Token::Word)
-        && !begins_adverb(reader)
-        && !is_weekday(reader.peek(0))
-        && reader.at < start + 3
-    {
-        reader.at += 1;
-    }
-    let lexicon = reader.names.lexicon.clone();
-    let is_people = (start..reader.at).any(|at| {
-        let word = |ahead: usize| reader.words.get(at + ahead).map_or("", |word| word.text.as_str());
-        ["PEOPLE", "RELATIVES"].iter().any(|list| lexicon.list(list, word).is_some())
-    });
-    let is_who = reader.at > start && (is_people || helped && with_determiner);
-    if helped && is_who {
-        clause.predicate = Predicate::HelpedBy(reader.passed(start), activity);
-        return true;
-    }
-    if is_who && starts > from && activity == Activity::Leave {
-        return true;
-    }
-    reader.at = from;
-    false
-}
-
-/// "On her own" is how everything is done where nobody is named, so it changes nothing but what is denied.
-fn says_alone(reader: &mut Reader, clause: &Clause) -> bool {
-    let is_done =
-        matches!(clause.predicate, Predicate::Does(_) | Predicate::Own(_)) && clause.subject == Subject::Person;
-    is_done
-        && (reader.eat("on her|his|their own")
-            || reader.eat("by herself|himself|themselves")
-            || reader.eat("alone|independently|unaided")
-            || reader.eat("without help|assistance"))
 }
 
 /// "in the armchair".
@@ -301,8 +229,7 @@ fn expected(reader: &mut Reader, clause: &Clause, word: &str) -> String {
     if word == "when" && (reader.peek(1) == "it" || reader.peek(2) == "weather")
         || ["weather", "rain", "snow"].contains(&reader.peek(1))
     {
-        return "Homebody knows no weather: say in which season, \"in winter\", or how often, \"on 60 % of days\""
-            .into();
+        return unknown::NO_WEATHER.into();
     }
     if clause.predicate == Predicate::Walks && ["slowly", "unsteadily", "carefully", "quickly"].contains(&word) {
         return "say how fast, \"she walks at 0.5 m/s\", or how it changes: \"from week 10 she walks 10 % slower\""

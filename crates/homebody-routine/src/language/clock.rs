@@ -1,10 +1,12 @@
 //! The time that a clock shows, in digits or in words, and what was probably meant by a slip.
 
+use super::activities;
 use super::amounts::{DAY_S, is_unit, number};
 use super::calendar::{is_month, is_weekday};
 use super::reader::Reader;
+use super::said::visits;
 use super::words::{Span, Token};
-use crate::routine::PartOfDay;
+use crate::routine::{Activity, Meal, PartOfDay};
 
 const HOUR_S: f64 = 3600.0;
 
@@ -20,7 +22,8 @@ struct Face {
 }
 
 /// Seconds since midnight, if a time of day comes next. `bare` says whether a number alone is taken for one.
-pub fn clock(reader: &mut Reader, bare: bool) -> Option<f64> {
+/// Of what ends after another time, it is the first of the two that may be meant.
+pub fn clock(reader: &mut Reader, bare: bool, begin: Option<f64>) -> Option<f64> {
     let from = reader.at;
     if reader.eat("noon|midday") || reader.eat("12|twelve noon|midday") {
         return Some(12.0 * HOUR_S);
@@ -40,8 +43,15 @@ pub fn clock(reader: &mut Reader, bare: bool) -> Option<f64> {
     if !(in_words.is_some() || face.is_clear || oclock || direct.is_some() || is_last) {
         return None;
     }
-    let implied = |reader: &mut Reader| half_by_end(reader, face).or_else(|| half_by_rest(reader));
-    let half = direct.or_else(|| if face.is_clear { None } else { implied(reader) });
+    let implied = |reader: &mut Reader| {
+        half_by_end(reader, face).or_else(|| half_by_rest(reader, face)).or_else(|| half_by_doing(reader, from, face))
+    };
+    let next = begin.map(|begin| {
+        let after =
+            |late: bool| (face.after_twelve_s() + if late { DAY_S / 2.0 } else { 0.0 } - begin).rem_euclid(DAY_S);
+        after(true) < after(false)
+    });
+    let half = direct.or_else(|| if face.is_clear { None } else { next.or_else(|| implied(reader)) });
     let (span, by_twelve) = (reader.span(from), (1.0..=12.0).contains(&face.hours));
     // A whole time with a word right behind it lacks a blank, and no more.
     let lacks_blank = face.is_clear && face.is_time() && reader.token(0) == Some(Token::Word);
@@ -99,10 +109,16 @@ fn in_words(reader: &mut Reader, bare: bool) -> Option<Face> {
     };
     let says_minutes = !half && !quarter && reader.eat("minutes|minute|min|mins");
     let Some(is_to) = reader.eat_any(&[("past", false), ("to", true)]) else {
-        return if half && bare { half_an_hour_off(reader, from) } else { None };
+        return if half && bare { half_past(reader) } else { None };
     };
     // "From 10 to 12" is a stretch of time.
     if is_to && (half || in_digits && !says_minutes) {
+        return None;
+    }
+    // Nor is "from ten to six" ten minutes to six, unless it goes on.
+    let begins =
+        from.checked_sub(1).and_then(|before| reader.words.get(before)).is_some_and(|word| word.text == "from");
+    if is_to && begins && !quarter && !says_minutes && !["to", "until", "till"].contains(&reader.peek(1)) {
         return None;
     }
     let noon = reader.eat("noon|midday");
@@ -120,13 +136,10 @@ fn in_words(reader: &mut Reader, bare: bool) -> Option<Face> {
     Some(Face { hours, minutes: if is_to { -minutes } else { minutes }, is_clear })
 }
 
-/// "Half eight" is half past eight to some and half past seven to others.
-fn half_an_hour_off(reader: &mut Reader, from: usize) -> Option<Face> {
-    let word = reader.peek(0).to_owned();
+/// "Half eight" is half past eight.
+fn half_past(reader: &mut Reader) -> Option<Face> {
     let hours = number(reader).filter(|hours| hours.fract() == 0.0 && (1.0..=12.0).contains(hours))?;
-    let (span, hint) = (reader.span(from), format!("write \"half past {word}\" if it is that"));
-    reader.fault(span, format!("it is not clear which time {:?} is", reader.said(span)), hint);
-    Some(Face { hours, minutes: 30.0, is_clear: true })
+    Some(Face { hours, minutes: 30.0, is_clear: false })
 }
 
 /// "7:30", "7.30", "7", "seven", "seven thirty".
@@ -140,6 +153,11 @@ fn shown(reader: &mut Reader, bare: bool) -> Option<Face> {
         let is_time = bare || is_last_of_its_kind(reader) || ["am", "pm"].contains(&reader.peek(0));
         return is_time.then_some(Face { hours, minutes, is_clear: true });
     }
+    if let Some((hours, minutes)) = of_four_digits(reader) {
+        reader.at += 1;
+        reader.eat("hrs|hours|h");
+        return Some(Face { hours, minutes, is_clear: true });
+    }
     let in_words = reader.token(0) == Some(Token::Word);
     let hours = number(reader)?;
     let minutes = reader.attempt(|reader| {
@@ -147,6 +165,17 @@ fn shown(reader: &mut Reader, bare: bool) -> Option<Face> {
         minutes.filter(|minutes| (10.0..60.0).contains(minutes) && !is_unit(reader))
     });
     Some(Face { hours, minutes: minutes.unwrap_or(0.0), is_clear: false })
+}
+
+/// The hours and minutes of "0730" and of "1430 hrs".
+fn of_four_digits(reader: &Reader) -> Option<(f64, f64)> {
+    let text = reader.peek(0);
+    let is_time = text.starts_with('0') || ["hrs", "hours", "h"].contains(&reader.peek(1));
+    if text.len() != 4 || !is_time || !text.bytes().all(|digit| digit.is_ascii_digit()) {
+        return None;
+    }
+    let (hours, minutes) = (text.get(..2)?.parse::<u8>().ok()?, text.get(2..)?.parse::<u8>().ok()?);
+    (hours < 24 && minutes < 60).then_some((hours.into(), minutes.into()))
 }
 
 /// The hours and minutes of "7.30".
@@ -201,15 +230,24 @@ fn half_by_end(reader: &mut Reader, face: Face) -> Option<bool> {
 }
 
 /// By the only part of the day that the sentence names, or else the heading above it: `every evening at 8`.
-fn half_by_rest(reader: &Reader) -> Option<bool> {
+fn half_by_rest(reader: &Reader, face: Face) -> Option<bool> {
     const BEFORE: [&str; 7] = ["every", "each", "most", "some", "many", "almost", "all"];
     let words: Vec<&str> = reader.words.iter().map(|word| word.text.as_str()).collect();
-    let mut found = words.iter().enumerate().filter_map(|(at, word)| {
+    // What another clause says is about that one.
+    let joins = |at: usize| ["and", "then", "or", "but"].contains(&words[at]) || words[at] == ";";
+    let begin = (0..reader.at.min(words.len())).rev().find(|&at| joins(at)).map_or(0, |at| at + 1);
+    let end = (reader.at..words.len()).find(|&at| joins(at)).unwrap_or(words.len());
+    let verb = words.iter().position(|word| ["she", "he", "they"].contains(word)).unwrap_or(0);
+    let mut found = words.iter().enumerate().filter(|(at, _)| *at < verb || (begin..end).contains(at));
+    let mut found = found.by_ref().filter_map(|(at, word)| {
         let before = |back: usize| at.checked_sub(back).and_then(|at| words.get(at)).copied().unwrap_or_default();
         let is_when = BEFORE.contains(&before(1)) || is_weekday(before(1)) || before(1) == "the" && before(2) == "in";
         match word.trim_end_matches('s') {
             "morning" if is_when => Some(false),
             "afternoon" | "evening" if is_when => Some(true),
+            "night" | "weeknight" if is_when || before(1) == "at" || word.ends_with('s') => {
+                Some((6.0..12.0).contains(&face.full_hours()))
+            }
             _ => None,
         }
     });
@@ -219,6 +257,67 @@ fn half_by_rest(reader: &Reader) -> Option<bool> {
         (None, Some(PartOfDay::Afternoon | PartOfDay::Evening)) => Some(true),
         (None, _) => None,
     }
+}
+
+/// By what is done then, where that has its half of the day: who gets up at 7 does so in the morning (ours).
+fn half_by_doing(reader: &mut Reader, from: usize, face: Face) -> Option<bool> {
+    let hour = face.full_hours();
+    let word = |at: Option<usize>| at.and_then(|at| reader.words.get(at)).map_or("", |word| word.text.as_str());
+    let back = if ["about", "around"].contains(&word(from.checked_sub(1))) { 2 } else { 1 };
+    if ["until", "till"].contains(&word(from.checked_sub(back))) {
+        let to_bed = (1..from).any(|at| word(Some(at)) == "bed" && word(Some(at - 1)) == "to");
+        if to_bed {
+            return half_of(&Activity::GoToBed, hour);
+        }
+        let in_bed = (0..from).any(|at| ["bed", "sleeps", "sleep"].contains(&word(Some(at))));
+        return (in_bed && (4.0..12.0).contains(&hour)).then_some(false);
+    }
+    let rises = ["her", "him", "them", "me"].iter().all(|whom| *whom != word(from.checked_sub(back + 2)));
+    match word(from.checked_sub(back + 1)) {
+        "up" | "awake" if (4.0..12.0).contains(&hour) && rises => return Some(false),
+        "asleep" if (7.0..12.0).contains(&hour) => return Some(true),
+        _ => {}
+    }
+    let doing = |reader: &mut Reader, at: usize| {
+        reader.ahead(|reader| {
+            reader.at = at;
+            activities::activity(reader).or_else(|| activities::noun(reader))
+        })
+    };
+    /// Further away, something else is meant.
+    const NEAR: usize = 20;
+    let before = (from.saturating_sub(NEAR)..from).rev().find_map(|at| doing(reader, at));
+    let doing = before.or_else(|| (from..reader.words.len().min(from + NEAR)).find_map(|at| doing(reader, at)));
+    let comes = |reader: &mut Reader| {
+        (0..from).any(|at| {
+            reader.at = at;
+            visits(reader)
+        })
+    };
+    let doing = doing.or_else(|| reader.ahead(comes).then_some(Activity::Visit))?;
+    half_of(&doing, hour)
+}
+
+/// Whether something is done in the second half of the day, where it is done at this hour of the clock in one half only (ours).
+fn half_of(doing: &Activity, hour: f64) -> Option<bool> {
+    let never = 0.0..0.0;
+    let (first, second) = match doing {
+        Activity::GetUp => (4.0..12.0, never),
+        Activity::Eat(Meal::Breakfast) | Activity::Prepare(Meal::Breakfast) | Activity::Dress => (5.0..12.0, never),
+        Activity::Eat(Meal::Lunch) | Activity::Prepare(Meal::Lunch) => (11.0..12.0, 0.0..3.0),
+        Activity::Eat(Meal::Dinner) | Activity::Prepare(Meal::Dinner) => (never, 4.0..10.0),
+        Activity::GoToBed => (0.0..4.0, 7.0..12.0),
+        Activity::WatchTelevision => (never, 0.0..11.0),
+        Activity::TakeMedicine => (6.0..10.0, 0.0..6.0),
+        Activity::Leave | Activity::Visit | Activity::Exercise | Activity::Housework | Activity::Laundry => {
+            (8.0..12.0, 0.0..6.0)
+        }
+        Activity::Drink => (9.0..12.0, 0.0..6.0),
+        Activity::Nap => (never, 0.0..6.0),
+        _ => return None,
+    };
+    let hour = hour % 12.0;
+    if first.contains(&hour) { Some(false) } else { second.contains(&hour).then_some(true) }
 }
 
 /// Whether a time goes on right behind what was read of it: `7:4o`, `7;40`.

@@ -1,8 +1,11 @@
 //! What somebody who visits does there: with the person, or instead of them.
 
 use super::activities::{self, activity, event};
+use super::adverbs::Adverbs;
 use super::reader::Reader;
 use super::said::{Help, Predicate, visits};
+use super::subjects::person_called;
+use super::words::Token;
 use crate::routine::{Activity, Meal};
 use homebody_core::activity::{ActivityKind, TimeUse};
 
@@ -21,8 +24,29 @@ pub fn visiting(reader: &mut Reader) -> Option<Predicate> {
     reader.attempt(doing)
 }
 
+/// "does her legs", "fills her pill box": whatever it is, who does it is there.
+pub fn seeing_to(reader: &mut Reader) -> Option<Predicate> {
+    const MOST: usize = 7;
+    reader.attempt(|reader| {
+        let from = reader.at;
+        let lexicon = reader.names.lexicon.clone();
+        reader.at += lexicon.list("SEEING", |ahead| reader.peek(ahead))?;
+        while reader.token(0) == Some(Token::Word)
+            && !(reader.ahead(|reader| Adverbs::default().next(reader))
+                || ["and", "but", "or"].contains(&reader.peek(0)))
+            && reader.at < from + MOST
+        {
+            reader.at += 1;
+        }
+        // At which time, or how often, says that they come.
+        let mut more = Adverbs::default();
+        let comes = reader.ahead(|reader| more.next(reader));
+        (reader.at > from + 1 && (comes || reader.is_over())).then_some(Predicate::Visits)
+    })
+}
+
 /// "for coffee", "for Sunday lunch".
-fn meal_shared(reader: &mut Reader) -> Option<Predicate> {
+pub fn meal_shared(reader: &mut Reader) -> Option<Predicate> {
     reader.skip_determiners();
     if reader.eat("chat|talk|gossip|visit|tea|coffee|drink") || reader.eat("cup of tea|coffee") {
         return Some(Predicate::Visits);
@@ -33,7 +57,9 @@ fn meal_shared(reader: &mut Reader) -> Option<Predicate> {
 
 /// "help her wash", "cook dinner", "take her to church": whatever the form of the verb.
 pub fn doing(reader: &mut Reader) -> Option<Predicate> {
-    if reader.attempt(|reader| (reader.eat("checks|check on") && person(reader)).then_some(())).is_some()
+    if reader
+        .attempt(|reader| ((reader.eat("checks|check on") || reader.eat("sees|see")) && person(reader)).then_some(()))
+        .is_some()
         || reader.attempt(|reader| (reader.eat("see|keep|sits|sit with") && person(reader)).then_some(())).is_some()
     {
         return Some(Predicate::Visits);
@@ -48,7 +74,7 @@ pub fn doing(reader: &mut Reader) -> Option<Predicate> {
 
 /// Passes over who is helped.
 fn person(reader: &mut Reader) -> bool {
-    reader.eat("her|him|them") || reader.eat("the person|resident|patient") || reader.person() == Some(false)
+    reader.eat("her|him|them|me") || person_called(reader) || reader.person() == Some(false)
 }
 
 fn helping(reader: &mut Reader) -> Option<Predicate> {
@@ -94,6 +120,9 @@ fn taking(reader: &mut Reader) -> Option<Predicate> {
     if !(picks_up || reader.eat(takes) && person(reader)) {
         return None;
     }
+    if reader.eat("home|back") {
+        return Some(Predicate::Does(Activity::ComeHome));
+    }
     let out = reader.eat("out");
     let somewhere = |reader: &mut Reader| {
         reader.eat("shopping|swimming|dancing").then_some(()).or_else(|| {
@@ -121,6 +150,7 @@ fn bringing(reader: &mut Reader) -> Option<Predicate> {
     if !verb {
         return None;
     }
+    reader.eat("in|round|over|along|up");
     let _ = reader.attempt(|reader| (person(reader) && !reader.is_over()).then_some(()));
     for _ in 0..3 {
         reader.skip_determiners();
@@ -130,8 +160,8 @@ fn bringing(reader: &mut Reader) -> Option<Predicate> {
                 return Some(Predicate::Helps(Activity::Prepare(meal), Help::Instead));
             }
         }
-        let goods =
-            "shopping|groceries|food|medicine|medication|medicines|pills|newspaper|mail|post|laundry|meal|meals";
+        let goods = "shopping|groceries|food|medicine|medication|medicines|pills|newspaper|paper|mail|post|laundry|meal|meals|\
+             milk|prescription|prescriptions|tablets";
         if reader.eat(goods) {
             return Some(Predicate::Visits);
         }

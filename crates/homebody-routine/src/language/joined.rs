@@ -46,6 +46,16 @@ pub fn without_waking(group: &mut Vec<Clause>) {
     }
 }
 
+/// "Four times a day: at 7:30, 12:30, 16:30 and 20:00" is once at each of these times.
+pub fn without_count(group: &mut [Clause]) {
+    let count = group.len() as u32;
+    let is_at = |clause: &Clause| matches!(clause.adverbs.when.as_ref().map(|slot| &slot.value), Some(When::At(_)));
+    let is_list = count > 1 && group.iter().all(is_at) && group[1..].iter().all(|clause| clause.again);
+    for clause in group.iter_mut().filter(|_| is_list) {
+        clause.adverbs.times.take_if(|times| times.value == (count, count));
+    }
+}
+
 fn take_over(group: &mut [Clause]) -> Option<Span> {
     let (last, earlier) = group.split_last_mut()?;
     // "She washes and dresses at 07:30": the time behind the last is about all before it that say none.
@@ -53,12 +63,20 @@ fn take_over(group: &mut [Clause]) -> Option<Span> {
         let behind = behind_verb(last);
         if !says_days(&clause.adverbs) && says_days(&behind) {
             // "She reads at 10:00 and naps on Sunday" leaves open what is on Sunday.
+            let only_often = Adverbs { chance: None, ..behind.clone() };
+            if says_time(&clause.adverbs) && !says_days(&only_often) {
+                // "Takes a tablet in the morning and goes out often": often is about going out.
+                continue;
+            }
             if says_time(&clause.adverbs) && !says_time(&behind) {
                 return days_span(&behind);
             }
             clause.adverbs = days(clause.adverbs.clone(), &behind);
         }
         if says_time(&clause.adverbs) {
+            continue;
+        }
+        if last.predicate == Predicate::Does(Activity::ComeHome) {
             continue;
         }
         clause.adverbs.part = behind.part.clone();
@@ -118,7 +136,7 @@ fn says_days(adverbs: &Adverbs) -> bool {
     days_span(adverbs).is_some()
 }
 
-fn days_span(adverbs: &Adverbs) -> Option<Span> {
+pub fn days_span(adverbs: &Adverbs) -> Option<Span> {
     let spans = [
         adverbs.weekdays.as_ref().map(|slot| slot.span),
         adverbs.chance.as_ref().map(|slot| slot.span),
@@ -162,5 +180,10 @@ fn says_time(adverbs: &Adverbs) -> bool {
 fn days(own: Adverbs, others: &Adverbs) -> Adverbs {
     let time = (own.when.clone(), own.part.clone(), own.lasts.clone(), own.until_time.clone(), own.times.clone());
     let (when, part, lasts, until_time, times) = time;
-    Adverbs { when, part, lasts, until_time, times, ..own.under(others) }
+    let (says_days, chance) =
+        (own.weekdays.is_some() || own.every.is_some() || own.of_month.is_some(), own.chance.clone());
+    let merged = own.under(others);
+    // "Most days a wash, on Sunday a bath": on all Sundays.
+    let own = Adverbs { chance: if says_days { chance } else { merged.chance.clone() }, ..merged };
+    Adverbs { when, part, lasts, until_time, times, ..own }
 }

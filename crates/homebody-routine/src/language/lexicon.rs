@@ -68,6 +68,10 @@ pub struct Words {
     /// Other names, with the one that homes have.
     names: Vec<(Entry, Vec<String>)>,
     verbs: BTreeMap<String, String>,
+    /// The past of verbs that have no rule, with the verb.
+    past: BTreeMap<String, String>,
+    /// What is not clear, and what could be said instead.
+    hints: Vec<(Way, String)>,
     /// How activities are told.
     usual: Vec<(Activity, String)>,
     /// Of activities that a user has named: where, and how many minutes.
@@ -122,7 +126,9 @@ enum Section {
     List(String),
     Names,
     Verbs,
+    Past,
     Means,
+    Hints,
 }
 
 impl Words {
@@ -141,6 +147,12 @@ impl Words {
         let fits =
             |entry: &&Entry| entry.iter().enumerate().all(|(at, either)| either.iter().any(|one| one == words(at)));
         self.lists.get(name)?.iter().filter(fits).map(Vec::len).max()
+    }
+
+    /// Whether the last word of these is one of a list.
+    pub fn has_last(&self, name: &str, words: &str) -> bool {
+        let last = words.rsplit(' ').next().unwrap_or_default();
+        self.list(name, |at| if at == 0 { last } else { "" }).is_some()
     }
 
     /// What homes usually call what these words name, with how many words that takes; the longest first.
@@ -166,6 +178,48 @@ impl Words {
     /// What stands after "has", of a verb without a rule.
     pub fn participle(&self, verb: &str) -> Option<&str> {
         self.verbs.get(verb).map(String::as_str)
+    }
+
+    /// Whether a verb that is known stands in the form that goes with "she".
+    pub fn is_third_person(&self, word: &str) -> bool {
+        const OTHERS: [&str; 3] = ["is", "has", "does"];
+        let ends = word.ends_with('s') && !word.ends_with("ss");
+        let verb = self.list("VERB", |at| if at == 0 { word } else { "" }).is_some();
+        let begins = || self.beginning(word).any(|(way, _)| is_form(way, word));
+        let means = || self.meaning(word).any(|(way, _)| is_form(way, word));
+        verb || OTHERS.contains(&word) || ends && (begins() || means())
+    }
+
+    /// The verb whose form in "-ing" this is, if it is known.
+    pub fn verb_of_gerund(&self, word: &str) -> Option<String> {
+        let stem = word.strip_suffix("ing")?;
+        let candidates = [stem.to_owned(), format!("{stem}e"), undoubled(stem), stem.replace('y', "ie")];
+        candidates.into_iter().find(|verb| gerund(verb) == word && self.is_third_person(&third_person(verb)))
+    }
+
+    /// The verb that stands so behind "has" or "is", if it is known.
+    pub fn verb_of_participle(&self, word: &str) -> Option<String> {
+        if let Some((verb, _)) = self.verbs.iter().find(|(_, form)| *form == word) {
+            return Some(verb.clone());
+        }
+        let stem = word.strip_suffix("ed")?;
+        let with_y = stem.strip_suffix('i').map(|stem| format!("{stem}y")).unwrap_or_default();
+        [stem.to_owned(), format!("{stem}e"), undoubled(stem), with_y].into_iter().find(|verb| regular(verb) == word)
+    }
+
+    /// The verb of which this is the past, if it is known.
+    pub fn verb_of_past(&self, word: &str) -> Option<String> {
+        let of_list = self.past.get(word).cloned();
+        let of_rule = || {
+            let verb = self.verb_of_participle(word).filter(|verb| word.ends_with("ed") && regular(verb) == word)?;
+            self.is_third_person(&third_person(&verb)).then_some(verb)
+        };
+        of_list.or_else(of_rule)
+    }
+
+    /// What could be said instead of words of which this is the first.
+    pub fn hinted<'a>(&'a self, word: &'a str) -> impl Iterator<Item = &'a (Way, String)> {
+        self.hints.iter().filter(move |(way, _)| begins_with(way, word))
     }
 
     /// How many lines of words there are.
@@ -226,6 +280,8 @@ impl Words {
         match name {
             "NAMES" => return Ok(Section::Names),
             "VERBS" => return Ok(Section::Verbs),
+            "PAST" => return Ok(Section::Past),
+            "HINTS" => return Ok(Section::Hints),
             "MEANS" => return Ok(Section::Means),
             _ if is_list(name) => return Ok(Section::List(name.to_owned())),
             _ => {}
@@ -268,7 +324,9 @@ impl Words {
             Section::List(name) => name,
             Section::Names => "name",
             Section::Verbs => "verb",
+            Section::Past => "past",
             Section::Means => "means",
+            Section::Hints => "hint",
         };
         if !self.lines.insert(format!("{sort}: {line}")) {
             return Err((format!("{line:?} is said twice"), "leave one of the two lines out".into()));
@@ -280,7 +338,12 @@ impl Words {
             },
             Section::List(name) => self.lists.entry(name.clone()).or_default().push(entry(line)),
             Section::Verbs => {}
-            Section::Names | Section::Means => {
+            Section::Past => {
+                if let Some((verb, past)) = line.split_once(' ') {
+                    self.past.insert(past.to_owned(), verb.to_owned());
+                }
+            }
+            Section::Names | Section::Means | Section::Hints => {
                 let Some((said, meant)) = line.split_once("=>") else {
                     let hint = "write the new words, then \"=>\" and known ones: \"settee => sofa\"".to_owned();
                     return Err((format!("{line:?} does not say what it means"), hint));
@@ -288,6 +351,7 @@ impl Words {
                 let (said, meant) = (said.trim(), meant.trim());
                 match section {
                     Section::Names => self.names.push((entry(said), meant.split(' ').map(str::to_owned).collect())),
+                    Section::Hints => self.hints.push((self.way(said)?, meant.to_owned())),
                     _ => self.means.push((self.way(said)?, meant.to_owned())),
                 }
             }
@@ -353,6 +417,28 @@ impl Words {
         }
         self.first = index(&self.ways);
         self.first_of_means = index(&self.means);
+    }
+}
+
+/// Whether a way begins with a form of a verb, and this is it.
+fn is_form(way: &Way, word: &str) -> bool {
+    matches!(way.pieces.first().map(|piece| &piece.is), Some(Is::Verb(forms)) if forms.contains(word))
+}
+
+fn begins_with(way: &Way, word: &str) -> bool {
+    match way.pieces.first().map(|piece| &piece.is) {
+        Some(Is::Verb(forms)) => forms.contains(word),
+        Some(Is::Word(either)) => either.iter().any(|one| one == word),
+        _ => false,
+    }
+}
+
+/// "sit" of "sitt".
+fn undoubled(stem: &str) -> String {
+    let mut letters = stem.chars().rev();
+    match (letters.next(), letters.next()) {
+        (Some(last), Some(before)) if last == before => stem[..stem.len() - last.len_utf8()].to_owned(),
+        _ => stem.to_owned(),
     }
 }
 

@@ -3,7 +3,7 @@
 //! In reading order: text becomes sentences of words (`words`); a `reader` goes through them and knows the names of
 //! the home; `adverbs` reads when, how long and how often, in any order around the rest, and `meaning` says what those
 //! come to; the words for what is done are those of the `lexicon`. A `clause` is who does what with all of that, `joined` by
-//! "and" or "or" with others; `build` makes habits and changes of it, `rules` rules;
+//! "and" or "or" with others; `shape` completes notes; `build` makes habits and changes of it, `rules` rules;
 //! `sentence` reads a sentence from clause to clause into the `draft`; `check` finds sentences that contradict each
 //! other. Whatever is wrong is collected in `faults` and told all at once.
 
@@ -18,6 +18,7 @@ mod clock;
 pub mod times;
 mod often;
 mod adverbs;
+mod days;
 mod meaning;
 pub mod activities;
 mod measures;
@@ -28,13 +29,17 @@ mod roundabout;
 mod unknown;
 mod draft;
 mod clause;
+mod circumstances;
 mod build;
 mod rules;
 mod helping;
 mod remarks;
+mod aside;
 mod rewording;
+mod shape;
 mod joined;
 mod simpler;
+mod strangers;
 mod sentence;
 mod check;
 #[cfg(test)]
@@ -42,6 +47,7 @@ mod tests;
 
 use crate::routine::{Quote, Routine};
 use adverbs::Adverbs;
+use aside::set_aside;
 pub use calendar::LAST_WEEK;
 use draft::Draft;
 use faults::Faults;
@@ -99,6 +105,7 @@ fn read(file: &str, text: &str, known: &Known, is_condition: bool) -> (Routine, 
         usual: known.usual.clone(),
         text,
         lines: words::lines(text),
+        is_trial: false,
     };
     let (mut names, mut faults) = (Names::new(known), Faults::default());
     let (mut heading, mut count): (Option<Heading>, usize) = (None, 0);
@@ -113,19 +120,39 @@ fn read(file: &str, text: &str, known: &Known, is_condition: bool) -> (Routine, 
         if let Some(heading) = heading.as_mut().filter(|_| line.is_indented() && line.text.trim().starts_with('.')) {
             heading.is_used = true;
         }
-        for sentence in words::sentences(line) {
+        let sentences = words::sentences(line);
+        for (at, sentence) in sentences.iter().enumerate() {
             count += 1;
             if count > MOST_SENTENCES {
                 let what = format!("a routine has at most {MOST_SENTENCES} sentences");
                 faults.add(sentence.span(), what, None);
                 return finish(draft, faults);
             }
-            one(&mut draft, &mut names, &mut faults, &mut heading, &sentence);
+            if let Some(before) = at.checked_sub(1).map(|before| &sentences[before]).filter(|_| sentence.goes_on)
+                && let Some(days) = days_in_front(&draft, &names, before)
+                && days_in_front(&draft, &names, sentence).is_none()
+            {
+                let what =
+                    format!("it is not clear whether {:?} goes on after the semicolon", &text[days.start..days.end]);
+                faults.add(sentence.span(), what, Some("make two sentences, and say the days in both".into()));
+                continue;
+            }
+            one(&mut draft, &mut names, &mut faults, &mut heading, sentence);
         }
     }
     close(&mut faults, heading.take());
     check::check(&draft, &mut faults);
     finish(draft, faults)
+}
+
+/// On which days a sentence is, where it begins with them.
+fn days_in_front(draft: &Draft, names: &Names, sentence: &Sentence) -> Option<Span> {
+    let mut faults = Faults::of_trial();
+    let words = rewording::reworded(names, draft.text, &sentence.words);
+    let mut reader = Reader { words: &words, at: 0, names, faults: &mut faults, text: draft.text, part: None };
+    let mut adverbs = Adverbs::default();
+    adverbs.all(&mut reader);
+    joined::days_span(&adverbs)
 }
 
 fn finish(draft: Draft, faults: Faults) -> (Routine, Vec<Problem>) {
@@ -145,17 +172,25 @@ fn one(draft: &mut Draft, names: &mut Names, faults: &mut Faults, heading: &mut 
     }
     let above = heading.as_ref().map(|heading| &heading.adverbs);
     let part = above.and_then(|above| above.part.as_ref()).map(|part| part.value);
-    let words = rewording::reworded(names, draft.text, &sentence.words);
+    let (shaped, words) = shape::in_shape(names, draft, &sentence.words);
+    let aside = if simpler::reads(names, draft, &words) { None } else { set_aside(names, draft, &shaped) };
+    let words = match &aside {
+        Some(aside) => rewording::reworded(names, draft.text, &aside.words),
+        None => words,
+    };
+    for left_out in aside.iter().flat_map(|aside| &aside.left_out) {
+        draft.routine.remarks.push(draft.said(*left_out));
+    }
     let mut reader = Reader { words: &words, at: 0, names, faults, text: draft.text, part };
     let before = reader.faults.count();
     let Some(adverbs) = sentence::sentence(&mut reader, draft, above) else {
-        simpler::hints(faults, before, names, draft, &sentence.words);
+        simpler::hints(faults, before, names, draft, &shaped);
         if let Some(name) = draft.name.as_ref().filter(|_| names.person.is_none()) {
             names.is_about(Some(name));
         }
         return;
     };
-    simpler::hints(faults, before, names, draft, &sentence.words);
+    simpler::hints(faults, before, names, draft, &shaped);
     let failed = faults.count() > before;
     if sentence.indented && !failed {
         let hint = "a heading is not indented; a sentence says who does what".to_owned();

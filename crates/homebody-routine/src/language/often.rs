@@ -1,6 +1,6 @@
 //! How often: quantifiers, shares of days, times a week.
 
-use super::amounts::{ABOUT, Amount, Unit, amount, happens, number, share};
+use super::amounts::{ABOUT, Amount, MONTH_DAYS, Unit, amount, happens, number, share};
 use super::calendar;
 use super::reader::Reader;
 use super::times;
@@ -86,6 +86,13 @@ fn every_so_many(reader: &mut Reader) -> Option<Often> {
     if reader.eat("other|second week") {
         return Some(Often { every: Some(EVERY_OTHER_WEEK), ..Often::NOTHING });
     }
+    let part = reader.attempt(|reader| {
+        reader.eat("other|second").then_some(())?;
+        reader.eat_any(&times::PARTS)
+    });
+    if part.is_some() {
+        return Some(Often { every: Some(2), part, ..Often::NOTHING });
+    }
     if reader.eat("third day|night") {
         return Some(Often { every: Some(3), ..Often::NOTHING });
     }
@@ -121,8 +128,11 @@ fn every_so_many(reader: &mut Reader) -> Option<Often> {
         reader.fault(reader.span(from - 1), what, format!("say how many times, such as \"{a_day} times a day\""));
         return Some(Often::NOTHING);
     }
-    let days = if reader.eat("weeks") { days * 7.0 } else { days };
-    let weeks = days >= 7.0 && reader.at > from && reader.passed(from).ends_with("weeks");
+    let days = match reader.eat_any(&[("weeks", 7.0), ("months", MONTH_DAYS)]) {
+        Some(unit) => days * unit,
+        None => days,
+    };
+    let weeks = days >= 7.0 && ["weeks", "months"].iter().any(|unit| reader.passed(from).ends_with(unit));
     if !weeks && !reader.eat("days|nights") {
         return None;
     }
@@ -149,7 +159,7 @@ fn quantified(reader: &mut Reader) -> Option<Often> {
         let (weekdays, part) = kind_of_day(reader)?;
         return Some(Often { chance: Some(with_probability(probability)), weekdays, part, ..Often::NOTHING });
     }
-    if let Some(days) = reader.attempt(days_a_week) {
+    if let Some(days) = reader.attempt(days_a_week).or_else(|| reader.attempt(parts_a_week)) {
         return Some(days);
     }
     reader.at = from;
@@ -177,6 +187,15 @@ fn days_a_week(reader: &mut Reader) -> Option<Often> {
     }
     let what = format!("a week has no {:?}", reader.said(amount.span));
     Some(once_in_a_while(reader, &amount, 7.0, (what, "say at most 7 days")))
+}
+
+/// "two afternoons a week".
+fn parts_a_week(reader: &mut Reader) -> Option<Often> {
+    let amount = amount(reader).filter(|amount| amount.unit == Unit::None)?;
+    let part = reader.eat_any(&times::PARTS)?;
+    reader.eat("a|per|each|every week").then_some(())?;
+    let what = format!("a week has no {:?}", reader.said(amount.span));
+    Some(Often { part: Some(part), ..once_in_a_while(reader, &amount, 7.0, (what, "say at most 7 days")) })
 }
 
 /// So many times in so many days; what is said, and advised, where these are too few for it.

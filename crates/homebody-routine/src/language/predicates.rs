@@ -6,9 +6,13 @@ use super::amounts::{Unit, amount};
 use super::faults::did_you_mean;
 use super::measures::{Of, measure, rises_by};
 use super::reader::{Reader, Sort, begins_adverb};
-use super::roundabout::{falls_asleep, is_doing, is_helped, is_remark, spends, tends_not, unable, unfinished, visited};
+use super::roundabout::{
+    cared, falls_asleep, has_visitors, is_doing, is_helped, is_remark, spends, takes_long, tends_not, unable,
+    unfinished, visited,
+};
 use super::said::Predicate;
 use super::subjects::Subject;
+use super::times;
 use super::unknown::unknown_name;
 use super::words::Token;
 use crate::routine::{Activity, Kind, PartOfDay, When};
@@ -29,7 +33,8 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
     let stops = |reader: &mut Reader| reader.eat("stops|stop") && !reader.ahead(|reader| reader.eat(WHERE));
     if not || reader.attempt(|reader| stops(reader).then_some(())).is_some() {
         reader.eat("ever");
-        return negated(reader);
+        let other = reader.attempt(|reader| not_before(reader, adverbs)).or_else(|| reader.attempt(not_missed));
+        return other.or_else(|| negated(reader));
     }
     if let Some(activity) = reader.attempt(|reader| until_up(reader, adverbs)) {
         return Some(Predicate::Does(activity));
@@ -62,15 +67,17 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
 
 /// What is said in a roundabout way, if it is.
 fn roundabout(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
-    let plain = [unable, unfinished, is_helped, visited].into_iter().find_map(|read| reader.attempt(read));
+    let plain =
+        [unable, unfinished, is_helped, visited, has_visitors, cared].into_iter().find_map(|read| reader.attempt(read));
     let found = plain
         .or_else(|| reader.attempt(|reader| tends_not(reader, adverbs)))
         .or_else(|| reader.attempt(|reader| falls_asleep(reader, adverbs)))
+        .or_else(|| reader.attempt(|reader| takes_long(reader, adverbs)))
         .or_else(|| reader.attempt(|reader| spends(reader, adverbs)));
     if found.is_some() {
         return found;
     }
-    if reader.ahead(|reader| reader.eat("is|are"))
+    if reader.ahead(|reader| reader.eat("is|are|be"))
         && let Some(activity) = reader.attempt(|reader| is_doing(reader, adverbs))
     {
         return Some(Predicate::Does(activity));
@@ -178,6 +185,32 @@ fn being(reader: &mut Reader, adverbs: &mut Adverbs) -> Predicate {
     Predicate::Is
 }
 
+/// "never misses Mass": that is what is done.
+fn not_missed(reader: &mut Reader) -> Option<Predicate> {
+    reader.eat("misses|miss|skips|skip").then_some(())?;
+    activities::event(reader).map(Predicate::Does)
+}
+
+/// "does not go to bed until two", "never gets up before ten": that is when.
+fn not_before(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
+    let activity = activities::activity(reader)?;
+    let from = reader.at;
+    reader.eat("much|well");
+    if reader.eat("before|until|till") {
+        if let Some(at) = times::time(reader, true) {
+            let (value, span) = (When::At(at.fuzzy()), reader.span(from));
+            adverbs.when = Some(Slot { value, span, own: true });
+            return Some(Predicate::Does(activity));
+        }
+        reader.eat("after");
+        let other = activities::event(reader)?;
+        let (value, span) = (When::After(other, None), reader.span(from));
+        adverbs.when = Some(Slot { value, span, own: true });
+        return Some(Predicate::Does(activity));
+    }
+    None
+}
+
 fn negated(reader: &mut Reader) -> Option<Predicate> {
     activities::activity(reader).map(Predicate::Not)
 }
@@ -271,7 +304,7 @@ pub fn thing(reader: &mut Reader) -> String {
 }
 
 fn skipping(reader: &mut Reader) -> Option<Predicate> {
-    if !reader.eat("skips|skip|misses|miss") {
+    if !reader.eat("skips|skip|misses|miss|refuses|refuse|declines|decline") {
         return None;
     }
     activities::event(reader).map(Predicate::Skips)

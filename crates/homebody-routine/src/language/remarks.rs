@@ -5,8 +5,10 @@
 
 use super::activities;
 use super::adverbs::Adverbs;
+use super::lexicon::third_person;
 use super::reader::{Reader, Sort, is_beginning, is_determiner};
 use super::said::visits;
+use super::subjects;
 use super::words::Token;
 
 /// What may stand in the rest of a remark.
@@ -23,10 +25,20 @@ const STATES: &[(&str, Rest)] = &[
     ("used to", Rest::Any),
     ("worked|lived|moved|retired|died|married|emigrated|raised|fell|broke|served", Rest::Any),
     ("never married", Rest::Any),
+    ("gave up", Rest::Any),
+    ("is|are independent|dependent", Rest::Any),
     ("grew up", Rest::Any),
     ("had", Rest::Any),
+    ("was|were", Rest::Any),
+    ("has|have withdrawn|retired|resigned|given|moved|grown|developed|learned|learnt", Rest::Any),
+    ("needs|need|takes|take more|longer|extra time", Rest::Any),
+    ("does|do not go upstairs|downstairs|abroad", Rest::Any),
+    ("refuses|refuse|declines|accepts personal", Rest::Any),
+    ("refuses|refuse|declines|accepts|resists help|care|support|assistance|treatment", Rest::Any),
+    ("has|have declined|deteriorated|improved|worsened|changed|fallen|broken|stayed|remained|been", Rest::Any),
     ("wants|want|wishes|hopes", Rest::Any),
-    ("would like", Rest::Any),
+    ("would like|love", Rest::Any),
+    ("misses|miss her|him|them|home|company", Rest::Any),
     ("fears|worries|worry|dreads", Rest::Any),
     ("is|are afraid|scared|frightened|fearful|worried|anxious|fond|proud", Rest::Any),
     ("needs|need|requires|require help|assistance|support|supervision|prompting|reminding|encouragement", Rest::Any),
@@ -50,8 +62,8 @@ const STATES: &[(&str, Rest)] = &[
 ];
 
 /// Verbs that say a state where they are not so, too.
-const NOT_SO: &str =
-    "like|want|understand|know|remember|see|hear|believe|speak|need|feel|have|recognise|recognize|trust|mind|seem|own";
+const NOT_SO: &str = "like|want|understand|know|remember|see|hear|believe|speak|need|feel|have|recognise|recognize|trust|mind|seem|own|join|\
+    participate|engage|socialise|socialize|mix|drive|climb|manage|cope|complain|smoke|initiate|respond";
 
 /// What stands behind "is" where somebody does something, or is somewhere.
 const BEHAVIOUR: &str = "out|away|up|awake|asleep|back|off|outside|outdoors|indoors|inside|upstairs|downstairs|home|busy|here|there|\
@@ -61,10 +73,63 @@ const BEHAVIOUR: &str = "out|away|up|awake|asleep|back|off|outside|outdoors|indo
 /// A remark, if what stands here is clearly one: all words up to the end, or up to the next clause.
 pub fn remark(reader: &mut Reader) -> Option<()> {
     reader.attempt(|reader| {
+        let from = reader.at;
         let rest = state(reader)?;
-        if reader.is_over() {
+        if reader.is_over()
+            && reader.at < from + 2
+            && reader.ahead(|reader| {
+                reader.at = from;
+                reader.names.lexicon.list("VOICES", |ahead| reader.peek(ahead)).is_none()
+            })
+        {
             return None;
         }
+        to_the_end(reader, rest)
+    })
+}
+
+/// "are hoping she can stay": what somebody who writes of her thinks.
+pub fn of_mind(reader: &mut Reader) -> bool {
+    let thinks = reader
+        .eat("are|am|have|hope|think|worry|feel|believe|want|would|wish|know|find|need|cannot|can|do|had|were|was");
+    if thinks {
+        reader.at = reader.words.len();
+    }
+    thinks
+}
+
+/// "Nobody visits", "years ago she walked to work": nothing that is lived now.
+pub fn of_nobody_or_past(reader: &mut Reader) -> bool {
+    let nobody = reader.ahead(|reader| reader.eat("nobody|none") || reader.eat("no one|visitors|family|relatives"));
+    let lexicon = reader.names.lexicon.clone();
+    let words =
+        |from: usize| lexicon.list("LONGAGO", |ahead| reader.words.get(from + ahead).map_or("", |word| &word.text));
+    let past = (0..reader.words.len()).any(|from| words(from).is_some())
+        && reader.words.iter().any(|word| word.text.ends_with("ed") || lexicon.verb_of_past(&word.text).is_some());
+    let lexicon = reader.names.lexicon.clone();
+    let no_concern = reader.ahead(|reader| {
+        reader.eat("no|nil|none")
+            && reader.peek(0) != "longer"
+            && lexicon.list("CONCERNS", |ahead| reader.peek(ahead)).is_some()
+    });
+    let nobody = nobody || no_concern;
+    if nobody || past {
+        reader.at = reader.words.len();
+    }
+    nobody || past
+}
+
+/// What is said of her mood, her memory or her weight.
+pub fn of_topic(reader: &mut Reader) -> Option<()> {
+    reader.attempt(|reader| {
+        reader.eat("is|are|has|have|can|remains|varies|seems|was|fluctuates|gets|becomes").then_some(())?;
+        to_the_end(reader, Rest::Any)
+    })
+}
+
+/// Passes over the rest of a remark.
+fn to_the_end(reader: &mut Reader, rest: Rest) -> Option<()> {
+    reader.attempt(|reader| {
         let from = reader.at;
         while !reader.is_over() {
             if reader.at > from && begins_clause(reader) {
@@ -79,8 +144,82 @@ pub fn remark(reader: &mut Reader) -> Option<()> {
     })
 }
 
+/// How somebody feels or looks, whenever it is: no sensor of a home sees it.
+fn feels(reader: &mut Reader) -> Option<()> {
+    let verb =
+        reader.eat("is|are|becomes|become|gets|get|feels|feel|seems|seem|appears|appear|looks|look|remains|stays");
+    if !verb {
+        return None;
+    }
+    let _ = reader.eat("a little|bit") || reader.eat("more and more");
+    while reader
+        .eat("often|usually|sometimes|always|very|rather|quite|easily|more|increasingly|mostly|generally|still|so|too")
+    {
+    }
+    let lexicon = reader.names.lexicon.clone();
+    reader.at += lexicon.list("FEELINGS", |ahead| reader.peek(ahead))?;
+    Some(())
+}
+
 /// The verb of a state.
 fn state(reader: &mut Reader) -> Option<Rest> {
+    // What goes on by now is lived, and so is what can be.
+    let goes_on = |reader: &mut Reader| {
+        (reader.eat("has|have been") && activities::activity(reader).is_some())
+            || reader.eat("can|could|may|might be up|awake|restless")
+    };
+    if reader.ahead(goes_on) {
+        return None;
+    }
+    let end = |reader: &mut Reader, found: bool| if found { reader.at } else { 0 };
+    let lived = reader.ahead(|reader| {
+        let found = activities::activity(reader).is_some();
+        end(reader, found)
+    });
+    let voice = reader.names.lexicon.list("VOICES", |ahead| reader.peek(ahead)).map_or(0, |length| reader.at + length);
+    if lived > 0 && lived >= voice {
+        return known_state(reader);
+    }
+    if reader.ahead(unaccompanied) {
+        reader.at += 1;
+        return Some(Rest::Any);
+    }
+    if reader.attempt(feels).is_some() {
+        return Some(Rest::Any);
+    }
+    let voiced = |reader: &mut Reader| {
+        reader.eat("often|sometimes|usually|always|rarely");
+        let lexicon = reader.names.lexicon.clone();
+        reader.at += lexicon.list("VOICES", |ahead| reader.peek(ahead))?;
+        Some(())
+    };
+    if reader.attempt(voiced).is_some() {
+        return Some(Rest::Any);
+    }
+    known_state(reader)
+}
+
+/// "does not go out alone": what is done with somebody is not denied.
+fn unaccompanied(reader: &mut Reader) -> bool {
+    let denies = |reader: &mut Reader| {
+        let not = reader.eat("does|do|should|must|may|can|is|are not")
+            || reader.eat("doesn't|don't|cannot|can't|shouldn't|never")
+            || reader.eat("is|are unable to")
+            || reader.eat("no longer");
+        not.then_some(())
+    };
+    reader.attempt(denies).is_some() && {
+        let alone = ["alone", "unaided", "unsupervised", "unaccompanied", "independently", "unattended"];
+        let rest = reader.words.get(reader.at..).unwrap_or_default().iter().map(|word| word.text.as_str());
+        let rest: Vec<&str> = rest.take_while(|word| !["and", "but", "then", ",", ";"].contains(word)).collect();
+        let own = rest.windows(3).any(|three| matches!(three, ["on", "her" | "his", "own"]))
+            || rest.windows(2).any(|two| matches!(two, ["by", "herself" | "himself"] | ["without", _]));
+        own || rest.iter().any(|word| alone.contains(word))
+    }
+}
+
+/// One of the verbs of states, or "is", "has" or "can".
+fn known_state(reader: &mut Reader) -> Option<Rest> {
     if let Some(rest) = reader.attempt(|reader| STATES.iter().find(|(verb, _)| reader.eat(verb)).map(|(_, rest)| *rest))
     {
         return Some(rest);
@@ -88,18 +227,32 @@ fn state(reader: &mut Reader) -> Option<Rest> {
     if reader.eat("does|do not") || reader.eat("doesn't|don't") {
         return reader.eat(NOT_SO).then_some(Rest::Plain);
     }
+    if reader.eat("no longer") {
+        let is_so = |verb: &&str| third_person(verb) == reader.peek(0);
+        let found = NOT_SO.split('|').any(|verb| is_so(&verb));
+        reader.at += usize::from(found);
+        return found.then_some(Rest::Plain);
+    }
     if reader.eat("cannot|can't")
         || reader.eat("can not")
+        || reader.eat("can no longer")
         || reader.eat("is|are unable to")
         || reader.eat("is|are not able to")
     {
         return Some(Rest::Plain);
     }
-    if reader.eat("can|could") || reader.eat("is|are able to") || reader.eat("was|were") && is(reader) {
-        return Some(Rest::Plain);
+    if reader.eat("can|could") || reader.eat("is|are able to") {
+        return (!["only", "not", "no"].contains(&reader.peek(0))).then_some(Rest::Any);
     }
     if reader.eat("speaks|speak") {
         return (!["to", "with", "on", "by", "about"].contains(&reader.peek(0))).then_some(Rest::Any);
+    }
+    let is_ill = |reader: &mut Reader| {
+        reader.eat("has|have").then_some(())?;
+        has_of(reader, "ILLS").then_some(())
+    };
+    if reader.attempt(is_ill).is_some() {
+        return Some(Rest::Any);
     }
     if reader.eat("has|have|uses|use") || reader.eat("walks|walk with|using") {
         return has(reader).then_some(Rest::Plain);
@@ -129,6 +282,11 @@ fn is(reader: &mut Reader) -> bool {
 
 /// Whether something follows that can be had and is nothing done.
 fn has(reader: &mut Reader) -> bool {
+    has_of(reader, "HAS")
+}
+
+/// Whether something of this list follows soon.
+fn has_of(reader: &mut Reader, list: &str) -> bool {
     const NEAR: usize = 5;
     let lexicon = reader.names.lexicon.clone();
     if reader.ahead(|reader| {
@@ -141,11 +299,11 @@ fn has(reader: &mut Reader) -> bool {
         |reader: &Reader, ahead: usize| reader.token(ahead) != Some(Token::Word) || is_beginning(reader.peek(ahead));
     (0..NEAR)
         .take_while(|ahead| !is_over(reader, *ahead))
-        .any(|ahead| lexicon.list("HAS", |at| reader.peek(ahead + at)).is_some())
+        .any(|ahead| lexicon.list(list, |at| reader.peek(ahead + at)).is_some())
 }
 
 /// Whether an activity, a time or how often stands here.
-fn is_lived(reader: &mut Reader) -> bool {
+pub fn is_lived(reader: &mut Reader) -> bool {
     let after_one = reader.at > 0 && is_determiner(&reader.words[reader.at - 1].text);
     let activity = !after_one && reader.ahead(|reader| activities::activity(reader).is_some());
     let before = reader.faults.count();
@@ -153,6 +311,11 @@ fn is_lived(reader: &mut Reader) -> bool {
     activity
         || time
         || ["then", "daily", "nightly", "when", "whenever", "every", "each", "while"].contains(&reader.peek(0))
+}
+
+/// Whether somebody else does something now: "but now her daughter cooks".
+fn joins_now(reader: &Reader) -> bool {
+    reader.at > 0 && reader.words[reader.at - 1].text == "now" || reader.peek(0) == "now"
 }
 
 /// Whether "and" or the like stands here, with something that is done behind it.
@@ -163,9 +326,17 @@ fn begins_clause(reader: &mut Reader) -> bool {
         && reader.ahead(|reader| {
             reader.at += 1;
             reader.eat("she|he|they|it|then");
-            reader.eat("now|often");
+            while reader.eat("now|often|only|just") {}
             Adverbs::default().all(reader);
-            activities::activity(reader).is_some()
+            let lexicon = reader.names.lexicon.clone();
+            let somebody = reader.ahead(|reader| {
+                reader.eat("now");
+                (reader.eat("her|his|the|a")) && lexicon.list("RELATIVES", |at| reader.peek(at)).is_some()
+            });
+            (somebody && joins_now(reader))
+                || lexicon.is_third_person(reader.peek(0))
+                || subjects::subject(reader).is_some()
+                || activities::activity(reader).is_some()
                 || state(reader).is_some()
                 || reader.eat("walks|walk|sleeps|sleep|does|do")
                 || visits(reader)

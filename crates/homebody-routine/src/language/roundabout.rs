@@ -31,8 +31,7 @@ pub fn tends(reader: &mut Reader) -> bool {
                     (true, _) => true,
                     (_, true) if is_gerund => activities::activity(reader).is_some() || own_words(reader).is_some(),
                     (_, true) if named => {
-                        reader.skip_determiners();
-                        activities::noun(reader).is_some()
+                        noun_with_adjective(reader).is_some()
                             && (reader.is_over() || reader.token(0) != Some(Token::Word) || begins_adverb(reader))
                     }
                     _ => false,
@@ -43,12 +42,35 @@ pub fn tends(reader: &mut Reader) -> bool {
         .is_some()
 }
 
+/// "her crossword", "a long soak".
+pub fn noun_with_adjective(reader: &mut Reader) -> Option<Activity> {
+    reader.skip_determiners();
+    reader.attempt(activities::noun).or_else(|| {
+        reader.attempt(|reader| {
+            ["long", "good", "short", "little", "quick", "nice", "hot", "warm", "daily"]
+                .contains(&reader.peek(0))
+                .then_some(())?;
+            reader.at += 1;
+            activities::noun(reader)
+        })
+    })
+}
+
 /// Passes over "needs to" and "has to": who has to do it does it.
 pub fn needs_to(reader: &mut Reader) -> bool {
     reader
         .attempt(|reader| {
-            (reader.eat("needs|need|has|have to") && reader.ahead(|reader| activities::activity(reader).is_some()))
-                .then_some(())
+            let to = reader.eat("needs|need|has|have|ought to")
+                || reader.eat("should|must|shall|will")
+                || reader.eat("is|are advised|encouraged|supposed|expected|meant|due to")
+                || reader.eat("is|are to")
+                || reader.eat("continues|continue|manages|manage to")
+                || reader.eat("continues|continue with");
+            let does = |reader: &mut Reader| {
+                Adverbs::default().all(reader);
+                activities::activity(reader).is_some() || activities::noun(reader).is_some()
+            };
+            (to && !reader.ahead(|reader| reader.eat("be")) && reader.ahead(does)).then_some(())
         })
         .is_some()
 }
@@ -57,6 +79,9 @@ pub fn needs_to(reader: &mut Reader) -> bool {
 pub fn spends(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
     if !reader.eat("spends|spend") {
         return None;
+    }
+    if let Some(found) = reader.attempt(|reader| spends_length(reader, adverbs)) {
+        return Some(found);
     }
     let start = reader.at;
     let most_of_day = ["most of the day", "much of the day", "all day", "her|his|their days|day", "the day"];
@@ -71,6 +96,7 @@ pub fn spends(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
     let span = reader.span(start);
     let activity = match activities::activity(reader) {
         Some(activity) => activity,
+        None if reader.attempt(in_garden).is_some() => Activity::Everyday(homebody_core::activity::GARDENING),
         None => reader
             .ahead(|reader| reader.eat("in|on|at|by") && reader.name(&[Sort::Place]).is_some())
             .then_some(Activity::Relax)?,
@@ -89,6 +115,41 @@ pub fn spends(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
         }
     }
     Some(Predicate::Does(activity))
+}
+
+/// "spends an hour a day on the phone", "spends hours at the window watching the birds".
+fn spends_length(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
+    /// "Hours" are so many (ours).
+    const HOURS_S: Fuzzy = Fuzzy { low: 5_400.0, from: 7_200.0, to: 10_800.0, high: 12_600.0 };
+    let from = reader.at;
+    let length = if reader.eat("hours|ages") {
+        HOURS_S
+    } else {
+        amount(reader).filter(|amount| amount.unit == super::amounts::Unit::Second)?.as_duration()
+    };
+    let span = reader.span(from);
+    let mut rest = adverbs.clone();
+    rest.all(reader);
+    let at_place = reader.attempt(|reader| {
+        (reader.eat("in|on|at|by") && reader.name(&[Sort::Place, Sort::Room]).is_some()).then_some(())
+    });
+    let activity = match reader.attempt(activities::activity) {
+        Some(activity) => activity,
+        None if at_place.is_some() => return None,
+        None => {
+            reader.eat("on|with|at").then_some(())?;
+            activities::event(reader)?
+        }
+    };
+    rest.lasts.get_or_insert(Slot { value: length, span, own: true });
+    *adverbs = rest;
+    Some(Predicate::Does(activity))
+}
+
+fn in_garden(reader: &mut Reader) -> Option<()> {
+    reader.eat("in|on|at").then_some(())?;
+    reader.skip_determiners();
+    reader.eat("garden|greenhouse|allotment|yard|patio").then_some(())
 }
 
 /// Most of a day is so many times so long (ours): meals and the toilet go on beside it.
@@ -112,7 +173,13 @@ pub fn falls_asleep(reader: &mut Reader, adverbs: &Adverbs) -> Option<Predicate>
     /// From then on, and until then, it is late (ours).
     const LATE_S: f64 = 20.0 * 3600.0;
     const EARLY_S: f64 = 5.0 * 3600.0;
-    if !reader.eat("falls|fall|falling|drifts|drift asleep|off") || reader.ahead(|reader| reader.eat("in front")) {
+    let is_asleep = |reader: &mut Reader| {
+        reader.eat("is|are").then_some(())?;
+        Adverbs::default().all(reader);
+        reader.eat("asleep|dozing|snoozing|napping").then_some(())
+    };
+    let falls = reader.eat("falls|fall|falling|drifts|drift asleep|off") || reader.attempt(is_asleep).is_some();
+    if !falls || reader.ahead(|reader| reader.eat("in front")) {
         return None;
     }
     let mut rest = adverbs.clone();
@@ -145,6 +212,78 @@ pub fn visited(reader: &mut Reader) -> Option<Predicate> {
         reader.at += 1;
     }
     (reader.at > start).then(|| Predicate::VisitedBy(reader.passed(start)))
+}
+
+/// "takes an hour to get dressed".
+pub fn takes_long(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate> {
+    reader.eat("takes|take|needs|need").then_some(())?;
+    let from = reader.at;
+    let length = amount(reader).filter(|amount| amount.unit == super::amounts::Unit::Second)?;
+    let span = reader.span(from);
+    reader.eat("to|over").then_some(())?;
+    let activity = activities::event(reader)?;
+    adverbs.lasts.get_or_insert(Slot { value: length.as_duration(), span, own: true });
+    Some(Predicate::Does(activity))
+}
+
+/// "rarely has visitors".
+pub fn has_visitors(reader: &mut Reader) -> Option<Predicate> {
+    let from_whom = reader.attempt(|reader| {
+        reader.eat("has|have|receives|receive|gets|get").then_some(())?;
+        reader.eat("regular|daily|weekly|frequent|a");
+        reader.eat("visits|visit from|by").then_some(())?;
+        reader.skip_determiners();
+        let start = reader.at;
+        while reader.token(0) == Some(Token::Word) && !begins_adverb(reader) && reader.at < start + 4 {
+            reader.at += 1;
+        }
+        (reader.at > start).then(|| Predicate::VisitedBy(reader.passed(start)))
+    });
+    // "has carers four times a day"
+    let with_carers = reader.attempt(|reader| {
+        reader.eat("has|have").then_some(())?;
+        reader.skip_determiners();
+        let start = reader.at;
+        let lexicon = reader.names.lexicon.clone();
+        reader.at += lexicon.list("PEOPLE", |ahead| reader.peek(ahead))?;
+        reader.ahead(|reader| Adverbs::default().next(reader)).then(|| Predicate::VisitedBy(reader.passed(start)))
+    });
+    if with_carers.is_some() {
+        return with_carers;
+    }
+    if from_whom.is_some() {
+        return from_whom;
+    }
+    (reader.eat("has|have") && (reader.eat("few|regular|many"), reader.eat("visitors|company|guests")).1)
+        .then(|| Predicate::VisitedBy("visitor".to_owned()))
+}
+
+/// "is helped with washing", "is given her pills", "is toileted": it is done, by whom may follow.
+pub fn cared(reader: &mut Reader) -> Option<Predicate> {
+    reader.eat("is|are").then_some(())?;
+    let _ = reader.eat("being") || reader.eat("always|usually|often");
+    if reader.eat("given|administered|offered") {
+        let adjective = |reader: &mut Reader| {
+            reader.skip_determiners();
+            reader.at += 1;
+            activities::noun(reader)
+        };
+        reader.skip_determiners();
+        return reader.attempt(activities::noun).or_else(|| reader.attempt(adjective)).map(Predicate::Does);
+    }
+    if reader.eat("helped|assisted|supported|supervised|encouraged|prompted|reminded") {
+        reader.eat("with|to|in|into");
+        return activities::event(reader).map(Predicate::Does);
+    }
+    let done = [
+        ("washed|cleaned", Activity::Wash),
+        ("bathed|showered", Activity::Shower),
+        ("dressed|undressed", Activity::Dress),
+        ("toileted", Activity::UseBathroom),
+        ("weighed", Activity::Everyday(homebody_core::activity::CHECKING_HEALTH)),
+    ];
+    let found = done.into_iter().find(|(said, _)| reader.eat(said)).map(|(_, activity)| activity)?;
+    Some(Predicate::Does(found))
 }
 
 /// "cannot cook", "is unable to wash": what is not done.
@@ -193,13 +332,34 @@ pub fn is_helped(reader: &mut Reader) -> Option<Predicate> {
 
 /// What "is" begins: being out, in hospital, awake.
 pub fn is_doing(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Activity> {
+    // "is up twice a night for the toilet".
+    let mut rest = adverbs.clone();
+    let up_for = reader.attempt(|reader| {
+        reader.eat("is|are").then_some(())?;
+        rest.all(reader);
+        reader.eat("up").then_some(())?;
+        rest.all(reader);
+        let toilet = reader.eat("for") && {
+            reader.skip_determiners();
+            reader.eat("toilet|bathroom|loo|commode|wee")
+        };
+        if toilet {
+            return Some(Activity::UseBathroom);
+        }
+        reader.eat("to").then_some(())?;
+        activities::activity(reader)
+    });
+    if let Some(activity) = up_for {
+        *adverbs = rest;
+        return Some(activity);
+    }
     // "is usually up by 7:00", "is asleep by 23:00".
     let mut rest = adverbs.clone();
     let by_clock = reader.attempt(|reader| {
-        reader.eat("is|are").then_some(())?;
+        reader.eat("is|are|be").then_some(())?;
         rest.all(reader);
         let state = reader.eat_any(&[("up", true), ("out of bed", true), ("asleep", false), ("in bed", false)])?;
-        ["by", "at"].contains(&reader.peek(0)).then_some(state)
+        ["by", "at", "before", "around", "until", "from"].contains(&reader.peek(0)).then_some(state)
     });
     if let Some(is_up) = by_clock.filter(|_| !reader.ahead(|reader| reader.eat("at night"))) {
         *adverbs = rest;

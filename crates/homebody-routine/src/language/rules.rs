@@ -205,6 +205,7 @@ fn done(reader: &mut Reader, predicate: Predicate, from: usize, adverbs: &mut Ad
         measure: None,
         adverbs: adverbs.clone(),
         tends: false,
+        beside: Vec::new(),
         again: false,
     };
     let then = tail(reader, &mut clause)?;

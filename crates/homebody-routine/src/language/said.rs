@@ -54,7 +54,15 @@ pub enum Help {
 }
 
 /// How somebody comes.
-pub const VISITS: [&str; 17] = [
+pub const VISITS: [&str; 25] = [
+    "is|are there|present|here",
+    "is|are with her|him|them",
+    "arrives|arrive",
+    "turns|turn up",
+    "stays|stay over|overnight",
+    "stays|stay the night|weekend",
+    "calls|call to see her|him|them",
+    "attends|attend",
     "comes|come to stay with her|him|them",
     "comes|come to stay",
     "comes|come to the house|home|flat|apartment",
@@ -89,7 +97,9 @@ pub fn own_words(reader: &mut Reader) -> Option<(String, Span)> {
     while goes_on(reader) && reader.at < from + MOST {
         reader.at += 1;
     }
-    if reader.at == from || goes_on(reader) {
+    const NO_DOING: [&str; 9] = ["not", "never", "will", "would", "can", "cannot", "may", "might", "no"];
+    let is_doing = !reader.words[from..reader.at].iter().any(|word| NO_DOING.contains(&word.text.as_str()));
+    if reader.at == from || goes_on(reader) || !is_doing {
         reader.at = from;
         return None;
     }

@@ -3,9 +3,9 @@
 use super::activities::{self, MEALS};
 use super::adverbs::{Adverbs, Slot};
 use super::build;
-use super::clause::{Clause, Join, place, tail, vocabulary};
+use super::calendar;
+use super::clause::{Clause, Join, place, tail};
 use super::draft::Draft;
-use super::faults::did_you_mean;
 use super::helping;
 use super::joined;
 use super::predicates;
@@ -14,6 +14,7 @@ use super::remarks;
 use super::roundabout;
 use super::rules;
 use super::said::{self, Predicate};
+use super::strangers::{is_introduced, no_subject, stranger};
 use super::subjects::{self, Subject};
 use super::unknown;
 use super::words::{Span, Token};
@@ -25,8 +26,12 @@ const MOST_CLAUSES: usize = 12;
 /// Reads a sentence into the draft. If it has no verb, it is a heading: what it says is returned.
 pub fn sentence(reader: &mut Reader, draft: &mut Draft, heading: Option<&Adverbs>) -> Option<Adverbs> {
     let (mut adverbs, mut at) = (Adverbs::default(), None);
+    let mut beside = Vec::new();
     loop {
         reader.skip_commas();
+        if let Some(why) = reader.attempt(why_in_front) {
+            beside.push(why);
+        }
         // A place goes first, since a room may be named after a part of the day.
         let here = if at.is_none() { place(reader) } else { None };
         if here.is_some() {
@@ -47,6 +52,10 @@ pub fn sentence(reader: &mut Reader, draft: &mut Draft, heading: Option<&Adverbs
         return None;
     }
     let from = reader.at;
+    if remarks::of_nobody_or_past(reader) {
+        draft.routine.remarks.push(draft.said(reader.span(0)));
+        return None;
+    }
     let Some(subject) = subjects::subject(reader).or_else(|| stranger(reader)) else {
         no_subject(reader);
         return None;
@@ -57,7 +66,7 @@ pub fn sentence(reader: &mut Reader, draft: &mut Draft, heading: Option<&Adverbs
     {
         return None;
     }
-    clauses(reader, draft, Start { subject, who, adverbs, place: at }, heading);
+    clauses(reader, draft, Start { subject, who, adverbs, place: at, beside }, heading);
     None
 }
 
@@ -67,10 +76,45 @@ struct Start {
     who: Span,
     adverbs: Adverbs,
     place: Option<(String, Span)>,
+    beside: Vec<Span>,
+}
+
+/// "The resident", "Margaret", as who does something.
+fn begins_with_person(reader: &mut Reader) -> bool {
+    subjects::person_called(reader) || reader.person() == Some(false)
+}
+
+/// "Since the fall", "because of her knees", in front of who does what: a remark.
+fn why_in_front(reader: &mut Reader) -> Option<Span> {
+    const MOST: usize = 14;
+    let from = reader.at;
+    reader.eat("ever");
+    let since = reader.eat("since")
+        && (is_determiner(reader.peek(0))
+            || !reader.ahead(|reader| calendar::moment(reader).is_some() || calendar::months(reader).is_some()))
+        || reader.eat("now that");
+    let after = !since
+        && reader
+            .attempt(|reader| {
+                reader.eat("after her|his|the|a|an").then_some(())?;
+                reader.ahead(|reader| activities::noun(reader).is_none()).then_some(())
+            })
+            .is_some();
+    (since || after || reader.eat("because of") || reader.eat("due|owing to") || reader.eat("despite|following"))
+        .then_some(())?;
+    while reader.at < from + MOST && reader.token(0) == Some(Token::Word) {
+        let who =
+            ["she", "he", "they"].contains(&reader.peek(0)) || reader.at > from + 2 && reader.ahead(begins_with_person);
+        if who && reader.at > from + 1 {
+            return Some(reader.span(from));
+        }
+        reader.at += 1;
+    }
+    (reader.at > from && reader.token(0) == Some(Token::Comma)).then(|| reader.span(from))
 }
 
 fn clauses(reader: &mut Reader, draft: &mut Draft, front: Start, heading: Option<&Adverbs>) {
-    let Start { mut subject, mut who, mut adverbs, mut place } = front;
+    let Start { mut subject, mut who, mut adverbs, mut place, mut beside } = front;
     let (mut start, mut cooked) = (0, None);
     let (mut follows, mut count): (Option<Adverbs>, usize) = (None, 0);
     let (mut group, mut joined): (Vec<Clause>, Option<Join>) = (Vec::new(), None);
@@ -80,6 +124,7 @@ fn clauses(reader: &mut Reader, draft: &mut Draft, front: Start, heading: Option
         let said = Said { subject: &subject, who, cooked: cooked.as_ref(), before };
         let next = next.or_else(|| clause(reader, said, adverbs, place.take(), start));
         let Some(mut next) = next else { return };
+        next.beside.append(&mut beside);
         let Some(goes_on) = tail(reader, &mut next) else { return };
         group.push(next);
         let Some(clause) = group.last_mut() else { return };
@@ -134,6 +179,7 @@ fn finish(
     (follows, heading): (&mut Option<Adverbs>, Option<&Adverbs>),
 ) -> bool {
     joined::without_waking(group);
+    joined::without_count(group);
     if let Some(unclear) = joined::share(group, joined) {
         let what = format!("it is not clear whether {:?} is about both", reader.said(unclear));
         let hint = "make two sentences, or begin the sentence with it if it is about both".to_owned();
@@ -172,8 +218,8 @@ fn clause(
     place: Option<(String, Span)>,
     start: usize,
 ) -> Option<Clause> {
-    reader.eat("also|still|again|only");
-    let _ = reader.attempt(|reader| (reader.eat("now") && reader.peek(0) != "and").then_some(()));
+    let now = |reader: &mut Reader| (reader.eat("now") && reader.peek(0) != "and").then_some(());
+    while reader.eat("also|still|again|only|just|either|both") || reader.attempt(now).is_some() {}
     adverbs.all(reader);
     let is_person = *said.subject == Subject::Person;
     // "She likes to read and knit": both are liked.
@@ -199,9 +245,10 @@ fn clause(
             adverbs,
             tends,
             again: false,
+            beside: Vec::new(),
         });
     }
-    let noun = if tends { noun_liked(reader) } else { None };
+    let noun = if tends || needs_to { noun_liked(reader) } else { None };
     let negated = said.before.is_some_and(|before| matches!(before.predicate, Predicate::Not(_)))
         && !is_third_person(reader.peek(0));
     let (found, predicate_span) = match noun {
@@ -217,6 +264,9 @@ fn clause(
     // The person is who goes out, or is on the phone, whoever makes them.
     let does_person = matches!(found, Predicate::Does(_) | Predicate::HelpedBy(..) | Predicate::VisitedBy(_));
     let subject = if does_person && !is_person { Subject::Person } else { said.subject.clone() };
+    // What a visitor sees to, and no sensor sees, is said beside the visit.
+    let beside =
+        if found == Predicate::Visits && !is_visit(reader, predicate_span) { vec![predicate_span] } else { Vec::new() };
     Some(Clause {
         span: reader.span(start),
         subject,
@@ -227,14 +277,22 @@ fn clause(
         adverbs,
         tends,
         again: false,
+        beside,
+    })
+}
+
+/// Whether these words only say that somebody comes.
+fn is_visit(reader: &mut Reader, span: Span) -> bool {
+    reader.ahead(|reader| {
+        reader.at = reader.words.iter().position(|word| word.span.start >= span.start).unwrap_or(reader.at);
+        helping::visiting(reader).is_some()
     })
 }
 
 /// "enjoys her crossword": the noun stands for what is done.
 fn noun_liked(reader: &mut Reader) -> Option<(Predicate, Span)> {
     let from = reader.at;
-    reader.skip_determiners();
-    let found = if reader.at > from || !reader.peek(0).ends_with("ing") { activities::noun(reader) } else { None };
+    let found = if reader.peek(0).ends_with("ing") { None } else { roundabout::noun_with_adjective(reader) };
     let Some(found) = found else {
         reader.at = from;
         return None;
@@ -252,20 +310,43 @@ fn again(reader: &mut Reader, last: &Clause, adverbs: &mut Adverbs) -> Option<Cl
     let ends = |reader: &Reader| {
         reader.is_over() || reader.token(0) == Some(Token::Comma) || ["and", "or", "then"].contains(&reader.peek(0))
     };
+    let _ = reader.attempt(|reader| {
+        reader.eat("again").then_some(())?;
+        reader.ahead(|reader| Adverbs::default().next(reader)).then_some(())
+    });
     let from = reader.at;
     let mut more = Adverbs::default();
-    more.all(reader);
+    reader.skip_commas();
+    while more.next(reader) {
+        // "at 7:30, 12:30 and 17:00": each is one more.
+        let is_another = |reader: &mut Reader| {
+            reader.skip_commas();
+            let mut another = Adverbs::default();
+            another.next(reader) && another.when.is_some()
+        };
+        if reader.token(0) == Some(Token::Comma) && more.when.is_some() && reader.ahead(is_another) {
+            break;
+        }
+        if !reader.ahead(|reader| {
+            reader.skip_commas();
+            reader.eat("and|or")
+        }) {
+            reader.skip_commas();
+        }
+    }
     if reader.at > from {
         if !ends(reader) {
             *adverbs = more;
             return None;
         }
-        let says_when = more.when.is_some();
+        let (says_when, chance) = (more.when.is_some(), more.chance.clone());
+        let says_days = more.weekdays.is_some() || more.every.is_some() || more.of_month.is_some();
         let mut all = more.under(&last.adverbs);
+        all.chance = if says_days { chance } else { all.chance };
         if says_when {
             all.part = None;
         }
-        return Some(Clause { adverbs: all, again: true, ..last.clone() });
+        return Some(Clause { adverbs: all, again: true, beside: Vec::new(), ..last.clone() });
     }
     // Another verb begins something else.
     if reader.ahead(|reader| activities::activity(reader).is_some()) {
@@ -297,7 +378,8 @@ fn again(reader: &mut Reader, last: &Clause, adverbs: &mut Adverbs) -> Option<Cl
     };
     let adverbs = Adverbs::default();
     let predicate_span = last.predicate_span.to(reader.span(from));
-    Some(Clause { predicate, predicate_span, adverbs, again: true, place: None, measure: None, ..last.clone() })
+    let beside = Vec::new();
+    Some(Clause { predicate, predicate_span, adverbs, again: true, place: None, measure: None, beside, ..last.clone() })
 }
 
 /// What "then" takes over from the first clause: the days.
@@ -326,10 +408,16 @@ fn of_visitor(reader: &mut Reader, name: &str, who: Span) -> Option<Predicate> {
         (format!("{said:?} is nobody who visits"), hint)
     } else if reader.names.has(name, Sort::Thing) {
         (format!("{said:?} does nothing by itself"), format!("write what she does: \"she forgets the {name} rarely\""))
+    } else if reader.names.lexicon.has_last("TOPICS", name) && remarks::of_topic(reader).is_some()
+        || name == subjects::WRITERS && remarks::of_mind(reader)
+    {
+        return Some(Predicate::Remark);
     } else if let Some(found) = helping::visiting(reader) {
         return Some(found);
     } else if remarks::remark(reader).is_some() {
         return Some(Predicate::Remark);
+    } else if let Some(found) = helping::seeing_to(reader) {
+        return Some(found);
     } else {
         let what = format!("{said:?} is nobody who lives here: a visitor only visits");
         (what, format!("write \"her {name} visits on Sunday for 2 hours\""))
@@ -359,7 +447,13 @@ fn predicate(
             }
             found
         }
-        _ => predicates::predicate(reader, adverbs),
+        _ => {
+            if let Some(verb) = past_verb(reader).filter(|_| !reader.ahead(|reader| remarks::remark(reader).is_some()))
+            {
+                return is_past(reader, &verb);
+            }
+            predicates::predicate(reader, adverbs)
+        }
     };
     if let Some(found) = found {
         return Some((found, reader.span(from)));
@@ -372,6 +466,9 @@ fn predicate(
     let is_negated = reader.at > from;
     if let Some(found) = meal_meant(reader, cooked.filter(|_| !is_negated)) {
         return found.map(|activity| (Predicate::Does(activity), reader.span(from)));
+    }
+    if let Some(verb) = reader.names.lexicon.verb_of_past(reader.peek(0)).filter(|_| !is_negated) {
+        return is_past(reader, &verb);
     }
     let own = said::own_words(reader);
     if is_negated {
@@ -390,6 +487,27 @@ fn predicate(
         return None;
     }
     Some((Predicate::Own(words), span))
+}
+
+/// The verb, where its past stands right behind who did it.
+fn past_verb(reader: &Reader) -> Option<String> {
+    let word = reader.peek(0);
+    // "used to" is a remark.
+    let is_past = word.ends_with("ed") && !["need", "feed", "used"].contains(&word);
+    reader.names.lexicon.verb_of_past(word).filter(|_| is_past && activities_begin(reader, word))
+}
+
+fn activities_begin(reader: &Reader, word: &str) -> bool {
+    reader.names.lexicon.beginning(word).next().is_some()
+}
+
+/// What was done once is no routine.
+fn is_past<T>(reader: &mut Reader, verb: &str) -> Option<T> {
+    let said = reader.said(reader.here());
+    let hint = format!("say what is usually so: \"she {} ...\"", super::lexicon::third_person(verb));
+    reader.fault(reader.here(), format!("{said:?} is past: a routine says how somebody lives"), hint);
+    reader.at = reader.words.len();
+    None
 }
 
 /// The words of an activity that begins with one that is known to begin something else: "has visitors".
@@ -425,90 +543,4 @@ fn meal_meant(reader: &mut Reader, cooked: Option<&crate::routine::Meal>) -> Opt
             Some(None)
         }
     }
-}
-
-/// A name that nobody here has, in front of a verb.
-fn stranger(reader: &mut Reader) -> Option<Subject> {
-    const LONGEST: usize = 4;
-    let from = reader.at;
-    let is_capital =
-        |span: Span| reader.text.get(span.start..).is_some_and(|text| text.starts_with(char::is_uppercase));
-    let here = reader.here();
-    if !is_capital(here) && reader.peek(1) != "is" {
-        return None;
-    }
-    let is_known = reader.ahead(|reader| activities::activity(reader).is_some());
-    let is_name = |reader: &Reader| {
-        let pronoun = ["she", "he", "they", "it"].contains(&reader.peek(0));
-        reader.token(0) == Some(Token::Word) && !pronoun && !begins_adverb(reader)
-    };
-    while !is_known && reader.at < from + LONGEST && is_name(reader) {
-        reader.at += 1;
-        let is_verb = |reader: &mut Reader| {
-            Adverbs::default().all(reader);
-            reader.eat("is|walks|shows") || said::visits(reader) || activities::activity(reader).is_some()
-        };
-        if reader.ahead(is_verb) {
-            return Some(Subject::Stranger(reader.said(reader.span(from))));
-        }
-    }
-    reader.at = from;
-    None
-}
-
-/// Whether a name may be the person's: nobody has said another, and it is said who that is.
-fn is_introduced(reader: &mut Reader, draft: &mut Draft, name: &str, who: Span) -> bool {
-    if reader.ahead(said::visits) {
-        let hint = "write who it is: \"her daughter visits\" or \"a nurse visits\"".to_owned();
-        reader.fault(who, format!("{name:?} is nobody that this routine knows"), hint);
-        return false;
-    }
-    if let Some(person) = reader.names.person.clone() {
-        let hint = did_you_mean(name, [person.as_str()].into_iter()).filter(|hint| hint.starts_with("did"));
-        let hint = hint.unwrap_or_else(|| "each person has a routine of their own".to_owned());
-        reader.fault(who, format!("this routine is about {person:?}, not about {name:?}"), hint);
-        return false;
-    }
-    if draft.is_condition {
-        let hint = "write \"she\", \"he\", \"they\" or \"the person\"".to_owned();
-        reader.fault(who, format!("a condition is about nobody in particular, not about {name:?}"), hint);
-        return false;
-    }
-    if reader.peek(0) != "is" {
-        reader.fault(who, format!("{name:?} has not been said to be anybody"), format!("begin with \"{name} is 82.\""));
-        return false;
-    }
-    draft.name = Some(name.to_owned());
-    true
-}
-
-fn no_subject(reader: &mut Reader) {
-    let from = reader.at;
-    if activities::activity(reader).is_some() {
-        let span = reader.span(from);
-        let hint = format!("write \"she {}\"", reader.said(span).to_lowercase());
-        return reader.fault(span, "it is not said who does this", hint);
-    }
-    if is_determiner(reader.peek(0)) && reader.token(1) == Some(Token::Word) {
-        reader.at += 2;
-        let span = reader.span(from);
-        let what = format!("what {:?} does is not understood", reader.said(span));
-        let hint = "write \"she reads\" for what the person does, or \"her daughter visits on Sunday\"".to_owned();
-        return reader.fault(span, what, hint);
-    }
-    let (here, word) = (reader.here(), reader.peek(0).to_owned());
-    if reader.faults.is_trial {
-        return reader.fault(here, word, None);
-    }
-    if begins_adverb(reader) {
-        reader.at = (from + 3).min(reader.words.len());
-        let what = format!("{:?} is not understood here", reader.said(reader.span(from)));
-        let hint = "expected when or where: \"in the morning\", \"on Monday\", \"from week 6\", \"in the kitchen\"";
-        return reader.fault(reader.span(from), what, hint.to_owned());
-    }
-    let known = did_you_mean(&word, vocabulary().filter(|known| *known != word));
-    let hint = known.filter(|hint| hint.starts_with("did")).unwrap_or_else(|| {
-        "a sentence says who does what: \"she gets up at about 06:45\", \"her daughter visits on Sunday\"".into()
-    });
-    reader.fault(here, format!("{:?} is not understood here", reader.said(here)), hint);
 }

@@ -1,13 +1,18 @@
 //! Hints that are held to what they say: a sentence that a hint proposes is understood. Where a hint proposes none, the sentence
 //! is tried without the words that stand in the way, and what is understood of it then is proposed.
 
+use super::activities::{self, fits};
+use super::adverbs::Adverbs;
+use super::calendar::is_weekday;
 use super::draft::Draft;
 use super::faults::Faults;
+use super::lexicon::third_person;
 use super::reader::{Names, Reader, is_beginning, is_determiner};
 use super::rewording::reworded;
 use super::sentence;
+use super::shape::is_put_in;
 use super::words::{self, Span, Token, Word};
-use crate::routine::Routine;
+use crate::routine::{Activity, Routine};
 
 /// No more ways of leaving words out are tried of a sentence.
 const MOST_TRIES: usize = 150;
@@ -17,6 +22,8 @@ const LONGEST: usize = 40;
 /// Looks through the hints of the faults since there were so many.
 pub fn hints(faults: &mut Faults, since: usize, names: &Names, draft: &Draft, words: &[Word]) {
     let mut shorter: Option<Option<String>> = None;
+    let mut clearer: Option<Option<String>> = None;
+    let mut gist: Option<Option<String>> = None;
     for fault in faults.since(since) {
         let proposed = fault.hint.as_deref().map(sentences_in).unwrap_or_default();
         let is_sound = proposed.iter().all(|sentence| understood(names, draft, sentence).is_some());
@@ -24,13 +31,33 @@ pub fn hints(faults: &mut Faults, since: usize, names: &Names, draft: &Draft, wo
             fault.hint = None;
         }
         let is_certain = fault.hint.as_deref().is_some_and(|hint| hint.starts_with("did you mean"));
+        if !is_certain && let Some(clearer) = clearer.get_or_insert_with(|| clearer_than(names, draft, words)).clone() {
+            let before = fault.hint.take().filter(|hint| !is_sound || !is_general(hint));
+            let clearer = format!("say it as in {clearer:?}");
+            fault.hint = Some(before.map_or(clearer.clone(), |before| format!("{before}; {clearer}")));
+            continue;
+        }
         if proposed.is_empty() && !is_certain || !is_sound {
             let without = shorter.get_or_insert_with(|| without(names, draft, words, fault.span)).clone();
-            let Some(without) = without else { continue };
-            let without = format!("without it: {without:?}");
+            let part =
+                |gist: &mut Option<Option<String>>| gist.get_or_insert_with(|| self::gist(names, draft, words)).clone();
+            let without = match without {
+                Some(without) => format!("without it: {without:?}"),
+                None => match part(&mut gist) {
+                    Some(gist) => format!("what can be lived of it: {gist:?}"),
+                    None => continue,
+                },
+            };
             fault.hint = Some(fault.hint.take().map_or(without.clone(), |hint| format!("{hint}; {without}")));
         }
     }
+}
+
+/// Whether a hint only lists what there is.
+fn is_general(hint: &str) -> bool {
+    ["expected", "there are", "known are", "each person", "a sentence says", "write \"after breakfast"]
+        .iter()
+        .any(|begin| hint.starts_with(begin))
 }
 
 /// The whole sentences that a hint has between quotation marks.
@@ -52,8 +79,55 @@ fn understood(names: &Names, draft: &Draft, text: &str) -> Option<Routine> {
     let mut reader = Reader { words: &words, at: 0, names, faults: &mut faults, text, part: None };
     let heading = sentence::sentence(&mut reader, &mut alone, None);
     let routine = alone.routine;
-    let says = !routine.habits.is_empty() || !routine.changes.is_empty() || !routine.rules.is_empty();
+    let says = !routine.remarks.is_empty()
+        || !routine.habits.is_empty()
+        || !routine.changes.is_empty()
+        || !routine.rules.is_empty();
     (heading.is_none() && faults.count() == 0 && (says || routine.person.is_some())).then_some(routine)
+}
+
+/// The sentence with what could be said instead of what is not clear, where that is understood: the present for the past, a share
+/// of days for rain.
+fn clearer_than(names: &Names, draft: &Draft, words: &[Word]) -> Option<String> {
+    if words.len() > LONGEST {
+        return None;
+    }
+    let lexicon = names.lexicon.clone();
+    let (mut said, mut is_other): (Vec<String>, bool) = (Vec::new(), false);
+    let mut faults = Faults::of_trial();
+    let mut reader = Reader { words, at: 0, names, faults: &mut faults, text: draft.text, part: None };
+    while let Some(word) = words.get(reader.at) {
+        let ways = lexicon.hinted(&word.text).filter_map(|(way, meant)| Some((fits(&reader, way)?, meant)));
+        if let Some((end, meant)) = ways.max_by_key(|(end, _)| *end) {
+            said.extend(meant.split(' ').filter(|word| !word.is_empty()).map(str::to_owned));
+            is_other = true;
+            reader.at = end;
+            continue;
+        }
+        let written = draft.text.get(word.span.start..word.span.end).unwrap_or_default();
+        let written = if written.to_lowercase() == word.text { written } else { &word.text };
+        let past = lexicon.verb_of_past(&word.text);
+        is_other |= past.is_some();
+        said.push(past.map_or(written.to_owned(), |verb| third_person(&verb)));
+        reader.at += 1;
+    }
+    let text = said.join(" ").replace(" ,", ",").replace(" ;", ";");
+    let text = text.trim_matches([',', ' ']);
+    let mut chars = text.chars();
+    let text = chars.next().map_or(String::new(), |first| first.to_lowercase().chain(chars).collect());
+    let begins = ["she ", "he ", "her ", "his ", "in ", "on ", "at ", "from ", "for ", "every ", "since "]
+        .iter()
+        .any(|first| text.starts_with(first));
+    (is_other && begins && understood(names, draft, &text).is_some()).then_some(text)
+}
+
+/// Whether all of these words are understood, as a sentence or as a heading.
+pub fn reads(names: &Names, draft: &Draft, words: &[Word]) -> bool {
+    let mut faults = Faults::of_trial();
+    let mut alone = draft.anew(draft.text);
+    let mut reader = Reader { words, at: 0, names, faults: &mut faults, text: draft.text, part: None };
+    sentence::sentence(&mut reader, &mut alone, None);
+    faults.count() == 0
 }
 
 /// Whether the verb after "she" stands in the form that goes with it.
@@ -64,12 +138,66 @@ fn is_sentence(text: &str) -> bool {
     after.find(|word| !BEFORE.contains(word)).is_none_or(|verb| verb.ends_with('s') && !verb.ends_with("ss"))
 }
 
+/// What is done, and when or how often, as far as any of it is understood: "she talks on the phone at 20:30".
+fn gist(names: &Names, draft: &Draft, words: &[Word]) -> Option<String> {
+    const MOST: usize = 3;
+    if words.len() > LONGEST || words.iter().any(|word| denies(&word.text)) {
+        return None;
+    }
+    let mut faults = Faults::of_trial();
+    let mut reader = Reader { words, at: 0, names, faults: &mut faults, text: draft.text, part: None };
+    let (mut doing, mut when): (Option<String>, Vec<String>) = (None, Vec::new());
+    while !reader.is_over() {
+        let from = reader.at;
+        // "Tea" and "the bathroom" may be anything's.
+        let is_doing = |activity: &Activity| {
+            !matches!(activity, Activity::UseBathroom | Activity::Drink | Activity::GoToBed | Activity::Fall)
+        };
+        let named =
+            |reader: &mut Reader| activities::activity(reader).or_else(|| activities::noun(reader).filter(is_doing));
+        if doing.is_none()
+            && let Some(activity) = reader.attempt(named)
+        {
+            doing = Some(activities::phrase(&activity)).filter(|phrase| !phrase.is_empty());
+            continue;
+        }
+        let before = reader.faults.count();
+        let mut adverbs = Adverbs::default();
+        if when.len() < MOST && adverbs.next(&mut reader) && reader.faults.count() == before {
+            let said = reader.passed(from);
+            let before = match reader.words[from].token {
+                Token::Clock(..) => "at ",
+                _ if ["midnight", "noon"].contains(&reader.words[from].text.as_str()) => "at ",
+                _ if is_weekday(&reader.words[from].text) => "on ",
+                _ => "",
+            };
+            if adverbs.says_when() && !said.starts_with("with") {
+                when.push(format!("{before}{said}"));
+            }
+            continue;
+        }
+        reader.faults.forget_since(before);
+        reader.at = from + 1;
+    }
+    let doing = doing?;
+    (0..=when.len()).rev().find_map(|count| {
+        let text = [&[format!("she {doing}")], &when[..count]].concat().join(" ");
+        understood(names, draft, &text).map(|_| text)
+    })
+}
+
+/// Whether without a part of it a sentence with this word may say the contrary.
+fn denies(word: &str) -> bool {
+    const DENIES: [&str; 11] =
+        ["not", "never", "no", "cannot", "without", "hardly", "nor", "except", "unless", "only", "if"];
+    DENIES.contains(&word) || word.ends_with("n't")
+}
+
 /// The sentence without the fewest words around a place that lets it be understood.
 fn without(names: &Names, draft: &Draft, words: &[Word], at: Span) -> Option<String> {
     let first = words.iter().position(|word| word.span.end > at.start).filter(|_| words.len() <= LONGEST)?;
     // Without "alone", "she does not go out alone" says something else.
-    let denies = ["not", "never", "no", "cannot", "without", "hardly", "nor"];
-    if words.iter().any(|word| denies.contains(&word.text.as_str()) || word.text.ends_with("n't")) {
+    if words.iter().any(|word| denies(&word.text)) {
         return None;
     }
     let last = words.iter().rposition(|word| word.span.start < at.end).unwrap_or(first);
@@ -78,9 +206,12 @@ fn without(names: &Names, draft: &Draft, words: &[Word], at: Span) -> Option<Str
         let mut text = String::new();
         for word in kept {
             let written = draft.text.get(word.span.start..word.span.end).unwrap_or_default();
+            let written = if is_put_in(word) { &word.text } else { written };
             let joins = text.is_empty() || word.token == Token::Comma;
             text += if joins { "" } else { " " };
-            text += written;
+            // What follows a "she" that was put in begins no sentence.
+            let begins = words.first().is_some_and(is_put_in);
+            text += &if begins { written.to_lowercase() } else { written.to_owned() };
         }
         text.trim_matches([',', ' ']).to_owned()
     };
@@ -94,13 +225,21 @@ fn without(names: &Names, draft: &Draft, words: &[Word], at: Span) -> Option<Str
     // Nor "at" or "every", and best up to where something else begins.
     let is_loose = |index: usize| words.get(index).is_some_and(|word| is_beginning(&word.text));
     windows.retain(|(from, _)| from.checked_sub(1).is_none_or(|before| !is_loose(before)));
+    // Nor a time without its "after".
+    windows.retain(|(_, to)| words.get(*to).is_none_or(|word| matches!(word.token, Token::Word | Token::Comma)));
+    // Nor a subject without its verb, or "weekend" without its "every".
+    let is_subject =
+        |index: usize| words.get(index).is_some_and(|word| ["she", "he", "they"].contains(&word.text.as_str()));
+    windows.retain(|(from, to)| *from == 0 || *to == words.len() || !(*from..*to).any(is_subject));
+    windows.retain(|(from, to)| *from > 0 || is_subject(*to) || is_loose(*to) || is_determiner(*to));
     let is_natural = |to: usize| words.get(to).is_none_or(|word| word.token != Token::Word || is_beginning(&word.text));
     windows.sort_by_key(|(from, to)| (!is_natural(*to), to - from, std::cmp::Reverse(*from)));
     windows.into_iter().take(MOST_TRIES).find_map(|(from, to)| {
         let text = text_of(from..to);
-        if !is_sentence(&text) {
+        if !is_sentence(&text) || text.contains(['(', ')']) {
             return None;
         }
-        understood(names, draft, &text).map(|_| text)
+        let falls = |routine: &Routine| routine.habits.iter().any(|habit| habit.activity == Activity::Fall);
+        understood(names, draft, &text).filter(|routine| routine.remarks.is_empty() && !falls(routine)).map(|_| text)
     })
 }

@@ -5,6 +5,7 @@ use super::adverbs::Adverbs;
 use super::helping::visiting;
 use super::reader::{Reader, is_determiner};
 use super::remarks::remark;
+use super::said::visits;
 use super::words::Token;
 
 /// Who or what a sentence is about.
@@ -22,15 +23,49 @@ pub enum Subject {
     Breathing,
 }
 
+/// Who writes "we" and "I" of somebody else.
+pub const WRITERS: &str = "family";
+
+/// "We visit her", "I ring Mum every night".
+fn writers(reader: &mut Reader) -> Option<Subject> {
+    let others = ["her", "him", "she", "he", "mum", "mom", "dad"];
+    let of_others = reader.words.iter().any(|word| others.contains(&word.text.as_str()));
+    (reader.eat("we") || of_others && reader.eat("i")).then(|| Subject::Visitor(WRITERS.to_owned()))
+}
+
 const HOURS: &str = "hours|times|days|day|routine";
 
 /// The subject, if a sentence has one here.
 pub fn subject(reader: &mut Reader) -> Option<Subject> {
-    if reader.eat("she|he|they|it") || reader.eat("the person|resident|patient") {
+    if reader.eat("she|he|they|it") || person_called(reader) {
         return Some(Subject::Person);
     }
-    if let Some(people) = reader.attempt(people) {
+    if let Some(writers) = reader.attempt(writers) {
+        return Some(writers);
+    }
+    if let Some(owner) = reader.peek(0).strip_suffix("'s")
+        && reader.names.lexicon.list("PERSON", |at| if at == 0 { owner } else { "" }).is_some()
+    {
+        return reader.attempt(|reader| {
+            reader.at += 1;
+            of_the_person(reader)
+        });
+    }
+    let of_called = |reader: &mut Reader| {
+        reader.eat("the|my|our").then_some(())?;
+        let owner = reader.peek(0).strip_suffix("'s")?.to_owned();
+        reader.names.lexicon.list("PERSON", |at| if at == 0 { &owner } else { "" })?;
+        reader.at += 1;
+        of_the_person(reader)
+    };
+    if let Some(of_person) = reader.attempt(of_called) {
+        return Some(of_person);
+    }
+    if let Some(people) = reader.attempt(people).or_else(|| reader.attempt(relative)) {
         return Some(people);
+    }
+    if let Some(topic) = reader.attempt(topic) {
+        return Some(topic);
     }
     match reader.person() {
         Some(false) => return Some(Subject::Person),
@@ -52,6 +87,29 @@ pub fn subject(reader: &mut Reader) -> Option<Subject> {
     None
 }
 
+/// "Mum", "the resident", "Mr. Hill", "I": what the person is called by those who write about them.
+pub fn person_called(reader: &mut Reader) -> bool {
+    const WHO: [&str; 8] = ["she", "he", "her", "him", "his", "mum", "dad", "they"];
+    let called = |reader: &mut Reader| {
+        if reader.peek(0) == "i" {
+            // Who writes "I" of herself writes of nobody else.
+            let others = reader.words.iter().any(|word| WHO.contains(&word.text.as_str()));
+            reader.at += 1;
+            return (!others && !reader.ahead(visits)).then_some(());
+        }
+        let has_title = ["mr", "mrs", "ms", "miss"].contains(&reader.peek(0)) && reader.names.person.is_some();
+        if has_title && reader.token(1) == Some(Token::Word) {
+            reader.at += 2;
+            return (!reader.passed(reader.at - 1).ends_with("'s") && !reader.ahead(visits)).then_some(());
+        }
+        reader.eat("my|our|the|this");
+        let lexicon = reader.names.lexicon.clone();
+        reader.at += lexicon.list("PERSON", |ahead| reader.peek(ahead))?;
+        (!reader.ahead(visits)).then_some(())
+    };
+    reader.attempt(called).is_some()
+}
+
 /// "her daughter", "her pulse", "her hours".
 fn of_the_person(reader: &mut Reader) -> Option<Subject> {
     if reader.eat("pulse") || reader.eat("heart rate") || reader.eat("heart beats|beat") || reader.eat("heart") {
@@ -66,11 +124,38 @@ fn of_the_person(reader: &mut Reader) -> Option<Subject> {
     visitor(reader)
 }
 
+/// "Mobility", "short term memory": what notes say something of.
+fn topic(reader: &mut Reader) -> Option<Subject> {
+    const LONGEST: usize = 3;
+    let from = reader.at;
+    let lexicon = reader.names.lexicon.clone();
+    while reader.at < from + LONGEST && reader.token(0) == Some(Token::Word) {
+        let is_topic = lexicon.list("TOPICS", |at| if at == 0 { reader.peek(0) } else { "" }).is_some();
+        reader.at += 1;
+        if is_topic {
+            return reader
+                .ahead(|reader| reader.eat("is|are|has|have|can|remains|varies|was|fluctuates|gets|becomes"))
+                .then(|| Subject::Visitor(reader.passed(from)));
+        }
+    }
+    None
+}
+
 /// "Meals on Wheels", "carers": those whom everybody knows.
 fn people(reader: &mut Reader) -> Option<Subject> {
     let from = reader.at;
     let lexicon = reader.names.lexicon.clone();
+    reader.eat("two|three|both|2|3");
     reader.at += lexicon.list("PEOPLE", |ahead| reader.peek(ahead))?;
+    let name = reader.passed(from);
+    reader.ahead(visitor_verb).then_some(Subject::Visitor(name))
+}
+
+/// "Daughter visits", of notes.
+fn relative(reader: &mut Reader) -> Option<Subject> {
+    let from = reader.at;
+    let lexicon = reader.names.lexicon.clone();
+    reader.at += lexicon.list("RELATIVES", |ahead| reader.peek(ahead))?;
     let name = reader.passed(from);
     reader.ahead(visitor_verb).then_some(Subject::Visitor(name))
 }

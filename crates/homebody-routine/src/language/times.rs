@@ -39,10 +39,15 @@ impl Time {
 
 /// A time of day, if one comes next. `bare` says whether a number alone is taken for one that lacks its half of the day.
 pub fn time(reader: &mut Reader, bare: bool) -> Option<Time> {
+    time_after(reader, bare, None)
+}
+
+/// The same, of what ends after another time.
+fn time_after(reader: &mut Reader, bare: bool, begin: Option<f64>) -> Option<Time> {
     reader.attempt(|reader| {
         let about = reader.eat_any(&ABOUT).is_some();
         reader.eat("exactly");
-        Some(Time { at: clock(reader, bare)?, about })
+        Some(Time { at: clock(reader, bare, begin)?, about })
     })
 }
 
@@ -54,8 +59,12 @@ pub fn time_range(reader: &mut Reader, between: &str) -> Option<(Time, Time)> {
         if !reader.eat(between) {
             return None;
         }
-        let mut to = time(reader, true)?;
-        if is_of_next_day(to.at, from.at) {
+        let mut to = time_after(reader, true, Some(from.at))?;
+        /// Nobody is said to end something before then that begins later on the same clock (ours): "9:30 to 3:30".
+        const EARLY_S: f64 = 7.0 * HOUR_S;
+        if to.at < EARLY_S && from.at < DAY_S / 2.0 && to.at < from.at {
+            to.at += DAY_S / 2.0;
+        } else if is_of_next_day(to.at, from.at) {
             to.at += DAY_S;
         } else if to.at <= from.at {
             // What is no time at all is neither earlier nor later.

@@ -15,7 +15,9 @@ pub fn unknown_name(reader: &mut Reader, sorts: &[Sort], what: &str) -> String {
 pub fn unknown_name_or(reader: &mut Reader, sorts: &[Sort], what: &str, far: Option<&str>) -> String {
     reader.skip_determiners();
     let from = reader.at;
-    while !reader.is_over() && reader.token(0) != Some(Token::Comma) && !begins_adverb(reader) && reader.at < from + 4 {
+    let ends = |reader: &Reader| ["she", "he", "they", "when", "if", "where"].contains(&reader.peek(0));
+    let stops = |reader: &Reader| reader.is_over() || reader.token(0) != Some(Token::Word) || begins_adverb(reader);
+    while !stops(reader) && !ends(reader) && reader.at < from + 4 {
         reader.at += 1;
     }
     let span = if reader.at == from { reader.here() } else { reader.span(from) };
@@ -26,7 +28,20 @@ pub fn unknown_name_or(reader: &mut Reader, sorts: &[Sort], what: &str, far: Opt
     }
     let known = did_you_mean(&said.to_lowercase(), reader.names.of(sorts));
     let near = known.filter(|hint| far.is_none() || hint.starts_with("did"));
+    let is_weather = |word: &str| ["weather", "rain", "rainy", "sunny", "wet", "snow"].contains(&word);
+    if said.to_lowercase().split(' ').any(is_weather) {
+        return with_fault(reader, span, format!("{said:?} is {what}"), NO_WEATHER.to_owned(), said);
+    }
     reader.fault(span, format!("{said:?} is {what}"), near.or(far.map(str::to_owned)));
+    said
+}
+
+/// What is said to who speaks of rain.
+pub const NO_WEATHER: &str =
+    "Homebody knows no weather: say in which season, \"in winter\", or how often, \"on 60 % of days\"";
+
+fn with_fault(reader: &mut Reader, span: Span, what: String, hint: String, said: String) -> String {
+    reader.fault(span, what, hint);
     said
 }
 
@@ -74,9 +89,9 @@ fn own_example(reader: &Reader, words: &str) -> Option<String> {
 /// that turns it into something else.
 pub fn looks_like_doing(words: &str) -> bool {
     const NO_DOING: &str = "is goes comes walks moves gets likes wants needs becomes has seems feels knows leaves returns arrives \
-        does says says asks tells tries keeps stops starts begins appears remains stays lives shows suffers hardly always";
+        does follows looks stares says says asks tells tries keeps stops starts begins appears remains stays lives shows suffers hardly always";
     const TURNING: &str = "not no never without when because if while so that which who she he they and or but more less too as than \
-        lot lots of any much many her him them it this up down out off back away cannot it's slowly well badly";
+        lot lots of any much many her him them me us you it this up down out off back away cannot it's slowly well badly";
     let mut list = words.split(' ');
     let verb = list.next().unwrap_or_default();
     let is_verb = verb.len() > 3
@@ -150,6 +165,11 @@ pub fn meant(words: &str) -> Option<String> {
 fn is_slip(said: &str, phrase: &str, slips: usize) -> bool {
     let (same, longer) = same_letters(said, phrase);
     same + slips >= longer
+}
+
+/// Whether a word is another but for one letter, which is not the first.
+pub fn is_slip_of(said: &str, known: &str) -> bool {
+    said.as_bytes().first() == known.as_bytes().first() && is_slip(said, known, 1)
 }
 
 /// Whether these words are a phrase but for a letter in each: too near to be something new.

@@ -40,6 +40,8 @@ pub struct Sentence {
     pub indented: bool,
     /// Whether a colon ends it.
     pub colon: bool,
+    /// Whether a semicolon parts it from the sentence before.
+    pub goes_on: bool,
     pub words: Vec<Word>,
 }
 
@@ -89,8 +91,10 @@ pub fn sentences(line: Line) -> Vec<Sentence> {
     let text = line.text.split('#').next().unwrap_or_default();
     let mut lexer = Lexer { chars: text.char_indices().collect(), text, at: 0, start: line.start, words: Vec::new() };
     let mut sentences = Vec::new();
+    let mut after_semicolon = false;
     loop {
-        let goes_on = lexer.sentence();
+        let is_more = lexer.sentence();
+        let ended_by = lexer.before(lexer.at);
         let mut words = std::mem::take(&mut lexer.words);
         let is_sign = |word: &Word| word.token == Token::Comma;
         let colon = words.last().is_some_and(|word| word.text == ":");
@@ -98,11 +102,12 @@ pub fn sentences(line: Line) -> Vec<Sentence> {
             words.pop();
         }
         if !words.is_empty() {
-            sentences.push(Sentence { indented, colon, words });
+            sentences.push(Sentence { indented, colon, goes_on: after_semicolon, words });
         }
-        if !goes_on {
+        if !is_more {
             return sentences;
         }
+        after_semicolon = ended_by == Some(';');
     }
 }
 
@@ -129,6 +134,8 @@ impl Lexer<'_> {
             match c {
                 '.' if self.is_title() => {}
                 '.' | '!' | '?' => return true,
+                ';' if !self.parts_digits(from) => return true,
+                '\u{2022}' | '*' => {}
                 ',' | ';' | ':' | '(' | ')' | '\u{2014}' => self.push(from, Token::Comma),
                 '-' | '\u{2013}' | '\u{2010}' | '\u{2011}' if self.parts_numbers(from) => {
                     self.push(from, Token::Word);
@@ -164,6 +171,12 @@ impl Lexer<'_> {
         self.before(dash).is_some_and(char::is_alphanumeric)
     }
 
+    /// Whether a sign stands right between two digits: `7;40`.
+    fn parts_digits(&self, at: usize) -> bool {
+        let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+        is_digit(self.before(at)) && is_digit(self.peek(0))
+    }
+
     /// Whether a dash stands between two numbers, blanks aside: `2-3 hours`.
     fn parts_numbers(&self, dash: usize) -> bool {
         let mut before = self.chars[..dash].iter().rev().map(|&(_, c)| c).skip_while(|&c| c == ' ');
@@ -175,7 +188,7 @@ impl Lexer<'_> {
 
     /// Whether the word before a full stop is a title, such as that of Mrs. Miller.
     fn is_title(&self) -> bool {
-        let is_title = |word: &Word| matches!(word.text.as_str(), "mr" | "mrs" | "ms" | "dr" | "st");
+        let is_title = |word: &Word| matches!(word.text.as_str(), "mr" | "mrs" | "ms" | "dr" | "st" | "pt");
         self.words.last().is_some_and(is_title)
     }
 
@@ -246,6 +259,21 @@ impl Lexer<'_> {
             }
             self.at += 1;
         }
+        if self.is_count(from) {
+            self.at = from + 1;
+            self.number(self.at);
+            self.push(from, Token::Word);
+            self.rename("times");
+            return false;
+        }
+        if let Some(sign) = self.slice(from).find('/').filter(|&sign| is_day(&self.slice(from)[..sign])) {
+            self.at = from + sign;
+            self.push(from, Token::Word);
+            self.at += 1;
+            self.push(self.at - 1, Token::Word);
+            self.rename("and");
+            return false;
+        }
         let is_half_day = matches!(self.slice(from), "a" | "p" | "A" | "P");
         let is_m = self.peek(0) == Some('.') && matches!(self.peek(1), Some('m' | 'M'));
         if is_half_day && is_m && !self.peek(2).is_some_and(char::is_alphanumeric) {
@@ -258,7 +286,34 @@ impl Lexer<'_> {
             return stops && rest.next().is_none_or(char::is_uppercase);
         }
         self.push(from, Token::Word);
+        self.part_contraction();
         false
+    }
+
+    /// "She's" is "she is", and "he'll" is "he will".
+    fn part_contraction(&mut self) {
+        const WHO: [&str; 12] = ["she", "he", "it", "they", "we", "i", "that", "there", "who", "mum", "dad", "you"];
+        let Some(word) = self.words.last_mut() else { return };
+        let Some((who, rest)) = word.text.split_once('\'').filter(|(who, _)| WHO.contains(who)) else { return };
+        let is = match rest {
+            "s" if ["mum", "dad"].contains(&who) => return,
+            "s" => "is",
+            "ll" => "will",
+            "d" => "would",
+            "re" => "are",
+            "ve" => "have",
+            "m" => "am",
+            _ => return,
+        };
+        let second = Word { text: is.to_owned(), ..word.clone() };
+        word.text = who.to_owned();
+        self.words.push(second);
+    }
+
+    /// Whether what was read is "x3": three times.
+    fn is_count(&self, from: usize) -> bool {
+        let count = self.slice(from).strip_prefix(['x', 'X']);
+        count.is_some_and(|count| matches!(count.len(), 1 | 2) && count.bytes().all(|digit| digit.is_ascii_digit()))
     }
 
     fn slice(&self, from: usize) -> &str {
@@ -284,6 +339,12 @@ impl Lexer<'_> {
             word.text = text.into();
         }
     }
+}
+
+/// Whether a word is the name of a day in short, as in "Mon/Wed/Fri".
+fn is_day(word: &str) -> bool {
+    let word = word.to_lowercase();
+    ["mon", "tue", "wed", "thu", "fri", "sat", "sun"].iter().any(|day| word.starts_with(day))
 }
 
 #[cfg(test)]

@@ -1,0 +1,225 @@
+//! What is said beside who does what, and changes nothing that a home could show: "with a slice of lemon", "sitting very
+//! straight". A sentence that is understood without it is lived without it, and the user is told what was set aside.
+//!
+//! Nothing is set aside that says when, how often, how long, whether, who else or where, that holds something Homebody knows,
+//! or that may be a slip of it. What is denied, ends or changes is never read without a part of it.
+
+use super::activities::fits;
+use super::calendar::is_weekday;
+use super::clause::{PLACES, vocabulary};
+use super::draft::Draft;
+use super::faults::Faults;
+use super::reader::{Names, Reader, Sort, is_beginning, is_determiner};
+use super::remarks::is_lived;
+use super::rewording::reworded;
+use super::sentence;
+use super::unknown;
+use super::words::{Span, Token, Word};
+use crate::routine::Routine;
+
+/// More words are another sentence.
+const LONGEST: usize = 12;
+/// No more ways of setting words aside are tried of a sentence.
+const MOST_TRIES: usize = 60;
+/// In a longer sentence too many would have to be tried.
+const LONGEST_SENTENCE: usize = 40;
+
+/// Words of which none is set aside: they say whether, when, how often, how much, or begin what does.
+const TELLING: &str = "not no never none nor neither without nothing nobody hardly barely scarcely except unless only instead rather \
+    refuses declines cannot unable if when whenever while until till once since before after during more less fewer than longer \
+    shorter later sooner earlier faster slower better worse again increasingly gradually always often usually sometimes rarely \
+    seldom occasionally regularly frequently constantly continually continuously repeatedly intermittently periodically \
+    infrequently sporadically mostly mainly nearly almost every each daily weekly fortnightly monthly yearly hourly nightly twice \
+    thrice times most all any both half quarter day days night nights week weeks weekly month months year years hour hours hourly \
+    minute minutes second seconds morning mornings afternoon afternoons evening evenings weekend weekends weekday weekdays today \
+    tomorrow yesterday tonight spring summer autumn winter january february march april may june july august september october \
+    november december noon midday midnight lunchtime bedtime teatime mealtimes dinnertime suppertime dusk dawn sunrise sunset \
+    late early lately recently soon now then already still yet am pm o'clock christmas easter holiday holidays weeknight weeknights ages forever \
+    starts stops begins ends becomes becoming increasing decreasing growing one two three four five six seven eight nine ten \
+    dozen couple several few many much little lot lots plenty others somebody someone everybody everyone together upstairs \
+    downstairs outside outdoors away first last next alternate weather rain rains raining rainy snow snows snowing snowy wet";
+
+/// Words that what is set aside may begin with.
+const BEGINNING: &str = "with for from to into of about among against using over through in on at by near under along across like as \
+    because although though so which who that where despite due owing even very quite rather fairly really just simply";
+
+/// Of these, the ones that say where: what the home does not have is no matter of course.
+const WHERE: &str = "in on at by near under along across";
+
+/// What a sentence says without one or two of its parts, and these parts.
+pub struct Aside {
+    pub words: Vec<Word>,
+    pub left_out: Vec<Span>,
+}
+
+/// Sets aside what is beside the point, if the rest is understood and is something that is done.
+pub fn set_aside(names: &Names, draft: &Draft, words: &[Word]) -> Option<Aside> {
+    if words.len() > LONGEST_SENTENCE || words.iter().any(|word| denies(&word.text)) {
+        return None;
+    }
+    let windows = windows(names, draft, words);
+    let shorter = |window: &(usize, usize), words: &[Word]| [&words[..window.0], &words[window.1..]].concat();
+    let span = |window: &(usize, usize)| words[window.0].span.to(words[window.1 - 1].span);
+    let one = windows.iter().take(MOST_TRIES).find(|window| is_done(names, draft, &shorter(window, words)));
+    if let Some(window) = one {
+        return Some(Aside { words: shorter(window, words), left_out: vec![span(window)] });
+    }
+    let pairs = windows.iter().flat_map(|first| {
+        let after = windows.iter().filter(move |second| first.1 <= second.0);
+        after.map(move |second| (first, second))
+    });
+    let (first, second) = pairs.take(MOST_TRIES).find(|(first, second)| {
+        let without_second = shorter(second, words);
+        is_done(names, draft, &shorter(first, &without_second))
+    })?;
+    Some(Aside { words: shorter(first, &shorter(second, words)), left_out: vec![span(first), span(second)] })
+}
+
+/// The parts that may be set aside, the shortest first.
+fn windows(names: &Names, draft: &Draft, words: &[Word]) -> Vec<(usize, usize)> {
+    let mut found = Vec::new();
+    for from in 0..words.len() {
+        // In front of who does it stands only what a comma parts from it.
+        let is_in_front = from == 0;
+        if !(begins(names, words, from) || is_in_front && begins_in_front(words)) {
+            continue;
+        }
+        for to in from + 1..=words.len().min(from + LONGEST) {
+            let ends = match is_in_front {
+                true => words.get(to - 1).is_some_and(|word| word.token == Token::Comma),
+                false => ends(words, to),
+            };
+            if ends && is_beside_the_point(names, draft, words, from, to) {
+                found.push((from, to));
+            }
+        }
+    }
+    found.sort_by_key(|(from, to)| (to - from, *from));
+    found
+}
+
+fn is_one_of(list: &str, word: &str) -> bool {
+    list.split_whitespace().any(|one| one == word)
+}
+
+fn denies(word: &str) -> bool {
+    is_one_of("not no never cannot hardly barely scarcely nor neither only unless except refuses stops", word)
+        || word.ends_with("n't")
+}
+
+/// Whether a part that may be set aside begins at this word.
+fn begins(names: &Names, words: &[Word], from: usize) -> bool {
+    let word = &words[from];
+    let before = from.checked_sub(1).map(|before| &words[before]);
+    // No "a" or "at" is left without its noun.
+    let is_loose =
+        before.is_none_or(|before| is_determiner(&before.text) || is_beginning(&before.text) && before.text != "and");
+    if from == 0 || is_loose || word.token == Token::Comma && before.is_none() {
+        return false;
+    }
+    let first = if word.token == Token::Comma { words.get(from + 1) } else { Some(word) };
+    let Some(first) = first else { return false };
+    let text = |ahead: usize| words.get(from + ahead).map_or("", |word| word.text.as_str());
+    if names.lexicon.list("ASIDES", text).is_some() {
+        return true;
+    }
+    let next = words.get(from + 1).map_or("", |word| &word.text);
+    if is_one_of(WHERE, &first.text) && ["the", "a", "an"].contains(&next) {
+        return false;
+    }
+    let is_manner = first.text.len() > 4 && (first.text.ends_with("ly") || first.text.ends_with("ing"));
+    is_one_of(BEGINNING, &first.text) || is_manner || names.lexicon.has_last("MANNERS", &first.text)
+}
+
+/// "For her arthritis, she ...", "being a former nurse, she ...".
+fn begins_in_front(words: &[Word]) -> bool {
+    const OPENING: &str = "however therefore sadly unfortunately luckily thankfully apparently basically anyway overall previously \
+        formerly nowadays please bless following given";
+    let first = words.first().map_or("", |word| &word.text);
+    is_one_of(BEGINNING, first)
+        || is_one_of(OPENING, first)
+        || first.len() > 4 && (first.ends_with("ly") || first.ends_with("ing"))
+}
+
+/// Whether something else, or nothing, begins at this word.
+fn ends(words: &[Word], to: usize) -> bool {
+    let last = &words[to - 1];
+    if last.token == Token::Word && (is_determiner(&last.text) || is_beginning(&last.text)) {
+        return false;
+    }
+    let Some(next) = words.get(to) else { return true };
+    last.token == Token::Comma
+        || next.token != Token::Word
+        || is_beginning(&next.text)
+        || is_weekday(&next.text)
+        || next.text == "then"
+}
+
+/// Whether nothing in this part is anything that is lived.
+fn is_beside_the_point(names: &Names, draft: &Draft, words: &[Word], from: usize, to: usize) -> bool {
+    let mut faults = Faults::of_trial();
+    let mut reader = Reader { words, at: from, names, faults: &mut faults, text: draft.text, part: None };
+    // "Being a former nurse" names nobody who is there.
+    let is_origin = ["being", "having"].contains(&words[from].text.as_str());
+    let is_plain = |reader: &mut Reader| {
+        let word = &words[reader.at];
+        match word.token {
+            Token::Comma => return [from, to - 1].contains(&reader.at),
+            Token::Word if word.text.chars().all(|c| c.is_alphabetic() || c == '\'') => {}
+            _ => return false,
+        }
+        let next = words.get(reader.at + 1).map_or("", |word| word.text.as_str());
+        // What goes on with another verb is another thing done.
+        if ["and", "but", "or", "then", "so"].contains(&word.text.as_str()) && next.ends_with('s') {
+            return false;
+        }
+        let before = reader.at.checked_sub(1).map_or("", |before| words[before].text.as_str());
+        let names_somebody = ["with", "by", "to", "from", "of", "and"].contains(&before)
+            && draft.text.get(word.span.start..).is_some_and(|text| text.starts_with(char::is_uppercase));
+        !(is_one_of(TELLING, &word.text)
+            || word.text.ends_with("n't")
+            || is_weekday(&word.text)
+            || names_somebody
+            || is_known(reader, is_origin))
+    };
+    while reader.at < to {
+        if !is_plain(&mut reader) {
+            return false;
+        }
+        reader.at += 1;
+    }
+    true
+}
+
+/// Whether a name, a person, an activity or a time stands here, or what may be a slip of one.
+fn is_known(reader: &mut Reader, is_origin: bool) -> bool {
+    let lexicon = reader.names.lexicon.clone();
+    let word = reader.peek(0).to_owned();
+    let is_somebody = !is_origin && ["PEOPLE", "RELATIVES"].iter().any(|list| lexicon.has_last(list, &word));
+    let is_small = is_determiner(&word) || is_one_of(BEGINNING, &word);
+    is_somebody
+        || lexicon.has_last("ROOMS", &word)
+        || reader.ahead(|reader| reader.name(&PLACES).is_some() || reader.name(&[Sort::Condition]).is_some())
+        || reader.ahead(|reader| reader.person().is_some())
+        || lexicon.meaning(&word).any(|(way, _)| fits(reader, way).is_some())
+        || is_lived(reader)
+        || !is_small && is_slip(reader, &word)
+}
+
+/// Whether a word is nearly one that says when or where.
+fn is_slip(reader: &Reader, word: &str) -> bool {
+    const SHORT: usize = 5;
+    let is_near = |known: &str| known != word && unknown::is_slip_of(word, known);
+    word.len() >= SHORT && (vocabulary().any(is_near) || reader.names.of(&PLACES).any(is_near))
+}
+
+/// Whether these words are understood, and say only what is done.
+fn is_done(names: &Names, draft: &Draft, words: &[Word]) -> bool {
+    let words = reworded(names, draft.text, words);
+    let mut faults = Faults::of_trial();
+    let mut alone = draft.anew(draft.text);
+    let mut reader = Reader { words: &words, at: 0, names, faults: &mut faults, text: draft.text, part: None };
+    let is_heading = sentence::sentence(&mut reader, &mut alone, None).is_some();
+    let Routine { habits, changes, rules, .. } = &alone.routine;
+    !is_heading && faults.count() == 0 && !habits.is_empty() && changes.is_empty() && rules.is_empty()
+}

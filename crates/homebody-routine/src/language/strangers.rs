@@ -1,0 +1,98 @@
+//! Sentences whose subject nobody here is: a name that is not the person's, or nobody at all.
+
+use super::activities;
+use super::adverbs::Adverbs;
+use super::clause::vocabulary;
+use super::draft::Draft;
+use super::faults::did_you_mean;
+use super::reader::{Reader, begins_adverb, is_determiner};
+use super::said;
+use super::subjects::Subject;
+use super::words::{Span, Token};
+
+/// A name that nobody here has, in front of a verb.
+pub fn stranger(reader: &mut Reader) -> Option<Subject> {
+    const LONGEST: usize = 4;
+    let from = reader.at;
+    let is_capital =
+        |span: Span| reader.text.get(span.start..).is_some_and(|text| text.starts_with(char::is_uppercase));
+    let here = reader.here();
+    if !is_capital(here) && reader.peek(1) != "is" {
+        return None;
+    }
+    let is_known =
+        reader.ahead(|reader| activities::activity(reader).is_some() || super::amounts::number(reader).is_some());
+    let is_name = |reader: &Reader| {
+        let pronoun = ["she", "he", "they", "it"].contains(&reader.peek(0));
+        reader.token(0) == Some(Token::Word) && !pronoun && !begins_adverb(reader)
+    };
+    while !is_known && reader.at < from + LONGEST && is_name(reader) {
+        reader.at += 1;
+        let is_verb = |reader: &mut Reader| {
+            Adverbs::default().all(reader);
+            reader.eat("is|walks|shows") || said::visits(reader) || activities::activity(reader).is_some()
+        };
+        if reader.ahead(is_verb) {
+            return Some(Subject::Stranger(reader.said(reader.span(from))));
+        }
+    }
+    reader.at = from;
+    None
+}
+
+/// Whether a name may be the person's: nobody has said another, and it is said who that is.
+pub fn is_introduced(reader: &mut Reader, draft: &mut Draft, name: &str, who: Span) -> bool {
+    if reader.ahead(said::visits) {
+        let hint = "write who it is: \"her daughter visits\" or \"a nurse visits\"".to_owned();
+        reader.fault(who, format!("{name:?} is nobody that this routine knows"), hint);
+        return false;
+    }
+    if let Some(person) = reader.names.person.clone() {
+        let hint = did_you_mean(name, [person.as_str()].into_iter()).filter(|hint| hint.starts_with("did"));
+        let hint = hint.unwrap_or_else(|| "each person has a routine of their own".to_owned());
+        reader.fault(who, format!("this routine is about {person:?}, not about {name:?}"), hint);
+        return false;
+    }
+    if draft.is_condition {
+        let hint = "write \"she\", \"he\", \"they\" or \"the person\"".to_owned();
+        reader.fault(who, format!("a condition is about nobody in particular, not about {name:?}"), hint);
+        return false;
+    }
+    if reader.peek(0) != "is" {
+        reader.fault(who, format!("{name:?} has not been said to be anybody"), format!("begin with \"{name} is 82.\""));
+        return false;
+    }
+    draft.name = Some(name.to_owned());
+    true
+}
+
+pub fn no_subject(reader: &mut Reader) {
+    let from = reader.at;
+    if activities::activity(reader).is_some() {
+        let span = reader.span(from);
+        let hint = format!("write \"she {}\"", activities::in_third_person(&reader.said(span).to_lowercase()));
+        return reader.fault(span, "it is not said who does this", hint);
+    }
+    if is_determiner(reader.peek(0)) && reader.token(1) == Some(Token::Word) {
+        reader.at += 2;
+        let span = reader.span(from);
+        let what = format!("what {:?} does is not understood", reader.said(span));
+        let hint = "write \"she reads\" for what the person does, or \"her daughter visits on Sunday\"".to_owned();
+        return reader.fault(span, what, hint);
+    }
+    let (here, word) = (reader.here(), reader.peek(0).to_owned());
+    if reader.faults.is_trial {
+        return reader.fault(here, word, None);
+    }
+    if begins_adverb(reader) {
+        reader.at = (from + 3).min(reader.words.len());
+        let what = format!("{:?} is not understood here", reader.said(reader.span(from)));
+        let hint = "expected when or where: \"in the morning\", \"on Monday\", \"from week 6\", \"in the kitchen\"";
+        return reader.fault(reader.span(from), what, hint.to_owned());
+    }
+    let known = did_you_mean(&word, vocabulary().filter(|known| *known != word));
+    let hint = known.filter(|hint| hint.starts_with("did")).unwrap_or_else(|| {
+        "a sentence says who does what: \"she gets up at about 06:45\", \"her daughter visits on Sunday\"".into()
+    });
+    reader.fault(here, format!("{:?} is not understood here", reader.said(here)), hint);
+}
