@@ -189,11 +189,10 @@ impl Case {
         let value = |tried: &Tried| {
             let life = tried.life.as_ref()?;
             let who = life.body(of.as_deref(), tried.who)?;
-            let nights = measure.is_of_nights();
-            Some((measure.of(life, who, subject, filter), life.days(filter, nights).len() as f64))
+            Some((measure.of(life, who, subject, filter), measure.many(life, who, subject, filter)))
         };
         let measured = value(with);
-        let (low, high) = measure.bounds(measured.map_or(1.0, |(_, days)| days), beside != Beside::Itself);
+        let (low, high) = measure.bounds(measured.map_or(1.0, |(_, many)| many), beside != Beside::Itself);
         let expected = measure.in_words((low, high), beside);
         let Some((value_with, _)) = measured else { return row(expected, told(), or_told) };
         let value = match (beside, twin.and_then(value)) {

@@ -273,8 +273,8 @@ impl Life {
                 }
                 Subject::Severity(name) => {
                     let noon = self.calendar.instant(*day, 12 * 3600 * SECOND);
-                    let known = body.severities.iter().filter(|(at, of, _)| *at <= noon && of == name);
-                    known.last().map_or(0.0, |(.., severity)| *severity)
+                    let mut known = body.severities.iter().filter(|(at, of, _)| *at <= noon && of == name);
+                    known.next_back().map_or(0.0, |(.., severity)| *severity)
                 }
                 _ => f64::NAN,
             }

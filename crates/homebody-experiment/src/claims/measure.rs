@@ -100,12 +100,23 @@ impl Measure {
         })
     }
 
-    /// The bounds that a measured value has to lie within, of so many days.
-    pub fn bounds(&self, days: f64, is_twin: bool) -> Range {
+    /// How many a measured share is of: days, weeks, or times.
+    pub fn many(&self, life: &Life, who: usize, subject: &Subject, filter: &Filter) -> f64 {
+        let nights = self.is_of_nights();
+        let many = match self {
+            Measure::OnDays { .. } => life.days(filter, nights).len(),
+            Measure::DaysAWeek(_) => life.whole_weeks().len(),
+            _ => life.occurrences(who, subject, filter, nights).len(),
+        };
+        many as f64
+    }
+
+    /// The bounds that a measured value has to lie within, of so many days, weeks or times.
+    pub fn bounds(&self, many: f64, is_twin: bool) -> Range {
         match self {
-            Measure::OnDays { share, .. } if *share >= 1.0 => (EVERY, 1.0),
+            Measure::OnDays { share, .. } if *share >= 1.0 => (all_but_a_few(many, EVERY), 1.0),
             Measure::OnDays { share, .. } => {
-                let error = ERRORS * (share * (1.0 - share) / days.max(1.0)).sqrt();
+                let error = ERRORS * (share * (1.0 - share) / many.max(1.0)).sqrt();
                 ((share - error).max(0.0), (share + error).min(1.0))
             }
             Measure::DaysAWeek(_)
@@ -115,7 +126,7 @@ impl Measure {
             | Measure::Before(..)
             | Measure::With(..)
             | Measure::Mostly(_)
-            | Measure::In(_) => (MOST_OF_THEM, 1.0),
+            | Measure::In(_) => (all_but_a_few(many, MOST_OF_THEM), 1.0),
             Measure::Lasts(range) if !is_twin => (range.0 * (1.0 - OF_LENGTH), range.1 * (1.0 + OF_LENGTH)),
             Measure::Times(range)
             | Measure::TimesADay { range, .. }
@@ -150,15 +161,19 @@ impl Measure {
             Measure::Times(_) => all.len() as f64,
             Measure::TimesADay { .. } => all.len() as f64 / days,
             Measure::Begins(range) => share(&|one| is_then(one.clock_min(), *range)),
-            Measure::Ends(range) => share(&|one| is_then(minutes(one.end - life.midnight(one.end)), *range)),
+            // What is interrupted shortly before its end is not gone back to.
+            Measure::Ends((from, to)) => {
+                let range = (from - GRACE_MIN, *to);
+                share(&|one| is_then(minutes(one.end - life.midnight(one.end)), range))
+            }
             // The day is a circle: by how much each is before or after the first.
             Measure::BeginsOnAverage(_) => {
                 let first = all.first().map_or(0.0, Occurrence::clock_min);
-                mean(&begins(&(first, first)))
+                mean(&usual(begins(&(first, first))))
             }
             Measure::Spread(_) => {
                 let first = all.first().map_or(0.0, Occurrence::clock_min);
-                spread(&begins(&(first, first)))
+                spread(&usual(begins(&(first, first))))
             }
             Measure::Lasts(_) => mean(&all.iter().map(|one| minutes(one.lasted)).collect::<Vec<_>>()),
             Measure::Longest(_) => all.iter().map(|one| minutes(one.end - one.begin)).fold(0.0, f64::max),
@@ -215,6 +230,24 @@ fn is_then(minute: f64, range: Range) -> bool {
 
 fn is_within(minutes: f64, (from, to): Range) -> bool {
     (from - 1.0..=to + GRACE_MIN).contains(&minutes)
+}
+
+/// A share as a whole number of so many, of which one may be missed where there are some.
+fn all_but_a_few(many: f64, share: f64) -> f64 {
+    /// Of fewer none may be missed (ours).
+    const SOME: f64 = 5.0;
+    let missed = (many * (1.0 - share) + 1e-9).floor();
+    let missed = if many >= SOME { missed.max(1.0) } else { missed };
+    1.0 - missed / many.max(1.0)
+}
+
+/// Times without the one in twenty that lie farthest from their middle, as "every day" leaves out as many.
+fn usual(mut values: Vec<f64>) -> Vec<f64> {
+    values.sort_by(f64::total_cmp);
+    let middle = values.get(values.len() / 2).copied().unwrap_or_default();
+    values.sort_by(|a, b| (a - middle).abs().total_cmp(&(b - middle).abs()));
+    values.truncate((values.len() as f64 * EVERY).ceil() as usize);
+    values
 }
 
 fn mean(values: &[f64]) -> f64 {

@@ -539,7 +539,12 @@ impl RoutineDriver {
             }
         }
         // What is too late, or would be over before it has begun, is left out.
-        let is_past = |item: &Item| item.latest < now || item.until.is_some_and(|until| until < now + 5 * MINUTE);
+        let is_over = |item: &Item| item.latest < now || item.until.is_some_and(|until| until < now + 5 * MINUTE);
+        // What nobody says keeps nobody from going to bed.
+        let bed = self.agenda.bed + GRACE;
+        let is_too_long =
+            |item: &Item| item.is_unsaid && !item.is_essential() && item.start.max(now) + item.lasts > bed;
+        let is_past = |item: &Item| is_over(item) || is_too_long(item);
         while self.agenda.items.get(self.next_item).is_some_and(is_past) {
             self.next_item += 1;
         }

@@ -26,7 +26,9 @@ impl RoutineDriver {
             item.has_its_time && item.follows.is_none() && !(gives_way && item.is_essential()) && fits_after(item)
         };
         let is_said = |item: &Item| {
-            !item.waits && item.start < end && item.start >= now - GRACE && (next.waits || is_timed(item))
+            // Of what is overdue, medicine alone.
+            let is_due = item.start >= now - GRACE || item.activity == Activity::TakeMedicine && item.latest >= now;
+            !item.waits && item.start < end && is_due && (next.waits || is_timed(item))
         };
         let is_meal = |item: &Item| is_outing && item.is_essential() && item.start < now + 2 * GRACE;
         let is_first = |item: &Item| is_said(item) || is_meal(item) && item.latest >= now;
