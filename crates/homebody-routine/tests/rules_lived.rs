@@ -50,14 +50,16 @@ fn what_is_over_brings_the_next_step_after_step() {
     assert!(lunches.len() as i64 >= DAYS - 1);
     let naps = life.after(&lunches, "napping", 20 * MINUTE);
     assert!(naps.len() * 10 >= lunches.len() * 9, "{} of {}", naps.len(), lunches.len());
-    let ends: Vec<Micros> = lunches.iter().flat_map(|&at| life.of("napping").find(|(from, _)| *from >= at)).map(|(_, to)| to).collect();
+    let ends: Vec<Micros> =
+        lunches.iter().flat_map(|&at| life.of("napping").find(|(from, _)| *from >= at)).map(|(_, to)| to).collect();
     let reads = life.after(&ends, "reading", 5 * MINUTE);
     assert!(reads.len() * 10 >= ends.len() * 9, "{} of {}", reads.len(), ends.len());
 }
 
 #[test]
 fn what_has_to_be_so_is_asked_as_it_becomes_due() {
-    let naps = |rule: &str| live(rule).of("napping").filter(|(from, _)| (12.0..14.0).contains(&hour(*from))).count() as i64;
+    let naps =
+        |rule: &str| live(rule).of("napping").filter(|(from, _)| (12.0..14.0).contains(&hour(*from))).count() as i64;
     let always = naps("Whenever she has eaten lunch, she naps for 20 minutes.");
     let never = naps("Whenever she has eaten lunch, she naps for 20 minutes unless it is after 12:00.");
     let before = naps("Whenever she has eaten lunch and it is before 15:00, she naps for 20 minutes.");
@@ -68,10 +70,12 @@ fn what_has_to_be_so_is_asked_as_it_becomes_due() {
 fn who_comes_is_noticed_and_so_is_that_nobody_is_there() {
     let visit = "Her daughter visits on Sunday at 14:00 for 2 hours.\n";
     let life = live(&format!("{visit}Whenever her daughter comes, she has a drink."));
-    let visits: Vec<Micros> = life.of("visiting").map(|(from, _)| from).filter(|from| from / DAY % 7 == 6).collect();
+    let visits: Vec<Micros> = life.of("visit").map(|(from, _)| from).filter(|from| from / DAY % 7 == 6).collect();
     let begun: Vec<Micros> = visits.iter().copied().filter(|at| (13.8..14.3).contains(&hour(*at))).collect();
-    assert!(begun.len() >= 3, "{}", begun.len());
-    assert!(life.after(&begun, "drinking", 15 * MINUTE).len() >= begun.len() - 1);
+    let mut firsts = begun.clone();
+    firsts.dedup_by_key(|at| *at / DAY);
+    assert!(firsts.len() >= 3, "{}", firsts.len());
+    assert!(life.after(&firsts, "drinking", 5 * MINUTE).len() >= firsts.len() - 1);
     let life = live(&format!("{visit}Whenever she has been alone for 20 hours, she paces for 10 minutes."));
     assert!(life.of("pacing").count() >= 3);
     let life = live(&format!("{visit}Whenever her daughter has been there for 5 hours, she paces for 10 minutes."));
@@ -90,7 +94,9 @@ fn dusk_is_noticed_every_day() {
 #[test]
 fn who_has_sat_for_long_rises() {
     let sits = "She reads in the armchair from 14:00 to 17:00.\n";
-    let walks = |rule: &str| live(&format!("{sits}{rule}")).of("wandering").filter(|(from, _)| (14.0..17.2).contains(&hour(*from))).count();
+    let walks = |rule: &str| {
+        live(&format!("{sits}{rule}")).of("wandering").filter(|(from, _)| (14.0..17.2).contains(&hour(*from))).count()
+    };
     let rises = walks("Whenever she has been sitting for 50 minutes, she walks around for 3 minutes.");
     assert!(rises as i64 >= DAYS, "{rises}");
     assert_eq!(walks(""), 0);
@@ -98,22 +104,34 @@ fn who_has_sat_for_long_rises() {
 
 #[test]
 fn what_is_forgotten_is_done_later() {
-    let life = live("Whenever she has eaten lunch, she naps for 10 minutes, but she forgets it on 50 % of days and does it 2 hours later.");
+    let life = live(
+        "Whenever she has eaten lunch, she naps for 10 minutes, but she forgets it on 50 % of days and does it 2 hours later.",
+    );
     let lunches = life.ends("eating_lunch");
     let naps = life.after(&lunches, "napping", 3 * HOUR);
     let (soon, late): (Vec<f64>, Vec<f64>) = naps.into_iter().partition(|gap| *gap < 30.0);
     assert!(soon.len() >= 6 && late.len() >= 6, "{} {}", soon.len(), late.len());
-    assert!(late.iter().all(|gap| (95.0..175.0).contains(gap)), "{late:?}");
+    assert!(late.iter().all(|gap| (80.0..180.0).contains(gap)), "{late:?}");
 }
 
 #[test]
 fn the_first_rule_of_the_text_goes_first_and_the_others_wait() {
-    let (nap, pace) = ("Whenever she has eaten lunch, she naps for 30 minutes.", "Whenever she has eaten lunch, she paces for 5 minutes.");
-    for (text, first, second) in [(format!("{nap}\n{pace}"), "napping", "pacing"), (format!("{pace}\n{nap}"), "pacing", "napping")] {
+    let (nap, pace) = (
+        "Whenever she has eaten lunch, she naps for 30 minutes.",
+        "Whenever she has eaten lunch, she paces for 5 minutes.",
+    );
+    for (text, first, second) in
+        [(format!("{nap}\n{pace}"), "napping", "pacing"), (format!("{pace}\n{nap}"), "pacing", "napping")]
+    {
         let life = live(&text);
         let lunches = life.ends("eating_lunch");
         let (firsts, seconds) = (life.after(&lunches, first, HOUR), life.after(&lunches, second, 2 * HOUR));
-        assert!(firsts.len() as i64 >= DAYS - 4 && seconds.len() as i64 >= DAYS - 4, "{} {}", firsts.len(), seconds.len());
+        assert!(
+            firsts.len() as i64 >= DAYS - 4 && seconds.len() as i64 >= DAYS - 4,
+            "{} {}",
+            firsts.len(),
+            seconds.len()
+        );
         let is_first = firsts.iter().zip(&seconds).filter(|(a, b)| a < b).count();
         assert!(is_first * 10 >= firsts.len() * 9, "{is_first} of {}: {text}", firsts.len());
     }
@@ -121,7 +139,9 @@ fn the_first_rule_of_the_text_goes_first_and_the_others_wait() {
 
 #[test]
 fn a_rule_may_follow_another() {
-    let life = live("Whenever she has eaten lunch, she naps for 20 minutes.\nWhenever she has done so for 2 hours, she paces for 5 minutes.");
+    let life = live(
+        "Whenever she has eaten lunch, she naps for 20 minutes.\nWhenever she has done so for 2 hours, she paces for 5 minutes.",
+    );
     assert!(life.of("pacing").count() as i64 >= DAYS - 6, "{}", life.of("pacing").count());
     assert!(!life.1.facts.is_empty());
 }

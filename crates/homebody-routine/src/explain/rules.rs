@@ -6,7 +6,7 @@ use crate::routine::{Lapse, Response, Routine, Rule, Trigger};
 
 /// What a rule waits for: "whenever the stove has been on or open for 20 minutes, unless the person is in bed".
 pub fn whenever(rule: &Rule) -> String {
-    let lasts = (rule.lasts.high > 0.0).then(|| format!(" for {}", lasts_words(&rule.lasts))).unwrap_or_default();
+    let lasts = if rule.lasts.high > 0.0 { format!(" for {}", lasts_words(&rule.lasts)) } else { String::new() };
     let only_if = rule.only_if.iter().map(|one| {
         let state = so(&one.state);
         if one.holds { format!(", only if {state}") } else { format!(", unless {state}") }

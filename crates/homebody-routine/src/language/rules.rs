@@ -113,12 +113,8 @@ fn steps(reader: &mut Reader, whenever: &Trigger, first: &Response) -> Option<Ve
 
 /// Whether something that is done begins here.
 fn is_verb(reader: &mut Reader) -> bool {
-    let first = reader.peek(0).to_owned();
-    first.ends_with('s') && !is_state(&first)
-}
-
-fn is_state(word: &str) -> bool {
-    ["is", "has", "somebody", "this"].contains(&word)
+    let is_state = ["is", "has", "somebody", "this"].contains(&reader.peek(0));
+    reader.peek(0).ends_with('s') && (!is_state || reader.ahead(activities::activity).is_some())
 }
 
 /// "but often forgets it", "but she forgets it on 20 % of occasions and does it an hour later".

@@ -71,7 +71,7 @@ pub fn circumstances(reader: &mut Reader) -> Option<Vec<Circumstance>> {
 /// A state, and whether it is so.
 fn circumstance(reader: &mut Reader) -> Option<(Trigger, bool)> {
     if reader.eat("it is|gets") || reader.eat("it has been") {
-        let not = (reader.eat("not") || reader.eat("no longer"));
+        let not = reader.eat("not") || reader.eat("no longer");
         let reads = [("dark", true), ("light|bright|day", false)];
         if let Some(is_dark) = reader.eat_any(&reads) {
             return Some((Trigger::Dark(room(reader)), is_dark != not));
@@ -86,13 +86,13 @@ fn circumstance(reader: &mut Reader) -> Option<(Trigger, bool)> {
         if !(reader.eat("is|are") || reader.eat("has been")) {
             return None;
         }
-        let not = (reader.eat("not") || reader.eat("no longer"));
+        let not = reader.eat("not") || reader.eat("no longer");
         return Some((of_person(reader)?, !not));
     }
     reader.at = from;
     let thing = reader.name(&[Sort::Thing])?;
     reader.eat("is|are").then_some(())?;
-    let not = (reader.eat("not") || reader.eat("no longer"));
+    let not = reader.eat("not") || reader.eat("no longer");
     let is_on = reader.eat_any(&[("on|open|running", true), ("off|shut|closed", false)])?;
     Some((Trigger::Rings(thing), is_on != not))
 }

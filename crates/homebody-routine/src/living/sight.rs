@@ -104,7 +104,7 @@ impl RoutineDriver {
             (MotionState::Stride { to, .. }, MotionState::Stride { to: here, .. }) => {
                 MotionState::Stride { from: *here, to: *to }
             }
-            (other, _) => other.clone(),
+            (other, _) => *other,
         };
         self.sight.rest = Some(MotionSegment { begin: until, doing, ..segment });
         Next::Segment(first)

@@ -34,6 +34,8 @@ struct Watch {
     due: Micros,
     /// It was forgotten, and comes to mind later.
     is_late: bool,
+    /// Whether what it waits for was looked at before.
+    is_seen: bool,
 }
 
 impl Watches {
@@ -62,6 +64,7 @@ impl Watches {
                     holds: false,
                     due: NEVER,
                     is_late: false,
+                    is_seen: false,
                 };
                 self.rules.push(kept.unwrap_or_else(new));
             }
@@ -87,7 +90,12 @@ impl Watches {
             if !watch.rule.whenever.is_looked_for() {
                 continue;
             }
+            // What is so as the looking begins does not begin then.
+            let was_so = watch.is_seen || watch.rule.lasts.high > 0.0;
+            self.rules[index].is_seen = true;
+            let watch = &self.rules[index];
             match (is_so(&watch.rule.whenever), watch.holds) {
+                (true, false) if !was_so => self.rules[index].holds = true,
                 (true, false) => self.begin_one(index, now, life),
                 (false, true) => {
                     // A bell that has rung has rung.
