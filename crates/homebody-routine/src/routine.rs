@@ -4,9 +4,12 @@
 //! nobody said, such as how long a breakfast takes, is for the living to fill in.
 
 use crate::fuzzy::{Fuzzy, Quantifier};
+pub use days::{Days, Moment, PartOfDay, Phase};
 use homebody_core::activity::{self, UsualLength};
 use homebody_core::role::Role;
 use serde::Serialize;
+
+mod days;
 
 /// A routine file, or a condition file, which is about nobody in particular.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -147,20 +150,6 @@ pub struct Chance {
     pub days_a_week: Option<u8>,
 }
 
-/// On which days.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct Days {
-    /// Bit 0 is Monday, bit 6 Sunday.
-    pub weekdays: u8,
-    /// Bit 0 is January, bit 11 December.
-    pub months: u16,
-    /// Every so many days, counted from the first; 1 is every day.
-    pub every: u32,
-    /// The first and the last of the days of each month: from 1 to 7 with a Monday is the first Monday, and from 0 to 7
-    /// is the last week of the month.
-    pub of_month: (u8, u8),
-}
-
 /// When on such a day. Times of day are seconds since local midnight; later than 86,400 is after midnight.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -177,40 +166,6 @@ pub enum When {
     With(Activity),
     /// Once the habit before it in the file is done; it is done only if that one is.
     Then,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum PartOfDay {
-    Morning,
-    Noon,
-    Afternoon,
-    Evening,
-    Night,
-    Day,
-}
-
-/// From when on, how gradually, until when.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Phase {
-    /// Nothing: from the beginning.
-    pub from: Option<Moment>,
-    /// How many days until it is fully there.
-    pub over_days: f64,
-    /// The first moment at which it is no longer so, or begins to fade.
-    pub until: Option<Moment>,
-    /// How many days until it is fully gone again, after `until`.
-    pub fading_days: f64,
-}
-
-/// A day of the run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Moment {
-    /// Days since the first, which is 0.
-    Day(i32),
-    /// Year, month and day of the calendar.
-    Date(i16, u8, u8),
 }
 
 /// Something that interrupts whatever is done.
@@ -525,10 +480,6 @@ impl Effect {
 
 impl Meal {
     pub const ALL: [Meal; 3] = [Meal::Breakfast, Meal::Lunch, Meal::Dinner];
-}
-
-impl Days {
-    pub const ALL: Days = Days { weekdays: 0x7f, months: 0xfff, every: 1, of_month: (1, 31) };
 }
 
 impl Chance {

@@ -23,6 +23,7 @@ mod watch;
 // Who carries it out.
 pub use homebody_walk::body;
 mod chores;
+mod playing;
 pub mod driver;
 mod turns;
 pub mod tally;

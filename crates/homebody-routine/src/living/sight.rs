@@ -16,13 +16,6 @@ use homebody_core::time::{Micros, SECOND};
 /// How often somebody looks who looks out for something (ours).
 const LOOKS: Micros = SECOND;
 
-/// What is on, whoever uses it, and the rest of what is being done.
-#[derive(Clone, Debug, Default)]
-pub struct Sight {
-    on: Vec<bool>,
-    rest: Option<MotionSegment>,
-}
-
 impl RoutineDriver {
     /// Looks round, where rules need it.
     pub(super) fn look(&mut self, around: &Surroundings) {

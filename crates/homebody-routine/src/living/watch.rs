@@ -3,6 +3,7 @@
 use super::life::{InForce, Life, SentenceId};
 use super::places::Places;
 use crate::routine::{Response, Rule, Trigger};
+use homebody_core::drivers::MotionSegment;
 use homebody_core::home::plan::Plan;
 use homebody_core::time::{Micros, NEVER, micros};
 
@@ -36,6 +37,13 @@ struct Watch {
     is_late: bool,
     /// Whether what it waits for was looked at before.
     is_seen: bool,
+}
+
+/// What is on, whoever uses it, and the rest of what is being done.
+#[derive(Clone, Debug, Default)]
+pub struct Sight {
+    pub(super) on: Vec<bool>,
+    pub(super) rest: Option<MotionSegment>,
 }
 
 impl Watches {
