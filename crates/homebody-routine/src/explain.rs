@@ -5,7 +5,7 @@ use crate::language::LAST_WEEK;
 use crate::language::activities::phrase;
 use crate::routine::{
     Activity, Chance, Change, Days, Effect, Habit, Moment, PartOfDay, Person, Phase, Quote, Response, Routine, Rule,
-    When,
+    Shy, When,
 };
 use serde::Serialize;
 use words::{clock, join, lasts_words, number, numbers, sentence, span_words};
@@ -264,6 +264,11 @@ fn effect_words(effect: &Effect) -> String {
         Effect::Forgets { thing, chance } => {
             format!("{thing}: left on or open after use with probability {}", number(*chance))
         }
+        Effect::Shy { of: Shy::OpenFloor, gain } => {
+            format!("wandering: keeps close to the walls, gain {}", number(*gain))
+        }
+        Effect::Shy { of: Shy::People, gain } => format!("wandering: keeps away from others, gain {}", number(*gain)),
+        Effect::Shy { of: Shy::GoingOn, gain } => format!("wandering: stops {} times a minute", number(*gain)),
         Effect::Pulse(by) => format!("pulse {} beats a minute more", numbers(by.low, by.high)),
         Effect::Respiration(by) => format!("breathing {} breaths a minute more", numbers(by.low, by.high)),
     }

@@ -24,9 +24,10 @@ use homebody_core::recording::Recording;
 use homebody_core::run::{DriverProvider, Guest, Run};
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::load::{Driver, DriverText, Files, Language, NoText, Scenario, too_long};
+use homebody_core::scenario::resident::WanderingFile;
 use homebody_core::time::DAY;
 use homebody_script::{Cast, Names, Program, ScriptDriver};
-use homebody_walk::Mesh;
+use homebody_walk::{Gains, Mesh};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -231,7 +232,7 @@ impl Household {
             _ => self.ordinary.clone(),
         };
         let calendar = &self.scenario.calendar;
-        Some(Life::new(
+        let mut life = Life::new(
             &file.name,
             seed,
             calendar,
@@ -241,7 +242,9 @@ impl Household {
             &self.conditions,
             self.is_one_of_many,
             self.scenario.home.numbers(),
-        ))
+        );
+        life.gains = gains(&file.wandering);
+        Some(life)
     }
 
     /// The sentences of everybody's routines whose lives in a run, as far as it has come, differ from their words.
@@ -316,6 +319,7 @@ impl Household {
             names: residents.chain(self.guests().into_iter().map(|guest| guest.name)).collect(),
             name: file.name.clone(),
             pace_mps: file.pace_mps,
+            gains: gains(&file.wandering),
             seed,
         };
         ScriptDriver::new(program.clone(), cast)
@@ -326,6 +330,12 @@ impl Household {
         let radius_m = self.scenario.residents.get(body).map_or(Build::adult().radius_m, |one| one.file.radius_m);
         Arc::new(Mesh::with_numbers(&home.plan, radius_m, &home.numbers))
     }
+}
+
+/// The gains that a resident's file says.
+fn gains(file: &WanderingFile) -> Gains {
+    let WanderingFile { goal, walls, noise, people, open_floor, pauses_per_min: pauses } = *file;
+    Gains { goal, walls, noise, people, open_floor, pauses }
 }
 
 impl DriverProvider for Household {

@@ -303,6 +303,20 @@ pub enum Effect {
     Pulse(Fuzzy),
     /// So many breaths a minute more.
     Respiration(Fuzzy),
+    /// A motor schema steers whoever wanders: by so much beside a goal of 1, or so many times a minute.
+    Shy { of: Shy, gain: f64 },
+}
+
+/// What a wanderer shies away from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Shy {
+    /// Open floor: they keep close to the walls.
+    OpenFloor,
+    /// Other people: they keep away from them.
+    People,
+    /// Going on: they stop now and then.
+    GoingOn,
 }
 
 impl Routine {

@@ -4,8 +4,8 @@ use homebody_core::home::Home;
 use homebody_core::random::Stream;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::{DAY, Micros, SECOND};
-use homebody_walk::Mesh;
 use homebody_walk::places::Places;
+use homebody_walk::{Gains, Mesh};
 use std::sync::Arc;
 
 const HOUR: Micros = 3_600 * SECOND;
@@ -27,6 +27,8 @@ pub struct Cast {
     pub name: String,
     /// How fast the resident usually walks.
     pub pace_mps: f64,
+    /// How the resident wanders.
+    pub gains: Gains,
     /// The run's.
     pub seed: u64,
 }

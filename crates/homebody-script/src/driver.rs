@@ -20,6 +20,7 @@ use homebody_core::random::Stream;
 use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, micros};
+use homebody_walk::Wanderers;
 use homebody_walk::body::Body;
 use homebody_walk::places::Spot;
 use rhai::Dynamic;
@@ -423,7 +424,15 @@ impl ScriptDriver {
                 moves.unwrap_or_else(|| vec![self.at_a_loss(now)])
             }
             Step::Stand => self.body.get_up(now, hour, 1.0, &mut self.own),
-            Step::Wander { kind, left } => self.body.wander(*kind, *left, now, hour, 1.0, &mut self.own),
+            Step::Wander { kind, left } => self.body.wander(
+                *kind,
+                *left,
+                now,
+                hour,
+                1.0,
+                Wanderers { gains: self.cast.gains, others: &[] },
+                &mut self.own,
+            ),
             Step::Straight { degrees, metres } => {
                 let stands = self.body.posture() == Posture::Standing && self.cast.mesh.is_free(self.body.at());
                 let first = if stands { Vec::new() } else { self.body.get_up(now, hour, 1.0, &mut self.own) };

@@ -4,7 +4,7 @@ use crate::gait::{Gait, rise, sit, walk};
 use crate::mesh::Mesh;
 use crate::places::Spot;
 use crate::routes::Routes;
-use crate::schemas::{Wandering, wander};
+use crate::schemas::{Wanderers, Wandering, wander};
 use homebody_core::drivers::MotionSegment;
 use homebody_core::event::MotionState;
 use homebody_core::geometry::Point;
@@ -113,6 +113,7 @@ impl Body {
     }
 
     /// The moves of a walk without a goal.
+    #[expect(clippy::too_many_arguments, reason = "they are the whole of what wandering depends on")]
     pub fn wander(
         &mut self,
         kind: Wandering,
@@ -120,6 +121,7 @@ impl Body {
         now: Micros,
         hour: f64,
         pace: f64,
+        who: Wanderers,
         stream: &mut Stream,
     ) -> Vec<MotionSegment> {
         let mut moves = self.stand_up(now, pace, stream);
@@ -136,6 +138,7 @@ impl Body {
             lasts.max(10 * SECOND),
             &gait,
             &self.home.numbers,
+            who,
             stream,
         ));
         self.spot = None;

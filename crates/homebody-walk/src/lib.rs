@@ -64,7 +64,7 @@ pub use gait::{Gait, rise, sit, walk};
 pub use mesh::Mesh;
 pub use pattern::{Pattern, pattern_of};
 pub use routes::Routes;
-pub use schemas::{Wandering, wander};
+pub use schemas::{Gains, Wanderers, Wandering, wander};
 
 /// The numbers that walking is made of, each with its unit and its range.
 pub fn numbers() -> Vec<Number> {

@@ -7,13 +7,16 @@
 //! We assume that a wanderer keeps one speed for the whole of it, and does not stop to turn. The order is one of the
 //! places come to. Where all rooms open on one hall, any order of places is to and fro between rooms.
 //!
-//! Three vectors are added (Arkin 1989): toward the next corner of the way that can be seen, away from the
-//! nearest obstacle (the largest repulsion, not the sum, so that walls of many points do not dominate), and into a random
-//! direction that persists for a while. The sum is taken anew at every tenth of a second; where that leads within half a
+//! Vectors are added (Arkin 1989): toward the next corner of the way that can be seen, away from the
+//! nearest obstacle (the largest repulsion, not the sum, so that walls of many points do not dominate), into a random
+//! direction that persists for a while, away from other people, and, of who fears open floor, back toward the nearest wall. [`Gains`]
+//! says how much of each, for whom. The sum is taken anew at every tenth of a second; where that leads within half a
 //! second is one straight step, if the body fits there with its whole radius. If not, the step follows the way planned
 //! anew from there, which leads to the goal through any gap; so does the rest of a leg that takes too long.
 //!
-//! Left out: other people, pauses, setting off and slowing down, and what the wanderer looks for.
+//! Now and then a wanderer stands still for a while. Other people are where they were as the wandering began.
+//!
+//! Left out: setting off and slowing down, and what the wanderer looks for.
 
 use crate::gait::Gait;
 use crate::mesh::Mesh;
@@ -26,6 +29,43 @@ use homebody_core::numbers::Numbers;
 use homebody_core::random::Stream;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, micros};
+
+/// How much of each schema is in somebody's wandering: times the usual gain, but where a gain is usually 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gains {
+    /// Toward the goal.
+    pub goal: f64,
+    /// Away from what is in the way.
+    pub walls: f64,
+    /// Into random directions.
+    pub noise: f64,
+    /// Away from other people, beside a goal of 1; usually 0.
+    pub people: f64,
+    /// Back toward the nearest wall, beside a goal of 1; usually 0.
+    pub open_floor: f64,
+    /// How many times a minute one stands still; usually 0.
+    pub pauses: f64,
+}
+
+impl Gains {
+    /// What is usual.
+    pub const USUAL: Gains = Gains { goal: 1.0, walls: 1.0, noise: 1.0, people: 0.0, open_floor: 0.0, pauses: 0.0 };
+}
+
+impl Default for Gains {
+    fn default() -> Gains {
+        Gains::USUAL
+    }
+}
+
+/// Whose wandering it is, and who else is there.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Wanderers<'a> {
+    /// The wanderer's gains.
+    pub gains: Gains,
+    /// Where the others are, in metres.
+    pub others: &'a [Point],
+}
 
 /// How somebody wanders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -69,6 +109,14 @@ homebody_core::numbers! {
     static APART_M = "wandering.apart": 1.5, "m", [0.1, 10.0];
     /// Places to wander between are this far from things, if such are found.
     static ROOM_AROUND_M = "wandering.room_around": 0.5, "m", [0.0, 3.0];
+    /// Who fears open floor is drawn to walls that are nearer than this; beyond it, as much as at it.
+    static OPEN_FROM_M = "wandering.open_from": 2.0, "m", [0.6, 6.0];
+    /// As near as this to a wall nobody fears open floor.
+    static OPEN_LEAST_M = "wandering.open_least": 0.45, "m", [0.2, 2.0];
+    /// Other people further than this do not push.
+    static PEOPLE_FROM_M = "wandering.people_from": 1.5, "m", [0.3, 6.0];
+    /// The median of how long a wanderer stands still, whose logarithm spreads by 0.6.
+    static PAUSE_S = "wandering.pause": 4.0, "s", [0.5, 120.0];
     /// How far somebody who does not know where to go moves on the spot.
     static LOST_AMPLITUDE_M = "wandering.lost_amplitude": 0.3, "m", [0.0, 1.0];
 }
@@ -92,10 +140,11 @@ pub fn wander(
     lasting: Micros,
     gait: &Gait,
     numbers: &Numbers,
+    who: Wanderers,
     stream: &mut Stream,
 ) -> Vec<MotionSegment> {
     let goals = goals(kind, mesh, plan, from, numbers, stream);
-    between(kind, mesh, &goals, from, begin, lasting, gait, numbers, stream).0
+    between(kind, mesh, &goals, from, begin, lasting, gait, numbers, who, stream).0
 }
 
 /// Wanders between goals; also, which of them it has come to, in order.
@@ -109,6 +158,7 @@ fn between(
     lasting: Micros,
     gait: &Gait,
     numbers: &Numbers,
+    who: Wanderers,
     stream: &mut Stream,
 ) -> (Vec<MotionSegment>, Vec<usize>) {
     if goals.len() < 2 {
@@ -126,15 +176,22 @@ fn between(
         step_s,
         step_m: gait.speed_mps * step_s,
         schemas: Schemas {
-            goal_gain: numbers.of(&GOAL_GAIN),
-            avoid_gain: numbers.of(&AVOID_GAIN),
+            goal_gain: numbers.of(&GOAL_GAIN) * who.gains.goal,
+            avoid_gain: numbers.of(&AVOID_GAIN) * who.gains.walls,
+            open_gain: who.gains.open_floor,
+            open_m: [&OPEN_LEAST_M, &OPEN_FROM_M].map(|number| numbers.of(number)),
+            people_gain: who.gains.people,
+            people_from_m: numbers.of(&PEOPLE_FROM_M),
+            others: who.others.to_vec(),
             avoid_from_m: numbers.of(&AVOID_FROM_M),
             avoid_most_m: numbers.of(&AVOID_MOST_M),
-            noise_gain: noise_gain.map(|gain| numbers.of(gain)),
+            noise_gain: noise_gain.map(|gain| numbers.of(gain) * who.gains.noise),
             noise_lasts: [&NOISE_STEPS_LEAST, &NOISE_STEPS_MOST].map(|steps| numbers.of(steps)),
         },
         reached_m: numbers.of(&REACHED_M),
         patience: numbers.of(&PATIENCE),
+        pause_chance: who.gains.pauses * step_s / 60.0,
+        pause_s: numbers.of(&PAUSE_S),
         noise: Point::ZERO,
         noise_steps: 0,
         at: from,
@@ -214,6 +271,11 @@ struct Schemas {
     noise_gain: [f64; 2],
     /// In steps.
     noise_lasts: [f64; 2],
+    open_gain: f64,
+    open_m: [f64; 2],
+    people_gain: f64,
+    people_from_m: f64,
+    others: Vec<Point>,
 }
 
 struct Wanderer<'a> {
@@ -223,6 +285,9 @@ struct Wanderer<'a> {
     schemas: Schemas,
     reached_m: f64,
     patience: f64,
+    /// At each step.
+    pause_chance: f64,
+    pause_s: f64,
     noise: Point,
     /// For so many steps more the noise stays as it is.
     noise_steps: u32,
@@ -250,7 +315,10 @@ impl Wanderer<'_> {
             }
             let steered = way.get(next).and_then(|&corner| self.steer(corner, stream));
             match steered.filter(|_| steps_left > 0.0) {
-                Some(to) => self.step(to),
+                Some(to) => {
+                    self.step(to);
+                    self.pause(stream);
+                }
                 None => {
                     let Some(planned) = self.mesh.path(self.at, goal) else { return false };
                     (way, next) = (planned, 0);
@@ -272,11 +340,12 @@ impl Wanderer<'_> {
             self.noise_steps = stream.between(shortest, longest) as u32;
         }
         self.noise_steps -= 1;
-        let near = self.mesh.sides_near(self.at, self.schemas.avoid_from_m + self.step_m);
+        let reach_m = if self.schemas.open_gain > 0.0 { self.schemas.open_m[1] } else { self.schemas.avoid_from_m };
+        let near = self.mesh.sides_near(self.at, reach_m + self.step_m);
         let mut to = self.at;
         for _ in 0..STEERINGS {
             let to_goal = (corner - to).normalize_or_zero() * self.schemas.goal_gain;
-            let sum = to_goal + self.schemas.push(&near, to) + self.noise;
+            let sum = to_goal + self.schemas.push(&near, to) + self.schemas.shy(&near, to) + self.noise;
             to += sum.normalize_or_zero() * (self.step_m / f64::from(STEERINGS));
         }
         (to != self.at && self.mesh.is_clear_way(self.at, to)).then_some(to)
@@ -303,6 +372,18 @@ impl Wanderer<'_> {
         way.is_empty()
     }
 
+    /// Stands still for a while, now and then.
+    fn pause(&mut self, stream: &mut Stream) {
+        const SPREAD: f64 = 0.6;
+        if self.pause_chance <= 0.0 || !stream.chance(self.pause_chance) {
+            return;
+        }
+        let end = self.now + micros(stream.lognormal(self.pause_s, SPREAD)).max(1);
+        let doing = MotionState::Rest { at: self.at };
+        self.moves.push(MotionSegment { begin: self.now, end, doing, posture: Posture::Standing });
+        self.now = end;
+    }
+
     fn step(&mut self, to: Point) {
         self.step_within(to, self.step_m);
     }
@@ -323,6 +404,25 @@ impl Schemas {
         let nearness = (self.avoid_from_m - at.distance(obstacle)) / (self.avoid_from_m - self.avoid_most_m);
         (at - obstacle).normalize_or_zero() * (self.avoid_gain * nearness.clamp(0.0, 1.0))
     }
+
+    /// Back to the nearest wall over open floor, and away from other people.
+    fn shy(&self, sides: &[(Point, Point)], at: Point) -> Point {
+        let mut sum = Point::ZERO;
+        if self.open_gain > 0.0
+            && let Some(wall) = nearest(sides, at)
+        {
+            let [least_m, from_m] = self.open_m;
+            let openness = (at.distance(wall) - least_m) / (from_m - least_m);
+            sum += (wall - at).normalize_or_zero() * (self.open_gain * openness.clamp(0.0, 1.0));
+        }
+        if self.people_gain > 0.0 {
+            for other in &self.others {
+                let nearness = 1.0 - at.distance(*other) / self.people_from_m;
+                sum += (at - *other).normalize_or_zero() * (self.people_gain * nearness.max(0.0));
+            }
+        }
+        sum
+    }
 }
 
 /// The nearest point of any of the sides.
@@ -332,177 +432,4 @@ fn nearest(sides: &[(Point, Point)], p: Point) -> Option<Point> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::homes::{random_home, sphere_house, tigerplace};
-    use crate::pattern::{Pattern, pattern_of};
-    use homebody_core::time::SECOND;
-
-    const RADIUS_M: f64 = 0.22;
-    const KINDS: [Wandering; 3] = [Wandering::Random, Wandering::Lapping, Wandering::Pacing];
-    const GAIT: Gait = Gait {
-        speed_mps: 0.65,
-        acceleration_mps2: 1.0,
-        half_turn_s: 2.0,
-        sharp_turn_rad: std::f64::consts::FRAC_PI_3,
-        turn_amplitude_m: 0.3,
-    };
-
-    fn start(plan: &Plan, mesh: &Mesh) -> Point {
-        let stream = &mut Stream::named(1, "start");
-        (0..plan.rooms.len()).map(|room| mesh.free_point(room, stream)).find(|&at| mesh.is_free(at)).unwrap()
-    }
-
-    /// Where the body is at the end of each move, the moves checked to follow each other.
-    fn ends(moves: &[MotionSegment], from: Point, begin: Micros) -> Vec<Point> {
-        let (mut at, mut now) = (from, begin);
-        let mut ends = Vec::new();
-        for step in moves {
-            assert!(step.begin == now && step.end > now);
-            if let MotionState::Stride { from, to } = step.doing {
-                assert_eq!(from, at);
-                at = to;
-            }
-            now = step.end;
-            ends.push(at);
-        }
-        ends
-    }
-
-    /// The goals that a walk comes to, in order, as indices.
-    fn visits(ends: &[Point], goals: &[Point]) -> Vec<usize> {
-        let mut visits: Vec<usize> = Vec::new();
-        for at in ends {
-            if let Some(goal) = goals.iter().position(|goal| goal.distance(*at) <= REACHED_M.value)
-                && visits.last() != Some(&goal)
-            {
-                visits.push(goal);
-            }
-        }
-        visits
-    }
-
-    #[test]
-    fn wandering_is_of_the_kind_that_was_meant() {
-        for plan in [tigerplace(), sphere_house()] {
-            let mesh = Mesh::new(&plan, RADIUS_M);
-            let from = start(&plan, &mesh);
-            let meant = [(Pattern::Random, 0), (Pattern::Lapping, 10), (Pattern::Pacing, 18)];
-            for (kind, (pattern, least_passing)) in KINDS.into_iter().zip(meant) {
-                let mut passing_as_meant = 0;
-                for case in 0..20 {
-                    let mut stream = Stream::named(case, "wandering");
-                    let goals = goals(kind, &mesh, &plan, from, &Numbers::default(), &mut stream);
-                    let (moves, visited) =
-                        between(kind, &mesh, &goals, from, 0, 900 * SECOND, &GAIT, &Numbers::default(), &mut stream);
-                    assert_eq!(pattern_of(&visited), pattern, "case {case}: {visited:?}");
-                    // Whoever passes another goal on the way there seems to have come to it.
-                    let passed = pattern_of(&visits(&ends(&moves, from, 0), &goals));
-                    passing_as_meant += usize::from(passed == pattern);
-                }
-                assert!(passing_as_meant >= least_passing, "{kind:?}: {passing_as_meant} of 20");
-            }
-        }
-    }
-
-    #[test]
-    fn a_wanderer_never_enters_a_solid_and_ends_in_a_free_place() {
-        let homes = (0..15).map(random_home).chain([tigerplace(), sphere_house()]);
-        for (case, plan) in homes.enumerate() {
-            let mesh = Mesh::new(&plan, RADIUS_M);
-            let from = start(&plan, &mesh);
-            for kind in KINDS {
-                let mut stream = Stream::named(case as u64, "wandering");
-                let lasting = 130 * SECOND;
-                let moves =
-                    wander(kind, &mesh, &plan, from, 7, lasting, &GAIT, &Numbers::default(), &mut stream.clone());
-                assert_eq!(
-                    moves,
-                    wander(kind, &mesh, &plan, from, 7, lasting, &GAIT, &Numbers::default(), &mut stream)
-                );
-                let ends = ends(&moves, from, 7);
-                let mut at = from;
-                for &to in &ends {
-                    for step in 0..=10 {
-                        let p = at + (to - at) * (f64::from(step) / 10.0);
-                        // In a narrow gap, half the radius.
-                        assert!(plan.is_walkable(p, RADIUS_M / 2.0 - 1e-3), "case {case}: {kind:?} at {p}");
-                    }
-                    at = to;
-                }
-                assert!(mesh.is_free(at), "case {case}: {kind:?} ends at {at}");
-                let end = moves[moves.len() - 1].end - 7;
-                assert!((lasting..lasting + 60 * SECOND).contains(&end), "case {case}: {kind:?} takes {end}");
-            }
-        }
-    }
-
-    #[test]
-    #[ignore = "a measurement"]
-    #[expect(clippy::disallowed_types, clippy::disallowed_methods, reason = "a measurement needs a clock")]
-    fn what_wandering_looks_like_from_room_to_room_and_how_long_it_takes() {
-        for plan in [tigerplace(), sphere_house()] {
-            let mesh = Mesh::new(&plan, RADIUS_M);
-            let from = start(&plan, &mesh);
-            for kind in KINDS {
-                let begin = std::time::Instant::now();
-                let mut moves = 0;
-                let patterns: Vec<Pattern> = (0..20)
-                    .map(|case| {
-                        let mut stream = Stream::named(case, "wandering");
-                        let wandering =
-                            wander(kind, &mesh, &plan, from, 0, 132 * SECOND, &GAIT, &Numbers::default(), &mut stream);
-                        moves += wandering.len();
-                        let rooms = ends(&wandering, from, 0).into_iter().filter_map(|at| plan.room_at(at));
-                        pattern_of(&rooms.collect::<Vec<_>>())
-                    })
-                    .collect();
-                let all = [Pattern::Direct, Pattern::Random, Pattern::Lapping, Pattern::Pacing];
-                let counts = all.map(|pattern| (pattern, patterns.iter().filter(|found| **found == pattern).count()));
-                println!("{kind:?}: {:?} and {} moves each; rooms {counts:?}", begin.elapsed() / 20, moves / 20);
-            }
-        }
-    }
-
-    #[test]
-    fn random_wandering_is_more_crooked_than_pacing() {
-        let plan = tigerplace();
-        let mesh = Mesh::new(&plan, RADIUS_M);
-        let from = start(&plan, &mesh);
-        let turns = |kind| {
-            let mut stream = Stream::named(1, "wandering");
-            let moves = wander(kind, &mesh, &plan, from, 0, 600 * SECOND, &GAIT, &Numbers::default(), &mut stream);
-            let mut stops = vec![from];
-            stops.extend(ends(&moves, from, 0));
-            let turn = |stops: &[Point]| {
-                let (before, after) = (stops[1] - stops[0], stops[2] - stops[1]);
-                libm::atan2(before.perp_dot(after), before.dot(after)).abs()
-            };
-            stops.windows(3).map(turn).sum::<f64>() / stops.len() as f64
-        };
-        let (random, pacing) = (turns(Wandering::Random), turns(Wandering::Pacing));
-        assert!(random > 1.5 * pacing, "{random} {pacing}");
-    }
-
-    #[test]
-    fn who_has_nowhere_to_go_stirs_on_the_spot() {
-        let plan = tigerplace();
-        let mesh = Mesh::new(&plan, RADIUS_M);
-        let outside = Point::new(20.0, 20.0);
-        let moves = wander(
-            Wandering::Pacing,
-            &mesh,
-            &plan,
-            outside,
-            5,
-            SECOND,
-            &GAIT,
-            &Numbers::default(),
-            &mut Stream::named(1, "lost"),
-        );
-        assert!(matches!(
-            moves[..],
-            [MotionSegment { begin: 5, end: 1_000_005, doing: MotionState::InPlace { .. }, .. }]
-        ));
-    }
-}
+mod tests;

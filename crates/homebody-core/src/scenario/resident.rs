@@ -27,15 +27,63 @@ pub struct ResidentFile {
     #[serde(default = "pace")]
     #[schemars(range(min = 0.01, max = 5))]
     pub pace_mps: f64,
+    /// How the resident wanders: the gains of motor schemas.
+    #[serde(default, skip_serializing_if = "WanderingFile::is_usual")]
+    pub wandering: WanderingFile,
     /// What decides where the resident goes and what they do.
     pub driver: DriverFile,
+}
+
+/// How somebody wanders: how strongly each schema steers, and how often they stop.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+#[schemars(title = "wandering")]
+pub struct WanderingFile {
+    /// Toward the goal, times what is usual.
+    #[schemars(range(min = 0.1, max = 10))]
+    pub goal: f64,
+    /// Away from walls and furniture, times what is usual.
+    #[schemars(range(min = 0, max = 10))]
+    pub walls: f64,
+    /// Into random directions, times what is usual.
+    #[schemars(range(min = 0, max = 10))]
+    pub noise: f64,
+    /// Away from other people, beside a goal of 1; usually nothing.
+    #[schemars(range(min = 0, max = 10))]
+    pub people: f64,
+    /// Back toward the nearest wall over open floor, beside a goal of 1; usually nothing.
+    #[schemars(range(min = 0, max = 10))]
+    pub open_floor: f64,
+    /// How many times a minute they stand still; usually never.
+    #[schemars(range(min = 0, max = 30))]
+    pub pauses_per_min: f64,
+}
+
+impl Default for WanderingFile {
+    fn default() -> WanderingFile {
+        WanderingFile { goal: 1.0, walls: 1.0, noise: 1.0, people: 0.0, open_floor: 0.0, pauses_per_min: 0.0 }
+    }
+}
+
+impl WanderingFile {
+    fn is_usual(&self) -> bool {
+        *self == WanderingFile::default()
+    }
 }
 
 impl ResidentFile {
     /// Somebody of whom only the driver is known.
     pub fn somebody(driver: DriverFile) -> ResidentFile {
         let name = "somebody".into();
-        ResidentFile { schema: None, name, radius_m: radius(), height_m: height(), pace_mps: pace(), driver }
+        ResidentFile {
+            schema: None,
+            name,
+            radius_m: radius(),
+            height_m: height(),
+            pace_mps: pace(),
+            wandering: WanderingFile::default(),
+            driver,
+        }
     }
 }
 

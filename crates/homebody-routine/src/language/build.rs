@@ -15,7 +15,7 @@ use super::times::is_of_next_day;
 use super::unknown::{is_way, unknown_doing};
 use super::words::Span;
 use crate::fuzzy::{Fuzzy, Quantifier};
-use crate::routine::{Activity, Chance, Change, Effect, Habit, Kind, PartOfDay, Person, Phase, When};
+use crate::routine::{Activity, Chance, Change, Effect, Habit, Kind, PartOfDay, Person, Phase, Shy, When};
 use homebody_core::activity::TimeUse;
 
 pub fn build(reader: &mut Reader, draft: &mut Draft, mut clause: Clause) {
@@ -404,6 +404,12 @@ fn change(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     draft.routine.changes.push(Change { said: draft.said(clause.span), days, phase, effect });
 }
 
+/// How strongly somebody shies away, beside a goal that draws with 1 (ours).
+const SHY: f64 = 1.5;
+
+/// How often in a minute somebody stops who always does (ours).
+const STOPS_PER_MIN: f64 = 6.0;
+
 /// How much of its usual time is spent on what is not brought to its end (ours).
 const UNFINISHED: Fuzzy = Fuzzy { low: 0.5, from: 0.5, to: 0.8, high: 0.8 };
 
@@ -444,6 +450,11 @@ fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
         (Predicate::Breathes, Some((Of::Breaths, by))) => (Effect::Respiration(by), PHASE),
         (Predicate::Rises(Measure { of: Of::Beats, by, .. }), None) => (Effect::Pulse(*by), PHASE),
         (Predicate::Rises(Measure { of: Of::Breaths, by, .. }), None) => (Effect::Respiration(*by), PHASE),
+        (Predicate::Shy(Shy::GoingOn), None) => {
+            let often = chance(clause).unwrap_or(Quantifier::Sometimes.probability());
+            (Effect::Shy { of: Shy::GoingOn, gain: STOPS_PER_MIN * often }, PHASE_AND_CHANCE)
+        }
+        (Predicate::Shy(of), None) => (Effect::Shy { of: *of, gain: SHY }, PHASE_ALONE),
         (Predicate::Shows(condition, severity), None) => {
             (Effect::Shows { condition: condition.clone(), severity: *severity }, PHASE_ALONE)
         }

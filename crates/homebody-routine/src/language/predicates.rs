@@ -15,7 +15,7 @@ use super::subjects::Subject;
 use super::times;
 use super::unknown::unknown_name;
 use super::words::Token;
-use crate::routine::{Activity, Kind, PartOfDay, When};
+use crate::routine::{Activity, Kind, PartOfDay, Shy, When};
 
 /// What goes before where somebody is, not before where they go.
 const WHERE: &str = "at|in|on|by|near|beside|next";
@@ -27,6 +27,9 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
     }
     if reader.eat("is|are") {
         return Some(being(reader, adverbs));
+    }
+    if let Some(found) = reader.attempt(shying) {
+        return Some(found);
     }
     let not = reader.eat("does|do not") || reader.eat("doesn't|don't|never") || reader.eat("no longer");
     // Who stops at the window does something there.
@@ -130,6 +133,33 @@ fn at_night_for(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Activity> 
         *adverbs = rest;
         Some(purpose)
     })
+}
+
+/// "keeps close to the walls", "keeps away from others", "often stops as she wanders".
+fn shying(reader: &mut Reader) -> Option<Predicate> {
+    let keeps = reader.eat("keeps|keep|stays|stay|walks|walk");
+    if keeps
+        && (reader.eat("close|near to the walls|wall")
+            || reader.eat("along the walls|wall")
+            || reader.eat("near the walls|wall"))
+    {
+        return Some(Predicate::Shy(Shy::OpenFloor));
+    }
+    if keeps && (reader.eat("away|clear from|of others|people") || reader.eat("away|clear from|of other people")) {
+        return Some(Predicate::Shy(Shy::People));
+    }
+    if keeps {
+        return None;
+    }
+    if reader.eat("fears|avoids open floor|floors|spaces") {
+        return Some(Predicate::Shy(Shy::OpenFloor));
+    }
+    if reader.eat("avoids|shuns people|others|company") || reader.eat("avoids other people") {
+        return Some(Predicate::Shy(Shy::People));
+    }
+    let stops = reader.eat("stops|pauses|halts")
+        && (reader.eat("as|while|when she|he wanders|paces") || reader.eat("in wandering"));
+    stops.then_some(Predicate::Shy(Shy::GoingOn))
 }
 
 /// "walks" where a speed or a change of it follows.

@@ -5,7 +5,7 @@ use super::amounts::Amount;
 use super::measures::Measure;
 use super::reader::{Reader, Sort, begins_adverb, is_determiner};
 use super::words::{Span, Token};
-use crate::routine::{Activity, Kind};
+use crate::routine::{Activity, Kind, Shy};
 
 /// What is said of the subject.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,6 +32,8 @@ pub enum Predicate {
     Rises(Measure),
     /// "breathes", with a measure still to come.
     Breathes,
+    /// What a wanderer shies away from.
+    Shy(Shy),
     /// A visitor comes, and this is done.
     Helps(Activity, Help),
     /// Somebody who is named comes, and this is done.

@@ -71,6 +71,11 @@ impl Company {
         self.others.is_empty()
     }
 
+    /// Where the others are.
+    pub fn places(&self) -> Vec<Point> {
+        self.others.iter().map(|other| other.at).collect()
+    }
+
     /// Whether somebody is at home.
     pub fn is_there(&self, who: ResidentId) -> bool {
         self.others.iter().any(|other| other.resident == who)

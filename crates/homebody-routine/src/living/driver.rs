@@ -27,6 +27,7 @@ use homebody_core::random::Stream;
 use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros, SECOND};
+use homebody_walk::Wanderers;
 use std::any::Any;
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
@@ -287,8 +288,11 @@ impl RoutineDriver {
             Step::Away { lasts, until } => self.away(lasts, until, now),
             Step::Wander { kind, lasts } => {
                 let hour = self.hour(now);
+                let others = self.company.places();
+                let who = Wanderers { gains: self.parameters.gains(self.life.gains), others: &others };
                 if let Some(playing) = self.scripts.last_mut() {
-                    let moves = self.body.wander(kind, lasts, now, hour, self.parameters.pace, &mut playing.stream);
+                    let moves =
+                        self.body.wander(kind, lasts, now, hour, self.parameters.pace, who, &mut playing.stream);
                     self.ready.extend(moves.into_iter().map(Next::Segment));
                 }
             }

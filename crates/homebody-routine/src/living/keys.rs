@@ -162,6 +162,7 @@ fn of_change(change: &Change) -> String {
         Effect::Active { part: of, factor } => format!("active{} {}", part(of), of_fuzzy(factor)),
         Effect::Restless(by) => format!("restless {}", of_fuzzy(by)),
         Effect::Forgets { thing, chance } => format!("forgets {} {chance}", thing.to_lowercase()),
+        Effect::Shy { of, gain } => format!("shy {of:?} {gain}").to_lowercase(),
         Effect::Pulse(by) => format!("pulse {}", of_fuzzy(by)),
         Effect::Respiration(by) => format!("respiration {}", of_fuzzy(by)),
     };

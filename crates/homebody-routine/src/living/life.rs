@@ -4,14 +4,16 @@
 //! drawn from before. So two lives that differ in one condition draw the same numbers for all that it does not touch.
 
 use super::keys::Keys;
+pub use super::parameters::DayParameters;
+use super::parameters::{DAY_LIKE, DAY_SPREAD, LEAST_PACE, MOST_MOVEMENT, MOST_WEEKS, Span};
 use super::person::{Constitution, Person};
-use crate::fuzzy::Fuzzy;
 use crate::language::LAST_WEEK;
-use crate::routine::{Activity, Change, Days, Effect, Habit, Meal, Moment, PartOfDay, Phase, Quote, Routine, Rule};
+use crate::routine::{Activity, Change, Days, Effect, Habit, Meal, Moment, Phase, Quote, Routine, Rule};
 use homebody_core::numbers::Numbers;
 use homebody_core::random::Stream;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::{DAY, Micros, micros};
+use homebody_walk::Gains;
 use std::collections::BTreeMap;
 
 /// A person's life as it was written, with the conditions that it shows.
@@ -29,6 +31,8 @@ pub struct Life {
     pub person: Person,
     /// What the scenario sets otherwise in how lives are lived.
     pub numbers: Numbers,
+    /// How they wander, as the resident's file says.
+    pub gains: Gains,
 }
 
 /// A routine or a condition, and when it is in force.
@@ -82,30 +86,6 @@ impl<T> InForce<'_, T> {
     }
 }
 
-/// How things are on one day.
-#[derive(Clone, Debug)]
-pub struct DayParameters {
-    /// So many times the walking speed.
-    pub pace: f64,
-    pub irregular: f64,
-    pub restless: f64,
-    /// Nobody moves more than so many times as much as usual.
-    most_movement: f64,
-    pub pulse: f64,
-    pub respiration: f64,
-    /// So many times the usual liveliness: more errands, less sitting between them, and more stirring.
-    pub level: f64,
-    active: Vec<(Option<PartOfDay>, f64)>,
-    later_s: BTreeMap<Activity, f64>,
-    longer: BTreeMap<Activity, f64>,
-    longer_s: BTreeMap<Activity, f64>,
-    oftener: Vec<(Activity, Option<PartOfDay>, f64)>,
-    skips: BTreeMap<Activity, f64>,
-    forgets: Vec<(String, f64)>,
-    /// The conditions in force, and how severe each is; 1 is a moderate case.
-    pub severities: Vec<(String, f64)>,
-}
-
 /// How many conditions may show each other; deeper is a loop.
 const DEPTH: usize = 8;
 
@@ -138,6 +118,7 @@ impl Life {
                 false => Person::AS_WRITTEN,
             },
             numbers: numbers.clone(),
+            gains: Gains::USUAL,
         };
         // A pace that is said exactly is theirs, whoever else there is.
         if pace.is_none_or(|pace| pace.low < pace.high) {
@@ -460,138 +441,4 @@ fn each<'a, T>(
 ) -> impl Iterator<Item = InForce<'a, T>> + 'a {
     let all = all.iter().zip(keys).enumerate();
     all.map(move |(index, (said, key))| InForce { said, strength, key, source, kind, index })
-}
-
-homebody_core::numbers! {
-    /// How much more or less lively days are: the standard deviation of the logarithm. The firings an awake hour of real homes
-    /// vary between days by 0.3 to 0.5 of their mean.
-    static DAY_SPREAD = "life.day_spread": 0.4, "1", [0.0, 2.0];
-    /// How much a day is like the one before: the correlation of the two.
-    static DAY_LIKE = "life.day_like": 0.25, "1", [0.0, 0.95];
-    /// Nobody moves more than so many times as much as usual.
-    static MOST_MOVEMENT = "life.most_movement": 20.0, "1", [1.0, 100.0];
-    /// For how many weeks at most a gait that slows by so much a week goes on slowing.
-    static MOST_WEEKS = "life.most_weeks": 26.0, "1", [1.0, 520.0];
-    /// Nobody who walks at all is slower than this part of their pace.
-    static LEAST_PACE = "life.least_pace": 0.33, "1", [0.05, 1.0];
-}
-
-/// How long a change has lasted, and whose pace it changes.
-#[derive(Clone, Copy)]
-struct Span {
-    /// No more than [`MOST_WEEKS`].
-    weeks: f64,
-    pace_mps: f64,
-    /// Nobody walks slower than this part of `pace_mps`.
-    least_pace: f64,
-}
-
-impl DayParameters {
-    pub(super) fn ordinary() -> DayParameters {
-        DayParameters {
-            pace: 1.0,
-            irregular: 1.0,
-            restless: 1.0,
-            most_movement: MOST_MOVEMENT.value,
-            pulse: 0.0,
-            respiration: 0.0,
-            level: 1.0,
-            active: Vec::new(),
-            later_s: BTreeMap::new(),
-            longer: BTreeMap::new(),
-            longer_s: BTreeMap::new(),
-            oftener: Vec::new(),
-            skips: BTreeMap::new(),
-            forgets: Vec::new(),
-            severities: Vec::new(),
-        }
-    }
-
-    /// Adds an effect at so much of its full strength; `share` says where in its range it lies for this person.
-    fn change(&mut self, effect: &Effect, strength: f64, share: f64, span: Span) {
-        // A factor of 1.3 at twice its strength is 1.6; of 0.4 it is not below nothing.
-        let factor = |fuzzy: &Fuzzy| (1.0 + (fuzzy.at(share) - 1.0) * strength).max(0.0);
-        let amount = |fuzzy: &Fuzzy| fuzzy.at(share) * strength;
-        match effect {
-            Effect::Shows { .. } => {}
-            Effect::Pace(by) => self.pace *= factor(by),
-            Effect::PaceEachWeek(by) => {
-                let mps = amount(by) * span.weeks;
-                self.pace = (self.pace + mps / span.pace_mps).max(span.least_pace);
-            }
-            Effect::Later { activity, by } => *self.later_s.entry(activity.clone()).or_default() += amount(by),
-            Effect::Longer { activity, factor: by } => {
-                *self.longer.entry(activity.clone()).or_insert(1.0) *= factor(by)
-            }
-            Effect::LongerBy { activity, by } => *self.longer_s.entry(activity.clone()).or_default() += amount(by),
-            Effect::Oftener { activity, part, factor: by } => self.oftener.push((activity.clone(), *part, factor(by))),
-            Effect::Skips { activity, chance } => {
-                let skips = self.skips.entry(activity.clone()).or_default();
-                *skips = 1.0 - (1.0 - *skips) * (1.0 - (chance * strength).min(1.0));
-            }
-            Effect::Irregular(by) => self.irregular *= factor(by),
-            Effect::Active { part, factor: by } => self.active.push((*part, factor(by))),
-            Effect::Restless(by) => self.restless = (self.restless * factor(by)).min(self.most_movement),
-            Effect::Forgets { thing, chance } => {
-                self.forgets.push((thing.to_lowercase(), (chance * strength).min(1.0)))
-            }
-            Effect::Pulse(by) => self.pulse += amount(by),
-            Effect::Respiration(by) => self.respiration += amount(by),
-        }
-    }
-
-    /// How many times the usual movement there is at an hour of the day.
-    pub fn activity(&self, hour: f64) -> f64 {
-        (self.level * self.changed_activity(hour)).min(self.most_movement)
-    }
-
-    /// The same as far as it has changed, on a day as lively as any.
-    pub fn changed_activity(&self, hour: f64) -> f64 {
-        if self.active.is_empty() {
-            return 1.0;
-        }
-        let holds = |part: &Option<PartOfDay>| {
-            part.is_none_or(|part| {
-                let (from, to) = part.hours();
-                let (from, to) = (from / 3600.0, to / 3600.0);
-                (from..to).contains(&hour) || (from..to).contains(&(hour + 24.0))
-            })
-        };
-        // Several changes together are not without bounds.
-        let factors = self.active.iter().filter(|(part, _)| holds(part)).map(|(_, factor)| factor);
-        factors.product::<f64>().min(self.most_movement)
-    }
-
-    /// How many seconds later something is done.
-    pub fn later_s(&self, activity: &Activity) -> f64 {
-        self.later_s.get(activity).copied().unwrap_or(0.0)
-    }
-
-    /// How long something takes that would take so many seconds; of being out without `longer_s`.
-    pub fn lasting_s(&self, activity: &Activity, seconds: f64) -> f64 {
-        let factor = self.longer.get(activity).copied().unwrap_or(1.0);
-        let longer_s = Some(self.longer_s(activity)).filter(|_| *activity != Activity::Leave);
-        (seconds * factor + longer_s.unwrap_or(0.0)).max(0.0)
-    }
-
-    /// How many seconds longer something is done; of being out, in all of a day.
-    pub fn longer_s(&self, activity: &Activity) -> f64 {
-        self.longer_s.get(activity).copied().unwrap_or(0.0)
-    }
-
-    /// How many times as often something is done, in a part of the day.
-    pub fn oftener(&self, activity: &Activity, within: Option<PartOfDay>) -> f64 {
-        let holds = |part: &Option<PartOfDay>| part.is_none() || *part == within;
-        self.oftener.iter().filter(|(of, part, _)| of == activity && holds(part)).map(|(_, _, factor)| factor).product()
-    }
-
-    /// How likely something is left out.
-    pub fn skips(&self, activity: &Activity) -> f64 {
-        self.skips.get(activity).copied().unwrap_or(0.0)
-    }
-
-    /// What may stay on or open after its use, each with its chance.
-    pub fn forgotten(&self) -> impl Iterator<Item = (&str, f64)> {
-        self.forgets.iter().map(|(thing, chance)| (thing.as_str(), *chance))
-    }
 }

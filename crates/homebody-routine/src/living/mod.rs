@@ -2,6 +2,7 @@
 
 // Whose life it is, and how it is on a day.
 pub mod person;
+mod parameters;
 pub mod life;
 mod keys;
 
@@ -45,7 +46,7 @@ use homebody_core::numbers::Number;
 pub(crate) fn numbers() -> Vec<Number> {
     let modules = [
         person::NUMBERS,
-        life::NUMBERS,
+        parameters::NUMBERS,
         rising::NUMBERS,
         agenda::NUMBERS,
         needs::NUMBERS,

@@ -23,7 +23,7 @@ use homebody_core::random::Stream;
 use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{DAY, Micros, SECOND, micros};
-use homebody_walk::Wandering;
+use homebody_walk::{Wanderers, Wandering};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -153,7 +153,8 @@ impl PetDriver {
             }
             None => {
                 let lasts = micros(self.stream.lognormal(of(&ROUND_S), of(&SPREAD)));
-                let moves = self.body.wander(Wandering::Random, lasts, now, hour, 1.0, &mut self.stream);
+                let moves =
+                    self.body.wander(Wandering::Random, lasts, now, hour, 1.0, Wanderers::default(), &mut self.stream);
                 self.ready.extend(moves.into_iter().map(Next::Segment));
                 self.stay = None;
             }

@@ -153,6 +153,7 @@ fn change(change: &Change) -> String {
         }
         Effect::Restless(by) => format!("Restless {}", fuzzy(by)),
         Effect::Forgets { thing, chance } => format!("Forgets {thing} {chance}"),
+        Effect::Shy { of, gain } => format!("Shy {of:?} {gain}"),
         Effect::Pulse(by) => format!("Pulse {}", fuzzy(by)),
         Effect::Respiration(by) => format!("Respiration {}", fuzzy(by)),
     };

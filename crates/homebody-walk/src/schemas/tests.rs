@@ -1,0 +1,282 @@
+use super::*;
+use crate::homes::{random_home, sphere_house, tigerplace};
+use crate::pattern::{Pattern, pattern_of};
+use homebody_core::time::SECOND;
+
+const RADIUS_M: f64 = 0.22;
+const KINDS: [Wandering; 3] = [Wandering::Random, Wandering::Lapping, Wandering::Pacing];
+const GAIT: Gait = Gait {
+    speed_mps: 0.65,
+    acceleration_mps2: 1.0,
+    half_turn_s: 2.0,
+    sharp_turn_rad: std::f64::consts::FRAC_PI_3,
+    turn_amplitude_m: 0.3,
+};
+
+fn start(plan: &Plan, mesh: &Mesh) -> Point {
+    let stream = &mut Stream::named(1, "start");
+    (0..plan.rooms.len()).map(|room| mesh.free_point(room, stream)).find(|&at| mesh.is_free(at)).unwrap()
+}
+
+/// Where the body is at the end of each move, the moves checked to follow each other.
+fn ends(moves: &[MotionSegment], from: Point, begin: Micros) -> Vec<Point> {
+    let (mut at, mut now) = (from, begin);
+    let mut ends = Vec::new();
+    for step in moves {
+        assert!(step.begin == now && step.end > now);
+        if let MotionState::Stride { from, to } = step.doing {
+            assert_eq!(from, at);
+            at = to;
+        }
+        now = step.end;
+        ends.push(at);
+    }
+    ends
+}
+
+/// The goals that a walk comes to, in order, as indices.
+fn visits(ends: &[Point], goals: &[Point]) -> Vec<usize> {
+    let mut visits: Vec<usize> = Vec::new();
+    for at in ends {
+        if let Some(goal) = goals.iter().position(|goal| goal.distance(*at) <= REACHED_M.value)
+            && visits.last() != Some(&goal)
+        {
+            visits.push(goal);
+        }
+    }
+    visits
+}
+
+#[test]
+fn wandering_is_of_the_kind_that_was_meant() {
+    for plan in [tigerplace(), sphere_house()] {
+        let mesh = Mesh::new(&plan, RADIUS_M);
+        let from = start(&plan, &mesh);
+        let meant = [(Pattern::Random, 0), (Pattern::Lapping, 10), (Pattern::Pacing, 18)];
+        for (kind, (pattern, least_passing)) in KINDS.into_iter().zip(meant) {
+            let mut passing_as_meant = 0;
+            for case in 0..20 {
+                let mut stream = Stream::named(case, "wandering");
+                let goals = goals(kind, &mesh, &plan, from, &Numbers::default(), &mut stream);
+                let (moves, visited) = between(
+                    kind,
+                    &mesh,
+                    &goals,
+                    from,
+                    0,
+                    900 * SECOND,
+                    &GAIT,
+                    &Numbers::default(),
+                    Wanderers::default(),
+                    &mut stream,
+                );
+                assert_eq!(pattern_of(&visited), pattern, "case {case}: {visited:?}");
+                // Whoever passes another goal on the way there seems to have come to it.
+                let passed = pattern_of(&visits(&ends(&moves, from, 0), &goals));
+                passing_as_meant += usize::from(passed == pattern);
+            }
+            assert!(passing_as_meant >= least_passing, "{kind:?}: {passing_as_meant} of 20");
+        }
+    }
+}
+
+#[test]
+fn a_wanderer_never_enters_a_solid_and_ends_in_a_free_place() {
+    let homes = (0..15).map(random_home).chain([tigerplace(), sphere_house()]);
+    for (case, plan) in homes.enumerate() {
+        let mesh = Mesh::new(&plan, RADIUS_M);
+        let from = start(&plan, &mesh);
+        for kind in KINDS {
+            let mut stream = Stream::named(case as u64, "wandering");
+            let lasting = 130 * SECOND;
+            let moves = wander(
+                kind,
+                &mesh,
+                &plan,
+                from,
+                7,
+                lasting,
+                &GAIT,
+                &Numbers::default(),
+                Wanderers::default(),
+                &mut stream.clone(),
+            );
+            assert_eq!(
+                moves,
+                wander(
+                    kind,
+                    &mesh,
+                    &plan,
+                    from,
+                    7,
+                    lasting,
+                    &GAIT,
+                    &Numbers::default(),
+                    Wanderers::default(),
+                    &mut stream
+                )
+            );
+            let ends = ends(&moves, from, 7);
+            let mut at = from;
+            for &to in &ends {
+                for step in 0..=10 {
+                    let p = at + (to - at) * (f64::from(step) / 10.0);
+                    // In a narrow gap, half the radius.
+                    assert!(plan.is_walkable(p, RADIUS_M / 2.0 - 1e-3), "case {case}: {kind:?} at {p}");
+                }
+                at = to;
+            }
+            assert!(mesh.is_free(at), "case {case}: {kind:?} ends at {at}");
+            let end = moves[moves.len() - 1].end - 7;
+            assert!((lasting..lasting + 60 * SECOND).contains(&end), "case {case}: {kind:?} takes {end}");
+        }
+    }
+}
+
+#[test]
+#[ignore = "a measurement"]
+#[expect(clippy::disallowed_types, clippy::disallowed_methods, reason = "a measurement needs a clock")]
+fn what_wandering_looks_like_from_room_to_room_and_how_long_it_takes() {
+    for plan in [tigerplace(), sphere_house()] {
+        let mesh = Mesh::new(&plan, RADIUS_M);
+        let from = start(&plan, &mesh);
+        for kind in KINDS {
+            let begin = std::time::Instant::now();
+            let mut moves = 0;
+            let patterns: Vec<Pattern> = (0..20)
+                .map(|case| {
+                    let mut stream = Stream::named(case, "wandering");
+                    let wandering = wander(
+                        kind,
+                        &mesh,
+                        &plan,
+                        from,
+                        0,
+                        132 * SECOND,
+                        &GAIT,
+                        &Numbers::default(),
+                        Wanderers::default(),
+                        &mut stream,
+                    );
+                    moves += wandering.len();
+                    let rooms = ends(&wandering, from, 0).into_iter().filter_map(|at| plan.room_at(at));
+                    pattern_of(&rooms.collect::<Vec<_>>())
+                })
+                .collect();
+            let all = [Pattern::Direct, Pattern::Random, Pattern::Lapping, Pattern::Pacing];
+            let counts = all.map(|pattern| (pattern, patterns.iter().filter(|found| **found == pattern).count()));
+            println!("{kind:?}: {:?} and {} moves each; rooms {counts:?}", begin.elapsed() / 20, moves / 20);
+        }
+    }
+}
+
+#[test]
+fn random_wandering_is_more_crooked_than_pacing() {
+    let plan = tigerplace();
+    let mesh = Mesh::new(&plan, RADIUS_M);
+    let from = start(&plan, &mesh);
+    let turns = |kind| {
+        let mut stream = Stream::named(1, "wandering");
+        let moves = wander(
+            kind,
+            &mesh,
+            &plan,
+            from,
+            0,
+            600 * SECOND,
+            &GAIT,
+            &Numbers::default(),
+            Wanderers::default(),
+            &mut stream,
+        );
+        let mut stops = vec![from];
+        stops.extend(ends(&moves, from, 0));
+        let turn = |stops: &[Point]| {
+            let (before, after) = (stops[1] - stops[0], stops[2] - stops[1]);
+            libm::atan2(before.perp_dot(after), before.dot(after)).abs()
+        };
+        stops.windows(3).map(turn).sum::<f64>() / stops.len() as f64
+    };
+    let (random, pacing) = (turns(Wandering::Random), turns(Wandering::Pacing));
+    assert!(random > 1.5 * pacing, "{random} {pacing}");
+}
+
+#[test]
+fn who_has_nowhere_to_go_stirs_on_the_spot() {
+    let plan = tigerplace();
+    let mesh = Mesh::new(&plan, RADIUS_M);
+    let outside = Point::new(20.0, 20.0);
+    let moves = wander(
+        Wandering::Pacing,
+        &mesh,
+        &plan,
+        outside,
+        5,
+        SECOND,
+        &GAIT,
+        &Numbers::default(),
+        Wanderers::default(),
+        &mut Stream::named(1, "lost"),
+    );
+    assert!(matches!(moves[..], [MotionSegment { begin: 5, end: 1_000_005, doing: MotionState::InPlace { .. }, .. }]));
+}
+
+/// One large room with nothing in it.
+fn hall() -> Plan {
+    let home = r#"{
+        "name": "hall",
+        "rooms": [{ "name": "hall", "outline": [[0, 0], [8, 0], [8, 8], [0, 8]] }],
+        "walls": [
+            { "from": [0, 0], "to": [8, 0] },
+            { "from": [8, 0], "to": [8, 8] },
+            { "from": [8, 8], "to": [0, 8] },
+            { "from": [0, 8], "to": [0, 0] }
+        ]
+    }"#;
+    Plan::new(&serde_json::from_str(home).unwrap())
+}
+
+/// The share of a wanderer's time further than so many metres from any wall.
+fn far_from_walls(moves: &[MotionSegment], mesh: &Mesh, far_m: f64) -> f64 {
+    let stands = moves.iter().filter_map(|step| match step.doing {
+        MotionState::Stride { to, .. } => Some(to),
+        _ => None,
+    });
+    let stands: Vec<Point> = stands.collect();
+    let is_far =
+        |at: &&Point| nearest(&mesh.sides_near(**at, 3.0), **at).is_none_or(|wall| wall.distance(**at) > far_m);
+    stands.iter().filter(is_far).count() as f64 / stands.len() as f64
+}
+
+#[test]
+fn gains_do_what_they_are_called_after() {
+    let plan = hall();
+    let mesh = Mesh::new(&plan, RADIUS_M);
+    let from = start(&plan, &mesh);
+    let other = [Point::new(4.0, 4.0)];
+    let walk = |gains: Gains| {
+        let (mut far, mut near, mut still, mut whole) = (0.0, 0.0, 0, 0);
+        for case in 0..12 {
+            let mut stream = Stream::named(case, "gains");
+            let who = Wanderers { gains, others: &other };
+            let lasting = 600 * SECOND;
+            let moves =
+                wander(Wandering::Random, &mesh, &plan, from, 0, lasting, &GAIT, &Numbers::default(), who, &mut stream);
+            ends(&moves, from, 0);
+            far += far_from_walls(&moves, &mesh, 1.5) / 12.0;
+            let is_near = |step: &&MotionSegment| matches!(step.doing, MotionState::Stride { to, .. } if to.distance(other[0]) < 0.8);
+            near += moves.iter().filter(is_near).count() as f64 / moves.len() as f64 / 12.0;
+            let rests = moves.iter().filter(|step| matches!(step.doing, MotionState::Rest { .. }));
+            still += rests.map(|step| step.end - step.begin).sum::<Micros>();
+            whole += moves[moves.len() - 1].end;
+        }
+        (far, near, still as f64 / whole as f64)
+    };
+    let usual = walk(Gains::USUAL);
+    let shy = walk(Gains { open_floor: 1.5, ..Gains::USUAL });
+    let alone = walk(Gains { people: 2.0, ..Gains::USUAL });
+    let halting = walk(Gains { pauses: 4.0, ..Gains::USUAL });
+    assert!(shy.0 < 0.6 * usual.0, "far from walls: {} usually, {} in fear", usual.0, shy.0);
+    assert!(alone.1 < 0.5 * usual.1, "near somebody: {} usually, {} who avoids them", usual.1, alone.1);
+    assert!(usual.2 == 0.0 && halting.2 > 0.1, "{} {}", usual.2, halting.2);
+}
