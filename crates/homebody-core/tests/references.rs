@@ -128,7 +128,22 @@ const UNITS: [(&str, &str); 15] = [
 const POINTS: [&str; 3] = ["from", "to", "start"];
 
 /// Keys of counts and shares, and of numbers that each have a unit of their own.
-const COUNTS: [&str; 9] = ["beams", "rows", "pulses", "times", "seed", "numbers", "missed", "share", "parts"];
+const COUNTS: [&str; 14] = [
+    "beams",
+    "rows",
+    "pulses",
+    "times",
+    "seed",
+    "numbers",
+    "missed",
+    "share",
+    "parts",
+    "goal",
+    "walls",
+    "noise",
+    "people",
+    "open_floor",
+];
 
 /// Definitions that another page has, and where.
 const ELSEWHERE: [(&str, &str); 1] = [("Role", "[role](activities.md#roles-of-furniture)")];

@@ -334,7 +334,7 @@ impl Household {
 
 /// The gains that a resident's file says.
 fn gains(file: &WanderingFile) -> Gains {
-    let WanderingFile { goal, walls, noise, people, open_floor, pauses_per_min: pauses } = *file;
+    let WanderingFile { goal, walls, noise, people, open_floor, pauses_pm: pauses } = *file;
     Gains { goal, walls, noise, people, open_floor, pauses }
 }
 

@@ -37,7 +37,7 @@ pub struct ResidentFile {
 /// How somebody wanders: how strongly each schema steers, and how often they stop.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-#[schemars(title = "wandering")]
+#[schemars(title = "how somebody wanders")]
 pub struct WanderingFile {
     /// Toward the goal, times what is usual.
     #[schemars(range(min = 0.1, max = 10))]
@@ -56,12 +56,12 @@ pub struct WanderingFile {
     pub open_floor: f64,
     /// How many times a minute they stand still; usually never.
     #[schemars(range(min = 0, max = 30))]
-    pub pauses_per_min: f64,
+    pub pauses_pm: f64,
 }
 
 impl Default for WanderingFile {
     fn default() -> WanderingFile {
-        WanderingFile { goal: 1.0, walls: 1.0, noise: 1.0, people: 0.0, open_floor: 0.0, pauses_per_min: 0.0 }
+        WanderingFile { goal: 1.0, walls: 1.0, noise: 1.0, people: 0.0, open_floor: 0.0, pauses_pm: 0.0 }
     }
 }
 
