@@ -90,7 +90,11 @@ fn windows(names: &Names, draft: &Draft, words: &[Word]) -> Vec<(usize, usize)> 
                 true => words.get(to - 1).is_some_and(|word| word.token == Token::Comma),
                 false => ends(words, to),
             };
-            if ends && is_beside_the_point(names, draft, words, from, to) {
+            // What has a subject of its own goes on to a comma, and no word alone is beside the point but how something is done.
+            let is_clause = words[from..to].iter().any(|word| ["she", "he", "they"].contains(&word.text.as_str()));
+            let is_whole = !is_clause || words.get(to).is_none_or(|next| next.token == Token::Comma);
+            let is_loose = to == from + 1 && is_one_of(BEGINNING, &words[from].text);
+            if ends && is_whole && !is_loose && is_beside_the_point(names, draft, words, from, to) {
                 found.push((from, to));
             }
         }

@@ -49,7 +49,8 @@ pub fn without_waking(group: &mut Vec<Clause>) {
 /// "Four times a day: at 7:30, 12:30, 16:30 and 20:00" is once at each of these times.
 pub fn without_count(group: &mut [Clause]) {
     let count = group.len() as u32;
-    let is_at = |clause: &Clause| matches!(clause.adverbs.when.as_ref().map(|slot| &slot.value), Some(When::At(_)));
+    let has_time = |when: &When| matches!(when, When::At(_) | When::Before(..) | When::After(..) | When::With(_));
+    let is_at = |clause: &Clause| clause.adverbs.when.as_ref().is_some_and(|slot| has_time(&slot.value));
     let is_list = count > 1 && group.iter().all(is_at) && group[1..].iter().all(|clause| clause.again);
     for clause in group.iter_mut().filter(|_| is_list) {
         clause.adverbs.times.take_if(|times| times.value == (count, count));
