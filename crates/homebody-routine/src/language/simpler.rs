@@ -18,6 +18,9 @@ const MOST_TRIES: usize = 150;
 /// In a longer sentence nobody finds what is left out.
 const LONGEST: usize = 40;
 
+/// What can always be done with a sentence.
+const KEPT: &str = "to keep it and not live it, put a # before it";
+
 /// Looks through the hints of the faults since there were so many.
 pub fn hints(faults: &mut Faults, since: usize, names: &Names, draft: &Draft, words: &[Word]) {
     let mut shorter: Option<Option<String>> = None;
@@ -44,7 +47,8 @@ pub fn hints(faults: &mut Faults, since: usize, names: &Names, draft: &Draft, wo
                 Some(without) => format!("without it: {without:?}"),
                 None => match part(&mut gist) {
                     Some(gist) => format!("what can be lived of it: {gist:?}"),
-                    None => continue,
+                    None if is_certain => continue,
+                    None => KEPT.to_owned(),
                 },
             };
             fault.hint = Some(fault.hint.take().map_or(without.clone(), |hint| format!("{hint}; {without}")));
@@ -143,9 +147,12 @@ fn gist(names: &Names, draft: &Draft, words: &[Word]) -> Option<String> {
     if words.len() > LONGEST || words.iter().any(|word| denies(&word.text)) {
         return None;
     }
+    let words = &reworded(names, draft.text, words);
     let mut faults = Faults::of_trial();
     let mut reader = Reader { words, at: 0, names, faults: &mut faults, text: draft.text, part: None };
     let (mut doing, mut when): (Option<String>, Vec<String>) = (None, Vec::new());
+    let mut comes: Option<String> = None;
+    let lexicon = names.lexicon.clone();
     while !reader.is_over() {
         let from = reader.at;
         // "Tea" and "the bathroom" may be anything's.
@@ -158,6 +165,12 @@ fn gist(names: &Names, draft: &Draft, words: &[Word]) -> Option<String> {
             && let Some(activity) = reader.attempt(named)
         {
             doing = Some(activities::phrase(&activity)).filter(|phrase| !phrase.is_empty());
+            continue;
+        }
+        let somebody = ["PEOPLE", "RELATIVES"].iter().find_map(|list| lexicon.list(list, |ahead| reader.peek(ahead)));
+        if let Some(length) = somebody.filter(|_| comes.is_none()) {
+            reader.at += length;
+            comes = Some(format!("her {} visits", reader.passed(from)));
             continue;
         }
         let before = reader.faults.count();
@@ -178,9 +191,11 @@ fn gist(names: &Names, draft: &Draft, words: &[Word]) -> Option<String> {
         reader.faults.forget_since(before);
         reader.at = from + 1;
     }
-    let doing = doing?;
+    // Who is only named does not come.
+    let comes = comes.filter(|_| !when.is_empty());
+    let what = doing.map(|doing| format!("she {doing}")).or(comes)?;
     (0..=when.len()).rev().find_map(|count| {
-        let text = [&[format!("she {doing}")], &when[..count]].concat().join(" ");
+        let text = [std::slice::from_ref(&what), &when[..count]].concat().join(" ");
         understood(names, draft, &text).map(|_| text)
     })
 }
