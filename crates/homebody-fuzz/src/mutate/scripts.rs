@@ -53,8 +53,18 @@ const PARTS: [&str; 46] = [
     "((((((((((((((((((((",
 ];
 
-/// Changes a script in one to eight places.
+/// Changes a script: half of them in one or two places in which it stays one, the others anyhow, in one to eight places.
 pub fn script(text: &mut String, others: &[&str], dice: &mut Dice) {
+    if dice.below(2) == 0 {
+        for _ in 0..dice.size(2) {
+            match dice.below(3) {
+                0 => number(text, dice),
+                1 => call_for_call(text, dice),
+                _ => statement(text, dice),
+            }
+        }
+        return;
+    }
     for _ in 0..dice.size(8) {
         match dice.below(5) {
             0 => {
@@ -67,6 +77,18 @@ pub fn script(text: &mut String, others: &[&str], dice: &mut Dice) {
             3 => call_for_call(text, dice),
             _ => part_of_another(text, others, dice),
         }
+    }
+}
+
+/// A statement more stands where one may stand.
+fn statement(text: &mut String, dice: &mut Dice) {
+    let statements: Vec<&str> = PARTS.into_iter().filter(|part| part.ends_with([';', '}'])).collect();
+    let ends = |line: &str| line.trim_end().ends_with([';', '{']);
+    let mut lines: Vec<&str> = text.lines().collect();
+    let places: Vec<usize> = (1..=lines.len()).filter(|&at| ends(lines[at - 1])).collect();
+    if !places.is_empty() {
+        lines.insert(*dice.one(&places), *dice.one(&statements));
+        *text = lines.join("\n");
     }
 }
 
