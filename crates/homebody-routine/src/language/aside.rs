@@ -21,7 +21,7 @@ use crate::routine::Routine;
 /// More words are another sentence.
 const LONGEST: usize = 12;
 /// No more ways of setting words aside are tried of a sentence.
-const MOST_TRIES: usize = 60;
+const MOST_TRIES: usize = 30;
 /// In a longer sentence too many would have to be tried.
 const LONGEST_SENTENCE: usize = 40;
 

@@ -64,6 +64,9 @@ use words::{Sentence, Span};
 
 /// Longer lines are refused.
 pub const LONGEST_LINE: usize = 2_000;
+/// After so many problems of a text no more is looked for of what a sentence may mean (ours): that takes time.
+const MOST_MENDED: usize = 20;
+
 /// More sentences than this are refused.
 pub const MOST_SENTENCES: usize = 2_000;
 
@@ -177,7 +180,10 @@ fn one(draft: &mut Draft, names: &mut Names, faults: &mut Faults, heading: &mut 
     let above = heading.as_ref().map(|heading| &heading.adverbs);
     let part = above.and_then(|above| above.part.as_ref()).map(|part| part.value);
     let (shaped, words) = shape::in_shape(names, draft, &sentence.words);
-    let aside = if simpler::reads(names, draft, &words) { None } else { set_aside(names, draft, &shaped) };
+    // Of a text in which nearly nothing is understood nobody asks what is beside the point.
+    let is_hopeless = faults.count() >= MOST_MENDED;
+    let is_read = is_hopeless || simpler::reads(names, draft, &words);
+    let aside = if is_read { None } else { set_aside(names, draft, &shaped) };
     let words = match &aside {
         Some(aside) => rewording::reworded(names, draft.text, &aside.words),
         None => words,

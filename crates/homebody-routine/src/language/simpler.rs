@@ -18,6 +18,9 @@ const MOST_TRIES: usize = 150;
 /// In a longer sentence nobody finds what is left out.
 const LONGEST: usize = 40;
 
+/// So many problems of a text have hints that are searched for (ours).
+const MOST_SEARCHED: usize = 40;
+
 /// What can always be done with a sentence.
 const KEPT: &str = "to keep it and not live it, put a # before it";
 
@@ -31,6 +34,9 @@ pub fn hints(faults: &mut Faults, since: usize, names: &Names, draft: &Draft, wo
         let is_sound = proposed.iter().all(|sentence| understood(names, draft, sentence).is_some());
         if !is_sound {
             fault.hint = None;
+        }
+        if since >= MOST_SEARCHED {
+            continue;
         }
         let is_certain = fault.hint.as_deref().is_some_and(|hint| hint.starts_with("did you mean"));
         if !is_certain && let Some(clearer) = clearer.get_or_insert_with(|| clearer_than(names, draft, words)).clone() {
