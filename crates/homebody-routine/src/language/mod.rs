@@ -65,7 +65,7 @@ use words::{Sentence, Span};
 /// Longer lines are refused.
 pub const LONGEST_LINE: usize = 2_000;
 /// After so many problems of a text no more is looked for of what a sentence may mean (ours): that takes time.
-const MOST_MENDED: usize = 20;
+const MOST_MENDED: usize = 10;
 
 /// More sentences than this are refused.
 pub const MOST_SENTENCES: usize = 2_000;

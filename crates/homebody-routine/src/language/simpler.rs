@@ -14,12 +14,12 @@ use super::words::{self, Span, Token, Word};
 use crate::routine::{Activity, Routine};
 
 /// No more ways of leaving words out are tried of a sentence.
-const MOST_TRIES: usize = 150;
+const MOST_TRIES: usize = 120;
 /// In a longer sentence nobody finds what is left out.
 const LONGEST: usize = 40;
 
 /// So many problems of a text have hints that are searched for (ours).
-const MOST_SEARCHED: usize = 40;
+const MOST_SEARCHED: usize = 20;
 
 /// What can always be done with a sentence.
 const KEPT: &str = "to keep it and not live it, put a # before it";
