@@ -62,7 +62,7 @@ fn frame(mut svg: Svg, home: &HomeFile, plan: &Plan, moment: &Moment, corner: Po
     layers::walls(&mut sheet, home, plan);
     layers::doors(&mut sheet, home, plan);
     fired(&mut sheet, home, plan, &moment.fired);
-    for (person, colour) in moment.people.iter().zip(SERIES.iter().cycle()) {
+    for (person, colour) in moment.people.iter().zip(colours()) {
         body(&mut sheet, person, colour);
     }
     let mut svg = sheet.svg;
@@ -72,7 +72,7 @@ fn frame(mut svg: Svg, home: &HomeFile, plan: &Plan, moment: &Moment, corner: Po
         y += LINE;
         y - LINE
     };
-    for (person, colour) in moment.people.iter().zip(SERIES.iter().cycle()).take(MOST_PEOPLE) {
+    for (person, colour) in moment.people.iter().zip(colours()).take(MOST_PEOPLE) {
         let at = line(&mut svg, &person.told(), 16.0, CAPTION);
         svg.circle(Point::new(corner.x + 6.0, at), 4.5, &Paint::fill(colour));
     }
@@ -81,6 +81,11 @@ fn frame(mut svg: Svg, home: &HomeFile, plan: &Plan, moment: &Moment, corner: Po
         line(&mut svg, &words, 0.0, Type::new(12.0, MUTED));
     }
     svg
+}
+
+/// Those of people, one after the other: that of sensors is left to them.
+fn colours() -> impl Iterator<Item = &'static str> {
+    SERIES.into_iter().filter(|colour| *colour != SENSOR).cycle()
 }
 
 /// The sensors as dots: those that fired are filled, and larger.
