@@ -63,6 +63,14 @@ export class Server {
     return decode(await (await this.ask(body === undefined ? 'GET' : 'POST', path, body)).arrayBuffer()) as T;
   }
 
+  async remove<T>(path: string): Promise<T> {
+    return (await (await this.ask('DELETE', path)).json()) as T;
+  }
+
+  async text(path: string): Promise<string> {
+    return (await this.ask('GET', path)).text();
+  }
+
   async post<T>(path: string, body: unknown): Promise<T> {
     return (await (await this.ask('POST', path, body)).json()) as T;
   }
@@ -116,6 +124,17 @@ export function runPath(id: string, file: 'log' | 'recording'): string {
 export function storedPath(name: string, day?: number): string {
   const run = `/api/runs/${encodeURIComponent(name)}`;
   return day === undefined ? run : `${run}/days/${day}`;
+}
+
+/** The path on which a log is sent to be walked back through the home of a stored run, or of the scenario. */
+export function walkPath(log: string, run: string | null): string {
+  const path = `/api/walk/${encodeURIComponent(log)}`;
+  return run === null ? path : `${path}/${encodeURIComponent(run)}`;
+}
+
+/** The path of what the log of a run holds, or of how near another one is to it. */
+export function toldPath(run: string, beside: string | null): string {
+  return beside === null ? `${storedPath(run)}/look` : `${storedPath(run)}/realism/${encodeURIComponent(beside)}`;
 }
 
 /** Has the browser save a file, as if its link had been clicked. */

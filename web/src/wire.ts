@@ -176,6 +176,10 @@ name: string, scenario: string,
  */
 start: string, days: number, has_truth: boolean, 
 /**
+ * The name of the log that its path was made from by walking it back.
+ */
+walked_back: string | null, 
+/**
  * Why it cannot be played back.
  */
 problem: string | null, };
@@ -210,9 +214,24 @@ activities: Array<string>,
  */
 spans: Array<Array<[number, number, number]>>, 
 /**
+ * Of a log that was walked back: then the rows are those of the log as it was given, and instead of the truth there is
+ * what was made of them.
+ */
+walk: WalkView | null, 
+/**
  * What is missing or was skipped, in sentences.
  */
 remarks: Array<string>, };
+
+export type WalkView = { 
+/**
+ * What the log was called.
+ */
+log: string, 
+/**
+ * Where each resident most likely was: begin, end and the place's number, as chances have it. Short stays are left out.
+ */
+stays: Array<Array<[number, number, number]>>, };
 
 export type DateView = { 
 /**
@@ -250,7 +269,32 @@ rooms: Array<[number, number, number]>,
 /**
  * Begin, end and the activity's number.
  */
-activities: Array<[number, number, number]>, };
+activities: Array<[number, number, number]>, 
+/**
+ * Of a log that was walked back: an instant, a place, and how likely somebody is there from then on. The place is the
+ * number of the home's room, -1 for out, -2 for between the rooms; those that are not told of have no chance.
+ */
+chances: Array<[number, number, number]>, };
+
+export type WalkingView = { 
+/**
+ * What it is called.
+ */
+log: string, state: WalkState, 
+/**
+ * How much of it is done, from 0 to 1.
+ */
+share: number, 
+/**
+ * The run that came of it.
+ */
+run: string | null, 
+/**
+ * Why none came of it.
+ */
+problem: string | null, };
+
+export type WalkState = "coming" | "walking" | "done" | "failed" | "stopped";
 
 export type MotionState = "stride" | "in_place" | "rest" | "away";
 
@@ -269,6 +313,20 @@ export type FilesView = {
  * The scenario's own file; those that follow are the ones that it links, as far as it can be read.
  */
 entry: string, home: string | null, logger: string | null, lives: Array<LivesView>, files: Array<FileView>, };
+
+export type UnderlayView = { 
+/**
+ * The name of the picture's file beside it.
+ */
+picture: string, 
+/**
+ * Where its middle is, in metres.
+ */
+at: [number, number], width_m: number, 
+/**
+ * Against the clock.
+ */
+turn_deg: number, };
 
 export type LivesView = { name: string, 
 /**

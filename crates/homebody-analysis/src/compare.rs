@@ -11,12 +11,15 @@
 //! each firing in the home to the next. For comparison: the halves of one real home's log are 0.02-0.05 apart, two real
 //! homes 0.09-0.12 (the CASAS logs TM000 and HH111, its first week; pooled and anywhere).
 //!
+//! Where the logs have different numbers of dates, all numbers of firings are those of a day: else a week would be held against a
+//! quarter. Logs of less than two days are taken as they are.
+//!
 //! We assume that both logs name their sensors alike. A firing is a row that says that something began: `ON`, `OPEN`,
 //! `1` and the like; all other rows, such as those that end it, are left out. Where the reference has no firings, there
 //! is no agreement to speak of.
 
 use crate::signs::{Says, says};
-use homebody_core::time::{Micros, seconds};
+use homebody_core::time::{DAY, Micros, seconds};
 use homebody_log::{Activity, Log};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -31,6 +34,10 @@ pub struct Comparison {
     pub firings: Counts,
     /// From the first row of each log to its last.
     pub span_s: [f64; 2],
+    /// From the date of the first row of each to that of its last, both counted.
+    pub dates: [u64; 2],
+    /// Whether agreements are those of firings a day, since the logs have different numbers of dates.
+    pub is_by_day: bool,
     /// How many of the sensors fired in both.
     pub sensors_in_common: usize,
     /// Sensor by sensor, as the table above defines it; `None` where the reference has no firings.
@@ -86,12 +93,16 @@ pub fn compare(a: &Log, b: &Log) -> Comparison {
     }
     let mut by_sensor: Vec<(&str, [Vec<Micros>; 2])> = by_sensor.into_iter().collect();
     by_sensor.sort_by_cached_key(|(sensor, _)| natural(sensor));
+    let (dates, span_s) = ([a, b].map(dates), [a, b].map(span_s));
+    let is_by_day = dates[0] != dates[1] && span_s.iter().any(|&span_s| span_s >= LONG_S);
+    let per = if is_by_day { dates.map(|dates| dates.max(1) as f64) } else { [1.0; 2] };
+    let count = |a: u64, b: u64| Counts::of([a, b], per);
     let mut sensors = Vec::new();
     let (mut pooled, mut anywhere) = ([Vec::new(), Vec::new()], [Vec::new(), Vec::new()]);
-    let mut apart = 0;
+    let mut apart = 0.0;
     for (sensor, times) in by_sensor {
-        let firings = Counts::of(times[0].len() as u64, times[1].len() as u64);
-        apart += firings.a.abs_diff(firings.b);
+        let firings = count(times[0].len() as u64, times[1].len() as u64);
+        apart += firings.apart(per);
         let gaps = times.each_ref().map(|times| gaps(times.clone()));
         for which in 0..2 {
             pooled[which].extend_from_slice(&gaps[which]);
@@ -99,16 +110,18 @@ pub fn compare(a: &Log, b: &Log) -> Comparison {
         }
         sensors.push(SensorComparison { sensor: sensor.into(), firings, gaps: distance(gaps) });
     }
-    let firings = Counts::of(anywhere[0].len() as u64, anywhere[1].len() as u64);
-    let activities = by_activity([a, b], &mut anywhere);
-    let reference = activities.iter().map(|activity| activity.firings.b).sum();
-    let apart_by_activity = activities.iter().map(|activity| activity.firings.a.abs_diff(activity.firings.b)).sum();
+    let firings = count(anywhere[0].len() as u64, anywhere[1].len() as u64);
+    let activities = by_activity([a, b], per, &mut anywhere);
+    let reference: f64 = activities.iter().map(|activity| activity.firings.b as f64 / per[1]).sum();
+    let apart_by_activity = activities.iter().map(|activity| activity.firings.apart(per)).sum();
     Comparison {
         sensors_in_common: sensors.iter().filter(|sensor| sensor.firings.a > 0 && sensor.firings.b > 0).count(),
         sensors,
         firings,
-        span_s: [a, b].map(span_s),
-        agreement_by_sensor: agreement(apart, firings.b),
+        span_s,
+        dates,
+        is_by_day,
+        agreement_by_sensor: agreement(apart, firings.b as f64 / per[1]),
         agreement_by_activity: agreement(apart_by_activity, reference),
         activities,
         gaps_pooled: distance(pooled),
@@ -122,14 +135,30 @@ fn span_s(log: &Log) -> f64 {
     times().max().zip(times().min()).map_or(0.0, |(last, first)| seconds(last - first))
 }
 
+/// Shorter logs are taken as they are (ours).
+const LONG_S: f64 = 2.0 * 86_400.0;
+
+/// From the date of a log's first row to that of its last, both counted.
+fn dates(log: &Log) -> u64 {
+    let days = || log.events.iter().map(|event| event.at.div_euclid(DAY));
+    days().max().zip(days().min()).map_or(0, |(last, first)| (last - first + 1) as u64)
+}
+
 impl Counts {
-    fn of(a: u64, b: u64) -> Counts {
-        Counts { a, b, agreement: agreement(a.abs_diff(b), b) }
+    /// Counts of so many days each.
+    fn of([a, b]: [u64; 2], days: [f64; 2]) -> Counts {
+        let counts = Counts { a, b, agreement: None };
+        Counts { agreement: agreement(counts.apart(days), b as f64 / days[1]), ..counts }
+    }
+
+    /// How far they are apart, in firings of so many days each.
+    fn apart(&self, [of_a, of_b]: [f64; 2]) -> f64 {
+        (self.a as f64 / of_a - self.b as f64 / of_b).abs()
     }
 }
 
 /// The firings during each activity; the times of each log are sorted on the way.
-fn by_activity(logs: [&Log; 2], times: &mut [Vec<Micros>; 2]) -> Vec<ActivityComparison> {
+fn by_activity(logs: [&Log; 2], per: [f64; 2], times: &mut [Vec<Micros>; 2]) -> Vec<ActivityComparison> {
     let mut counts: BTreeMap<&str, [u64; 2]> = BTreeMap::new();
     for which in 0..2 {
         let (own, others) = (&logs[which].activities, &logs[1 - which].activities);
@@ -141,13 +170,13 @@ fn by_activity(logs: [&Log; 2], times: &mut [Vec<Micros>; 2]) -> Vec<ActivityCom
     }
     let compared = |(activity, [a, b]): (&str, [u64; 2])| ActivityComparison {
         activity: activity.into(),
-        firings: Counts::of(a, b),
+        firings: Counts::of([a, b], per),
     };
     counts.into_iter().map(compared).collect()
 }
 
 /// A name such that A3 comes before A11: words in turn with numbers, these by their lengths and digits.
-fn natural(name: &str) -> Vec<(usize, &str)> {
+pub(crate) fn natural(name: &str) -> Vec<(usize, &str)> {
     let parts = name.as_bytes().chunk_by(|a, b| a.is_ascii_digit() == b.is_ascii_digit());
     let ends = parts.scan(0, |end, part| {
         let begin = *end;
@@ -166,8 +195,8 @@ pub fn begins(value: &str) -> bool {
     matches!(says(value), Says::Begins | Says::Opens)
 }
 
-fn agreement(apart: u64, reference: u64) -> Option<f64> {
-    (reference > 0).then(|| 1.0 - apart as f64 / reference as f64)
+fn agreement(apart: f64, reference: f64) -> Option<f64> {
+    (reference > 0.0).then(|| 1.0 - apart / reference)
 }
 
 /// The times from each firing to the next; real logs are not always in order.
@@ -209,7 +238,12 @@ impl fmt::Display for Comparison {
         )?;
         let line = |f: &mut fmt::Formatter, name: &str, counts: Option<&Counts>, agreement: Option<f64>, gaps: &str| {
             let [a, b] = [counts.map(|counts| counts.a), counts.map(|counts| counts.b)];
-            let [a, b] = [a, b].map(|count| count.map_or(String::new(), |count| count.to_string()));
+            let shown = |count: Option<u64>, dates: u64| match count {
+                Some(count) if self.is_by_day => format!("{:.1}", count as f64 / dates.max(1) as f64),
+                Some(count) => count.to_string(),
+                None => String::new(),
+            };
+            let [a, b] = [shown(a, self.dates[0]), shown(b, self.dates[1])];
             let agreement = agreement.map_or("-".into(), |share| format!("{:.1} %", share * 100.0));
             let line = format!("{name:width$}  {a:>9}  {b:>9}  {agreement:>9}  {gaps:>10}");
             writeln!(f, "{}", line.trim_end())
@@ -220,12 +254,9 @@ impl fmt::Display for Comparison {
         }
         line(f, "all together", Some(&self.firings), self.firings.agreement, &shown(self.gaps_anywhere))?;
         line(f, SENSOR_BY_SENSOR, None, self.agreement_by_sensor, &shown(self.gaps_pooled))?;
-        let days = self.span_s.map(|span_s| span_s / 86_400.0);
-        let [a, b] = days.map(|days| format!("{days:.1}"));
-        if a != b {
-            let per_day = |firings: u64, days: f64| format!("{:.0}", firings as f64 / days);
-            let [of_a, of_b] = [(self.firings.a, days[0]), (self.firings.b, days[1])].map(|(n, days)| per_day(n, days));
-            writeln!(f, "\nThe logs span {a} and {b} days: counts say little. Firings a day: {of_a} and {of_b}.")?;
+        if self.is_by_day {
+            let [a, b] = self.dates;
+            writeln!(f, "\nThe logs have {a} and {b} dates: all numbers of firings are those of a day.")?;
         }
         if self.sensors_in_common == 0 {
             writeln!(f, "\nNo sensor fired in both: where names differ, only what is together can be compared.")?;
@@ -246,6 +277,7 @@ pub const MEASURES: &str = "\
 agreement   1 - |firings - reference| / reference, as Godsey & Skubic (2009) count: 100 % is as many,
             0 % is none at all or twice as many, and below 0 % are more than twice as many. \"By\" lines
             add up the differences first, so that too many here do not make up for too few there.
+            Logs with different numbers of dates are held against each other by firings a day.
 gaps apart  the Kolmogorov-Smirnov distance of the times from one firing to the next: 0 is spread
             alike, 1 is wholly apart. Two halves of a real home's log are 0.02 to 0.05 apart, two
             real homes 0.09 to 0.12. Of \"all together\" it is of times from any sensor to any, else of
@@ -361,11 +393,15 @@ mod tests {
         b.activities = vec![during("sleep", 90, 102), during("cook", 102, 130)];
         let compared = compare(&a, &b);
         let counts: Vec<_> = compared.activities.iter().map(|of| (of.activity.as_str(), of.firings)).collect();
-        assert_eq!(counts, [("cook", Counts::of(2, 2)), ("sleep", Counts::of(2, 1))]);
+        assert_eq!(counts, [("cook", Counts::of([2, 2], [1.0; 2])), ("sleep", Counts::of([2, 1], [1.0; 2]))]);
         assert_eq!(compared.agreement_by_activity, Some(1.0 - 1.0 / 3.0));
         b.activities.clear();
         let compared = compare(&a, &b);
-        assert_eq!(compared.activities[0].firings, Counts::of(2, 0), "the other's activities are taken for its own");
+        assert_eq!(
+            compared.activities[0].firings,
+            Counts::of([2, 0], [1.0; 2]),
+            "the other's activities are taken for its own"
+        );
     }
 
     #[test]
@@ -382,9 +418,27 @@ mod tests {
         let (a, b) = (log(&[("a", 0), ("a", 7 * day)]), log(&[("b", 0), ("b", 5), ("b", day)]));
         let compared = compare(&a, &b);
         assert_eq!((compared.span_s, compared.sensors_in_common), ([604_800.0, 86_400.0], 0));
+        assert_eq!((compared.dates, compared.is_by_day), ([8, 2], true));
         let table = compared.to_string();
-        assert!(table.contains("span 7.0 and 1.0 days: counts say little. Firings a day: 0 and 3."), "{table}");
+        assert!(table.contains("The logs have 8 and 2 dates: all numbers of firings are those of a day."), "{table}");
         assert!(table.contains("No sensor fired in both"), "{table}");
+    }
+
+    #[test]
+    fn logs_of_different_lengths_are_compared_by_day() {
+        let day = 86_400 * SECOND;
+        let daily = |days: i64, a_day: i64| {
+            let rows: Vec<(&str, Micros)> =
+                (0..days).flat_map(|on| (0..a_day).map(move |which| ("a", on * day + which * 60 * SECOND))).collect();
+            log(&rows)
+        };
+        let compared = compare(&daily(90, 10), &daily(7, 10));
+        assert_eq!((compared.firings.a, compared.firings.b), (900, 70));
+        assert_eq!((compared.firings.agreement, compared.agreement_by_sensor), (Some(1.0), Some(1.0)));
+        assert_eq!(compare(&daily(90, 5), &daily(7, 10)).firings.agreement, Some(0.5));
+        // As many dates: counts, as they are.
+        assert!(!compare(&daily(7, 5), &daily(7, 10)).is_by_day);
+        assert!(compared.to_string().contains("10.0       10.0    100.0 %"), "{compared}");
     }
 
     #[test]

@@ -34,6 +34,12 @@ pub fn clock_s(at: Micros) -> String {
     format!("{}:{:02}", clock(at.rem_euclid(DAY)), at.div_euclid(SECOND).rem_euclid(60))
 }
 
+/// An instant as logs write it: date, time of day, and microseconds.
+pub fn written(at: Micros) -> String {
+    let wall = date(1970, 1, 1).at(0, 0, 0, 0) + SignedDuration::from_micros(at);
+    wall.strftime("%Y-%m-%d %H:%M:%S%.6f").to_string()
+}
+
 /// The first and the last date of a log; none of one without rows.
 pub fn dates(log: &Log) -> Option<(Date, Date)> {
     let times = || log.events.iter().map(|event| event.at);

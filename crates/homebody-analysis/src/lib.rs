@@ -12,11 +12,23 @@ pub mod dates;
 /// Which rows of a log are signs of somebody, and of which sensors.
 pub mod signs;
 
+/// What a log holds.
+pub mod look;
+
+/// Which sensor speaks after which, and how soon.
+pub mod walks;
+
 /// How alike two logs are.
 pub mod compare;
+/// How well a log that was lived again explains the one it was taken from.
+pub mod explained;
+/// A random forest, which tells rows of figures apart.
+pub mod forest;
 /// How near a log is to a real one, and what gives it away.
 pub mod realism;
 
+/// How the motion sensors of a log are timed, and what their messages went through.
+pub mod timing;
 /// How much somebody moved in each hour of each day, and when nobody was at home.
 pub mod density;
 

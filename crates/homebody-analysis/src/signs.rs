@@ -40,6 +40,18 @@ pub enum Kind {
     Reading,
 }
 
+impl Kind {
+    /// In a word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Kind::Motion => "motion",
+            Kind::Contact => "contact",
+            Kind::Used => "used",
+            Kind::Reading => "reading",
+        }
+    }
+}
+
 /// What a value says, whatever the case of its letters.
 pub fn says(value: &str) -> Says {
     const WORDS: [(Says, &[&str]); 4] = [
@@ -54,36 +66,81 @@ pub fn says(value: &str) -> Says {
 
 /// What the sensors of a log are taken for, in its order.
 pub fn kinds(log: &Log) -> Vec<Kind> {
-    let says: Vec<Says> = log.values.iter().map(|value| says(value)).collect();
-    let is_number: Vec<bool> = log.values.iter().map(|value| value.parse::<f64>().is_ok()).collect();
-    // Those that tell a number beside 0 and 1: where they tell these, they are numbers, too.
-    let mut numbers = vec![false; log.sensors.len()];
-    for event in &log.events {
-        numbers[event.sensor as usize] |= is_number[event.value as usize] && says[event.value as usize] == Says::Else;
+    let looks: Vec<(Says, bool)> = log.values.iter().map(|value| (says(value), is_number(value))).collect();
+    let mut order: Vec<usize> = (0..log.events.len()).collect();
+    // Real logs are not always in order.
+    order.sort_by_key(|&index| log.events[index].at);
+    let mut tallies = vec![Tally::default(); log.sensors.len()];
+    for event in order.into_iter().map(|index| &log.events[index]) {
+        let (says, is_number) = looks[event.value as usize];
+        tallies[event.sensor as usize].take(event.at, says, is_number);
     }
-    // Rows that look like motion, a contact, a reading.
-    let mut rows = vec![[0_u64; 3]; log.sensors.len()];
-    for event in &log.events {
-        let looks = match says[event.value as usize] {
-            Says::Begins | Says::Ends if numbers[event.sensor as usize] && is_number[event.value as usize] => 2,
-            Says::Begins | Says::Ends => 0,
-            Says::Opens | Says::Closes => 1,
-            Says::Else if is_number[event.value as usize] => 2,
-            // A word about something that goes on, such as how restless somebody is.
-            Says::Else => continue,
-        };
-        rows[event.sensor as usize][looks] += 1;
-    }
-    let spans = spans(log);
-    let kind = |(sensor, &[motion, contact, reading]): (usize, &[u64; 3])| match () {
-        () if reading > motion.max(contact) || motion + contact == 0 => Kind::Reading,
-        () if contact > motion => Kind::Contact,
-        () if is_named(&log.sensors[sensor], &THINGS) => Kind::Used,
-        () if is_named(&log.sensors[sensor], &PLACES) && !is_brief(&spans[sensor]) => Kind::Used,
-        () => Kind::Motion,
-    };
-    rows.iter().enumerate().map(kind).collect()
+    tallies.iter().zip(&log.sensors).map(|(tally, name)| tally.kind(name)).collect()
 }
+
+/// Whether a value is a number.
+pub fn is_number(value: &str) -> bool {
+    value.parse::<f64>().is_ok()
+}
+
+/// What the rows of one sensor look like, taken one by one in the order of time.
+#[derive(Clone, Debug, Default)]
+pub struct Tally {
+    motion: u64,
+    contact: u64,
+    reading: u64,
+    /// Those of them that say 1 or 0: where a sensor tells other numbers, too, these are numbers as well.
+    ones: u64,
+    /// Since when something goes on.
+    since: Option<Micros>,
+    /// How often something went on for any time, and for how often that was for seconds.
+    spans: u64,
+    brief: u64,
+}
+
+impl Tally {
+    /// Takes a row.
+    pub fn take(&mut self, at: Micros, says: Says, is_number: bool) {
+        match says {
+            Says::Begins | Says::Ends => self.motion += 1,
+            Says::Opens | Says::Closes => self.contact += 1,
+            // Other words are about something that goes on, such as how restless somebody is.
+            Says::Else => self.reading += u64::from(is_number),
+        }
+        self.ones += u64::from(is_number && says != Says::Else);
+        match says {
+            Says::Begins | Says::Opens => self.since = self.since.or(Some(at)),
+            Says::Ends | Says::Closes => {
+                if let Some(length) = self.since.take().map(|since| at - since).filter(|&length| length > 0) {
+                    self.spans += 1;
+                    self.brief += u64::from(length < BRIEF);
+                }
+            }
+            Says::Else => {}
+        }
+    }
+
+    /// What the sensor of this name is taken for.
+    pub fn kind(&self, name: &str) -> Kind {
+        let ones = if self.reading > 0 { self.ones } else { 0 };
+        let (motion, contact, reading) = (self.motion - ones, self.contact, self.reading + ones);
+        match () {
+            () if reading > motion.max(contact) || motion + contact == 0 => Kind::Reading,
+            () if contact > motion => Kind::Contact,
+            () if is_named(name, &THINGS) => Kind::Used,
+            () if is_named(name, &PLACES) && !self.is_brief() => Kind::Used,
+            () => Kind::Motion,
+        }
+    }
+
+    /// Whether something goes on for seconds at a time, as movements do: nobody lies, sits or cooks for so short.
+    fn is_brief(&self) -> bool {
+        self.brief > 0 && 2 * self.brief >= self.spans
+    }
+}
+
+/// At least half of the spans of what is brief are shorter (ours).
+const BRIEF: Micros = 20 * SECOND;
 
 /// The spans over which each sensor says that something goes on, in order. Where a sensor never says that it ends, a span
 /// is an instant; what has not ended when the log does ends as it begins.
@@ -125,15 +182,6 @@ fn is_named(name: &str, things: &[&str]) -> bool {
     let words = words(name);
     is_numbered
         || words.iter().any(|word| things.contains(&word.as_str())) && !words.iter().any(|word| word == "motion")
-}
-
-/// Whether something goes on for seconds at a time, as movements do: nobody lies, sits or cooks for so short.
-fn is_brief(spans: &[(Micros, Micros)]) -> bool {
-    /// At least half of the spans are shorter (ours).
-    const BRIEF: Micros = 20 * SECOND;
-    let of_length: Vec<Micros> = spans.iter().map(|(from, to)| to - from).filter(|&length| length > 0).collect();
-    let brief = of_length.iter().filter(|&&length| length < BRIEF).count();
-    brief > 0 && 2 * brief >= of_length.len()
 }
 
 #[cfg(test)]

@@ -121,11 +121,11 @@ activities! {
     TAKING_MEDICINE "taking_medicine": "Taking medicine, with water",
         Medicine, Care, around(2.0, 0.4), [Medicine, Sink];
     PREPARING_BREAKFAST "preparing_breakfast": "Preparing breakfast",
-        Food, Household, around(14.0, 0.35), [Fridge, Drawers, Counter, Stove, Sink];
+        Food, Household, around(14.0, 0.35), [Fridge, Drawers, Counter, Stove, FoodWarmer, Sink];
     PREPARING_LUNCH "preparing_lunch": "Preparing lunch",
-        Food, Household, around(22.0, 0.4), [Fridge, Drawers, Counter, Stove, Sink];
+        Food, Household, around(22.0, 0.4), [Fridge, Drawers, Counter, Stove, FoodWarmer, Sink];
     PREPARING_DINNER "preparing_dinner": "Preparing dinner",
-        Food, Household, around(25.0, 0.4), [Fridge, Drawers, Counter, Stove, Sink];
+        Food, Household, around(25.0, 0.4), [Fridge, Drawers, Counter, Stove, FoodWarmer, Sink];
     EATING_BREAKFAST "eating_breakfast": "Eating breakfast", Food, Eating, around(22.0, 0.3), [DiningSeat];
     EATING_LUNCH "eating_lunch": "Eating lunch", Food, Eating, around(27.0, 0.3), [DiningSeat];
     EATING_DINNER "eating_dinner": "Eating dinner", Food, Eating, around(27.0, 0.3), [DiningSeat];

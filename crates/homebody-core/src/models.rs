@@ -8,6 +8,7 @@ use crate::{home, link, world};
 pub fn numbers() -> Vec<Number> {
     let modules = [
         home::NUMBERS,
+        home::sun::NUMBERS,
         world::NUMBERS,
         bed::NUMBERS,
         stove_temperature::NUMBERS,

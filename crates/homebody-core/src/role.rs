@@ -63,6 +63,8 @@ roles! {
     Fridge ["fridge", "refrigerator", "freezer", "kitchen"] or [], STANDING;
     /// Where food is cooked.
     Stove ["stove", "cooker", "oven", "hob", "kettle", "kitchen"] or [], STANDING;
+    /// Where food is warmed beside the stove.
+    FoodWarmer ["microwave", "microwave oven", "toaster", "toaster oven", "air fryer"] or [Stove, Counter], STANDING;
     /// Where food is cut and mixed.
     Counter ["counter", "kitchen counter", "worktop", "kitchen table", "kitchen"] or [Stove], STANDING;
     /// Where dishes are done.

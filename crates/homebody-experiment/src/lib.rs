@@ -15,3 +15,9 @@ pub mod daily_life;
 pub mod claims;
 /// Lives in which nothing happens that cannot be.
 pub mod possible;
+/// What is wrong with sensors, by the logs of their homes alone.
+pub mod sensor_health;
+/// Where people were, by the logs of their homes alone.
+pub mod walk_back;
+/// Activities in a real home, recognised after having learnt from simulated days.
+pub mod recogniser;

@@ -24,6 +24,7 @@ mod path;
 #[cfg(test)]
 mod real_data;
 mod short_stays;
+mod walked_back;
 mod words;
 
 pub use compare::{compare_run, compare_runs, hold};
@@ -33,6 +34,7 @@ pub use house::House;
 pub use parse::{BadRow, Texts, parse};
 pub use path::{Unplaced, path_of};
 pub use short_stays::{ShortStay, without_short_stays};
+pub use walked_back::WalkedBack;
 
 use serde::Serialize;
 

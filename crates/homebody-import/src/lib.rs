@@ -1,4 +1,4 @@
-//! Homes from the plans of other programs: so far those of Sweet Home 3D.
+//! Homes from the plans of other programs, so far those of Sweet Home 3D; and schematic ones from what a log tells of its home.
 //!
 //! A file comes in as bytes and goes out as the text of a `home.json` that passes every check, with remarks on what
 //! was left out or guessed. Whoever made the file is not trusted: all sizes have bounds, and no file makes this crate
@@ -32,6 +32,9 @@ mod text;
 mod sound;
 
 mod sweet_home;
+
+// From the sensors of a log to a schematic home.
+pub mod from_log;
 
 pub use archive::MOST_BYTES;
 pub use error::NotImported;

@@ -2,7 +2,7 @@
 
 use homebody_core::geometry::At;
 use homebody_core::role::Role;
-use homebody_core::scenario::home::{DoorFile, FurnitureFile, HomeFile, RoomFile, WallFile};
+use homebody_core::scenario::home::{DoorFile, FurnitureFile, HomeFile, RoomFile, SensorFile, WallFile};
 use serde_json::Value;
 
 /// Which list of a home.
@@ -12,6 +12,7 @@ pub enum List {
     Walls,
     Doors,
     Furniture,
+    Sensors,
 }
 
 /// The text, and of which list each of its lines has which element.
@@ -22,14 +23,16 @@ pub fn of(home: &HomeFile) -> (String, Vec<Option<(List, usize)>>) {
         lines.push((format!("  {}: {},", quoted(key), quoted(text)), None));
     }
     lines.push((format!("  \"latitude_deg\": {},", home.latitude_deg), None));
-    let mut lists = [
+    let mut lists = vec![
         (List::Rooms, "rooms", home.rooms.iter().map(room).collect::<Vec<_>>()),
         (List::Walls, "walls", home.walls.iter().map(wall).collect()),
         (List::Doors, "doors", home.doors.iter().map(door).collect()),
         (List::Furniture, "furniture", home.furniture.iter().map(furniture).collect()),
-    ]
-    .into_iter()
-    .peekable();
+    ];
+    if !home.sensors.is_empty() {
+        lists.push((List::Sensors, "sensors", home.sensors.iter().map(sensor).collect()));
+    }
+    let mut lists = lists.into_iter().peekable();
     while let Some((list, key, elements)) = lists.next() {
         let comma = if lists.peek().is_some() { "," } else { "" };
         if elements.is_empty() {
@@ -83,6 +86,22 @@ fn furniture(piece: &FurnitureFile) -> String {
         text += &format!(", \"role\": {}", quoted(&role));
     }
     text
+}
+
+/// As its form has it, with blanks between.
+fn sensor(sensor: &SensorFile) -> String {
+    let text = serde_json::to_string(sensor).unwrap_or_default();
+    let inner = text.strip_prefix('{').and_then(|text| text.strip_suffix('}')).unwrap_or_default();
+    let mut in_quotes = false;
+    let mut spaced = String::with_capacity(inner.len() + 32);
+    for letter in inner.chars() {
+        in_quotes ^= letter == '"';
+        spaced.push(letter);
+        if !in_quotes && [',', ':'].contains(&letter) {
+            spaced.push(' ');
+        }
+    }
+    spaced
 }
 
 fn at(at: &At) -> String {

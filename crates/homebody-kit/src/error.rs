@@ -104,6 +104,15 @@ pub enum Error {
         /// What began it.
         version: String,
     },
+    /// A log cannot be walked back through a home.
+    #[error("{0}")]
+    Translation(String),
+    /// Whoever asked has asked for it to end early.
+    #[error("it was cancelled")]
+    Cancelled,
+    /// A scenario cannot be fitted to a log.
+    #[error("{0}")]
+    Calibration(String),
     /// A folder has no log in it.
     #[error("{} is a folder without a log\n  hint: name the log itself, or the folder of a run that has one", folder.display())]
     NoLog {

@@ -47,16 +47,26 @@ mod cohort;
 
 mod idle_sensors;
 mod log_with_run;
+mod translation;
+mod health;
 
+/// A log that was walked back, as a folder.
+pub mod walked;
+
+mod calibration;
+
+pub use calibration::{Calibration, Fitted, Rates, calibrate, lived};
 pub use cancel::Cancel;
 pub use cohort::{Cohort, CohortSetup, LivedCohort, Member, UnfinishedCohort};
 pub use cohort_list::{CohortList, ListedMember};
 pub use destination::{Destination, Policy, Sink};
 pub use error::{BoxError, Error};
+pub use health::{Found, Health, health};
+pub use homebody_infer::{Ailment, Ill, Kind, Spell};
 pub use homebody_log::Url;
 pub use homebody_log::places::LIST;
 pub use homebody_routine::living::account::Difference;
-pub use log_with_run::{LogWithRun, NamedLog, Unended};
+pub use log_with_run::{LogWithRun, NamedLog, Unended, home_sensors};
 pub use profiles::Profile;
 pub use recorded::{Recorded, Unfinished, recording};
 pub use run::{Batch, BatchSink, LiveRun, Progress, RunSetup};
@@ -64,3 +74,4 @@ pub use scenario::{OpenScenario, numbers, open, template};
 pub use source::{Folder, Source, TRUST, Template};
 pub use store::{Destinations, Lived};
 pub use stretch::Stretch;
+pub use translation::{Doubt, LEAST_CHANGE, Place, Translation, Whereabouts, sensors_of_home, walk_back};

@@ -3,17 +3,21 @@
 
 use crate::error::Error;
 use homebody_analysis::dates::{date_of, dates, on_wall, put_on_wall};
+use homebody_analysis::look::HomeSensor;
+use homebody_analysis::signs::{Kind, Says, says};
 use homebody_core::recording::Recording;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::sensors::Sensor;
 use homebody_core::time::Micros;
 use homebody_log::places::{LIST, RECORDING, logs_of, recording_in};
 use homebody_log::source::Clock;
-use homebody_log::source::recognise;
 use homebody_log::truth::tables;
-use homebody_log::{Life, Log, LogError, RunClock, Url, lives, read, survey, truth_beside};
+use homebody_log::word::one_word;
+use homebody_log::{Life, Log, LogError, RunClock, Source, Url, lives, read, stream, survey, truth_beside};
 use jiff::civil::Date;
+use jiff::tz::TimeZone;
 use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -28,7 +32,9 @@ pub struct LogWithRun {
     pub lives: Vec<Life>,
     /// From when to when the run was, if that is known.
     pub recorded: Option<Range<Micros>>,
-    /// The files that it comes from, which nothing replaces.
+    /// The files that the log itself is in.
+    pub files: Vec<PathBuf>,
+    /// The files that it comes from, its truth's and its recording too, which nothing replaces.
     pub sources: Vec<PathBuf>,
     /// The folder of its run, if that was not lived to its end: see [`NamedLog::unfinished`].
     pub unfinished: Option<Unended>,
@@ -52,18 +58,27 @@ impl LogWithRun {
     /// [`Error::TimeZone`] if no zone has this name, [`Error::Log`] if the log or the truth beside it cannot be read, and those of
     /// [`NamedLog::find`] and [`NamedLog::read`].
     pub fn read(text: &str, zone: Option<&str>) -> Result<LogWithRun, Error> {
+        LogWithRun::of(NamedLog::find(text)?, zone)
+    }
+
+    /// The same of one that has been found.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`LogWithRun::read`].
+    pub fn of(named: NamedLog, zone: Option<&str>) -> Result<LogWithRun, Error> {
         let asked = zone.map(Calendar::zone).transpose().map_err(Error::TimeZone)?;
-        let named = NamedLog::find(text)?;
         let mut log = named.read()?;
         let truth = named.truth();
         // Days are drawn on the wall, so these are the instants as the truth tells them.
         let mut lives = truth.as_ref().map(|truth| lives(truth, &RunClock::as_told())).transpose()?.unwrap_or_default();
         let unfinished = named.unfinished();
-        let NamedLog { place: url, run, scenario, .. } = named;
+        let known_zone = named.zone();
+        let NamedLog { name, place, run, scenario, .. } = named;
         if let Some(scenario) = &scenario {
             name_sensors(&mut log, scenario);
         }
-        let zone = asked.or_else(|| Some(scenario.as_ref()?.calendar.local(0).time_zone().clone()));
+        let zone = asked.or(known_zone);
         // One that is being lived, or was killed, says how long it is to be, and not how far it has come.
         let lived = run.as_ref().filter(|run| run.is_complete());
         let span = scenario.as_ref().zip(lived).map(|(scenario, run)| {
@@ -79,13 +94,13 @@ impl LogWithRun {
         }
         // A recording that lies there by chance is of another time.
         let recorded = span.filter(|span| log.events.iter().all(|event| span.contains(&event.at)));
-        let beside = url.file().map(|file| file.with_file_name(RECORDING)).filter(|path| path.is_file());
+        let beside = Some(place.path().with_file_name(RECORDING)).filter(|path| path.is_file());
         let truth = truth.map(|truth| truth.files(&tables())).unwrap_or_default();
-        let sources = url.file().map(Path::to_owned).into_iter().chain(truth).chain(beside).collect();
+        let files = place.files();
+        let sources = files.iter().cloned().chain(truth).chain(beside).collect();
         let without = run.map(|run| run.without).filter(|without| !without.is_empty());
-        let name =
-            called(text) + without.map_or_else(String::new, |names| format!(", without {}", names.join(", "))).as_str();
-        Ok(LogWithRun { name, log, lives, recorded, sources, unfinished })
+        let name = name + without.map_or_else(String::new, |names| format!(", without {}", names.join(", "))).as_str();
+        Ok(LogWithRun { name, log, lives, recorded, files, sources, unfinished })
     }
 
     /// The first and the last of its dates: those of its run, on which nothing may have been said, else those of its rows.
@@ -93,6 +108,23 @@ impl LogWithRun {
         let of_run = self.recorded.as_ref().map(|run| (date_of(run.start), date_of(run.end - 1)));
         of_run.or_else(|| dates(&self.log))
     }
+}
+
+/// The sensors of a home, as its logs show them.
+pub fn home_sensors(scenario: &Scenario) -> Vec<HomeSensor> {
+    let one = |sensor: &Sensor| {
+        let info = sensor.info(scenario.home.plan());
+        let id = scenario.logger.ids.get(&info.name).unwrap_or(&info.name);
+        let begins = info.values.first().map(|value| says(&value.to_string()));
+        let kind = match begins {
+            _ if sensor.senses_motion() => Kind::Motion,
+            _ if info.unit.is_some() => Kind::Reading,
+            Some(Says::Opens) => Kind::Contact,
+            _ => Kind::Used,
+        };
+        HomeSensor { ids: vec![id.clone(), one_word(id)], name: info.name, kind }
+    };
+    scenario.home.placed_sensors().iter().map(one).collect()
 }
 
 /// Gives the sensors their names in the home for the ids that they have in the log.
@@ -106,8 +138,10 @@ fn name_sensors(log: &mut Log, scenario: &Scenario) {
 
 /// A log that somebody names, before it is read: where it is, and what is known of the run that left it.
 pub struct NamedLog {
+    /// What it is called.
+    pub name: String,
     /// Where it is.
-    pub place: Url,
+    pub place: Source,
     /// What its table and columns are called, by the logger of its run; the usual names where that is not known.
     pub mapping: LoggerFile,
     /// The recording beside it.
@@ -130,23 +164,51 @@ impl NamedLog {
         if path.is_dir() {
             let recording = recording_in(&path);
             return match log_in(&path, recording.as_ref()) {
-                Some(place) => Ok(NamedLog::at(place, recording)),
-                None if recording.is_some_and(|run| !run.is_complete()) => Err(no_rows(path)),
-                None => Err(Error::NoLog { folder: path }),
+                Some(place) => Ok(NamedLog::at(text, Source::from(&place), recording)),
+                None if recording.as_ref().is_some_and(|run| !run.is_complete()) => Err(no_rows(path)),
+                None if recording.is_some() => Err(Error::NoLog { folder: path }),
+                None => match Source::recognise(&path) {
+                    Err(LogError::IsFolder { .. }) => Err(Error::NoLog { folder: path }),
+                    found => Ok(NamedLog::at(text, found?, None)),
+                },
             };
         }
         let place = match path.exists() {
-            true => recognise(&path)?,
-            false => text.parse().or_else(|_| recognise(&path)).map_err(|error: LogError| error)?,
+            true => Source::recognise(&path)?,
+            false => text.parse().or_else(|_| Source::recognise(&path)).map_err(|error: LogError| error)?,
         };
-        let beside = place.file().and_then(Path::parent).and_then(recording_in);
-        Ok(NamedLog::at(place, beside))
+        let beside = place.path().parent().and_then(recording_in);
+        Ok(NamedLog::at(text, place, beside))
     }
 
-    fn at(place: Url, run: Option<Recording>) -> NamedLog {
+    fn at(text: &str, place: Source, run: Option<Recording>) -> NamedLog {
         let scenario = run.as_ref().and_then(|run| run.scenario().ok());
         let mapping = scenario.as_ref().map(|scenario| scenario.logger.clone()).unwrap_or_default();
-        NamedLog { place, mapping, run, scenario }
+        NamedLog { name: called(text), place, mapping, run, scenario }
+    }
+
+    /// The zone of its run's clocks, if that is known.
+    pub fn zone(&self) -> Option<TimeZone> {
+        self.scenario.as_ref().map(|scenario| scenario.calendar.local(0).time_zone().clone())
+    }
+
+    /// What its run's home calls a sensor that has an id in the log.
+    pub fn name_of(&self, id: &str) -> Option<&str> {
+        let ids = self.scenario.iter().flat_map(|scenario| &scenario.logger.ids);
+        ids.into_iter().find(|(_, known)| *known == id).map(|(name, _)| name.as_str())
+    }
+
+    /// Reads it through: `take` gets its rows part by part, as of [`stream`].
+    ///
+    /// # Errors
+    ///
+    /// Those of [`NamedLog::read`].
+    pub fn stream(&self, take: &mut dyn FnMut(&Log)) -> Result<Log, Error> {
+        let mut take = |part: &Log| {
+            take(part);
+            Ok(())
+        };
+        self.with_rows(stream(&self.place, &self.mapping, &mut take))
     }
 
     /// Reads it into memory.
@@ -169,7 +231,7 @@ impl NamedLog {
 
     /// A run that has no rows yet is told as such, whatever its log is without them.
     fn with_rows(&self, read: Result<Log, LogError>) -> Result<Log, Error> {
-        let file = self.place.file().unwrap_or(Path::new(""));
+        let file = self.place.path();
         let is_empty = match &read {
             Ok(log) => log.rows == 0 && log.skipped == 0,
             Err(LogError::Missing { .. } | LogError::NoTables { .. }) => true,
@@ -184,20 +246,20 @@ impl NamedLog {
     /// What is known of its run, if that was not lived to its end.
     pub fn unfinished(&self) -> Option<Unended> {
         let run = self.run.as_ref().filter(|run| !run.is_whole() && self.is_of_its_run())?;
-        let folder = self.place.file()?.parent()?.to_owned();
+        let folder = self.place.path().parent()?.to_owned();
         Some(Unended { folder, is_killed: !run.is_complete() })
     }
 
     /// Whether the recording beside it says that the run's log is here.
     fn is_of_its_run(&self) -> bool {
-        let Some(file) = self.place.file() else { return false };
+        let file = self.place.path();
         let folder = file.parent().unwrap_or(Path::new(""));
         logs_of(folder, self.scenario.as_ref()).any(|url| url.file() == Some(file))
     }
 
     /// The truth that lies beside it.
     pub fn truth(&self) -> Option<Url> {
-        truth_beside(self.place.file()?)
+        truth_beside(self.place.path())
     }
 
     /// Reads instants of its run from the truth beside it. Where the run is not known, they are as they are told.

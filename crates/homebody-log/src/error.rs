@@ -160,6 +160,23 @@ pub enum LogError {
         /// Why not, as a part of a sentence.
         why: String,
     },
+    /// A file is to tell the names of a table and its columns, and does not.
+    #[error("{place} is no logger.json: {why}\n  hint: docs/logger.md lists its keys")]
+    NoMapping {
+        /// The file.
+        place: String,
+        /// Why not.
+        why: String,
+    },
+    /// A table of sensors' names has something wrong in it.
+    #[error(
+        "{}\n  hint: a table of sensors has a line id,name and then one for each sensor, with its own id and its own name",
+        .problems.join("\n")
+    )]
+    SensorMap {
+        /// All that is wrong: file, line and what.
+        problems: Vec<String>,
+    },
     /// A database has no tables: a run has only just begun in it, or it is none of a log.
     #[error(
         "{place} has no tables, so no log\n  hint: name one that has; what is computed, such as a view, is not read"

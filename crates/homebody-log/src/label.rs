@@ -67,7 +67,7 @@ pub fn label(
         cells.extend(labels(cause.as_ref(), &lives).map(&mut text));
         Ok(())
     };
-    labelled.rows = transfer.write(about, Some(besides()), &mut label, &mut progress)?;
+    labelled.rows = transfer.write(about, besides(), &mut label, &mut progress)?;
     Ok(labelled)
 }
 
@@ -81,11 +81,10 @@ fn labels<'t>(cause: Option<&'t Cause>, lives: &'t [Life]) -> [Option<&'t str>; 
     [who, room, activity, cause.map(|cause| cause.why.as_str()), cause.and_then(|cause| cause.thing.as_deref())]
 }
 
-fn besides() -> Besides {
+fn besides() -> Besides<'static> {
     let label = |name: &str, about| Column { name: name.into(), kind: ColumnKind::Text, unit: "", about };
     Besides {
-        name: "labelled",
-        about: "what a sensor said, with who it was, where, doing what, and why",
+        table: Some(("labelled", "what a sensor said, with who it was, where, doing what, and why")),
         columns: vec![
             label("resident", "whose doing it was; empty where it was nobody's"),
             label("room", "the room that they were in; empty between rooms"),
@@ -93,6 +92,7 @@ fn besides() -> Besides {
             label("cause", "movement, act, reading, duplicate or false"),
             label("thing", "what was used, of an act"),
         ],
+        ..Besides::of_log()
     }
 }
 

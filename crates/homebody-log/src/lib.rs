@@ -31,7 +31,7 @@ pub mod policy;
 pub mod sink;
 
 mod clock;
-mod word;
+pub mod word;
 mod spreadsheet;
 mod mapping;
 mod messages;
@@ -46,14 +46,18 @@ pub mod rows;
 pub mod preview;
 
 pub mod source;
+mod spans;
 pub mod transfer;
 pub mod convert;
+pub mod anonymise;
 pub mod label;
 
+pub use anonymise::{Anonymised, Anonymising, anonymise};
 pub use convert::convert;
 pub use error::LogError;
 pub use label::{Labelled, label};
 pub use logger::{Destination, Logger, RowsOfFirings, Stored};
+pub use mapping::read_mapping;
 pub use places::Places;
 pub use policy::Policy;
 pub use rows::{RowText, Rows};
@@ -62,8 +66,8 @@ pub use run_log::RunLog;
 pub use sensor_info::SensorInfo;
 pub use sink::{Begin, How, Sink, Watermark};
 pub use source::{
-    Activity, Event, Life, Log, Movement, MovementKind, Movements, RunClock, activities, ids, lives, read, stream,
-    survey, truth_at, truth_beside,
+    Activity, Event, Life, Log, Movement, MovementKind, Movements, RunClock, SensorMap, Source, activities, ids, lives,
+    read, stream, survey, truth_at, truth_beside,
 };
 pub use transfer::Transfer;
 pub use truth::TruthLog;

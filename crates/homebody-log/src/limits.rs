@@ -12,6 +12,15 @@ pub const LONGEST_ROW_BYTES: usize = 1 << 20;
 /// No row has more cells (ours).
 pub const MOST_CELLS: usize = 1000;
 
+/// No row of comma-separated values goes on over more lines (ours).
+pub const MOST_LINES_OF_ROW: usize = 100;
+
+/// No more activities of a log are kept (ours): that is a hundred a day for a life.
+pub const MOST_ACTIVITIES: usize = 3_000_000;
+
+/// No more rows wait to be put into the order of time (ours): they take 48 MB.
+pub const MOST_WAITING: usize = 1 << 20;
+
 /// No sensor's id has more characters, which is the most that Home Assistant takes.
 pub const LONGEST_ID: usize = 255;
 

@@ -1,10 +1,14 @@
 //! `logger.json` checked: the names and texts under which rows are stored.
 
-use crate::error::LogError;
+use crate::error::{LogError, place_of};
+use crate::limits::LARGEST_OF_SCENARIO_BYTES;
+use crate::plain;
 use crate::table::{Cell, Column, ColumnKind, Table, Texts, thousandths};
 use homebody_core::event::Value;
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, TimeFormat};
 use std::collections::BTreeMap;
+use std::io::ErrorKind;
+use std::path::Path;
 
 /// The table that tells about runs, beside the rows' own.
 const RUN_TABLE: &str = "run";
@@ -27,6 +31,19 @@ pub(crate) struct Shown {
     /// What is shown for ON and OFF.
     pub values: [String; 2],
     pub time: TimeFormat,
+}
+
+/// Reads a `logger.json` that is none of a scenario's: it tells the names of a table and its columns.
+///
+/// # Errors
+///
+/// [`LogError::Missing`] if it is not there, [`LogError::NoMapping`] if it is none.
+pub fn read_mapping(path: &Path) -> Result<LoggerFile, LogError> {
+    let text = plain::read_text(path, LARGEST_OF_SCENARIO_BYTES).map_err(|error| match error.kind() {
+        ErrorKind::NotFound => LogError::Missing { place: place_of(path) },
+        _ => LogError::reading(path, error),
+    })?;
+    serde_json::from_str(&text).map_err(|why| LogError::NoMapping { place: place_of(path), why: why.to_string() })
 }
 
 impl Columns {

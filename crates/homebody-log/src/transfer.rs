@@ -7,21 +7,25 @@ use crate::mapping::Columns;
 use crate::places::not_of_a_run;
 use crate::run_info::RunInfo;
 use crate::sink::{self, Begin, How};
-use crate::source::{Clock, Event, Log, stream};
+use crate::source::{Activity, Clock, Event, Log, Source, activities_of, stream};
+use crate::spans::{self, SPAN_COLUMNS};
 use crate::table::{Batch, Cell, Column, TextId, Texts};
 use crate::url::Url;
 use crate::writer::BATCH;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
+use homebody_core::scenario::scheme::Scheme;
+use homebody_core::time::Micros;
+use std::path::Path;
 
 /// A log that is to be written anew, under our own names of table and columns.
 ///
 /// Local times stay local. A log in UTC stays in UTC, but for the CASAS form, which knows local time only: there it is
-/// the local time of `zone`. Notes of activities stay behind.
+/// the local time of `zone`.
 #[derive(Clone, Copy, Debug)]
 pub struct Transfer<'a> {
     /// The log that is read.
-    pub from: &'a Url,
+    pub from: &'a Source,
     /// What its table and columns are called, where that is neither ours nor to be guessed.
     pub mapping: &'a LoggerFile,
     /// Where it is written to.
@@ -38,12 +42,31 @@ pub struct Transfer<'a> {
 pub(crate) type More<'m> = dyn FnMut(u64, &Event, &Log, &mut Texts, &mut Vec<Cell>) -> Result<(), LogError> + 'm;
 
 /// Columns behind those of a log.
-pub(crate) struct Besides {
-    /// What the table is called.
-    pub name: &'static str,
-    /// What a row of it is.
-    pub about: &'static str,
+pub(crate) struct Besides<'b> {
+    /// What the table is called, and what a row of it is, where that is not a log's.
+    pub table: Option<(&'static str, &'static str)>,
     pub columns: Vec<Column>,
+    /// Activities that go into a table of their own.
+    pub spans: &'b [Activity],
+    /// How rows are told otherwise.
+    pub rewrite: Option<&'b Rewrite<'b>>,
+}
+
+/// How rows are told otherwise than they are read; lists are in the order of the log's sensors and values.
+pub(crate) struct Rewrite<'r> {
+    /// How much later.
+    pub shift: Micros,
+    /// What sensors are called.
+    pub sensors: &'r [String],
+    /// Which values stay: rows of others are left out.
+    pub keeps: &'r [bool],
+}
+
+impl Besides<'_> {
+    /// Columns of a log itself, of which there are none yet.
+    pub fn of_log() -> Self {
+        Besides { table: None, columns: Vec::new(), spans: &[], rewrite: None }
+    }
 }
 
 impl Transfer<'_> {
@@ -52,7 +75,7 @@ impl Transfer<'_> {
     pub(crate) fn write(
         &self,
         about: &Log,
-        besides: Option<Besides>,
+        besides: Besides<'_>,
         more: &mut More,
         progress: &mut dyn FnMut(u64),
     ) -> Result<u64, LogError> {
@@ -65,25 +88,41 @@ impl Transfer<'_> {
         let start = calendar.timestamp(0).as_microsecond();
         let columns = Columns::new(&LoggerFile::default())?;
         let mut table = columns.log_table();
-        if let Some(besides) = besides {
-            (table.name, table.about) = (besides.name.into(), besides.about);
-            table.columns.extend(besides.columns);
+        let Besides { table: named, columns: more_columns, spans, rewrite } = besides;
+        if let Some((name, told)) = named {
+            (table.name, table.about) = (name.into(), told);
         }
+        table.columns.extend(more_columns);
         let run = RunInfo::of_log(self.name, calendar, about);
-        all_can_be_written(&self.to.file().into_iter().collect::<Vec<_>>(), self.how == How::Replace)?;
-        let mut sink = sink::open(self.to);
-        let (width, tables) = (table.columns.len(), [table]);
+        let (width, mut tables) = (table.columns.len(), vec![table]);
+        let beside = self.beside(spans);
+        let files: Vec<&Path> = self.to.file().into_iter().chain(beside.as_ref().and_then(Url::file)).collect();
+        all_can_be_written(&files, self.how == How::Replace)?;
+        if beside.is_none() && !spans.is_empty() {
+            tables.push(spans::table());
+        }
         let (run_column, spreadsheet_safe) = (columns.run.as_str(), self.mapping.spreadsheet_safe);
-        sink.begin(&Begin { run: &run, tables: &tables, time, run_column, spreadsheet_safe, how: self.how })?;
+        let begin = |tables| Begin { run: &run, tables, time, run_column, spreadsheet_safe, how: self.how };
+        let mut sink = sink::open(self.to);
+        sink.begin(&begin(&tables))?;
+        if let Some(beside) = &beside {
+            let mut sink = sink::open(beside);
+            sink.begin(&begin(&[spans::table()]))?;
+            sink.write(&spans_as_rows(spans, 0, start, &mut Texts::default()))?;
+            sink.finish(0)?;
+        }
         let mut texts = Texts::default();
         let (mut sensors, mut values): (Vec<TextId>, Vec<TextId>) = (Vec::new(), Vec::new());
         let (mut seq, mut last, mut cells) = (0, start, Vec::with_capacity(width));
         stream(self.from, self.mapping, &mut |part| {
-            sensors.extend(part.sensors[sensors.len()..].iter().map(|text| texts.id(text)));
+            let names = rewrite.map_or(&part.sensors[..], |rewrite| rewrite.sensors);
+            sensors.extend(names[sensors.len()..part.sensors.len()].iter().map(|text| texts.id(text)));
             values.extend(part.values[values.len()..].iter().map(|text| texts.id(text)));
             for events in part.events.chunks(BATCH) {
                 let mut batch = Batch::with_capacity(events.len(), width);
-                for event in events {
+                let stays = |event: &&Event| rewrite.is_none_or(|rewrite| rewrite.keeps[event.value as usize]);
+                for event in events.iter().filter(stays) {
+                    let event = &Event { at: event.at + rewrite.map_or(0, |rewrite| rewrite.shift), ..*event };
                     let sensor = Cell::Text(sensors[event.sensor as usize]);
                     let value = Cell::Text(values[event.value as usize]);
                     cells.extend([Cell::Integer(seq as i64), Cell::Instant(event.at - start), sensor, value]);
@@ -96,7 +135,27 @@ impl Transfer<'_> {
             }
             Ok(())
         })?;
+        if tables.len() > 1 {
+            sink.write(&spans_as_rows(spans, 1, start, &mut texts))?;
+        }
         sink.finish(last - start)?;
         Ok(seq)
     }
+
+    /// Where the table of activities goes that has no room in the log's own file. What is there already would be taken for this
+    /// log's, so it is written anew even if there are none.
+    fn beside(&self, spans: &[Activity]) -> Option<Url> {
+        let path = self.to.file().filter(|_| self.to.scheme() == Scheme::Csv).map(activities_of)?;
+        (!spans.is_empty() || path.exists()).then(|| Url::new(Scheme::Csv, path))
+    }
+}
+
+/// Activities as rows of a table.
+fn spans_as_rows(spans: &[Activity], table: usize, start: Micros, texts: &mut Texts) -> Batch {
+    let mut batch = Batch::with_capacity(spans.len(), SPAN_COLUMNS.len());
+    for span in spans {
+        let cells = spans::cells(span, start, texts);
+        batch.push(table, cells);
+    }
+    batch.with(texts)
 }

@@ -1,7 +1,7 @@
 //! Names as a text of the CASAS homes has them, where blanks part what is in a line.
 
 /// A name without blanks; where it has some, each word begins with a capital.
-pub(crate) fn one_word(name: &str) -> String {
+pub fn one_word(name: &str) -> String {
     let words: Vec<&str> =
         name.split(|c: char| c.is_whitespace() || c.is_control()).filter(|w| !w.is_empty()).collect();
     match words[..] {

@@ -1,17 +1,23 @@
-//! How fast firings reach a database, against the barest loop that could put them there.
+//! How fast firings reach a database, against the barest loop that could put them there; and how fast logs are read, against the
+//! reading of their lines.
 
 mod stage;
 
 use homebody_core::event::{Events, Fact, Firing, Provenance, Trigger};
 use homebody_core::ids::ResidentId;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::RowsOfFirings;
+use homebody_log::{RowsOfFirings, survey};
 use rusqlite::{Connection, params};
 use stage::Folder;
+use std::fs::File;
+use std::io::{BufRead, BufReader};
 use std::time::{Duration, Instant};
 
 const ROWS: u64 = 1_000_000;
 const ROUNDS: usize = 5;
+
+/// The rate of rows in that of lines (ours): a tenth of a microsecond for a row, where its line takes a third of that.
+const LEAST_READ: f64 = 0.25;
 
 #[test]
 #[ignore = "a measurement: cargo test --release -p homebody-log --test rate -- --ignored --nocapture"]
@@ -70,6 +76,36 @@ fn causes_are_written() {
     }
     log.finish(firings[firings.len() - 1].at).unwrap();
     println!("causes {:.0} rows/s", ROWS as f64 / began.elapsed().as_secs_f64());
+}
+
+#[test]
+#[ignore = "a measurement: cargo test --release -p homebody-log --test rate -- --ignored --nocapture"]
+fn logs_are_read_not_much_slower_than_their_lines() {
+    let folder = Folder::new("rate-read");
+    let firings = stage::firings(ROWS);
+    let mut slowest = f64::INFINITY;
+    for url in ["casas:log.txt", "csv:log.csv"] {
+        let url = folder.url(url);
+        let logger = stage::open(std::slice::from_ref(&url), &LoggerFile::default(), true).unwrap();
+        stage::store(logger, &firings, 500).unwrap();
+        let mut ratios: Vec<f64> = (0..ROUNDS)
+            .map(|_| {
+                let began = Instant::now();
+                let file = BufReader::with_capacity(1 << 16, File::open(url.file().unwrap()).unwrap());
+                assert!(file.lines().map(|line| line.unwrap().len()).sum::<usize>() > 0);
+                let lines = began.elapsed().as_secs_f64();
+                let began = Instant::now();
+                assert_eq!(survey(&url, &LoggerFile::default()).unwrap().rows, ROWS);
+                let ours = began.elapsed().as_secs_f64();
+                let rate = |seconds: f64| ROWS as f64 / seconds;
+                println!("{url}: lines {:.0}/s, rows {:.0}/s: {:.2}", rate(lines), rate(ours), lines / ours);
+                lines / ours
+            })
+            .collect();
+        ratios.sort_by(f64::total_cmp);
+        slowest = slowest.min(ratios[ROUNDS / 2]);
+    }
+    assert!(slowest >= LEAST_READ, "{slowest}");
 }
 
 /// The rows as text, made beforehand: the bare loop's time is the database's alone.

@@ -3,10 +3,9 @@
 mod stage;
 
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, OnOffFile, TimeFormat};
-use homebody_core::scenario::scheme::Scheme;
 use homebody_log::limits::{LONGEST_ID, LONGEST_ROW_BYTES, LONGEST_VALUE, MOST_CELLS};
-use homebody_log::source::{Clock, recognise};
-use homebody_log::{How, Log, LogError, Transfer, Url, convert, read, stream, survey};
+use homebody_log::source::Clock;
+use homebody_log::{How, Log, LogError, Source, Transfer, Url, convert, read, stream, survey};
 use rusqlite::Connection;
 use stage::Folder;
 use std::fs;
@@ -17,13 +16,14 @@ const ALL: [&str; 3] = ["sqlite:log.db", "csv:log.csv", "casas:log.txt"];
 fn from_text(folder: &Folder, url: &str, text: &str) -> Result<Log, LogError> {
     let url = folder.url(url);
     fs::write(url.file().unwrap(), text).unwrap();
-    assert_eq!(recognise(url.file().unwrap()).unwrap(), url);
+    assert_eq!(Source::recognise(url.file().unwrap()).unwrap(), Source::from(&url));
     read(&url, &LoggerFile::default())
 }
 
 /// Writes a log anew; how many rows it has.
-fn carry(from: &Url, to: &Url, zone: &str) -> Result<u64, LogError> {
+fn carry(from: impl Into<Source>, to: &Url, zone: &str) -> Result<u64, LogError> {
     let mapping = LoggerFile::default();
+    let from = &from.into();
     let about = survey(from, &mapping)?;
     convert(&Transfer { from, mapping: &mapping, to, name: "a log", zone, how: How::New }, &about, |_| ())
 }
@@ -43,7 +43,7 @@ fn what_was_logged_is_read_back() {
         let urls = ALL.map(|url| folder.url(url));
         let stored = stage::store(stage::open(&urls, &file, false).unwrap(), &firings, 100).unwrap();
         let [database, csv, casas] = urls.map(|url| {
-            assert_eq!(recognise(url.file().unwrap()).unwrap(), url);
+            assert_eq!(Source::recognise(url.file().unwrap()).unwrap(), Source::from(&url));
             read(&url, &LoggerFile::default()).unwrap()
         });
         assert_eq!(database, csv);
@@ -318,6 +318,16 @@ fn what_is_no_log_is_told() {
     }
 }
 
+/// One row with a zone does not make strangers of all others, be it the first.
+#[test]
+fn most_rows_say_which_clock_it_is() {
+    let folder = Folder::new("clocks");
+    let text = "2009-03-02T07:12:03Z M1 ON\n2009-03-02 07:12:04 M1 OFF\nnonsense\n2009-03-02 07:12:05 M1 ON\n";
+    let log = from_text(&folder, "casas:log", text).unwrap();
+    assert_eq!((log.events.len(), log.rows, log.clock), (2, 2, Clock::Local));
+    assert_eq!(log.problems.iter().map(|problem| problem.line).collect::<Vec<_>>(), [1, 3]);
+}
+
 #[test]
 fn what_no_clock_shows_is_skipped() {
     let folder = Folder::new("far");
@@ -365,13 +375,9 @@ fn what_is_longer_than_a_log_has_it_ends_the_reading() {
     let head = "time,sensor,value\n2009-03-02 07:12:03,M1,ON\n";
     let row = |cell: &str| format!("{head}2009-03-02 07:12:04,M1,{cell}\n");
     for (text, said) in [
-        (",".repeat(3 << 20), "log.csv:1: the row is longer than 1048576 bytes"),
-        ("x".repeat(3 << 20), "log.csv:1: the row is longer than 1048576 bytes"),
+        (",".repeat(3 << 20), "log.csv:1: the line is longer than 1048576 bytes"),
+        ("x".repeat(3 << 20), "log.csv:1: the line is longer than 1048576 bytes"),
         (format!("{head}{},\n", ",".repeat(MOST_CELLS)), "log.csv:3: the row has more than 1000 cells"),
-        // One quote that nothing closes makes a row of all that follows.
-        (format!("{}{}", row("\"ON"), "2009-03-02 07:12:05,M1,ON\n".repeat(100_000)), "log.csv:3: the row is longer"),
-        (row(&"é".repeat(LONGEST_VALUE + 1)), "log.csv:3: the value \"é"),
-        (row("ON").replace("04,M1", &format!("04,{}", "M".repeat(LONGEST_ID + 1))), "log.csv:3: the sensor \"MMM"),
     ] {
         let url = folder.url("csv:log.csv");
         fs::write(url.file().unwrap(), &text).unwrap();
@@ -379,6 +385,15 @@ fn what_is_longer_than_a_log_has_it_ends_the_reading() {
         assert!(matches!(error, LogError::TooLong { .. }), "{error}");
         let error = error.to_string();
         assert!(error.contains(said) && error.contains("hint: ") && error.len() < 400, "{said}: {error}");
+    }
+    // A cell that is too long costs its row alone.
+    for (text, said) in [
+        (row(&"é".repeat(LONGEST_VALUE + 1)), "the value \"é"),
+        (row("ON").replace("04,M1", &format!("04,{}", "M".repeat(LONGEST_ID + 1))), "the sensor \"MMM"),
+    ] {
+        let log = from_text(&folder, "csv:log.csv", &text).unwrap();
+        assert_eq!((log.events.len(), log.skipped, log.problems[0].line), (1, 1, 3));
+        assert!(log.problems[0].why.starts_with(said) && log.problems[0].why.len() < 200, "{:?}", log.problems);
     }
     let line = "2009-03-02 07:12:03 M1 ON\n";
     let long = format!("{line}{line}{}\n{line}", "x".repeat(LONGEST_ROW_BYTES + 1));
@@ -398,6 +413,19 @@ fn what_is_longer_than_a_log_has_it_ends_the_reading() {
     }
 }
 
+/// One quote that nothing closes makes no row of all that follows; one that is closed later does.
+#[test]
+fn an_open_quote_costs_no_other_row() {
+    let folder = Folder::new("quotes");
+    let (head, good) = ("time,sensor,value\n", "2009-03-02 07:12:05,M1,ON\n");
+    let rest = good.repeat(100_000);
+    let log = from_text(&folder, "csv:log.csv", &format!("{head}2009-03-02 07:12:04,M1,\"ON\n{rest}")).unwrap();
+    assert_eq!((log.events.len(), log.skipped, log.problems[0].line), (100_000, 1, 2));
+    assert_eq!(log.problems[0].why, "a quote in it is never closed");
+    let log = from_text(&folder, "csv:log.csv", &format!("{head}2009-03-02 07:12:04,M1,\"O\nN\"\n{good}")).unwrap();
+    assert_eq!((log.values, log.skipped), (vec!["O\nN".to_owned(), "ON".into()], 0));
+}
+
 #[test]
 fn of_a_database_only_tables_are_read_and_no_long_cells() {
     let folder = Folder::new("views");
@@ -413,11 +441,10 @@ fn of_a_database_only_tables_are_read_and_no_long_cells() {
         let log = "CREATE TABLE log (time, sensor, value); INSERT INTO log VALUES ('2009-03-02 07:12:03', 'M1', 'ON')";
         database.execute_batch(log).unwrap();
         assert_eq!(told(&read().unwrap()), [(1_235_977_923_000_000, "M1", "ON")], "{name}");
-        for long in [format!("hex(zeroblob({LONGEST_ROW_BYTES}))"), format!("hex(zeroblob({LONGEST_VALUE}))")] {
-            let sql = format!("UPDATE log SET value = {long}");
-            database.execute_batch(&sql).unwrap();
-            assert!(matches!(read(), Err(LogError::TooLong { .. })), "{name}, {long}");
-        }
+        database.execute_batch(&format!("UPDATE log SET value = hex(zeroblob({LONGEST_VALUE}))")).unwrap();
+        assert!(matches!(read(), Err(LogError::NoLog { .. })), "{name}");
+        database.execute_batch(&format!("UPDATE log SET value = hex(zeroblob({LONGEST_ROW_BYTES}))")).unwrap();
+        assert!(matches!(read(), Err(LogError::TooLong { .. })), "{name}");
     }
 }
 
@@ -448,7 +475,7 @@ fn real(name: &str) -> Option<PathBuf> {
 #[test]
 fn a_real_home_s_text_is_read_whole() {
     let Some(path) = real("casas_tm000/tm000.multiday_absence.txt") else { return };
-    let from = recognise(&path).unwrap();
+    let from = Source::recognise(&path).unwrap();
     let log = read(&from, &LoggerFile::default()).unwrap();
     assert_eq!((log.events.len(), log.sensors.len(), log.skipped), (21_968, 22, 0));
     let folder = Folder::new("real");
@@ -463,8 +490,8 @@ fn a_real_home_s_text_is_read_whole() {
 #[test]
 fn a_real_home_s_csv_is_read_whole() {
     let Some(path) = real("casas_hh111_week1/hh111week1.csv") else { return };
-    let url = recognise(&path).unwrap();
-    assert!(url.scheme() == Scheme::Csv);
+    let url = Source::recognise(&path).unwrap();
+    assert_eq!(url.form().name, "csv");
     let log = read(&url, &LoggerFile::default()).unwrap();
     assert_eq!((log.events.len(), log.sensors.len(), log.skipped), (35_064, 84, 0));
 }

@@ -151,6 +151,24 @@ fn a_live_run_can_be_watched_and_goes_on_while_it_is() {
 }
 
 #[test]
+fn who_reads_on_from_before_the_first_rows_is_in_nobodys_way() {
+    let folder = Folder::new("early-reader");
+    let firings = stage::firings(50);
+    let mut logger = stage::open(&[folder.url("sqlite:log.db")], &LoggerFile::default(), false).unwrap();
+    let watcher = Connection::open(folder.path().join("log.db")).unwrap();
+    watcher.execute_batch("BEGIN; SELECT count(*) FROM firing").unwrap();
+    let begun = std::time::Instant::now();
+    for firing in &firings {
+        logger.store(std::slice::from_ref(firing), firing.at + 1).unwrap();
+    }
+    logger.finish().unwrap();
+    // A run that ends waits for two seconds to leave one file.
+    assert!(begun.elapsed() < std::time::Duration::from_secs(10), "{:?}", begun.elapsed());
+    watcher.execute_batch("COMMIT").unwrap();
+    assert_eq!(watcher.query_row("SELECT count(*) FROM firing", [], |row| row.get::<_, i64>(0)).unwrap(), 50);
+}
+
+#[test]
 fn whoever_reads_for_seconds_ends_no_run_however_fast_rows_come() {
     for settled in [0, 60_000] {
         let folder = Folder::new(&format!("reader-{settled}"));

@@ -19,6 +19,8 @@ mod font;
 mod label;
 mod layers;
 mod legend;
+mod look_map;
+mod page;
 mod paint;
 mod realism_page;
 mod shade;
@@ -36,6 +38,7 @@ pub use day_chart::{Band, DayChart, Holds, Ticks, day_chart};
 pub use density_map::density_map;
 pub use film_strip::film_strip;
 pub use floor_plan::floor_plan;
+pub use look_map::{look_map, look_page};
 pub use realism_page::{realism_chart, realism_page};
 
 /// Why an SVG did not become a PNG.

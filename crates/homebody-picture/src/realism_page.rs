@@ -1,22 +1,16 @@
 //! A page that holds one log against another: every measure, what gives the one away, and the pictures beside.
 
 use super::chart::{TotalsLine, totals_chart};
+use super::page::{begun, table};
 use super::svg::escaped;
 use homebody_analysis::realism::{MEASURES, Realism, Sign, Summary};
 use std::fmt::Write;
-
-const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:75rem;margin:2rem auto;padding:0 1rem;color:#1c2733}\
-    table{border-collapse:collapse;margin:1rem 0}td,th{padding:.2rem .8rem;text-align:left;border-bottom:1px solid #e3e6e9}\
-    td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}svg{max-width:100%;height:auto}pre{white-space:pre-wrap}";
 
 /// One HTML page that needs nothing besides itself.
 pub fn realism_page(realism: &Realism) -> String {
     let (a, b) = (&realism.a, &realism.b);
     let title = format!("{} beside {}", b.name, a.name);
-    let mut page = format!(
-        "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>{0}</title>\n<style>{STYLE}</style>\n<h1>{0}</h1>\n",
-        escaped(&title)
-    );
+    let mut page = begun(&title);
     let header = ["log", "days", "motion sensors", "firings a day"];
     let rows = [("A", a), ("B", b)].map(|(letter, log)| {
         let Summary { name, days, motion_sensors, firings_a_day, .. } = log;
@@ -78,22 +72,4 @@ fn pictures(realism: &Realism) -> Vec<String> {
     quantiles("Times from any firing to the next", "seconds, as powers of ten", |log| &log.gaps_s, true);
     quantiles("How long an ON lasts", "seconds", |log| &log.on_s, false);
     pictures
-}
-
-fn table(page: &mut String, header: &[&str], rows: &[Vec<String>]) {
-    let is_number = |cell: &str| cell.starts_with(|c: char| c.is_ascii_digit() || c == '-');
-    page.push_str("<table>\n<tr>");
-    for cell in header {
-        let _ = write!(page, "<th>{}</th>", escaped(cell));
-    }
-    page.push_str("</tr>\n");
-    for row in rows {
-        page.push_str("<tr>");
-        for cell in row {
-            let class = if is_number(cell) { " class=\"n\"" } else { "" };
-            let _ = write!(page, "<td{class}>{}</td>", escaped(cell));
-        }
-        page.push_str("</tr>\n");
-    }
-    page.push_str("</table>\n");
 }

@@ -4,14 +4,14 @@ use crate::fuzzy::Fuzzy;
 use crate::language::LAST_WEEK;
 use crate::language::activities::phrase;
 use crate::routine::{
-    Activity, Chance, Change, Days, Effect, Habit, Moment, PartOfDay, Person, Phase, Quote, Response, Routine, Rule,
-    Shy, When,
+    Activity, Chance, Change, DayKind, Days, Effect, Habit, Moment, PartOfDay, Person, Phase, Quote, Response, Routine,
+    Rule, Shy, When,
 };
 use serde::Serialize;
 use words::{clock, join, lasts_words, number, numbers, sentence, span_words};
 
 mod rules;
-mod words;
+pub(crate) mod words;
 
 /// A routine, explained in the order of its file.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -260,6 +260,12 @@ fn effect_words(effect: &Effect) -> String {
         Effect::Active { part: when, factor: by } => {
             format!("movement while awake at home{} {}", part(when), factor(by))
         }
+        Effect::DaysDiffer(by) => format!("days differ {} as much in how lively they are", factor(by)),
+        Effect::DaysAre { kind, very, chance } => {
+            let very = if *very { "very " } else { "" };
+            format!("{very}{} days, with probability {}", kind.word(), number(chance.probability))
+        }
+        Effect::SleepsIn => "after a late night gets up as much later".into(),
         Effect::Restless(by) => format!("turning in bed {}", factor(by)),
         Effect::Forgets { thing, chance } => {
             format!("{thing}: left on or open after use with probability {}", number(*chance))
@@ -337,7 +343,20 @@ fn which_days(days: &Days) -> String {
         }
         _ => {}
     }
+    if let Some(kind) = days.kind {
+        words += &format!(", if it is a {} one,", kind.word());
+    }
     words
+}
+
+impl DayKind {
+    /// As it is said of a day.
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            DayKind::Quiet => "quiet",
+            DayKind::Busy => "busy",
+        }
+    }
 }
 
 fn days_words(days: &Days, chance: &Chance) -> String {
@@ -362,6 +381,7 @@ fn short_days(days: &Days, chance: &Chance) -> String {
         named(days.weekdays.into(), &WEEKDAYS).map(short).unwrap_or_default(),
         named(days.months, &MONTHS).map(short).unwrap_or_default(),
         of_month,
+        days.kind.map_or(String::new(), |kind| kind.word().to_owned()),
         every,
         format!("p {}{becomes}", number(chance.probability)),
     ];

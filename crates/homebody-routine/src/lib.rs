@@ -11,6 +11,9 @@ pub mod language;
 pub mod explain;
 pub mod completion;
 
+// How a diary becomes text.
+pub mod rhythm;
+
 // The living of it, and everybody of a scenario who does.
 pub mod living;
 mod needs_of_home;

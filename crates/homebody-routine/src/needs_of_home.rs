@@ -52,6 +52,8 @@ pub fn used_things(
     // The mail is fetched by somebody, and the television stands before the seat from which it is watched.
     let things = roles.chain([Role::FrontDoor, Role::Television]).filter_map(|role| places.thing(role));
     let things = things.map(|thing| places.thing_name(thing).to_owned());
+    // Of these, all are used in turn.
+    let warmers = places.anybodys(Role::FoodWarmer).into_iter().map(|spot| spot.name.clone());
     let opened = places.stations().iter().filter(|station| station.opened.is_some());
     let opened = opened.map(|station| station.spot.name.clone());
     let answers = texts.iter().flat_map(|text| &text.rules).flat_map(Rule::answers);
@@ -59,7 +61,7 @@ pub fn used_things(
         Response::Turn { thing, .. } => Some(thing.to_lowercase()),
         Response::Do { .. } => None,
     });
-    things.chain(opened).chain(turned).collect()
+    things.chain(warmers).chain(opened).chain(turned).collect()
 }
 
 /// A routine and the conditions that it shows, and those that they show.

@@ -4,7 +4,7 @@
 //! nobody said, such as how long a breakfast takes, is for the living to fill in.
 
 use crate::fuzzy::{Fuzzy, Quantifier};
-pub use days::{Days, Moment, PartOfDay, Phase};
+pub use days::{DayKind, Days, Moment, PartOfDay, Phase};
 use homebody_core::activity::{self, UsualLength};
 use homebody_core::role::Role;
 use serde::Serialize;
@@ -295,6 +295,12 @@ pub enum Effect {
     Irregular(Fuzzy),
     /// So many times the movement while awake and at home, in a part of the day if it was said.
     Active { part: Option<PartOfDay>, factor: Fuzzy },
+    /// So many times as much variation of how lively days are.
+    DaysDiffer(Fuzzy),
+    /// Days of this kind, with how likely each is one; the quiet of very quiet days is that of quiet days, twice.
+    DaysAre { kind: DayKind, very: bool, chance: Chance },
+    /// Who goes to bed late gets up as much later.
+    SleepsIn,
     /// So many times as much turning in bed.
     Restless(Fuzzy),
     /// The chance that a thing is left on, or open, after each use.
@@ -475,7 +481,7 @@ impl Habit {
 impl Effect {
     /// Whether both change the same: the later one then replaces the other.
     pub(crate) fn is_of_the_same(&self, other: &Effect) -> bool {
-        use Effect::{Active, Forgets, Later, Longer, LongerBy, Oftener, Shows, Skips};
+        use Effect::{Active, DaysAre, Forgets, Later, Longer, LongerBy, Oftener, Shows, Skips};
         match (self, other) {
             (Shows { .. }, _) => false,
             (Later { activity, .. }, Later { activity: of, .. })
@@ -485,6 +491,7 @@ impl Effect {
             (Oftener { activity, part, .. }, Oftener { activity: of, part: when, .. }) => {
                 activity == of && part == when
             }
+            (DaysAre { kind, .. }, DaysAre { kind: of, .. }) => kind == of,
             (Active { part, .. }, Active { part: when, .. }) => part == when,
             (Forgets { thing, .. }, Forgets { thing: of, .. }) => thing.to_lowercase() == of.to_lowercase(),
             _ => std::mem::discriminant(self) == std::mem::discriminant(other),

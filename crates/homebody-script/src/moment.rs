@@ -30,9 +30,6 @@ pub const SHORTEST_S: f64 = 0.1;
 /// How far a script can look ahead for what is in the way, in metres (ours).
 pub const LOOKS_M: f64 = 5.0;
 
-/// The sine of the sun's height below which it is dark: that at which those who live by routines light lamps (ours).
-const DARK: f64 = 0.08;
-
 /// The constants of a script, by name.
 pub type Constants = Arc<BTreeMap<String, Dynamic>>;
 
@@ -135,7 +132,7 @@ impl Moment {
     }
 
     pub fn is_dark(&self) -> bool {
-        self.cast.home.sun.elevation_sine(self.now) < DARK
+        self.cast.home.is_dark(self.now)
     }
 
     pub fn now_s(&self) -> f64 {

@@ -161,6 +161,11 @@ impl Places {
         places
     }
 
+    /// All of them: places, furniture and rooms.
+    pub fn all(&self) -> &[Spot] {
+        &self.spots
+    }
+
     /// The spot of a name that the user wrote: a place, a piece of furniture, or a room.
     pub fn named(&self, name: &str) -> Option<&Spot> {
         let name = name.to_lowercase();

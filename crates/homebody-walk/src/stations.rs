@@ -26,6 +26,7 @@ const CHORES: [(&str, &[&str]); 5] = [
             "worktop",
             "sink",
             "microwave",
+            "toaster",
             "dishwasher",
             "kitchen",
             "drawers",

@@ -50,8 +50,3 @@ pub fn turns(calendar: &Calendar, length: Micros) -> Vec<(Micros, Micros)> {
 pub fn hour(calendar: &Calendar, at: Micros) -> usize {
     usize::try_from(calendar.local(at).hour()).unwrap_or(0)
 }
-
-/// Date and time on the wall at an instant, as `2009-03-02 07:12:03`.
-pub fn wall_clock(calendar: &Calendar, at: Micros) -> String {
-    calendar.local(at).strftime("%Y-%m-%d %H:%M:%S").to_string()
-}

@@ -7,7 +7,9 @@ mod log;
 mod plan;
 
 use crate::shelf::Shelf;
-use crate::wire::{CheckView, Draft, FileView, FilesView, LivesView, ProblemView, Save, SaveFile, SavedView};
+use crate::wire::{
+    CheckView, Draft, FileView, FilesView, LivesView, ProblemView, Save, SaveFile, SavedView, UnderlayView,
+};
 use homebody_core::problem::{Problem, readable};
 use homebody_core::scenario::load::{Files, Overlay, Scenario};
 use homebody_core::scenario::remarks;
@@ -21,6 +23,9 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
+
+/// The file that says how a picture lies below the plan.
+const UNDERLAY: &str = "underlay.json";
 
 /// The files of one scenario. A clone is the same desk.
 #[derive(Clone)]
@@ -54,6 +59,11 @@ impl Desk {
             lives: lives.collect(),
             files: self.shelf.written().iter().filter_map(|name| self.file(name)).collect(),
         }
+    }
+
+    /// How a picture lies below the plan, where the scenario's folder has one.
+    pub fn underlay(&self) -> Option<UnderlayView> {
+        serde_json::from_str(&self.shelf.read(UNDERLAY).ok()?).ok()
     }
 
     /// The versions of all files that can be written, by name.

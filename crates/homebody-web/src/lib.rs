@@ -23,8 +23,14 @@ mod effort;
 pub mod desk;
 pub mod stage;
 
-/// Runs that are stored, day by day.
+/// Runs that are stored, day by day; logs that were walked back are played as runs.
+mod stored_log;
+mod walked;
 pub mod playback;
+
+/// Logs that are opened in the page, and what they hold.
+pub mod walks;
+mod told;
 
 /// Who may ask what, and who answers.
 mod visit;

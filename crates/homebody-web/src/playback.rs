@@ -6,10 +6,14 @@
 use crate::dates;
 use crate::draw;
 use crate::shelf::Shelf;
-use crate::wire::{DateView, DayView, LifeView, MotionState, MovementView, PlaybackView, ResidentView, StoredView};
+pub use crate::stored_log::Refusal;
+use crate::stored_log::{MOST_ROWS, damaged, first_rows, numbers, rows_of, shortened};
+use crate::walked::{Walked, chances_of, reported};
+use crate::wire::{
+    Chance, DateView, DayView, LifeView, MotionState, MovementView, PlaybackView, ResidentView, StoredView,
+};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::path::Posture;
 use homebody_core::scenario::scheme::{self, Scheme};
 use homebody_core::time::{Micros, SECOND};
@@ -25,9 +29,6 @@ use std::time::SystemTime;
 /// So many runs stay open: two side by side, and the one looked at before (ours).
 const MOST_OPEN: usize = 3;
 
-/// So many rows of a log are kept in memory (ours): some years of a home's.
-const MOST_ROWS: usize = 5_000_000;
-
 /// So many spans of activities are told of a whole run; of a year they would be tens of thousands (ours).
 const MOST_SPANS: usize = 6000;
 
@@ -38,15 +39,6 @@ const HOUR: Micros = 3600 * SECOND;
 
 /// What a run's truth is called in its folder.
 const TRUTH: &str = "truth.db";
-
-/// Why there is no answer, in a sentence.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Refusal {
-    /// There is no such run, or no such day of it.
-    Unknown(String),
-    /// Its files cannot be understood.
-    Damaged(String),
-}
 
 /// The stored runs of a shelf.
 #[derive(Clone)]
@@ -69,6 +61,8 @@ struct Opened {
     rooms: Vec<Vec<(i64, i64, u32)>>,
     activities: Vec<Vec<(i64, i64, u32)>>,
     movements: Option<Mutex<Movements>>,
+    /// By resident; none but of a log that was walked back.
+    chances: Vec<Vec<Chance>>,
 }
 
 /// When a run's files were written, and how long they are.
@@ -92,10 +86,11 @@ impl Playback {
         });
         match scenario {
             Ok((scenario, length)) => StoredView {
-                name,
                 scenario: scenario.file.name,
-                start: dates::wall_clock(&scenario.calendar, 0),
+                start: scenario.calendar.wall_clock(0),
                 days: dates::last(&scenario.calendar, length) + 1,
+                walked_back: self.shelf.walked(&name).map(|folder| reported(&folder).log),
+                name,
                 has_truth,
                 problem: None,
             },
@@ -105,6 +100,7 @@ impl Playback {
                 start: String::new(),
                 days: 0,
                 has_truth,
+                walked_back: None,
                 problem: Some(shortened(&why)),
             },
         }
@@ -136,6 +132,7 @@ impl Playback {
         for (index, life) in lives.iter_mut().enumerate() {
             life.rooms = overlapping(&run.rooms[index], begin_us, end_us);
             life.activities = overlapping(&run.activities[index], begin_us, end_us);
+            life.chances = run.chances.get(index).map_or(Vec::new(), |all| chances_of(all, begin_us, end_us));
         }
         Ok(DayView { rows: rows.iter().map(|row| (row.at, row.sensor, row.value)).collect(), lives })
     }
@@ -166,31 +163,22 @@ impl Playback {
         let recorded = Household::recorded(&recording);
         let (scenario, household) = recorded.map_err(|problems| Refusal::Damaged(shortened(&problems.render())))?;
         let mut view = whole(name, &recording.run(&scenario, &household), &scenario);
-        let calendar = &scenario.calendar;
+        view.days = dates::all(&scenario.calendar, length);
 
+        let walked = self.shelf.walked(name).map(Walked::at).transpose()?;
         let log = self.log(name, &scenario);
         let truth = self.shelf.file_of_run(name, TRUTH);
         let folder = recording_path.parent().unwrap_or(Path::new("")).to_owned();
         let mut files = vec![recording_path, folder.join(TRUTH)];
         files.extend(log.iter().filter_map(|log| log.file().map(Path::to_owned)));
+        files.extend(walked.iter().flat_map(Walked::files));
         // Looked at before they are read: what changes meanwhile is read again.
         let state = state(&files);
 
-        view.days = dates::all(calendar, length);
-        let rows = match &log {
-            Some(url) => {
-                let log = match first_rows(url, &scenario.logger, MOST_ROWS) {
-                    // A run that was killed before its first row, or has only just begun.
-                    Err(LogError::NoTables { .. }) if !recording.is_complete() => Log::default(),
-                    log => log.map_err(damaged)?,
-                };
-                if log.rows == 0 && !recording.is_complete() {
-                    view.remarks.push("The run has no rows yet.".into());
-                }
-                let clock = RunClock::new(calendar, length, log.clock);
-                rows_of(log, url, &scenario, &clock, &mut view)
-            }
-            None => {
+        let rows = match (&walked, &log) {
+            (Some(walked), _) => walked.rows(&scenario, &mut view)?,
+            (None, Some(url)) => rows_of_run(url, &scenario, recording.is_complete(), &mut view)?,
+            (None, None) => {
                 view.remarks.push("There is no log in its folder.".into());
                 Vec::new()
             }
@@ -206,6 +194,7 @@ impl Playback {
             rooms: Vec::new(),
             activities: Vec::new(),
             movements: None,
+            chances: Vec::new(),
         };
         if let Some(truth) = &truth {
             view.has_truth = true;
@@ -213,6 +202,9 @@ impl Playback {
                 Err(LogError::NoTruth { .. }) if !recording.is_complete() => view.has_truth = false,
                 learnt => learnt.map_err(damaged)?,
             }
+        }
+        if let Some(walked) = &walked {
+            run.chances = walked.chances(&scenario, &mut view)?;
         }
         run.view = Arc::new(view);
         Ok(run)
@@ -270,14 +262,24 @@ fn state(files: &[PathBuf]) -> State {
     files.iter().map(look).collect()
 }
 
-fn damaged(error: LogError) -> Refusal {
-    Refusal::Damaged(shortened(&error.to_string()))
-}
-
-/// Problems of a scenario can be many lines; the page has room for a few.
-fn shortened(why: &str) -> String {
-    const LONGEST: usize = 600;
-    why.chars().take(LONGEST).collect()
+/// The rows of a run's own log.
+fn rows_of_run(
+    url: &Url,
+    scenario: &Scenario,
+    is_complete: bool,
+    view: &mut PlaybackView,
+) -> Result<Vec<Event>, Refusal> {
+    let log = match first_rows(url, &scenario.logger, MOST_ROWS) {
+        // A run that was killed before its first row, or has only just begun.
+        Err(LogError::NoTables { .. }) if !is_complete => Log::default(),
+        log => log.map_err(damaged)?,
+    };
+    if log.rows == 0 && !is_complete {
+        view.remarks.push("The run has no rows yet.".into());
+    }
+    let clock = RunClock::new(&scenario.calendar, view.length_us, log.clock);
+    let numbers = numbers(&log, url, scenario, view);
+    Ok(rows_of(log, &numbers, &clock, view))
 }
 
 /// What is known of a run before its log is read.
@@ -289,7 +291,7 @@ fn whole(name: &str, run: &Run, scenario: &Scenario) -> PlaybackView {
         scenario: scenario.file.name.clone(),
         home: draw::home(&scenario.home, &run.home().plan, run.sensors()),
         residents: residents.map(|(index, name)| ResidentView { name, radius_m: radius(index) }).collect(),
-        start: dates::wall_clock(&scenario.calendar, 0),
+        start: scenario.calendar.wall_clock(0),
         zone: scenario.file.time_zone.clone(),
         length_us: run.length(),
         sensors: Vec::new(),
@@ -299,53 +301,9 @@ fn whole(name: &str, run: &Run, scenario: &Scenario) -> PlaybackView {
         has_truth: false,
         activities: Vec::new(),
         spans: Vec::new(),
+        walk: None,
         remarks: Vec::new(),
     }
-}
-
-/// A log with so many of its rows at most, and a remark if there are more.
-fn first_rows(url: &Url, logger: &LoggerFile, most: usize) -> Result<Log, LogError> {
-    let mut events = Vec::new();
-    let mut log = homebody_log::stream(url, logger, &mut |part| {
-        events.extend(part.events.iter().take(most - events.len()));
-        Ok(())
-    })?;
-    if log.rows > events.len() as u64 {
-        log.remarks.push(format!("The log has {} rows, of which the first {most} are shown.", log.rows));
-    }
-    Ok(Log { events, ..log })
-}
-
-/// A log's rows on the run's own clock, with the view's sensors.
-fn rows_of(log: Log, url: &Url, scenario: &Scenario, clock: &RunClock, view: &mut PlaybackView) -> Vec<Event> {
-    let names: Vec<String> = view.home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
-    view.sensors = homebody_log::ids(url, &scenario.logger, &names);
-    let known: HashMap<String, u32> = view.sensors.iter().cloned().zip(0..).collect();
-    let mut numbers = Vec::new();
-    for sensor in &log.sensors {
-        numbers.push(known.get(sensor).copied().unwrap_or_else(|| {
-            view.sensors.push(sensor.clone());
-            view.sensors.len() as u32 - 1
-        }));
-    }
-    view.remarks.extend(log.remarks);
-    if let Some(first) = log.problems.first() {
-        let why = shortened(&first.why);
-        view.remarks.push(format!("{} lines of the log were skipped; line {}: {why}", log.skipped, first.line));
-    }
-    view.values = log.values;
-    let mut rows = log.events;
-    let mut last = Micros::MIN;
-    for row in &mut rows {
-        row.at = clock.instant(row.at, last);
-        row.sensor = numbers[row.sensor as usize];
-        last = row.at;
-    }
-    // Where messages overtake each other, the log's order is another.
-    if !rows.is_sorted_by_key(|row| row.at) {
-        rows.sort_by_key(|row| row.at);
-    }
-    rows
 }
 
 /// How many rows there are in each hour of each day's clock.
@@ -409,23 +367,4 @@ fn told(movement: &Movement) -> MovementView {
     };
     let (from, to) = (movement.from.map(draw::at), movement.to.map(draw::at));
     (movement.begin, movement.end, doing, draw::posture(movement.posture), from, to)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn of_a_log_that_is_too_long_the_first_rows_are_kept_and_it_is_said() {
-        let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("log.csv");
-        let rows: String = (10..30).map(|s| format!("2026-01-05T09:00:{s},hall motion,ON\n")).collect();
-        fs::write(&file, format!("time,sensor,value\n{rows}")).unwrap();
-        let url = format!("csv:{}", file.display()).parse().unwrap();
-        let all = first_rows(&url, &LoggerFile::default(), 20).unwrap();
-        assert_eq!((all.events.len(), all.remarks.len()), (20, 0), "{:?}", all.remarks);
-        let some = first_rows(&url, &LoggerFile::default(), 7).unwrap();
-        assert_eq!(some.events, all.events[..7]);
-        assert_eq!(some.remarks, ["The log has 20 rows, of which the first 7 are shown."]);
-    }
 }

@@ -9,8 +9,10 @@ use crate::playback::{Playback, Refusal};
 use crate::shelf::Shelf;
 use crate::socket;
 use crate::stage::Stage;
+use crate::told::{Logs, Which};
 use crate::visit::{LONGEST_UNTAKEN, Visit};
-use crate::wire::{Connect, Draft, Explain, Month, Save};
+use crate::walks::{LARGEST_LOG_BYTES, Unwalked, Walks};
+use crate::wire::{Connect, Draft, Explain, Month, Save, WalkingView};
 use axum::body::Body;
 use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::{DefaultBodyLimit, Path, State};
@@ -18,6 +20,7 @@ use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use axum::{Extension, Json, Router};
+use futures_util::StreamExt;
 use futures_util::stream::{Stream, try_unfold};
 use homebody_import::{MOST_BYTES, NotImported};
 use homebody_kit::Cancel;
@@ -25,9 +28,10 @@ use homebody_log::places::RECORDING;
 use serde::Serialize;
 use std::io::{self, ErrorKind};
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
-use tokio::io::{AsyncRead, AsyncReadExt};
+use tokio::io::{AsyncRead, AsyncReadExt, AsyncWriteExt};
 use tokio::net::{TcpListener, TcpSocket};
 use tokio::sync::Semaphore;
 use tower_http::timeout::RequestBodyTimeoutLayer;
@@ -112,8 +116,11 @@ pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(Address)) -> 
         let stage = Stage::open(options.shelf.clone()).map_err(ServeError::Scenario)?;
         let playback = Playback::new(options.shelf.clone());
         let desk = Desk::new(options.shelf.clone());
+        let walks = Walks::new(options.shelf.clone());
+        let logs = Logs::new(options.shelf.clone());
         let pages = Arc::new(Semaphore::new(MOST_PAGES));
-        let house = House { guard, stage: stage.clone(), shelf: options.shelf, playback, desk, pages };
+        let (ended, shelf) = (walks.clone(), options.shelf);
+        let house = House { guard, stage: stage.clone(), shelf, playback, desk, walks, logs, pages };
         let url = format!("http://{address}/#token={}", house.guard.token());
         let doorway = if options.browser { Doorway::to(&url).ok() } else { None };
         ready(Address { url: &url, file: doorway.as_ref().map(Doorway::file) });
@@ -128,6 +135,7 @@ pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(Address)) -> 
             () = cancelled(cancel) => Ok(()),
         };
         stage.close();
+        ended.close();
         served.map_err(ServeError::Broken)
     });
     // Who has asked for a month of days does not keep the program from ending.
@@ -181,6 +189,8 @@ struct House {
     shelf: Shelf,
     playback: Playback,
     desk: Desk,
+    walks: Walks,
+    logs: Logs,
     pages: Arc<Semaphore>,
 }
 
@@ -189,6 +199,8 @@ fn routes(house: House) -> Router {
         .route(SOCKET, get(live))
         .route("/api/files", get(files).post(save))
         .route("/api/files/versions", get(versions))
+        .route("/api/underlay", get(underlay))
+        .route("/api/underlay/picture", get(picture))
         .route("/api/check", post(check))
         .route("/api/plan", post(plan))
         .route("/api/import", post(import))
@@ -200,7 +212,12 @@ fn routes(house: House) -> Router {
         .route("/api/runs", get(runs))
         .route("/api/runs/{run}", get(stored_run))
         .route("/api/runs/{run}/days/{day}", get(stored_day))
+        .route("/api/runs/{run}/look", get(look))
+        .route("/api/runs/{run}/realism/{beside}", get(realism))
         .route("/api/runs/{run}/{what}", get(file_of_run))
+        .route("/api/walk", get(walking).delete(stop_walking))
+        .route("/api/walk/{log}", post(walk))
+        .route("/api/walk/{log}/{run}", post(walk_in_home_of))
         .fallback(get(page::file))
         .layer(DefaultBodyLimit::max(LARGEST_BODY_BYTES))
         .layer(RequestBodyTimeoutLayer::new(LONGEST_UNTAKEN))
@@ -267,6 +284,15 @@ async fn files(State(house): State<House>) -> Response {
     json(found(move || house.desk.files()).await)
 }
 
+async fn underlay(State(house): State<House>) -> Response {
+    json(found(move || house.desk.underlay()).await)
+}
+
+/// The picture below the plan.
+async fn picture(State(house): State<House>) -> Response {
+    download(move || house.shelf.picture(&house.desk.underlay()?.picture), "There is no picture below the plan.").await
+}
+
 async fn versions(State(house): State<House>) -> Response {
     json(found(move || house.desk.versions()).await)
 }
@@ -286,9 +312,8 @@ async fn plan(State(house): State<House>, Json(draft): Json<Draft>) -> Response 
 
 /// A plan of another program, as its file's bytes.
 async fn import(State(house): State<House>, headers: HeaderMap, body: Body) -> Response {
-    let told = headers.get(header::CONTENT_LENGTH).and_then(|length| length.to_str().ok()?.parse::<u64>().ok());
     let too_large = || (StatusCode::PAYLOAD_TOO_LARGE, format!("A plan has at most {} MB.", MOST_BYTES >> 20));
-    if told.is_some_and(|length| length > MOST_BYTES) {
+    if told_length(&headers).is_some_and(|length| length > MOST_BYTES) {
         return too_large().into_response();
     }
     let Ok(bytes) = axum::body::to_bytes(body, MOST_BYTES as usize).await else {
@@ -343,6 +368,91 @@ fn refused(refusal: Refusal) -> Refused {
     }
 }
 
+/// What the log of a stored run holds, as a page.
+async fn look(State(house): State<House>, Path(run): Path<String>) -> Response {
+    written(found(move || house.logs.look(&run)).await)
+}
+
+/// The log of a stored run as one that is real, and how near another is; beside itself the log that was walked back is held
+/// against what was lived again.
+async fn realism(State(house): State<House>, Path((run, beside)): Path<(String, String)>) -> Response {
+    let which = if run == beside { Which::Own } else { Which::Given };
+    written(found(move || house.logs.realism((&run, Which::Given), (&beside, which))).await)
+}
+
+/// A page as a command writes it, which the page of ours shows: by itself a browser would show none of its style.
+fn written(page: Result<Result<String, Refusal>, Refused>) -> Response {
+    let page = page.and_then(|page| page.map_err(refused));
+    page.map_or_else(Refused::into_response, |page| {
+        ([(header::CONTENT_TYPE, "text/plain; charset=utf-8")], page).into_response()
+    })
+}
+
+async fn walking(State(house): State<House>) -> Response {
+    json(Ok(house.walks.now()))
+}
+
+async fn stop_walking(State(house): State<House>) -> Response {
+    house.walks.stop();
+    json(Ok(house.walks.now()))
+}
+
+/// A log, as its file's bytes, that is walked back through the home of the scenario from now on.
+async fn walk(State(house): State<House>, Path(log): Path<String>, headers: HeaderMap, body: Body) -> Response {
+    json(begun(house.walks, (log, None), &headers, body).await)
+}
+
+/// The same through the home of a stored run.
+async fn walk_in_home_of(
+    State(house): State<House>,
+    Path((log, run)): Path<(String, String)>,
+    headers: HeaderMap,
+    body: Body,
+) -> Response {
+    json(begun(house.walks, (log, Some(run)), &headers, body).await)
+}
+
+async fn begun(
+    walks: Walks,
+    (log, home): (String, Option<String>),
+    headers: &HeaderMap,
+    body: Body,
+) -> Result<Option<WalkingView>, Refused> {
+    let too_large = || {
+        let what = format!("A log has at most {} MB here; homebody translate takes any.", LARGEST_LOG_BYTES >> 20);
+        (StatusCode::PAYLOAD_TOO_LARGE, what)
+    };
+    let failed = |error: io::Error| (StatusCode::INTERNAL_SERVER_ERROR, error.to_string());
+    if told_length(headers).is_some_and(|length| length > LARGEST_LOG_BYTES) {
+        return Err(too_large());
+    }
+    let coming = walks.begin(&log, home).map_err(|why| match why {
+        Unwalked::Busy(log) => (StatusCode::CONFLICT, format!("{log} is being walked back: wait for it, or stop it.")),
+        Unwalked::NoPlace(error) => failed(error),
+    })?;
+    let mut file = tokio::fs::File::create(coming.file()).await.map_err(failed)?;
+    let (mut parts, mut length) = (body.into_data_stream(), 0);
+    while let Some(part) = parts.next().await {
+        let Ok(part) = part else { return Err((StatusCode::BAD_REQUEST, "Not all of the log has come.".into())) };
+        length += part.len() as u64;
+        if length > LARGEST_LOG_BYTES {
+            return Err(too_large());
+        }
+        if coming.is_cancelled() {
+            return Ok(walks.now());
+        }
+        file.write_all(&part).await.map_err(failed)?;
+    }
+    file.flush().await.map_err(failed)?;
+    coming.walk();
+    Ok(walks.now())
+}
+
+/// How long a request's body is to be, if that is told.
+fn told_length(headers: &HeaderMap) -> Option<u64> {
+    headers.get(header::CONTENT_LENGTH)?.to_str().ok()?.parse().ok()
+}
+
 /// A file of a stored run, as a download.
 async fn file_of_run(State(house): State<House>, Path((run, what)): Path<(String, String)>) -> Response {
     let find = move || match what.as_str() {
@@ -350,9 +460,14 @@ async fn file_of_run(State(house): State<House>, Path((run, what)): Path<(String
         "recording" => house.shelf.file_of_run(&run, RECORDING),
         _ => None,
     };
+    download(find, "There is no such file of such a run.").await
+}
+
+/// A file, as a download.
+async fn download(find: impl FnOnce() -> Option<PathBuf> + Send + 'static, otherwise: &'static str) -> Response {
     let path = match found(find).await {
         Ok(Some(path)) => path,
-        Ok(None) => return (StatusCode::NOT_FOUND, "There is no such file of such a run.").into_response(),
+        Ok(None) => return (StatusCode::NOT_FOUND, otherwise).into_response(),
         Err(refused) => return refused.into_response(),
     };
     let failed = |error: io::Error| (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()).into_response();

@@ -6,6 +6,7 @@
 use homebody_core::recording::Recording;
 use homebody_core::scenario::load::{Files, NoText};
 use homebody_kit::Folder;
+use homebody_kit::walked::{GIVEN, RELIVED, REPORT, ROOMS};
 use homebody_log::places::RECORDING;
 use homebody_log::plain;
 use homebody_routine::language::lexicon::OWN_FILE;
@@ -52,6 +53,12 @@ impl Shelf {
         if is_plain && is_written(own) { plain::within(&self.scenario, Path::new(name)) } else { None }
     }
 
+    /// A picture of the scenario's folder.
+    pub fn picture(&self, name: &str) -> Option<PathBuf> {
+        let is_picture = PICTURES.iter().any(|ending| name.ends_with(ending));
+        is_picture.then(|| plain_file(&self.scenario, Path::new(name)))?
+    }
+
     /// The names of all runs that have a recording, the latest first. The members of a cohort are in its folder: `cohort-1/0001`.
     pub fn runs(&self) -> Vec<String> {
         let mut runs = Vec::new();
@@ -73,6 +80,15 @@ impl Shelf {
     pub fn run(&self, name: &str) -> Option<PathBuf> {
         let run = self.runs().into_iter().find(|run| run == name)?;
         Some(self.runs.join(run))
+    }
+
+    /// The folder of a log that was walked back, if that is the run in which its path is lived again.
+    pub fn walked(&self, run: &str) -> Option<PathBuf> {
+        let folder = run.strip_suffix(RELIVED)?.strip_suffix('/')?;
+        let folder = self.run(run)?.parent().filter(|parent| parent.ends_with(folder))?.to_owned();
+        let is_file = |name: &str| plain_file(&folder, Path::new(name)).is_some();
+        let given = plain::within(&folder, Path::new(GIVEN)).filter(|given| given.is_dir());
+        (is_file(ROOMS) && is_file(REPORT) && given.is_some()).then_some(folder)
     }
 
     /// A plain file of a run's folder.
@@ -115,6 +131,9 @@ impl Files for Shelf {
 /// The folder of a scenario's own conditions.
 const CONDITIONS: &str = "conditions";
 
+/// How the names of pictures end that the page shows.
+const PICTURES: [&str; 4] = [".png", ".jpg", ".jpeg", ".svg"];
+
 /// No file's name is longer (ours).
 const LONGEST_NAME: usize = 100;
 
@@ -128,12 +147,13 @@ fn plain_file(folder: &Path, path: &Path) -> Option<PathBuf> {
     plain::within(folder, path).filter(|file| file.is_file())
 }
 
-/// The folders in a folder, with when each was changed; links are none.
+/// The folders in a folder, with when each was changed; links are none, and hidden ones are of what is not whole yet.
 fn folders(within: &Path) -> Vec<(Option<SystemTime>, String)> {
     let folders = fs::read_dir(within).into_iter().flatten().flatten();
     let folders = folders.filter(|folder| folder.file_type().is_ok_and(|kind| kind.is_dir()));
     let changed = |folder: &fs::DirEntry| folder.metadata().and_then(|meta| meta.modified()).ok();
-    folders.filter_map(|folder| Some((changed(&folder), folder.file_name().into_string().ok()?))).collect()
+    let named = folders.filter_map(|folder| Some((changed(&folder), folder.file_name().into_string().ok()?)));
+    named.filter(|(_, name)| !name.starts_with('.')).collect()
 }
 
 /// The plain files of a folder, by name; links are none.

@@ -470,7 +470,7 @@ impl StagedRun {
         let sensors = self.run.sensors().len();
         Frame {
             now_us: scene.now,
-            clock: dates::wall_clock(&self.scenario.calendar, scene.now),
+            clock: self.scenario.calendar.wall_clock(scene.now),
             state: if self.is_over { State::Over } else { state },
             speed,
             bodies: scene.bodies.iter().enumerate().map(body).collect(),

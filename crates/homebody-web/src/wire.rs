@@ -213,6 +213,8 @@ pub struct StoredView {
     pub start: String,
     pub days: u32,
     pub has_truth: bool,
+    /// The name of the log that its path was made from by walking it back.
+    pub walked_back: Option<String>,
     /// Why it cannot be played back.
     pub problem: Option<String>,
 }
@@ -243,9 +245,32 @@ pub struct PlaybackView {
     /// What each resident did: begin, end and the activity's number. Of a long run the short ones are left out.
     #[ts(type = "Array<Array<[number, number, number]>>")]
     pub spans: Vec<Vec<(i64, i64, u32)>>,
+    /// Of a log that was walked back: then the rows are those of the log as it was given, and instead of the truth there is
+    /// what was made of them.
+    pub walk: Option<WalkView>,
     /// What is missing or was skipped, in sentences.
     pub remarks: Vec<String>,
 }
+
+/// What is known of a log that was walked back.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct WalkView {
+    /// What the log was called.
+    pub log: String,
+    /// Where each resident most likely was: begin, end and the place's number, as chances have it. Short stays are left out.
+    #[ts(type = "Array<Array<[number, number, number]>>")]
+    pub stays: Vec<Vec<(i64, i64, i32)>>,
+}
+
+/// An instant, a place and how likely somebody is there from then on, from 0 to 1. A place is the number of the home's room, -1
+/// for out, -2 for between the rooms.
+pub type Chance = (i64, i32, f32);
+
+/// The place of who is out.
+pub const OUT: i32 = -1;
+
+/// The place of who is at home between the rooms.
+pub const BETWEEN: i32 = -2;
 
 /// A day by the clock on the wall.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
@@ -289,6 +314,35 @@ pub struct LifeView {
     /// Begin, end and the activity's number.
     #[ts(type = "Array<[number, number, number]>")]
     pub activities: Vec<(i64, i64, u32)>,
+    /// Of a log that was walked back: an instant, a place, and how likely somebody is there from then on. The place is the
+    /// number of the home's room, -1 for out, -2 for between the rooms; those that are not told of have no chance.
+    #[ts(type = "Array<[number, number, number]>")]
+    pub chances: Vec<Chance>,
+}
+
+/// A log that somebody has opened in the page, on its way to be walked back.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct WalkingView {
+    /// What it is called.
+    pub log: String,
+    pub state: WalkState,
+    /// How much of it is done, from 0 to 1.
+    pub share: f64,
+    /// The run that came of it.
+    pub run: Option<String>,
+    /// Why none came of it.
+    pub problem: Option<String>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
+#[serde(rename_all = "snake_case")]
+pub enum WalkState {
+    /// Not all of it has reached the server.
+    Coming,
+    Walking,
+    Done,
+    Failed,
+    Stopped,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]

@@ -53,6 +53,8 @@ impl From<LogError> for Failure {
             | LogError::SameName { .. }
             | LogError::SameSensor { .. }
             | LogError::SameFile { .. }
+            | LogError::NoMapping { .. }
+            | LogError::SensorMap { .. }
             | LogError::NoPlace(_)
             | LogError::Zone(_) => Failure::Usage(error.to_string()),
             LogError::Unmade { .. } => Failure::Io(format!("{error}; --out writes elsewhere")),

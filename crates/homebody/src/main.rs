@@ -3,10 +3,14 @@
 mod beginning;
 mod commands;
 mod failure;
+mod from_log;
+mod inhabited;
 mod length;
 mod pace;
 mod print;
+mod sensor_table;
 mod signals;
+mod traced;
 
 use clap::{CommandFactory, Parser};
 use commands::Command;

@@ -5,6 +5,7 @@ import { kindOf } from '../plan/kinds';
 import { colourOf } from '../plan/moving';
 import { type Palette, contrast, mix } from '../plan/palette';
 import { FONT, glyph, penOf } from '../plan/pen';
+import { type Shade, columns } from './shades';
 import { fitting, isolated, spoken } from '../plan/words';
 
 export const LANE = 15;
@@ -36,17 +37,17 @@ type Band = { name: string; spans: readonly [begin: number, end: number, activit
 /** A sensor, or several of one kind, and when they fired. */
 export type Lane = { name: string; kind: string; fired: ArrayLike<number> };
 
-/** A day of a run, and what is drawn of it. */
-export type DayDrawing = { calendar: Pick<Calendar, 'days'>; number: number; bands: Band[]; activities: string[]; lanes: Lane[] };
+/** A day of a run, and what is drawn of it: bands of what was done, shades of where it was unsure who is, lanes of firings. */
+export type DayDrawing = { calendar: Pick<Calendar, 'days'>; number: number; bands: Band[]; activities: string[]; shades?: Shade[]; lanes: Lane[] };
 
-export function height(bands: number, lanes: number): number {
-  return AXIS + bands * BAND + lanes * LANE + 4;
+export function height({ bands, shades = [], lanes }: Pick<DayDrawing, 'bands' | 'shades' | 'lanes'>): number {
+  return AXIS + bands.length * BAND + shades.length * LANE + lanes.length * LANE + 4;
 }
 
-export function drawLanes(canvas: HTMLCanvasElement, width: number, { calendar, number, bands, activities, lanes }: DayDrawing, palette: Palette): void {
+export function drawLanes(canvas: HTMLCanvasElement, width: number, { calendar, number, bands, activities, shades = [], lanes }: DayDrawing, palette: Palette): void {
   const day = calendar.days[number];
   if (day === undefined) return;
-  const high = height(bands.length, lanes.length);
+  const high = height({ bands, shades, lanes });
   const pen = penOf(canvas, width, high);
   if (pen === null) return;
   const { begin_us, end_us } = day;
@@ -78,6 +79,24 @@ export function drawLanes(canvas: HTMLCanvasElement, width: number, { calendar, 
     }
     top += BAND;
   });
+  for (const { name, by } of shades) {
+    pen.font = `11.5px ${FONT}`;
+    pen.textAlign = 'left';
+    pen.fillStyle = palette.text;
+    const words = fitting(name, left(width) - 30, measure);
+    if (words !== null) pen.fillText(isolated(words), 23, top + LANE / 2 + 0.5);
+    const wide = Math.max(Math.floor(right(width) - left(width)), 1);
+    by.forEach((spans, index) => {
+      pen.fillStyle = colourOf(index);
+      columns(spans, begin_us, end_us, wide).forEach((chance, column) => {
+        if (chance < 0.01) return;
+        pen.globalAlpha = chance;
+        pen.fillRect(left(width) + column, top + 1.5, 1, LANE - 3);
+      });
+    });
+    pen.globalAlpha = 1;
+    top += LANE;
+  }
   for (const { name, kind, fired } of lanes) {
     const middle = top + LANE / 2;
     pen.globalAlpha = 0.3;

@@ -200,21 +200,29 @@ export function drawTrails(pen: Pen, view: View, trails: Step[][], now_ms: numbe
   pen.globalAlpha = 1;
 }
 
+/** How much is seen of a body of which nobody knows that it is there. */
+const FAINTEST = 0.2;
+
+/** Who is less sure to be there has a question mark. */
+const SURE = 0.5;
+
 export function colourOf(resident: number): string {
   return people[resident % people.length]!;
 }
 
-export type Person = { resident: ResidentView; body: BodyView; index: number; driven: boolean };
+/** `sure` is how likely somebody is there, from 0 to 1: who is unsure is faint. */
+export type Person = { resident: ResidentView; body: BodyView; index: number; driven: boolean; sure: number };
 
 export function drawPeople(pen: Pen, view: View, palette: Palette, persons: Person[]): void {
   for (const person of persons) body(pen, view, palette, person);
   for (const person of persons) name(pen, view, palette, person);
 }
 
-function body(pen: Pen, view: View, palette: Palette, { resident, body, index, driven }: Person): void {
+function body(pen: Pen, view: View, palette: Palette, { resident, body, index, driven, sure }: Person): void {
   const [x, y] = toScreen(view, body.at);
   const radius = Math.max(resident.radius_m * view.scale, 6);
   pen.save();
+  pen.globalAlpha = FAINTEST + (1 - FAINTEST) * sure;
   pen.translate(x, y);
   pen.rotate((-body.heading_deg * Math.PI) / 180);
   pen.fillStyle = colourOf(index);
@@ -259,10 +267,10 @@ function body(pen: Pen, view: View, palette: Palette, { resident, body, index, d
   pen.setLineDash([]);
 }
 
-function name(pen: Pen, view: View, palette: Palette, { resident, body, index }: Person): void {
+function name(pen: Pen, view: View, palette: Palette, { resident, body, index, sure }: Person): void {
   const [x, y] = toScreen(view, body.at);
   const radius = Math.max(resident.radius_m * view.scale, 6);
-  const words = shortened(resident.name, 18);
+  const words = `${shortened(resident.name, 18)}${sure < SURE ? '?' : ''}`;
   pen.font = `600 11px ${FONT}`;
   pen.textAlign = 'center';
   pen.textBaseline = 'middle';

@@ -51,6 +51,7 @@ export class Stage {
   private shown: number[] = [];
   private readonly counting = new Throttle(400);
   private frame: Frame | null = null;
+  private sure: readonly number[] | null = null;
   private dirty = true;
   private paint: ((pen: Pen, view: View) => void) | null = null;
 
@@ -124,10 +125,12 @@ export class Stage {
     return nearest;
   }
 
-  take(frame: Frame, now_ms: number): void {
+  /** `sure` is how likely each body is where it is, if that is not certain. */
+  take(frame: Frame, now_ms: number, sure: readonly number[] | null = null): void {
     const goesBack = this.frame !== null && frame.now_us < this.frame.now_us;
     if (goesBack) this.trails.clear();
     this.frame = frame;
+    this.sure = sure;
     this.trails.take(frame, now_ms);
     if (isFast(frame.speed)) this.pulses.clear();
     else for (const firing of frame.firings) this.pulses.fire(firing.sensor, now_ms);
@@ -168,7 +171,7 @@ export class Stage {
     if (scene.layers.trails && !scene.reducedMotion && !fast) drawTrails(pen, view, this.trails.of, now_ms);
     drawPulses(pen, scene.home, view, scene.palette, pulses, scene.reducedMotion);
     if (fast) drawCounts(pen, scene.home, view, scene.palette, this.shown);
-    drawPeople(pen, view, scene.palette, persons(scene, frame));
+    drawPeople(pen, view, scene.palette, persons(scene, frame, this.sure));
     return true;
   }
 
@@ -200,9 +203,9 @@ export class Stage {
   }
 }
 
-function persons(scene: Scene, frame: Frame): Person[] {
+function persons(scene: Scene, frame: Frame, sure: readonly number[] | null): Person[] {
   return scene.residents.flatMap((resident, index) => {
     const body = frame.bodies[index];
-    return body ? [{ resident, body, index, driven: scene.driven === index }] : [];
+    return body ? [{ resident, body, index, driven: scene.driven === index, sure: sure?.[index] ?? 1 }] : [];
   });
 }

@@ -30,6 +30,7 @@ export function storedRun(name: string, days = 3, with_: Partial<PlaybackView> =
       [day * DAY_US, day * DAY_US + 7 * HOUR_US, 0],
       [day * DAY_US + 12 * HOUR_US, day * DAY_US + 13 * HOUR_US, 1],
     ]).flat()),
+    walk: null,
     remarks: [],
     ...with_,
   };
@@ -52,22 +53,43 @@ export function storedDay(run: PlaybackView, number: number): DayView {
       [at, now] = [to, now + 600e6];
     }
     movements.push([now, begin_us + DAY_US, 'away', 'standing', null, null]);
-    return { movements, rooms: [[begin_us, begin_us + 7 * HOUR_US, 4]], activities: run.spans[who]!.filter(([begin]) => begin >= begin_us && begin < begin_us + DAY_US) };
+    return { movements, chances: [], rooms: [[begin_us, begin_us + 7 * HOUR_US, 4]], activities: run.spans[who]!.filter(([begin]) => begin >= begin_us && begin < begin_us + DAY_US) };
   });
   return { rows, lives: run.has_truth ? lives : [] };
+}
+
+/** A log of some days that was walked back. */
+export function walkedRun(name: string, days = 3, with_: Partial<PlaybackView> = {}): PlaybackView {
+  const stays = [0, 1].map(() => Array.from({ length: days }, (_, day): [number, number, number][] => [
+    [day * DAY_US, day * DAY_US + 7 * HOUR_US, 4],
+    [day * DAY_US + 7 * HOUR_US, (day + 1) * DAY_US, 2],
+  ]).flat());
+  return storedRun(name, days, { activities: [], spans: [[], []], walk: { log: `${name}.csv`, stays }, ...with_ });
+}
+
+/** A day of it, which is unsure around seven. */
+export function walkedDay(run: PlaybackView, number: number): DayView {
+  const day = storedDay(run, number);
+  const { begin_us } = run.days[number]!;
+  const seven = begin_us + 7 * HOUR_US;
+  const chances: LifeView['chances'] = [[begin_us, 4, 1], [seven - 600e6, 4, 0.6], [seven - 600e6, 2, 0.3], [seven - 600e6, -1, 0.1], [seven, 4, 0], [seven, -1, 0], [seven, 2, 1]];
+  return { ...day, lives: day.lives.map((life) => ({ ...life, chances })) };
 }
 
 /** Answers as the server does, for runs of these names. */
 export function fakeRuns(names: string[], make: (name: string) => PlaybackView = storedRun): Fetch {
   const runs = new Map(names.map((name) => [name, make(name)]));
   return async (path) => {
+    if (path === '/api/walk') return Response.json(null);
+    const told = /^\/api\/runs\/([^/]+)\/(look|realism\/.*)$/.exec(path);
+    if (told !== null) return new Response(`<!doctype html><style>body{color:#123}</style><h1>${told[2]} of ${decodeURIComponent(told[1]!)}</h1><script>globalThis.broken=1</script>`);
     const [, name, day] = /^\/api\/runs\/([^/]+)(?:\/days\/(\d+))?$/.exec(path) ?? [];
     if (name === undefined) {
-      const list: StoredView[] = [...runs.values()].map(({ name, scenario, start, days, has_truth }) => ({ name, scenario, start, days: days.length, has_truth, problem: null }));
+      const list: StoredView[] = [...runs.values()].map(({ name, scenario, start, days, has_truth, walk }) => ({ name, scenario, start, days: days.length, has_truth, walked_back: walk?.log ?? null, problem: null }));
       return Response.json(list);
     }
     const run = runs.get(decodeURIComponent(name));
     if (run === undefined || Number(day ?? 0) >= run.days.length) return new Response(`There is no run ${decodeURIComponent(name)}.`, { status: 404 });
-    return day === undefined ? Response.json(run) : new Response(encode(storedDay(run, Number(day))) as BodyInit);
+    return day === undefined ? Response.json(run) : new Response(encode((run.walk === null ? storedDay : walkedDay)(run, Number(day))) as BodyInit);
   };
 }

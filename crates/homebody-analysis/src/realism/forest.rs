@@ -1,13 +1,12 @@
 //! A random forest that tells the days or hours of two logs apart, and how well it does.
 //!
-//! Breiman (2001): each tree is grown on a draw with replacement, of as many rows of the one log as of the other, and looks at the
-//! root of the number of figures at each branch, for the threshold that leaves the least Gini impurity. Rows are judged by trees
-//! that were grown without their day, in turns of five (fewer where there are fewer days). The area under the curve is the chance
-//! that a row of the second log is judged more likely to be of it than one of the first: 0.5 is guessing, 1 is without fail. A
-//! figure counts by how much impurity its branches take away.
+//! Each tree draws as many rows of the one log as of the other. Rows are judged by trees that were grown without their day, in turns
+//! of five (fewer where there are fewer days). The area under the curve is the chance that a row of the second log is judged more
+//! likely to be of it than one of the first: 0.5 is guessing, 1 is without fail.
 //!
 //! All draws come from a stream of a fixed name: the same logs give the same figures.
 
+use crate::forest::{Examples, Forest};
 use homebody_core::random::Stream;
 
 /// Rows of figures, each of one of two logs.
@@ -31,9 +30,6 @@ pub struct Told {
 
 const TREES: usize = 60;
 const TURNS: usize = 5;
-const DEEPEST: usize = 14;
-/// Branches below this many rows are leaves.
-const LEAST_ROWS: usize = 4;
 /// Of longer logs so many rows each are enough.
 const MOST_ROWS: usize = 1_500;
 
@@ -56,16 +52,20 @@ impl Rows {
             own.partition_point(|&day| day < self.day[row]) % turns
         };
         let rows = [false, true].map(|which| fewer(self.of(which).collect(), stream));
+        let class: Vec<usize> = self.is_second.iter().map(|&second| usize::from(second)).collect();
+        let examples = Examples { figures: &self.figures, class: &class, classes: 2 };
         let mut judged = Vec::new();
         let mut importance = vec![0.0; self.figures[0].len()];
         for turn in 0..turns {
             let grown = rows
                 .each_ref()
                 .map(|rows| rows.iter().copied().filter(|&row| turn_of(row) != turn).collect::<Vec<usize>>());
-            let trees: Vec<Tree> = (0..TREES).map(|_| self.grow(&grown, stream, &mut importance)).collect();
+            // As many rows of the one log as of the other.
+            let each = grown.iter().map(Vec::len).min().unwrap_or(0);
+            let forest = Forest::grow(examples, &grown, &[each; 2], TREES, stream);
+            importance.iter_mut().zip(&forest.importance).for_each(|(all, one)| *all += one);
             for row in rows.iter().flatten().copied().filter(|&row| turn_of(row) == turn) {
-                let judge = trees.iter().map(|tree| tree.judge(&self.figures[row])).sum::<f64>();
-                judged.push((judge, self.is_second[row]));
+                judged.push((forest.judge(&self.figures[row])[1], self.is_second[row]));
             }
         }
         let whole: f64 = importance.iter().sum();
@@ -76,116 +76,6 @@ impl Rows {
     fn of(&self, is_second: bool) -> impl Iterator<Item = usize> {
         (0..self.is_second.len()).filter(move |&row| self.is_second[row] == is_second)
     }
-
-    /// A tree on a balanced draw of rows.
-    fn grow(&self, rows: &[Vec<usize>; 2], stream: &mut Stream, importance: &mut [f64]) -> Tree {
-        let each = rows.iter().map(Vec::len).min().unwrap_or(0);
-        let mut drawn = Vec::new();
-        for rows in rows {
-            drawn.extend((0..each).map(|_| rows[below(rows.len(), stream)]));
-        }
-        let mut tree = Tree { nodes: Vec::new() };
-        let whole = drawn.len() as f64;
-        self.branch(&mut tree, drawn, 0, whole, stream, importance);
-        tree
-    }
-
-    /// Adds the node of these rows, and those below it; returns its number.
-    fn branch(
-        &self,
-        tree: &mut Tree,
-        rows: Vec<usize>,
-        depth: usize,
-        whole: f64,
-        stream: &mut Stream,
-        importance: &mut [f64],
-    ) -> usize {
-        let number = tree.nodes.len();
-        let second = rows.iter().filter(|&&row| self.is_second[row]).count();
-        tree.nodes.push(Node::Leaf(second as f64 / rows.len().max(1) as f64));
-        if depth == DEEPEST || rows.len() < LEAST_ROWS || second == 0 || second == rows.len() {
-            return number;
-        }
-        let Some(Split { figure, threshold, gain }) = self.best_split(&rows, second, stream) else { return number };
-        importance[figure] += gain * rows.len() as f64 / whole;
-        let (low, high) = rows.into_iter().partition(|&row| self.figures[row][figure] <= threshold);
-        let low = self.branch(tree, low, depth + 1, whole, stream, importance);
-        let high = self.branch(tree, high, depth + 1, whole, stream, importance);
-        tree.nodes[number] = Node::Branch { figure, threshold, low, high };
-        number
-    }
-
-    /// The best of as many figures as the root of their number.
-    fn best_split(&self, rows: &[usize], second: usize, stream: &mut Stream) -> Option<Split> {
-        let figures = self.figures[rows[0]].len();
-        let looked_at = (figures as f64).sqrt().ceil() as usize;
-        let before = gini(rows.len(), second);
-        let mut best: Option<Split> = None;
-        for _ in 0..looked_at {
-            let figure = below(figures, stream);
-            let mut values: Vec<(f64, bool)> =
-                rows.iter().map(|&row| (self.figures[row][figure], self.is_second[row])).collect();
-            values.sort_by(|a, b| a.0.total_cmp(&b.0));
-            let mut low_second = 0;
-            for at in 1..values.len() {
-                low_second += usize::from(values[at - 1].1);
-                if values[at - 1].0 == values[at].0 {
-                    continue;
-                }
-                let high = values.len() - at;
-                let after = at as f64 * gini(at, low_second) + high as f64 * gini(high, second - low_second);
-                let gain = before - after / values.len() as f64;
-                if gain > best.as_ref().map_or(1e-12, |best| best.gain) {
-                    best = Some(Split { figure, threshold: (values[at - 1].0 + values[at].0) / 2.0, gain });
-                }
-            }
-        }
-        best
-    }
-}
-
-struct Split {
-    figure: usize,
-    threshold: f64,
-    gain: f64,
-}
-
-struct Tree {
-    /// The root first.
-    nodes: Vec<Node>,
-}
-
-enum Node {
-    /// Which share of its rows is of the second log.
-    Leaf(f64),
-    Branch {
-        figure: usize,
-        threshold: f64,
-        low: usize,
-        high: usize,
-    },
-}
-
-impl Tree {
-    fn judge(&self, row: &[f64]) -> f64 {
-        let mut at = 0;
-        loop {
-            match self.nodes[at] {
-                Node::Leaf(share) => return share,
-                Node::Branch { figure, threshold, low, high } => at = if row[figure] <= threshold { low } else { high },
-            }
-        }
-    }
-}
-
-/// The chance that two rows drawn from these differ in their log.
-fn gini(rows: usize, second: usize) -> f64 {
-    let share = second as f64 / rows as f64;
-    2.0 * share * (1.0 - share)
-}
-
-fn below(count: usize, stream: &mut Stream) -> usize {
-    ((stream.unit() * count as f64) as usize).min(count - 1)
 }
 
 /// At most [`MOST_ROWS`] of the rows, in their order.

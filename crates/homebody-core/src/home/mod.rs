@@ -10,6 +10,7 @@ use crate::numbers::Numbers;
 use crate::scenario::path::Posture;
 use crate::scenario::resident::{self, ResidentFile};
 use crate::sensors::{Sensor, SensorInfo};
+use crate::time::Micros;
 use field::{Field, Size};
 use plan::Plan;
 use resolved::ResolvedHome;
@@ -72,6 +73,11 @@ impl Build {
 }
 
 impl Home {
+    /// Whether it is dark out of doors, so that lamps are lit.
+    pub fn is_dark(&self, at: Micros) -> bool {
+        self.sun.elevation_sine(at) < self.numbers.of(&sun::DARK)
+    }
+
     /// Bakes a home for the bodies that live there.
     pub fn bake(home: &ResolvedHome, residents: &[Build]) -> Home {
         let (plan, sensors, numbers) = (home.plan().clone(), home.placed_sensors().to_vec(), home.numbers().clone());

@@ -6,6 +6,11 @@ use crate::time::{DAY, Micros, SECOND};
 /// How far north Columbia is, the town of TigerPlace in Missouri, in degrees.
 pub const COLUMBIA_DEG: f64 = 38.95;
 
+crate::numbers! {
+    /// The sine of the sun's height below which it is dark, and lamps are lit.
+    pub(super) static DARK = "driver.dark": 0.08, "1", [-1.0, 1.0];
+}
+
 /// What there is to know of the sun at the home: where it stands as a run begins. Daylight saving does not move it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sun {

@@ -47,6 +47,24 @@ impl Calendar {
         self.timestamp(at).to_zoned(self.start.time_zone().clone())
     }
 
+    /// Date and time on the wall at an instant, as `2009-03-02 07:12:03`.
+    pub fn wall_clock(&self, at: Micros) -> String {
+        self.local(at).strftime("%Y-%m-%d %H:%M:%S").to_string()
+    }
+
+    /// The instant that is written so: `2009-03-02T07:12:03`, or a time of day of the run's first 24 hours; below 0 it is before
+    /// the run begins.
+    pub fn written(&self, text: &str) -> Option<Micros> {
+        if let Some(time) = time_of_day(text) {
+            let at = self.instant(0, time);
+            return Some(if at < 0 { self.instant(0, time + DAY) } else { at });
+        }
+        let moment: DateTime = text.parse().ok().filter(|_| text.contains(':'))?;
+        let time = moment.duration_since(moment.date().to_datetime(jiff::civil::Time::midnight()));
+        let day = (moment.date() - self.start.date()).get_days();
+        Some(self.instant(day, i64::try_from(time.as_micros()).ok()?))
+    }
+
     /// The day that an instant lies in, by the clock on the wall; the start's is 0.
     pub fn day(&self, at: Micros) -> i32 {
         (self.local(at).date() - self.start.date()).get_days()
@@ -172,6 +190,22 @@ mod tests {
         assert_eq!(calendar.date(26), (2009, 4, 1));
         assert_eq!(calendar.day_of(2009, 4, 1), Some(26));
         assert_eq!(calendar.day_of(2009, 2, 30), None);
+    }
+
+    #[test]
+    fn moments_are_read_as_they_are_shown() {
+        let (calendar, hour) = (Calendar::new("2009-03-06T18:00:00", "America/Chicago").unwrap(), 3600 * SECOND);
+        for at in [0, 7 * hour + 15 * SECOND, 60 * hour] {
+            let shown = calendar.wall_clock(at);
+            assert_eq!(calendar.written(&shown), Some(at));
+            assert_eq!(calendar.written(&shown.replace(' ', "T")), Some(at));
+        }
+        assert_eq!(calendar.written("2009-03-07T00:30"), Some(6 * hour + hour / 2));
+        assert_eq!(calendar.written("17:00"), Some(23 * hour), "on the next day");
+        assert!(calendar.written("2009-03-05 12:00").is_some_and(|at| at < 0));
+        for wrong in ["", "2009-03-06", "2009-02-30T10:00", "noon", "2009-03-06T25:00", "7:30"] {
+            assert_eq!(calendar.written(wrong), None, "{wrong:?}");
+        }
     }
 
     #[test]

@@ -150,6 +150,26 @@ pub enum Posture {
     Lying,
 }
 
+/// More steps and waypoints than this are no path (ours): two weeks of somebody whose every way was found by a log.
+pub const MOST_STEPS: usize = 60_000;
+
+impl PathFile {
+    /// How many steps there are, the repeated ones once, and waypoints with them: no more than [`MOST_STEPS`].
+    pub fn steps_and_waypoints(&self) -> usize {
+        count(&self.steps)
+    }
+}
+
+/// How many steps there are, the repeated ones once, and waypoints with them.
+pub fn count(steps: &[Step]) -> usize {
+    let of = |step: &Step| match step {
+        Step::Go(go) => go.to.len(),
+        Step::Repeat(repeat) => count(&repeat.steps),
+        Step::Wait(_) | Step::Activity(_) | Step::Away(_) => 0,
+    };
+    steps.iter().map(|step| 1 + of(step)).sum()
+}
+
 /// Ours: the reach of a hand that turns a page or stirs a pot.
 fn amplitude() -> f64 {
     0.2

@@ -109,10 +109,10 @@ fn what_is_too_long_is_refused_in_words() {
         steps,
         r#"ann.path.json:1:24: "steps" must have at most 10000 items, but has 10001; What the resident does, in this order"#
     );
-    let waypoints = said(&path(20, |_| format!("{{\"go\":{{\"to\":[{}]}}}}", list(600, |i| format!("[1.{i},1]")))));
+    let waypoints = said(&path(100, |_| format!("{{\"go\":{{\"to\":[{}]}}}}", list(650, |i| format!("[1.{i},1]")))));
     assert_eq!(
         waypoints,
-        "ann.path.json:1:24: the path has more than 10000 steps and waypoints together; let what comes again be repeated, or say a life as a routine"
+        "ann.path.json:1:24: the path has more than 60000 steps and waypoints together; let what comes again be repeated, or say a life as a routine"
     );
 }
 

@@ -1,5 +1,6 @@
 //! The whole experiment: each recording acted out in the house, and its sensors held against the real ones.
 
+use super::walked_back::{WalkedBack, walked_back};
 use super::{
     AnnotatedRun, Comparison, House, Interval, ShortStay, Unplaced, compare_run, compare_runs, hold, path_of,
     without_short_stays,
@@ -12,6 +13,7 @@ use homebody_core::scenario::logger::MessagesFile;
 use homebody_core::scenario::path::PathFile;
 use homebody_core::scenario::resident::DriverFile;
 use homebody_core::time::{Micros, SECOND, micros, seconds};
+use homebody_infer::{NotLearnt, Senses};
 use serde::Serialize;
 use std::fmt;
 
@@ -41,6 +43,8 @@ pub struct Recording {
     pub rooms: Vec<Interval>,
     pub real: Vec<Interval>,
     pub simulated: Vec<Interval>,
+    /// Where the person was by the real sensors alone.
+    pub walked_back: WalkedBack,
 }
 
 /// Why the experiment cannot be done.
@@ -53,6 +57,9 @@ pub enum Undone {
     Unwalkable { recording: String, problems: Problems },
     #[error("{0}")]
     House(String),
+    /// Nothing is to be learnt of the house's sensors.
+    #[error(transparent)]
+    Senses(#[from] NotLearnt),
 }
 
 impl Experiment {
@@ -63,6 +70,8 @@ impl Experiment {
         let [resident] = &house.residents[..] else {
             return Err(unfit("the house must have one resident, who acts out the recordings"));
         };
+        let senses = Senses::learn(house, 0)?;
+        let bodies = [senses];
         let mut ways = House::new(house.home.plan(), resident.file.radius_m);
         let (mut runs, mut by_recording) = (Vec::new(), Vec::new());
         for (name, run) in recordings {
@@ -79,6 +88,7 @@ impl Experiment {
                 rooms: run.rooms.clone(),
                 real: run.pir.clone(),
                 simulated,
+                walked_back: walked_back(&run, house, &bodies, &rooms),
             });
             runs.push(run);
         }
@@ -151,6 +161,15 @@ impl fmt::Display for Experiment {
                 overall.simulated.visits_seen,
                 overall.visits,
                 overall.kappa.map_or("-".into(), |kappa| format!("{kappa:.2}")),
+            )?;
+        }
+        writeln!(f, "\nThe right room by the real sensors alone, share of the annotated time:")?;
+        for Recording { name, walked_back: told, .. } in &self.by_recording {
+            writeln!(
+                f,
+                "  {name}  walked back {:.3}  by the last firing {:.3}  by rooms alone {:.3}  visits found {:.3}  messages \
+                 from other rooms {:.3}",
+                told.room_right, told.last_firing_right, told.rooms_only_right, told.visits_found, told.said_elsewhere
             )?;
         }
         let named = |recording: &Recording| {

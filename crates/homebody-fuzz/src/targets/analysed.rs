@@ -6,12 +6,13 @@ use homebody_analysis::compare::compare;
 use homebody_analysis::dates;
 use homebody_analysis::day::Day;
 use homebody_analysis::density::{Asked, density};
+use homebody_analysis::look::Looker;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::Scheme;
 use homebody_kit::{LogWithRun, Url};
 use homebody_log::source::truth_at;
-use homebody_log::{How, Log, LogError, RunClock, Transfer, activities, convert, label, read, survey};
-use homebody_picture::{DayChart, day_chart, density_map, png};
+use homebody_log::{How, Log, LogError, RunClock, Source, Transfer, activities, convert, label, read, survey};
+use homebody_picture::{DayChart, day_chart, density_map, look_page, png};
 use std::path::Path;
 
 /// A time zone whose clock is set twice a year.
@@ -22,7 +23,7 @@ const ZONE: &str = "America/Chicago";
 /// # Errors
 ///
 /// An invariant does not hold.
-pub fn all(from: &Url, mapping: &LoggerFile, truth: &Path, folder: &Path) -> Result<Verdict, String> {
+pub fn all(from: &Source, mapping: &LoggerFile, truth: &Path, folder: &Path) -> Result<Verdict, String> {
     let survey = match survey(from, mapping) {
         Ok(survey) => survey,
         Err(error) => {
@@ -46,6 +47,13 @@ pub fn all(from: &Url, mapping: &LoggerFile, truth: &Path, folder: &Path) -> Res
         Err(error) => refused(&error)?,
     }
     let _ = compare(&log, &log).to_string();
+    let mut looker = Looker::new(None);
+    looker.take(&log);
+    let look = looker.look("a log", from.form().name, &survey, &|_| None, None);
+    drop((look.to_string(), look_page(&look, None)));
+    if look.rows != survey.rows || look.sensors.iter().map(|sensor| sensor.rows).sum::<u64>() != survey.rows {
+        return Err(format!("{} rows are looked at, {} are surveyed", look.rows, survey.rows));
+    }
     // As the commands for days and density read it, on the wall of a home.
     match LogWithRun::read(&from.to_string(), Some(ZONE)) {
         Ok(given) => drawn(&given)?,
@@ -61,7 +69,7 @@ fn refused(error: &LogError) -> Result<(), String> {
 
 /// Carries a log into another form and back: rows are as many, and at the same instants.
 fn carried(
-    from: &Url,
+    from: &Source,
     mapping: &LoggerFile,
     survey: &Log,
     log: &Log,
@@ -96,7 +104,7 @@ fn carried(
     if is_same { Ok(()) } else { Err(format!("instants differ in {}", scheme.row().name)) }
 }
 
-fn labelled(from: &Url, mapping: &LoggerFile, survey: &Log, truth: &Path, folder: &Path) -> Result<(), String> {
+fn labelled(from: &Source, mapping: &LoggerFile, survey: &Log, truth: &Path, folder: &Path) -> Result<(), String> {
     let to = Url::new(Scheme::Csv, folder.join("labelled.csv"));
     let transfer = Transfer { from, mapping, to: &to, name: "a log", zone: ZONE, how: How::New };
     match label(&transfer, survey, &truth_at(&truth.to_string_lossy()), &RunClock::as_told(), |_| ()) {

@@ -6,7 +6,7 @@ use crate::dice::Dice;
 use crate::mutate::{json, sql, tables};
 use crate::target::{self, Files, Target, Verdict};
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::source::recognise;
+use homebody_log::Source;
 use std::fs;
 use std::path::Path;
 
@@ -69,7 +69,7 @@ pub fn read_and_analyse(files: &Files, folder: &Path) -> Result<Verdict, String>
     let failed = |error: std::io::Error| format!("the folder of the case: {error}");
     let (log, truth) = (write(FILE).map_err(failed)?, write(TRUTH).map_err(failed)?);
     let mapping: LoggerFile = serde_json::from_str(target::text(files, MAPPING)).unwrap_or_default();
-    match recognise(&log) {
+    match Source::recognise(&log) {
         Ok(url) => analysed::all(&url, &mapping, &truth, folder),
         Err(error) => told::message(&error.to_string()).map(|()| Verdict::Refused),
     }

@@ -12,6 +12,7 @@ mod recording;
 mod routine;
 mod scenario;
 mod script;
+mod source;
 mod text;
 mod told;
 mod trial;
@@ -21,7 +22,7 @@ mod wire;
 use crate::target::Target;
 
 /// All targets.
-pub const TARGETS: [Target; 13] = [
+pub const TARGETS: [Target; 14] = [
     scenario::TARGET,
     home::TARGET,
     routine::TARGET,
@@ -31,6 +32,7 @@ pub const TARGETS: [Target; 13] = [
     cohort::TARGET,
     log::TARGET,
     database::TARGET,
+    source::TARGET,
     truth::TARGET,
     plan::TARGET,
     text::TARGET,

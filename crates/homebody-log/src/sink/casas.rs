@@ -1,5 +1,5 @@
 //! The text of the CASAS smart homes: `2009-03-02 07:12:03.250000<TAB>BedroomMotion<TAB>ON`, with the activity behind it
-//! where rows have labels.
+//! where rows have labels, or `Cook begin` where an activity begins.
 //!
 //! Always local time. A sensor's name is one word there: `bedroom motion` becomes `BedroomMotion`.
 
@@ -9,6 +9,7 @@ use crate::clock::Clock;
 use crate::error::{LogError, place_of};
 use crate::limits::beginning;
 use crate::mapping::apart;
+use crate::spans::{CHANGE, LABEL};
 use crate::table::{Batch, Cell, TextId, thousandths};
 use crate::word::one_word;
 use homebody_core::scenario::logger::TimeFormat;
@@ -28,6 +29,8 @@ struct Open {
     texts: Vec<String>,
     /// The columns that are written, in their order.
     columns: Vec<usize>,
+    /// The column that says whether an activity begins or ends: it follows the activity after a blank.
+    change: Option<usize>,
     line: Vec<u8>,
     number: String,
     rows: u64,
@@ -41,8 +44,6 @@ impl Casas {
 
 /// What a line is made of, by the columns of a log and, behind them, the label.
 const PARTS: [usize; 3] = [1, 2, 3];
-const LABEL: &str = "activity";
-
 impl Sink for Casas {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
         let [table] = begin.tables else {
@@ -53,12 +54,14 @@ impl Sink for Casas {
         let words = ids.iter().map(|id| one_word(id)).collect();
         apart(&ids, &words)?;
         ids.iter().try_for_each(|id| can_be_told(&self.path, id))?;
-        let columns = PARTS.into_iter().chain(table.column(LABEL)).collect();
+        let change = table.column(CHANGE);
+        let columns = PARTS.into_iter().chain(table.column(LABEL)).chain(change).collect();
         self.open = Some(Open {
             file: TextFile::begin(&self.path, begin)?,
             clock: Clock::new(&begin.run.calendar, TimeFormat::Local),
             texts: Vec::new(),
             columns,
+            change,
             line: Vec::new(),
             number: String::new(),
             rows: 0,
@@ -68,7 +71,8 @@ impl Sink for Casas {
 
     fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
         let stopped = || LogError::Stopped { place: place_of(&self.path) };
-        let Open { file, clock, texts, columns, line, number, rows } = self.open.as_mut().ok_or_else(stopped)?;
+        let Open { file, clock, texts, columns, change, line, number, rows } =
+            self.open.as_mut().ok_or_else(stopped)?;
         for text in batch.texts_from(texts.len()) {
             can_be_told(&self.path, &text)?;
             texts.push(one_word(&text));
@@ -95,7 +99,7 @@ impl Sink for Casas {
                     }
                 };
                 if !line.is_empty() {
-                    line.push(b'\t');
+                    line.push(if *change == Some(column) { b' ' } else { b'\t' });
                 }
                 line.extend_from_slice(part.as_bytes());
             }

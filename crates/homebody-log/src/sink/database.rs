@@ -5,8 +5,9 @@
 //!
 //! Rows that pour in go through a rollback journal: it writes a new page once, a write-ahead log twice. Rows that
 //! trickle in, as those of a live run, go through a write-ahead log: it lets others read for as long as they like.
-//! Where rows pour in, who reads is waited for. A new database begins as if they did. After the run the database is one
-//! file; only who reads on for longer than is waited for keeps the write-ahead log beside it until they are done.
+//! Where rows pour in, who reads is waited for. A new database begins as if they trickled in: who reads on from before the
+//! first rows is in nobody's way. After the run the database is one file; only who reads on for longer than is waited for
+//! keeps the write-ahead log beside it until they are done.
 
 use crate::error::{LogError, place_of};
 use crate::fresh::Found;
@@ -27,6 +28,9 @@ const READERS: Duration = Duration::from_secs(100);
 
 /// How often it is looked whether nobody reads any more.
 const LOOK: Duration = Duration::from_millis(20);
+
+/// FULL: a committed transaction survives a loss of power, too. The cache is in KiB.
+const SAFE: &str = "PRAGMA synchronous = FULL; PRAGMA cache_size = -1024";
 
 /// Makes one file of a database.
 const ONE_FILE: &str = "PRAGMA journal_mode = DELETE";
@@ -99,7 +103,7 @@ impl Database {
             connection: None,
             unsettled: 0,
             has_rows: false,
-            flow: Flow::Pouring,
+            flow: Flow::Trickling,
             is_watched: false,
             replaced,
             _lock: lock,
@@ -109,9 +113,12 @@ impl Database {
         let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
         let opened = Connection::open_with_flags(path, flags).and_then(|connection| {
             connection.busy_timeout(BUSY)?;
-            connection.execute_batch(database.flow.journal())?;
-            // FULL: a committed transaction survives a loss of power, too. The cache is in KiB.
-            connection.execute_batch("PRAGMA synchronous = FULL; PRAGMA cache_size = -1024")?;
+            let journal: String = connection.query_row(Flow::Trickling.journal(), [], |row| row.get(0))?;
+            // On some network drives there can be no write-ahead log.
+            if journal != "wal" {
+                connection.execute_batch(Flow::Pouring.journal())?;
+            }
+            connection.execute_batch(SAFE)?;
             connection.execute_batch("BEGIN IMMEDIATE")?;
             for table in tables {
                 connection.execute_batch(table)?;
@@ -143,7 +150,7 @@ impl Database {
             let begun = "SELECT count(*) FROM sqlite_schema";
             let is_begun: bool = connection.query_row(begun, [], |row| row.get(0))?;
             connection.execute_batch(Flow::Pouring.journal())?;
-            connection.execute_batch("PRAGMA synchronous = FULL; PRAGMA cache_size = -1024")?;
+            connection.execute_batch(SAFE)?;
             Ok((connection, is_begun))
         });
         let (connection, is_begun) = opened.map_err(|error| LogError::database(path, error))?;

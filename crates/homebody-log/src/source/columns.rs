@@ -8,12 +8,16 @@ const TIMES: [&str; 9] =
 const SENSORS: [&str; 8] = ["sensor", "device", "entity_id", "sensor_id", "device_id", "item", "name", "code"];
 const VALUES: [&str; 5] = ["value", "state", "message", "status", "event"];
 
+const LABELS: [&str; 3] = ["activity", "label", "activities"];
+
 /// Where a row's time, sensor and value are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Places {
     pub time: usize,
     pub sensor: usize,
     pub value: usize,
+    /// Where what somebody did is, if the rows tell it.
+    pub label: Option<usize>,
     /// Whether the columns have the names of the mapping: then cells are as they were written, with the blanks at their ends.
     pub is_mapped: bool,
 }
@@ -26,17 +30,19 @@ impl Places {
             wanted.iter().find_map(|wanted| names.iter().position(|name| name.trim().eq_ignore_ascii_case(wanted)))
         };
         let columns = &file.columns;
+        let label = usual(&LABELS);
         let mapped = || {
             Some(Places {
                 time: exactly(&columns.time)?,
                 sensor: exactly(&columns.sensor)?,
                 value: exactly(&columns.value)?,
+                label,
                 is_mapped: true,
             })
         };
         let guessed = || {
             let (time, sensor, value) = (usual(&TIMES)?, usual(&SENSORS)?, usual(&VALUES)?);
-            Some(Places { time, sensor, value, is_mapped: false })
+            Some(Places { time, sensor, value, label, is_mapped: false })
         };
         mapped().or_else(guessed)
     }

@@ -4,18 +4,24 @@
 
 use super::instant::{Instant, Instants, since_1970};
 use crate::limits::LONGEST_ROW_BYTES;
+use crate::plain;
 use homebody_core::time::Micros;
 use rusqlite::limits::Limit;
 use rusqlite::types::ValueRef;
 use rusqlite::{Connection, OpenFlags, Row};
 use std::borrow::Cow;
+use std::io::Read;
 use std::path::Path;
 use std::time::Duration;
 
 /// The database in a file.
 pub(super) fn connect(path: &Path) -> rusqlite::Result<Connection> {
-    let open = |flags| {
-        let connection = Connection::open_with_flags(path, flags)?;
+    let open = |flags: OpenFlags| {
+        let connection = match is_closed_with_wal(path) {
+            // Read as others are, it would get two more files beside it.
+            true => Connection::open_with_flags(unchanging(path), flags | OpenFlags::SQLITE_OPEN_URI)?,
+            false => Connection::open_with_flags(path, flags)?,
+        };
         connection.busy_timeout(Duration::from_secs(2))?;
         connection.set_limit(Limit::SQLITE_LIMIT_LENGTH, LONGEST_ROW_BYTES as i32)?;
         connection.execute_batch("PRAGMA trusted_schema = OFF")?;
@@ -29,6 +35,25 @@ pub(super) fn connect(path: &Path) -> rusqlite::Result<Connection> {
         }
         _ => Ok(connection),
     }
+}
+
+/// Whether a database has a log for writing ahead, by its header, and nobody has it open: that log is not there.
+fn is_closed_with_wal(path: &Path) -> bool {
+    let mut header = [0; 20];
+    let read = plain::open(path).and_then(|mut file| file.read_exact(&mut header));
+    let mut log = path.as_os_str().to_owned();
+    log.push("-wal");
+    read.is_ok() && header[18..] == [2, 2] && !Path::new(&log).exists()
+}
+
+/// How SQLite names a file that does not change while it is read.
+fn unchanging(path: &Path) -> String {
+    let letter = |&byte: &u8| match byte {
+        b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'/' | b'.' | b'-' | b'_' => char::from(byte).to_string(),
+        _ => format!("%{byte:02X}"),
+    };
+    let path: String = path.as_os_str().as_encoded_bytes().iter().map(letter).collect();
+    format!("file:{path}?immutable=1")
 }
 
 /// The tables of a database in the order in which they were made: neither views nor virtual tables.

@@ -18,12 +18,14 @@ pub(crate) struct Instants {
 }
 
 impl Instants {
-    /// A date and time with a fraction of any length or none, with a zone or none; or a number since 1970.
+    /// A date and time with a fraction of any length or none, with a zone or none; or a number since 1970. The date is
+    /// `2009-03-02` or `02-Mar-2009`.
     pub fn read(&mut self, text: &str) -> Option<Instant> {
-        let text = text.trim();
-        let bytes = text.as_bytes();
-        let Some((day, rest)) = bytes.split_at_checked(10).filter(|(day, _)| day[4] == b'-') else {
-            return number(text);
+        let bytes = text.as_bytes().trim_ascii();
+        let length = if bytes.get(2) == Some(&b'-') { 11 } else { 10 };
+        let Some((day, rest)) = bytes.split_at_checked(length).filter(|(day, _)| [day[2], day[4]].contains(&b'-'))
+        else {
+            return number(text.trim());
         };
         let rest = rest.strip_prefix(b"T").unwrap_or_else(|| rest.trim_ascii_start());
         let midnight = self.midnight(day)?;
@@ -38,18 +40,34 @@ impl Instants {
 
     fn midnight(&mut self, day: &[u8]) -> Option<Micros> {
         if day != self.day {
-            let [year, month, of_month] = [&day[..4], &day[5..7], &day[8..]].map(digits);
-            if day[7] != b'-' {
-                return None;
-            }
-            let read = Date::new(year? as i16, month? as i8, of_month? as i8).ok()?;
-            let days = date(1970, 1, 1).until(read).ok()?.get_days();
-            self.midnight = i64::from(days) * 24 * 3600 * SECOND;
+            self.midnight = midnight(civil(day)?)?;
             self.day.clear();
             self.day.extend_from_slice(day);
         }
         Some(self.midnight)
     }
+}
+
+/// The date of ten or eleven letters, `2009-03-02` or `02-Mar-2009`.
+fn civil(day: &[u8]) -> Option<Date> {
+    let (year, month, of_month) = match day {
+        [year @ .., b'-', _, _, b'-', _, _] => (digits(year)?, digits(&day[5..7])?, digits(&day[8..])?),
+        [_, _, b'-', _, _, _, b'-', year @ ..] => {
+            let is_named = |name: &&str| name.as_bytes().eq_ignore_ascii_case(&day[3..6]);
+            (digits(year)?, MONTHS.iter().position(is_named)? as i64 + 1, digits(&day[..2])?)
+        }
+        _ => return None,
+    };
+    Date::new(year as i16, month as i8, of_month as i8).ok()
+}
+
+/// How dates name months.
+const MONTHS: [&str; 12] = ["Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"];
+
+/// The beginning of a day.
+pub(super) fn midnight(day: Date) -> Option<Micros> {
+    let days = date(1970, 1, 1).until(day).ok()?.get_days();
+    Some(i64::from(days) * 24 * 3600 * SECOND)
 }
 
 /// A number since 1970, as a database keeps it: in seconds, milliseconds or microseconds.
@@ -98,17 +116,19 @@ fn time_of_day(text: &[u8]) -> Option<(Micros, &[u8])> {
 }
 
 fn two_digits(text: &[u8], below: Micros) -> Option<(Micros, &[u8])> {
-    let (two, rest) = text.split_at_checked(2)?;
-    let number = digits(two)?;
+    let [tens @ b'0'..=b'9', ones @ b'0'..=b'9', rest @ ..] = text else { return None };
+    let number = Micros::from(tens - b'0') * 10 + Micros::from(ones - b'0');
     (number < below).then_some((number, rest))
 }
 
 /// The digits after a point as microseconds; further ones are cut off.
 fn fraction(decimals: &[u8]) -> Option<Micros> {
-    let kept = &decimals[..decimals.len().min(6)];
-    let number = if kept.is_empty() { 0 } else { digits(kept)? };
-    digits(decimals).or(decimals.is_empty().then_some(0))?;
-    Some(number * 10_i64.pow(6 - kept.len() as u32))
+    let (mut number, mut unit) = (0, SECOND);
+    for digit in decimals {
+        unit /= 10;
+        number += Micros::from(digit.is_ascii_digit().then_some(digit - b'0')?) * unit;
+    }
+    Some(number)
 }
 
 /// `-06:00`, `-0600` or `-06`.
@@ -154,6 +174,7 @@ mod tests {
             ("2009-03-02   07:12:03.", Instant::Local(AT)),
             (" 2009-03-02 07:12:03 ", Instant::Local(AT)),
             ("2009-03-02 07:12", Instant::Local(AT - 3 * SECOND)),
+            ("02-Mar-2009 07:12:03", Instant::Local(AT)),
             ("2009-03-02T07:12:03Z", Instant::Utc(AT)),
             ("2009-03-02T07:12:03.5-06:00", Instant::Utc(AT + 6 * 3600 * SECOND + 500_000)),
             ("2009-03-02 07:12:03+0545", Instant::Utc(AT - (5 * 60 + 45) * 60 * SECOND)),
@@ -175,6 +196,8 @@ mod tests {
             "ON",
             "2009-03-02",
             "2009-13-02 07:12:03",
+            "02-Mai-2009 07:12:03",
+            "02-03-2009 07:12:03",
             "2009-02-29 07:12:03",
             "2009-03-02 24:00:00",
             "2009-03-02 07:60:03",

@@ -1,4 +1,5 @@
-//! Reads logs back: ours, and what real homes recorded. One file for each kind, all in one shape.
+//! Reads logs back: ours, and what real homes recorded. One file for each form, all in one shape, which `form.rs` says;
+//! `forms.rs` lists them.
 //!
 //! A log is read into memory, or streamed where it may be of any size. Beside a run's log lies a table of its sensors; what it
 //! tells comes with the log.
@@ -12,10 +13,20 @@ mod causes;
 mod columns;
 mod csv;
 mod database;
+mod each_second;
+mod form;
+mod forms;
+mod frames;
+mod home_assistant;
+mod in_order;
 mod instant;
+mod intervals;
+mod lines;
 mod lives;
 mod log;
+mod mit;
 mod movements;
+mod psql;
 mod reading;
 mod recorded_truth;
 mod records;
@@ -24,16 +35,18 @@ mod sensors;
 mod sqlite;
 mod start;
 mod turns;
+mod xes;
 
 use crate::error::{LogError, place_of};
 pub use crate::skipped::Skipped;
-use crate::url::Url;
 use crate::word::one_word;
 pub use activities::Activity;
 pub(crate) use causes::{Cause, Causes};
 pub(crate) use database::text;
+pub use form::Form;
+pub(crate) use forms::activities_of;
+pub use forms::{FORMS, Source};
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::scenario::scheme::Scheme;
 pub(crate) use lives::lives_of;
 pub use lives::{Life, activities, lives};
 pub use log::{Clock, Event, Log};
@@ -42,14 +55,13 @@ use reading::Reading;
 pub(crate) use recorded_truth::{LABEL_TABLES, RecordedTruth};
 pub use recorded_truth::{truth_at, truth_beside};
 pub use run_clock::RunClock;
-use start::Start;
-use std::path::Path;
+pub use sensors::SensorMap;
 
 /// Reads a log into memory; `file` tells the names of a database's table and columns, or of a CSV file's columns, where they
 /// are neither ours nor to be guessed.
-pub fn read(url: &Url, file: &LoggerFile) -> Result<Log, LogError> {
+pub fn read(from: impl Into<Source>, file: &LoggerFile) -> Result<Log, LogError> {
     let mut events = Vec::new();
-    let log = stream(url, file, &mut |part| {
+    let log = stream(from, file, &mut |part| {
         events.extend_from_slice(&part.events);
         Ok(())
     })?;
@@ -57,50 +69,42 @@ pub fn read(url: &Url, file: &LoggerFile) -> Result<Log, LogError> {
 }
 
 /// Reads a log through and keeps none of its rows: its sensors, values and clock, how many rows it has, and what was left out.
-pub fn survey(url: &Url, file: &LoggerFile) -> Result<Log, LogError> {
-    stream(url, file, &mut |_| Ok(()))
+pub fn survey(from: impl Into<Source>, file: &LoggerFile) -> Result<Log, LogError> {
+    stream(from, file, &mut |_| Ok(()))
 }
 
 /// Reads a log of any size in little memory. `take` gets its rows in parts, in their order: each time a log with the rows of
 /// that part, and with the sensors and values that have come so far. What is returned has all but the rows.
 pub fn stream(
-    url: &Url,
+    from: impl Into<Source>,
     file: &LoggerFile,
     take: &mut dyn FnMut(&Log) -> Result<(), LogError>,
 ) -> Result<Log, LogError> {
-    let path = url.file().unwrap_or(Path::new(""));
-    let mut reading = Reading::new(path, take);
+    let source = from.into();
+    let path = source.path();
+    let mut reading = Reading::new(take);
     reading.log.known = sensors::known_beside(path, &mut reading.log.remarks)?;
-    match url.scheme() {
-        Scheme::Sqlite => sqlite::read(path, file, &mut reading)?,
-        Scheme::Csv => csv::read(path, file, &mut reading)?,
-        Scheme::Casas => casas::read(path, &mut reading)?,
+    let beside = source.activities_beside();
+    reading.has_spans = beside.is_some();
+    (source.form().read)(path, file, &mut reading)?;
+    if let Some(beside) = beside {
+        reading.go_beside(beside.path());
+        (beside.form().read)(beside.path(), file, &mut reading)?;
     }
-    reading.hand_over()?;
-    match reading.log.problems.first() {
-        Some(first) if reading.log.rows == 0 => {
+    let log = reading.end()?;
+    match log.problems.first() {
+        Some(first) if log.rows == 0 && log.activities.is_empty() => {
             Err(LogError::NoLog { place: place_of(path), why: format!("line {}: {}", first.line, first.why) })
         }
-        _ => Ok(reading.log),
+        _ => Ok(log),
     }
 }
 
 /// What a run's log in this place calls sensors of these names.
-pub fn ids(url: &Url, file: &LoggerFile, sensors: &[String]) -> Vec<String> {
+pub fn ids(from: impl Into<Source>, file: &LoggerFile, sensors: &[String]) -> Vec<String> {
     let ids = sensors.iter().map(|name| file.ids.get(name).unwrap_or(name));
-    match url.scheme() {
-        Scheme::Casas => ids.map(|id| one_word(id)).collect(),
-        Scheme::Sqlite | Scheme::Csv => ids.cloned().collect(),
+    match from.into().has_words() {
+        true => ids.map(|id| one_word(id)).collect(),
+        false => ids.cloned().collect(),
     }
-}
-
-/// What kind of log a file holds, by how it begins.
-pub fn recognise(path: &Path) -> Result<Url, LogError> {
-    let start = Start::of(path)?;
-    let scheme = match start.is_sqlite() {
-        true => Scheme::Sqlite,
-        false if start.delimiters() >= 2 => Scheme::Csv,
-        false => Scheme::Casas,
-    };
-    Ok(Url::new(scheme, path))
 }

@@ -1,13 +1,14 @@
 //! A log that is being read: what its rows say, taken one by one, whatever they are read from.
 
-use super::activities::Notes;
+use super::activities::{Activity, Notes};
 use super::instant::{Instant, Instants};
 use super::log::{Clock, Event, Log};
 use crate::error::{LogError, place_of};
-use crate::limits::{LONGEST_ID, LONGEST_VALUE, beginning};
+use crate::limits::{LONGEST_ID, LONGEST_VALUE, MOST_ACTIVITIES, beginning};
 use crate::plain;
 use crate::skipped::Skipped;
 use foldhash::HashMap;
+use homebody_core::problem::readable;
 use homebody_core::time::{DAY, Micros};
 use jiff::Timestamp;
 use std::fs::File;
@@ -23,74 +24,107 @@ const PART: usize = 8192;
 pub(super) struct Reading<'t> {
     /// With the rows that have not been handed over yet.
     pub log: Log,
-    path: &'t Path,
     take: &'t mut dyn FnMut(&Log) -> Result<(), LogError>,
-    sensors: HashMap<String, u32>,
-    values: HashMap<String, u32>,
+    sensors: Numbers,
+    values: Numbers,
     pub instants: Instants,
     notes: Notes,
+    /// The clock of what has come, once something has.
+    clock: Option<Clock>,
+    /// Lines and clocks of the rows that have come, until the first are handed over.
+    first: Option<Vec<(u64, Clock)>>,
+    /// Whether activities are told whole elsewhere, so that labels on rows only say it again.
+    pub has_spans: bool,
     /// The instant of the last row.
     last: Micros,
+    /// The file beside the log that is being read, if that is not the log itself.
+    beside: Option<String>,
+    /// Activities beyond the most that are kept.
+    beyond: u64,
 }
 
 impl<'t> Reading<'t> {
-    pub fn new(path: &'t Path, take: &'t mut dyn FnMut(&Log) -> Result<(), LogError>) -> Reading<'t> {
-        let (sensors, values) = (HashMap::default(), HashMap::default());
-        let (instants, notes) = (Instants::default(), Notes::default());
-        Reading { log: Log::default(), path, take, sensors, values, instants, notes, last: 0 }
+    pub fn new(take: &'t mut dyn FnMut(&Log) -> Result<(), LogError>) -> Reading<'t> {
+        Reading {
+            log: Log::default(),
+            take,
+            sensors: Numbers::default(),
+            values: Numbers::default(),
+            instants: Instants::default(),
+            notes: Notes::default(),
+            clock: None,
+            first: Some(Vec::new()),
+            has_spans: false,
+            last: 0,
+            beside: None,
+            beyond: 0,
+        }
     }
 
-    /// Takes a row as a file writes it.
-    pub fn row(&mut self, line: u64, time: &str, sensor: &str, value: &str) -> Result<(), LogError> {
+    /// Takes a row as a file writes it; whether it was understood.
+    pub fn row(&mut self, line: u64, time: &str, sensor: &str, value: &str) -> Result<bool, LogError> {
         match self.instants.read(time) {
-            Some(instant) => self.event(line, instant, sensor, value)?,
-            None => self.skip(line, format!("{} is no date and time", beginning(time))),
-        }
-        Ok(())
-    }
-
-    /// Takes a row whose instant is known.
-    pub fn event(&mut self, line: u64, instant: Instant, sensor: &str, value: &str) -> Result<(), LogError> {
-        let (at, clock) = match instant {
-            Instant::Local(at) => (at, Clock::Local),
-            Instant::Utc(at) => (at, Clock::Utc),
-        };
-        let fault = if !is_on_any_clock(at) {
-            Some("the time is out of range")
-        } else if sensor.is_empty() {
-            Some("there is no sensor")
-        } else if value.is_empty() {
-            Some("there is no value")
-        } else if self.log.rows > 0 && self.log.clock != clock {
-            Some("some instants have a zone and some have none")
-        } else {
-            None
-        };
-        if let Some(fault) = fault {
-            self.skip(line, fault.into());
-            return Ok(());
-        }
-        for (what, text, most) in [("sensor", sensor, LONGEST_ID), ("value", value, LONGEST_VALUE)] {
-            // Characters are counted only where they may be too many.
-            if text.len() > most && text.chars().count() > most {
-                let what = format!("the {what} {} has more than {most} characters", beginning(text));
-                return Err(LogError::too_long(self.path, line, what));
+            Some(instant) => self.event(line, instant, sensor, value),
+            None => {
+                self.skip(line, format!("{} is no date and time", beginning(time)));
+                Ok(false)
             }
         }
-        self.log.clock = clock;
-        let sensor = number(&mut self.sensors, &mut self.log.sensors, sensor);
-        let value = number(&mut self.values, &mut self.log.values, value);
+    }
+
+    /// Takes a row whose instant is known; whether it was understood.
+    pub fn event(&mut self, line: u64, instant: Instant, sensor: &str, value: &str) -> Result<bool, LogError> {
+        // While no row has been handed over, most of them are going to say which clock it is.
+        let told = if self.first.is_some() { on_any_clock(instant) } else { self.on_clock(instant) };
+        let told = told.map_err(str::to_owned).and_then(|at| {
+            named(sensor, "sensor", LONGEST_ID)?;
+            named(value, "value", LONGEST_VALUE)?;
+            Ok(at)
+        });
+        let at = match told {
+            Ok(at) => at,
+            Err(fault) => {
+                self.skip(line, fault);
+                return Ok(false);
+            }
+        };
+        if let Some(first) = &mut self.first {
+            first.push((line, told_by(instant).1));
+        }
+        if self.clock.is_none() {
+            self.keep_clock(instant);
+        }
+        let sensor = self.sensors.of(&mut self.log.sensors, sensor);
+        let value = self.values.of(&mut self.log.values, value);
         if self.log.events.len() == PART {
             self.hand_over()?;
         }
         self.log.events.push(Event { at, sensor, value });
         self.log.rows += 1;
         self.last = at;
-        Ok(())
+        Ok(true)
+    }
+
+    /// An instant on the clock of the log, or why it is on none.
+    fn on_clock(&self, instant: Instant) -> Result<Micros, &'static str> {
+        let at = on_any_clock(instant)?;
+        match self.clock {
+            Some(known) if known != told_by(instant).1 => Err(OTHER_CLOCK),
+            _ => Ok(at),
+        }
+    }
+
+    fn keep_clock(&mut self, instant: Instant) {
+        let (_, clock) = told_by(instant);
+        self.clock = Some(clock);
+        self.log.clock = clock;
     }
 
     /// Hands over the rows that have come since the last time.
     pub fn hand_over(&mut self) -> Result<(), LogError> {
+        if let Some(first) = self.first.take() {
+            self.settle_clock(&first);
+        }
         if !self.log.events.is_empty() {
             (self.take)(&self.log)?;
             self.log.events.clear();
@@ -98,18 +132,142 @@ impl<'t> Reading<'t> {
         Ok(())
     }
 
+    /// Settles by which clock the log is told: that of most of its first rows. Those of the other are left out.
+    fn settle_clock(&mut self, first: &[(u64, Clock)]) {
+        let utc = first.iter().filter(|(_, clock)| *clock == Clock::Utc).count();
+        if utc == 0 || utc == first.len() {
+            return;
+        }
+        let most = if 2 * utc > first.len() { Clock::Utc } else { Clock::Local };
+        (self.clock, self.log.clock) = (Some(most), most);
+        let mut of_rows = first.iter();
+        self.log.events.retain(|_| of_rows.next().is_none_or(|(_, clock)| *clock == most));
+        self.log.rows = self.log.events.len() as u64;
+        for (line, _) in first.iter().filter(|(_, clock)| *clock != most) {
+            self.skip(*line, OTHER_CLOCK.into());
+        }
+        self.log.problems.sort_by_key(|problem| problem.line);
+    }
+
     /// Takes a note, at the last row, that an activity begins or ends.
     pub fn note(&mut self, name: &str, begins: bool) {
         if self.log.rows > 0 {
-            self.log.activities.extend(self.notes.take(name, begins, self.last));
+            if name.len() > LONGEST_VALUE {
+                self.beyond += 1;
+                return;
+            }
+            let ended = self.notes.take(name, begins, self.last);
+            self.keep(ended);
+        }
+    }
+
+    /// Takes the label of the last row, if it has one. It holds until a row has another.
+    pub fn label(&mut self, name: Option<&str>) {
+        if self.has_spans {
+            return;
+        }
+        self.label_at(name, self.last);
+    }
+
+    /// The same at an instant that no row may have.
+    pub fn label_of(&mut self, instant: Instant, name: Option<&str>) {
+        if let Ok(at) = self.on_clock(instant) {
+            self.label_at(name, at);
+        }
+    }
+
+    fn label_at(&mut self, name: Option<&str>, at: Micros) {
+        let is_long = name.is_some_and(|name| name.len() > LONGEST_VALUE);
+        self.beyond += u64::from(is_long);
+        let ended = self.notes.label(name.filter(|_| !is_long), at);
+        self.keep(ended);
+    }
+
+    /// Takes an activity whose two ends are told together.
+    pub fn span(&mut self, line: u64, begin: Instant, end: Instant, name: &str) {
+        let told = match (self.on_clock(begin), self.on_clock(end)) {
+            _ if name.is_empty() => Err("there is no activity"),
+            _ if name.len() > LONGEST_VALUE => Err("the activity's name is too long"),
+            (Ok(begin), Ok(end)) if end < begin => Err(ENDS_BEFORE),
+            (Ok(begin), Ok(end)) => Ok((begin, end)),
+            (Err(fault), _) | (_, Err(fault)) => Err(fault),
+        };
+        match told {
+            Ok((at, end)) => {
+                self.keep_clock(begin);
+                self.keep(Some(Activity { name: name.into(), begin: at, end }));
+            }
+            Err(fault) => self.skip(line, fault.into()),
+        }
+    }
+
+    fn keep(&mut self, activity: Option<Activity>) {
+        match activity {
+            Some(_) if self.log.activities.len() >= MOST_ACTIVITIES => self.beyond += 1,
+            activity => self.log.activities.extend(activity),
         }
     }
 
     pub fn skip(&mut self, line: u64, why: String) {
         self.log.skipped += 1;
         if self.log.problems.len() < MOST_TOLD {
+            let why = self.beside.as_ref().map_or(why.clone(), |file| format!("in {file}: {why}"));
             self.log.problems.push(Skipped { line, why });
         }
+    }
+
+    /// From now on a file beside the log is read.
+    pub fn go_beside(&mut self, file: &Path) {
+        self.beside = Some(readable(place_of(file)));
+    }
+
+    /// Ends the reading: the log without the rows that have been handed over.
+    pub fn end(mut self) -> Result<Log, LogError> {
+        self.hand_over()?;
+        let last = self.notes.end(self.last);
+        self.keep(last);
+        // Notes are known once they end.
+        self.log.activities.sort_by_key(|activity| activity.begin);
+        for (count, what) in [
+            (self.notes.alone, "notes that an activity begins or ends have no other end"),
+            (self.beyond, "activities are left out: they are too many, or their names too long"),
+        ] {
+            if count > 0 {
+                self.log.remarks.push(format!("{count} {what}"));
+            }
+        }
+        Ok(self.log)
+    }
+}
+
+/// Why a row is none of the log's.
+const OTHER_CLOCK: &str = "some instants have a zone and some have none";
+
+/// Makes sure that a row has a part, and not too much of it.
+#[inline]
+fn named(text: &str, what: &str, most: usize) -> Result<(), String> {
+    match text {
+        "" => Err(format!("there is no {what}")),
+        // Characters are counted only where they may be too many.
+        _ if text.len() > most && text.chars().count() > most => {
+            Err(format!("the {what} {} has more than {most} characters", beginning(text)))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn on_any_clock(instant: Instant) -> Result<Micros, &'static str> {
+    let (at, _) = told_by(instant);
+    if is_on_any_clock(at) { Ok(at) } else { Err("the time is out of range") }
+}
+
+/// Why a span is none.
+pub(super) const ENDS_BEFORE: &str = "it ends before it begins";
+
+fn told_by(instant: Instant) -> (Micros, Clock) {
+    match instant {
+        Instant::Local(at) => (at, Clock::Local),
+        Instant::Utc(at) => (at, Clock::Utc),
     }
 }
 
@@ -126,13 +284,32 @@ fn is_on_any_clock(at: Micros) -> bool {
     (Timestamp::MIN.as_microsecond() + DAY..Timestamp::MAX.as_microsecond() - DAY).contains(&at)
 }
 
-/// The number of a text, a new one if it is new.
-fn number(known: &mut HashMap<String, u32>, all: &mut Vec<String>, text: &str) -> u32 {
-    if let Some(&number) = known.get(text) {
-        return number;
+/// The numbers of texts that have come.
+#[derive(Default)]
+struct Numbers {
+    known: HashMap<String, u32>,
+    /// The last two that were asked for: sensors say the same in turns, and again and again.
+    last: [u32; 2],
+}
+
+impl Numbers {
+    /// The number of a text, a new one if it is new.
+    fn of(&mut self, all: &mut Vec<String>, text: &str) -> u32 {
+        for number in self.last {
+            if all.get(number as usize).is_some_and(|known| known == text) {
+                return number;
+            }
+        }
+        let number = match self.known.get(text) {
+            Some(&number) => number,
+            None => {
+                let number = all.len() as u32;
+                self.known.insert(text.into(), number);
+                all.push(text.into());
+                number
+            }
+        };
+        self.last = [number, self.last[0]];
+        number
     }
-    let number = all.len() as u32;
-    known.insert(text.into(), number);
-    all.push(text.into());
-    number
 }

@@ -106,18 +106,16 @@ fn gather(connection: &Connection, table: &Table, path: &Path) -> Result<(), Log
     let sql = format!("INSERT INTO {:?} VALUES ({places})", table.name);
     let mut insert = connection.prepare(&sql).map_err(database)?;
     let mut records = Records::open(path)?;
-    let header: Vec<String> = match records.next()? {
-        Some((_, names)) => names.iter().map(|name| String::from_utf8_lossy(name).into_owned()).collect(),
-        None => Vec::new(),
-    };
+    let header: Vec<String> = records.next(&mut |_| false)?.map(|(_, names)| names.texts()).unwrap_or_default();
     let mut cells = Vec::new();
     for column in &table.columns {
         let place = header.iter().position(|name| *name == column.name);
         cells.push((column, place.ok_or_else(|| no_truth(format!("no column {:?}", column.name)))?));
     }
-    while let Some((line, row)) = records.next()? {
+    while let Some((line, row)) = records.next(&mut |_| false)? {
         let read = |&(column, place): &(&Column, usize)| cell(column.kind, row.get(place)?);
         let values: Option<Vec<Value>> = cells.iter().map(read).collect();
+        let values = values.filter(|_| !row.is_broken);
         let values = values.ok_or_else(|| no_truth(format!("line {line} is none of the table {:?}", table.name)))?;
         insert.execute(params_from_iter(values)).map_err(database)?;
     }

@@ -1,73 +1,184 @@
 //! Rows of comma-separated values, none of which is longer than it may be.
+//!
+//! A cell in quotes may go on over several lines. A quote that is never closed would make a row of all that follows: so a row
+//! ends with its first line, and is told as broken, if what follows looks like a row of its own or no quote comes soon.
 
-use super::reading::open;
+use super::lines::Lines;
 use super::start::Start;
 use crate::error::LogError;
-use crate::limits::{LONGEST_ROW_BYTES, MOST_CELLS};
-use ::csv::{ByteRecord, Reader, ReaderBuilder, Terminator};
-use std::cell::Cell;
-use std::fs::File;
-use std::io::{self, Read};
+use crate::limits::{LONGEST_ROW_BYTES, MOST_CELLS, MOST_LINES_OF_ROW};
+use std::collections::VecDeque;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::rc::Rc;
-
-/// How many bytes are asked for at once.
-const BUFFER: usize = 1 << 16;
 
 /// A file of rows.
 pub(super) struct Records {
     path: PathBuf,
-    reader: Reader<Limited>,
-    record: ByteRecord,
-    /// How many bytes have come since the last row was whole.
-    come: Rc<Cell<usize>>,
+    lines: Lines,
+    delimiter: u8,
+    /// Lines that have been read and belong to no row yet.
+    ahead: VecDeque<(u64, Vec<u8>)>,
+    record: Record,
 }
 
-/// A file that ends with an error where a row is too long: after a quote that is never closed, all the rest is one row.
-struct Limited {
-    file: File,
-    come: Rc<Cell<usize>>,
+/// The cells of a row.
+#[derive(Default)]
+pub(super) struct Record {
+    text: Vec<u8>,
+    cells: Vec<Range<usize>>,
+    /// Whether a quote in it is never closed.
+    pub is_broken: bool,
 }
 
-impl Read for Limited {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        if self.come.get() > LONGEST_ROW_BYTES + BUFFER {
-            return Err(io::ErrorKind::InvalidData.into());
+impl Record {
+    pub fn len(&self) -> usize {
+        self.cells.len()
+    }
+
+    /// A cell as it was written, without quotes.
+    pub fn get(&self, place: usize) -> Option<&[u8]> {
+        self.cells.get(place).map(|cell| &self.text[cell.clone()])
+    }
+
+    /// All cells as texts, without blanks at their ends.
+    pub fn texts(&self) -> Vec<String> {
+        let text = |cell: &Range<usize>| String::from_utf8_lossy(self.text[cell.clone()].trim_ascii()).into_owned();
+        self.cells.iter().map(text).collect()
+    }
+
+    /// Parts a line without quotes, or one whose quotes mean nothing.
+    fn part_plainly(&mut self, line: &[u8], delimiter: u8) {
+        self.text.clear();
+        self.cells.clear();
+        self.text.extend_from_slice(line);
+        let mut begin = 0;
+        for at in memchr::memchr_iter(delimiter, line) {
+            self.cells.push(begin..at);
+            begin = at + 1;
         }
-        let read = self.file.read(buffer)?;
-        self.come.set(self.come.get() + read);
-        Ok(read)
+        self.cells.push(begin..line.len());
+    }
+
+    /// Parts text with quotes; whether all of them are closed.
+    fn part(&mut self, text: &[u8], delimiter: u8) -> bool {
+        self.text.clear();
+        self.cells.clear();
+        let mut rest = text;
+        loop {
+            let begin = self.text.len();
+            if rest.first() == Some(&b'"') {
+                rest = &rest[1..];
+                loop {
+                    let Some(quote) = rest.iter().position(|&byte| byte == b'"') else { return false };
+                    self.text.extend_from_slice(&rest[..quote]);
+                    rest = &rest[quote + 1..];
+                    if rest.first() != Some(&b'"') {
+                        break;
+                    }
+                    self.text.push(b'"');
+                    rest = &rest[1..];
+                }
+            }
+            let end = rest.iter().position(|&byte| byte == delimiter);
+            self.text.extend_from_slice(&rest[..end.unwrap_or(rest.len())]);
+            self.cells.push(begin..self.text.len());
+            match end {
+                Some(end) => rest = &rest[end + 1..],
+                None => return true,
+            }
+        }
     }
 }
 
 impl Records {
     pub fn open(path: &Path) -> Result<Records, LogError> {
-        let come = Rc::new(Cell::new(0));
-        let source = Limited { file: open(path)?, come: come.clone() };
-        // Lines end as on Windows, too: what is before their end is blank. So they are counted as people count them.
-        let mut builder = ReaderBuilder::new();
-        builder.delimiter(Start::of(path)?.delimiter());
-        builder.has_headers(false).flexible(true).terminator(Terminator::Any(b'\n')).buffer_capacity(BUFFER);
-        Ok(Records { path: path.into(), reader: builder.from_reader(source), record: ByteRecord::new(), come })
+        let delimiter = Start::of(path)?.delimiter();
+        let (lines, ahead, record) = (Lines::open(path)?, VecDeque::new(), Record::default());
+        Ok(Records { path: path.into(), lines, delimiter, ahead, record })
     }
 
-    /// The next row with the line that it begins in, counted from 1; None at the end.
-    pub fn next(&mut self) -> Result<Option<(u64, &ByteRecord)>, LogError> {
-        let line = self.reader.position().line();
-        let read = self.reader.read_byte_record(&mut self.record);
-        let too_long = |what: String| LogError::too_long(&self.path, line, what);
-        if self.come.replace(0) > LONGEST_ROW_BYTES + BUFFER || self.record.as_slice().len() > LONGEST_ROW_BYTES {
-            return Err(too_long(format!(
-                "the row is longer than {LONGEST_ROW_BYTES} bytes, or a quote in it is never closed"
-            )));
-        }
+    /// The next row with the line that it begins in, counted from 1; None at the end. `is_row` says of a line by itself whether
+    /// it is a row, so that it is no part of the one before.
+    pub fn next(&mut self, is_row: &mut dyn FnMut(&Record) -> bool) -> Result<Option<(u64, &Record)>, LogError> {
+        self.record.is_broken = false;
+        let number = if self.ahead.is_empty() {
+            let Some((number, line)) = self.lines.next_whole()? else { return Ok(None) };
+            let plain = trimmed(line);
+            if memchr::memchr(b'"', plain).is_some() {
+                let line = line.to_vec();
+                self.quoted(line, is_row)?;
+            } else {
+                self.record.part_plainly(plain, self.delimiter);
+            }
+            number
+        } else {
+            let Some((number, line)) = self.ahead.pop_front() else { return Ok(None) };
+            self.quoted(line, is_row)?;
+            number
+        };
         if self.record.len() > MOST_CELLS {
-            return Err(too_long(format!("the row has more than {MOST_CELLS} cells")));
+            let what = format!("the row has more than {MOST_CELLS} cells");
+            return Err(LogError::too_long(&self.path, number, what));
         }
-        if !read.map_err(|error| LogError::file(&self.path, error.into()))? {
-            return Ok(None);
-        }
-        let line = self.record.position().map_or(line, |position| position.line());
-        Ok(Some((line, &self.record)))
+        Ok(Some((number, &self.record)))
     }
+
+    /// Parts a row that begins with this line, and takes more lines for it while a quote is open.
+    fn quoted(&mut self, first: Vec<u8>, is_row: &mut dyn FnMut(&Record) -> bool) -> Result<(), LogError> {
+        if self.record.part(trimmed(&first), self.delimiter) {
+            return Ok(());
+        }
+        let mut whole = first.clone();
+        let mut alone = Record::default();
+        let mut quoting = Quoting::CellBegins.after(&first, self.delimiter);
+        for taken in 0..MOST_LINES_OF_ROW {
+            if self.ahead.len() == taken {
+                let Some((number, line)) = self.lines.next_whole()? else { break };
+                let line = (number, line.to_vec());
+                self.ahead.push_back(line);
+            }
+            let line = &self.ahead[taken].1;
+            alone.part_plainly(trimmed(line), self.delimiter);
+            if is_row(&alone) || whole.len() + line.len() > LONGEST_ROW_BYTES {
+                break;
+            }
+            whole.extend_from_slice(line);
+            quoting = quoting.after(line, self.delimiter);
+            if quoting != Quoting::Quoted && self.record.part(trimmed(&whole), self.delimiter) {
+                self.ahead.drain(..=taken);
+                return Ok(());
+            }
+        }
+        self.record.part_plainly(trimmed(&first), self.delimiter);
+        self.record.is_broken = true;
+        Ok(())
+    }
+}
+
+/// Where in a row with quotes a text ends.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Quoting {
+    CellBegins,
+    Plain,
+    Quoted,
+    /// After a quote in a quoted cell: the cell ends, or another quote follows.
+    QuoteEnds,
+}
+
+impl Quoting {
+    fn after(self, text: &[u8], delimiter: u8) -> Quoting {
+        text.iter().fold(self, |quoting, &byte| match quoting {
+            Quoting::Quoted if byte == b'"' => Quoting::QuoteEnds,
+            Quoting::Quoted => Quoting::Quoted,
+            Quoting::QuoteEnds | Quoting::CellBegins if byte == b'"' => Quoting::Quoted,
+            _ if byte == delimiter => Quoting::CellBegins,
+            _ => Quoting::Plain,
+        })
+    }
+}
+
+/// A line without its end.
+fn trimmed(line: &[u8]) -> &[u8] {
+    let line = line.strip_suffix(b"\n").unwrap_or(line);
+    line.strip_suffix(b"\r").unwrap_or(line)
 }

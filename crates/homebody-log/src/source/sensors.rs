@@ -1,12 +1,14 @@
 //! What is known of a log's sensors: from the table that a run leaves beside its log.
 
 use crate::error::{LogError, place_of};
+use crate::limits::beginning;
 use crate::places::SENSORS;
 use crate::plain;
 use crate::sensor_info::SensorInfo;
 use crate::spreadsheet::unescaped;
 use homebody_core::sensors::kinds::KINDS;
 use serde::Deserialize;
+use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::Path;
 
@@ -59,5 +61,55 @@ impl Row {
             room: Some(room).filter(|room| !room.is_empty()),
             at_m: [x_m, y_m],
         }
+    }
+}
+
+/// What a home calls sensors that a log knows by ids: a table with the columns `id` and `name`, such as the one that a run leaves
+/// beside its log.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct SensorMap(BTreeMap<String, String>);
+
+impl SensorMap {
+    /// Reads a table.
+    ///
+    /// # Errors
+    ///
+    /// [`LogError::Missing`] if it is not there, [`LogError::SensorMap`] with all that is wrong: columns that it lacks, rows without
+    /// an id or a name, ids and names that are there twice.
+    pub fn read(path: &Path) -> Result<SensorMap, LogError> {
+        let table = plain::read(path, LARGEST_TABLE_BYTES).map_err(|error| match error.kind() {
+            ErrorKind::NotFound => LogError::Missing { place: place_of(path) },
+            _ => LogError::reading(path, error),
+        })?;
+        let mut reader = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(&table[..]);
+        let wrong = |line: u64, what: String| format!("{}:{line}: {what}", place_of(path));
+        let header = reader.byte_headers().cloned().unwrap_or_default();
+        let place = |name: &str| header.iter().position(|cell| cell.trim_ascii() == name.as_bytes());
+        let (Some(id), Some(name)) = (place("id"), place("name")) else {
+            return Err(LogError::SensorMap { problems: vec![wrong(1, "there are no columns id and name".into())] });
+        };
+        let (mut map, mut names, mut problems) = (BTreeMap::new(), BTreeMap::new(), Vec::new());
+        for row in reader.byte_records() {
+            let row = row.map_err(|error| LogError::reading(path, error.into()))?;
+            let line = row.position().map_or(0, csv::Position::line);
+            let cell = |place: usize| String::from_utf8_lossy(row.get(place).unwrap_or_default()).into_owned();
+            let [id, name] = [id, name].map(|place| unescaped(&cell(place)).to_owned());
+            if id.is_empty() || name.is_empty() {
+                problems.push(wrong(line, "an id or a name is empty".into()));
+                continue;
+            }
+            if let Some(first) = names.insert(name.clone(), line) {
+                problems.push(wrong(line, format!("the name {} is that of line {first}, too", beginning(&name))));
+            }
+            if map.insert(id.clone(), name).is_some() {
+                problems.push(wrong(line, format!("the id {} has a name already", beginning(&id))));
+            }
+        }
+        if problems.is_empty() { Ok(SensorMap(map)) } else { Err(LogError::SensorMap { problems }) }
+    }
+
+    /// What the home calls a sensor, if the table has its id.
+    pub fn name(&self, id: &str) -> Option<&str> {
+        self.0.get(id).map(String::as_str)
     }
 }

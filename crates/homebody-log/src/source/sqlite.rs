@@ -2,13 +2,27 @@
 
 use super::columns::Places;
 use super::database::{connect, tables, text};
+use super::form::{Form, Shows};
 use super::instant::since_1970;
 use super::reading::{Reading, open};
+use super::start::Start;
 use crate::error::{LogError, place_of};
+use crate::spans::{SPAN_COLUMNS, SPANS};
 use homebody_core::scenario::logger::LoggerFile;
 use rusqlite::Connection;
 use rusqlite::types::ValueRef;
 use std::path::Path;
+
+pub(super) const FORM: Form = Form {
+    name: "sqlite",
+    what: "a database file with a table that has a time, a sensor and a value, by the names of logger.json, ours or the usual ones",
+    shows,
+    read,
+};
+
+fn shows(start: &Start) -> Shows {
+    Shows::rows_if(start.is_sqlite())
+}
 
 /// A table and where its rows' parts are.
 struct Table {
@@ -17,7 +31,7 @@ struct Table {
     places: Places,
 }
 
-pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
     open(path)?;
     let database = |error| LogError::database(path, error);
     let connection = connect(path).map_err(database)?;
@@ -35,6 +49,7 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) ->
         }
         None => return Err(LogError::NoLog { place: place_of(path), why: why() }),
     };
+    reading.has_spans = spans(&connection, reading).map_err(database)?;
     let sql = rows_of(&connection, file, &table, reading).map_err(database)?;
     let mut statement = connection.prepare(&sql).map_err(database)?;
     let mut rows = statement.query([]).map_err(database)?;
@@ -43,20 +58,51 @@ pub(crate) fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) ->
         line += 1;
         let said = |column| row.get_ref(column).map(text).map_err(database);
         let (sensor, value) = (said(1)?, said(2)?);
-        let number = match row.get_ref(0).map_err(database)? {
-            ValueRef::Integer(number) => since_1970(number as f64),
-            ValueRef::Real(number) => since_1970(number),
-            other => {
-                reading.row(line, &text(other), &sensor, &value)?;
-                continue;
+        let time = row.get_ref(0).map_err(database)?;
+        let number = match time {
+            ValueRef::Integer(number) => Some(since_1970(number as f64)),
+            ValueRef::Real(number) => Some(since_1970(number)),
+            _ => None,
+        };
+        let is_row = match number {
+            None => reading.row(line, &text(time), &sensor, &value)?,
+            Some(Some(instant)) => reading.event(line, instant, &sensor, &value)?,
+            Some(None) => {
+                reading.skip(line, "the time is out of range".into());
+                false
             }
         };
-        match number {
-            Some(instant) => reading.event(line, instant, &sensor, &value)?,
-            None => reading.skip(line, "the time is out of range".into()),
+        if is_row && table.places.label.is_some() {
+            let label = said(3)?;
+            reading.label(Some(&*label).filter(|label| !label.is_empty()));
         }
     }
     Ok(())
+}
+
+/// Takes the activities of the table that we write beside a log; whether there is one.
+fn spans(connection: &Connection, reading: &mut Reading<'_>) -> rusqlite::Result<bool> {
+    let [begin, end, activity] = SPAN_COLUMNS;
+    let has = tables(connection)?.iter().any(|name| name == SPANS) && {
+        let columns = columns(connection, SPANS)?;
+        SPAN_COLUMNS.iter().all(|wanted| columns.iter().any(|name| name == wanted))
+    };
+    if !has {
+        return Ok(false);
+    }
+    let mut statement =
+        connection.prepare(&format!("SELECT {begin}, {end}, {activity} FROM {SPANS} ORDER BY rowid"))?;
+    let mut rows = statement.query([])?;
+    let mut line = 0;
+    while let Some(row) = rows.next()? {
+        line += 1;
+        let [begin, end] = [0, 1].map(|column| row.get_ref(column).map(|cell| reading.instants.read(&text(cell))));
+        match (begin?, end?) {
+            (Some(begin), Some(end)) => reading.span(line, begin, end, &text(row.get_ref(2)?)),
+            _ => reading.skip(line, format!("in the table {SPANS}: an end is no date and time")),
+        }
+    }
+    Ok(true)
 }
 
 /// The table named by the mapping, ours, or the first that looks like a log.
@@ -110,7 +156,9 @@ fn by_first_row(connection: &Connection, table: &str, reading: &mut Reading<'_>)
         }
     }
     Ok(match (time, &texts[..]) {
-        (Some(time), &[(sensor, false), (value, false), ..]) => Some(Places { time, sensor, value, is_mapped: false }),
+        (Some(time), &[(sensor, false), (value, false), ..]) => {
+            Some(Places { time, sensor, value, label: None, is_mapped: false })
+        }
         _ => None,
     })
 }
@@ -126,10 +174,11 @@ fn rows_of(
     let has = |name: &str| table.columns.iter().any(|column| column == name).then(|| quoted(name));
     let name = quoted(&table.name);
     let mut sql = format!(
-        "SELECT {}, {}, {} FROM {name}",
+        "SELECT {}, {}, {}, {} FROM {name}",
         column(table.places.time),
         column(table.places.sensor),
         column(table.places.value),
+        table.places.label.map_or("NULL".to_owned(), column),
     );
     let run = has(&file.columns.run);
     // Rows of several runs make no log; what comes first is read.

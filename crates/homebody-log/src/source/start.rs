@@ -2,25 +2,43 @@
 
 use super::reading::open;
 use crate::error::LogError;
+use std::borrow::Cow;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// So many bytes are looked at (ours).
 const LOOKED_AT_BYTES: u64 = 4096;
 
 /// The first bytes of a file.
-pub(super) struct Start(Vec<u8>);
+pub(super) struct Start {
+    pub path: PathBuf,
+    bytes: Vec<u8>,
+}
 
 impl Start {
     pub fn of(path: &Path) -> Result<Start, LogError> {
-        let mut start = Vec::new();
-        let read = open(path)?.take(LOOKED_AT_BYTES).read_to_end(&mut start);
+        let mut bytes = Vec::new();
+        let read = open(path)?.take(LOOKED_AT_BYTES).read_to_end(&mut bytes);
         read.map_err(|error| LogError::file(path, error))?;
-        Ok(Start(start))
+        Ok(Start { path: path.into(), bytes })
     }
 
     pub fn is_sqlite(&self) -> bool {
-        self.0.starts_with(b"SQLite format 3\0")
+        self.bytes.starts_with(b"SQLite format 3\0")
+    }
+
+    /// The lines that are not blank, without a byte order mark and blanks at their ends; the last may be cut.
+    pub fn lines(&self) -> impl Iterator<Item = Cow<'_, str>> {
+        let bytes = self.bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&self.bytes);
+        let lines = bytes.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii).filter(|line| !line.is_empty());
+        lines.map(String::from_utf8_lossy)
+    }
+
+    /// The cells of the first lines, without quotes.
+    pub fn cells(&self) -> impl Iterator<Item = Vec<String>> {
+        let delimiter = char::from(self.delimiter());
+        let cell = |cell: &str| cell.trim().trim_matches('"').trim().to_owned();
+        self.lines().map(move |line| line.split(delimiter).map(cell).collect())
     }
 
     /// What parts the cells, if there are several: a semicolon where spreadsheets write decimals with a comma.
@@ -35,7 +53,7 @@ impl Start {
 
     /// How often a byte is in the first line that is not blank.
     fn count(&self, wanted: u8) -> usize {
-        let mut lines = self.0.split(|&byte| byte == b'\n');
+        let mut lines = self.bytes.split(|&byte| byte == b'\n');
         let line = lines.find(|line| !line.trim_ascii().is_empty()).unwrap_or_default();
         line.iter().filter(|&&byte| byte == wanted).count()
     }

@@ -8,7 +8,7 @@ use super::reader::Reader;
 use super::times;
 use super::words::{Span, Token};
 use crate::fuzzy::Fuzzy;
-use crate::routine::{Activity, Chance, Moment, PartOfDay, When};
+use crate::routine::{Activity, Chance, DayKind, Moment, PartOfDay, When};
 
 /// Something that was said, where, and whether by this sentence or by the heading above it.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,7 +22,7 @@ pub struct Slot<T> {
 const HALF_A_DAY_S: f64 = 12.0 * 3600.0;
 
 /// The words that may begin one of these parts: whatever begins otherwise need not be tried.
-const FIRST: &str = "when as last a about after afterwards all almost always an and approximately around at before beginning \
+const FIRST: &str = "am pm when as last a about after afterwards all almost always an and approximately around at before beginning \
     between by daily during each every fade fades fading few for frequently from give half hardly immediately in \
     just lasting of many midday midnight most mostly nearly noon normally now occasionally often on once one over \
     plus rarely right roughly seldom several shortly since some sometimes soon starting straight then thrice till \
@@ -51,6 +51,8 @@ pub struct Adverbs {
     pub every: Option<Slot<u32>>,
     /// The first and the last of the days of a month.
     pub of_month: Option<Slot<(u8, u8)>>,
+    /// Busy or quiet days.
+    pub kind: Option<Slot<DayKind>>,
     pub part: Option<Slot<PartOfDay>>,
     pub when: Option<Slot<When>>,
     pub lasts: Option<Slot<Fuzzy>>,
@@ -169,6 +171,12 @@ impl Adverbs {
             if !found {
                 reader.faults.forget_since(faults);
                 reader.at = start;
+            } else {
+                // How exactly that is, said behind it.
+                let last = |reader: &mut Reader| (reader.eat("about") && reader.is_over()).then_some(());
+                let _ = reader.eat("or so")
+                    || reader.eat("thereabouts|sharp|prompt|promptly")
+                    || reader.attempt(last).is_some();
             }
             found
         })
@@ -226,7 +234,12 @@ impl Adverbs {
     /// "in the morning", "at night", "during the day".
     fn parts(&mut self, reader: &mut Reader) -> Option<()> {
         let from = reader.at;
-        let part = if reader.eat("in|during") {
+        let after_day = from > 0 && calendar::is_weekday(&reader.words[from - 1].text);
+        let half = [("am", PartOfDay::Morning), ("pm", PartOfDay::Afternoon)];
+        let half = if after_day { reader.eat_any(&half) } else { None };
+        let part = if let Some(half) = half {
+            half
+        } else if reader.eat("in|during") {
             reader.eat("the");
             reader.eat_any(&times::PARTS)?
         } else if reader.eat("by") && !matches!(reader.token(1), Some(Token::Number(_))) {

@@ -5,14 +5,14 @@
 //! or that may be a slip of it. What is denied, ends or changes is never read without a part of it.
 
 use super::activities::fits;
+use super::alone::read_alone;
 use super::calendar::is_weekday;
 use super::clause::PLACES;
 use super::draft::Draft;
 use super::faults::Faults;
-use super::reader::{Names, Reader, Sort, is_beginning, is_determiner};
+use super::reader::{Names, Reader, Sort, denies, is_beginning, is_determiner};
 use super::remarks::is_lived;
 use super::rewording::reworded;
-use super::sentence;
 use super::tail::vocabulary;
 use super::unknown;
 use super::words::{Span, Token, Word};
@@ -26,19 +26,20 @@ const MOST_TRIES: usize = 30;
 const LONGEST_SENTENCE: usize = 40;
 
 /// Words of which none is set aside: they say whether, when, how often, how much, or begin what does.
-const TELLING: &str = "not no never none nor neither without nothing nobody hardly barely scarcely except unless only instead rather \
-    refuses declines cannot unable if when whenever while until till once since before after during more less fewer than longer \
-    shorter later sooner earlier faster slower better worse again increasingly gradually always often usually sometimes rarely \
-    seldom occasionally regularly frequently constantly continually continuously repeatedly intermittently periodically \
-    infrequently sporadically mostly mainly nearly almost every each daily weekly fortnightly monthly yearly hourly nightly twice \
-    thrice times most all any both half quarter day days night nights week weeks weekly month months year years hour hours hourly \
-    minute minutes second seconds morning mornings afternoon afternoons evening evenings weekend weekends weekday weekdays today \
-    tomorrow yesterday tonight spring summer autumn winter january february march april may june july august september october \
-    november december noon midday midnight lunchtime bedtime teatime mealtimes dinnertime suppertime dusk dawn sunrise sunset \
-    late early lately recently soon now then already still yet am pm o'clock christmas easter holiday holidays weeknight weeknights ages forever \
-    starts stops begins ends becomes becoming increasing decreasing growing one two three four five six seven eight nine ten \
-    dozen couple several few many much little lot lots plenty others somebody someone everybody everyone together upstairs \
-    downstairs outside outdoors away first last next alternate weather rain rains raining rainy snow snows snowing snowy wet";
+const TELLING: &str = "not no never none nor neither without nothing nobody hardly barely scarcely except unless only \
+    instead rather refuses declines cannot unable if when whenever while until till once since before after during more \
+    less fewer than longer shorter later sooner earlier faster slower better worse again increasingly gradually always \
+    often usually sometimes rarely seldom occasionally regularly frequently constantly continually continuously repeatedly \
+    intermittently periodically infrequently sporadically mostly mainly nearly almost every each daily weekly fortnightly \
+    monthly yearly hourly nightly twice thrice times most all any both half quarter day days night nights week weeks month \
+    months year years hour hours minute minutes second seconds morning mornings afternoon afternoons evening evenings \
+    weekend weekends weekday weekdays today tomorrow yesterday tonight spring summer autumn winter january february march \
+    april may june july august september october november december noon midday midnight lunchtime bedtime teatime mealtimes \
+    dinnertime suppertime dusk dawn sunrise sunset late early lately recently soon now then already still yet am pm o'clock \
+    christmas easter holiday holidays weeknight weeknights ages forever starts stops begins ends becomes becoming \
+    increasing decreasing growing one two three four five six seven eight nine ten dozen couple several few many much \
+    little lot lots plenty others somebody someone everybody everyone together upstairs downstairs outside outdoors away \
+    first last next alternate weather rain rains raining rainy snow snows snowing snowy wet";
 
 /// Words that what is set aside may begin with.
 const BEGINNING: &str = "with for from to into of about among against using over through in on at by near under along across like as \
@@ -107,11 +108,6 @@ fn is_one_of(list: &str, word: &str) -> bool {
     list.split_whitespace().any(|one| one == word)
 }
 
-fn denies(word: &str) -> bool {
-    is_one_of("not no never cannot hardly barely scarcely nor neither only unless except refuses stops", word)
-        || word.ends_with("n't")
-}
-
 /// Whether a part that may be set aside begins at this word.
 fn begins(names: &Names, words: &[Word], from: usize) -> bool {
     let word = &words[from];
@@ -161,7 +157,7 @@ fn ends(words: &[Word], to: usize) -> bool {
 }
 
 /// Whether nothing in this part is anything that is lived.
-fn is_beside_the_point(names: &Names, draft: &Draft, words: &[Word], from: usize, to: usize) -> bool {
+pub fn is_beside_the_point(names: &Names, draft: &Draft, words: &[Word], from: usize, to: usize) -> bool {
     let mut faults = Faults::of_trial();
     let mut reader = Reader { words, at: from, names, faults: &mut faults, text: draft.text, part: None };
     // "Being a former nurse" names nobody who is there.
@@ -221,10 +217,8 @@ fn is_slip(reader: &Reader, word: &str) -> bool {
 /// Whether these words are understood, and say only what is done.
 fn is_done(names: &Names, draft: &Draft, words: &[Word]) -> bool {
     let words = reworded(names, draft.text, words);
-    let mut faults = Faults::of_trial();
-    let mut alone = draft.anew(draft.text);
-    let mut reader = Reader { words: &words, at: 0, names, faults: &mut faults, text: draft.text, part: None };
-    let is_heading = sentence::sentence(&mut reader, &mut alone, None).is_some();
-    let Routine { habits, changes, rules, .. } = &alone.routine;
-    !is_heading && faults.count() == 0 && !habits.is_empty() && changes.is_empty() && rules.is_empty()
+    read_alone(names, draft, draft.text, &words).is_some_and(|routine| {
+        let Routine { habits, changes, rules, .. } = &routine;
+        !habits.is_empty() && changes.is_empty() && rules.is_empty()
+    })
 }

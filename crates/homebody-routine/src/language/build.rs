@@ -2,7 +2,6 @@
 
 use super::adverbs::Adverbs;
 use super::amounts::{ABOUT_SHARE, DAY_S};
-use super::calendar::{self, days_between};
 use super::clause::{Clause, PLACES};
 use super::draft::Draft;
 use super::meaning::Kind as Part;
@@ -10,12 +9,13 @@ use super::measures::{self, FASTEST_MPS, Measure, Of};
 use super::predicates::IS;
 use super::reader::{Reader, Sort};
 use super::said::{Help, Predicate};
+use super::staying::staying;
 use super::subjects::Subject;
 use super::times::is_of_next_day;
 use super::unknown::{is_way, unknown_doing};
 use super::words::Span;
 use crate::fuzzy::{Fuzzy, Quantifier};
-use crate::routine::{Activity, Chance, Change, Effect, Habit, Kind, PartOfDay, Person, Phase, Shy, When};
+use crate::routine::{Activity, Chance, Change, DayKind, Effect, Habit, Kind, PartOfDay, Person, Shy, When};
 use homebody_core::activity::TimeUse;
 
 pub fn build(reader: &mut Reader, draft: &mut Draft, mut clause: Clause) {
@@ -236,73 +236,6 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
     draft.habit_spans.push(clause.predicate_span);
 }
 
-/// From when on the days begin and end of who is away, or visits, for whole days (ours).
-const SETS_OUT_S: Fuzzy = Fuzzy { low: 9.0 * 3600.0, from: 9.5 * 3600.0, to: 10.5 * 3600.0, high: 11.0 * 3600.0 };
-const COMES_BACK_S: f64 = 17.0 * 3600.0;
-
-/// For so many days at most somebody is away at a stretch (ours).
-const MOST_DAYS: i32 = 390;
-
-/// Who is out, or visits, for days on end: when it begins, on which day or days, and how long it lasts.
-///
-/// "For a week" is one stay of a week. "From day 30 to day 40 she is out" is one, too; "from day 30 to day 40 she goes out"
-/// is an outing on each of these days.
-fn staying(
-    reader: &mut Reader,
-    draft: &Draft,
-    clause: &Clause,
-    activity: &Activity,
-    phase: &Phase,
-) -> Option<(When, Phase, Option<Fuzzy>)> {
-    let adverbs = &clause.adverbs;
-    if !matches!(activity, Activity::Leave | Activity::Visit) || adverbs.lasts.is_some() || adverbs.until_time.is_some()
-    {
-        return None;
-    }
-    let words = reader.said(clause.predicate_span).to_lowercase();
-    let first = words.split_whitespace().next().unwrap_or_default();
-    let is_state = ["is", "are", "stays", "stay"].contains(&first);
-    let says_when =
-        adverbs.when.as_ref().is_some_and(|slot| !matches!(slot.value, When::At(_))) || adverbs.part.is_some();
-    if says_when || !is_state && words.contains("walk") {
-        return None;
-    }
-    let when = match adverbs.when.as_ref().map(|slot| &slot.value) {
-        Some(When::At(at)) => When::At(*at),
-        _ => When::At(SETS_OUT_S),
-    };
-    let is_often = adverbs.chance.is_some() || adverbs.every.is_some() || adverbs.weekdays.is_some();
-    if let Some(days) = &adverbs.for_days {
-        let lasts = Some(Fuzzy::exactly(days.value * DAY_S));
-        return match phase.from {
-            Some(from) => {
-                let until = Some(calendar::later(from, 1));
-                Some((when, Phase { from: Some(from), until, ..Phase::default() }, lasts))
-            }
-            None if is_often => Some((when, Phase { until: None, ..*phase }, lasts)),
-            None => {
-                let hint = format!("write \"from day 30, {}, she {words}\"", reader.said(days.span));
-                reader.fault(days.span, "it is not said from when", hint);
-                None
-            }
-        };
-    }
-    let from = phase.from?;
-    if !is_state || is_often {
-        return None;
-    }
-    // Of no end is said: until the run is over.
-    let until = phase.until.unwrap_or(calendar::later(from, MOST_DAYS));
-    let days = days_between(from, until, draft.first_date).filter(|&days| days > 1)?;
-    let begins_s = match &when {
-        When::At(at) => at.mean(),
-        _ => SETS_OUT_S.mean(),
-    };
-    let lasts = (days - 1) as f64 * DAY_S + COMES_BACK_S - begins_s;
-    let phase = Phase { from: Some(from), until: Some(calendar::later(from, 1)), ..Phase::default() };
-    Some((when, phase, Some(Fuzzy::exactly(lasts.max(3600.0)))))
-}
-
 /// Whether somebody only goes to a place, and it is left open what for.
 fn only_goes(reader: &mut Reader, clause: &Clause) -> bool {
     let (Predicate::Own(words), Some((name, place))) = (&clause.predicate, &clause.place) else { return false };
@@ -401,6 +334,10 @@ fn change(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     let phase = clause.adverbs.phase_meant(reader, draft.is_condition);
     draft.phase(reader, &phase, &clause.adverbs, clause.span);
     let days = clause.adverbs.days_meant();
+    if let (Effect::DaysAre { .. }, Some(kind)) = (&effect, &clause.adverbs.kind) {
+        let hint = "say it of days, such as \"on Sunday she has a quiet day\"".to_owned();
+        return reader.fault(kind.span, "it is not said which days are meant", hint);
+    }
     draft.routine.changes.push(Change { said: draft.said(clause.span), days, phase, effect });
 }
 
@@ -414,9 +351,10 @@ const STOPS_PER_MIN: f64 = 6.0;
 const UNFINISHED: Fuzzy = Fuzzy { low: 0.5, from: 0.5, to: 0.8, high: 0.8 };
 
 const PHASE_ALONE: &[Part] = &[Part::Phase];
-const PHASE: &[Part] = &[Part::Phase, Part::Weekdays, Part::Months, Part::Every];
-const PHASE_AND_PART: &[Part] = &[Part::Phase, Part::Weekdays, Part::Months, Part::Every, Part::Part];
-const PHASE_AND_CHANCE: &[Part] = &[Part::Phase, Part::Weekdays, Part::Months, Part::Every, Part::Chance];
+const PHASE: &[Part] = &[Part::Phase, Part::Weekdays, Part::Months, Part::Every, Part::Lively];
+const PHASE_AND_PART: &[Part] = &[Part::Phase, Part::Weekdays, Part::Months, Part::Every, Part::Lively, Part::Part];
+const PHASE_AND_CHANCE: &[Part] = &[Part::Phase, Part::Weekdays, Part::Months, Part::Every, Part::Lively, Part::Chance];
+const DAYS_AND_CHANCE: &[Part] = &[Part::Phase, Part::Weekdays, Part::Months, Part::Every, Part::Chance];
 
 /// What changes, and which other parts the sentence may have.
 fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
@@ -447,6 +385,9 @@ fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
             (Effect::Later { activity: Activity::GetUp, by }, PHASE)
         }
         (Predicate::Vary, Some((Of::Much, by))) => (Effect::Irregular(by), PHASE),
+        (Predicate::Differ, Some((Of::Much, by))) => (Effect::DaysDiffer(by), PHASE),
+        (Predicate::SleepsIn, None) => (Effect::SleepsIn, PHASE_ALONE),
+        (Predicate::Lively(kind, very), None) => (days_are(clause, *kind, *very), DAYS_AND_CHANCE),
         (Predicate::Breathes, Some((Of::Breaths, by))) => (Effect::Respiration(by), PHASE),
         (Predicate::Rises(Measure { of: Of::Beats, by, .. }), None) => (Effect::Pulse(*by), PHASE),
         (Predicate::Rises(Measure { of: Of::Breaths, by, .. }), None) => (Effect::Respiration(*by), PHASE),
@@ -487,6 +428,14 @@ fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
         }
     };
     Some((found.0, found.1.to_vec()))
+}
+
+/// Which days are quiet or busy: those that are said, or some.
+fn days_are(clause: &Clause, kind: DayKind, very: bool) -> Effect {
+    let adverbs = &clause.adverbs;
+    let said = [adverbs.weekdays.is_some(), adverbs.months.is_some(), adverbs.every.is_some()];
+    let unsaid = if said.contains(&true) { Chance::ALWAYS } else { Chance::of(Quantifier::Sometimes) };
+    Effect::DaysAre { kind, very, chance: adverbs.chance.as_ref().map_or(unsaid, |slot| slot.value) }
 }
 
 fn says_weekdays(clause: &Clause) -> bool {
@@ -553,6 +502,8 @@ fn not_a_change(reader: &mut Reader, clause: &Clause) {
             "write \"sleeps 30 % more restlessly\", \"goes to bed at 22:30\", \"gets up at 09:00\" or \"naps\""
         }
         Predicate::Vary => "write \"her hours vary twice as much\"",
+        Predicate::Differ => "write \"her days differ twice as much\"",
+        Predicate::Lively(..) => "write \"one day in three is a quiet day\" or \"on Sunday she has a busy day\"",
         Predicate::Breathes => "write \"breathes 6 breaths a minute faster\"",
         _ => "such changes are \"later\", \"longer\" and \"more often\"",
     };

@@ -14,7 +14,9 @@ pub fn person_called(reader: &mut Reader) -> bool {
             reader.at += 1;
             return (!others && !reader.ahead(visits)).then_some(());
         }
-        let has_title = ["mr", "mrs", "ms", "miss"].contains(&reader.peek(0)) && reader.names.person.is_some();
+        reader.eat("mr and");
+        let has_title =
+            ["mr", "mrs", "ms", "miss", "auntie", "aunty"].contains(&reader.peek(0)) && reader.names.person.is_some();
         if has_title && reader.token(1) == Some(Token::Word) {
             reader.at += 2;
             return (!reader.passed(reader.at - 1).ends_with("'s") && !reader.ahead(visits)).then_some(());

@@ -58,7 +58,9 @@ fn share_days(draft: &Draft, a: &Habit, b: &Habit) -> bool {
         Some(until) => days_between(from.unwrap_or(Moment::Day(0)), until, draft.first_date).is_some_and(|d| d <= 0),
         None => false,
     };
-    a.days.weekdays & b.days.weekdays != 0
+    let is_other_kind = a.days.kind.zip(b.days.kind).is_some_and(|(a, b)| a != b);
+    !is_other_kind
+        && a.days.weekdays & b.days.weekdays != 0
         && a.days.months & b.days.months != 0
         && !before(a.phase.until, b.phase.from)
         && !before(b.phase.until, a.phase.from)
@@ -130,6 +132,7 @@ fn done_and_not_done(draft: &Draft, faults: &mut Faults) {
             let all_days = change.days.weekdays & habit.days.weekdays == habit.days.weekdays
                 && change.days.months & habit.days.months == habit.days.months
                 && change.days.of_month == Days::ALL.of_month
+                && (change.days.kind.is_none() || change.days.kind == habit.days.kind)
                 && change.days.every == 1;
             is_never && is_before && all_days && change.phase.until.is_none() && change.phase.over_days == 0.0
         });
@@ -161,7 +164,8 @@ fn home_while_out(draft: &Draft, faults: &mut Faults) {
         let is_meal = matches!(habit.activity, Activity::Eat(_) | Activity::Nap | Activity::Prepare(_));
         for (_, outing) in outings.iter().filter(|(_, outing)| share_days(draft, habit, outing)) {
             let is_within = surely_from_to(outing).is_some_and(|(from, to)| from < at.low && at.high < to);
-            let on_its_days = habit.days.weekdays & outing.days.weekdays == habit.days.weekdays;
+            let on_its_days = habit.days.weekdays & outing.days.weekdays == habit.days.weekdays
+                && (outing.days.kind.is_none() || outing.days.kind == habit.days.kind);
             let comes_home = habit.activity == Activity::ComeHome
                 && (outing.lasts.is_some() || outing.until.is_some())
                 && surely_from_to(outing).is_some();

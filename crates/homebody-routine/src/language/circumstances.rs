@@ -7,9 +7,9 @@ use super::amounts::{Unit, amount};
 use super::calendar::is_weekday;
 use super::clause::{Clause, PLACES};
 use super::helping;
-use super::reader::{Reader, begins_adverb, is_determiner};
+use super::reader::{Reader, begins_adverb, denies, is_determiner};
 use super::remarks::is_lived;
-use super::said::Predicate;
+use super::said::{Predicate, named};
 use super::subjects::Subject;
 use super::unknown;
 use super::words::Token;
@@ -127,28 +127,25 @@ pub fn says_company(reader: &mut Reader, clause: &mut Clause) -> bool {
     let with_determiner = is_determiner(reader.peek(0));
     reader.skip_determiners();
     let start = reader.at;
-    while reader.token(0) == Some(Token::Word)
-        && !begins_adverb(reader)
-        && !is_weekday(reader.peek(0))
-        && reader.at < start + 3
-    {
-        reader.at += 1;
-    }
+    let Some(who) = named(reader) else {
+        reader.at = from;
+        return false;
+    };
     let lexicon = reader.names.lexicon.clone();
     let is_people = (start..reader.at).any(|at| {
         let word = |ahead: usize| reader.words.get(at + ahead).map_or("", |word| word.text.as_str());
         ["PEOPLE", "RELATIVES", "PET"].iter().any(|list| lexicon.list(list, word).is_some())
     });
-    let is_who = reader.at > start && (is_people || helped && with_determiner);
+    let is_who = is_people || helped && with_determiner;
     if helped && is_who {
-        clause.predicate = Predicate::HelpedBy(reader.passed(start), activity);
+        clause.predicate = Predicate::HelpedBy(who, activity);
         return true;
     }
     if is_who && starts > from && activity == Activity::Leave {
         return true;
     }
     // Who lives with them is there without coming; who else does it with them comes for it.
-    let spouse = ["husband", "wife", "partner", "cat", "dog"].contains(&reader.passed(start).as_str());
+    let spouse = ["husband", "wife", "partner", "cat", "dog"].contains(&who.as_str());
     if is_who && spouse {
         clause.beside.push(reader.span(from));
         return true;
@@ -162,7 +159,7 @@ pub fn says_company(reader: &mut Reader, clause: &mut Clause) -> bool {
                 more.says_when()
             }));
     if comes {
-        clause.predicate = Predicate::HelpedBy(reader.passed(start), activity);
+        clause.predicate = Predicate::HelpedBy(who, activity);
         return true;
     }
     reader.at = from;
@@ -232,10 +229,6 @@ fn begins_again(reader: &mut Reader) -> bool {
             activities::activity(reader).is_some()
         }
     })
-}
-
-fn denies(word: &str) -> bool {
-    ["not", "no", "never", "without", "except", "unless", "only", "if", "when"].contains(&word) || word.ends_with("n't")
 }
 
 /// "sits in the armchair watching television": that is what is done. "Wanders looking for her husband": a remark.

@@ -269,7 +269,7 @@ fn half_by_doing(reader: &mut Reader, from: usize, face: Face) -> Option<bool> {
         if to_bed {
             return half_of(&Activity::GoToBed, hour);
         }
-        let in_bed = (0..from).any(|at| ["bed", "sleeps", "sleep"].contains(&word(Some(at))));
+        let in_bed = (0..from).any(|at| ["bed", "sleeps", "sleep", "dressed"].contains(&word(Some(at))));
         return (in_bed && (4.0..12.0).contains(&hour)).then_some(false);
     }
     let rises = ["her", "him", "them", "me"].iter().all(|whom| *whom != word(from.checked_sub(back + 2)));

@@ -2,6 +2,7 @@
 
 use super::adverbs::{Adverbs, put};
 use super::calendar;
+use super::lively::days_of_kind;
 use super::often::Often;
 use super::reader::Reader;
 use super::times;
@@ -35,6 +36,11 @@ impl Adverbs {
             return Some(());
         } else {
             reader.eat("on|at|of");
+            if let Some(kind) = days_of_kind(reader) {
+                let span = reader.span(from);
+                put(reader, &mut self.kind, kind, span, "both say on which days");
+                return Some(());
+            }
             reader.eat("the|a");
         }
         let weekdays = calendar::weekdays(reader)?;
@@ -51,6 +57,7 @@ impl Adverbs {
             || self.when.is_some()
             || self.part.is_some()
             || self.every.is_some()
+            || self.kind.is_some()
             || self.chance.is_some()
     }
 

@@ -46,12 +46,18 @@ pub fn without_waking(group: &mut Vec<Clause>) {
     }
 }
 
-/// "Four times a day: at 7:30, 12:30, 16:30 and 20:00" is once at each of these times.
+/// "Four times a day: at 7:30, 12:30, 16:30 and 20:00" is once at each of these times, "twice: morning and evening" once in each.
 pub fn without_count(group: &mut [Clause]) {
     let count = group.len() as u32;
     let has_time = |when: &When| matches!(when, When::At(_) | When::Before(..) | When::After(..) | When::With(_));
-    let is_at = |clause: &Clause| clause.adverbs.when.as_ref().is_some_and(|slot| has_time(&slot.value));
-    let is_list = count > 1 && group.iter().all(is_at) && group[1..].iter().all(|clause| clause.again);
+    let is_then = |clause: &Clause| match &clause.adverbs.when {
+        Some(slot) => has_time(&slot.value),
+        None => clause.adverbs.part.is_some(),
+    };
+    // "Twice in the morning and twice in the evening" says it of each.
+    let said = |clause: &Clause| clause.adverbs.times.as_ref().map(|times| times.span);
+    let once = |clause: &Clause| clause.again && said(clause) == said(&group[0]);
+    let is_list = count > 1 && group.iter().all(is_then) && group[1..].iter().all(once);
     for clause in group.iter_mut().filter(|_| is_list) {
         clause.adverbs.times.take_if(|times| times.value == (count, count));
     }
@@ -59,6 +65,10 @@ pub fn without_count(group: &mut [Clause]) {
 
 fn take_over(group: &mut [Clause]) -> Option<Span> {
     let (last, earlier) = group.split_last_mut()?;
+    // "She reads in the morning and in the evening for 20 minutes": so long each time.
+    for clause in earlier.iter_mut().filter(|clause| last.again && clause.predicate == last.predicate) {
+        clause.adverbs.lasts = clause.adverbs.lasts.take().or(last.adverbs.lasts.clone());
+    }
     // "She washes and dresses at 07:30": the time behind the last is about all before it that say none.
     for clause in earlier.iter_mut().filter(|clause| is_lived(clause) && clause.subject == last.subject) {
         let behind = behind_verb(last);
@@ -123,6 +133,7 @@ fn behind_verb(clause: &Clause) -> Adverbs {
         months: behind(&said.months, verb),
         every: behind(&said.every, verb),
         of_month: behind(&said.of_month, verb),
+        kind: behind(&said.kind, verb),
         part: behind(&said.part, verb),
         when: behind(&said.when, verb),
         until_time: behind(&said.until_time, verb),
@@ -144,6 +155,7 @@ pub fn days_span(adverbs: &Adverbs) -> Option<Span> {
         adverbs.months.as_ref().map(|slot| slot.span),
         adverbs.every.as_ref().map(|slot| slot.span),
         adverbs.of_month.as_ref().map(|slot| slot.span),
+        adverbs.kind.as_ref().map(|slot| slot.span),
         adverbs.from.as_ref().map(|slot| slot.span),
         adverbs.until.as_ref().map(|slot| slot.span),
     ];

@@ -29,6 +29,7 @@ impl Adverbs {
         or(&mut self.chance, &heading.chance);
         or(&mut self.months, &heading.months);
         or(&mut self.of_month, &heading.of_month);
+        or(&mut self.kind, &heading.kind);
         or(&mut self.lasts, &heading.lasts);
         or(&mut self.until_time, &heading.until_time);
         or(&mut self.times, &heading.times);
@@ -48,6 +49,7 @@ impl Adverbs {
             months: self.months.as_ref().map_or(Days::ALL.months, |slot| slot.value),
             every: self.every_meant(),
             of_month: self.of_month.as_ref().map_or(Days::ALL.of_month, |slot| slot.value),
+            kind: self.kind.as_ref().map(|slot| slot.value),
         }
     }
 
@@ -115,6 +117,7 @@ impl Adverbs {
             Kind::Weekdays => own(&self.weekdays),
             Kind::Months => own(&self.months).or(own(&self.of_month)),
             Kind::Every => own(&self.every),
+            Kind::Lively => own(&self.kind),
             Kind::Part => own(&self.part),
             Kind::When => own(&self.when),
             Kind::Lasts => own(&self.lasts),
@@ -137,6 +140,7 @@ pub enum Kind {
     Weekdays,
     Months,
     Every,
+    Lively,
     Part,
     When,
     Lasts,
@@ -146,11 +150,12 @@ pub enum Kind {
 }
 
 impl Kind {
-    pub const ALL: [Kind; 10] = [
+    pub const ALL: [Kind; 11] = [
         Kind::Chance,
         Kind::Weekdays,
         Kind::Months,
         Kind::Every,
+        Kind::Lively,
         Kind::Part,
         Kind::When,
         Kind::Lasts,

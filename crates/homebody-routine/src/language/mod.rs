@@ -19,6 +19,7 @@ pub mod times;
 mod often;
 mod adverbs;
 mod days;
+mod lively;
 mod meaning;
 pub mod activities;
 mod measures;
@@ -33,18 +34,22 @@ mod draft;
 mod clause;
 mod circumstances;
 mod tail;
+mod staying;
 mod build;
 mod triggers;
 mod rules;
 mod helping;
 mod remarks;
 mod aside;
+mod parts;
 mod rewording;
 mod shape;
 mod joined;
 mod simpler;
 mod strangers;
+mod which_days;
 mod sentence;
+mod alone;
 mod check;
 #[cfg(test)]
 mod tests;
@@ -182,12 +187,18 @@ fn one(draft: &mut Draft, names: &mut Names, faults: &mut Faults, heading: &mut 
     let (shaped, words) = shape::in_shape(names, draft, &sentence.words);
     // Of a text in which nearly nothing is understood nobody asks what is beside the point.
     let is_hopeless = faults.count() >= MOST_MENDED;
-    let is_read = is_hopeless || simpler::reads(names, draft, &words);
+    let is_read = is_hopeless || alone::read_alone(names, draft, draft.text, &words).is_some();
     let aside = if is_read { None } else { set_aside(names, draft, &shaped) };
     let words = match &aside {
         Some(aside) => rewording::reworded(names, draft.text, &aside.words),
         None => words,
     };
+    if !is_read
+        && aside.is_none()
+        && let Some(parts) = parts::in_parts(names, draft, &sentence.words)
+    {
+        return in_parts(draft, names, faults, (heading, sentence), parts);
+    }
     for left_out in aside.iter().flat_map(|aside| &aside.left_out) {
         draft.routine.remarks.push(draft.said(*left_out));
     }
@@ -208,6 +219,28 @@ fn one(draft: &mut Draft, names: &mut Names, faults: &mut Faults, heading: &mut 
     }
     if !sentence.indented {
         *heading = Some(Heading { adverbs, span: sentence.span(), is_used: failed });
+    }
+}
+
+/// Lives the parts of a sentence that are lived, below the heading, and keeps the others.
+fn in_parts(
+    draft: &mut Draft,
+    names: &Names,
+    faults: &mut Faults,
+    (heading, sentence): (&mut Option<Heading>, &Sentence),
+    parts: parts::Parts,
+) {
+    for remark in parts.remarks {
+        draft.routine.remarks.push(draft.said(remark));
+    }
+    let above = heading.as_ref().map(|heading| &heading.adverbs);
+    let part = above.and_then(|above| above.part.as_ref()).map(|part| part.value);
+    for words in parts.lived {
+        let mut reader = Reader { words: &words, at: 0, names, faults: &mut *faults, text: draft.text, part };
+        sentence::sentence(&mut reader, draft, above);
+    }
+    if !sentence.indented {
+        *heading = None;
     }
 }
 

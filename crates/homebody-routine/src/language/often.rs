@@ -159,6 +159,9 @@ fn quantified(reader: &mut Reader) -> Option<Often> {
         let (weekdays, part) = kind_of_day(reader)?;
         return Some(Often { chance: Some(with_probability(probability)), weekdays, part, ..Often::NOTHING });
     }
+    if let Some(days) = reader.attempt(one_in_so_many) {
+        return Some(days);
+    }
     if let Some(days) = reader.attempt(days_a_week).or_else(|| reader.attempt(parts_a_week)) {
         return Some(days);
     }
@@ -177,6 +180,24 @@ fn quantified(reader: &mut Reader) -> Option<Often> {
     }
     let (weekdays, part) = kind_of_day(reader)?;
     Some(Often { weekdays, part, ..of(quantifier) })
+}
+
+/// "one day in three", "two Sundays out of five", "one in three days".
+fn one_in_so_many(reader: &mut Reader) -> Option<Often> {
+    let from = reader.at;
+    let some = number(reader)?;
+    let mut days = reader.attempt(kind_of_day);
+    (reader.eat("in|of") || reader.eat("out of")).then_some(())?;
+    let of = number(reader)?;
+    days = days.or_else(|| kind_of_day(reader));
+    let (weekdays, part) = days?;
+    if !(some > 0.0 && some <= of) {
+        let span = reader.span(from);
+        let what = format!("{:?} is no share of days", reader.said(span));
+        reader.fault(span, what, "say it as in \"one day in three\"".to_owned());
+    }
+    let chance = Some(with_probability((some / of).clamp(0.0, 1.0)));
+    Some(Often { chance, weekdays, part, ..Often::NOTHING })
 }
 
 /// "3 days a week".

@@ -4,6 +4,7 @@ use super::activities;
 use super::adverbs::{Adverbs, Slot};
 use super::amounts::{Unit, amount};
 use super::faults::did_you_mean;
+use super::lively::has_days;
 use super::measures::{Of, measure, rises_by};
 use super::reader::{Reader, Sort, begins_adverb};
 use super::roundabout::{
@@ -42,7 +43,10 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
     if let Some(activity) = reader.attempt(|reader| until_up(reader, adverbs)) {
         return Some(Predicate::Does(activity));
     }
-    for read in [walking, changing, illness, forgetting, skipping] {
+    if let Some((kind, very)) = reader.attempt(has_days) {
+        return Some(Predicate::Lively(kind, very));
+    }
+    for read in [sleeps_in, walking, changing, illness, forgetting, skipping] {
         if let Some(found) = reader.attempt(read) {
             return Some(found);
         }
@@ -133,6 +137,11 @@ fn at_night_for(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Activity> 
         *adverbs = rest;
         Some(purpose)
     })
+}
+
+/// Who goes to bed late gets up late.
+fn sleeps_in(reader: &mut Reader) -> Option<Predicate> {
+    reader.eat("sleeps|sleep in after late nights").then_some(Predicate::SleepsIn)
 }
 
 /// "keeps close to the walls", "keeps away from others", "often stops as she wanders".
@@ -352,6 +361,7 @@ pub fn of_body(reader: &mut Reader, subject: &Subject) -> Option<Predicate> {
             let rises = rises_by(reader, Of::Breaths);
             rises.or_else(|| measure(reader)).map(Predicate::Rises)
         }
+        Subject::Hours if reader.eat("differ|differs") => Some(Predicate::Differ),
         Subject::Hours => (reader.eat("vary|varies|change|changes|are|is")).then_some(Predicate::Vary),
         _ => None,
     }

@@ -14,6 +14,16 @@ pub fn is_determiner(word: &str) -> bool {
     DETERMINERS.contains(&word)
 }
 
+/// Words without which a sentence may say the contrary.
+const DENIALS: [&str; 17] = [
+    "not", "no", "never", "cannot", "hardly", "barely", "scarcely", "nor", "neither", "only", "unless", "except",
+    "without", "refuses", "stops", "if", "when",
+];
+
+pub fn denies(word: &str) -> bool {
+    DENIALS.contains(&word) || word.ends_with("n't")
+}
+
 /// Words that begin a place, a time, how often or how much.
 const BEGINNINGS: [&str; 54] = [
     "in",

@@ -5,6 +5,7 @@
 
 use super::activities;
 use super::adverbs::Adverbs;
+use super::amounts::number;
 use super::called::person_called;
 use super::lexicon::third_person;
 use super::reader::{Reader, Sort, is_beginning, is_determiner};
@@ -98,25 +99,38 @@ pub fn of_mind(reader: &mut Reader) -> bool {
     thinks
 }
 
-/// "Nobody visits", "years ago she walked to work": nothing that is lived now.
+/// "Nobody visits", "no allergies", "years ago she walked to work": nothing that is lived now.
 pub fn of_nobody_or_past(reader: &mut Reader) -> bool {
-    let nobody = reader.ahead(|reader| reader.eat("nobody|none") || reader.eat("no one|visitors|family|relatives"));
-    let lexicon = reader.names.lexicon.clone();
-    let words =
-        |from: usize| lexicon.list("LONGAGO", |ahead| reader.words.get(from + ahead).map_or("", |word| &word.text));
-    let past = (0..reader.words.len()).any(|from| words(from).is_some())
-        && reader.words.iter().any(|word| word.text.ends_with("ed") || lexicon.verb_of_past(&word.text).is_some());
-    let lexicon = reader.names.lexicon.clone();
-    let no_concern = reader.ahead(|reader| {
-        reader.eat("no|nil|none")
-            && reader.peek(0) != "longer"
-            && lexicon.list("CONCERNS", |ahead| reader.peek(ahead)).is_some()
-    });
-    let nobody = nobody || no_concern;
-    if nobody || past {
+    let is_none =
+        reader.ahead(is_fact) || reader.ahead(of_nobody) || reader.ahead(of_no_concern) || is_long_ago(reader);
+    if is_none {
         reader.at = reader.words.len();
     }
-    nobody || past
+    is_none
+}
+
+/// "Preferred name: Dolly": who somebody is.
+fn is_fact(reader: &mut Reader) -> bool {
+    let length = reader.names.lexicon.list("FACTS", |ahead| reader.peek(ahead));
+    length.is_some_and(|length| reader.peek(length) == ":")
+}
+
+fn of_nobody(reader: &mut Reader) -> bool {
+    reader.eat("nobody|none") || reader.eat("no one|visitors|family|relatives")
+}
+
+fn of_no_concern(reader: &mut Reader) -> bool {
+    reader.eat("no|nil|none")
+        && reader.peek(0) != "longer"
+        && reader.names.lexicon.list("CONCERNS", |ahead| reader.peek(ahead)).is_some()
+}
+
+fn is_long_ago(reader: &Reader) -> bool {
+    let lexicon = &reader.names.lexicon;
+    let word = |at: usize| reader.words.get(at).map_or("", |word| word.text.as_str());
+    let is_said = |from: usize| lexicon.list("LONGAGO", |ahead| word(from + ahead)).is_some();
+    let is_past = |word: &str| word.ends_with("ed") || lexicon.verb_of_past(word).is_some();
+    (0..reader.words.len()).any(is_said) && reader.words.iter().any(|word| is_past(&word.text))
 }
 
 /// What is said of her mood, her memory or her weight.
@@ -224,7 +238,13 @@ fn known_state(reader: &mut Reader) -> Option<Rest> {
     {
         return Some(rest);
     }
+    if reader.attempt(needs_help).is_some() {
+        return Some(Rest::Any);
+    }
     if reader.eat("does|do not") || reader.eat("doesn't|don't") {
+        if reader.eat("use|wear|tolerate|carry") {
+            return (has_of(reader, "AIDS") || has_of(reader, "EQUIPMENT")).then_some(Rest::Any);
+        }
         return reader.eat(NOT_SO).then_some(Rest::Plain);
     }
     if reader.eat("no longer") {
@@ -262,6 +282,20 @@ fn known_state(reader: &mut Reader) -> Option<Rest> {
         return is(reader).then_some(Rest::Plain);
     }
     None
+}
+
+/// "needs some help", "requires verbal prompting": who helps, and when, is not said.
+fn needs_help(reader: &mut Reader) -> Option<()> {
+    const NEAR: usize = 3;
+    reader.eat("needs|need|requires|require").then_some(())?;
+    let help = |reader: &mut Reader| {
+        reader.eat("help|assistance|support|supervision|prompt|prompts|prompting|reminding|encouragement|guidance")
+    };
+    (0..=NEAR).find_map(|_| {
+        let found = help(reader);
+        reader.at += usize::from(!found);
+        found.then_some(())
+    })
 }
 
 /// Whether what follows "is" says how or what somebody is.
@@ -308,8 +342,13 @@ pub fn is_lived(reader: &mut Reader) -> bool {
     let activity = !after_one && reader.ahead(|reader| activities::activity(reader).is_some());
     let before = reader.faults.count();
     let time = reader.ahead(|reader| Adverbs::default().next(reader) && reader.faults.count() == before);
+    let clock = reader.ahead(|reader| {
+        reader.eat("until|till|before|after|by|at")
+            && (matches!(reader.token(0), Some(Token::Clock(..) | Token::Number(_))) || number(reader).is_some())
+    });
     activity
         || time
+        || clock
         || ["then", "daily", "nightly", "when", "whenever", "every", "each", "while"].contains(&reader.peek(0))
 }
 
@@ -318,7 +357,6 @@ fn joins_now(reader: &Reader) -> bool {
     reader.at > 0 && reader.words[reader.at - 1].text == "now" || reader.peek(0) == "now"
 }
 
-/// Whether "and" or the like stands here, with something that is done behind it.
 /// Whether somebody is named: the person, or who comes.
 fn begins_with_somebody(reader: &mut Reader) -> bool {
     if reader.eat("she|he|they|it") || person_called(reader) || reader.person().is_some() {
@@ -329,6 +367,7 @@ fn begins_with_somebody(reader: &mut Reader) -> bool {
     ["PEOPLE", "RELATIVES"].iter().any(|list| lexicon.list(list, |ahead| reader.peek(ahead)).is_some())
 }
 
+/// Whether "and" or the like stands here, with something that is done behind it.
 fn begins_clause(reader: &mut Reader) -> bool {
     let joins = ["and", "but", "so", "then", "or", "who", "which", "because"].contains(&reader.peek(0));
     let comma = reader.token(0) == Some(Token::Comma);
@@ -355,6 +394,9 @@ fn begins_clause(reader: &mut Reader) -> bool {
             && reader.ahead(|reader| {
                 reader.at += 1;
                 reader.eat("and|but|so");
-                reader.eat("she|he|they") && (activities::activity(reader).is_some() || state(reader).is_some())
+                let who = reader.eat("she|he|they");
+                while !who && reader.eat("just|then|often|usually|now|mostly") {}
+                let is_verb = who || reader.names.lexicon.is_third_person(reader.peek(0));
+                is_verb && activities::activity(reader).is_some() || who && state(reader).is_some()
             })
 }

@@ -7,7 +7,7 @@ use super::amounts::amount;
 use super::measures::measure;
 use super::reader::{Reader, Sort, begins_adverb};
 use super::remarks::remark;
-use super::said::{Predicate, own_words};
+use super::said::{Predicate, named, own_words};
 use super::words::Token;
 use crate::fuzzy::{Fuzzy, Quantifier};
 use crate::routine::{Activity, Chance, PartOfDay, When};
@@ -207,11 +207,7 @@ pub fn visited(reader: &mut Reader) -> Option<Predicate> {
         return None;
     }
     reader.skip_determiners();
-    let start = reader.at;
-    while reader.token(0) == Some(Token::Word) && !begins_adverb(reader) && reader.at < start + 4 {
-        reader.at += 1;
-    }
-    (reader.at > start).then(|| Predicate::VisitedBy(reader.passed(start)))
+    named(reader).map(Predicate::VisitedBy)
 }
 
 /// "takes an hour to get dressed".
@@ -233,11 +229,7 @@ pub fn has_visitors(reader: &mut Reader) -> Option<Predicate> {
         reader.eat("regular|daily|weekly|frequent|a");
         reader.eat("visits|visit from|by").then_some(())?;
         reader.skip_determiners();
-        let start = reader.at;
-        while reader.token(0) == Some(Token::Word) && !begins_adverb(reader) && reader.at < start + 4 {
-            reader.at += 1;
-        }
-        (reader.at > start).then(|| Predicate::VisitedBy(reader.passed(start)))
+        named(reader).map(Predicate::VisitedBy)
     });
     // "has carers four times a day"
     let with_carers = reader.attempt(|reader| {
@@ -315,11 +307,7 @@ pub fn is_helped(reader: &mut Reader) -> Option<Predicate> {
             return None;
         }
         reader.skip_determiners();
-        let start = reader.at;
-        while reader.token(0) == Some(Token::Word) && !begins_adverb(reader) && reader.at < start + 4 {
-            reader.at += 1;
-        }
-        (reader.at > start).then(|| reader.passed(start))
+        named(reader)
     };
     let before = reader.attempt(from);
     if !reader.eat("with|to|in") {

@@ -68,11 +68,12 @@ pub fn rule(reader: &mut Reader, draft: &mut Draft, front: &Adverbs) {
 
 /// How long and how often, up to where something else begins.
 fn more(reader: &mut Reader, adverbs: &mut Adverbs) {
-    while reader.token(0) == Some(Token::Word) && !ENDS.contains(&reader.peek(0)) && adverbs.next(reader) {}
+    let ends = |word: &str| ["and", "then"].contains(&word) || DEPENDS.contains(&word);
+    while reader.token(0) == Some(Token::Word) && !ends(reader.peek(0)) && adverbs.next(reader) {}
 }
 
-/// What begins another part of a rule.
-const ENDS: [&str; 7] = ["and", "then", "but", "unless", "if", "while", "only"];
+/// What begins something that a rule depends on. "Only" also says where and how something is done: "only on the sofa".
+const DEPENDS: [&str; 5] = ["but", "unless", "if", "while", "only"];
 
 /// What is done after the first: "and opens it, then she talks for 2 minutes".
 fn steps(reader: &mut Reader, whenever: &Trigger, first: &Response) -> Option<Vec<Response>> {
@@ -83,9 +84,7 @@ fn steps(reader: &mut Reader, whenever: &Trigger, first: &Response) -> Option<Ve
             reader.skip_commas();
             let joins = reader.eat("and then|afterwards") || reader.eat("and|then");
             reader.eat("she|he|they");
-            let is_step = (joins || comma)
-                && !reader.is_over()
-                && !["if", "unless", "only", "while", "but"].contains(&reader.peek(0));
+            let is_step = (joins || comma) && !reader.is_over() && !DEPENDS.contains(&reader.peek(0));
             (is_step && reader.ahead(|reader| is_verb(reader))).then_some(())
         };
         if reader.attempt(goes_on).is_none() {
@@ -226,7 +225,7 @@ fn done(reader: &mut Reader, predicate: Predicate, from: usize, adverbs: &mut Ad
         again: false,
     };
     // What it depends on comes after it.
-    let is_other = |word: &Word| ["but", "unless", "if", "while"].contains(&word.text.as_str());
+    let is_other = |word: &Word| DEPENDS.contains(&word.text.as_str()) && word.text != "only";
     let rest = reader.words.get(reader.at..).unwrap_or_default();
     let end = rest.iter().position(is_other).map_or(reader.words.len(), |end| reader.at + end);
     let mut up_to = Reader {

@@ -2,10 +2,11 @@
 
 use super::activities;
 use super::amounts::Amount;
+use super::calendar::is_weekday;
 use super::measures::Measure;
 use super::reader::{Reader, Sort, begins_adverb, is_determiner};
 use super::words::{Span, Token};
-use crate::routine::{Activity, Kind, Shy};
+use crate::routine::{Activity, DayKind, Kind, Shy};
 
 /// What is said of the subject.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +28,12 @@ pub enum Predicate {
     Forgets(String),
     /// "sleeps" or "turns in bed", with a measure still to come.
     Sleeps,
+    /// "has a quiet day", "has very quiet days".
+    Lively(DayKind, bool),
+    /// "differ", of days, with a measure still to come.
+    Differ,
+    /// "sleeps in after late nights".
+    SleepsIn,
     /// "vary", with a measure still to come.
     Vary,
     Rises(Measure),
@@ -53,6 +60,21 @@ pub enum Help {
     Together,
     /// The visitor does it, and the person need not.
     Instead,
+}
+
+/// Passes over who is named, "district nurse", "Meals on Wheels", up to where or when something is.
+pub fn named(reader: &mut Reader) -> Option<String> {
+    const MOST: usize = 4;
+    let from = reader.at;
+    while reader.token(0) == Some(Token::Word)
+        && !begins_adverb(reader)
+        && !is_weekday(reader.peek(0))
+        && reader.at < from + MOST
+    {
+        // "Meals on Wheels" is one name.
+        reader.at += reader.names.lexicon.list("PEOPLE", |ahead| reader.peek(ahead)).unwrap_or(1);
+    }
+    (reader.at > from).then(|| reader.passed(from))
 }
 
 /// Words of the user's own for something that is done, up to where or when it is done.

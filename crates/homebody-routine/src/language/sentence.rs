@@ -19,6 +19,7 @@ use super::strangers::{is_introduced, no_subject, stranger};
 use super::subjects::{self, Subject};
 use super::tail::tail;
 use super::unknown;
+use super::which_days::says_kinds;
 use super::words::{Span, Token};
 use crate::routine::{Activity, When};
 
@@ -44,6 +45,9 @@ pub fn sentence(reader: &mut Reader, draft: &mut Draft, heading: Option<&Adverbs
     }
     if reader.is_over() && at.is_none() {
         return Some(adverbs);
+    }
+    if at.is_none() && says_kinds(reader, draft, adverbs.clone(), heading) {
+        return None;
     }
     if reader.eat("whenever|when|if") || reader.eat("each|every time") {
         if let Some((_, span)) = at {
@@ -391,6 +395,7 @@ fn days_of(first: &Adverbs) -> Adverbs {
         months: first.months.clone(),
         every: first.every.clone(),
         of_month: first.of_month.clone(),
+        kind: first.kind.clone(),
         from: first.from.clone(),
         until: first.until.clone(),
         for_days: first.for_days.clone(),
@@ -421,8 +426,18 @@ fn of_visitor(reader: &mut Reader, name: &str, who: Span) -> Option<Predicate> {
     } else if let Some(found) = helping::seeing_to(reader) {
         return Some(found);
     } else {
-        let what = format!("{said:?} is nobody who lives here: a visitor only visits");
-        (what, format!("write \"her {name} visits on Sunday for 2 hours\""))
+        let is_somebody = ["PEOPLE", "RELATIVES"].iter().any(|list| lexicon.has_last(list, name));
+        if is_somebody {
+            let what = format!("{said:?} is nobody who lives here: a visitor only visits");
+            (what, format!("write \"her {name} visits on Sunday for 2 hours\""))
+        } else {
+            let what = format!("{said:?} is neither who lives here nor anybody known to visit");
+            (
+                what,
+                "a sentence says who does what: \"she gets up at about 06:45\", \"her daughter visits on Sunday\""
+                    .into(),
+            )
+        }
     };
     reader.fault(who, what, hint);
     None

@@ -3,6 +3,7 @@
 
 use super::activities;
 use super::adverbs::Adverbs;
+use super::alone::read_alone;
 use super::amounts::number;
 use super::clause::place;
 use super::draft::Draft;
@@ -10,7 +11,7 @@ use super::faults::Faults;
 use super::lexicon::{third_person, words_of};
 use super::reader::{Names, Reader, begins_adverb, is_determiner};
 use super::rewording::reworded;
-use super::simpler::reads;
+use super::said::named;
 use super::subjects;
 use super::times;
 use super::words::{Span, Token, Word};
@@ -21,12 +22,13 @@ const LONGEST: usize = 60;
 /// A sentence in the shape in which it is understood: its words, and these in words that are known.
 pub fn in_shape(names: &Names, draft: &Draft, words: &[Word]) -> (Vec<Word>, Vec<Word>) {
     let known = |words: &[Word]| reworded(names, draft.text, words);
+    let reads = |words: &[Word]| read_alone(names, draft, draft.text, words).is_some();
     let plain = known(words);
-    if words.len() > LONGEST || reads(names, draft, &plain) {
+    if words.len() > LONGEST || reads(&plain) {
         return (words.to_vec(), plain);
     }
     let mut tried = shapes(names, draft.text, words);
-    let found = tried.iter().position(|words| reads(names, draft, &known(words)));
+    let found = tried.iter().position(|words| reads(&known(words)));
     // What begins with a verb is about the person, understood or not.
     let found = found.or(tried.iter().position(|words| words.first().is_some_and(Word::is_put_in)));
     // What is put otherwise may be nearer to what is known.
@@ -45,13 +47,26 @@ pub fn in_shape(names: &Names, draft: &Draft, words: &[Word]) -> (Vec<Word>, Vec
 fn shapes(names: &Names, text: &str, words: &[Word]) -> Vec<Vec<Word>> {
     let mut all: Vec<Vec<Word>> = Vec::new();
     let mut base = words.to_vec();
-    for change in [without_label, reported, without_length, with_both_days, by_now, counted, slept, when_then] {
+    for change in [
+        without_label,
+        contracted,
+        taking_place,
+        with_is,
+        reported,
+        without_length,
+        with_both_days,
+        by_now,
+        counted,
+        slept,
+        when_then,
+    ] {
         if let Some(changed) = change(names, text, &base) {
             base = changed;
             all.push(base.clone());
         }
     }
     all.extend(done_by(names, text, &base));
+    all.extend(turned(names, text, &base));
     let completed = completed(names, text, &base);
     let listed: Vec<Vec<Word>> = completed.iter().filter_map(|words| listed(names, text, words)).collect();
     all.extend(completed);
@@ -89,6 +104,47 @@ fn listed(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
         }
     }
     is_other.then_some(found)
+}
+
+/// "Mum's up at seven": she is.
+fn contracted(names: &Names, _text: &str, words: &[Word]) -> Option<Vec<Word>> {
+    let first = words.first()?;
+    let who = first.text.strip_suffix("'s")?;
+    let is_person = names.lexicon.list("PERSON", |at| if at == 0 { who } else { "" }).is_some()
+        || names.person.as_ref().is_some_and(|name| name.to_lowercase() == who);
+    is_person.then_some(())?;
+    let is = Word { text: "is".to_owned(), ..first.clone() };
+    Some([&[Word { text: who.to_owned(), ..first.clone() }, is], &words[1..]].concat())
+}
+
+/// "Bathing takes place on Tuesday": she bathes then.
+fn taking_place(names: &Names, _text: &str, words: &[Word]) -> Option<Vec<Word>> {
+    const TAKES: [&[&str]; 5] =
+        [&["takes", "place"], &["happens"], &["occurs"], &["is", "carried", "out"], &["is", "done"]];
+    let from = usize::from(words.first().is_some_and(|word| is_determiner(&word.text)));
+    let doing = words.get(from)?;
+    let verb = names.lexicon.verb_of_gerund(&doing.text)?;
+    let rest = &words[from + 1..];
+    let fits =
+        |takes: &&&[&str]| takes.iter().enumerate().all(|(at, one)| rest.get(at).is_some_and(|word| word.text == *one));
+    let takes = TAKES.iter().find(fits)?;
+    let done = [Word { text: third_person(&verb), ..doing.clone() }];
+    Some(put_in(&[&done, &rest[takes.len()..]].concat(), 0, "she"))
+}
+
+/// "Mrs. Hill able to wash herself", "insulin given by the nurse", "Mum up at seven": is.
+fn with_is(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
+    const LONGEST: usize = 4;
+    let at = try_out(names, text, words, |reader| {
+        (subjects::called(reader) || activities::noun(reader).is_some()).then_some(reader.at)
+    })?;
+    let next = words.get(at).filter(|_| at < LONGEST)?;
+    let lexicon = &names.lexicon;
+    let is_state = lexicon.list("STATES", |ahead| words.get(at + ahead).map_or("", |word| &word.text)).is_some()
+        || STATES.split(' ').any(|state| state == next.text && !["in", "at", "on"].contains(&state));
+    let is_given =
+        words.iter().skip(at + 1).any(|by| by.text == "by") && lexicon.verb_of_participle(&next.text).is_some();
+    (is_state || is_given).then(|| put_in(words, at, "is"))
 }
 
 /// "has two naps a day": naps, two times a day.
@@ -269,6 +325,20 @@ fn by_now(names: &Names, _text: &str, words: &[Word]) -> Option<Vec<Word>> {
     Some(shaped)
 }
 
+/// "Every morning and evening she reads": she reads then.
+fn turned(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
+    let is = |word: &Word, one: &[&str]| one.contains(&word.text.as_str());
+    let who = words.iter().position(|word| is(word, &["she", "he", "they"]))?;
+    let (front, rest) = words.split_at(who);
+    let has = |words: &[Word], one: &[&str]| words.iter().any(|word| is(word, one));
+    let is_when = try_out(names, text, words, |reader| Adverbs::default().next(reader));
+    if !is_when || !has(front, &["and"]) || has(rest, &["and", "or", "then", "but"]) {
+        return None;
+    }
+    let ends = front.iter().rposition(|word| word.token != Token::Comma)?;
+    Some([rest, &front[..=ends]].concat())
+}
+
 /// "She is bathed by a carer", "medication is given by the nurse": who does it goes first.
 fn done_by(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
     let is = words.iter().position(|word| ["is", "are"].contains(&word.text.as_str()))?;
@@ -281,12 +351,7 @@ fn done_by(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
         if NOBODY.contains(&reader.peek(0)) {
             return None;
         }
-        let start = reader.at;
-        while reader.token(0) == Some(Token::Word) && !begins_adverb(reader) && reader.at < start + 4 {
-            // "Meals on Wheels" is one name.
-            reader.at += names.lexicon.list("PEOPLE", |at| reader.peek(at)).unwrap_or(1);
-        }
-        (reader.at > start).then_some(reader.at)
+        named(reader).map(|_| reader.at)
     })?;
     let (front, about_person) = try_out(names, text, words, |reader| {
         Adverbs::default().all(reader);
@@ -340,6 +405,10 @@ fn completed(names: &Names, text: &str, words: &[Word]) -> Vec<Vec<Word>> {
         if at >= words.len() {
             return Vec::new();
         }
+        if words[at].text == "be" {
+            words.remove(at);
+            return vec![put_in(&words, at, "she is")];
+        }
         return vec![put_in(&words, at, "she has to")];
     }
     let with = |at: usize, said: &str| put_in(&words, at, said);
@@ -348,10 +417,23 @@ fn completed(names: &Names, text: &str, words: &[Word]) -> Vec<Vec<Word>> {
         return vec![with(at, "she is")];
     }
     if word == "no" && words.get(at + 1).is_some_and(|next| next.text == "longer")
-        || ["cannot", "can't", "can", "doesn't", "should", "never"].contains(&word.as_str())
+        || ["cannot", "can't", "will", "must", "may", "won't", "can", "doesn't", "should", "never"]
+            .contains(&word.as_str())
         || names.lexicon.is_third_person(&word)
     {
-        return vec![with(at, "she")];
+        let is_noun = try_out(names, text, &words, |reader| {
+            reader.at = at;
+            activities::noun(reader).is_some() && reader.at > at + 1
+        });
+        let begin = if is_noun { "she has" } else { "she" };
+        return vec![with(at, begin)];
+    }
+    if word == "not" && words.get(at + 1).is_some_and(|next| !next.text.ends_with("ing")) {
+        return vec![with(at, "she is")];
+    }
+    // "Dialysis on Monday": she goes there.
+    if names.lexicon.list("OUTSIDE", |ahead| words.get(at + ahead).map_or("", |word| &word.text)).is_some() {
+        return vec![with(at, "she goes to")];
     }
     // "Carers four times a day": they come.
     let people = names.lexicon.list("PEOPLE", |ahead| words.get(at + ahead).map_or("", |word| &word.text));

@@ -3,13 +3,14 @@
 
 use super::activities::{self, fits};
 use super::adverbs::Adverbs;
+use super::alone::read_alone;
 use super::calendar::is_weekday;
 use super::draft::Draft;
 use super::faults::Faults;
 use super::lexicon::third_person;
-use super::reader::{Names, Reader, is_beginning, is_determiner};
+use super::parts::parts_of;
+use super::reader::{Names, Reader, denies, is_beginning, is_determiner};
 use super::rewording::reworded;
-use super::sentence;
 use super::words::{self, Span, Token, Word};
 use crate::routine::{Activity, Routine};
 
@@ -45,10 +46,11 @@ pub fn hints(faults: &mut Faults, since: usize, names: &Names, draft: &Draft, wo
             fault.hint = Some(before.map_or(clearer.clone(), |before| format!("{before}; {clearer}")));
             continue;
         }
-        if proposed.is_empty() && !is_certain || !is_sound {
+        let is_example = fault.hint.as_deref().is_some_and(is_general);
+        if (proposed.is_empty() || is_example) && !is_certain || !is_sound {
             let without = shorter.get_or_insert_with(|| without(names, draft, words, fault.span)).clone();
             let part =
-                |gist: &mut Option<Option<String>>| gist.get_or_insert_with(|| self::gist(names, draft, words)).clone();
+                |gist: &mut Option<Option<String>>| gist.get_or_insert_with(|| gist_of(names, draft, words)).clone();
             let without = match without {
                 Some(without) => format!("without it: {without:?}"),
                 None => match part(&mut gist) {
@@ -79,20 +81,11 @@ fn sentences_in(hint: &str) -> Vec<String> {
     quoted.filter(is_whole).map(str::to_owned).collect()
 }
 
-/// What a sentence by itself says, if all of it is understood and something is done or changed.
+/// What a sentence by itself says, if all of it is understood and something is said.
 fn understood(names: &Names, draft: &Draft, text: &str) -> Option<Routine> {
-    let mut faults = Faults::of_trial();
-    let mut alone = draft.anew(text);
-    let sentence = words::of_name(text);
-    let words = reworded(names, text, &sentence);
-    let mut reader = Reader { words: &words, at: 0, names, faults: &mut faults, text, part: None };
-    let heading = sentence::sentence(&mut reader, &mut alone, None);
-    let routine = alone.routine;
-    let says = !routine.remarks.is_empty()
-        || !routine.habits.is_empty()
-        || !routine.changes.is_empty()
-        || !routine.rules.is_empty();
-    (heading.is_none() && faults.count() == 0 && (says || routine.person.is_some())).then_some(routine)
+    let words = reworded(names, text, &words::of_name(text));
+    let empty = |routine: &Routine| *routine == Routine::default();
+    read_alone(names, draft, text, &words).filter(|routine| !empty(routine))
 }
 
 /// The sentence with what could be said instead of what is not clear, where that is understood: the present for the past, a share
@@ -130,21 +123,18 @@ fn clearer_than(names: &Names, draft: &Draft, words: &[Word]) -> Option<String> 
     (is_other && begins && understood(names, draft, &text).is_some()).then_some(text)
 }
 
-/// Whether all of these words are understood, as a sentence or as a heading.
-pub fn reads(names: &Names, draft: &Draft, words: &[Word]) -> bool {
-    let mut faults = Faults::of_trial();
-    let mut alone = draft.anew(draft.text);
-    let mut reader = Reader { words, at: 0, names, faults: &mut faults, text: draft.text, part: None };
-    sentence::sentence(&mut reader, &mut alone, None);
-    faults.count() == 0
-}
-
 /// Whether the verb after "she" stands in the form that goes with it.
 fn is_sentence(text: &str) -> bool {
     const BEFORE: [&str; 10] =
         ["often", "usually", "always", "never", "sometimes", "rarely", "seldom", "also", "mostly", "occasionally"];
     let mut after = text.split(' ').skip_while(|word| !["she", "he"].contains(&word.to_lowercase().as_str())).skip(1);
     after.find(|word| !BEFORE.contains(word)).is_none_or(|verb| verb.ends_with('s') && !verb.ends_with("ss"))
+}
+
+/// What can be lived of a sentence, or of the first of its parts of which anything can.
+fn gist_of(names: &Names, draft: &Draft, words: &[Word]) -> Option<String> {
+    let of_part = |part: &[Word]| gist(names, draft, part);
+    of_part(words).or_else(|| parts_of(names, words).into_iter().find_map(of_part))
 }
 
 /// What is done, and when or how often, as far as any of it is understood: "she talks on the phone at 20:30".
@@ -204,13 +194,6 @@ fn gist(names: &Names, draft: &Draft, words: &[Word]) -> Option<String> {
         let text = [std::slice::from_ref(&what), &when[..count]].concat().join(" ");
         understood(names, draft, &text).map(|_| text)
     })
-}
-
-/// Whether without a part of it a sentence with this word may say the contrary.
-fn denies(word: &str) -> bool {
-    const DENIES: [&str; 11] =
-        ["not", "never", "no", "cannot", "without", "hardly", "nor", "except", "unless", "only", "if"];
-    DENIES.contains(&word) || word.ends_with("n't")
 }
 
 /// The sentence without the fewest words around a place that lets it be understood.

@@ -6,7 +6,7 @@ use super::draft::Draft;
 use super::faults::did_you_mean;
 use super::reader::{Reader, begins_adverb, is_determiner};
 use super::subjects::Subject;
-use super::tail::vocabulary;
+use super::tail::slip;
 use super::visits::visits;
 use super::words::{Span, Token};
 
@@ -90,8 +90,7 @@ pub fn no_subject(reader: &mut Reader) {
         let hint = "expected when or where: \"in the morning\", \"on Monday\", \"from week 6\", \"in the kitchen\"";
         return reader.fault(reader.span(from), what, hint.to_owned());
     }
-    let known = did_you_mean(&word, vocabulary().filter(|known| *known != word));
-    let hint = known.filter(|hint| hint.starts_with("did")).unwrap_or_else(|| {
+    let hint = slip(&word).unwrap_or_else(|| {
         "a sentence says who does what: \"she gets up at about 06:45\", \"her daughter visits on Sunday\"".into()
     });
     reader.fault(here, format!("{:?} is not understood here", reader.said(here)), hint);

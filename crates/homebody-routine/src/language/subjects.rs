@@ -33,6 +33,11 @@ fn writers(reader: &mut Reader) -> Option<Subject> {
     (reader.eat("we") || of_others && reader.eat("i")).then(|| Subject::Visitor(WRITERS.to_owned()))
 }
 
+/// Passes over what the person is called.
+pub fn called(reader: &mut Reader) -> bool {
+    person_called(reader) || reader.person() == Some(false)
+}
+
 const HOURS: &str = "hours|times|days|day|routine";
 
 /// The subject, if a sentence has one here.
@@ -50,6 +55,15 @@ pub fn subject(reader: &mut Reader) -> Option<Subject> {
             reader.at += 1;
             of_the_person(reader)
         });
+    }
+    let of_titled = |reader: &mut Reader| {
+        reader.eat("mr|mrs|ms|miss").then_some(())?;
+        reader.peek(0).strip_suffix("'s")?;
+        reader.at += 1;
+        of_the_person(reader)
+    };
+    if let Some(of_person) = reader.attempt(of_titled) {
+        return Some(of_person);
     }
     let of_called = |reader: &mut Reader| {
         reader.eat("the|my|our").then_some(())?;
@@ -118,21 +132,22 @@ fn topic(reader: &mut Reader) -> Option<Subject> {
     None
 }
 
-/// "Meals on Wheels", "carers": those whom everybody knows.
+/// "Meals on Wheels", "two carers": those whom everybody knows.
 fn people(reader: &mut Reader) -> Option<Subject> {
     let from = reader.at;
-    let lexicon = reader.names.lexicon.clone();
     reader.eat("two|three|both|2|3");
-    reader.at += lexicon.list("PEOPLE", |ahead| reader.peek(ahead))?;
-    let name = reader.passed(from);
-    reader.ahead(visitor_verb).then_some(Subject::Visitor(name))
+    one_of(reader, "PEOPLE", from)
 }
 
 /// "Daughter visits", of notes.
 fn relative(reader: &mut Reader) -> Option<Subject> {
     let from = reader.at;
-    let lexicon = reader.names.lexicon.clone();
-    reader.at += lexicon.list("RELATIVES", |ahead| reader.peek(ahead))?;
+    one_of(reader, "RELATIVES", from)
+}
+
+/// Somebody of a list, with what they do behind them.
+fn one_of(reader: &mut Reader, list: &str, from: usize) -> Option<Subject> {
+    reader.at += reader.names.lexicon.list(list, |ahead| reader.peek(ahead))?;
     let name = reader.passed(from);
     reader.ahead(visitor_verb).then_some(Subject::Visitor(name))
 }

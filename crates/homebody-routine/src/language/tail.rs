@@ -210,8 +210,7 @@ fn expected(reader: &mut Reader, clause: &Clause, word: &str) -> String {
             if word == "late" { "later" } else { "earlier" }
         );
     }
-    let known = did_you_mean(word, vocabulary().filter(|known| *known != word));
-    if let Some(hint) = known.filter(|hint| hint.starts_with("did")) {
+    if let Some(hint) = slip(word) {
         return hint;
     }
     let length = reader.ahead(amount).filter(|amount| matches!(amount.unit, Unit::Second | Unit::Day));
@@ -243,6 +242,18 @@ fn expected(reader: &mut Reader, clause: &Clause, word: &str) -> String {
         return format!("say by how much, such as \"1 hour {word}\" or \"30 % {word}\"");
     }
     "expected where, when, how long or how often: \"in the armchair\", \"at about 19:00\", \"for 20 minutes\"".into()
+}
+
+/// What a word was probably meant to be, where it is none of its own.
+pub fn slip(word: &str) -> Option<String> {
+    /// Words that are near to others and are no slips of them.
+    const OWN: &str = "the is no non this that these those there then them when what was were are be been will would all low \
+        within without three eight nine ten twelve nights times tires days day mum dad he she it its his her too two to so \
+        up down over other only more most less like just such some same still take takes made make home time";
+    if OWN.split_whitespace().any(|own| own == word) {
+        return None;
+    }
+    did_you_mean(word, vocabulary().filter(|known| *known != word)).filter(|hint| hint.starts_with("did"))
 }
 
 /// Words that slips are looked for among.

@@ -89,7 +89,8 @@ fn own_example(reader: &Reader, words: &str) -> Option<String> {
 /// that turns it into something else.
 pub fn looks_like_doing(words: &str) -> bool {
     const NO_DOING: &str = "is goes comes walks moves gets likes wants needs becomes has seems feels knows leaves returns arrives \
-        does follows looks stares says says asks tells tries keeps stops starts begins appears remains stays lives shows suffers hardly always";
+        does follows manages describes spends misses shares holds limits treats benefits copes insists gives takes puts brings \
+        carries finds uses means looks stares says says asks tells tries keeps stops starts begins appears remains stays lives shows suffers hardly always";
     const TURNING: &str = "not no never without when because if while so that which who she he they and or but more less too as than \
         lot lots of any much many her him them me us you it this up down out off back away cannot it's slowly well badly";
     let mut list = words.split(' ');

@@ -3,7 +3,7 @@
 use super::reader::Reader;
 
 /// How somebody comes.
-pub const VISITS: [&str; 25] = [
+pub const VISITS: [&str; 27] = [
     "is|are there|present|here",
     "is|are with her|him|them",
     "arrives|arrive",
@@ -18,6 +18,8 @@ pub const VISITS: [&str; 25] = [
     "pops|pop in|by|round|over",
     "stops|stop by|in",
     "looks|look in on her|him|them",
+    "looks|look in",
+    "calls|call round|over",
     "stays|stay with|at her|him|them",
     "stays|stay",
     "visits|visit her|him|them|it",

@@ -49,7 +49,7 @@ homebody_core::numbers! {
 impl Agenda {
     /// The plan of a day of a life, as it is with the day's mood.
     pub fn of(life: &Life, day: i32, parameters: &DayParameters) -> Agenda {
-        let up = up(life, day, parameters);
+        let up = up(life, day, parameters) + parameters.slept_in;
         // As it would be if tomorrow were as today: a change that begins tomorrow does not touch tonight.
         let next_up = self::up(life, day + 1, parameters);
         let bed = bed(life, day, parameters, up, next_up);
@@ -79,6 +79,7 @@ impl Agenda {
         }
         one_meal_after_the_other(&mut items);
         items.sort_by_key(|item| item.start);
+        count_at_home(&mut breaks, &items, up, bed);
         // What comes after going to bed interrupts the night.
         let is_of_the_night =
             |item: &Item| item.visitor.is_none() && item.start >= bed && item.activity.is_of_the_night();
@@ -113,6 +114,27 @@ fn one_meal_after_the_other(items: &mut [Item]) {
             (item.start, item.latest, item.waits) = (item.start + by, item.latest + by, item.waits || by > 0);
             over = over.max(item.start + item.lasts);
         }
+    }
+}
+
+/// What is done so many times a day is spread over the time at home, beside the outings; what an outing that takes longer has
+/// kept from its time is done after it.
+fn count_at_home(breaks: &mut [Item], items: &[Item], up: Micros, bed: Micros) {
+    let outings = items.iter().filter(|item| item.activity == Activity::Leave && item.visitor.is_none());
+    let outings = outings.map(|item| (item.start, item.until.unwrap_or(item.start + item.lasts)));
+    let mut away: Vec<(Micros, Micros)> = Vec::new();
+    for (from, to) in outings {
+        let from = away.last().map_or(up, |before| before.1).max(from);
+        away.extend(Some((from, to.min(bed))).filter(|(from, to)| from < to));
+    }
+    let at_home = bed - up - away.iter().map(|(from, to)| to - from).sum::<Micros>();
+    let share = at_home as f64 / (bed - up).max(1) as f64;
+    for item in breaks.iter_mut().filter(|item| item.is_counted && (up..bed).contains(&item.start)) {
+        let mut start = up + ((item.start - up) as f64 * share) as Micros;
+        for (from, to) in &away {
+            start += if start >= *from { to - from } else { 0 };
+        }
+        (item.start, item.latest) = (start, bed);
     }
 }
 
@@ -252,8 +274,7 @@ impl Planner<'_> {
 
     /// Whether a day is one of so many days that are drawn from each week, of those that the habit is meant for.
     fn is_one_of(&self, habit: &Habit, key: &str, days: u8, today: i32) -> bool {
-        let monday = today - i32::from(self.life.calendar.weekday(today));
-        let meant = (monday..monday + 7).filter(|&day| self.life.is_on(&habit.days, day));
+        let meant = self.life.week_of(today).filter(|&day| self.life.is_on(&habit.days, day));
         let share = |day: i32| self.life.stream_of_day(day, &format!("{key}/of the week")).unit();
         let own = share(today);
         meant.filter(|&day| day != today && share(day) < own).count() < usize::from(days)
@@ -350,6 +371,7 @@ impl Planner<'_> {
             is_unsaid: source == Life::UNSAID,
             waits: source == Life::UNSAID,
             has_its_time: source != Life::UNSAID && !matches!(habit.when, When::AnyTime | When::Within(_)),
+            is_counted: matches!(habit.when, When::AnyTime) && (time.of > 1 || habit.activity == Activity::UseBathroom),
             follows: None,
             key,
         };

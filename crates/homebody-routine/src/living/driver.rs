@@ -69,6 +69,8 @@ pub struct RoutineDriver {
     pub(super) mail_hour: Option<f64>,
     /// The hour of the day as the last script began.
     pub(super) hour_now: f64,
+    /// How much later than planned one gets up for the night before it.
+    pub(super) slept_in: Micros,
     /// The instant at which it was asked last.
     pub(super) now: Micros,
     /// When a meal or medicine was over last: what follows it at once is not put off.
@@ -145,6 +147,7 @@ impl RoutineDriver {
             was_errand: false,
             mail_hour: None,
             hour_now: 0.0,
+            slept_in: 0,
             now: 0,
             at_table: Micros::MIN,
             needs,

@@ -4,7 +4,6 @@ use super::driver::{GRACE, RoutineDriver};
 use super::item::Item;
 use super::script::Step;
 use super::usual;
-use super::watch::Watches;
 use crate::routine::{Activity, Response};
 use homebody_core::activity::{self, ActivityKind, UsualLength};
 use homebody_core::time::{Micros, micros};
@@ -99,9 +98,9 @@ impl RoutineDriver {
 
     /// Does what a rule asks for that is due; false where nothing of it is done.
     fn answer_rule(&mut self, now: Micros) -> bool {
-        let mut watches = std::mem::replace(&mut self.watches, Watches::none());
-        let due = watches.due(self.answering(), now, |state| self.is_so(state, now), &self.life);
-        self.watches = watches;
+        let due = self.with_watches(|watches, resident| {
+            watches.due(resident.answering(), now, |state| resident.is_so(state, now), &resident.life)
+        });
         let Some((rule, rank, mut answers)) = due else { return false };
         self.tally.hold(rule);
         answers.reverse();
@@ -112,9 +111,8 @@ impl RoutineDriver {
     /// Does the next of what a rule asks for, the last of the list.
     pub(super) fn go_on_answering(&mut self, rank: usize, mut answers: Vec<Response>, now: Micros) {
         let Some(next) = answers.pop() else { return };
-        let before = self.scripts.len();
         self.respond(next, now);
-        if let Some(playing) = self.scripts.last_mut().filter(|_| before < usize::MAX) {
+        if let Some(playing) = self.scripts.last_mut() {
             (playing.answers, playing.still) = (Some(rank), answers);
         }
     }

@@ -26,6 +26,8 @@ pub struct Item {
     pub waits: bool,
     /// Whether its time is said, and not just a part of the day.
     pub has_its_time: bool,
+    /// Whether it is done so many times a day, whatever else is done: at home, if it can be.
+    pub is_counted: bool,
     /// What it comes after, and how long after the end of that.
     pub follows: Option<(SentenceId, Micros)>,
 }
@@ -46,6 +48,7 @@ impl Item {
             is_unsaid: true,
             waits: true,
             has_its_time: false,
+            is_counted: false,
             follows: None,
         }
     }

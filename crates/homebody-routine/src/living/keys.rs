@@ -75,12 +75,15 @@ fn of_habit(habit: &Habit) -> String {
     if let Some(days) = habit.chance.days_a_week {
         text += &format!(" on {days} a week");
     }
-    let Days { weekdays, months, every, of_month } = habit.days;
+    let Days { weekdays, months, every, of_month, kind } = habit.days;
     if habit.days != Days::ALL {
         text += &format!(" days {weekdays:07b} {months:012b} {every}");
     }
     if of_month != Days::ALL.of_month {
         text += &format!(" {} to {} of the month", of_month.0, of_month.1);
+    }
+    if let Some(kind) = kind {
+        text += &format!(" on {} days", kind.word());
     }
     text += &match &habit.when {
         When::AnyTime => String::new(),
@@ -160,6 +163,9 @@ fn of_change(change: &Change) -> String {
         Effect::Skips { activity, chance } => format!("skips {} {chance}", activity.label()),
         Effect::Irregular(by) => format!("irregular {}", of_fuzzy(by)),
         Effect::Active { part: of, factor } => format!("active{} {}", part(of), of_fuzzy(factor)),
+        Effect::DaysDiffer(by) => format!("days differ {}", of_fuzzy(by)),
+        Effect::DaysAre { kind, very, .. } => format!("{} days {very}", kind.word()),
+        Effect::SleepsIn => "sleeps in".to_owned(),
         Effect::Restless(by) => format!("restless {}", of_fuzzy(by)),
         Effect::Forgets { thing, chance } => format!("forgets {} {chance}", thing.to_lowercase()),
         Effect::Shy { of, gain } => format!("shy {of:?} {gain}").to_lowercase(),

@@ -7,11 +7,6 @@ use homebody_core::ids::ThingId;
 use homebody_core::role::Role;
 use homebody_core::time::Micros;
 
-homebody_core::numbers! {
-    /// The sine of the sun's height below which lamps are lit.
-    pub(super) static DARK = "driver.dark": 0.08, "1", [-1.0, 1.0];
-}
-
 impl RoutineDriver {
     /// Puts a walk on its way: in the dark, the lamp of the room that is left goes off, that of the other on.
     pub(super) fn lamps(&mut self, from: Option<usize>, to: Option<usize>, now: Micros, moves: Vec<MotionSegment>) {
@@ -23,7 +18,7 @@ impl RoutineDriver {
         self.ready.extend(moves.into_iter().map(Next::Segment));
         // Nobody lights the bedroom to go back to sleep.
         let to_sleep = self.needs.asleep() && to == self.places.of(Role::Bed).and_then(|bed| bed.room);
-        let dark = self.home.sun.elevation_sine(now) < self.life.numbers.of(&DARK) && !to_sleep;
+        let dark = self.home.is_dark(now) && !to_sleep;
         if let Some(on) = on.filter(|&lamp| dark && !self.watches.is_on(lamp)) {
             self.act(on, true, arrival);
         }

@@ -5,10 +5,13 @@
 
 use super::keys::Keys;
 pub use super::parameters::DayParameters;
-use super::parameters::{DAY_LIKE, DAY_SPREAD, LEAST_PACE, MOST_MOVEMENT, MOST_WEEKS, Span};
+use super::parameters::{BUSY_DAY, DAY_LIKE, DAY_SPREAD, LEAST_PACE, MOST_MOVEMENT, MOST_WEEKS, QUIET_DAY, Span};
 use super::person::{Constitution, Person};
+use crate::fuzzy::Quantifier;
 use crate::language::LAST_WEEK;
-use crate::routine::{Activity, Change, Days, Effect, Habit, Meal, Moment, Phase, Quote, Routine, Rule};
+use crate::routine::{
+    Activity, Chance, Change, DayKind, Days, Effect, Habit, Meal, Moment, Phase, Quote, Routine, Rule,
+};
 use homebody_core::numbers::Numbers;
 use homebody_core::random::Stream;
 use homebody_core::scenario::calendar::Calendar;
@@ -337,26 +340,98 @@ impl Life {
                 LAST_WEEK => self.calendar.date(day + 7).1 != month,
                 (first, last) => (first..=last).contains(&day_of_month),
             }
+            && days.kind.is_none_or(|kind| self.is_of_kind(kind, day))
     }
 
     /// How likely a habit is on a day that it is meant for.
     pub fn chance(&self, habit: &Habit, strength: f64, day: i32) -> f64 {
-        let mut chance = habit.chance.probability;
-        if let Some((later, moment)) = habit.chance.becomes {
-            let from = habit.phase.from.map_or(0, |moment| self.day_of(moment));
+        (self.chance_by(&habit.chance, &habit.phase, day) * strength * self.phase(&habit.phase, day)).min(1.0)
+    }
+
+    /// What a chance has become by a day.
+    fn chance_by(&self, of: &Chance, phase: &Phase, day: i32) -> f64 {
+        let mut chance = of.probability;
+        if let Some((later, moment)) = of.becomes {
+            let from = phase.from.map_or(0, |moment| self.day_of(moment));
             let whole = f64::from(self.day_of(moment) - from).max(1.0);
             chance += (later - chance) * (f64::from(day - from) / whole).clamp(0.0, 1.0);
         }
-        (chance * strength * self.phase(&habit.phase, day)).min(1.0)
+        chance
     }
 
     /// How lively a day is: better days and worse ones, each somewhat like the day before. Its logarithm is a normal
     /// autoregression of the first order, of which no more than a week is remembered.
-    fn level(&self, day: i32) -> f64 {
+    ///
+    /// Where days are said to differ more, the mean stays.
+    fn level(&self, day: i32, differ: f64) -> f64 {
         let (spread, like) = (self.numbers.of(&DAY_SPREAD), self.numbers.of(&DAY_LIKE));
+        let level = libm::exp(spread * libm::sqrt(1.0 - like * like) * self.remembered(day));
+        if differ == 1.0 {
+            return level;
+        }
+        libm::pow(level, differ) * libm::exp(spread * spread * (1.0 - differ * differ) / 2.0)
+    }
+
+    fn remembered(&self, day: i32) -> f64 {
+        let like = self.numbers.of(&DAY_LIKE);
         let of = |day: i32| self.stream_of_day(day, "level").normal(0.0, 1.0);
-        let remembered = (0..7).map(|ago| libm::pow(like, f64::from(ago)) * of(day - ago)).sum::<f64>();
-        libm::exp(spread * libm::sqrt(1.0 - like * like) * remembered)
+        (0..7).map(|ago| libm::pow(like, f64::from(ago)) * of(day - ago)).sum()
+    }
+
+    /// The share of days that are quieter than a day; of those that are busier, where it is asked for busy days.
+    fn share_beyond(&self, kind: DayKind, day: i32) -> f64 {
+        let like = self.numbers.of(&DAY_LIKE);
+        let lively = libm::sqrt(1.0 - like * like) * self.remembered(day);
+        let beyond = if kind == DayKind::Quiet { -lively } else { lively };
+        libm::erfc(beyond / std::f64::consts::SQRT_2) / 2.0
+    }
+
+    /// The kind of a day of which a sentence says it, and how many times as much movement there is. Of so many days the quietest
+    /// are the quiet ones, and the busiest the busy ones.
+    fn said_kind(&self, day: i32) -> Option<(DayKind, f64)> {
+        self.kinds_said(day).find_map(|(change, strength)| {
+            let Effect::DaysAre { kind, very, chance } = &change.effect else { return None };
+            let is_one = self.is_on(&change.days, day)
+                && match chance.days_a_week {
+                    Some(days) => strength > 0.0 && self.is_among(*kind, days, &change.days, day),
+                    None => self.share_beyond(*kind, day) < self.chance_by(chance, &change.phase, day) * strength,
+                };
+            let times = self.numbers.of(if *kind == DayKind::Quiet { &QUIET_DAY } else { &BUSY_DAY });
+            is_one.then_some((*kind, if *very { times * times } else { times }))
+        })
+    }
+
+    /// The sentences that say which days are quiet or busy, with how far each holds.
+    fn kinds_said(&self, day: i32) -> impl Iterator<Item = (&Change, f64)> {
+        self.in_force(day).flat_map(move |(source, strength)| {
+            let changes = &self.sources[source].routine.changes;
+            let of_days = changes.iter().enumerate().filter(|(_, of)| matches!(of.effect, Effect::DaysAre { .. }));
+            of_days.map(move |(index, change)| (change, strength * self.left_of(changes, index, day)))
+        })
+    }
+
+    /// Whether a day is among so many of its week that are the quietest, or the busiest, of those that are meant.
+    fn is_among(&self, kind: DayKind, days: u8, of: &Days, today: i32) -> bool {
+        let own = self.share_beyond(kind, today);
+        let before = self.week_of(today).filter(|&day| day != today && self.is_on(of, day));
+        before.filter(|&day| self.share_beyond(kind, day) < own).count() < usize::from(days)
+    }
+
+    /// The days from Monday to Sunday around a day.
+    pub fn week_of(&self, day: i32) -> std::ops::Range<i32> {
+        let monday = day - i32::from(self.calendar.weekday(day));
+        monday..monday + 7
+    }
+
+    /// Whether a day is of a kind; where no sentence says which are, some are.
+    fn is_of_kind(&self, kind: DayKind, day: i32) -> bool {
+        let is_said = |(change, strength): (&Change, f64)| {
+            strength > 0.0 && matches!(change.effect, Effect::DaysAre { kind: of, .. } if of == kind)
+        };
+        match self.kinds_said(day).any(is_said) {
+            true => self.said_kind(day).is_some_and(|(of, _)| of == kind),
+            false => self.share_beyond(kind, day) < Quantifier::Sometimes.probability(),
+        }
     }
 
     /// How things are on a day.
@@ -371,7 +446,6 @@ impl Life {
                 parameters.skips.insert(Activity::Eat(meal), skips);
             }
         }
-        parameters.level = self.level(day);
         if self.person.activity != 1.0 {
             parameters.active.push((None, self.person.activity));
         }
@@ -399,6 +473,10 @@ impl Life {
                 }
             }
         }
+        parameters.level = self.level(day, parameters.differ);
+        if let Some((_, times)) = self.said_kind(day) {
+            parameters.active.push((None, times));
+        }
         parameters
     }
 
@@ -417,7 +495,9 @@ impl Life {
         let change = &changes[index];
         let begins = |change: &Change| change.phase.from.map_or(i32::MIN, |from| self.day_of(from));
         let later = changes.iter().enumerate().filter(|(other, of)| {
-            (begins(of), *other) > (begins(change), index) && of.effect.is_of_the_same(&change.effect)
+            (begins(of), *other) > (begins(change), index)
+                && of.effect.is_of_the_same(&change.effect)
+                && self.is_on(&of.days, day)
         });
         later.fold(self.phase(&change.phase, day), |left, (_, of)| left * (1.0 - self.phase(&of.phase, day)))
     }

@@ -52,7 +52,6 @@ pub(crate) fn numbers() -> Vec<Number> {
         needs::NUMBERS,
         company::NUMBERS,
         ways::NUMBERS,
-        lamps::NUMBERS,
         spare_time::NUMBERS,
         chores::NUMBERS,
         night::NUMBERS,

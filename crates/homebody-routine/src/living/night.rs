@@ -49,9 +49,11 @@ impl RoutineDriver {
     pub(super) fn sleep(&mut self, now: Micros, already: bool) {
         let mut stream = self.life.stream_of_day(self.agenda.day, "night");
         let tomorrow = self.agenda.day + 1;
-        let up = rising::up(&self.life, tomorrow, &self.life.parameters(tomorrow)).max(now + MINUTE);
+        self.slept_in = if already { 0 } else { self.sleeps_in(now) };
+        self.agenda.next_up += self.slept_in;
+        let up = (rising::up(&self.life, tomorrow, &self.life.parameters(tomorrow)) + self.slept_in).max(now + MINUTE);
         // A change that begins tomorrow does not touch tonight's wakings.
-        let usual_up = rising::up(&self.life, tomorrow, &self.parameters);
+        let usual_up = rising::up(&self.life, tomorrow, &self.parameters) + self.slept_in;
         let stay = |manner, left, until| {
             Step::Stay(Stay { posture: Posture::Lying, manner, left, until, may: Interruptible::Interrupt })
         };
@@ -101,6 +103,15 @@ impl RoutineDriver {
         self.play(steps, stream, SLEEPING);
     }
 
+    /// How much later than planned somebody gets up who goes to bed now.
+    fn sleeps_in(&self, now: Micros) -> Micros {
+        let by = self.parameters.sleeps_in;
+        if by == 0.0 {
+            return 0;
+        }
+        (rising::late_by(&self.life, self.agenda.day, self.agenda.up, now) as f64 * by) as Micros
+    }
+
     pub(super) fn lie_down(&mut self, now: Micros) {
         self.needs.sleeping(now, &self.life, self.agenda.day, &self.parameters);
         self.put_out_the_lamp(now);
@@ -147,6 +158,7 @@ impl RoutineDriver {
         let was_away = day > self.agenda.day + 1 || now > self.agenda.next_up + LATE;
         self.tally.plan(&self.agenda, self.first_item);
         self.parameters = self.life.parameters(day);
+        self.parameters.slept_in = if day == self.agenda.day + 1 { self.slept_in } else { 0 };
         self.agenda = Agenda::of(&self.life, day, &self.parameters);
         self.midnight = self.life.midnight(day);
         self.next_item = if was_away { self.agenda.items.partition_point(|item| item.start < now) } else { 0 };

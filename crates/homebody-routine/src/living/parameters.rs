@@ -2,6 +2,7 @@
 
 use crate::fuzzy::Fuzzy;
 use crate::routine::{Activity, Effect, PartOfDay, Shy};
+use homebody_core::time::Micros;
 use homebody_walk::Gains;
 use std::collections::BTreeMap;
 
@@ -11,6 +12,10 @@ homebody_core::numbers! {
     pub(super) static DAY_SPREAD = "life.day_spread": 0.4, "1", [0.0, 2.0];
     /// How much a day is like the one before: the correlation of the two.
     pub(super) static DAY_LIKE = "life.day_like": 0.25, "1", [0.0, 0.95];
+    /// So many times as much movement as else there is on a day that is said to be quiet; on a very quiet one, its square.
+    pub(super) static QUIET_DAY = "life.quiet_day": 0.5, "1", [0.0, 1.0];
+    /// So many times as much movement as else there is on a day that is said to be busy; on a very busy one, its square.
+    pub(super) static BUSY_DAY = "life.busy_day": 1.5, "1", [1.0, 5.0];
     /// Nobody moves more than so many times as much as usual.
     pub(super) static MOST_MOVEMENT = "life.most_movement": 20.0, "1", [1.0, 100.0];
     /// For how many weeks at most a gait that slows by so much a week goes on slowing.
@@ -32,6 +37,12 @@ pub struct DayParameters {
     pub respiration: f64,
     /// So many times the usual liveliness: more errands, less sitting between them, and more stirring.
     pub level: f64,
+    /// So many times as much as usual days differ in that.
+    pub(super) differ: f64,
+    /// So much later she gets up who went to bed late, of how late it was.
+    pub(super) sleeps_in: f64,
+    /// So much later than planned today began, after last night.
+    pub(super) slept_in: Micros,
     pub(super) active: Vec<(Option<PartOfDay>, f64)>,
     pub(super) later_s: BTreeMap<Activity, f64>,
     pub(super) longer: BTreeMap<Activity, f64>,
@@ -65,6 +76,9 @@ impl DayParameters {
             pulse: 0.0,
             respiration: 0.0,
             level: 1.0,
+            differ: 1.0,
+            sleeps_in: 0.0,
+            slept_in: 0,
             active: Vec::new(),
             later_s: BTreeMap::new(),
             longer: BTreeMap::new(),
@@ -83,7 +97,9 @@ impl DayParameters {
         let factor = |fuzzy: &Fuzzy| (1.0 + (fuzzy.at(share) - 1.0) * strength).max(0.0);
         let amount = |fuzzy: &Fuzzy| fuzzy.at(share) * strength;
         match effect {
-            Effect::Shows { .. } => {}
+            Effect::Shows { .. } | Effect::DaysAre { .. } => {}
+            Effect::DaysDiffer(by) => self.differ *= factor(by),
+            Effect::SleepsIn => self.sleeps_in = strength.min(1.0),
             Effect::Pace(by) => self.pace *= factor(by),
             Effect::PaceEachWeek(by) => {
                 let mps = amount(by) * span.weeks;

@@ -49,15 +49,42 @@ const LAST_S: f64 = 24.0 * HOUR - 1.0;
 /// When the resident who got up at `up` goes to bed: the first time of that hour that leaves some of the day, and before the
 /// next rising.
 pub(super) fn bed(life: &Life, day: i32, parameters: &DayParameters, up: Micros, next_up: Micros) -> Micros {
-    let mut time = clock_of(life, day, parameters, &Activity::GoToBed).unwrap_or_else(|| {
-        varied(&usual_bed(&life.numbers), life.stream_of_day(day, "bed").unit(), parameters.irregular)
-            + parameters.later_s(&Activity::GoToBed)
-    }) + life.person.bed_s;
+    let time = bed_s(life, day, parameters);
+    after(life, day, time, up).min(next_up - 1800 * SECOND).max(up + 1800 * SECOND)
+}
+
+/// The first instant of a time of day that leaves some of the day.
+fn after(life: &Life, day: i32, mut time: f64, up: Micros) -> Micros {
     // Half past midnight is the end of the day before, and so is eight in the morning of who gets up at three.
     while life.instant(day, time) < up + 3600 * SECOND {
         time += 24.0 * HOUR;
     }
-    life.instant(day, time).min(next_up - 1800 * SECOND).max(up + 1800 * SECOND)
+    life.instant(day, time)
+}
+
+/// At which time of day the resident goes to bed.
+fn bed_s(life: &Life, day: i32, parameters: &DayParameters) -> f64 {
+    let said = clock_of(life, day, parameters, &Activity::GoToBed);
+    let time = said.unwrap_or_else(|| {
+        varied(&usual_bed(&life.numbers), life.stream_of_day(day, "bed").unit(), parameters.irregular)
+            + parameters.later_s(&Activity::GoToBed)
+    });
+    time + life.person.bed_s
+}
+
+/// Usual is the bedtime in the middle of those of so many nights (ours).
+const NIGHTS: i32 = 7;
+
+/// Who goes to bed so much later than usual has a late night (ours).
+const LATE: Micros = 1800 * SECOND;
+
+/// How late it is for somebody who goes to bed now, beside the bedtime that is usual by the sentences; 0 where it is not late.
+pub(super) fn late_by(life: &Life, day: i32, up: Micros, now: Micros) -> Micros {
+    let as_said = DayParameters { irregular: 0.0, ..DayParameters::ordinary() };
+    let mut times: Vec<f64> = (day + 1 - NIGHTS..=day).map(|day| bed_s(life, day, &as_said)).collect();
+    times.sort_by(f64::total_cmp);
+    let late = now - after(life, day, times[times.len() / 2], up);
+    if late < LATE { 0 } else { late }
 }
 
 /// The time of day that the habits say for getting up or going to bed, if one of them holds on this day.

@@ -14,7 +14,7 @@ use homebody_walk::Wandering;
 use std::collections::VecDeque;
 
 /// The roles whose things activities use: open, turn on, let run.
-pub const ACTED_ON: [Role; 11] = [
+pub const ACTED_ON: [Role; 12] = [
     Role::Toilet,
     Role::Washbasin,
     Role::Shower,
@@ -23,6 +23,7 @@ pub const ACTED_ON: [Role; 11] = [
     Role::Fridge,
     Role::Drawers,
     Role::Stove,
+    Role::FoodWarmer,
     Role::Television,
     Role::WashingMachine,
     Role::FrontDoor,
@@ -101,6 +102,11 @@ const FAREWELL_PATIENCE: Micros = 5 * 60 * SECOND;
 const DOORWAY: Micros = 2 * 60 * SECOND;
 /// How long somebody waits for a meal that somebody else still cooks (ours).
 const COOKING_PATIENCE: Micros = 45 * 60 * SECOND;
+
+/// How often each microwave and toaster is used for a meal, and for how long around (ours): bread and a plate take two minutes
+/// and more.
+const WARMED: f64 = 0.5;
+const WARMING_S: f64 = 150.0;
 
 /// Who visits for so long has meals and a bed of their own, and the host's life goes on (ours).
 pub(super) const STAYING_OVER: Micros = 10 * 3600 * SECOND;
@@ -307,17 +313,39 @@ impl Steps<'_, '_> {
             self.go(Role::Stove, None);
             self.act(Role::Stove, true);
         }
+        left -= self.warm(hot, left);
         while left > 0 {
-            // Most of the time at the stove or the counter.
-            let roles =
-                [if hot { Role::Stove } else { Role::Counter }, Role::Counter, Role::Sink, Role::Fridge, Role::Drawers];
-            let role = roles[self.setting.stream.pick(&[0.45, 0.25, 0.12, 0.09, 0.09])];
-            left -= self.station(role, left);
+            left -= self.next_station(hot, left);
         }
         if hot {
             self.go(Role::Stove, None);
             self.act(Role::Stove, false);
         }
+    }
+
+    /// Most of the time at the stove or the counter; how long.
+    fn next_station(&mut self, hot: bool, left: Micros) -> Micros {
+        let roles =
+            [if hot { Role::Stove } else { Role::Counter }, Role::Counter, Role::Sink, Role::Fridge, Role::Drawers];
+        let role = roles[self.setting.stream.pick(&[0.45, 0.25, 0.12, 0.09, 0.09])];
+        self.station(role, left)
+    }
+
+    /// Microwave and toaster, of those that the home has: they turn themselves off, and one goes on meanwhile; how long.
+    fn warm(&mut self, hot: bool, left: Micros) -> Micros {
+        let mut passed = 0;
+        for spot in self.setting.places.anybodys(Role::FoodWarmer) {
+            let thing = self.setting.places.thing_named(&spot.name);
+            let Some(thing) = thing.filter(|_| passed < left && self.setting.stream.chance(WARMED)) else { continue };
+            self.push(Step::Go(spot.clone()));
+            self.push(Step::Act(thing, true));
+            let until = (passed + self.around(WARMING_S)).min(left);
+            while passed < until {
+                passed += self.next_station(hot, until - passed);
+            }
+            self.push(Step::Act(thing, false));
+        }
+        passed
     }
 
     /// A moment at a place of the kitchen; how long.

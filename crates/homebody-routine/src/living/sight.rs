@@ -3,7 +3,6 @@
 //! Where a rule does, what lasts is cut into pieces, and between them one looks. Nobody else pays for it.
 
 use super::driver::RoutineDriver;
-use super::lamps::DARK;
 use super::script::{Interruptible, Step};
 use super::watch::Watches;
 use crate::routine::Trigger;
@@ -24,9 +23,16 @@ impl RoutineDriver {
         }
         let things = 0..self.home.plan.things.len() as u32;
         self.sight.on = things.map(|thing| around.is_on(ThingId(thing))).collect();
+        let now = around.now();
+        self.with_watches(|watches, resident| watches.look(|state| resident.is_so(state, now), now, &resident.life));
+    }
+
+    /// Does something with the rules that watch; they ask the resident what is so.
+    pub(super) fn with_watches<T>(&mut self, what: impl FnOnce(&mut Watches, &RoutineDriver) -> T) -> T {
         let mut watches = std::mem::replace(&mut self.watches, Watches::none());
-        watches.look(|state| self.is_so(state, around.now()), around.now(), &self.life);
+        let result = what(&mut watches, self);
         self.watches = watches;
+        result
     }
 
     /// Whether something is so now.
@@ -35,11 +41,10 @@ impl RoutineDriver {
             let thing = self.places.thing_named(thing);
             thing.is_some_and(|thing| self.sight.on.get(thing as usize).copied().unwrap_or(false))
         };
-        let is_dark = || self.home.sun.elevation_sine(now) < self.life.numbers.of(&DARK);
         match state {
             Trigger::On(thing) | Trigger::Rings(thing) => is_on(thing),
-            Trigger::Dark(None) => is_dark(),
-            Trigger::Dark(Some(room)) => is_dark() && !is_on(room),
+            Trigger::Dark(None) => self.home.is_dark(now),
+            Trigger::Dark(Some(room)) => self.home.is_dark(now) && !is_on(room),
             Trigger::At(place) => self.is_at(place),
             Trigger::Company(None) => !self.company.is_alone(),
             Trigger::Company(Some(who)) => {
@@ -67,20 +72,16 @@ impl RoutineDriver {
     /// What is left of a movement that was cut, unless a rule breaks into it.
     pub(super) fn held_back(&mut self, now: Micros) -> Option<Next> {
         let rest = self.sight.rest.take()?;
-        let stays = !matches!(rest.doing, MotionState::Stride { .. });
-        let stay = self.scripts.last_mut().and_then(|playing| playing.steps.front_mut());
-        let may_break = matches!(&stay, Some(Step::Stay(stay)) if stay.may != Interruptible::Nothing);
-        if stays && may_break && self.watches_due(now) {
-            if let Some(Step::Stay(stay)) = self.scripts.last_mut().and_then(|playing| playing.steps.front_mut()) {
-                stay.left = stay.left.saturating_add(rest.end - now);
-            }
+        let is_due = self.rules_at() <= now && !matches!(rest.doing, MotionState::Stride { .. });
+        let step = self.scripts.last_mut().and_then(|playing| playing.steps.front_mut());
+        if let Some(Step::Stay(stay)) = step
+            && is_due
+            && stay.may != Interruptible::Nothing
+        {
+            stay.left = stay.left.saturating_add(rest.end - now);
             return None;
         }
         Some(self.hold_back(Next::Segment(rest)))
-    }
-
-    fn watches_due(&self, now: Micros) -> bool {
-        self.rules_at() <= now
     }
 
     /// Keeps all but the first piece of a movement for later, where something is looked out for.

@@ -14,6 +14,17 @@ pub struct Days {
     /// The first and the last of the days of each month: from 1 to 7 with a Monday is the first Monday, and from 0 to 7
     /// is the last week of the month.
     pub of_month: (u8, u8),
+    /// Only the days of this kind.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub kind: Option<DayKind>,
+}
+
+/// How lively a day is, beside the others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum DayKind {
+    Quiet,
+    Busy,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -51,5 +62,5 @@ pub enum Moment {
 }
 
 impl Days {
-    pub const ALL: Days = Days { weekdays: 0x7f, months: 0xfff, every: 1, of_month: (1, 31) };
+    pub const ALL: Days = Days { weekdays: 0x7f, months: 0xfff, every: 1, of_month: (1, 31), kind: None };
 }

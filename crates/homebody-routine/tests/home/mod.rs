@@ -4,7 +4,7 @@
 use homebody_core::problem::{Problem, Problems};
 use homebody_routine::fuzzy::Fuzzy;
 use homebody_routine::language::{Known, routine};
-use homebody_routine::routine::{Change, Days, Effect, Habit, Phase, Response, Routine, Rule, When};
+use homebody_routine::routine::{Chance, Change, Days, Effect, Habit, Phase, Response, Routine, Rule, When};
 
 pub fn home() -> Known {
     let list = |names: &str| names.split(", ").map(str::to_owned).collect();
@@ -57,12 +57,7 @@ fn habit(habit: &Habit) -> String {
     if let Some(place) = &habit.place {
         text += &format!(" @{place}");
     }
-    text += &match (habit.chance.quantifier, habit.chance.becomes) {
-        (Some(quantifier), None) => format!(" {quantifier:?}"),
-        (None, None) => format!(" p{:.3}", habit.chance.probability),
-        (Some(quantifier), Some((to, by))) => format!(" {quantifier:?}>{to:.2} by {by:?}"),
-        (None, Some((to, by))) => format!(" p{:.3}>{to:.2} by {by:?}", habit.chance.probability),
-    };
+    text += &chance(&habit.chance);
     text += &days(&habit.days);
     text += &when(&habit.when);
     if let Some(lasts) = &habit.lasts {
@@ -77,6 +72,15 @@ fn habit(habit: &Habit) -> String {
     text + phase(&habit.phase).as_str()
 }
 
+fn chance(chance: &Chance) -> String {
+    match (chance.quantifier, chance.becomes) {
+        (Some(quantifier), None) => format!(" {quantifier:?}"),
+        (None, None) => format!(" p{:.3}", chance.probability),
+        (Some(quantifier), Some((to, by))) => format!(" {quantifier:?}>{to:.2} by {by:?}"),
+        (None, Some((to, by))) => format!(" p{:.3}>{to:.2} by {by:?}", chance.probability),
+    }
+}
+
 fn days(days: &Days) -> String {
     let mut text = String::new();
     if days.weekdays != Days::ALL.weekdays {
@@ -87,6 +91,9 @@ fn days(days: &Days) -> String {
     }
     if days.of_month != Days::ALL.of_month {
         text += &format!(" of month {:?}", days.of_month);
+    }
+    if let Some(kind) = days.kind {
+        text += &format!(" {kind:?}");
     }
     if days.every != 1 {
         text += &format!(" every {}", days.every);
@@ -147,6 +154,9 @@ fn change(change: &Change) -> String {
             format!("Oftener {activity:?}{part} {}", fuzzy(factor))
         }
         Effect::Skips { activity, chance } => format!("Skips {activity:?} {chance}"),
+        Effect::DaysDiffer(by) => format!("DaysDiffer {}", fuzzy(by)),
+        Effect::DaysAre { kind, very, chance: of } => format!("DaysAre {kind:?} {very}{}", chance(of)),
+        Effect::SleepsIn => "SleepsIn".to_owned(),
         Effect::Irregular(by) => format!("Irregular {}", fuzzy(by)),
         Effect::Active { part, factor } => {
             format!("Active{} {}", part.map(|part| format!(" {part:?}")).unwrap_or_default(), fuzzy(factor))

@@ -1,7 +1,6 @@
 //! A logger's file that is being written: its first rows, as they would be stored, and whether its places take a log.
 
 use super::{Desk, problems};
-use crate::dates;
 use crate::effort::Effort;
 use crate::wire::{Connect, ConnectView, Draft, PlaceRowsView, RowsView};
 use homebody_core::event::Events;
@@ -97,7 +96,7 @@ fn first_rows(
     // Of messages that a link delays, and of OFFs that are held, some rows come later than their firings.
     while count < 2 * MOST_ROWS && run.now() < run.length() {
         if let Err(why) = effort.goes_on(0) {
-            let clock = dates::wall_clock(&scenario.calendar, run.now());
+            let clock = scenario.calendar.wall_clock(run.now());
             cut = Some(format!("Rows are looked for until {clock}. {why}"));
             break;
         }

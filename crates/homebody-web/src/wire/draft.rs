@@ -16,6 +16,19 @@ pub struct FilesView {
     pub files: Vec<FileView>,
 }
 
+/// How a picture of the scenario's folder lies below the plan: its file `underlay.json`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS)]
+pub struct UnderlayView {
+    /// The name of the picture's file beside it.
+    pub picture: String,
+    /// Where its middle is, in metres.
+    pub at: [f64; 2],
+    pub width_m: f64,
+    /// Against the clock.
+    #[serde(default)]
+    pub turn_deg: f64,
+}
+
 /// A resident who lives by a routine.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct LivesView {

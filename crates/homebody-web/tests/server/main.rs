@@ -6,3 +6,5 @@ mod limits;
 mod living;
 mod served;
 mod slow;
+mod underlay;
+mod walking;

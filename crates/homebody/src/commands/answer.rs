@@ -74,6 +74,16 @@ impl Answer {
         Ok(Checked { answer: self, pictures, table })
     }
 
+    /// Whether a picture is asked for.
+    pub fn draws(&self) -> bool {
+        !self.pictures.is_empty()
+    }
+
+    /// Whether files that exist are replaced.
+    pub fn replaces(&self) -> bool {
+        self.pictures.force
+    }
+
     fn json_file(&self) -> Option<&Path> {
         self.json.as_deref().filter(|path| path.as_os_str() != "-")
     }

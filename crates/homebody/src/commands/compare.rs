@@ -1,13 +1,13 @@
 //! `homebody compare`: how alike two logs are.
 
-use super::convert::tell_remarks;
-use super::read_log::tell_unfinished;
+use super::read_log::{tell_remarks, tell_unfinished};
 use crate::failure::Failure;
 use crate::print::{print_json, print_text, tell};
 use homebody_analysis::compare::{MEASURES, begins, compare};
 use homebody_core::time::Micros;
 use homebody_kit::NamedLog;
-use homebody_log::{Log, RunClock, activities};
+use homebody_log::{Log, RunClock, SensorMap, activities};
+use std::path::PathBuf;
 
 /// Compares the firings of two logs: by sensor and in all, the agreement of their numbers, and how their times between
 /// firings are spread. The second is the reference. Where activities are known, from the truth beside the log or from
@@ -16,14 +16,18 @@ use homebody_log::{Log, RunClock, activities};
 #[command(after_help = format!("Examples:
   homebody compare runs/tigerplace-2 runs/tigerplace-1
   homebody compare simulated.db casas:real.txt --json
+  homebody compare runs/tigerplace-1 casas:real.txt --sensors sensors.csv
 
 Measures:
 {}", MEASURES.trim_end()))]
 pub struct Arguments {
-    /// A log: a file, a run's folder, or sqlite:FILE, csv:FILE or casas:FILE
+    /// A log: a file, the folder of a run or of a data set, or FORM:FILE
     a: String,
     /// The log to compare with
     b: String,
+    /// A table with the columns id and name: what one log calls a sensor, and what the other does
+    #[arg(long, value_name = "FILE")]
+    sensors: Option<PathBuf>,
     /// Print the comparison as one JSON object
     #[arg(long)]
     json: bool,
@@ -31,14 +35,24 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let comparison = compare(&log(&self.a)?, &log(&self.b)?);
+        let map = self.sensors.as_deref().map(SensorMap::read).transpose()?.unwrap_or_default();
+        let found = [NamedLog::find(&self.a)?, NamedLog::find(&self.b)?];
+        // A run knows what its own log's ids mean, and those of a copy of it.
+        let name = |id: &str| found.iter().find_map(|named| named.name_of(id)).unwrap_or(id).to_owned();
+        let read = |text: &str, named: &NamedLog| {
+            let mut log = log(text, named)?;
+            for sensor in &mut log.sensors {
+                *sensor = map.name(sensor).map_or_else(|| name(sensor), str::to_owned);
+            }
+            Ok::<_, Failure>(log)
+        };
+        let comparison = compare(&read(&self.a, &found[0])?, &read(&self.b, &found[1])?);
         if self.json { print_json(&comparison) } else { print_text(&comparison.to_string()) }
     }
 }
 
 /// The log, with the activities that the truth of its run tells.
-fn log(text: &str) -> Result<Log, Failure> {
-    let named = NamedLog::find(text)?;
+fn log(text: &str, named: &NamedLog) -> Result<Log, Failure> {
     let mut log = named.read()?;
     if let Some(truth) = named.truth() {
         log.activities = activities(&truth, &named.clock())?;
@@ -48,7 +62,7 @@ fn log(text: &str) -> Result<Log, Failure> {
     tell_remarks(text, &log);
     tell_unfinished(text, named.unfinished().as_ref());
     if log.skipped > 0 {
-        tell(format_args!("{text}: {} lines were left out; homebody convert says which", log.skipped));
+        tell(format_args!("{text}: {} lines were left out; homebody look says which", log.skipped));
     }
     if !log.events.is_empty() && !log.values.iter().any(|value| begins(value)) {
         tell(format_args!("{text}: no row says that something began; its values are {}", listed(&log.values)));

@@ -1,13 +1,15 @@
 //! `homebody convert`: carry a log from one form into another.
 
+use super::read_log::{Mapped, tell_remarks};
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
+use homebody_analysis::look::Looker;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::scheme::{SCHEMES, SchemeRow};
-use homebody_kit::NamedLog;
 use homebody_log::fresh::same_file;
+use homebody_log::source::{FORMS, Form};
 use homebody_log::truth::tables;
-use homebody_log::{How, Log, Transfer, Url, convert};
+use homebody_log::{Activity, How, Life, RunClock, Transfer, Url, convert, lives};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 
@@ -18,31 +20,48 @@ pub fn forms_of_logs() -> String {
     format!("Forms:\n{forms}\nA log that is named by its path alone is known by how it begins.")
 }
 
+/// What the forms are in which logs are read, for a help.
+fn forms_of_sources() -> String {
+    let form = |form: &Form| format!("  {:<15} {}\n", format!("{}:", form.name), form.what);
+    FORMS.iter().map(form).collect()
+}
+
 /// The columns of a log that is written anew.
 pub const LOG_COLUMNS: &str = "seq, fired_at, sensor, value";
 
 /// Carries a log from one form into another. Instants stay the same to the microsecond, and names and values what they
 /// were, as far as the form can write them: that of CASAS knows local time only, and no blanks in names.
+///
+/// What the log tells of activities goes along: in CASAS as notes where they begin and end, else on the rows and, whole, in a
+/// table of their own: in SQLite the table activity, in CSV a file beside the log, such as week.activity.csv.
 #[derive(clap::Args)]
 #[command(after_help = format!("Examples:
   homebody convert log.db --to casas:log.txt
   homebody convert runs/tigerplace-1 --to csv:week.csv
   homebody convert aruba.txt --to sqlite:aruba.db
+  homebody convert runs/tigerplace-1 --to casas:labelled.txt --activities
+  homebody convert kasteren --to csv:kasteren.csv
+  homebody convert network.db --mapping logger.json --to casas:network.txt
 
 {forms}
 
-Columns: {LOG_COLUMNS}; in SQLite in the table firing, behind run_id.
-The form of CASAS has time, sensor and value, without a header.
+Forms that are read:
+{read}
+Columns: {LOG_COLUMNS}, and activity where some are known; in SQLite in the table firing,
+behind run_id. The form of CASAS has time, sensor and value, without a header.
 
 Rows that are not understood are left out, and told. No file of a run's folder is replaced.
 
-{EXIT_CODES}.", forms = forms_of_logs()))]
+{EXIT_CODES}.", forms = forms_of_logs(), read = forms_of_sources()))]
 pub struct Arguments {
-    /// The log: the folder of its run, a file, or sqlite:FILE, csv:FILE or casas:FILE
-    log: String,
+    #[command(flatten)]
+    log: Mapped,
     /// Where to: sqlite:FILE, csv:FILE or casas:FILE
     #[arg(long, value_name = "URL")]
     to: Url,
+    /// Take the activities from the truth beside the log, which else stays apart from it
+    #[arg(long)]
+    activities: bool,
     /// The time zone in which a log in UTC is written where only local time is known
     #[arg(long, default_value = "UTC")]
     time_zone: String,
@@ -54,49 +73,76 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         Calendar::zone(&self.time_zone).map_err(Failure::usage)?;
-        let named = NamedLog::find(&self.log)?;
-        keep(&self.to, &[&named.place])?;
-        let log = named.survey()?;
-        tell_remarks(&self.log, &log);
+        let named = self.log.find()?;
+        let text = self.log.text();
+        keep(&self.to, &named.place.files())?;
+        let mut looker = Looker::new(None);
+        let mut log = named.stream(&mut |part| looker.take(part))?;
+        if self.activities {
+            let truth =
+                named.truth().ok_or_else(|| Failure::Io(format!("no truth lies beside {text}\n  hint: {NO_TRUTH}")))?;
+            log.activities = told_activities(&lives(&truth, &RunClock::as_told())?);
+        }
+        let look = looker.look(&named.name, named.place.form().name, &log, &|_| None, None);
+        tell_remarks(text, &log);
         for skipped in &log.problems {
-            tell(format_args!("{}:{}: left out: {}", self.log, skipped.line, skipped.why));
+            tell(format_args!("{text}:{}: left out: {}", skipped.line, skipped.why));
         }
         let unsaid = log.skipped.saturating_sub(log.problems.len() as u64);
         if unsaid > 0 {
-            tell(format_args!("{}: {unsaid} more lines were left out", self.log));
+            tell(format_args!("{text}: {unsaid} more lines were left out"));
         }
         let how = if self.force { How::Replace } else { How::New };
-        let (name, zone) = (&self.log, &self.time_zone);
-        let transfer = Transfer { from: &named.place, mapping: &named.mapping, to: &self.to, name, zone, how };
+        let zone = &self.time_zone;
+        let transfer = Transfer { from: &named.place, mapping: &named.mapping, to: &self.to, name: text, zone, how };
         let progress = rows_bar(log.rows);
         let rows = convert(&transfer, &log, |rows| progress.set_position(rows));
         progress.finish_and_clear();
         let rows = rows?;
         tell(format_args!("{}: {rows} rows of {} sensors", self.to, log.sensors.len()));
+        for (count, what) in [
+            (log.activities.len() as u64, "activities"),
+            (look.repeated, "messages that say again what was on"),
+            (look.missing, "messages that something ends that had not begun"),
+            (look.set_back, "times the clock was set back"),
+        ] {
+            if count > 0 {
+                tell(format_args!("  {count} {what}"));
+            }
+        }
         Ok(())
     }
 }
 
+const NO_TRUTH: &str = "name the folder of a run that has its truth; without --activities the log's own go along";
+
+/// What residents did, by their numbers where there are several: `R1_` stands before what the first of them does.
+fn told_activities(lives: &[Life]) -> Vec<Activity> {
+    let of_life = |(number, life): (usize, &Life)| {
+        let prefix = if lives.len() > 1 { format!("R{}_", number + 1) } else { String::new() };
+        let named = |of: &Activity| Activity { name: format!("{prefix}{}", of.name), ..of.clone() };
+        life.activities.iter().map(named).collect::<Vec<_>>()
+    };
+    let mut all: Vec<Activity> = lives.iter().enumerate().flat_map(of_life).collect();
+    all.sort_by_key(|of| of.begin);
+    all
+}
+
 /// Makes sure that an output does not replace what the command reads.
-pub fn keep(to: &Url, sources: &[&Url]) -> Result<(), Failure> {
-    let mut read = sources.iter().flat_map(|source| source.files(&tables()).into_iter().chain(own_file(source)));
-    if read.any(|source| to.file().is_some_and(|to| same_file(&source, to))) {
+pub fn keep(to: &Url, sources: &[PathBuf]) -> Result<(), Failure> {
+    if sources.iter().any(|source| to.file().is_some_and(|to| same_file(source, to))) {
         return Err(Failure::Io(format!("{to} cannot become itself\n  hint: name another file")));
     }
     Ok(())
 }
 
-fn own_file(url: &Url) -> Option<PathBuf> {
-    url.file().map(Path::to_owned)
+/// The files of a truth.
+pub fn files_of(truth: &Url) -> Vec<PathBuf> {
+    truth.files(&tables()).into_iter().chain(truth.file().map(Path::to_owned)).collect()
 }
 
 /// A bar that shows how many rows have been written, where somebody looks.
 pub fn rows_bar(rows: u64) -> ProgressBar {
     let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {human_pos} rows  {eta} left");
     ProgressBar::new(rows).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
-}
-
-/// Tells what of a log was left out, but for single lines.
-pub fn tell_remarks(name: &str, log: &Log) {
-    log.remarks.iter().for_each(|remark| tell(format_args!("{name}: {remark}")));
 }

@@ -14,7 +14,7 @@ use homebody_picture::{DayChart, day_chart};
   homebody day runs/tigerplace-1 first --png day.png
   homebody day casas:aruba.txt 2010-11-04")]
 pub struct Arguments {
-    /// A log: a file, a run's folder, or sqlite:FILE, csv:FILE or casas:FILE
+    /// A log: a file, the folder of a run or of a data set, or FORM:FILE
     log: String,
     /// The day, such as 2009-03-02; or first, or last
     #[arg(value_name = "DATE")]

@@ -25,7 +25,7 @@ use std::path::PathBuf;
   homebody density casas:tm000.txt --door MainEntryway --from 2016-07-12 --days 7 --csv density.csv
   homebody density runs/tigerplace-1 --against real.csv --json")]
 pub struct Arguments {
-    /// A log: a file, a run's folder, or sqlite:FILE, csv:FILE or casas:FILE
+    /// A log: a file, the folder of a run or of a data set, or FORM:FILE
     log: String,
     /// Hold it against this log: say how far the two maps are apart, and draw both
     #[arg(long, value_name = "LOG")]

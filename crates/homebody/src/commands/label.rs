@@ -1,7 +1,7 @@
 //! `homebody label`: a log with what the truth says of each row.
 
-use super::convert::{LOG_COLUMNS, forms_of_logs, keep, rows_bar, tell_remarks};
-use super::read_log::{go_on, tell_unfinished};
+use super::convert::{LOG_COLUMNS, files_of, forms_of_logs, keep, rows_bar};
+use super::read_log::{go_on, tell_remarks, tell_unfinished};
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
 use homebody_core::problem::counted;
@@ -61,7 +61,7 @@ impl Arguments {
         let Some(truth) = self.truth.as_deref().map(truth_at).or_else(|| named.truth()) else {
             return Err(Failure::Io(format!("no truth lies beside {}\n  hint: {NAME_IT}", named.place)));
         };
-        keep(&self.to, &[&named.place, &truth])?;
+        keep(&self.to, &[named.place.files(), files_of(&truth)].concat())?;
         let log = named.survey()?;
         let unfinished = named.unfinished();
         if let Some(run) = unfinished.as_ref().filter(|run| run.is_killed) {

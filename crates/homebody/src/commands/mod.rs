@@ -1,6 +1,8 @@
 //! The commands, one file each, all in the same shape: the arguments as a struct, with a `run`.
 
+mod anonymise;
 mod answer;
+mod calibrate;
 mod check;
 mod cohort;
 mod compare;
@@ -10,9 +12,11 @@ mod coverage;
 mod day;
 mod density;
 mod experiment;
+mod health;
 mod import;
 mod label;
 mod live;
+mod look;
 mod new;
 mod numbers;
 mod plan;
@@ -25,6 +29,7 @@ mod scenario;
 mod schema;
 mod serve;
 mod strip;
+mod translate;
 
 use crate::failure::Failure;
 use clap::Subcommand;
@@ -45,6 +50,14 @@ pub enum Command {
     Plan(plan::Arguments),
     /// Say where in the home the sensors see, with a map
     Coverage(coverage::Arguments),
+    /// Say what a log holds, and what is odd about it, with a map
+    Look(look::Arguments),
+    /// Walk a log back through the plan of its home: who was where, and how sure that is
+    Translate(translate::Arguments),
+    /// Say what is wrong with the sensors of a home, by its log
+    Health(health::Arguments),
+    /// Fit a scenario to the log of its home, and hold it against days that it was not fitted to
+    Calibrate(calibrate::Arguments),
     /// Compare the firings of two logs
     Compare(compare::Arguments),
     /// Say how near a log is to a real one, and what gives it away
@@ -59,6 +72,8 @@ pub enum Command {
     Experiment(experiment::Arguments),
     /// Carry a log from one form into another
     Convert(convert::Arguments),
+    /// Write a log anew so that it no longer says whose it is
+    Anonymise(anonymise::Arguments),
     /// Join a log with the truth of its run, for recognisers to be trained on
     Label(label::Arguments),
     /// Write the JSON Schemas of the scenario files into a folder
@@ -84,6 +99,10 @@ impl Command {
             Command::Serve(arguments) => arguments.run(),
             Command::Plan(arguments) => arguments.run(),
             Command::Coverage(arguments) => arguments.run(),
+            Command::Look(arguments) => arguments.run(),
+            Command::Translate(arguments) => arguments.run(),
+            Command::Health(arguments) => arguments.run(),
+            Command::Calibrate(arguments) => arguments.run(),
             Command::Compare(arguments) => arguments.run(),
             Command::Realism(arguments) => arguments.run(),
             Command::Density(arguments) => arguments.run(),
@@ -91,6 +110,7 @@ impl Command {
             Command::Strip(arguments) => arguments.run(),
             Command::Experiment(arguments) => arguments.run(),
             Command::Convert(arguments) => arguments.run(),
+            Command::Anonymise(arguments) => arguments.run(),
             Command::Label(arguments) => arguments.run(),
             Command::Schema(arguments) => arguments.run(),
             Command::Numbers(arguments) => arguments.run(),

@@ -1,25 +1,78 @@
-//! `homebody new`: a scenario of one's own, from one that works.
+//! `homebody new`: a scenario of one's own, from one that works, or from the log of a home.
 
+use super::read_log::read_log;
 use crate::beginning::begin;
-use crate::failure::Failure;
+use crate::failure::{EXIT_CODES, Failure};
+use crate::from_log::{Told, told};
+use crate::inhabited::{Begun, Inhabited, inhabited};
 use crate::print::{tell, write_file};
-use homebody_kit::Template;
+use crate::sensor_table;
+use crate::traced::{Known, Traced};
+use homebody_analysis::dates::written;
+use homebody_analysis::walks::walks;
+use homebody_core::problem::counted;
+use homebody_core::scenario::calendar::Calendar;
+use homebody_core::time::DAY;
+use homebody_import::from_log::{Schematic, schematic};
+use homebody_kit::{LogWithRun, Template};
 use serde_json::json;
 use std::path::PathBuf;
 
-/// Begins a scenario of your own in a new folder, from a template that works.
+/// Begins a scenario of your own in a new folder: from a template that works, or from the log of a home of which nobody has a
+/// plan.
+///
+/// From a log comes a schematic home: rooms, things and places by the names of its sensors and by what was done as they spoke;
+/// which rooms are beside each other, and what is near what, by who follows whom and how soon. It is a guess, and says so. With
+/// a picture of the plan and the places of the sensors on it, these are where they are, and the page's Plan shows the picture
+/// below what is to be drawn.
 #[derive(clap::Args)]
 #[command(after_help = format!("Templates:
 {}
-Example:
-  homebody new my-home --template tigerplace && homebody run my-home", templates()))]
+Examples:
+  homebody new my-home --template tigerplace && homebody run my-home
+  homebody new their-home --from-log casas:tm000.txt
+  homebody new their-home --from-log week.csv --sensors sensors.csv
+  homebody translate week.csv --home their-home --to walked
+  homebody new their-home --from-log week.csv --sensors sensors.csv --image plan.png \\
+    --known 120,640=0,0 --known 900,640=8.5,0 && homebody serve their-home
+
+sensors.csv has a line id,room,place,x,y and then one for each sensor: what the log calls it, its
+room and what it looks at, in any words, and where it is, in pixels of the picture or else in
+metres. All but id may be left out; a column kind says motion or contact where the log misleads.
+
+{EXIT_CODES}.", templates()))]
 pub struct Arguments {
     /// The folder to create
     folder: PathBuf,
     /// The scenario to start from
     #[arg(long, default_value = "tigerplace", value_parser = template)]
     template: Template,
+    /// Make a schematic home of what this log tells: a file, the folder of a run or of a data set, or FORM:FILE
+    #[arg(long, value_name = "LOG", conflicts_with = "template")]
+    from_log: Option<String>,
+    /// A table of the log's sensors: id, room, place, x, y
+    #[arg(long, value_name = "FILE", requires = "from_log")]
+    sensors: Option<PathBuf>,
+    /// A picture of the plan, in PNG or JPEG
+    #[arg(long, value_name = "FILE", requires = "from_log")]
+    image: Option<PathBuf>,
+    /// Where a point of the picture is: pixels from its upper left corner, and metres to the east and the north; given twice
+    #[arg(long, value_name = "X,Y=EAST,NORTH", requires = "image")]
+    known: Vec<Known>,
+    /// The home's time zone; a run knows its own
+    #[arg(long, value_name = "ZONE", requires = "from_log")]
+    time_zone: Option<String>,
 }
+
+/// What a schematic home says of itself.
+const ABOUT: &str = "Which rooms and things there are is from names and from what was done; which are beside each other is from \
+                     who follows whom and how soon. Sizes, shapes, walls and the places of doors are guesses.";
+
+/// How the picture below the plan lies, for the page.
+const UNDERLAY: &str = "underlay.json";
+
+/// A new scenario is no longer (ours): it is lived when somebody asks for it.
+const MOST_DAYS: i64 = 365;
 
 /// A template by its name.
 fn template(name: &str) -> Result<Template, String> {
@@ -58,10 +111,82 @@ fn first_words(about: &str) -> &str {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
+        if let Some(log) = &self.from_log {
+            return self.make_of(log);
+        }
         let folder = &self.folder;
         begin(folder, |name| self.write(name))?;
         tell(format_args!("{} is ready.\n  homebody check {0}\n  homebody run {0}", folder.display()));
         Ok(())
+    }
+
+    /// A scenario in a home that nobody has drawn.
+    fn make_of(&self, log: &str) -> Result<(), Failure> {
+        let folder = &self.folder;
+        let picture = self.image.as_deref().map(|image| Traced::read(image, &self.known)).transpose()?;
+        let table = self.sensors.as_deref().map(sensor_table::read).transpose()?.unwrap_or_default();
+        let zone = self.time_zone.as_deref();
+        zone.map(Calendar::zone).transpose().map_err(Failure::usage)?;
+        let read = read_log(log, zone)?;
+        let Told { sensors, ways, remarks } = told(&walks(&read.log), &table, &read.log.known, picture.as_ref())?;
+        let mut made = None;
+        let path = std::path::Path::new(log);
+        let file = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+        begin(folder, |name| {
+            let about =
+                format!("Schematic: made of what the log {file} tells, and of what its sensors are called. {ABOUT}");
+            let made_of = schematic(name, &about, &sensors, &ways);
+            let home = made_of.map_err(|error| Failure::usage(format!("{log}: {error}")))?;
+            let lived = self.inhabit(name, &file, &read, &home)?;
+            for (file, text) in &lived.texts {
+                write_file(&folder.join(file), text.as_bytes(), false)?;
+            }
+            if let Some(picture) = &picture {
+                write_file(&folder.join(picture.file), &picture.bytes, false)?;
+                write_file(&folder.join(UNDERLAY), picture.lies().as_bytes(), false)?;
+            }
+            made = Some((home, lived));
+            Ok(())
+        })?;
+        let Some((home, lived)) = made else { return Ok(()) };
+        remarks.iter().chain(&home.remarks).for_each(|remark| tell(format_args!("{log}: {remark}")));
+        lived.lack.iter().for_each(|lack| tell(format_args!("nobody can live an ordinary life here yet: {lack}")));
+        let file = &lived.scenario.home;
+        tell(format_args!(
+            "{} is ready, and schematic: {}, {}, {}.\n  homebody check {0}\n  homebody translate {log} --home {0} --to walked\n  \
+             homebody serve {0}",
+            folder.display(),
+            counted(file.rooms.len(), "room", "rooms"),
+            counted(file.furniture.len(), "piece of furniture", "pieces of furniture"),
+            counted(file.sensors.len(), "sensor", "sensors"),
+        ));
+        Ok(())
+    }
+
+    /// The files of the scenario: its days are those of the log.
+    fn inhabit(&self, name: &str, file: &str, read: &LogWithRun, home: &Schematic) -> Result<Inhabited, Failure> {
+        let times = || read.log.events.iter().map(|event| event.at);
+        let first = times().min().unwrap_or(0).div_euclid(DAY);
+        let days = times().max().unwrap_or(0).div_euclid(DAY) - first + 1;
+        let mut logger = json!({
+            "$schema": "./schemas/logger.schema.json",
+            "to": ["casas:log.txt"],
+            "ids": home.ids,
+            "time": "local",
+        });
+        if let Some(hold_s) = home.hold_s.filter(|hold_s| *hold_s > 0.0) {
+            logger["messages"] = json!({ "on_off": { "hold_s": hold_s, "lumps": [] } });
+        }
+        let start = written(first * DAY);
+        inhabited(&Begun {
+            name,
+            about: &format!("A home that the log {file} tells of, drawn as a scheme. {ABOUT}"),
+            start: &start[..19].replace(' ', "T"),
+            time_zone: self.time_zone.as_deref().unwrap_or("UTC"),
+            days: days.clamp(1, MOST_DAYS) as f64,
+            home: home.home_json.clone(),
+            logger: Some(format!("{logger:#}\n")),
+        })
     }
 
     fn write(&self, name: &str) -> Result<(), Failure> {

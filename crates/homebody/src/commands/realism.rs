@@ -23,7 +23,7 @@ use std::path::PathBuf;
 Measures:
 {}", MEASURES.trim_end()))]
 pub struct Arguments {
-    /// The log that is taken for what is real: a file, a run's folder, or sqlite:FILE, csv:FILE or casas:FILE
+    /// The log that is taken for what is real: a file, the folder of a run or of a data set, or FORM:FILE
     a: String,
     /// The log to hold against it
     b: String,

@@ -4,8 +4,8 @@ use super::answer::Answer;
 use crate::failure::Failure;
 use crate::length::span;
 use homebody_analysis::strip::{Film, RunNames};
-use homebody_core::scenario::calendar::{Calendar, time_of_day};
-use homebody_core::time::{DAY, Micros};
+use homebody_core::scenario::calendar::Calendar;
+use homebody_core::time::Micros;
 use homebody_kit::Recorded;
 use homebody_log::places::RECORDING;
 use homebody_picture::film_strip;
@@ -43,7 +43,7 @@ impl Arguments {
         let first = self.first(&calendar)?;
         let length = recorded.recording().length_us;
         if first >= length {
-            let [begin, end] = [0, length].map(|at| clock(&calendar, at));
+            let [begin, end] = [0, length].map(|at| calendar.wall_clock(at));
             return Err(Failure::usage(format!("the run has no {}\n  hint: it goes from {begin} to {end}", self.from)));
         }
         let fits = (length - first - 1) / self.every + 1;
@@ -61,7 +61,7 @@ impl Arguments {
             doors: home.doors.len(),
             things: home.plan().things.iter().map(|thing| thing.name.as_str()).collect(),
         };
-        let strip = film.strip(&names, |at| clock(&calendar, at));
+        let strip = film.strip(&names, |at| calendar.wall_clock(at));
         answer.give(&strip, [&|| film_strip(&home, &strip)])
     }
 
@@ -71,25 +71,7 @@ impl Arguments {
             let hint = "write 2026-01-12T18:40:05, or 18:40:05 for a time of the first 24 hours";
             Failure::usage(format!("{:?} is no time\n  hint: {hint}", self.from))
         };
-        let (date, time) = match self.from.split_once(['T', ' ']) {
-            Some((date, time)) => (Some(date), time),
-            None => (None, self.from.as_str()),
-        };
-        let time = time_of_day(time).ok_or_else(wrong)?;
-        let Some(date) = date else {
-            let at = calendar.instant(0, time);
-            return Ok(if at < 0 { calendar.instant(0, time + DAY) } else { at });
-        };
-        let parts: Vec<&str> = date.split('-').collect();
-        let [year, month, day] = parts[..] else { return Err(wrong()) };
-        let date = year.parse().ok().zip(month.parse().ok()).zip(day.parse().ok());
-        let day = date.and_then(|((year, month), day)| calendar.day_of(year, month, day)).ok_or_else(wrong)?;
-        let at = calendar.instant(day, time);
+        let at = calendar.written(&self.from).ok_or_else(wrong)?;
         if at < 0 { Err(Failure::usage(format!("{} is before the run begins", self.from))) } else { Ok(at) }
     }
-}
-
-/// An instant on the clock on the wall.
-fn clock(calendar: &Calendar, at: Micros) -> String {
-    calendar.local(at).strftime("%Y-%m-%d %H:%M:%S").to_string()
 }

@@ -3,7 +3,7 @@
 use crate::flat::flat;
 use crate::folder::Folder;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::{How, RunClock, Transfer, Url, label, survey};
+use homebody_log::{How, RunClock, Source, Transfer, Url, label, survey};
 use rusqlite::Connection;
 use std::fs;
 
@@ -42,7 +42,8 @@ fn the_hour_that_clocks_tell_twice_is_labelled_as_two() {
         .map(|url| url.parse::<Url>().unwrap().within(&folder.path("")));
     let mapping = LoggerFile::default();
     let about = survey(&from, &mapping).unwrap();
-    let transfer = Transfer { from: &from, mapping: &mapping, to: &to, name: "told", zone: "UTC", how: How::New };
+    let transfer =
+        Transfer { from: &Source::from(&from), mapping: &mapping, to: &to, name: "told", zone: "UTC", how: How::New };
     label(&transfer, &about, &truth, &RunClock::as_told(), |_| ()).unwrap();
     let wrong = differing(&labels(&folder, "told.csv"), &reference);
     println!("{} rows, {wrong} wrong by what is told alone", reference.len());

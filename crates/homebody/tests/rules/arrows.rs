@@ -5,20 +5,43 @@ use std::fs;
 use toml::{Table, Value};
 
 /// On which of our crates each of them may depend.
-const ARROWS: [(&str, &[&str]); 13] = [
+const ARROWS: [(&str, &[&str]); 14] = [
     ("homebody-core", &[]),
     ("homebody-import", &["homebody-core"]),
     ("homebody-walk", &["homebody-core"]),
     ("homebody-log", &["homebody-core"]),
+    ("homebody-infer", &["homebody-core", "homebody-log", "homebody-walk"]),
     ("homebody-script", &["homebody-core", "homebody-walk"]),
     ("homebody-routine", &["homebody-core", "homebody-script", "homebody-walk"]),
     ("homebody-analysis", &["homebody-core", "homebody-log"]),
     ("homebody-picture", &["homebody-analysis", "homebody-core"]),
-    ("homebody-experiment", &["homebody-core", "homebody-picture", "homebody-routine", "homebody-walk"]),
-    ("homebody-kit", &["homebody-analysis", "homebody-core", "homebody-log", "homebody-routine"]),
+    (
+        "homebody-experiment",
+        &[
+            "homebody-analysis",
+            "homebody-core",
+            "homebody-infer",
+            "homebody-log",
+            "homebody-picture",
+            "homebody-routine",
+            "homebody-walk",
+        ],
+    ),
+    (
+        "homebody-kit",
+        &["homebody-analysis", "homebody-core", "homebody-infer", "homebody-log", "homebody-routine", "homebody-walk"],
+    ),
     (
         "homebody-web",
-        &["homebody-analysis", "homebody-core", "homebody-import", "homebody-kit", "homebody-log", "homebody-routine"],
+        &[
+            "homebody-analysis",
+            "homebody-core",
+            "homebody-import",
+            "homebody-kit",
+            "homebody-log",
+            "homebody-picture",
+            "homebody-routine",
+        ],
     ),
     (
         "homebody",
@@ -27,6 +50,7 @@ const ARROWS: [(&str, &[&str]); 13] = [
             "homebody-core",
             "homebody-experiment",
             "homebody-import",
+            "homebody-infer",
             "homebody-kit",
             "homebody-log",
             "homebody-picture",

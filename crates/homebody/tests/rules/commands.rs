@@ -193,7 +193,9 @@ fn failing(Shown { document, line, words }: &Shown, folder: &Path) -> Option<Str
     let is_slow = words.iter().any(|word| SLOW.contains(&word.split('=').next().unwrap_or_default()));
     // Whatever the repository does not have, the reader has to bring.
     let has = |word: &String| word.starts_with('-') || word.starts_with("scenarios/") || folder.join(word).exists();
-    let is_complete = MAKERS.contains(&command.as_str()) || words.get(1).is_none_or(has);
+    let log = words.iter().skip_while(|word| *word != "--from-log").nth(1);
+    let is_complete =
+        log.or(words.get(1)).filter(|_| log.is_some() || !MAKERS.contains(&command.as_str())).is_none_or(has);
     if is_slow || !is_complete {
         return None;
     }

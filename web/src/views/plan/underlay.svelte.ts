@@ -1,8 +1,11 @@
-// A picture under the plan, such as a scanned drawing. It is kept in the browser, by the scenario's name, and sent nowhere.
+// A picture under the plan, such as a scanned drawing. It is kept in the browser, by the scenario's name, and sent nowhere. Where
+// the browser has none, it is the one that the scenario's own folder has.
 
 import { type At, distance, minus } from '../../plan/geometry';
 import type { Pen } from '../../plan/pen';
 import { type View, toScreen } from '../../plan/transform';
+import type { Server } from '../../server';
+import type { UnderlayView } from '../../wire';
 import { add, exact, rounded, times } from './shape';
 
 /** How it lies: the place of its middle, its width, and its turn against the clock. */
@@ -24,18 +27,26 @@ export class Underlay {
   private file: Blob | null = null;
   private scenario: string | null = null;
 
-  /** What was kept of this scenario. */
+  constructor(private readonly server: Pick<Server, 'json' | 'file'>) {}
+
+  /** What was kept of this scenario, or what its folder has. */
   async open(scenario: string): Promise<void> {
     this.scenario = scenario;
-    try {
-      const kept = (await inStore('readonly', (store) => store.get(scenario))) as Kept | undefined;
-      if (kept === undefined || this.scenario !== scenario) return;
-      const { at, width_m, turn_deg, opacity } = kept;
-      this.lies = { at, width_m, turn_deg, opacity };
-      await this.load(kept.file, kept.name);
-    } catch {
-      // A browser that keeps nothing has nothing to show.
-    }
+    // A browser that keeps nothing has nothing to show.
+    const kept = (await inStore('readonly', (store) => store.get(scenario)).catch(() => undefined)) as Kept | undefined;
+    const found = kept ?? (await this.ofFolder().catch(() => undefined));
+    if (found === undefined || this.scenario !== scenario) return;
+    const { at, width_m, turn_deg, opacity } = found;
+    this.lies = { at, width_m, turn_deg, opacity };
+    await this.load(found.file, found.name);
+  }
+
+  private async ofFolder(): Promise<Kept | undefined> {
+    const lies = await this.server.json<UnderlayView | null>('/api/underlay');
+    if (lies === null) return undefined;
+    const { picture: name, at, width_m, turn_deg } = lies;
+    const { blob } = await this.server.file('/api/underlay/picture', name);
+    return { at, width_m, turn_deg, opacity: this.lies.opacity, file: blob, name };
   }
 
   /** A file that somebody has chosen comes to lie on the middle of what is seen. */

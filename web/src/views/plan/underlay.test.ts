@@ -42,13 +42,14 @@ class Store {
 
 let store: Store;
 let underlay: Underlay;
+const noPicture = { json: <T>() => Promise.resolve(null as T), file: () => Promise.reject(new Error('no picture')) };
 const picture = () => new File(['a picture'], 'plan.png', { type: 'image/png' });
 
 beforeEach(async () => {
   store = new Store();
   vi.stubGlobal('indexedDB', store);
   vi.stubGlobal('Image', class { decode = () => Promise.resolve(); });
-  underlay = new Underlay();
+  underlay = new Underlay(noPicture);
   await underlay.open('cottage');
 });
 
@@ -57,7 +58,7 @@ afterEach(() => vi.unstubAllGlobals());
 test('a picture is kept by the scenario’s name', async () => {
   await underlay.choose(picture(), [1, 2], 8);
   expect(underlay.problem).toBe('');
-  const again = new Underlay();
+  const again = new Underlay(noPicture);
   await again.open('cottage');
   expect([again.name, again.lies]).toEqual(['plan.png', { at: [1, 2], width_m: 8, turn_deg: 0, opacity: 0.5 }]);
   expect(store.closed).toBe(store.opened);
@@ -68,4 +69,17 @@ test('a picture that a full store does not keep is said so', async () => {
   await underlay.choose(picture(), [1, 2], 8);
   expect([underlay.name, underlay.problem]).toEqual(['plan.png', 'The browser does not keep the picture: choose it again next time.']);
   expect(store.closed).toBe(store.opened);
+});
+
+test('a picture of the scenario’s folder is shown where the browser has none', async () => {
+  const lies = { picture: 'plan.png', at: [5, 2.5], width_m: 10, turn_deg: 90 };
+  const ofFolder = { json: <T>() => Promise.resolve(lies as T), file: () => Promise.resolve({ blob: picture(), name: 'x' }) };
+  const first = new Underlay(ofFolder);
+  await first.open('cottage');
+  expect([first.name, first.lies]).toEqual(['plan.png', { at: [5, 2.5], width_m: 10, turn_deg: 90, opacity: 0.5 }]);
+  // What somebody has chosen here comes before it.
+  await first.choose(picture(), [1, 2], 8);
+  const again = new Underlay(ofFolder);
+  await again.open('cottage');
+  expect(again.lies.width_m).toBe(8);
 });

@@ -1,6 +1,8 @@
 // A day of a stored run, made ready for drawing: its rows by sensor, and when nothing stirs.
 
 import type { DayView, LifeView, PlaybackView } from '../../wire';
+import { above } from './above';
+import { type Doubt, doubtOf } from './doubt';
 
 /** Shorter stillness is not worth a jump. */
 export const STILL_US = 60_000_000;
@@ -15,18 +17,9 @@ export type Day = {
   /** When for longer than a minute no sensor said anything; and when, besides, nobody went anywhere. */
   quiet: Span[];
   still: Span[];
+  /** By resident; none but of a log that was walked back. */
+  doubts: Doubt[];
 };
-
-/** The first place in `all`, in order, whose number is above `limit`. */
-export function above<T>(all: ArrayLike<T>, limit: number, of: (one: T) => number): number {
-  let [low, high] = [0, all.length];
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (of(all[middle]!) > limit) high = middle;
-    else low = middle + 1;
-  }
-  return low;
-}
 
 /** Messages after which nothing happens in front of the sensor. */
 function isOff(value: string): boolean {
@@ -46,6 +39,7 @@ export function prepare(run: PlaybackView, number: number, view: DayView): Day {
     fired: fired.map((all) => Float64Array.from(all)),
     quiet: gaps(rows, begin_us, end_us),
     still: gaps([...rows, ...strides].sort((a, b) => a[0] - b[0]), begin_us, end_us),
+    doubts: run.walk === null ? [] : view.lives.map((life) => doubtOf(run, life)),
   };
 }
 

@@ -37,14 +37,19 @@ export class Player {
 
   /** Fetches the list, and opens a run of this name, or the latest. */
   async begin(name: string | null): Promise<void> {
+    await this.refresh();
+    if (this.list === null) return;
+    const wanted = name ?? this.list.find(({ problem }) => problem === null)?.name;
+    if (wanted !== undefined) await this.open(wanted);
+  }
+
+  /** Fetches the list again: a run has come. */
+  async refresh(): Promise<void> {
     try {
       this.list = await this.server.json<StoredView[]>('/api/runs');
     } catch (error) {
       this.problem = said(error);
-      return;
     }
-    const wanted = name ?? this.list.find(({ problem }) => problem === null)?.name;
-    if (wanted !== undefined) await this.open(wanted);
   }
 
   async open(name: string): Promise<void> {

@@ -5,6 +5,7 @@ import { dayAt } from '../../localtime';
 import { type Server, storedPath } from '../../server';
 import type { DayView, PlaybackView } from '../../wire';
 import { type Day, prepare } from './day';
+import { OUT, placeName, spansIn } from './doubt';
 
 /** So many days are kept; those that were wanted longest ago go first. */
 const KEPT = 12;
@@ -62,11 +63,24 @@ export function drawingOf(view: PlaybackView, number: number, day: Day | null, t
   return {
     calendar: view,
     number,
-    bands: truth ? view.residents.map(({ name }, index) => ({ name, spans: day?.view.lives[index]?.activities ?? [] })) : [],
-    activities: view.activities,
+    ...(view.walk === null ? done(view, day, truth) : walked(view, number, day, truth)),
     lanes: view.sensors.map((id, index) => {
       const sensor = view.home.sensors[index];
       return { name: sensor?.name ?? id, kind: sensor?.kind ?? '', fired: day?.fired[index] ?? [] };
     }),
   };
+}
+
+/** What residents did. */
+function done(view: PlaybackView, day: Day | null, truth: boolean): Pick<DayDrawing, 'bands' | 'activities'> {
+  const bands = truth ? view.residents.map(({ name }, index) => ({ name, spans: day?.view.lives[index]?.activities ?? [] })) : [];
+  return { bands, activities: view.activities };
+}
+
+/** How likely residents were in each room, and out. */
+function walked(view: PlaybackView, number: number, day: Day | null, truth: boolean): Pick<DayDrawing, 'bands' | 'activities' | 'shades'> {
+  const { end_us } = view.days[number]!;
+  const places = [...view.home.rooms.keys(), OUT];
+  const shade = (place: number) => ({ name: placeName(view.home, place), by: (day?.doubts ?? []).map((doubt) => spansIn(doubt, place, end_us)) });
+  return { bands: [], activities: [], shades: truth ? places.map(shade) : [] };
 }

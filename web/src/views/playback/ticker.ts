@@ -68,10 +68,11 @@ export class Ticker {
     this.now_us = Math.min(Math.max(instantOf(view, wanted) ?? (days < 0 ? begin_us : end_us - 1), begin_us), end_us - 1);
   }
 
-  /** The beginning of the next or the last activity, of anybody. */
+  /** The beginning of the next or the last activity of anybody; of a log that was walked back, of a stay in a room. */
   activity(forward: boolean): boolean {
     const day = this.run.at(this.now_us);
-    const spans = [...this.run.view.spans.flat(), ...(day?.view.lives.flatMap(({ activities }) => activities) ?? [])];
+    const { spans: done, walk } = this.run.view;
+    const spans = walk === null ? [...done.flat(), ...(day?.view.lives.flatMap(({ activities }) => activities) ?? [])] : walk.stays.flat();
     // A second's grace: who asks for the last one while it plays wants the one before.
     const found = spans.map(([begin]) => begin).filter((begin) => (forward ? begin > this.now_us : begin < this.now_us - 1e6));
     if (found.length === 0) return false;

@@ -49,6 +49,7 @@ test('two runs follow one clock: the same date where both know it, else the same
 test('strides are walked evenly, and who rests faces where the last one led', () => {
   const run = storedRun('one');
   const life: LifeView = {
+    chances: [],
     movements: [
       [0, 10, 'stride', 'standing', [0, 0], [0, 2]],
       [10, 20, 'rest', 'sitting', [0, 2], [0, 2]],
@@ -76,7 +77,7 @@ test('stillness is more than a minute in which nothing fires and nobody strides'
   const run = storedRun('one', 1);
   const day = prepare(run, 0, {
     rows: [[100e6, 0, 0]],
-    lives: [{ movements: [[300e6, 400e6, 'stride', 'standing', [0, 0], [1, 1]], [400e6, 900e6, 'in_place', 'lying', [0, 0], [0, 0]]], rooms: [], activities: [] }],
+    lives: [{ movements: [[300e6, 400e6, 'stride', 'standing', [0, 0], [1, 1]], [400e6, 900e6, 'in_place', 'lying', [0, 0], [0, 0]]], rooms: [], activities: [], chances: [] }],
   });
   expect(day.quiet).toEqual([[0, 100e6], [100e6, DAY]]);
   expect(day.still).toEqual([[0, 100e6], [100e6, 300e6], [400e6, DAY]]);

@@ -2,7 +2,7 @@ import { flushSync, mount, unmount } from 'svelte';
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import type { Live } from '../../live.svelte';
 import { Server } from '../../server';
-import { fakeRuns, storedRun } from '../../testing/stored';
+import { fakeRuns, storedRun, walkedRun } from '../../testing/stored';
 import type { PlaybackView } from '../../wire';
 import PlaybackPage from './Playback.svelte';
 
@@ -113,14 +113,15 @@ test('a second run is shown beside the first', async () => {
 test('a run that is not there is told', async () => {
   window.location.hash = `#/playback/${encodeURIComponent('../etc')}`;
   await begin();
-  expect(document.querySelector('[role="alert"]')!.textContent).toBe('There is no run ../etc.');
+  expect([...document.querySelectorAll('[role="alert"]')].map((alert) => alert.textContent).join('')).toBe('There is no run ../etc.');
 });
 
 test('where no run is stored it is said how to have one, and nothing is to be chosen', async () => {
   await begin([]);
   expect(document.querySelector('.waiting')!.textContent).toContain('No run is stored yet.');
   expect([...document.querySelectorAll('.waiting a')].map((link) => link.getAttribute('href'))).toEqual(['#/live', '#/life']);
-  expect(document.querySelector('select')).toBeNull();
+  expect(document.querySelector('#first-run')).toBeNull();
+  expect(button('Open a log')).toBeDefined();
 });
 
 test('hostile names are text', async () => {
@@ -131,5 +132,43 @@ test('hostile names are text', async () => {
   await settle();
   expect(document.body.textContent).toContain(EVIL);
   expect(document.querySelectorAll('img, script')).toHaveLength(0);
+  expect((globalThis as { broken?: number }).broken).toBeUndefined();
+});
+
+test('a log that was walked back says where everybody may be, how likely that is, and what its colours mean', async () => {
+  await begin(['week'], (name) => walkedRun(name));
+  const now = () => document.querySelector('[aria-label="At this time"]')!.textContent!;
+  const { home } = walkedRun('week');
+  expect(now()).toContain(`${home.rooms[4]!.name} 100 %`);
+  button('Next room').click();
+  for (let turn = 0; turn < 5; turn++) await settle();
+  expect(said()).toBe('2 March, 07:00:00');
+  press('ArrowLeft', slider('Time of the day'));
+  await settle();
+  expect(now()).toContain(`${home.rooms[4]!.name} 60 %`);
+  expect(now()).toContain(`${home.rooms[2]!.name} 30 %, out 10 %`);
+  expect(document.body.textContent).toContain('How sure it is');
+  expect(document.body.textContent).not.toContain('Show the truth');
+  [...document.querySelectorAll('label')].find((label) => label.textContent!.includes('as walked back'))!.querySelector('input')!.click();
+  await settle();
+  expect(now()).not.toContain('60 %');
+  expect(document.body.textContent).not.toContain('How sure it is');
+  expect(document.querySelector('#first-run option')!.textContent).toContain('week.csv, walked back');
+});
+
+test('what a log holds, and how real it is, is shown from the commands’ pages, without what could run', async () => {
+  await begin(['week', 'other'], (name) => (name === 'week' ? walkedRun(name) : storedRun(name)));
+  const page = () => document.querySelector('.page')?.shadowRoot?.querySelector('body');
+  button('What this log holds').click();
+  for (let turn = 0; turn < 3; turn++) await settle();
+  expect(page()!.textContent).toContain('look of week');
+  button('How real it is').click();
+  for (let turn = 0; turn < 3; turn++) await settle();
+  // Beside what was lived again, at first.
+  expect(page()!.textContent).toContain('realism/week of week');
+  choose('#beside-log', 'other');
+  for (let turn = 0; turn < 3; turn++) await settle();
+  expect(page()!.textContent).toContain('realism/other of week');
+  expect(page()!.querySelector('script, style')).toBeNull();
   expect((globalThis as { broken?: number }).broken).toBeUndefined();
 });

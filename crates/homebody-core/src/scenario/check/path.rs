@@ -6,6 +6,7 @@ use crate::geometry::{self, Point};
 use crate::home::plan::{Plan, Solid};
 use crate::problem::{Problem, counted};
 use crate::scenario::calendar::time_of_day;
+use crate::scenario::path::MOST_STEPS;
 use crate::scenario::path::{Go, PathFile, Repeat, Spot, Step, StirFile};
 use crate::scenario::resident::ResidentFile;
 use crate::scenario::source::Source;
@@ -13,9 +14,6 @@ use crate::time::{DAY, Micros, micros, seconds};
 
 /// Who walks slower does not arrive when that was meant (ours): at this speed a room takes several minutes.
 const LEAST_SPEED_MPS: f64 = 0.01;
-
-/// More steps and waypoints than this are no path that anybody wrote (ours).
-const MOST_STEPS: usize = 10_000;
 
 /// Nobody makes more moves a second (ours): with more, the truth has too many rows to be of use.
 const MOST_MOVES_PER_S: f64 = 100.0;
@@ -33,7 +31,7 @@ pub fn check(
     surroundings: &Surroundings,
     problems: &mut Vec<Problem>,
 ) {
-    if count(&file.steps) > MOST_STEPS {
+    if file.steps_and_waypoints() > MOST_STEPS {
         let what = format!("the path has more than {MOST_STEPS} steps and waypoints together");
         let hint = "let what comes again be repeated, or say a life as a routine";
         problems.push(source.problem("/steps", what, Some(hint.into())));
@@ -42,16 +40,6 @@ pub fn check(
     let mut walk = Walk { report: Report { source, problems }, surroundings, resident };
     let start = walk.spot("/start", &file.start, &format!("{} starts", resident.name));
     walk.steps("/steps", &file.steps, start);
-}
-
-/// How many steps there are, the repeated ones once, and waypoints with them.
-fn count(steps: &[Step]) -> usize {
-    let of = |step: &Step| match step {
-        Step::Go(go) => go.to.len(),
-        Step::Repeat(repeat) => count(&repeat.steps),
-        Step::Wait(_) | Step::Activity(_) | Step::Away(_) => 0,
-    };
-    steps.iter().map(|step| 1 + of(step)).sum()
 }
 
 struct Walk<'a> {

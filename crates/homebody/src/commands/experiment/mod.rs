@@ -6,7 +6,10 @@ mod daily_life;
 mod godsey2009;
 mod possible;
 mod realism;
+mod recogniser;
+mod sensor_health;
 mod sphere;
+mod walk_back;
 
 use crate::failure::Failure;
 
@@ -19,7 +22,10 @@ use crate::failure::Failure;
   homebody experiment claims --json claims.json
   homebody experiment conditions
   homebody experiment possible
-  homebody experiment realism --data casas --json realism.json")]
+  homebody experiment realism --data casas --json realism.json
+  homebody experiment walk-back --json walk-back.json
+  homebody experiment sensor-health --homes 10
+  homebody experiment recogniser --data uci")]
 pub struct Arguments {
     #[command(subcommand)]
     experiment: Experiment,
@@ -41,6 +47,12 @@ enum Experiment {
     Possible(possible::Arguments),
     /// Real homes beside a generated life that is sensed as they are
     Realism(realism::Arguments),
+    /// Activities in a real flat, recognised by who has learnt from simulated days alone
+    Recogniser(recogniser::Arguments),
+    /// Where residents were, by their logs alone, beside the truth
+    WalkBack(walk_back::Arguments),
+    /// What is wrong with sensors, by the logs of their homes alone, beside the faults that were planted
+    SensorHealth(sensor_health::Arguments),
 }
 
 impl Arguments {
@@ -53,6 +65,9 @@ impl Arguments {
             Experiment::Conditions(arguments) => arguments.run(),
             Experiment::Possible(arguments) => arguments.run(),
             Experiment::Realism(arguments) => arguments.run(),
+            Experiment::Recogniser(arguments) => arguments.run(),
+            Experiment::WalkBack(arguments) => arguments.run(),
+            Experiment::SensorHealth(arguments) => arguments.run(),
         }
     }
 }

@@ -1,0 +1,167 @@
+//! A log that is looked at, row by row.
+
+use super::counts::DayCounts;
+use super::held::{ActivityLook, HomeSensor, Look, SensorLook, Silence};
+use super::home::of_home;
+use super::sensor::Course;
+use crate::compare::natural;
+use crate::dates::{midnight, on_wall};
+use crate::signs::{Says, says};
+use homebody_core::time::{DAY, Micros, SECOND, seconds};
+use homebody_log::source::Clock;
+use homebody_log::{Activity, Event, Log};
+use jiff::Timestamp;
+use jiff::tz::TimeZone;
+use std::collections::BTreeMap;
+
+/// Nothing is said for so long in a silence (ours).
+const SILENCE: Micros = 12 * 3600 * SECOND;
+
+/// So many silences are listed (ours).
+const LISTED: usize = 100;
+
+/// Takes the rows of a log, part by part.
+pub struct Looker {
+    zone: Option<TimeZone>,
+    /// By value: what it says, and the number that it is.
+    values: Vec<(Says, Option<f64>)>,
+    sensors: Vec<Course>,
+    by_day: DayCounts,
+    first: Micros,
+    latest: Micros,
+    before: Option<Micros>,
+    set_back: (u64, Micros),
+    silences: (Vec<(Micros, Micros)>, u64),
+}
+
+impl Looker {
+    /// A log in UTC is told on the wall of the zone, if there is one.
+    pub fn new(zone: Option<TimeZone>) -> Looker {
+        Looker {
+            zone,
+            values: Vec::new(),
+            sensors: Vec::new(),
+            by_day: DayCounts::default(),
+            first: Micros::MAX,
+            latest: Micros::MIN,
+            before: None,
+            set_back: (0, 0),
+            silences: (Vec::new(), 0),
+        }
+    }
+
+    /// Takes the rows of a part; its sensors and values are all that have come so far.
+    pub fn take(&mut self, part: &Log) {
+        self.values.extend(part.values[self.values.len()..].iter().map(|value| (says(value), value.parse().ok())));
+        self.sensors.resize(part.sensors.len(), Course::default());
+        for event in &part.events {
+            let at = self.told(event.at, part.clock);
+            self.row(at, event);
+        }
+    }
+
+    fn told(&self, at: Micros, clock: Clock) -> Micros {
+        match &self.zone {
+            Some(zone) if clock == Clock::Utc => on_wall(at, zone),
+            _ => at,
+        }
+    }
+
+    fn row(&mut self, at: Micros, event: &Event) {
+        if let Some(before) = self.before {
+            if at < before {
+                self.set_back = (self.set_back.0 + 1, self.set_back.1.max(before - at));
+            } else if at - before >= SILENCE {
+                self.silences.1 += 1;
+                if self.silences.0.len() < LISTED {
+                    self.silences.0.push((before, at));
+                }
+            }
+        }
+        self.before = Some(at);
+        (self.first, self.latest) = (self.first.min(at), self.latest.max(at));
+        let (says, number) = self.values[event.value as usize];
+        self.sensors[event.sensor as usize].take(at, event.value, says, number);
+        self.by_day.take(event.sensor, at);
+    }
+
+    /// What the log holds. `about` is what is left of it once all rows have been taken; `named` finds another name of a sensor.
+    pub fn look(
+        mut self,
+        name: &str,
+        form: &str,
+        about: &Log,
+        named: &dyn Fn(&str) -> Option<String>,
+        home: Option<(&str, &[HomeSensor])>,
+    ) -> Look {
+        let clock = if self.zone.is_some() { Clock::Local } else { about.clock };
+        let text = |at: Micros| told(at, clock);
+        let spans: Vec<[Micros; 2]> =
+            about.activities.iter().map(|of| [of.begin, of.end].map(|at| self.told(at, about.clock))).collect();
+        let first = spans.iter().map(|[begin, _]| *begin).chain([self.first]).min();
+        let last = spans.iter().map(|[_, end]| *end).chain([self.latest]).max();
+        let (days, by_day) = std::mem::take(&mut self.by_day).finish(about.sensors.len());
+        let mut sensors: Vec<SensorLook> = Vec::new();
+        for (index, (id, course)) in about.sensors.iter().zip(&self.sensors).enumerate() {
+            let by_day = by_day.get(index).cloned().unwrap_or_default();
+            sensors.push(course.look(id, named(id), &about.values, by_day, self.latest, &text));
+        }
+        let home = home.map(|(name, sensors_of_home)| of_home(name, sensors_of_home, &sensors, about.rows));
+        sensors.sort_by_cached_key(|sensor| {
+            natural(&sensor.id).into_iter().map(|(size, part)| (size, part.to_owned())).collect::<Vec<_>>()
+        });
+        let sum = |of: fn(&SensorLook) -> u64| sensors.iter().map(of).sum();
+        let first_midnight = days.first().map_or(0, |day| midnight(*day));
+        let in_days = |at: Micros| (at - first_midnight) as f64 / DAY as f64;
+        let silence = |&(from, to): &(Micros, Micros)| Silence {
+            from: text(from),
+            to: text(to),
+            hours: seconds(to - from) / 3600.0,
+            at_days: [in_days(from), in_days(to)],
+        };
+        Look {
+            name: name.to_owned(),
+            form: form.to_owned(),
+            rows: about.rows,
+            first: first.filter(|&at| at != Micros::MAX).map(text),
+            last: last.filter(|&at| at != Micros::MIN).map(text),
+            clock,
+            days,
+            repeated: sum(|sensor| sensor.repeated),
+            missing: sum(|sensor| sensor.missing),
+            doubled: sum(|sensor| sensor.doubled),
+            sensors,
+            activities: activities(&about.activities),
+            set_back: self.set_back.0,
+            set_back_most_s: seconds(self.set_back.1),
+            silences: self.silences.0.iter().map(silence).collect(),
+            silences_in_all: self.silences.1,
+            refused: about.problems.iter().map(|problem| problem.line).collect(),
+            refused_in_all: about.skipped,
+            why_refused: about.problems.clone(),
+            remarks: about.remarks.clone(),
+            home,
+        }
+    }
+}
+
+/// An instant as people read it: `2009-03-02 07:12:03`, with a fraction where it has one, and a Z in UTC.
+fn told(at: Micros, clock: Clock) -> String {
+    let at = Timestamp::from_microsecond(at).unwrap_or(if at < 0 { Timestamp::MIN } else { Timestamp::MAX });
+    let zone = if clock == Clock::Utc { "Z" } else { "" };
+    at.strftime("%Y-%m-%d %H:%M:%S%.f").to_string() + zone
+}
+
+fn activities(all: &[Activity]) -> Vec<ActivityLook> {
+    let mut by_label: BTreeMap<&str, (u64, Micros)> = BTreeMap::new();
+    for Activity { name, begin, end } in all {
+        let (times, length) = by_label.entry(name).or_default();
+        (*times, *length) = (*times + 1, length.saturating_add(end - begin));
+    }
+    let look = |(label, (times, length)): (&str, (u64, Micros))| ActivityLook {
+        label: label.to_owned(),
+        times,
+        hours: seconds(length) / 3600.0,
+    };
+    by_label.into_iter().map(look).collect()
+}

@@ -1,0 +1,159 @@
+//! The course of one sensor through a log.
+
+use super::held::{SensorLook, Trouble};
+use crate::signs::{Kind, Says, Tally};
+use homebody_core::time::{DAY, Micros, SECOND, seconds};
+
+/// A dead sensor says nothing for so long before the log ends, and for so many times as long as ever before (ours).
+const DEAD: Micros = 2 * DAY;
+const DEAD_TIMES: Micros = 3;
+
+/// A stuck motion sensor is on for so long (ours).
+const STUCK: Micros = 6 * 3600 * SECOND;
+
+/// So many readings of one number are stuck, over so long (ours).
+const STUCK_READINGS: u64 = 50;
+const STUCK_FOR: Micros = DAY;
+
+/// What it says is counted by value for so many values (ours).
+const VALUES: usize = 8;
+
+/// What a sensor has said so far.
+#[derive(Clone, Default)]
+pub(super) struct Course {
+    tally: Tally,
+    rows: u64,
+    days: u64,
+    day: i64,
+    first: Micros,
+    latest: Micros,
+    last: Option<(Micros, u32)>,
+    /// The longest time without a row.
+    quiet: Micros,
+    is_on: bool,
+    on_since: Micros,
+    /// The longest time that it was on, and since when.
+    on_longest: (Micros, Micros),
+    on_after_on: u64,
+    off_without_on: u64,
+    ends: u64,
+    doubled: u64,
+    /// The first values, with how often they came.
+    values: Vec<(u32, u64)>,
+    numbers: u64,
+    range: Option<[f64; 2]>,
+}
+
+impl Course {
+    pub fn take(&mut self, at: Micros, value: u32, says: Says, number: Option<f64>) {
+        self.tally.take(at, says, number.is_some());
+        match self.last {
+            Some(last) if last == (at, value) => self.doubled += 1,
+            Some((last, _)) => self.quiet = self.quiet.max(at - last),
+            None => (self.first, self.latest) = (at, at),
+        }
+        let day = at.div_euclid(DAY);
+        if self.rows == 0 || day != self.day {
+            (self.days, self.day) = (self.days + 1, day);
+        }
+        (self.first, self.latest) = (self.first.min(at), self.latest.max(at));
+        self.last = Some((at, value));
+        self.rows += 1;
+        match says {
+            Says::Begins | Says::Opens if self.is_on => self.on_after_on += 1,
+            Says::Begins | Says::Opens => (self.is_on, self.on_since) = (true, at),
+            Says::Ends | Says::Closes => {
+                self.ends += 1;
+                match self.is_on {
+                    true => self.goes_off(at),
+                    false => self.off_without_on += 1,
+                }
+            }
+            Says::Else => {}
+        }
+        if let Some(number) = number.filter(|number| number.is_finite()) {
+            self.numbers += u64::from(says == Says::Else);
+            let [least, most] = self.range.unwrap_or([number; 2]);
+            self.range = Some([least.min(number), most.max(number)]);
+        }
+        match self.values.iter().position(|(known, _)| *known == value) {
+            Some(known) => self.values[known].1 += 1,
+            None if self.values.len() < VALUES => self.values.push((value, 1)),
+            None => {}
+        }
+    }
+
+    fn goes_off(&mut self, at: Micros) {
+        self.is_on = false;
+        if at - self.on_since > self.on_longest.0 {
+            self.on_longest = (at - self.on_since, self.on_since);
+        }
+    }
+
+    pub fn look(
+        &self,
+        id: &str,
+        name: Option<String>,
+        values: &[String],
+        by_day: Vec<u32>,
+        end: Micros,
+        text: &dyn Fn(Micros) -> String,
+    ) -> SensorLook {
+        // One that never says that something ends only begins things, and numbers do neither.
+        let is_of_two = self.ends > 0 && self.numbers == 0;
+        let of_two = |count: u64| if is_of_two { count } else { 0 };
+        let mut said: Vec<(String, u64)> = match self.numbers {
+            0 => self.values.iter().map(|&(value, times)| (values[value as usize].clone(), times)).collect(),
+            _ => Vec::new(),
+        };
+        said.sort_by_key(|(_, times)| std::cmp::Reverse(*times));
+        let kind = self.tally.kind(id);
+        let days = match by_day.is_empty() {
+            true => self.days,
+            false => by_day.iter().filter(|&&count| count > 0).count() as u64,
+        };
+        SensorLook {
+            id: id.to_owned(),
+            name: name.filter(|name| name != id),
+            kind,
+            rows: self.rows,
+            days,
+            by_day,
+            first: text(self.first),
+            last: text(self.latest),
+            values: said,
+            range: self.range.filter(|_| self.numbers > 0),
+            repeated: of_two(self.on_after_on),
+            missing: of_two(self.off_without_on),
+            doubled: self.doubled,
+            trouble: self.trouble(kind, is_of_two, values, end, text),
+        }
+    }
+
+    fn trouble(
+        &self,
+        kind: Kind,
+        is_of_two: bool,
+        values: &[String],
+        end: Micros,
+        text: &dyn Fn(Micros) -> String,
+    ) -> Option<Trouble> {
+        let mut longest = self.on_longest;
+        if self.is_on && end - self.on_since > longest.0 {
+            longest = (end - self.on_since, self.on_since);
+        }
+        if kind == Kind::Motion && is_of_two && longest.0 >= STUCK {
+            return Some(Trouble::StuckOn { since: text(longest.1), hours: seconds(longest.0) / 3600.0 });
+        }
+        if let [(value, times)] = self.values[..]
+            && kind == Kind::Reading
+            && times >= STUCK_READINGS
+            && self.latest - self.first >= STUCK_FOR
+        {
+            return Some(Trouble::StuckAt { value: values[value as usize].clone() });
+        }
+        let silent = end - self.latest;
+        let is_dead = self.rows > 1 && silent >= DEAD && silent / DEAD_TIMES >= self.quiet;
+        is_dead.then(|| Trouble::Dead { since: text(self.latest) })
+    }
+}

@@ -1,0 +1,120 @@
+use super::*;
+use crate::sample::log;
+use crate::signs::Kind;
+use homebody_core::time::Micros;
+use homebody_log::source::Clock;
+use jiff::tz::TimeZone;
+
+const H: Micros = 3600;
+
+fn look_of(rows: &[(Micros, &str, &str)], home: Option<(&str, &[HomeSensor])>) -> Look {
+    let mut log = log(rows);
+    log.rows = log.events.len() as u64;
+    let mut looker = Looker::new(None);
+    looker.take(&log);
+    looker.look("a log", "csv", &log, &|_| None, home)
+}
+
+fn sensor<'l>(look: &'l Look, id: &str) -> &'l SensorLook {
+    look.sensors.iter().find(|sensor| sensor.id == id).unwrap()
+}
+
+#[test]
+fn what_is_odd_is_counted() {
+    let look = look_of(
+        &[
+            (0, "M1", "OFF"),
+            (1, "M1", "ON"),
+            (2, "M1", "ON"),
+            (2, "M1", "ON"),
+            (1, "M1", "OFF"),
+            (3, "M1", "OFF"),
+            (4, "fire", "FIRE"),
+            (5, "fire", "FIRE"),
+            (6, "T1", "20"),
+            (7, "T1", "1"),
+            (8, "T1", "1"),
+        ],
+        None,
+    );
+    assert_eq!((look.repeated, look.missing, look.doubled), (2, 2, 1));
+    assert_eq!((look.set_back, look.set_back_most_s), (1, 1.0));
+    assert_eq!((sensor(&look, "M1").repeated, sensor(&look, "M1").missing), (2, 2));
+    // What never ends only begins, and numbers come again and again.
+    assert_eq!((sensor(&look, "fire").repeated, sensor(&look, "T1").repeated), (0, 0));
+    assert_eq!(sensor(&look, "T1").range, Some([1.0, 20.0]));
+    assert_eq!(
+        look.sensors.iter().map(|sensor| sensor.kind).collect::<Vec<_>>(),
+        [Kind::Motion, Kind::Reading, Kind::Motion]
+    );
+    assert_eq!(look.first.as_deref(), Some("1970-01-01 00:00:00"));
+}
+
+#[test]
+fn silence_and_dead_and_stuck_sensors_are_found() {
+    let mut rows = Vec::new();
+    for hour in 0..24 * 10 {
+        rows.extend([(hour * H, "M1", "ON"), (hour * H + 4, "M1", "OFF"), (hour * H, "B1", "3100")]);
+        if hour < 24 * 3 {
+            rows.push((hour * H, "M2", "ON"));
+            rows.push((hour * H + 9, "M2", "OFF"));
+        }
+        if hour == 30 {
+            rows.push((hour * H, "M3", "ON"));
+        }
+        if hour == 40 {
+            rows.push((hour * H, "M3", "OFF"));
+            rows.push((hour * H + 1, "M3", "ON"));
+            rows.push((hour * H + 2, "M3", "OFF"));
+        }
+    }
+    rows.retain(|(at, ..)| !(24 * 5 * H..24 * 6 * H).contains(at));
+    let look = look_of(&rows, None);
+    assert_eq!(look.silences_in_all, 1);
+    assert_eq!(look.silences[0].from, "1970-01-05 23:00:00");
+    assert_eq!((look.days.len(), look.is_silent(5), look.is_silent(4)), (10, true, false));
+    assert_eq!(sensor(&look, "M1").by_day, [48, 48, 48, 48, 48, 0, 48, 48, 48, 48]);
+    assert_eq!((sensor(&look, "M1").days, sensor(&look, "M1").trouble.clone()), (9, None));
+    assert_eq!(sensor(&look, "M2").trouble, Some(Trouble::Dead { since: "1970-01-03 23:00:09".into() }));
+    assert_eq!(
+        sensor(&look, "M3").trouble,
+        Some(Trouble::StuckOn { since: "1970-01-02 06:00:00".into(), hours: 10.0 })
+    );
+    assert_eq!(sensor(&look, "B1").trouble, Some(Trouble::StuckAt { value: "3100".into() }));
+}
+
+#[test]
+fn a_home_says_what_does_not_fit() {
+    let of = |name: &str, id: &str, kind| HomeSensor { name: name.into(), ids: vec![id.into()], kind };
+    let home = [of("hall", "M1", Kind::Motion), of("door", "D1", Kind::Motion), of("bed", "B1", Kind::Used)];
+    let rows = [(0, "M1", "ON"), (1, "M1", "OFF"), (2, "D1", "OPEN"), (3, "X", "ON")];
+    let of_home = look_of(&rows, Some(("flat", &home))).home.unwrap();
+    assert_eq!((of_home.known, of_home.known_share), (2, Some(0.75)));
+    assert_eq!(of_home.unknown, [Unknown { id: "X".into(), rows: 1, share: 0.25 }]);
+    assert_eq!(of_home.unheard, ["bed"]);
+    assert_eq!(of_home.misfits.len(), 1);
+    assert_eq!(of_home.misfits[0].id, "D1");
+}
+
+#[test]
+fn an_empty_log_and_one_sensor() {
+    let look = look_of(&[], None);
+    assert_eq!((look.rows, &look.first, look.sensors.len(), look.days.len()), (0, &None, 0, 0));
+    assert!(look.to_string().contains("0 rows of 0 sensors"));
+    let look = look_of(&[(0, "M1", "ON")], None);
+    assert_eq!((look.rows, look.sensors[0].days, look.silences_in_all), (1, 1, 0));
+}
+
+#[test]
+fn utc_is_told_on_the_wall_where_that_is_known() {
+    let mut log = log(&[(1_236_499_200, "M1", "ON")]);
+    (log.clock, log.rows) = (Clock::Utc, 1);
+    let told = |zone: Option<TimeZone>| {
+        let mut looker = Looker::new(zone);
+        looker.take(&log);
+        looker.look("a", "csv", &log, &|_| None, None).first.unwrap()
+    };
+    assert_eq!(told(None), "2009-03-08 08:00:00Z");
+    let zone = homebody_core::scenario::calendar::Calendar::zone("America/Chicago").unwrap();
+    assert_eq!(told(Some(zone)), "2009-03-08 03:00:00");
+}

@@ -1,0 +1,133 @@
+//! What a log holds, for people.
+
+use super::held::{Look, OfHome, SensorLook, Trouble};
+use homebody_core::problem::counted;
+use homebody_log::source::Clock;
+use std::fmt;
+
+/// So many silences, refused lines and unknown sensors are told to people (ours).
+const TOLD: usize = 10;
+
+impl fmt::Display for Look {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let clock = if self.clock == Clock::Utc { "UTC" } else { "local time" };
+        writeln!(f, "{}, in the form {}", self.name, self.form)?;
+        let span = match (&self.first, &self.last) {
+            (Some(first), Some(last)) => format!(", {first} to {last}, {clock}"),
+            _ => String::new(),
+        };
+        let count = |number: u64, one, many| counted(number as usize, one, many);
+        writeln!(
+            f,
+            "{} of {}{span}",
+            count(self.rows, "row", "rows"),
+            counted(self.sensors.len(), "sensor", "sensors")
+        )?;
+        if !self.days.is_empty() {
+            let silent = (0..self.days.len()).filter(|&day| self.is_silent(day)).count();
+            writeln!(f, "{}, {silent} of them without a row", counted(self.days.len(), "date", "dates"))?;
+        }
+        writeln!(
+            f,
+            "repeated {}, missing {}, doubled {}, clock set back {} (by {:.1} s at most)",
+            self.repeated,
+            self.missing,
+            self.doubled,
+            count(self.set_back, "time", "times"),
+            self.set_back_most_s
+        )?;
+        listed(f, "silences of 12 h or more", self.silences_in_all, &self.silences, |silence| {
+            format!("{} to {}: {:.1} h", silence.from, silence.to, silence.hours)
+        })?;
+        listed(f, "lines that were not understood", self.refused_in_all, &self.why_refused, |refused| {
+            format!("line {}: {}", refused.line, refused.why)
+        })?;
+        self.remarks.iter().try_for_each(|remark| writeln!(f, "{remark}"))?;
+        self.sensors(f)?;
+        if !self.activities.is_empty() {
+            let width = self.activities.iter().map(|of| of.label.chars().count()).max().unwrap_or(0).max(8);
+            writeln!(f, "\n{:width$}  {:>7}  {:>9}", "activity", "times", "hours")?;
+            for of in &self.activities {
+                writeln!(f, "{:width$}  {:>7}  {:>9.1}", of.label, of.times, of.hours)?;
+            }
+        }
+        self.home.as_ref().map_or(Ok(()), |home| write!(f, "\n{home}"))
+    }
+}
+
+impl Look {
+    /// Whether nothing says anything on a date, by its number in the list.
+    pub fn is_silent(&self, day: usize) -> bool {
+        self.sensors.iter().all(|sensor| sensor.by_day.get(day).is_none_or(|&count| count == 0))
+    }
+
+    fn sensors(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        if self.sensors.is_empty() {
+            return Ok(());
+        }
+        let named = |sensor: &SensorLook| {
+            sensor.name.as_ref().map_or(sensor.id.clone(), |name| format!("{} ({name})", sensor.id))
+        };
+        let width = self.sensors.iter().map(|sensor| named(sensor).chars().count()).max().unwrap_or(0).max(6);
+        writeln!(f, "\n{:width$}  {:7}  {:>9}  {:>5}  what it says", "sensor", "kind", "rows", "dates")?;
+        for sensor in &self.sensors {
+            let says = sensor.in_words();
+            writeln!(
+                f,
+                "{:width$}  {:7}  {:>9}  {:>5}  {says}",
+                named(sensor),
+                sensor.kind.word(),
+                sensor.rows,
+                sensor.days
+            )?;
+        }
+        Ok(())
+    }
+}
+
+impl SensorLook {
+    /// What it says, and what is the matter with it.
+    pub fn in_words(&self) -> String {
+        let mut parts: Vec<String> = self.values.iter().map(|(value, times)| format!("{value} {times}")).collect();
+        parts.extend(self.range.map(|[least, most]| format!("{least} to {most}")));
+        let counts = [(self.repeated, "repeated"), (self.missing, "missing"), (self.doubled, "doubled")];
+        parts.extend(counts.into_iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}")));
+        parts.extend(self.trouble.as_ref().map(Trouble::to_string));
+        parts.join(", ")
+    }
+}
+
+impl fmt::Display for Trouble {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Trouble::Dead { since } => write!(f, "dead since {since}"),
+            Trouble::StuckOn { since, hours } => write!(f, "stuck: on for {hours:.1} h since {since}"),
+            Trouble::StuckAt { value } => write!(f, "stuck at {value}"),
+        }
+    }
+}
+
+impl fmt::Display for OfHome {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let share = self.known_share.map_or("-".into(), |share| format!("{:.1} %", share * 100.0));
+        let known = counted(self.known, "sensor", "sensors");
+        writeln!(f, "{}: it has {known} of the log, which have {share} of the rows", self.name)?;
+        let unknown = self.unknown.len() as u64;
+        listed(f, "sensors that it does not have", unknown, &self.unknown, |of| {
+            format!("{}: {} rows, {:.1} %", of.id, of.rows, of.share * 100.0)
+        })?;
+        listed(f, "sensors that are another kind there", self.misfits.len() as u64, &self.misfits, |of| {
+            format!("{} is taken for {}, {} is {}", of.id, of.is.word(), of.name, of.of_home.word())
+        })?;
+        listed(f, "sensors of it that say nothing", self.unheard.len() as u64, &self.unheard, Clone::clone)
+    }
+}
+
+fn listed<T>(f: &mut fmt::Formatter, what: &str, in_all: u64, all: &[T], told: impl Fn(&T) -> String) -> fmt::Result {
+    if in_all == 0 {
+        return Ok(());
+    }
+    writeln!(f, "{what}: {in_all}")?;
+    all.iter().take(TOLD).try_for_each(|one| writeln!(f, "  {}", told(one)))?;
+    if in_all > TOLD as u64 { writeln!(f, "  and {} more", in_all - TOLD as u64) } else { Ok(()) }
+}

@@ -1,0 +1,247 @@
+//! What a log tells of its motion sensors' timing, and of the way that their messages took.
+//!
+//! | figure | definition |
+//! |---|---|
+//! | ON length | from an ON to the OFF after it |
+//! | refiring | from an ON to the next of the same sensor, where that comes within `SOON` |
+//! | repeated | the share of a sensor's rows that say at once, within `AT_ONCE`, what its row before said |
+//! | missing | the share of ONs after which no OFF comes before the next ON, repeated ones left out: of these messages one got lost |
+//!
+//! Units with a pulse hold each ON for the same time; others hold it for as long as movement goes on, and the shortest ONs tell how
+//! much longer. A log whose ONs last nearly the same from the first quarter to the third is taken for one of pulses.
+//!
+//! Left out: what a sensor reaches and how much it misses. Both change how often it fires, and so does where somebody goes.
+
+use crate::signs::{Kind, Says, kinds, says};
+use homebody_core::time::{Micros, SECOND, seconds};
+use homebody_log::Log;
+use serde::Serialize;
+use std::fmt;
+
+/// Refirings that take longer tell of the person, not of the sensor (ours).
+pub const SOON: Micros = 60 * SECOND;
+/// A row that comes again within so long is repeated (ours).
+pub const AT_ONCE: Micros = SECOND;
+/// Fewer samples tell no quantiles (ours).
+const LEAST_SAMPLES: usize = 30;
+/// ONs whose third quarter is at most so many times their first are pulses (ours).
+const PULSE: f64 = 1.3;
+
+/// The 5th, the 25th, the 50th, the 75th and the 95th percentile, in seconds.
+pub type Quantiles = [f64; 5];
+const SHARES: Quantiles = [0.05, 0.25, 0.5, 0.75, 0.95];
+
+/// What a log tells of its motion sensors.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Timing {
+    /// Of all together.
+    pub all: SensorTiming,
+    /// Of each.
+    pub sensors: Vec<SensorTiming>,
+    /// The share of rows that come twice.
+    pub repeated: f64,
+    /// The share of ONs whose OFF is missing, or of which the next ON is.
+    pub missing: f64,
+}
+
+/// The timing of one sensor.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SensorTiming {
+    /// Its id in the log; empty of all.
+    pub sensor: String,
+    /// How many ONs there are.
+    pub firings: usize,
+    /// How long they last; nothing where the log has no OFFs, or too few ONs.
+    pub on_s: Option<Quantiles>,
+    /// From ON to ON.
+    pub refire_s: Option<Quantiles>,
+}
+
+/// How the units of a log hold their ONs.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Hold {
+    /// The log has no OFFs.
+    None,
+    /// Each ON lasts for about this long.
+    Pulse(f64),
+    /// As long as movement goes on, and so much longer.
+    Follow(f64),
+}
+
+impl SensorTiming {
+    /// How it holds its ONs.
+    pub fn hold(&self) -> Hold {
+        match self.on_s {
+            None => Hold::None,
+            Some([_, first, median, third, _]) if third <= PULSE * first => Hold::Pulse(median),
+            Some([shortest, ..]) => Hold::Follow(shortest),
+        }
+    }
+}
+
+impl fmt::Display for SensorTiming {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let told = |of: Option<Quantiles>| match of {
+            Some(of) => of.map(|s| format!("{s:.2}")).join(" "),
+            None => "-".into(),
+        };
+        let hold = match self.hold() {
+            Hold::None => "no OFFs".to_owned(),
+            Hold::Pulse(s) => format!("pulses of {s:.2} s"),
+            Hold::Follow(s) => format!("ON while movement goes on, and {s:.2} s longer"),
+        };
+        writeln!(f, "{} ONs: {hold}", self.firings)?;
+        writeln!(f, "ON lengths, 5 25 50 75 95 %: {} s", told(self.on_s))?;
+        write!(f, "ON to ON, 5 25 50 75 95 %: {} s", told(self.refire_s))
+    }
+}
+
+/// What there is of one sensor.
+#[derive(Clone, Default)]
+struct Samples {
+    firings: usize,
+    on_s: Vec<f64>,
+    refire_s: Vec<f64>,
+    /// The last row, and the last ON that is no repetition.
+    last: Option<(Micros, Says)>,
+    last_on: Option<Micros>,
+    is_on: bool,
+    rows: usize,
+    repeated: usize,
+    missing: usize,
+}
+
+impl Samples {
+    fn take(&mut self, at: Micros, said: Says) {
+        self.rows += 1;
+        let is_repeated = self.last.is_some_and(|(before, what)| what == said && at - before <= AT_ONCE);
+        self.last = Some((at, said));
+        if is_repeated {
+            self.repeated += 1;
+            return;
+        }
+        match said {
+            Says::Begins => {
+                self.firings += 1;
+                self.missing += usize::from(self.is_on);
+                if let Some(before) = self.last_on.filter(|before| at - before <= SOON) {
+                    self.refire_s.push(seconds(at - before));
+                }
+                (self.is_on, self.last_on) = (true, Some(at));
+            }
+            Says::Ends => {
+                if let Some(begin) = self.last_on.filter(|_| self.is_on) {
+                    self.on_s.push(seconds(at - begin));
+                }
+                self.is_on = false;
+            }
+            _ => {}
+        }
+    }
+
+    fn timing(&self, sensor: &str) -> SensorTiming {
+        SensorTiming {
+            sensor: sensor.to_owned(),
+            firings: self.firings,
+            on_s: quantiles(&self.on_s),
+            refire_s: quantiles(&self.refire_s),
+        }
+    }
+}
+
+/// What a log tells of its motion sensors.
+pub fn timing(log: &Log) -> Timing {
+    let kinds = kinds(log);
+    let said: Vec<Says> = log.values.iter().map(|value| says(value)).collect();
+    let mut samples = vec![Samples::default(); log.sensors.len()];
+    let mut events: Vec<_> = log.events.iter().collect();
+    events.sort_by_key(|event| event.at);
+    for event in events {
+        let (sensor, said) = (event.sensor as usize, said[event.value as usize]);
+        if kinds[sensor] == Kind::Motion && matches!(said, Says::Begins | Says::Ends) {
+            samples[sensor].take(event.at, said);
+        }
+    }
+    let mut all = Samples::default();
+    for one in &samples {
+        all.firings += one.firings;
+        all.rows += one.rows;
+        all.repeated += one.repeated;
+        all.missing += one.missing;
+        all.on_s.extend(&one.on_s);
+        all.refire_s.extend(&one.refire_s);
+    }
+    let has_ends = !all.on_s.is_empty();
+    let share = |of: usize, whole: usize| if whole > 0 { of as f64 / whole as f64 } else { 0.0 };
+    let motion = samples.iter().zip(&log.sensors).filter(|(one, _)| one.firings > 0);
+    Timing {
+        all: all.timing(""),
+        sensors: motion.map(|(one, name)| one.timing(name)).collect(),
+        repeated: share(all.repeated, all.rows),
+        missing: if has_ends { share(all.missing, all.firings) } else { 0.0 },
+    }
+}
+
+fn quantiles(sample: &[f64]) -> Option<Quantiles> {
+    if sample.len() < LEAST_SAMPLES {
+        return None;
+    }
+    let mut sorted = sample.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    Some(SHARES.map(|share| sorted[((sorted.len() - 1) as f64 * share).round() as usize]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homebody_log::Event;
+
+    /// A sensor that fires `count` times, every ten seconds, and is ON for as long as `on_s` says.
+    fn log(count: i64, on_s: impl Fn(i64) -> f64) -> Log {
+        let mut events = Vec::new();
+        for number in 0..count {
+            let at = number * 10 * SECOND;
+            events.push(Event { at, sensor: 0, value: 0 });
+            events.push(Event { at: at + homebody_core::time::micros(on_s(number)), sensor: 0, value: 1 });
+        }
+        Log { sensors: vec!["hall".into()], values: vec!["ON".into(), "OFF".into()], events, ..Log::default() }
+    }
+
+    #[test]
+    fn pulses_and_units_that_follow_are_told_apart() {
+        let pulse = timing(&log(100, |number| 4.0 + (number % 3) as f64 * 0.01));
+        assert_eq!(pulse.all.hold(), Hold::Pulse(4.01));
+        let follow = timing(&log(100, |number| 1.1 + (number % 5) as f64));
+        assert_eq!(follow.all.hold(), Hold::Follow(1.1));
+        assert_eq!(pulse.all.refire_s, Some([10.0; 5]));
+        assert_eq!((pulse.repeated, pulse.missing, pulse.sensors.len()), (0.0, 0.0, 1));
+    }
+
+    #[test]
+    fn a_log_without_offs_has_no_hold_and_misses_none() {
+        let mut log = log(100, |_| 4.0);
+        log.events.retain(|event| event.value == 0);
+        let timing = timing(&log);
+        assert_eq!((timing.all.hold(), timing.missing, timing.all.firings), (Hold::None, 0.0, 100));
+    }
+
+    #[test]
+    fn rows_that_come_twice_and_rows_that_are_missing_are_counted() {
+        let mut log = log(100, |_| 4.0);
+        let twice = Event { at: log.events[20].at + 200_000, ..log.events[20] };
+        log.events.push(twice);
+        // The OFF of the thirtieth ON.
+        log.events.remove(59);
+        let timing = timing(&log);
+        assert!((timing.repeated - 1.0 / 200.0).abs() < 1e-9, "{}", timing.repeated);
+        assert!((timing.missing - 1.0 / 100.0).abs() < 1e-9, "{}", timing.missing);
+        assert_eq!(timing.all.on_s.unwrap(), [4.0; 5]);
+    }
+
+    #[test]
+    fn few_rows_tell_nothing() {
+        let timing = timing(&log(10, |_| 4.0));
+        assert_eq!((timing.all.on_s, timing.all.refire_s), (None, None));
+    }
+}

@@ -1,0 +1,161 @@
+//! Which sensor speaks after which, how soon, and what somebody did meanwhile: what a log tells of a home that nobody has drawn.
+//!
+//! | figure | definition |
+//! |---|---|
+//! | way | two sensors of which the one speaks within `SOON` after the other, and none in between |
+//! | soon | the lower quartile of how long that takes: a walk without a stop |
+//! | before and after silence | how often a sensor is the last to speak before `SILENCE`, or the first after it |
+//!
+//! A sensor speaks as movement begins, and as a door is opened or closed.
+
+use crate::signs::{Kind, Says, kinds, says, spans};
+use homebody_core::time::{Micros, SECOND, seconds};
+use homebody_log::Log;
+use std::collections::BTreeMap;
+
+/// Nobody walks from one sensor to the next for longer without being seen (ours).
+pub const SOON: Micros = 15 * SECOND;
+
+/// Nothing is said for so long where somebody is out, asleep, or sits still (ours).
+pub const SILENCE: Micros = 30 * 60 * SECOND;
+
+/// What a log tells of its sensors and of the ways between them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Walks {
+    /// The sensors, in the log's order.
+    pub sensors: Vec<Speaker>,
+    /// The ways between two of them, by their numbers, the lower first.
+    pub ways: Vec<Way>,
+}
+
+/// What a log tells of one sensor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Speaker {
+    /// What the log calls it.
+    pub id: String,
+    /// What it is taken for.
+    pub kind: Kind,
+    /// How often it speaks.
+    pub firings: u64,
+    /// The first decile, the median and the last decile of how long its ONs last; `None` where it does not tell.
+    pub on_s: Option<[f64; 3]>,
+    /// By label, how often it spoke while somebody did that, as the log notes it.
+    pub done: BTreeMap<String, u64>,
+    /// How often it was the last before a silence, or the first after it.
+    pub at_silence: u64,
+}
+
+/// A way between two sensors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Way {
+    /// The sensors' numbers, the lower first.
+    pub between: [usize; 2],
+    /// How often it was gone, whichever way.
+    pub times: u64,
+    /// How soon the one spoke after the other.
+    pub soon_s: f64,
+}
+
+/// What a log tells of the ways in its home.
+pub fn walks(log: &Log) -> Walks {
+    let kinds = kinds(log);
+    let looks: Vec<Says> = log.values.iter().map(|value| says(value)).collect();
+    let speaks = |sensor: usize, says: Says| match kinds[sensor] {
+        Kind::Motion | Kind::Used => says == Says::Begins,
+        Kind::Contact => matches!(says, Says::Opens | Says::Closes),
+        Kind::Reading => false,
+    };
+    let events = log.events.iter().map(|event| (event.at, event.sensor as usize, looks[event.value as usize]));
+    let mut spoken: Vec<(Micros, usize)> =
+        events.filter(|&(_, sensor, says)| speaks(sensor, says)).map(|(at, sensor, _)| (at, sensor)).collect();
+    spoken.sort_unstable();
+    let lengths = spans(log).into_iter().map(|spans| on_lengths(&spans));
+    let mut sensors: Vec<Speaker> = log
+        .sensors
+        .iter()
+        .zip(&kinds)
+        .zip(lengths)
+        .map(|((id, &kind), on_s)| Speaker {
+            id: id.clone(),
+            kind,
+            firings: 0,
+            on_s,
+            done: BTreeMap::new(),
+            at_silence: 0,
+        })
+        .collect();
+    spoken.iter().for_each(|&(_, sensor)| sensors[sensor].firings += 1);
+    note_what_was_done(log, &spoken, &mut sensors);
+    let mut ways: BTreeMap<[usize; 2], Vec<Micros>> = BTreeMap::new();
+    for pair in spoken.windows(2) {
+        let [(from, a), (to, b)] = [pair[0], pair[1]];
+        if to - from >= SILENCE {
+            sensors[a].at_silence += 1;
+            sensors[b].at_silence += 1;
+        } else if a != b && to - from <= SOON {
+            ways.entry([a.min(b), a.max(b)]).or_default().push(to - from);
+        }
+    }
+    let ways = ways.into_iter().map(|(between, mut times)| {
+        times.sort_unstable();
+        Way { between, times: times.len() as u64, soon_s: seconds(times[times.len() / 4]) }
+    });
+    Walks { sensors, ways: ways.collect() }
+}
+
+/// The deciles of lengths; none where all are instants.
+fn on_lengths(spans: &[(Micros, Micros)]) -> Option<[f64; 3]> {
+    let mut lengths: Vec<Micros> = spans.iter().map(|(begin, end)| end - begin).filter(|&length| length > 0).collect();
+    lengths.sort_unstable();
+    let decile = |tenth: usize| Some(seconds(*lengths.get(lengths.len() * tenth / 10)?));
+    Some([decile(1)?, decile(5)?, decile(9)?])
+}
+
+/// Counts for each sensor what was done as it spoke.
+fn note_what_was_done(log: &Log, spoken: &[(Micros, usize)], sensors: &mut [Speaker]) {
+    let mut activities: Vec<_> = log.activities.iter().collect();
+    activities.sort_by_key(|activity| activity.begin);
+    let mut to_come = activities.into_iter().peekable();
+    let mut going_on = Vec::new();
+    for &(at, sensor) in spoken {
+        while let Some(begun) = to_come.next_if(|activity| activity.begin <= at) {
+            going_on.push(begun);
+        }
+        going_on.retain(|activity| activity.end > at);
+        for activity in &going_on {
+            *sensors[sensor].done.entry(activity.name.clone()).or_insert(0) += 1;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample::log;
+    use homebody_log::Activity;
+
+    #[test]
+    fn who_follows_whom_and_how_soon_is_counted() {
+        let mut log = log(&[
+            (0, "hall", "ON"),
+            (1, "hall", "OFF"),
+            (4, "bed", "ON"),
+            (5, "bed", "OFF"),
+            (100, "bed", "ON"),
+            (102, "hall", "ON"),
+            (104, "front door", "OPEN"),
+            (5000, "front door", "CLOSE"),
+            (5001, "T1", "21.5"),
+        ]);
+        let second = |at: i64| at * SECOND;
+        log.activities = vec![Activity { name: "Sleep".into(), begin: second(4), end: second(101) }];
+        let walks = walks(&log);
+        let ids: Vec<&str> = walks.sensors.iter().map(|sensor| sensor.id.as_str()).collect();
+        assert_eq!(ids, ["hall", "bed", "front door", "T1"]);
+        let firings: Vec<u64> = walks.sensors.iter().map(|sensor| sensor.firings).collect();
+        assert_eq!(firings, [2, 2, 2, 0]);
+        let way = |between, times, soon_s| Way { between, times, soon_s };
+        assert_eq!(walks.ways, [way([0, 1], 2, 2.0), way([0, 2], 1, 2.0)]);
+        assert_eq!((walks.sensors[2].at_silence, walks.sensors[1].done.get("Sleep")), (2, Some(&2)));
+    }
+}

@@ -1,0 +1,225 @@
+//! Recognising activities in a real home after having learnt from simulated days alone.
+//!
+//! The flat of one adult whose log and annotations are public ("ADLs Recognition Using Binary Sensors", Ordonez, de Toledo and
+//! Sanchis 2013, home A) is built as a scenario. A routine is written from the first half of its days. A random forest
+//! (`homebody_analysis::forest`) learns to tell classes of activities from windows of five minutes, and is judged on the second half,
+//! by the mean F1 of the classes: once it has learnt from our days alone, once from the real first half, once from three days
+//! of that, and once from ours with these three.
+//!
+//! We assume that a class counts which has a few windows in each half, and that windows without an annotation are no class.
+//!
+//! Left out: the rest of the data set, a second home with people whom these sensors do not describe as well.
+
+mod classes;
+mod diary;
+mod flat;
+mod report;
+mod score;
+mod windows;
+
+pub use classes::CLASSES;
+use classes::COUNT;
+use flat::Flat;
+pub use flat::NotLived;
+use homebody_analysis::forest::{Examples, Forest};
+use homebody_core::random::Stream;
+use homebody_core::time::{DAY, Micros};
+use homebody_log::Log;
+use homebody_routine::rhythm::sentences;
+pub use score::Confusion;
+use serde::Serialize;
+use std::ops::Range;
+use windows::{Window, ons, windows};
+
+/// A class counts that has so many windows in each half (ours).
+const LEAST_WINDOWS: usize = 5;
+/// A forest has so many trees.
+const TREES: usize = 200;
+/// A recogniser that has little of a home learns from so many of its days.
+const FEW_DAYS: usize = 3;
+
+/// What a recogniser learnt from.
+pub const LEARNT_FROM: [&str; 4] =
+    ["simulated days", "real first half", "three real days", "simulated days and these three"];
+
+/// Why nothing can be recognised.
+#[derive(Debug, thiserror::Error)]
+pub enum NotRecognised {
+    /// The log has no annotations.
+    #[error(
+        "it tells nothing of what was done\n  hint: annotations stand in a file beside it, such as OrdonezA_ADLs.txt"
+    )]
+    NoActivities,
+    /// The log has too few days.
+    #[error("{0} days are too few: halves of {FEW_DAYS} days and more are learnt from and judged")]
+    TooFewDays(i64),
+    /// Sensors of the flat that the log does not have.
+    #[error("it has no {0}\n  hint: the flat is that of home A of the data set")]
+    NoSensor(String),
+    /// The flat is not lived in.
+    #[error(transparent)]
+    NotLived(#[from] NotLived),
+}
+
+/// The real days, and the flat with the routine that was written from the first half of them.
+pub struct Prepared {
+    flat: Flat,
+    /// Its sentences.
+    pub routine: String,
+    halves: [Vec<Window>; 2],
+    first: Range<Micros>,
+    classes: Vec<usize>,
+}
+
+/// How well four recognisers did that had learnt from the same draw.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Case {
+    /// The number that all randomness comes from.
+    pub seed: u64,
+    /// In the order of [`LEARNT_FROM`].
+    pub macro_f1: [f64; 4],
+    /// The same, window by window.
+    pub confusion: [Confusion; 4],
+}
+
+/// What came of it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Experiment {
+    /// How many days were simulated for each case.
+    pub simulated_days: u32,
+    /// How many real days each half has.
+    pub real_days: [usize; 2],
+    /// The routine that was written from the first half.
+    pub routine: String,
+    /// The classes that count, by name.
+    pub classes: Vec<&'static str>,
+    /// What recognisers learnt from, how well they did on average, and how much that differs between seeds.
+    pub scores: Vec<Score>,
+    /// By seed.
+    pub cases: Vec<Case>,
+}
+
+/// How well recognisers did that had learnt from the same.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Score {
+    /// What they learnt from.
+    pub learnt_from: &'static str,
+    /// The mean over the seeds.
+    pub macro_f1: f64,
+    /// The standard deviation between seeds.
+    pub spread: f64,
+    /// The mean as a part of that of the real first half.
+    pub of_real: f64,
+    /// The F1 of each class that counts, all seeds together.
+    pub f1: Vec<f64>,
+    /// The windows of each class that counts, by row, and what they were taken for, by column, per seed.
+    pub confusion: Vec<Vec<f64>>,
+}
+
+impl Prepared {
+    /// Cuts a log of the flat in halves, and writes the routine.
+    pub fn new(log: &Log) -> Result<Prepared, NotRecognised> {
+        let begins = log.activities.iter().map(|activity| activity.begin).min().ok_or(NotRecognised::NoActivities)?;
+        let ends = log.activities.iter().map(|activity| activity.end).max().unwrap_or(begins);
+        let (first_day, last_day) = (begins.div_euclid(DAY), (ends - 1).div_euclid(DAY) + 1);
+        let half = (last_day - first_day) / 2;
+        if half < FEW_DAYS as i64 {
+            return Err(NotRecognised::TooFewDays(last_day - first_day));
+        }
+        let spans = [first_day * DAY..(first_day + half) * DAY, (first_day + half) * DAY..last_day * DAY];
+        let sensors = Flat::new("")?;
+        if let Some(missing) = sensors.sensors.iter().find(|name| !log.sensors.contains(name)) {
+            return Err(NotRecognised::NoSensor(missing.clone()));
+        }
+        let all = ons(log, &sensors.sensors);
+        let kitchen: Vec<_> = all.iter().filter(|on| sensors.in_kitchen[on.sensor]).copied().collect();
+        let noted = diary::noted(&log.activities, &kitchen, &spans[0]);
+        let routine = sentences(&noted, &diary::known()).join("\n") + "\n";
+        let halves = spans.each_ref().map(|span| windows(log, &sensors.sensors, span));
+        let has_enough = |class: &usize| {
+            let count = |half: &Vec<Window>| half.iter().filter(|window| window.class == *class).count();
+            halves.iter().all(|half| count(half) >= LEAST_WINDOWS)
+        };
+        let classes = (0..COUNT).filter(has_enough).collect();
+        let [first, _] = spans;
+        Ok(Prepared { flat: Flat::new(&routine)?, routine, halves, first, classes })
+    }
+
+    /// Lives so many days of this seed, learns from them and from the real ones, and judges.
+    pub fn case(&self, seed: u64, days: u32) -> Result<Case, NotRecognised> {
+        // The first day begins at midnight in a home that nobody has lived in.
+        let midnight = self.first.start - DAY;
+        let log = self.flat.lived(seed, days + 1, midnight)?;
+        let span = midnight + DAY..midnight + Micros::from(days + 1) * DAY;
+        let simulated = windows(&log, &self.flat.sensors, &span);
+        let [first, second] = &self.halves;
+        let few = few_days(first, seed);
+        let learnt: [Vec<&Window>; 4] =
+            [simulated.iter().collect(), first.iter().collect(), few.clone(), simulated.iter().chain(few).collect()];
+        let confusion = learnt.map(|learnt| judged(&learnt, second, seed));
+        let macro_f1 = confusion.each_ref().map(|confusion| confusion.macro_f1(&self.classes));
+        Ok(Case { seed, macro_f1, confusion })
+    }
+
+    /// What came of all cases.
+    pub fn experiment(&self, cases: Vec<Case>, simulated_days: u32) -> Experiment {
+        let mean =
+            |which: usize| cases.iter().map(|case| case.macro_f1[which]).sum::<f64>() / cases.len().max(1) as f64;
+        let score = |which: usize| {
+            let macro_f1 = mean(which);
+            let squares: f64 =
+                cases.iter().map(|case| (case.macro_f1[which] - macro_f1) * (case.macro_f1[which] - macro_f1)).sum();
+            let all = Confusion::sum(cases.iter().map(|case| &case.confusion[which]));
+            let per_seed = |is: &usize| {
+                self.classes.iter().map(|&told| f64::from(all.0[*is][told]) / cases.len().max(1) as f64).collect()
+            };
+            Score {
+                learnt_from: LEARNT_FROM[which],
+                macro_f1,
+                spread: (squares / (cases.len().max(2) - 1) as f64).sqrt(),
+                of_real: macro_f1 / mean(1),
+                f1: self.classes.iter().map(|&class| all.f1(class).unwrap_or(0.0)).collect(),
+                confusion: self.classes.iter().map(per_seed).collect(),
+            }
+        };
+        Experiment {
+            simulated_days,
+            real_days: self.halves.each_ref().map(|half| days_of(half).len()),
+            routine: self.routine.clone(),
+            classes: self.classes.iter().map(|&class| CLASSES[class]).collect(),
+            scores: (0..LEARNT_FROM.len()).map(score).collect(),
+            cases,
+        }
+    }
+}
+
+/// The windows of a few days, drawn anew for each seed.
+fn few_days(windows: &[Window], seed: u64) -> Vec<&Window> {
+    let mut days = days_of(windows);
+    let stream = &mut Stream::named(seed, "recogniser/days");
+    while days.len() > FEW_DAYS {
+        days.remove((stream.unit() * days.len() as f64) as usize % days.len());
+    }
+    windows.iter().filter(|window| days.contains(&window.begin.div_euclid(DAY))).collect()
+}
+
+fn days_of(windows: &[Window]) -> Vec<Micros> {
+    let mut days: Vec<Micros> = windows.iter().map(|window| window.begin.div_euclid(DAY)).collect();
+    days.dedup();
+    days
+}
+
+/// Learns from windows, and judges others.
+fn judged(learnt: &[&Window], judged: &[Window], seed: u64) -> Confusion {
+    let figures: Vec<Vec<f64>> = learnt.iter().map(|window| window.figures.clone()).collect();
+    let class: Vec<usize> = learnt.iter().map(|window| window.class).collect();
+    let from: Vec<Vec<usize>> =
+        (0..COUNT).map(|of| (0..class.len()).filter(|&row| class[row] == of).collect()).collect();
+    let each: Vec<usize> = from.iter().map(Vec::len).collect();
+    let examples = Examples { figures: &figures, class: &class, classes: COUNT };
+    let forest = Forest::grow(examples, &from, &each, TREES, &mut Stream::named(seed, "recogniser/forest"));
+    Confusion::of(judged.iter().map(|window| (window.class, forest.class_of(&window.figures))))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,192 @@
+//! A log cut into windows: what its sensors said in each, and which class of activity it is of.
+//!
+//! A window's figures are, of each sensor, for which share of the window it was ON and whether it was ON at all; which sensor had
+//! begun last before the window; whether none was ON; and the hour of the day. ONs of a sensor that are less than a minute apart are
+//! one, as they are in data sets that keep intervals.
+//!
+//! A window is of the class that fills most of it, if activities of any class fill half of it or more; else it is of none, and left
+//! out.
+
+use super::classes::{COUNT, class_of};
+use homebody_core::time::{DAY, Micros, SECOND, seconds};
+use homebody_log::Log;
+use std::ops::Range;
+
+/// How long a window is.
+pub const WINDOW: Micros = 5 * 60 * SECOND;
+
+/// ONs of a sensor that are less than this apart are one (ours).
+const FUSED: Micros = 60 * SECOND;
+
+/// A sensor that began longer ago than this is not known to have been the last (ours).
+const REMEMBERED: Micros = 12 * 3600 * SECOND;
+
+/// One window.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Window {
+    /// Microseconds since 1970 on the clock on the wall.
+    pub begin: Micros,
+    /// What there is to recognise it by.
+    pub figures: Vec<f64>,
+    /// Of which class it is.
+    pub class: usize,
+}
+
+/// When a sensor was ON, or open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct On {
+    /// Index into the sensors that are asked for.
+    pub sensor: usize,
+    /// From when.
+    pub begin: Micros,
+    /// Until when.
+    pub end: Micros,
+}
+
+/// When these sensors were ON, in order of begin; other sensors of the log do not count.
+pub fn ons(log: &Log, sensors: &[String]) -> Vec<On> {
+    let index: Vec<Option<usize>> =
+        log.sensors.iter().map(|name| sensors.iter().position(|wanted| wanted == name)).collect();
+    let mut open: Vec<Option<Micros>> = vec![None; sensors.len()];
+    let mut events: Vec<_> = log.events.iter().collect();
+    events.sort_by_key(|event| event.at);
+    let mut ons: Vec<On> = Vec::new();
+    let mut last: Vec<Option<usize>> = vec![None; sensors.len()];
+    for event in events {
+        let Some(sensor) = index[event.sensor as usize] else { continue };
+        match log.value(event) {
+            "ON" | "OPEN" => open[sensor] = open[sensor].or(Some(event.at)),
+            "OFF" | "CLOSE" => {
+                let Some(begin) = open[sensor].take() else { continue };
+                match last[sensor].filter(|&last| begin - ons[last].end < FUSED) {
+                    Some(last) => ons[last].end = event.at,
+                    None => {
+                        last[sensor] = Some(ons.len());
+                        ons.push(On { sensor, begin, end: event.at });
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    ons.sort_by_key(|on| (on.begin, on.sensor));
+    ons
+}
+
+/// The windows of a span that begins at a midnight.
+pub fn windows(log: &Log, sensors: &[String], span: &Range<Micros>) -> Vec<Window> {
+    let ons = ons(log, sensors);
+    let count = ((span.end - span.start) / WINDOW).max(0) as usize;
+    let at = |window: usize| span.start + window as Micros * WINDOW;
+    let mut shares = vec![vec![0.0; sensors.len()]; count];
+    for on in &ons {
+        for (window, share) in parts(on.begin, on.end, span) {
+            // What is ON for an instant was ON, too.
+            shares[window][on.sensor] += share.max(f64::MIN_POSITIVE);
+        }
+    }
+    let mut classes = vec![[0.0; COUNT]; count];
+    for activity in &log.activities {
+        let Some(class) = class_of(&activity.name) else { continue };
+        for (window, share) in parts(activity.begin, activity.end, span) {
+            classes[window][class] += share;
+        }
+    }
+    let mut all = Vec::new();
+    let mut begun = 0;
+    for window in 0..count {
+        while ons.get(begun).is_some_and(|on| on.begin < at(window)) {
+            begun += 1;
+        }
+        let filled = &classes[window];
+        if filled.iter().sum::<f64>() < 0.5 {
+            continue;
+        }
+        let class = (0..COUNT).rev().max_by(|&a, &b| filled[a].total_cmp(&filled[b])).unwrap_or(0);
+        let last = begun.checked_sub(1).map(|last| ons[last]).filter(|last| at(window) - last.begin < REMEMBERED);
+        let figures = figures(&shares[window], last.map(|last| last.sensor), at(window));
+        all.push(Window { begin: at(window), figures, class });
+    }
+    all
+}
+
+fn figures(shares: &[f64], last: Option<usize>, begin: Micros) -> Vec<f64> {
+    let mut figures: Vec<f64> = shares.iter().map(|share| share.min(1.0)).collect();
+    figures.extend(shares.iter().map(|share| f64::from(u8::from(*share > 0.0))));
+    figures.extend((0..shares.len()).map(|sensor| f64::from(u8::from(last == Some(sensor)))));
+    figures.push(f64::from(u8::from(shares.iter().all(|share| *share == 0.0))));
+    figures.push(seconds(begin.rem_euclid(DAY)) / 3600.0);
+    figures
+}
+
+/// The windows that a span of time has a part in, and which share of each.
+fn parts(begin: Micros, end: Micros, span: &Range<Micros>) -> impl Iterator<Item = (usize, f64)> {
+    let (from, to) = (begin.max(span.start), end.min(span.end - 1).max(begin));
+    let window = |at: Micros| (at - span.start).div_euclid(WINDOW);
+    let windows = if from < span.end && to >= span.start { window(from)..window(to) + 1 } else { 0..0 };
+    let start = span.start;
+    windows.map(move |window| {
+        let (opens, closes) = (start + window * WINDOW, start + (window + 1) * WINDOW);
+        (window as usize, (end.min(closes) - begin.max(opens)).max(0) as f64 / WINDOW as f64)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homebody_log::{Activity, Event};
+
+    const MINUTE: Micros = 60 * SECOND;
+
+    /// A fridge that is open from 00:04 to 00:06, and a seat that is taken from 00:10 to 00:20 but for half a minute.
+    fn log() -> Log {
+        let events = [
+            (4 * MINUTE, 0, 0),
+            (6 * MINUTE, 0, 1),
+            (10 * MINUTE, 1, 2),
+            (12 * MINUTE, 1, 3),
+            (12 * MINUTE + 30 * SECOND, 1, 2),
+            (20 * MINUTE, 1, 3),
+        ];
+        Log {
+            sensors: vec!["fridge".into(), "seat".into()],
+            values: ["OPEN", "CLOSE", "ON", "OFF"].map(String::from).into(),
+            events: events.map(|(at, sensor, value)| Event { at, sensor, value }).into(),
+            activities: [("Breakfast", 3, 8), ("Dancing", 8, 10), ("Spare_Time/TV", 10, 20)]
+                .map(|(name, begin, end)| Activity { name: name.into(), begin: begin * MINUTE, end: end * MINUTE })
+                .into(),
+            ..Log::default()
+        }
+    }
+
+    fn sensors() -> Vec<String> {
+        vec!["fridge".into(), "seat".into()]
+    }
+
+    #[test]
+    fn ons_that_are_less_than_a_minute_apart_are_one() {
+        let on = |sensor, begin, end| On { sensor, begin: begin * MINUTE, end: end * MINUTE };
+        assert_eq!(ons(&log(), &sensors()), [on(0, 4, 6), on(1, 10, 20)]);
+    }
+
+    #[test]
+    fn windows_say_what_was_on_and_what_was_done() {
+        let all = windows(&log(), &sensors(), &(0..20 * MINUTE));
+        let told: Vec<(Micros, usize)> = all.iter().map(|window| (window.begin / MINUTE, window.class)).collect();
+        let [breakfast, spare] = ["Breakfast", "Spare_Time/TV"].map(|name| class_of(name).unwrap());
+        // Of the first five minutes two are breakfast's, which is too little.
+        assert_eq!(told, [(5, breakfast), (10, spare), (15, spare)]);
+        // Shares ON, whether ON, which began last, whether none was ON, the hour.
+        assert_eq!(all[0].figures, [0.2, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 5.0 / 60.0]);
+        assert_eq!(all[1].figures, [0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 10.0 / 60.0]);
+        assert_eq!(all[2].figures[4..6], [0.0, 1.0]);
+    }
+
+    #[test]
+    fn what_lies_outside_of_the_span_does_not_count() {
+        let day = windows(&log(), &sensors(), &(15 * MINUTE..25 * MINUTE));
+        assert_eq!(day.len(), 1);
+        assert_eq!(day[0].figures[..4], [0.0, 1.0, 0.0, 1.0]);
+        assert!(windows(&log(), &sensors(), &(DAY..DAY + 10 * MINUTE)).is_empty());
+    }
+}

@@ -1,0 +1,248 @@
+//! Walking back: where people were, by the log of their home alone, held against the truth, beside two baselines.
+//!
+//! A scenario is lived, and its log is handed to the inference, which knows the home and not the lives. Each second of each
+//! person is judged; seconds between two rooms, as in a door, are left out. Of several people who was where cannot be told by
+//! sensors that know nobody: the rooms that are told are held against the rooms that they are in, whoever is in which.
+
+mod baselines;
+pub(crate) mod lived;
+
+use baselines::{last_firing, rooms_only};
+use homebody_core::geometry::Point;
+use homebody_core::scenario::link::LinkFile;
+use homebody_core::time::{DAY, Micros, SECOND};
+use homebody_infer::{Instant, Message, Senses, follow, spells, translate};
+pub use lived::{Home, NotWalked};
+use lived::{Lived, Place};
+use serde::Serialize;
+
+/// How one log was walked back.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Case {
+    /// The scenario's name.
+    pub home: String,
+    /// The number that all randomness of the lives comes from.
+    pub seed: u64,
+    /// How many people live there.
+    pub residents: usize,
+    /// Whether its sensors and its link have faults.
+    pub faults: bool,
+    /// How many messages the log has.
+    pub messages: usize,
+    /// Share of the time in which the right room was told; being out is one of them.
+    pub room_right: f64,
+    /// The same, told at once: by what was said until then.
+    pub room_right_live: f64,
+    /// Share of the stays of 10 s or longer in a room in which that room was told at some time.
+    pub visits_found: f64,
+    /// Median distance from where the person was, in metres, while at home; nothing where several live.
+    pub p50_m: Option<f64>,
+    /// The distance that is not exceeded in 9 of 10 seconds.
+    pub p90_m: Option<f64>,
+    /// Share of the time in which the room of the sensor that fired last is right; of several people, the rooms that fired last.
+    pub last_firing_right: f64,
+    /// Share of the time in which a hidden Markov model is right that knows rooms alone.
+    pub rooms_only_right: f64,
+    /// Share of the time in which visitors were there that somebody besides the residents was told; nothing without visitors,
+    /// or where several live.
+    pub visitors_found: Option<f64>,
+    /// Share of the other time in which somebody was told who was not there.
+    pub visitors_invented: Option<f64>,
+}
+
+/// Who asks as time goes on asks so often (ours).
+const ASKED: Micros = 30 * SECOND;
+/// A shorter stay in a room is a way through it (ours).
+const VISIT: Micros = 10 * SECOND;
+
+/// Lives a home for some days and walks its log back.
+///
+/// # Errors
+///
+/// If the home or its lives cannot be lived.
+pub fn case(home: &Home, seed: u64, days: u32) -> Result<Case, NotWalked> {
+    let scenario = home.scenario;
+    let length = i64::from(days) * DAY;
+    let residents = scenario.residents.len();
+    let mut bodies = (0..residents).map(|body| Senses::learn(scenario, body)).collect::<Result<Vec<_>, _>>()?;
+    // Where one person lives, somebody else may be there; where two do, the model has no room for a third.
+    let has_visitor = residents == 1;
+    if has_visitor {
+        bodies.push(bodies[0].of_visitor());
+    }
+    let lived = Lived::new(home, seed, length)?;
+    let mut judge = judged(&bodies, &lived, &home.people, scenario.home.plan().rooms.len());
+    let visitors = has_visitor.then_some(judge.visitors);
+    let part = |[missed, told]: [u64; 2]| (missed + told > 0).then(|| told as f64 / (missed + told) as f64);
+    judge.distances_m.sort_by(f64::total_cmp);
+    let distance = |share: f64| {
+        let place = (judge.distances_m.len() as f64 * share) as usize;
+        judge.distances_m.get(place).copied()
+    };
+    let share = |right: u64| right as f64 / judge.seconds as f64;
+    Ok(Case {
+        home: scenario.file.name.clone(),
+        seed,
+        residents: home.people.len(),
+        faults: scenario.link.as_ref().is_some_and(|link| *link != LinkFile::default()),
+        messages: lived.messages.len(),
+        room_right: share(judge.right),
+        room_right_live: share(judge.live_right),
+        visits_found: judge.found as f64 / (judge.visits.max(1)) as f64,
+        p50_m: distance(0.5),
+        p90_m: distance(0.9),
+        last_firing_right: share(judge.last_right),
+        rooms_only_right: share(judge.rooms_right),
+        visitors_found: visitors.and_then(|visitors| part(visitors[1])),
+        visitors_invented: visitors.and_then(|visitors| part(visitors[0])),
+    })
+}
+
+/// Walks a log back, and judges each second of the people.
+pub(crate) fn judged<'a>(bodies: &[Senses], lived: &Lived, people: &'a [usize], rooms: usize) -> Judge<'a> {
+    let seconds = lived.places.first().map_or(0, Vec::len);
+    let told = told(bodies, lived, seconds as Micros * SECOND);
+    let mut judge = Judge::new(people);
+    let live = live(bodies, lived);
+    let (mut place, mut live_place) = (0, 0);
+    let last = last_firing(lived, people.len());
+    let rooms = rooms_only(lived, rooms, people.len());
+    for second in 0..seconds {
+        let at = second as Micros * SECOND;
+        while place + 1 < told.len() && told[place].0 + (told[place + 1].0 - told[place].0) / 2 <= at {
+            place += 1;
+        }
+        while live_place + 1 < live.len() && live[live_place + 1].0 <= at {
+            live_place += 1;
+        }
+        let told_live = live.get(live_place).map_or(&[][..], |told| &told.1);
+        judge.second(lived, second, [&told[place].1, told_live], &last[second], &rooms[second]);
+    }
+    judge
+}
+
+/// An instant, and where each body was then, by the log.
+type Told = (Micros, Vec<(Place, Option<Point>)>);
+
+fn told(bodies: &[Senses], lived: &Lived, length: Micros) -> Vec<Told> {
+    let mut told = Vec::new();
+    let messages = || lived.messages.iter().copied();
+    let spells = spells(messages(), lived.room_of.len(), length);
+    translate(bodies, &spells, messages(), length, |instant| told.push(places(&instant)));
+    told
+}
+
+/// The same, told as the messages come.
+fn live(bodies: &[Senses], lived: &Lived) -> Vec<Told> {
+    let mut told = Vec::new();
+    let length = lived.places.first().map_or(0, Vec::len) as Micros * SECOND;
+    let asked = (1..length / ASKED).map(|number| (number * ASKED, None));
+    let said = lived.messages.iter().map(|&message| (message.at, Some(message)));
+    let mut instants: Vec<(Micros, Option<Message>)> = asked.chain(said).collect();
+    instants.sort_by_key(|(at, _)| *at);
+    follow(bodies, instants, |instant| told.push(places(&instant)));
+    told
+}
+
+fn places(instant: &Instant) -> Told {
+    let guesses = instant.guesses();
+    let each = guesses.iter().map(|guess| (Place::of(guess.state.at, guess.state.room), guess.state.at)).collect();
+    (instant.at, each)
+}
+
+/// What of the seconds so far was right.
+pub(crate) struct Judge<'a> {
+    people: &'a [usize],
+    /// Seconds of all people, and those of them that were right: by walking back, at once, by the last firing, and by rooms alone.
+    pub seconds: u64,
+    pub right: u64,
+    pub live_right: u64,
+    pub last_right: u64,
+    pub rooms_right: u64,
+    distances_m: Vec<f64>,
+    /// Without and with a visitor: seconds in which nobody and in which somebody was told.
+    visitors: [[u64; 2]; 2],
+    pub visits: u64,
+    pub found: u64,
+    /// By person: the room they are in, since which second, and whether it was told.
+    stays: Vec<Option<(usize, usize, bool)>>,
+}
+
+impl<'a> Judge<'a> {
+    fn new(people: &'a [usize]) -> Judge<'a> {
+        Judge {
+            people,
+            seconds: 0,
+            right: 0,
+            live_right: 0,
+            last_right: 0,
+            rooms_right: 0,
+            distances_m: Vec::new(),
+            visitors: [[0; 2]; 2],
+            visits: 0,
+            found: 0,
+            stays: vec![None; people.len()],
+        }
+    }
+
+    fn second(
+        &mut self,
+        lived: &Lived,
+        second: usize,
+        [told, live]: [&[(Place, Option<Point>)]; 2],
+        last: &[Place],
+        rooms: &[Place],
+    ) {
+        let truth: Vec<Place> = self.people.iter().map(|&body| lived.places[body][second]).collect();
+        let guesses: Vec<Place> = self.people.iter().map(|&body| told[body].0).collect();
+        self.visit(&truth, &guesses, second);
+        if truth.contains(&Place::Between) {
+            return;
+        }
+        self.seconds += truth.len() as u64;
+        self.right += together(&truth, &guesses);
+        let live: Vec<Place> = self.people.iter().filter_map(|&body| live.get(body).map(|one| one.0)).collect();
+        self.live_right += together(&truth, &live);
+        self.last_right += together(&truth, last);
+        self.rooms_right += together(&truth, rooms);
+        let &[person] = self.people else { return };
+        if let (Some(is), Some(told)) = (lived.at[person][second], told[person].1) {
+            self.distances_m.push(is.distance(told));
+        }
+        if let Some((place, _)) = told.get(1).filter(|_| lived.residents == 1) {
+            let is_there = (lived.residents..lived.places.len()).any(|body| lived.places[body][second] != Place::Out);
+            self.visitors[usize::from(is_there)][usize::from(*place != Place::Out)] += 1;
+        }
+    }
+
+    /// Stays that go on or end.
+    fn visit(&mut self, truth: &[Place], guesses: &[Place], second: usize) {
+        for (stay, place) in self.stays.iter_mut().zip(truth) {
+            let is_told = guesses.contains(place);
+            match (stay.as_mut(), place) {
+                (Some((room, _, found)), Place::Room(here)) if room == here => *found |= is_told,
+                (ended, here) => {
+                    let is_visit = |since: usize| (second - since) as Micros * SECOND >= VISIT;
+                    if let Some((_, _, found)) = ended.filter(|(_, since, _)| is_visit(*since)) {
+                        self.visits += 1;
+                        self.found += u64::from(*found);
+                    }
+                    *stay = match here {
+                        Place::Room(room) => Some((*room, second, is_told)),
+                        _ => None,
+                    };
+                }
+            }
+        }
+    }
+}
+
+/// How many of the places that are told are right, whoever is in which.
+fn together(truth: &[Place], told: &[Place]) -> u64 {
+    let mut left = truth.to_vec();
+    let mut is_right = |place: &&Place| {
+        let found = left.iter().position(|one| one == *place);
+        found.map(|found| left.swap_remove(found)).is_some()
+    };
+    told.iter().filter(|place| is_right(place)).count() as u64
+}

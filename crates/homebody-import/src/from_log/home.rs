@@ -1,0 +1,385 @@
+//! A schematic home, put together.
+
+use super::arranged::{Wanted, arranged};
+use super::doors::{Opening, between, out};
+use super::needed::{Piece, pieces};
+use super::parted::parted;
+use super::placed::{Places, Site, placed};
+use super::sensors::{Furnished, hung, make};
+use super::shape::{Rect, rounded};
+use super::understood::{Room, Understood, What, understand};
+use super::{LogSensor, LogWay};
+use crate::error::NotImported;
+use crate::names::{Names, clean};
+use crate::{SCHEMA, sound};
+use homebody_core::geometry::Point;
+use homebody_core::problem::counted;
+use homebody_core::scenario::home::{DoorFile, FurnitureFile, HomeFile, RoomFile, WallFile, latitude};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A schematic home.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Schematic {
+    /// The text of a `home.json` that passes the check.
+    pub home_json: String,
+    /// By sensor of the home, what the log calls it.
+    pub ids: BTreeMap<String, String>,
+    /// For how long an ON is held, where the log tells OFF.
+    pub hold_s: Option<f64>,
+    /// What was guessed or left out, a sentence each.
+    pub remarks: Vec<String>,
+}
+
+/// Why there is no home in a log.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Unsaid {
+    /// No sensor sees movement or hangs on a door.
+    #[error("no sensor of it tells of movement or of doors\n  hint: give a log of motion sensors or contacts")]
+    NoSensors,
+    /// Nothing tells where these sensors are.
+    #[error(
+        "nothing tells where {} {}: {}\n  hint: list them with their rooms: --sensors FILE, a table with the columns id, room and \
+         place", counted(.0.len(), "sensor", "sensors"), if .0.len() == 1 { "is" } else { "are" }, listed(.0)
+    )]
+    Where(Vec<String>),
+    /// They are in more rooms than are arranged.
+    #[error(
+        "its sensors are in {0} rooms, and at most {MOST_ROOMS} are arranged\n  hint: give several sensors one room"
+    )]
+    TooManyRooms(usize),
+    /// What was made does not pass the check; the text says why.
+    #[error("no sound home could be made of it: {0}\n  hint: list its sensors with other rooms: --sensors FILE")]
+    Unsound(String),
+}
+
+/// More rooms are not arranged (ours): it takes longer and longer.
+pub const MOST_ROOMS: usize = 40;
+
+/// So many names are listed (ours).
+const LISTED: usize = 12;
+
+/// Each thing in a room takes so much of the floor, with what is free before it (ours).
+const THING_TAKES_M2: f64 = 2.0;
+/// A way is so wide, and begins and ends so far beyond its sensors (ours).
+const WAY_WIDE_M: f64 = 1.4;
+const WAY_BEYOND_M: f64 = 1.6;
+/// Who goes along a way does so at this pace (ours).
+const PACE_MPS: f64 = 0.8;
+/// Where something has no place, its room is made so many times as large, so often at most (ours).
+const LARGER: f64 = 1.35;
+const ROUNDS: usize = 5;
+/// Walls are so thick (ours).
+const OUTER_WALL_M: f64 = 0.2;
+const INNER_WALL_M: f64 = 0.1;
+
+fn listed(names: &[String]) -> String {
+    let more = if names.len() > LISTED { " and others" } else { "" };
+    names.iter().take(LISTED).map(String::as_str).collect::<Vec<_>>().join(", ") + more
+}
+
+/// Makes a home of this name of what a log tells. `about` is what its file says of itself.
+///
+/// # Errors
+///
+/// [`Unsaid`], with all sensors of which nothing tells where they are.
+pub fn schematic(name: &str, about: &str, sensors: &[LogSensor], ways: &[LogWay]) -> Result<Schematic, Unsaid> {
+    if sensors.is_empty() {
+        return Err(Unsaid::NoSensors);
+    }
+    let mut understood = understand(sensors, ways).map_err(Unsaid::Where)?;
+    let is_measured = sensors.iter().any(|sensor| sensor.at.is_some());
+    let told = understood.rooms.len();
+    let pieces = pieces(&mut understood, sensors);
+    if understood.rooms.len() > MOST_ROOMS {
+        return Err(Unsaid::TooManyRooms(told));
+    }
+    let mut larger = vec![1.0; understood.rooms.len()];
+    let mut laid = lay(&understood, (sensors, ways), &pieces, &larger)?;
+    for _ in 0..ROUNDS {
+        let without = (0..pieces.len()).filter(|&piece| laid.places.pieces[piece].is_none());
+        let rooms: BTreeSet<usize> = without.map(|piece| pieces[piece].room).collect();
+        if rooms.is_empty() || is_measured {
+            break;
+        }
+        rooms.into_iter().for_each(|room| larger[room] *= LARGER);
+        laid = lay(&understood, (sensors, ways), &pieces, &larger)?;
+    }
+    let mut remarks = std::mem::take(&mut understood.guesses);
+    if is_measured {
+        remarks.push("walls are drawn half way between the sensors of two rooms: move them to where they are".into());
+    }
+    let Made { mut home, ids, hold_s } = put_together(&understood, sensors, laid, &pieces, &mut remarks);
+    home.name = Some(clean(name)).filter(|name| !name.is_empty()).unwrap_or_else(|| "home".to_owned());
+    home.about = about.to_owned();
+    let home_json = sound::text(home, &mut remarks).map_err(|error| match error {
+        NotImported::Unsound(why) => Unsaid::Unsound(why),
+        other => Unsaid::Unsound(other.to_string()),
+    })?;
+    Ok(Schematic { home_json, ids, hold_s, remarks })
+}
+
+/// Rooms and all that is in them, each in its place.
+struct Laid {
+    rects: Vec<Rect>,
+    walls: Vec<(Point, Point)>,
+    doors: Vec<Opening>,
+    places: Places,
+}
+
+/// Lays rooms out, each so many times as large as is usual, and places everything.
+fn lay(
+    understood: &Understood,
+    (sensors, ways): (&[LogSensor], &[LogWay]),
+    pieces: &[Piece],
+    larger: &[f64],
+) -> Result<Laid, Unsaid> {
+    let outs = ways_out(understood, sensors);
+    let rects = match sensors.iter().any(|sensor| sensor.at.is_some()) {
+        true => measured(understood, sensors, pieces)?,
+        false => {
+            // Ways that are gone every day count more than seldom ones, but not a hundred times.
+            let ties = between_rooms(understood, ways, |way| (way.times as f64).sqrt());
+            let mut wanted = wanted(understood, ways, pieces, outs.first().copied());
+            wanted.iter_mut().zip(larger).for_each(|(room, larger)| room.area_m2 *= larger);
+            arranged(&wanted, &ties)
+        }
+    };
+    let metric = |at: Point| Point::from(rounded(at.into()));
+    let rects: Vec<Rect> =
+        rects.iter().map(|rect| Rect { least: metric(rect.least), most: metric(rect.most) }).collect();
+    let is_way: Vec<bool> = understood.rooms.iter().map(|room| room.kind.is_way).collect();
+    let times = between_rooms(understood, ways, |way| way.times as f64);
+    let mut doors = between(&rects, &times, &is_way);
+    doors.extend(out(&rects, &outs));
+    let site = Site { sensors, ways, what: &understood.sensors, rects: &rects, doors: &doors, pieces };
+    let places = placed(&site);
+    Ok(Laid { walls: walls(&rects), rects, doors, places })
+}
+
+/// By two rooms, the sum of what their ways count.
+fn between_rooms(understood: &Understood, ways: &[LogWay], counts: impl Fn(&LogWay) -> f64) -> Vec<Vec<f64>> {
+    let mut sums = vec![vec![0.0; understood.rooms.len()]; understood.rooms.len()];
+    for way in ways {
+        let [a, b] = way.between.map(|sensor| understood.sensors[sensor].0);
+        if a != b {
+            sums[a][b] += counts(way);
+            sums[b][a] += counts(way);
+        }
+    }
+    sums
+}
+
+/// The rooms that may have the way out, the likeliest first.
+fn ways_out(understood: &Understood, sensors: &[LogSensor]) -> Vec<usize> {
+    let has_contact = |room: usize| understood.sensors.iter().any(|&(of, what)| of == room && what == What::FrontDoor);
+    let at_silence = |room: usize| -> u64 {
+        sensors
+            .iter()
+            .zip(&understood.sensors)
+            .filter(|(_, (of, _))| *of == room)
+            .map(|(sensor, _)| sensor.at_silence)
+            .sum()
+    };
+    let rank = |room: &usize| {
+        let Room { name, kind, is_told } = &understood.rooms[*room];
+        let is_front = name.split(' ').any(|word| ["main", "front"].contains(&word));
+        let place = match kind.name {
+            _ if has_contact(*room) => 0,
+            "entry" if is_front => 1,
+            "entry" => 2,
+            "bedroom" | "bathroom" | "toilet" | "closet" => 5,
+            _ if *is_told => 3,
+            _ => 4,
+        };
+        (place, std::cmp::Reverse(at_silence(*room)))
+    };
+    let mut rooms: Vec<usize> = (0..understood.rooms.len()).collect();
+    rooms.sort_by_key(rank);
+    rooms
+}
+
+/// How large each room is to be.
+fn wanted(understood: &Understood, ways: &[LogWay], pieces: &[Piece], way_out: Option<usize>) -> Vec<Wanted> {
+    let of = |(number, room): (usize, &Room)| {
+        let things = pieces.iter().filter(|piece| piece.room == number).map(|piece| {
+            let [width, depth] = piece.thing.size_m;
+            width * depth + THING_TAKES_M2
+        });
+        let usual = room.kind.area_m2.max(things.sum::<f64>());
+        let area_m2 = if room.kind.is_way { usual.max(way_area(understood, ways, number)) } else { usual };
+        Wanted { area_m2, is_way: room.kind.is_way, has_way_out: way_out == Some(number) }
+    };
+    understood.rooms.iter().enumerate().map(of).collect()
+}
+
+/// How large a way has to be for all that is seen along it, one sensor after the other.
+fn way_area(understood: &Understood, ways: &[LogWay], room: usize) -> f64 {
+    let is_here = |sensor: &usize| understood.sensors[*sensor].0 == room && understood.sensors[*sensor].1 != What::Area;
+    let here: Vec<usize> = (0..understood.sensors.len()).filter(is_here).collect();
+    let mut inner: Vec<&LogWay> = ways.iter().filter(|way| way.between.iter().all(|end| here.contains(end))).collect();
+    inner.sort_by_key(|way| std::cmp::Reverse(way.times));
+    let mut group: Vec<usize> = here.clone();
+    let mut length_m = 0.0;
+    for way in inner {
+        let [a, b] = way.between.map(|end| here.iter().position(|one| *one == end).map_or(end, |place| group[place]));
+        if a != b {
+            group.iter_mut().filter(|of| **of == b).for_each(|of| *of = a);
+            length_m += (way.soon_s * PACE_MPS).clamp(1.0, 3.0);
+        }
+    }
+    (length_m + WAY_BEYOND_M) * WAY_WIDE_M
+}
+
+/// The walls of rooms that fill a rectangle: each drawn once.
+fn walls(rects: &[Rect]) -> Vec<(Point, Point)> {
+    /// By where a line is, from where to where there are walls on it.
+    type Lines = BTreeMap<i64, Vec<(f64, f64)>>;
+    let (mut upright, mut level) = (Lines::new(), Lines::new());
+    let key = |at: f64| (at * 100.0).round() as i64;
+    for (from, to) in rects.iter().flat_map(Rect::sides) {
+        match key(from.x) == key(to.x) {
+            true => upright.entry(key(from.x)).or_default().push((from.y, to.y)),
+            false => level.entry(key(from.y)).or_default().push((from.x, to.x)),
+        }
+    }
+    let joined = |mut spans: Vec<(f64, f64)>| {
+        spans.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut joined: Vec<(f64, f64)> = Vec::new();
+        for (from, to) in spans {
+            match joined.last_mut() {
+                Some(last) if from <= last.1 + 0.005 => last.1 = last.1.max(to),
+                _ => joined.push((from, to)),
+            }
+        }
+        joined
+    };
+    let at = |key: i64| key as f64 / 100.0;
+    let upright = upright.into_iter().flat_map(|(x, spans)| {
+        joined(spans).into_iter().map(move |(from, to)| (Point::new(at(x), from), Point::new(at(x), to)))
+    });
+    let level = level.into_iter().flat_map(|(y, spans)| {
+        joined(spans).into_iter().map(move |(from, to)| (Point::new(from, at(y)), Point::new(to, at(y))))
+    });
+    upright.chain(level).collect()
+}
+
+/// The rooms where somebody has measured the sensors; those without any share the largest of the others.
+fn measured(understood: &Understood, sensors: &[LogSensor], pieces: &[Piece]) -> Result<Vec<Rect>, Unsaid> {
+    let mut places: Vec<Vec<Point>> = vec![Vec::new(); understood.rooms.len()];
+    for (sensor, &(room, _)) in sensors.iter().zip(&understood.sensors) {
+        places[room].extend(sensor.at);
+    }
+    let mut rects = parted(&places);
+    let largest = |rects: &[Option<Rect>]| {
+        let area = |rect: &Rect| rect.size().x * rect.size().y;
+        (0..rects.len()).filter(|&room| rects[room].is_some()).max_by(|&a, &b| {
+            let of = |room: usize| rects[room].map_or(0.0, |rect| area(&rect));
+            of(a).total_cmp(&of(b))
+        })
+    };
+    for room in 0..rects.len() {
+        if rects[room].is_none() {
+            let needs = pieces.iter().filter(|piece| piece.room == room).count();
+            let Some(from) = largest(&rects) else { continue };
+            let Some(rect) = rects[from] else { continue };
+            let is_upright = rect.size().x > rect.size().y;
+            // The end that is farthest from the sensors of the room that gives it.
+            let share = if needs > 1 { 0.4 } else { 0.3 };
+            let at = rect.least + rect.size() * share;
+            let [first, second] = super::shape::cut(&rect, is_upright, if is_upright { at.x } else { at.y });
+            (rects[room], rects[from]) = (Some(first), Some(second));
+        }
+    }
+    let rects: Option<Vec<Rect>> = rects.into_iter().collect();
+    rects.ok_or_else(|| Unsaid::Unsound("no sensor has a place on the picture".into()))
+}
+
+/// What was put together.
+struct Made {
+    home: HomeFile,
+    ids: BTreeMap<String, String>,
+    hold_s: Option<f64>,
+}
+
+fn put_together(
+    understood: &Understood,
+    sensors: &[LogSensor],
+    laid: Laid,
+    pieces: &[Piece],
+    remarks: &mut Vec<String>,
+) -> Made {
+    let Laid { rects, walls, doors, places } = laid;
+    let mut names = Names::default();
+    let rooms: Vec<Room> =
+        understood.rooms.iter().map(|room| Room { name: names.give(&room.name, "room"), ..room.clone() }).collect();
+    let stand = |piece: usize| places.pieces[piece].is_some();
+    let no_room: Vec<String> =
+        (0..pieces.len()).filter(|&piece| !stand(piece)).map(|piece| pieces[piece].thing.name.to_owned()).collect();
+    if !no_room.is_empty() {
+        remarks.push(format!("for these there is no space in their rooms: {}", listed(&no_room)));
+    }
+    let piece_names: Vec<Option<String>> =
+        (0..pieces.len()).map(|piece| stand(piece).then(|| names.give(pieces[piece].thing.name, "piece"))).collect();
+    let mut door_names = Names::default();
+    let named = |door: Opening| {
+        let name = match door.rooms {
+            [Some(a), Some(b)] => format!("{} to {}", rooms[a].name, rooms[b].name),
+            _ => "front door".to_owned(),
+        };
+        (door_names.give(&name, "door"), door)
+    };
+    let doors: Vec<(String, Opening)> = doors.into_iter().map(named).collect();
+    let home =
+        Furnished { rooms: &rooms, rects: &rects, doors: &doors, pieces, piece_names: &piece_names, places: &places };
+    let make = make(sensors);
+    let (hung, left) = hung(sensors, &understood.sensors, &home, make);
+    if !left.is_empty() {
+        remarks.push(format!("for these sensors there is no place: {}", listed(&left)));
+    }
+    let ids = hung.iter().map(|(file, id)| (file.name().to_owned(), id.clone())).collect();
+    let outer = rects
+        .iter()
+        .fold((rects[0].least, rects[0].most), |(least, most), rect| (least.min(rect.least), most.max(rect.most)));
+    let is_outer = |(from, to): &(Point, Point)| {
+        let side = |a: f64, b: f64, of: [f64; 2]| a == b && of.contains(&a);
+        side(from.x, to.x, [outer.0.x, outer.1.x]) || side(from.y, to.y, [outer.0.y, outer.1.y])
+    };
+    let at = |p: Point| rounded(p.into());
+    let wall = |ends: (Point, Point)| WallFile {
+        from: at(ends.0),
+        to: at(ends.1),
+        thickness_m: if is_outer(&ends) { OUTER_WALL_M } else { INNER_WALL_M },
+    };
+    let door = |(name, door): (String, Opening)| {
+        let outside = door.rooms[1].is_none();
+        DoorFile { name, from: at(door.from), to: at(door.to), open: !outside, shut_behind: false, outside }
+    };
+    let furniture = pieces.iter().zip(&piece_names).zip(&places.pieces).filter_map(|((piece, name), stands)| {
+        let rect = stands.as_ref()?.rect;
+        Some(FurnitureFile {
+            name: name.clone()?,
+            at: Some(at(rect.middle())),
+            size_m: Some(at(rect.size())),
+            turn_deg: 0.0,
+            outline: None,
+            height_m: piece.thing.height_m,
+            enterable: piece.thing.enterable,
+            role: piece.thing.role,
+        })
+    });
+    let furniture = furniture.collect();
+    let room = |(room, rect): (&Room, &Rect)| RoomFile { name: room.name.clone(), outline: rect.corners() };
+    let home = HomeFile {
+        schema: Some(SCHEMA.to_owned()),
+        name: String::new(),
+        about: String::new(),
+        latitude_deg: latitude(),
+        rooms: rooms.iter().zip(&rects).map(room).collect(),
+        walls: walls.into_iter().map(wall).collect(),
+        doors: doors.into_iter().map(door).collect(),
+        furniture,
+        places: Vec::new(),
+        sensors: hung.into_iter().map(|(file, _)| file).collect(),
+    };
+    Made { home, ids, hold_s: make.hold_s }
+}

@@ -1,0 +1,169 @@
+//! The sensors of a schematic home: narrow ones over things and spots, wide ones over rooms, contacts on doors and things.
+
+use super::doors::Opening;
+use super::needed::Piece;
+use super::placed::Places;
+use super::shape::{Rect, rounded};
+use super::understood::{Room, What};
+use super::{LogSensor, Speaks};
+use crate::names::Names;
+use homebody_core::geometry::Point;
+use homebody_core::scenario::home::{CeilingMotionFile, Preset, SensorFile};
+use homebody_core::scenario::notice::{ChanceFile, Notice};
+use homebody_core::sensors::contact::ContactFile;
+
+/// A narrow sensor sees so much of the floor each way (ours): what stands below it, and who stands before that.
+const NARROW_M: f64 = 1.2;
+/// What a wide sensor sees ends so far from the walls of its room (ours).
+const AT_WALL_M: f64 = 0.1;
+/// One that sees a part of its room sees so much each way (ours).
+const WIDE_M: f64 = 2.6;
+/// A wide sensor surely notices what moves by this angle (ours), somewhat less than a narrow one: so most firings of two real homes
+/// are explained.
+const WIDE_SURE_DEG: f64 = 25.0;
+/// The ON of a unit lasts as long each time if nine of ten are no further than this from most, in parts of it (ours).
+const ALIKE: f64 = 0.25;
+/// Units whose ON is shorter follow the movement (ours).
+const SHORTEST_PULSE_S: f64 = 2.0;
+
+/// What all sensors of a log have in common: their make, and for how long the logger holds an ON.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Make {
+    pub preset: Preset,
+    /// None where the log tells no OFF.
+    pub hold_s: Option<f64>,
+}
+
+/// What make most motion sensors of a log are of, by how long their ONs last.
+pub fn make(sensors: &[LogSensor]) -> Make {
+    let of: Vec<[f64; 3]> =
+        sensors.iter().filter(|sensor| sensor.speaks == Speaks::Motion).filter_map(|sensor| sensor.on_s).collect();
+    let is_pulse = |[first, middle, last]: &&[f64; 3]| {
+        *middle >= SHORTEST_PULSE_S && first.min(*last) >= middle * (1.0 - ALIKE) && *last <= middle * (1.0 + ALIKE)
+    };
+    let pulses = of.iter().filter(is_pulse).count() * 2 > of.len();
+    let mut holds: Vec<f64> = of.iter().map(|[first, middle, _]| if pulses { *middle } else { *first }).collect();
+    holds.sort_by(f64::total_cmp);
+    Make {
+        preset: match holds.is_empty() {
+            true => Preset::Paper,
+            false if pulses => Preset::CasasPulse,
+            false => Preset::CasasFollow,
+        },
+        hold_s: holds.get(holds.len() / 2).map(|hold| (hold * 100.0).round() / 100.0),
+    }
+}
+
+/// A home with places for its sensors.
+pub struct Furnished<'a> {
+    pub rooms: &'a [Room],
+    pub rects: &'a [Rect],
+    pub doors: &'a [(String, Opening)],
+    pub pieces: &'a [Piece],
+    /// By piece; none where it has no place.
+    pub piece_names: &'a [Option<String>],
+    pub places: &'a Places,
+}
+
+/// The sensors with the ids that the log has for them; those for which there is no place are named last.
+pub fn hung(
+    sensors: &[LogSensor],
+    what: &[(usize, What)],
+    home: &Furnished,
+    make: Make,
+) -> (Vec<(SensorFile, String)>, Vec<String>) {
+    let mut names = Names::default();
+    let (mut hung, mut left) = (Vec::new(), Vec::new());
+    for (number, sensor) in sensors.iter().enumerate() {
+        let (room, what) = what[number];
+        let kind = if sensor.speaks == Speaks::Contact { " contact" } else { "" };
+        let room_name = &home.rooms[room].name;
+        let wanted = match what {
+            What::Area => format!("{room_name} area"),
+            What::Thing(thing) => format!("{room_name} {}{kind}", thing.name),
+            What::Door => format!("{room_name} door{kind}"),
+            What::FrontDoor if sensor.speaks == Speaks::Contact => "front door contact".to_owned(),
+            What::FrontDoor => "front door motion".to_owned(),
+            What::Spot | What::Wide => format!("{room_name} motion"),
+        };
+        let file = match sensor.speaks {
+            Speaks::Contact => {
+                on(number, room, what, home).map(|on| SensorFile::Contact(ContactFile { name: String::new(), on }))
+            }
+            Speaks::Motion => {
+                let floor = floor(number, room, what, home);
+                floor.map(|floor| {
+                    SensorFile::CeilingMotion(ceiling(&floor, matches!(what, What::Area | What::Wide), make.preset))
+                })
+            }
+        };
+        match file {
+            Some(mut file) => {
+                *file.name_mut() = names.give(&wanted, "sensor");
+                hung.push((file, sensor.id.clone()));
+            }
+            None => left.push(sensor.id.clone()),
+        }
+    }
+    (hung, left)
+}
+
+/// The floor that a sensor sees.
+fn floor(sensor: usize, room: usize, what: What, home: &Furnished) -> Option<Rect> {
+    if what == What::Area {
+        return Some(home.rects[room].inset(AT_WALL_M));
+    }
+    let at = home.places.sensors[sensor]?;
+    // One that was measured may be on the other side of a wall that was guessed.
+    let own = home.rects[room].has(at).then_some(room);
+    let room = own.or_else(|| home.rects.iter().position(|rect| rect.has(at)))?;
+    let size = if what == What::Wide { WIDE_M } else { NARROW_M };
+    Some(Rect::around(at, Point::splat(size)).clipped(&home.rects[room].inset(AT_WALL_M)))
+}
+
+fn ceiling(floor: &Rect, is_wide: bool, preset: Preset) -> CeilingMotionFile {
+    // What a sensor has missed no log tells, so that here it misses nothing.
+    let chance = ChanceFile { sure_deg: is_wide.then_some(WIDE_SURE_DEG), missed: 0.0, ..ChanceFile::default() };
+    CeilingMotionFile {
+        name: String::new(),
+        area: floor.corners().into_iter().map(rounded).collect(),
+        preset,
+        notice: (preset != Preset::Paper).then_some(Notice::Chance(chance)),
+        first_fire_s: None,
+        refire_s: None,
+        persist_s: None,
+    }
+}
+
+/// What a contact hangs on.
+fn on(sensor: usize, room: usize, what: What, home: &Furnished) -> Option<String> {
+    let door =
+        |fits: &dyn Fn(&Opening) -> bool| home.doors.iter().find(|(_, door)| fits(door)).map(|(name, _)| name.clone());
+    match what {
+        What::Thing(_) => {
+            let piece = home.pieces.iter().position(|piece| piece.sensors.contains(&sensor))?;
+            home.piece_names[piece].clone()
+        }
+        What::FrontDoor => door(&|door| door.rooms[1].is_none()),
+        What::Door => {
+            let at = home.places.sensors[sensor]?;
+            let near = home.doors.iter().filter(|(_, door)| door.other(room).is_some());
+            near.min_by(|a, b| a.1.middle().distance(at).total_cmp(&b.1.middle().distance(at)))
+                .map(|(name, _)| name.clone())
+        }
+        What::Area | What::Wide | What::Spot => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_make_is_known_by_how_long_its_ons_last() {
+        let make_of = |on_s: Option<[f64; 3]>| make(&[LogSensor { on_s, ..LogSensor::new("M1", Speaks::Motion, 9) }]);
+        assert_eq!(make_of(Some([3.9, 4.0, 4.3])), Make { preset: Preset::CasasPulse, hold_s: Some(4.0) });
+        assert_eq!(make_of(Some([1.1, 1.8, 4.3])), Make { preset: Preset::CasasFollow, hold_s: Some(1.1) });
+        assert_eq!(make_of(None), Make { preset: Preset::Paper, hold_s: None });
+    }
+}

@@ -1,0 +1,219 @@
+//! A body that goes everywhere in a home and does everything there, about equally often.
+//!
+//! What it does is no life: it sits at the table for half an hour, goes out for ten minutes, lies in the bed, and stands at the
+//! stove, in any order and at any hour, so that what is counted of it says how sensors answer to a body, and not to a person.
+
+use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
+use homebody_core::event::{MotionState, ThingUse};
+use homebody_core::home::Home;
+use homebody_core::ids::ThingId;
+use homebody_core::random::Stream;
+use homebody_core::role::Role;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, SECOND, micros};
+use homebody_walk::Mesh;
+use homebody_walk::body::Body;
+use homebody_walk::manner::Manner;
+use homebody_walk::places::{Places, Spot};
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+/// What the truth calls resting at a place, as opposed to doing something there.
+pub(crate) const RESTS: &str = "rests";
+
+/// How often it goes out, and how often it stands somewhere on the floor (ours).
+const OUT: f64 = 0.1;
+const FLOOR: f64 = 0.3;
+/// How often what can be used at a place is used (ours).
+const USES: f64 = 0.6;
+/// The medians of the lengths of what it does, in seconds, and the spread of their logarithms (ours).
+const OUT_S: [f64; 2] = [900.0, 1.0];
+const STANDS_S: [f64; 2] = [20.0, 1.2];
+const BUSY_S: [f64; 2] = [90.0, 1.2];
+const STILL_S: [f64; 2] = [900.0, 1.0];
+/// How long one stands in the open front door.
+const AT_THE_DOOR: Micros = 5 * SECOND;
+/// It stays so long where no way leads on.
+const AT_A_LOSS: Micros = 10 * SECOND;
+
+/// The driver of the body.
+#[derive(Clone, Debug)]
+pub(crate) struct Rover {
+    home: Arc<Home>,
+    places: Arc<Places>,
+    spots: Vec<Spot>,
+    body: Body,
+    is_placed: bool,
+    /// Until when what is planned lasts.
+    until: Micros,
+    planned: VecDeque<Next>,
+    stream: Stream,
+}
+
+impl Rover {
+    pub fn new(
+        home: Arc<Home>,
+        places: Arc<Places>,
+        spots: Vec<Spot>,
+        mesh: Arc<Mesh>,
+        pace_mps: f64,
+        seed: u64,
+    ) -> Rover {
+        let body = Body::new(home.clone(), mesh, pace_mps);
+        let stream = Stream::named(seed, "rover");
+        Rover { home, places, spots, body, is_placed: false, until: 0, planned: VecDeque::new(), stream }
+    }
+
+    fn plan(&mut self) {
+        let chance = self.stream.unit();
+        let door = self.places.of(Role::FrontDoor).filter(|spot| spot.is_reachable).cloned();
+        match door {
+            Some(door) if chance < OUT => self.go_out(&door),
+            _ if chance < OUT + FLOOR || self.spots.is_empty() => self.stand(),
+            _ => {
+                let chosen = self.any(self.spots.len());
+                let spot = self.spots[chosen].clone();
+                self.stay(&spot);
+            }
+        }
+    }
+
+    fn any(&mut self, count: usize) -> usize {
+        ((self.stream.unit() * count as f64) as usize).min(count.saturating_sub(1))
+    }
+
+    fn lasts(&mut self, [median_s, spread]: [f64; 2]) -> Micros {
+        micros(self.stream.lognormal(median_s, spread)).max(SECOND)
+    }
+
+    /// Goes to a spot; false where no way leads.
+    fn go(&mut self, spot: &Spot) -> bool {
+        if !self.is_placed {
+            self.is_placed = true;
+            self.body.place(spot.clone(), spot.posture);
+            return true;
+        }
+        const NOON: f64 = 12.0;
+        match self.body.go(spot, self.until, NOON, 1.0, &mut self.stream) {
+            Some(moves) => {
+                moves.into_iter().for_each(|one| self.push(one));
+                true
+            }
+            None => {
+                self.hold(MotionState::Rest { at: self.body.at() }, AT_A_LOSS);
+                false
+            }
+        }
+    }
+
+    fn push(&mut self, segment: MotionSegment) {
+        self.until = segment.end;
+        self.body.follow(&segment);
+        self.planned.push_back(Next::Segment(segment));
+    }
+
+    fn hold(&mut self, doing: MotionState, lasts: Micros) {
+        let (begin, end) = (self.until, self.until + lasts.max(1));
+        let posture = if doing == MotionState::Away { Posture::Standing } else { self.body.posture() };
+        self.push(MotionSegment { begin, end, doing, posture });
+    }
+
+    /// Stays where it is, and stirs now and then.
+    fn stir(&mut self, manner: Manner, lasts: Micros) {
+        let manner = manner.by(&self.home.numbers);
+        let end = self.until + lasts;
+        let at = self.body.at();
+        let mut moves = true;
+        while self.until < end {
+            let (doing, span) = match moves {
+                true => (MotionState::InPlace { at, amplitude_m: manner.amplitude_m }, manner.bout(&mut self.stream)),
+                false => (MotionState::Rest { at }, manner.gap(1.0, &mut self.stream)),
+            };
+            self.hold(doing, span.min(end - self.until));
+            moves = !moves;
+        }
+    }
+
+    fn uses(&mut self, thing: u32, on: bool) {
+        self.planned.push_back(Next::Use(ThingUse { thing: ThingId(thing), on }));
+    }
+
+    fn stand(&mut self) {
+        let room = self.any(self.home.plan.rooms.len());
+        let at = self.body.mesh().free_point(room, &mut self.stream);
+        if self.go(&Spot::to_stand(at, room)) {
+            let lasts = self.lasts(STANDS_S);
+            self.stir(Manner::BUSY, lasts);
+        }
+    }
+
+    fn stay(&mut self, spot: &Spot) {
+        if !self.go(spot) {
+            return;
+        }
+        let thing = self.places.thing_named(&spot.name).filter(|_| self.stream.chance(USES));
+        if let Some(thing) = thing {
+            self.uses(thing, true);
+        }
+        let kinds = 1 + self.any(3);
+        for _ in 0..kinds {
+            let rests = spot.posture != Posture::Standing && self.stream.chance(0.5);
+            self.planned.push_back(Next::Activity(rests.then(|| RESTS.to_owned())));
+            let lasts = self.lasts(if rests { STILL_S } else { BUSY_S });
+            let manner = self.manner(spot.posture, rests);
+            self.stir(manner, lasts);
+        }
+        self.planned.push_back(Next::Activity(None));
+        if let Some(thing) = thing {
+            self.uses(thing, false);
+        }
+    }
+
+    fn manner(&mut self, posture: Posture, rests: bool) -> Manner {
+        let of: &[Manner] = match (posture, rests) {
+            (Posture::Lying, true) => &[Manner::ASLEEP],
+            (Posture::Lying, false) => &[Manner::AWAKE_IN_BED],
+            (Posture::Sitting, true) => &[Manner::STILL, Manner::READING],
+            (Posture::Sitting, false) => &[Manner::EATING, Manner::TALKING, Manner::ON_TOILET],
+            (Posture::Standing, _) => &[Manner::BUSY, Manner::WASHING],
+        };
+        of[self.any(of.len())]
+    }
+
+    fn go_out(&mut self, door: &Spot) {
+        if !self.go(door) {
+            return;
+        }
+        let thing = self.places.thing(Role::FrontDoor);
+        for goes_out in [true, false] {
+            if let Some(thing) = thing {
+                self.uses(thing, true);
+            }
+            self.stir(Manner::BUSY, AT_THE_DOOR);
+            if let Some(thing) = thing {
+                self.uses(thing, false);
+            }
+            if goes_out {
+                let lasts = self.lasts(OUT_S);
+                self.hold(MotionState::Away, lasts);
+                self.body.place(door.clone(), Posture::Standing);
+            }
+        }
+    }
+}
+
+impl Driver for Rover {
+    fn next(&mut self, around: &Surroundings) -> Next {
+        self.until = self.until.max(around.now());
+        loop {
+            match self.planned.pop_front() {
+                Some(next) => return next,
+                None => self.plan(),
+            }
+        }
+    }
+
+    fn copy(&self) -> Box<dyn Driver> {
+        Box::new(self.clone())
+    }
+}

@@ -1,0 +1,275 @@
+//! From messages to where people were: forward through a stretch of the log, and back again.
+//!
+//! The log is taken in blocks, so that memory does not grow with it; each block is looked at together with what comes next.
+
+use crate::learn::Senses;
+use crate::pair::{Belief, Pair};
+use crate::said::{Message, Said};
+use crate::spells::Spell;
+use crate::states::State;
+use crate::steps::{Heard, Steps};
+use crate::visits::Visits;
+use homebody_core::time::Micros;
+
+/// So many steps are smoothed at once, with so many of what comes next (ours).
+const BLOCK: usize = 4_096;
+const AHEAD: usize = 768;
+
+/// Where people were at an instant, by all that was said before and after.
+pub struct Instant<'a> {
+    /// When, in microseconds since the start.
+    pub at: Micros,
+    /// What was said then; nothing inside of a long silence.
+    pub said: Option<Heard>,
+    pairs: Vec<(&'a Belief, [&'a Senses; 2])>,
+}
+
+/// Where somebody most likely was.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Guess<'a> {
+    /// The most likely state of the most likely room.
+    pub state: &'a State,
+    /// The chance of that room, from 0 to 1.
+    pub chance: f64,
+    /// How often the body would say in that state what was said then, in messages a second; 0 where nothing was.
+    pub says: f32,
+}
+
+/// How likely it is that somebody is in each place of a home, from 0 to 1; all together it is 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chances {
+    /// Not at home.
+    pub out: f32,
+    /// At home and in no room: in a doorway.
+    pub between: f32,
+    /// By room of the plan.
+    pub rooms: Vec<f32>,
+}
+
+/// Asks of messages, in order of time and up to `end`, where each of these bodies was, and tells of each instant in turn.
+/// What sensors say or do not say in their `spells` counts for nothing.
+///
+/// What is said may come of any of them. Of two after each other all is thought together; of more, only what each pair may
+/// be expected to say.
+pub fn translate(
+    bodies: &[Senses],
+    spells: &[Spell],
+    messages: impl IntoIterator<Item = Message>,
+    end: Micros,
+    mut tell: impl FnMut(Instant),
+) {
+    let Some(first) = bodies.first() else { return };
+    let nobody = first.nobody();
+    let mut smoother = Smoother::new(bodies, &nobody, Steps::new(&first.timing, spells));
+    for message in messages {
+        smoother.steps.hear(&message);
+        while smoother.steps.len() >= BLOCK + AHEAD {
+            smoother.smooth(BLOCK, &mut tell);
+        }
+    }
+    smoother.steps.go_on(end, None);
+    smoother.smooth(usize::MAX, &mut tell);
+}
+
+/// Asks the same as time goes on, and tells at once, by what was said until then: of each instant, in order of time, with the
+/// message that comes then, or none. Who is asked of seldom is told of late: silence tells as well. Of two who may be at home
+/// it is thought as of any two.
+pub fn follow(
+    bodies: &[Senses],
+    instants: impl IntoIterator<Item = (Micros, Option<Message>)>,
+    mut tell: impl FnMut(Instant),
+) {
+    let Some(first) = bodies.first() else { return };
+    let nobody = first.nobody();
+    let mut pairs = in_pairs(bodies, &nobody);
+    let mut steps = Steps::new(&first.timing, &[]);
+    for (at, message) in instants {
+        match message {
+            Some(message) => steps.hear(&message),
+            None => steps.go_on(at, None),
+        }
+        let last = steps.len() - 1;
+        (0..=last).for_each(|number| go_on(&mut pairs, &steps, number));
+        let told = pairs.iter().map(|pair| (pair.last(), pair.senses)).collect();
+        tell(Instant { at, said: steps.get(last).said, pairs: told });
+        pairs.iter_mut().for_each(|pair| pair.begin_after(last + 1, pair.last().clone()));
+        steps.forget(last + 1);
+    }
+}
+
+/// Two after each other together, and one who is left with nobody.
+fn in_pairs<'a>(bodies: &'a [Senses], nobody: &'a Senses) -> Vec<Pair<'a>> {
+    bodies.chunks(2).map(|pair| Pair::new([&pair[0], pair.get(1).unwrap_or(nobody)])).collect()
+}
+
+/// All go on by a step; what is said at its end may come of any of them.
+fn go_on(pairs: &mut [Pair], steps: &Steps, number: usize) {
+    pairs.iter_mut().for_each(|pair| pair.go_on(steps, number));
+    let Some(heard) = steps.get(number).said else { return };
+    let expected: Vec<f32> = pairs.iter().map(|pair| pair.expected(heard)).collect();
+    let all: f32 = expected.iter().sum();
+    pairs.iter_mut().zip(expected).for_each(|(pair, own)| pair.hear(heard, (all - own).max(0.0)));
+}
+
+struct Smoother<'a> {
+    pairs: Vec<Pair<'a>>,
+    /// Who may visit the first of the pairs, who lives alone.
+    visits: Option<Visits<'a>>,
+    steps: Steps<'a>,
+}
+
+impl<'a> Smoother<'a> {
+    fn new(bodies: &'a [Senses], nobody: &'a Senses, steps: Steps<'a>) -> Smoother<'a> {
+        let (residents, visits) = match bodies {
+            [alone, guest] if guest.visits && !alone.visits => (&bodies[..1], Some(Visits::new([alone, guest]))),
+            all => (all, None),
+        };
+        Smoother { pairs: in_pairs(residents, nobody), visits, steps }
+    }
+
+    /// Tells of the first steps, and forgets them.
+    fn smooth(&mut self, most: usize, tell: &mut impl FnMut(Instant)) {
+        let (steps, told) = (&self.steps, most.min(self.steps.len()));
+        for number in 0..steps.len() {
+            go_on(&mut self.pairs, steps, number);
+        }
+        if let (Some(visits), [alone, ..]) = (&mut self.visits, &self.pairs[..]) {
+            visits.go_on(alone, steps, told);
+        }
+        let at_end = |pair: &Pair| told.checked_sub(1).map(|last| pair.beliefs[last].clone());
+        let before: Vec<Option<Belief>> = self.pairs.iter().map(at_end).collect();
+        for pair in &mut self.pairs {
+            pair.go_back(steps, 0, pair.nothing_known(), |number, after| {
+                self.visits.iter_mut().for_each(|visits| visits.go_back(steps, number, after));
+            });
+        }
+        for number in 0..told {
+            let visit = self.visits.as_ref().and_then(|visits| visits.told(number));
+            let pairs = match visit {
+                Some(visit) => vec![visit],
+                None => self.pairs.iter().map(|pair| (&pair.beliefs[number], pair.senses)).collect(),
+            };
+            let step = steps.get(number);
+            tell(Instant { at: step.end, said: step.said, pairs });
+        }
+        let all = self.pairs.iter_mut().zip(before);
+        all.for_each(|(pair, before)| before.into_iter().for_each(|before| pair.begin_after(told, before)));
+        self.steps.forget(told);
+    }
+}
+
+impl<'a> Instant<'a> {
+    /// How often each sensor would say ON now, in messages a second while it can: of all that are told of.
+    pub(crate) fn expected(&self, sensors: usize) -> Vec<f32> {
+        let mut expected = vec![0.0; sensors];
+        for (belief, senses) in &self.pairs {
+            for (body, senses) in senses.iter().enumerate().filter(|(_, senses)| senses.states().len() > 1) {
+                let chances = belief.alone(body);
+                for (sensor, expected) in expected.iter_mut().enumerate() {
+                    let rates = senses.rate(sensor, Said::On);
+                    let of = |(chance, &state): (&f32, &u32)| chance * rates[state as usize];
+                    *expected += chances.iter().zip(&belief.states[body]).map(of).sum::<f32>();
+                }
+            }
+        }
+        expected
+    }
+
+    /// Where each body most likely was, in the order of the bodies. Who of two that are alike was where cannot be told.
+    pub fn guesses(&self) -> Vec<Guess<'a>> {
+        let each = |(belief, senses): &(&Belief, [&'a Senses; 2])| {
+            let [first, second] = Together::new(belief, senses).guesses(self.said);
+            if is_alone_second(senses, &first) { [second, first] } else { [first, second] }
+        };
+        self.pairs.iter().flat_map(each).collect()
+    }
+
+    /// How likely each body was in each place, in the order of the guesses. Of two that are alike, the first is whoever
+    /// is where the first is guessed to be: the chances are of where the two are, not of who is who.
+    pub fn chances(&self) -> Vec<Chances> {
+        let each = |(belief, senses): &(&Belief, [&'a Senses; 2])| {
+            let together = Together::new(belief, senses);
+            let [first, second] = together.chances();
+            if is_alone_second(senses, &together.guesses(None)[0]) { [second, first] } else { [first, second] }
+        };
+        self.pairs.iter().flat_map(each).collect()
+    }
+}
+
+/// Whoever of a guest and the one who lives there is alone at home lives there.
+fn is_alone_second(senses: &[&Senses; 2], first: &Guess) -> bool {
+    senses[1].visits && first.state.at.is_none()
+}
+
+/// What is thought of two, by the places that they are in.
+struct Together<'b, 'a> {
+    belief: &'b Belief,
+    senses: &'b [&'a Senses; 2],
+    /// The place of each state that counts, of each of the two.
+    places: [Vec<usize>; 2],
+    columns: usize,
+    /// How likely each pair of places is, row by row: a row for each place of the first.
+    chances: Vec<f32>,
+    /// The pair of places that is most likely, whoever is in which.
+    best: usize,
+}
+
+impl<'b, 'a> Together<'b, 'a> {
+    fn new(belief: &'b Belief, senses: &'b [&'a Senses; 2]) -> Together<'b, 'a> {
+        let places = [0, 1].map(|body| {
+            let states = belief.states[body].iter().map(|&state| senses[body].states().place(state));
+            states.collect::<Vec<usize>>()
+        });
+        let columns = senses[0].states().places().max(senses[1].states().places());
+        let mut chances = vec![0.0f32; columns * columns];
+        for (row, &a) in belief.chances.chunks_exact(places[1].len().max(1)).zip(&places[0]) {
+            for (chance, &b) in row.iter().zip(&places[1]) {
+                chances[a * columns + b] += chance;
+            }
+        }
+        let mut together = Together { belief, senses, places, columns, chances, best: 0 };
+        let by_chance = |a: &usize, b: &usize| {
+            let either = together.either(*a).total_cmp(&together.either(*b));
+            either.then(together.chances[*a].total_cmp(&together.chances[*b]))
+        };
+        together.best = (0..together.chances.len()).max_by(by_chance).unwrap_or(0);
+        together
+    }
+
+    /// How likely a pair of places is, whoever is in which.
+    fn either(&self, pair: usize) -> f32 {
+        let (a, b) = (pair / self.columns, pair % self.columns);
+        self.chances[pair] + if a == b { 0.0 } else { self.chances[b * self.columns + a] }
+    }
+
+    /// The rooms of the two that are most likely together, and the most likely states in them.
+    fn guesses(&self, said: Option<Heard>) -> [Guess<'a>; 2] {
+        let Together { belief, senses, places, columns, best, .. } = self;
+        let width = places[1].len();
+        let is_there = |pair: &usize| places[0][pair / width] * columns + places[1][pair % width] == *best;
+        let by_chance = |a: &usize, b: &usize| belief.chances[*a].total_cmp(&belief.chances[*b]);
+        let pair = (0..belief.chances.len()).filter(is_there).max_by(by_chance).unwrap_or(0);
+        let chance = f64::from(self.either(*best));
+        let guess = |body: usize, place: usize| {
+            let state = belief.states[body][place] as usize;
+            let says = said.map_or(0.0, |heard| senses[body].rate(heard.sensor, heard.said)[state]);
+            Guess { state: &senses[body].states().all[state], chance, says }
+        };
+        [guess(0, pair / width), guess(1, pair % width)]
+    }
+
+    /// How likely each is in each place: of a pair that is the best one the other way round, each is in the other's place.
+    fn chances(&self) -> [Chances; 2] {
+        let (first, second) = (self.best / self.columns, self.best % self.columns);
+        let mut of = [vec![0.0; self.columns], vec![0.0; self.columns]];
+        for (pair, chance) in self.chances.iter().enumerate() {
+            let (a, b) = (pair / self.columns, pair % self.columns);
+            let is_turned = a != first && b != second && (a == second || b == first);
+            let (a, b) = if is_turned { (b, a) } else { (a, b) };
+            of[0][a] += chance;
+            of[1][b] += chance;
+        }
+        // The numbers of places are those of `States::place`.
+        of.map(|of| Chances { out: of[0], between: of[1], rooms: of[2..].to_vec() })
+    }
+}

@@ -1,0 +1,203 @@
+//! Sensors that cannot be believed for a time: they say the same again and again, or nothing at all.
+//!
+//! Both are told by a sensor's own messages, beside those of the others. One that repeats itself at even spaces is stuck; one
+//! that was heard daily, and is silent while others are heard as usual, is dead.
+
+use crate::said::{Message, Said};
+use homebody_core::time::{DAY, Micros, SECOND};
+use serde::Serialize;
+
+/// A sensor that cannot be believed from one instant to another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Spell {
+    /// Index into the home's sensors.
+    pub sensor: usize,
+    /// From its first message that cannot be believed, or its last that can, in microseconds since the start.
+    pub from: Micros,
+    /// Until the last that cannot be believed, or the first that can again.
+    pub to: Micros,
+    /// What is wrong with it.
+    pub ill: Ill,
+}
+
+/// What is wrong with a sensor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Ill {
+    /// It repeats itself at even spaces.
+    Stuck,
+    /// It says nothing.
+    Dead,
+}
+
+/// A stuck sensor repeats itself so often at even spaces, which differ by so little, and are not shorter than those of sensors
+/// that look at somebody who moves on (ours).
+const REPEATS: usize = 8;
+const EVEN: Micros = SECOND / 2;
+const LEAST_SPACE: Micros = 20 * SECOND;
+/// A silence is looked at from this length on (ours): people sleep, and go out for a day.
+const SILENCE: Micros = 18 * 3_600 * SECOND;
+/// A sensor is missed that is heard on most days, this part of them at least, and that would have been heard in so many hours of a
+/// silence, while the others were heard at this part of what they usually say (ours).
+const DAILY: f64 = 0.8;
+const MISSED_H: f64 = 9.0;
+const OTHERS: f64 = 0.4;
+
+/// A bit for each hour of a day.
+type Hours = u32;
+
+/// What is known of one sensor's messages.
+#[derive(Clone, Debug, Default)]
+struct Heard {
+    count: u64,
+    last: Option<Micros>,
+    /// The space before the last message, and how many even ones there are in a row, since when.
+    space: Micros,
+    even: usize,
+    since: Micros,
+    silences: Vec<(Micros, Micros)>,
+}
+
+/// The spells of all sensors, of messages in order of time, up to `end`.
+pub fn spells(messages: impl IntoIterator<Item = Message>, sensors: usize, end: Micros) -> Vec<Spell> {
+    let mut heard = vec![Heard::default(); sensors];
+    // By day and sensor: in which hours it was heard.
+    let mut days: Vec<Vec<Hours>> = Vec::new();
+    let mut spells = Vec::new();
+    for message in messages {
+        let day = (message.at.max(0) / DAY) as usize;
+        if days.len() <= day {
+            days.resize(day + 1, vec![0; sensors]);
+        }
+        days[day][message.sensor] |= 1 << (message.at.max(0) % DAY * 24 / DAY);
+        if message.said != Said::Off {
+            heard[message.sensor].hear(message.at, |from, to| {
+                spells.push(Spell { sensor: message.sensor, from, to, ill: Ill::Stuck });
+            });
+        }
+    }
+    for (sensor, heard) in heard.iter_mut().enumerate() {
+        heard.hear_end(end, |from, to| spells.push(Spell { sensor, from, to, ill: Ill::Stuck }));
+        for &(from, to) in &heard.silences {
+            // One that is silent for as long now and then is well.
+            let is_usual = |&(begin, end): &(Micros, Micros)| begin != from && (end - begin) * 2 > to - from;
+            if !heard.silences.iter().any(is_usual) && is_missed(sensor, (from, to), &days) {
+                spells.push(Spell { sensor, from, to, ill: Ill::Dead });
+            }
+        }
+    }
+    spells.sort_by_key(|spell| (spell.from, spell.sensor));
+    spells
+}
+
+impl Heard {
+    fn hear(&mut self, at: Micros, stuck: impl FnOnce(Micros, Micros)) {
+        let last = self.last.unwrap_or(0);
+        let space = at - last;
+        if space > SILENCE {
+            self.silences.push((last, at));
+        }
+        let is_even = self.count > 1 && (space - self.space).abs() <= EVEN && space >= LEAST_SPACE;
+        if is_even {
+            self.even += 1;
+        } else {
+            self.end_row(stuck);
+            self.since = last;
+        }
+        (self.space, self.last) = (space, Some(at));
+        self.count += 1;
+    }
+
+    fn end_row(&mut self, stuck: impl FnOnce(Micros, Micros)) {
+        if let Some(last) = self.last.filter(|_| self.even >= REPEATS) {
+            stuck(self.since, last);
+        }
+        self.even = 0;
+    }
+
+    fn hear_end(&mut self, end: Micros, stuck: impl FnOnce(Micros, Micros)) {
+        self.end_row(stuck);
+        if let Some(last) = self.last.filter(|last| end - last > SILENCE) {
+            self.silences.push((last, end));
+        }
+    }
+}
+
+/// Whether so much would have been said in a silence that it is none of the person's.
+fn is_missed(sensor: usize, (from, to): (Micros, Micros), days: &[Vec<Hours>]) -> bool {
+    let share = |day: usize| {
+        let begin = day as Micros * DAY;
+        let silent = (to.min(begin + DAY) - from.max(begin)).max(0);
+        silent as f64 / DAY as f64
+    };
+    let median = |mut of_days: Vec<u32>| {
+        of_days.sort_unstable();
+        of_days.get(of_days.len() / 2).copied().map_or(0.0, f64::from)
+    };
+    // In how many hours it is heard on a day that is not silent.
+    let loud: Vec<u32> =
+        (0..days.len()).filter(|&day| share(day) == 0.0).map(|day| days[day][sensor].count_ones()).collect();
+    let heard = loud.iter().filter(|&&hours| hours > 0).count() as f64;
+    if loud.is_empty() || heard < DAILY * loud.len() as f64 {
+        return false;
+    }
+    let usual = median(loud);
+    let others = |day: &Vec<Hours>| {
+        let all: u32 = day.iter().map(|hours| hours.count_ones()).sum();
+        all - day[sensor].count_ones()
+    };
+    let usual_of_others = median(days.iter().map(others).collect());
+    let silent: f64 = (0..days.len()).map(share).sum();
+    let of_others: f64 = days.iter().enumerate().map(|(day, hours)| share(day) * f64::from(others(hours))).sum();
+    usual * silent >= MISSED_H && of_others >= OTHERS * usual_of_others * silent
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HOUR: Micros = 3_600 * SECOND;
+
+    fn message(sensor: usize, at: Micros) -> Message {
+        Message { at, sensor, said: Said::On }
+    }
+
+    /// Ten days on which two sensors speak every seven to eleven minutes of the day.
+    fn usual() -> Vec<Message> {
+        let mut messages = Vec::new();
+        for day in 0..10 {
+            for turn in 0..80 {
+                let at = day * DAY + 8 * HOUR + turn * 9 * 60 * SECOND + turn % 7 * 20 * SECOND;
+                messages.extend([message(0, at), message(1, at + 5 * SECOND)]);
+            }
+        }
+        messages
+    }
+
+    #[test]
+    fn sensors_that_are_well_have_no_spells() {
+        assert_eq!(spells(usual(), 2, 10 * DAY), []);
+    }
+
+    #[test]
+    fn one_that_is_silent_while_others_speak_is_dead_and_one_of_an_empty_home_is_not() {
+        let is_silent = |message: &Message| (4 * DAY..6 * DAY).contains(&message.at);
+        let dead: Vec<Message> = usual().into_iter().filter(|one| one.sensor == 0 || !is_silent(one)).collect();
+        let found = spells(dead, 2, 10 * DAY);
+        assert_eq!(found.iter().map(|spell| (spell.sensor, spell.ill)).collect::<Vec<_>>(), [(1, Ill::Dead)]);
+        assert!(found[0].from < 4 * DAY && found[0].to > 6 * DAY, "{found:?}");
+        let away: Vec<Message> = usual().into_iter().filter(|one| !is_silent(one)).collect();
+        assert_eq!(spells(away, 2, 10 * DAY), []);
+    }
+
+    #[test]
+    fn one_that_repeats_itself_at_even_spaces_is_stuck_for_as_long_as_it_does() {
+        let mut messages = usual();
+        messages.extend((0..60).map(|turn| message(1, 3 * DAY + HOUR + turn * 60 * SECOND)));
+        messages.sort_by_key(|message| message.at);
+        let found = spells(messages, 2, 10 * DAY);
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert_eq!((found[0].sensor, found[0].ill), (1, Ill::Stuck));
+        assert_eq!(found[0].to - found[0].from, 59 * 60 * SECOND);
+    }
+}

@@ -1,0 +1,222 @@
+//! The states that somebody can be in: patches of floor, seats and beds, and being out.
+
+use homebody_core::geometry::Point;
+use homebody_core::home::plan::Plan;
+use homebody_core::scenario::path::Posture;
+use homebody_walk::Mesh;
+use homebody_walk::places::{Places, Spot};
+
+/// A state that somebody can be in.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// What it is.
+    pub kind: Kind,
+    /// Where the body is, in metres; `None` while out.
+    pub at: Option<Point>,
+    /// Index of the plan's room; `None` while out.
+    pub room: Option<usize>,
+    /// How the body is held.
+    pub posture: Posture,
+}
+
+/// What somebody does in a state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Not at home.
+    Out,
+    /// On the way over a patch of floor.
+    Walks,
+    /// On their feet on a patch of floor.
+    Stands,
+    /// At a place, and does something there.
+    Busy,
+    /// At a place to sit or to lie, and rests or sleeps there.
+    Still,
+    /// At a place, and does not stir for minutes.
+    Motionless,
+}
+
+/// All states of somebody in a home.
+#[derive(Clone, Debug)]
+pub struct States {
+    /// By the number of the state; 0 is being out.
+    pub all: Vec<State>,
+    /// How many rooms the plan has.
+    rooms: usize,
+    /// Where one can stay, with the numbers of its states.
+    pub(crate) stations: Vec<Station>,
+    grid: Grid,
+}
+
+/// A place to stay at.
+#[derive(Clone, Debug)]
+pub(crate) struct Station {
+    pub spot: Spot,
+    pub busy: usize,
+    pub motionless: usize,
+    /// None where nobody rests.
+    pub still: Option<usize>,
+}
+
+/// Which patch of floor is where.
+#[derive(Clone, Debug)]
+struct Grid {
+    corner: Point,
+    columns: usize,
+    /// Row by row; the number of the nearest patch.
+    patch: Vec<Option<u32>>,
+    patches: usize,
+}
+
+/// The side of a cell of the floor in metres (ours).
+const CELL_M: f64 = 0.25;
+/// The least side of a patch of floor in metres (ours): one walks over it in about a second.
+const PATCH_M: f64 = 0.75;
+/// Homes have about so many patches at most (ours): what inference costs grows with them.
+const MOST_PATCHES: f64 = 110.0;
+/// Patches of fewer cells belong to their neighbours (ours).
+const LEAST_CELLS: usize = 3;
+/// Places nearer than this to each other are one (ours).
+const SAME_M: f64 = 0.35;
+
+impl States {
+    /// The states of somebody who walks by `mesh`.
+    pub(crate) fn new(plan: &Plan, places: &Places, mesh: &Mesh) -> States {
+        let (grid, patches) = Grid::new(plan, mesh);
+        let mut all = vec![State { kind: Kind::Out, at: None, room: None, posture: Posture::Standing }];
+        for kind in [Kind::Walks, Kind::Stands] {
+            let of = |&at: &Point| State { kind, at: Some(at), room: plan.room_at(at), posture: Posture::Standing };
+            all.extend(patches.iter().map(of));
+        }
+        let mut stations: Vec<Station> = Vec::new();
+        for spot in places.all().iter().filter(|spot| spot.is_reachable && !spot.is_room) {
+            let is_known =
+                |other: &Station| other.spot.at.distance(spot.at) < SAME_M && other.spot.posture == spot.posture;
+            if stations.iter().any(is_known) {
+                continue;
+            }
+            let state = |kind| State { kind, at: Some(spot.at), room: plan.room_at(spot.at), posture: spot.posture };
+            let busy = all.len();
+            all.extend([Kind::Busy, Kind::Motionless].map(state));
+            let still = (spot.posture != Posture::Standing).then_some(busy + 2);
+            all.extend(still.map(|_| state(Kind::Still)));
+            stations.push(Station { spot: spot.clone(), busy, motionless: busy + 1, still });
+        }
+        States { all, rooms: plan.rooms.len(), stations, grid }
+    }
+
+    /// Those of nobody.
+    pub(crate) fn nobody() -> States {
+        let grid = Grid { corner: Point::ZERO, columns: 1, patch: vec![None], patches: 0 };
+        let out = State { kind: Kind::Out, at: None, room: None, posture: Posture::Standing };
+        States { all: vec![out], rooms: 0, stations: Vec::new(), grid }
+    }
+
+    /// Where somebody is in a state: 0 is out, 1 between the rooms, and all from 2 on are the rooms.
+    pub(crate) fn place(&self, state: u32) -> usize {
+        match self.all[state as usize] {
+            State { kind: Kind::Out, .. } => 0,
+            State { room: None, .. } => 1,
+            State { room: Some(room), .. } => room + 2,
+        }
+    }
+
+    /// How many places there are.
+    pub(crate) fn places(&self) -> usize {
+        self.rooms + 2
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.all.len()
+    }
+
+    /// Never: one can always be out.
+    pub fn is_empty(&self) -> bool {
+        self.all.is_empty()
+    }
+
+    /// The number of the state of walking at a point.
+    pub(crate) fn walking(&self, at: Point) -> usize {
+        1 + self.grid.patch(at)
+    }
+
+    /// The number of the state of standing at a point, or of being at the place that is there.
+    pub(crate) fn staying(&self, at: Point, posture: Posture, kind: Kind) -> usize {
+        let here = |station: &&Station| station.spot.posture == posture && station.spot.at.distance(at) < SAME_M;
+        match self.stations.iter().filter(here).min_by(|a, b| a.spot.at.distance(at).total_cmp(&b.spot.at.distance(at)))
+        {
+            Some(station) if kind == Kind::Motionless => station.motionless,
+            Some(station) if kind == Kind::Still => station.still.unwrap_or(station.busy),
+            Some(station) => station.busy,
+            None => 1 + self.grid.patches + self.grid.patch(at),
+        }
+    }
+
+    /// The patches' states of walking, and of standing beside each.
+    pub(crate) fn patches(&self) -> impl Iterator<Item = (usize, usize)> {
+        let patches = self.grid.patches;
+        (0..patches).map(move |patch| (1 + patch, 1 + patches + patch))
+    }
+}
+
+impl Grid {
+    /// The floor that a body can be on, in patches, and the middle of each.
+    fn new(plan: &Plan, mesh: &Mesh) -> (Grid, Vec<Point>) {
+        let (corner, most) = plan.bounds();
+        let columns = ((most.x - corner.x) / CELL_M).ceil() as usize + 1;
+        let rows = ((most.y - corner.y) / CELL_M).ceil() as usize + 1;
+        let middle =
+            |cell: usize| corner + Point::new((cell % columns) as f64 + 0.5, (cell / columns) as f64 + 0.5) * CELL_M;
+        let free: Vec<usize> = (0..columns * rows).filter(|&cell| mesh.is_free(middle(cell))).collect();
+        let area_m2 = free.len() as f64 * CELL_M * CELL_M;
+        let side_m = libm::sqrt(area_m2 / MOST_PATCHES).max(PATCH_M);
+        // Cells of one room and one square of the floor are a patch; rests of them go to the nearest.
+        let mut squares: std::collections::BTreeMap<(usize, i64, i64), Vec<usize>> = std::collections::BTreeMap::new();
+        for &cell in &free {
+            let at = middle(cell);
+            let room = plan.room_at(at).map_or(usize::MAX, |room| room);
+            let square = ((at - corner) / side_m).floor();
+            squares.entry((room, square.x as i64, square.y as i64)).or_default().push(cell);
+        }
+        let large: Vec<(Option<usize>, Vec<usize>)> = squares
+            .into_iter()
+            .filter(|(_, cells)| cells.len() >= LEAST_CELLS)
+            .map(|((room, ..), cells)| ((room != usize::MAX).then_some(room), cells))
+            .collect();
+        let middles: Vec<Point> = large
+            .iter()
+            .map(|(_, cells)| {
+                let sum = cells.iter().fold(Point::ZERO, |sum, &cell| sum + middle(cell));
+                let mean = sum / cells.len() as f64;
+                let nearest =
+                    |a: &&usize, b: &&usize| middle(**a).distance(mean).total_cmp(&middle(**b).distance(mean));
+                cells.iter().min_by(nearest).map_or(mean, |&cell| middle(cell))
+            })
+            .collect();
+        let mut patch = vec![None; columns * rows];
+        for (index, (_, cells)) in large.iter().enumerate() {
+            cells.iter().for_each(|&cell| patch[cell] = Some(index as u32));
+        }
+        for (cell, patch) in patch.iter_mut().enumerate().filter(|(_, patch)| patch.is_none()) {
+            // In furniture and in doors: the nearest patch, of the same room where it has one.
+            let at = middle(cell);
+            let room = plan.room_at(at);
+            let far = |index: &usize| {
+                let other = if large[*index].0 == room { 0.0 } else { 100.0 };
+                middles[*index].distance(at) + other
+            };
+            *patch = (0..middles.len()).min_by(|a, b| far(a).total_cmp(&far(b))).map(|index| index as u32);
+        }
+        (Grid { corner, columns, patch, patches: middles.len() }, middles)
+    }
+
+    /// The patch at a point, or at the cell of the plan that is nearest to it.
+    fn patch(&self, at: Point) -> usize {
+        let rows = self.patch.len() / self.columns;
+        let cell = ((at - self.corner) / CELL_M).floor();
+        let column = (cell.x.max(0.0) as usize).min(self.columns - 1);
+        let row = (cell.y.max(0.0) as usize).min(rows - 1);
+        self.patch[row * self.columns + column].map_or(0, |patch| patch as usize)
+    }
+}

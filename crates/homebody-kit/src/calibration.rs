@@ -1,0 +1,253 @@
+//! A scenario fitted to the log of its home: its sensors' timing, the rhythm of who lives there, and the link.
+//!
+//! What a log tells by itself is read off it: how long ONs last and how soon they come again (`homebody_analysis::timing`), and
+//! which messages come twice or not at all. The rhythm is read off the log walked back through the home: nights, outings, meals
+//! and visits to the bathroom become a diary, and the diary sentences (`homebody_routine::rhythm`). How much somebody moves by
+//! day and turns by night, and how much days differ, cannot be read off: the fitted scenario is lived, its firings an hour are held
+//! against the log's, and the sentences are changed until they agree.
+//!
+//! We assume one resident, whose days are all of a kind.
+//!
+//! Left out: what sensors reach and how much they miss, which a log cannot tell from how much somebody moves; where furniture stands;
+//! visitors; weekdays.
+
+mod rhythm;
+mod sensing;
+
+use crate::cancel::Cancel;
+use crate::error::Error;
+use crate::scenario::{OpenScenario, numbers};
+use crate::source::Source;
+use crate::translation::walk_back;
+use homebody_analysis::dates::midnight;
+use homebody_analysis::realism::{Told, realism};
+use homebody_analysis::signs::{Kind, Says, kinds, says};
+use homebody_analysis::timing::{Timing, timing};
+use homebody_core::event::Events;
+use homebody_core::run::Run;
+use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
+use homebody_core::time::{DAY, Micros};
+use homebody_log::{Event, Log, Rows};
+use rhythm::{Night, Rhythm};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// A scenario fitted to a log.
+pub struct Calibration {
+    /// Its files by name.
+    pub files: BTreeMap<String, String>,
+    /// The name of its own file among them.
+    pub entry: String,
+    /// By sensor of the log: its name in the home; its id where the home has no such sensor.
+    pub names: Vec<String>,
+    /// What was fitted.
+    pub fitted: Fitted,
+}
+
+/// What was fitted.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Fitted {
+    /// What the log tells of its sensors and of the link.
+    pub timing: Timing,
+    /// The sentences of the routine.
+    pub routine: Vec<String>,
+    /// So many times as much movement while up as usual.
+    pub movement: f64,
+    /// So many times as much turning in bed as usual.
+    pub turning: f64,
+    /// How much more or less lively days are: the number `life.day_spread`.
+    pub day_spread: f64,
+    /// Firings an hour while up and in bed, in the log and as the fitted scenario lives.
+    pub firings_an_hour: [Rates; 2],
+}
+
+/// How often sensors of movement fire.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Rates {
+    /// An hour, between the usual times of rising and of going to bed.
+    pub up: f64,
+    /// An hour, between the usual times of going to bed and of rising.
+    pub in_bed: f64,
+}
+
+/// So often the fitted scenario is lived and changed (ours): after two changes its rates differ from one life to another by more than
+/// from the log's.
+const ROUNDS: usize = 3;
+/// So many days are lived each time (ours).
+const DAYS: u32 = 28;
+/// Always the same life, so that what changes is what the sentences change.
+const SEED: u64 = 1;
+/// How many times as much movement, and turning in bed, there is at least and at most (ours).
+const MOVEMENT: Range<f64> = 0.1..4.0;
+const TURNING: Range<f64> = 0.05..10.0;
+/// Nearer to 1 nothing is said (ours): lives differ by more.
+const ABOUT_AS_USUAL: f64 = 0.05;
+/// The number of how lively days are.
+const DAY_SPREAD: &str = "life.day_spread";
+/// The largest value that it can be set to.
+const MOST_DAY_SPREAD: f64 = 2.0;
+/// From fewer days nobody can say how much days differ (ours).
+const LEAST_DAYS: i64 = 5;
+/// The routine's file.
+const ROUTINE: &str = "fitted.routine";
+
+/// Fits a scenario to a log of its home. `progress` gets the share that is done, from 0 to 1.
+///
+/// Sensors are those whose names the home has, or whose ids its logger says. The log is on the clock on the wall.
+///
+/// # Errors
+///
+/// [`Error::Calibration`] where not one person lives there or the log does not tell of a night, and those of [`walk_back`].
+pub fn calibrate(log: &Log, home: &OpenScenario, mut progress: impl FnMut(f64)) -> Result<Calibration, Error> {
+    let scenario = home.scenario();
+    if scenario.residents.len() != 1 {
+        let count = scenario.residents.len();
+        return Err(Error::Calibration(format!(
+            "{count} residents live in {:?}: only who lives alone can be fitted\n  hint: sensors do not tell who of several it was",
+            home.name()
+        )));
+    }
+    let timing = timing(log);
+    let sensed = sensing::fitted(scenario.edit(), &timing, &scenario.logger, scenario.link.as_ref()).load()?;
+    let walked = Source::of_texts(sensed.sources.clone(), sensed.entry.clone()).open()?;
+    let translation = walk_back(log, walked.scenario(), &Cancel::new(), |share| progress(share * 0.6))?;
+    let log = Log { sensors: translation.names.clone(), ..log.clone() };
+    let rhythm = Rhythm::of(&translation, walked.scenario());
+    let Some(night) = rhythm.night() else {
+        return Err(Error::Calibration(
+            "the log tells of no night between two days\n  hint: two nights and more are needed, in a home whose bed or bedroom has a \
+             sensor"
+                .into(),
+        ));
+    };
+    let real = Rates::of(&log, &night);
+    let mut fitted = Fitted {
+        timing,
+        routine: rhythm.sentences(),
+        movement: 1.0,
+        turning: 1.0,
+        day_spread: day_spread(walked.scenario()),
+        firings_an_hour: [real, Rates::default()],
+    };
+    for round in 0..ROUNDS {
+        let lived = lived(&open(&walked, &fitted)?, SEED, DAYS)?;
+        let rates = Rates::of(&lived, &night);
+        fitted.movement = toward(fitted.movement, real.up, rates.up, MOVEMENT);
+        fitted.turning = toward(fitted.turning, real.in_bed, rates.in_bed, TURNING);
+        // Once: how much a few days differ is known too roughly to be come nearer to.
+        if let Some(times) = days_differ(&log, &lived).filter(|_| round == 0) {
+            fitted.day_spread = (fitted.day_spread * times).min(MOST_DAY_SPREAD);
+        }
+        progress(0.6 + 0.4 * (round + 1) as f64 / (ROUNDS + 1) as f64);
+    }
+    let open = open(&walked, &fitted)?;
+    fitted.firings_an_hour[1] = Rates::of(&lived(&open, SEED, DAYS)?, &night);
+    let Scenario { sources: files, entry, .. } = open.scenario().clone();
+    Ok(Calibration { files, entry, names: translation.names, fitted })
+}
+
+impl Fitted {
+    /// The routine with how much somebody moves and turns.
+    fn text(&self) -> String {
+        let mut sentences = self.routine.clone();
+        let said = |times: f64, less: &str, more: &str| {
+            let percent = ((times - 1.0).abs() * 100.0).round();
+            let what = if times < 1.0 { less } else { more };
+            ((times - 1.0).abs() > ABOUT_AS_USUAL).then(|| what.replace('#', &percent.to_string()))
+        };
+        sentences.extend(said(self.movement, "She is # % less active.", "She is # % more active."));
+        sentences.extend(said(self.turning, "She turns in bed # % less.", "She turns in bed # % more."));
+        sentences.join("\n") + "\n"
+    }
+}
+
+impl Rates {
+    /// Of a log, whose usual night is known as times of day. Of hours by day only those count in which anything fires: in others
+    /// nobody was at home.
+    fn of(log: &Log, night: &Night) -> Rates {
+        const HOUR: Micros = DAY / 24;
+        let kinds = kinds(log);
+        let begins: Vec<bool> = log.values.iter().map(|value| says(value) == Says::Begins).collect();
+        let is_firing = |event: &&Event| kinds[event.sensor as usize] == Kind::Motion && begins[event.value as usize];
+        let mut hours: BTreeMap<Micros, f64> = BTreeMap::new();
+        for event in log.events.iter().filter(is_firing) {
+            *hours.entry(event.at.div_euclid(HOUR)).or_default() += 1.0;
+        }
+        let Some((first, last)) = hours.keys().next().copied().zip(hours.keys().last().copied()) else {
+            return Rates::default();
+        };
+        let of = |in_bed: bool| {
+            let at_night = |hour: &Micros| night.covers_hour(hour * HOUR) == Some(in_bed);
+            let counts: Vec<f64> = (first..=last)
+                .filter(at_night)
+                .map(|hour| hours.get(&hour).copied().unwrap_or(0.0))
+                .filter(|count| in_bed || *count > 0.0)
+                .collect();
+            counts.iter().sum::<f64>() / counts.len().max(1) as f64
+        };
+        Rates { up: of(false), in_bed: of(true) }
+    }
+}
+
+/// The change that makes one rate the other, if rates follow it.
+fn toward(now: f64, real: f64, lived: f64, within: Range<f64>) -> f64 {
+    if real > 0.0 && lived > 0.0 { (now * real / lived).clamp(within.start, within.end) } else { now }
+}
+
+/// How many times as much the days of a log differ as those of a life; nothing where there are too few to say.
+fn days_differ(log: &Log, lived: &Log) -> Option<f64> {
+    let told = |name, log| Told { name, log, recorded: None };
+    let held = realism(told("log", log), told("life", lived)).ok()?;
+    let [real, ours] = held.days_differ.of?;
+    let (real, ours) = (real?, ours?);
+    (held.a.days as i64 >= LEAST_DAYS && ours > 0.0).then_some(real / ours)
+}
+
+/// How lively days are in a scenario before it is fitted.
+fn day_spread(scenario: &Scenario) -> f64 {
+    let usual = || numbers().into_iter().find(|number| number.name == DAY_SPREAD).map(|number| number.value);
+    scenario.file.numbers.get(DAY_SPREAD).copied().or_else(usual).unwrap_or_default()
+}
+
+/// The scenario as it is fitted so far.
+fn open(walked: &OpenScenario, fitted: &Fitted) -> Result<OpenScenario, Error> {
+    let edit = walked.scenario().edit().routine(0, ROUTINE, fitted.text()).file(|file| {
+        // A thousandth more or less is nothing that a few days can tell.
+        let day_spread = (fitted.day_spread * 1000.0).round() / 1000.0;
+        file.numbers.insert(DAY_SPREAD.into(), day_spread);
+    });
+    let entry = edit.entry().to_owned();
+    Source::of_texts(edit.into_texts(), entry).open()
+}
+
+/// The log of so many days of a life in a scenario, on the clock on the wall and by the home's own names of sensors.
+///
+/// # Errors
+///
+/// [`Error::Log`] if its logger has wrong names, and what a driver says that cannot go on.
+pub fn lived(open: &OpenScenario, seed: u64, days: u32) -> Result<Log, Error> {
+    let scenario = open.scenario();
+    let length = Micros::from(days) * DAY;
+    let mut run = Run::new(scenario, open.household(), seed, length);
+    let names: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
+    let logger = LoggerFile { time: TimeFormat::Local, ..scenario.logger.clone() };
+    let mut rows = Rows::new(&logger, seed, &names, &scenario.calendar)?;
+    let midnight = midnight(scenario.calendar.local(0).date());
+    let mut log = Log { sensors: names, ..Log::default() };
+    let mut events = Events::default();
+    while run.now() < length {
+        run.advance((run.now() + DAY / 24).min(length), &mut events)?;
+        for row in rows.of(&events.firings, run.settled()) {
+            let known = log.values.iter().position(|value| *value == row.value);
+            let value = known.unwrap_or_else(|| {
+                log.values.push(row.value);
+                log.values.len() - 1
+            });
+            log.events.push(Event { at: midnight + row.at, sensor: row.sensor.0, value: value as u32 });
+        }
+        events.clear();
+    }
+    Ok(log)
+}

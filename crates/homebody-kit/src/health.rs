@@ -1,0 +1,95 @@
+//! What is wrong with the sensors of a home, by its log.
+
+use crate::error::Error;
+use crate::translation::{Heard, bodies, misfits};
+use homebody_core::problem::counted;
+use homebody_core::scenario::load::Scenario;
+use homebody_infer::{Ailment, Finding};
+use homebody_log::Log;
+use serde::Serialize;
+use std::fmt;
+
+/// What is wrong with the sensors of a home.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Health {
+    /// How many sensors were watched.
+    pub sensors: usize,
+    /// When the log begins and ends, on the clock on the wall.
+    pub from: String,
+    /// The end of its last hour.
+    pub to: String,
+    /// What was found, in order of time.
+    pub findings: Vec<Found>,
+    /// What does not fit together, in sentences.
+    pub remarks: Vec<String>,
+}
+
+/// Something that is wrong with a sensor for a time.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Found {
+    /// Its name in the home.
+    pub sensor: String,
+    /// Since when, on the clock on the wall.
+    pub from: String,
+    /// Until when.
+    pub to: String,
+    /// What it is.
+    #[serde(flatten)]
+    pub ailment: Ailment,
+}
+
+/// Asks what is wrong with the sensors of a scenario's home, by a log of it. `progress` gets the share that is done, from 0 to 1.
+///
+/// # Errors
+///
+/// [`Error::Translation`] where the home has nobody by whose body its sensors are known, or none of the log's sensors.
+pub fn health(log: &Log, scenario: &Scenario, progress: impl FnMut(f64)) -> Result<Health, Error> {
+    let names: Vec<String> = scenario.home.placed_sensors().iter().map(|sensor| sensor.name.clone()).collect();
+    let heard = Heard::new(log, scenario, &names)?;
+    let (bodies, _) = bodies(scenario)?;
+    let wall = |at| heard.calendar.wall_clock(at);
+    let found = |finding: Finding| Found {
+        sensor: names[finding.sensor].clone(),
+        from: wall(finding.from),
+        to: wall(finding.to.min(heard.length)),
+        ailment: finding.ailment,
+    };
+    let findings = homebody_infer::health(&bodies, &heard.messages, heard.length, progress);
+    Ok(Health {
+        sensors: names.len() - heard.unheard.len(),
+        from: wall(0),
+        to: wall(heard.length),
+        findings: findings.into_iter().map(found).collect(),
+        remarks: misfits([heard.messages.len() as u64, log.events.len() as u64], &heard.strangers, &heard.unheard),
+    })
+}
+
+impl fmt::Display for Found {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Found { sensor, from, to, ailment } = self;
+        write!(f, "{} to {}  {sensor} ", &from[..16], &to[..16])?;
+        match ailment {
+            Ailment::Stuck => write!(f, "is stuck: it repeats itself at even spaces"),
+            Ailment::Dead => write!(f, "is dead: it notices nobody who is there"),
+            Ailment::Fading => write!(f, "fades: it noticed less and less, as with a weak battery"),
+            Ailment::Loses { share } => write!(f, "loses {:.0} % of what it noticed before", share * 100.0),
+            Ailment::Noisy { per_h } => write!(f, "fires for no reason, {per_h:.1} times an hour"),
+            Ailment::Moved => write!(f, "looks elsewhere than the plan says"),
+            Ailment::Clock { ahead_s, ppm } => {
+                let way = if *ahead_s < 0.0 { "behind" } else { "ahead" };
+                write!(f, "has a clock that is {:.0} s {way} at the end, and runs {ppm:+.0} ppm off", ahead_s.abs())
+            }
+        }
+    }
+}
+
+impl fmt::Display for Health {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let sensors = counted(self.sensors, "sensor", "sensors");
+        writeln!(f, "{sensors} from {} to {}", &self.from[..16], &self.to[..16])?;
+        if self.findings.is_empty() {
+            return writeln!(f, "Nothing seems to be wrong with them.");
+        }
+        self.findings.iter().try_for_each(|found| writeln!(f, "  {found}"))
+    }
+}

@@ -1,0 +1,393 @@
+//! A log walked back through the plan of its home: who was where, and a scenario in which they go that way again.
+
+use crate::cancel::Cancel;
+use crate::error::Error;
+use homebody_analysis::dates::{date_of, midnight as midnight_of};
+use homebody_core::geometry::Point;
+use homebody_core::problem::counted;
+use homebody_core::scenario::calendar::Calendar;
+use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::resident::{DriverFile, ResidentFile};
+use homebody_core::time::{DAY, Micros};
+use homebody_infer::{Chances, Guess, Instant, Kind, Message, Said, Senses, Spell, Track, spells, translate};
+use homebody_log::{Event, Log};
+use homebody_walk::Mesh;
+use jiff::civil::Time;
+use std::collections::BTreeMap;
+
+/// What a log says of who was where.
+#[derive(Debug)]
+pub struct Translation {
+    /// What ties its microseconds to the clock on the wall: they begin at midnight before the log's first row.
+    pub calendar: Calendar,
+    /// Who is told of: the residents, and last a guest where nobody else lives with the first.
+    pub people: Vec<String>,
+    /// Where each of them was, in order of time.
+    pub whereabouts: Vec<Whereabouts>,
+    /// How likely each of them was where, in order of time: only what has changed by [`LEAST_CHANGE`] or more.
+    pub doubts: Vec<Doubt>,
+    /// Whether a guest was ever there.
+    pub has_guest: bool,
+    /// When which sensors could not be believed.
+    pub spells: Vec<(String, Spell)>,
+    /// By sensor of the log: its name in the home; its id where the home has no such sensor.
+    pub names: Vec<String>,
+    /// Ids of the log that are none of the home's, with their rows.
+    pub strangers: Vec<(String, u64)>,
+    /// Sensors of the home that the log does not have.
+    pub unheard: Vec<String>,
+    /// How many rows were taken, and of how many.
+    pub rows: [u64; 2],
+    /// How long the log is, to the end of its last hour, in microseconds.
+    pub length: Micros,
+    /// How much of it the paths have: less where they are too long.
+    pub acted_out: Micros,
+    /// The files of a scenario in which everybody goes that way, by name, and the name of its own file.
+    pub files: BTreeMap<String, String>,
+    /// The name of the scenario's own file among them.
+    pub entry: String,
+}
+
+/// Where somebody was from an instant on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Whereabouts {
+    /// From when, in microseconds since the translation's start.
+    pub at: Micros,
+    /// Index into the people.
+    pub who: usize,
+    /// Index of the plan's room; none between rooms and out.
+    pub room: Option<usize>,
+    /// The place in metres; none while out.
+    pub place: Option<Point>,
+    /// What they do there.
+    pub kind: Kind,
+    /// How likely the room is, from 0 to 1.
+    pub chance: f64,
+}
+
+/// How likely it is, from an instant on, that somebody is in a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Doubt {
+    /// From when, in microseconds since the translation's start.
+    pub at: Micros,
+    /// Index into the people.
+    pub who: usize,
+    /// Where.
+    pub place: Place,
+    /// From 0 to 1.
+    pub chance: f32,
+}
+
+/// Where somebody may be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// Not at home.
+    Out,
+    /// At home and in no room: in a doorway.
+    Between,
+    /// In the plan's room of this index.
+    Room(usize),
+}
+
+/// A chance that has changed by less is not told anew (ours).
+pub const LEAST_CHANGE: f32 = 0.05;
+
+/// What the one is called who is not one of the residents.
+const GUEST: &str = "somebody else";
+
+/// A log that does not fit its home at all, or has nothing to be walked back.
+fn cannot(what: impl Into<String>) -> Error {
+    Error::Translation(what.into())
+}
+
+/// Who may be in a home, and what they are called: its residents, and a guest where one lives alone.
+pub(crate) fn bodies(scenario: &Scenario) -> Result<(Vec<Senses>, Vec<String>), Error> {
+    let learn = |body| Senses::learn(scenario, body).map_err(|error| cannot(error.to_string()));
+    let mut bodies = (0..scenario.residents.len()).map(learn).collect::<Result<Vec<_>, _>>()?;
+    let mut people: Vec<String> = scenario.residents.iter().map(|resident| resident.file.name.clone()).collect();
+    if let [alone] = &bodies[..] {
+        bodies.push(alone.of_visitor());
+        people.push(GUEST.into());
+    }
+    Ok((bodies, people))
+}
+
+/// Walks a log back through the home of a scenario, which is only read. `progress` gets the share that is done, from 0 to 1.
+///
+/// The log's sensors are those whose names the home has, or whose ids its logger says.
+///
+/// # Errors
+///
+/// [`Error::Translation`] where the home has nobody to be walked back, or none of the log's sensors; [`Error::Cancelled`].
+pub fn walk_back(
+    log: &Log,
+    scenario: &Scenario,
+    cancel: &Cancel,
+    mut progress: impl FnMut(f64),
+) -> Result<Translation, Error> {
+    let names: Vec<String> = scenario.home.placed_sensors().iter().map(|sensor| sensor.name.clone()).collect();
+    let heard = Heard::new(log, scenario, &names)?;
+    let residents = scenario.residents.len();
+    let (bodies, people) = bodies(scenario)?;
+    // Who has no messages left comes to an end soon.
+    let messages = || heard.messages.iter().copied().take_while(|_| !cancel.is_cancelled());
+    let ill = spells(messages(), names.len(), heard.length);
+    let mut told = Told::of(bodies.len());
+    translate(&bodies, &ill, messages(), heard.length, |instant| {
+        told.take(&instant);
+        progress(instant.at as f64 / heard.length.max(1) as f64);
+    });
+    if cancel.is_cancelled() {
+        return Err(Error::Cancelled);
+    }
+    let Told { tracks, whereabouts, doubts, .. } = told;
+    let has_guest = people.len() > residents && tracks[residents].is_ever_home();
+    let (files, entry, acted_out) = acted_out(scenario, &tracks, &heard, has_guest)?;
+    Ok(Translation {
+        has_guest,
+        people,
+        whereabouts,
+        doubts,
+        spells: ill.into_iter().map(|spell| (names[spell.sensor].clone(), spell)).collect(),
+        names: heard.names,
+        strangers: heard.strangers,
+        unheard: heard.unheard,
+        rows: [heard.messages.len() as u64, log.events.len() as u64],
+        length: heard.length,
+        calendar: heard.calendar,
+        acted_out,
+        files,
+        entry,
+    })
+}
+
+impl Translation {
+    /// An instant on the clock on the wall, in microseconds since 1970, as logs have it.
+    pub fn wall(&self, at: Micros) -> Micros {
+        let local = self.calendar.local(at).datetime();
+        let midnight = local.date().to_datetime(Time::midnight());
+        midnight_of(local.date()) + local.duration_since(midnight).as_micros() as Micros
+    }
+
+    /// Date and time on the wall, as logs write them.
+    pub fn wall_clock(&self, at: Micros) -> String {
+        self.calendar.local(at).strftime("%Y-%m-%d %H:%M:%S%.6f").to_string()
+    }
+
+    /// What of the log and the home does not fit together, in sentences.
+    pub fn misfits(&self) -> Vec<String> {
+        let mut said = misfits(self.rows, &self.strangers, &self.unheard);
+        if self.acted_out < self.length {
+            let days = self.acted_out / DAY;
+            said.push(format!("a path has no room for all of it: the first {days} days are lived again"));
+        }
+        said
+    }
+}
+
+/// What of a log does not fit its home: how many of its rows were taken, and of how many; ids that are none of the home's,
+/// with their rows; sensors of the home that it does not have.
+pub(crate) fn misfits([taken, all]: [u64; 2], strangers: &[(String, u64)], unheard: &[String]) -> Vec<String> {
+    let mut said = Vec::new();
+    let of_strangers: u64 = strangers.iter().map(|(_, rows)| rows).sum();
+    if of_strangers > 0 {
+        let ids: Vec<&str> = strangers.iter().take(5).map(|(id, _)| id.as_str()).collect();
+        let more = if strangers.len() > ids.len() { " and others" } else { "" };
+        let share = 100.0 * of_strangers as f64 / all.max(1) as f64;
+        let ids = ids.join(", ");
+        said.push(format!("{share:.1} % of the rows are of sensors that the home does not have: {ids}{more}"));
+    }
+    let numbers = all - taken - of_strangers;
+    if numbers > 0 {
+        let rows = counted(numbers as usize, "row", "rows");
+        said.push(format!("{rows} with numbers say nothing of where anybody is"));
+    }
+    if !unheard.is_empty() {
+        said.push(format!("nothing comes from {}", unheard.join(", ")));
+    }
+    said
+}
+
+/// What has been told of everybody so far.
+struct Told {
+    tracks: Vec<Track>,
+    whereabouts: Vec<Whereabouts>,
+    /// By body: what it did last, and where.
+    last: Vec<Option<(Kind, Option<Point>)>>,
+    doubts: Vec<Doubt>,
+    /// By body: the chances as they were told, of being out, between the rooms, and in each of them.
+    chances: Vec<Vec<f32>>,
+}
+
+impl Told {
+    fn of(bodies: usize) -> Told {
+        Told {
+            tracks: vec![Track::default(); bodies],
+            whereabouts: Vec::new(),
+            last: vec![None; bodies],
+            doubts: Vec::new(),
+            chances: vec![Vec::new(); bodies],
+        }
+    }
+
+    fn take(&mut self, instant: &Instant) {
+        let guesses = instant.guesses();
+        let mover = mover(instant, &guesses);
+        let bodies = self.tracks.len();
+        for (who, guess) in guesses.iter().enumerate().take(bodies) {
+            self.tracks[who].add(instant.at, guess, mover == Some(who));
+            let (kind, place) = (guess.state.kind, guess.state.at);
+            if self.last[who].replace((kind, place)) != Some((kind, place)) {
+                let (at, room, chance) = (instant.at, guess.state.room, guess.chance);
+                self.whereabouts.push(Whereabouts { at, who, room, place, kind, chance });
+            }
+        }
+        for (who, chances) in instant.chances().into_iter().enumerate().take(bodies) {
+            self.doubt(instant.at, who, chances);
+        }
+    }
+
+    /// Tells what has changed enough.
+    fn doubt(&mut self, at: Micros, who: usize, Chances { out, between, rooms }: Chances) {
+        let last = &mut self.chances[who];
+        last.resize(rooms.len() + 2, 0.0);
+        for (number, chance) in [out, between].into_iter().chain(rooms).enumerate() {
+            if (chance - last[number]).abs() < LEAST_CHANGE {
+                continue;
+            }
+            last[number] = chance;
+            let place = match number {
+                0 => Place::Out,
+                1 => Place::Between,
+                room => Place::Room(room - 2),
+            };
+            self.doubts.push(Doubt { at, who, place, chance });
+        }
+    }
+}
+
+/// Whose movement a sensor most likely saw.
+fn mover(instant: &Instant, guesses: &[Guess]) -> Option<usize> {
+    instant.said.filter(|heard| heard.said == Said::On)?;
+    let best = guesses.iter().enumerate().max_by(|a, b| a.1.says.total_cmp(&b.1.says));
+    best.filter(|(_, guess)| guess.says > 0.0).map(|(who, _)| who)
+}
+
+/// By sensor of a log: the index of the sensor of the home that it is, by its name or by the id that the logger gives it.
+pub fn sensors_of_home(log: &Log, scenario: &Scenario) -> Vec<Option<usize>> {
+    let sensors = scenario.home.placed_sensors().iter().map(|sensor| &sensor.name).enumerate();
+    let id = |name: &String| scenario.logger.ids.get(name).unwrap_or(name).to_lowercase();
+    let known: BTreeMap<String, usize> =
+        sensors.flat_map(|(number, name)| [(name.to_lowercase(), number), (id(name), number)]).collect();
+    log.sensors.iter().map(|id| known.get(&id.to_lowercase()).copied()).collect()
+}
+
+/// A log as messages of a home's sensors.
+pub(crate) struct Heard {
+    pub calendar: Calendar,
+    pub length: Micros,
+    pub messages: Vec<Message>,
+    names: Vec<String>,
+    pub strangers: Vec<(String, u64)>,
+    pub unheard: Vec<String>,
+}
+
+impl Heard {
+    pub fn new(log: &Log, scenario: &Scenario, names: &[String]) -> Result<Heard, Error> {
+        let sensor_of = sensors_of_home(log, scenario);
+        let mut rows = vec![0u64; log.sensors.len()];
+        log.events.iter().for_each(|event| rows[event.sensor as usize] += 1);
+        let strangers: Vec<(String, u64)> = (0..log.sensors.len())
+            .filter(|&sensor| sensor_of[sensor].is_none())
+            .map(|sensor| (log.sensors[sensor].clone(), rows[sensor]))
+            .collect();
+        let first = log.events.iter().map(|event| event.at).min().ok_or_else(|| cannot("the log has no rows"))?;
+        let zone = &scenario.file.time_zone;
+        let calendar = Calendar::new(&date_of(first).to_string(), zone).map_err(cannot)?;
+        let mut wall = Wall { calendar: &calendar, midnight: first.div_euclid(DAY) * DAY, last: 0 };
+        let said: Vec<Option<Said>> = log.values.iter().map(|value| Said::of(value)).collect();
+        let message = |event: &Event| {
+            let (sensor, said) = (sensor_of[event.sensor as usize]?, said[event.value as usize]?);
+            Some(Message { at: wall.instant(event.at), sensor, said })
+        };
+        let mut messages: Vec<Message> = log.events.iter().filter_map(message).collect();
+        if messages.is_empty() {
+            let ids: Vec<&str> = strangers.iter().take(5).map(|(id, _)| id.as_str()).collect();
+            return Err(cannot(format!(
+                "none of the log's sensors is one of the home's\n  hint: the log has {}; ids in logger.json say what the log \
+                 calls each sensor of the home",
+                ids.join(", ")
+            )));
+        }
+        messages.sort_by_key(|message| message.at);
+        let is_heard = |number: usize| sensor_of.contains(&Some(number));
+        let unheard =
+            (0..names.len()).filter(|&number| !is_heard(number)).map(|number| names[number].clone()).collect();
+        // To the end of its last hour.
+        let hour = DAY / 24;
+        let length = messages.last().map_or(0, |last| last.at / hour * hour + hour);
+        let name =
+            |sensor: usize| sensor_of[sensor].map_or_else(|| log.sensors[sensor].clone(), |of| names[of].clone());
+        let names = (0..log.sensors.len()).map(name).collect();
+        Ok(Heard { calendar, length, messages, names, strangers, unheard })
+    }
+}
+
+/// The clock on the wall, by which a log tells its instants.
+struct Wall<'a> {
+    calendar: &'a Calendar,
+    /// Midnight before the first row, in microseconds since 1970 on that clock.
+    midnight: Micros,
+    /// The instant before, since the start.
+    last: Micros,
+}
+
+impl Wall<'_> {
+    /// The instant, since the start, of a row that comes after those before. Where the clock goes back, the hour that comes
+    /// twice is the second where time would run backward in the first.
+    fn instant(&mut self, at: Micros) -> Micros {
+        /// Rows that are this late are no sign of another hour (ours).
+        const LATE: Micros = DAY / 48;
+        let since = at - self.midnight;
+        let (day, time) = (i32::try_from(since.div_euclid(DAY)).unwrap_or(i32::MAX), since.rem_euclid(DAY));
+        let (first, hour) = (self.calendar.instant(day, time), DAY / 24);
+        let is_twice = || self.calendar.local(first).datetime() == self.calendar.local(first + hour).datetime();
+        let instant = if first < self.last - LATE && is_twice() { first + hour } else { first };
+        self.last = instant;
+        instant
+    }
+}
+
+/// The files of the scenario in which residents, and a guest, walk their tracks.
+fn acted_out(
+    scenario: &Scenario,
+    tracks: &[Track],
+    heard: &Heard,
+    has_guest: bool,
+) -> Result<(BTreeMap<String, String>, String, Micros), Error> {
+    let begins = heard.calendar.local(0);
+    let mut length = heard.length;
+    let mut edit = scenario.edit().file(|file| {
+        file.start = begins.strftime("%Y-%m-%dT%H:%M:%S").to_string();
+        file.name = format!("{}, walked back", file.name);
+    });
+    let residents = scenario.residents.len();
+    if has_guest {
+        let file =
+            ResidentFile { name: GUEST.into(), ..ResidentFile::somebody(DriverFile::Path(PATH_OF_GUEST.into())) };
+        edit = edit.add_resident("guest.json", file);
+    }
+    for (who, track) in tracks.iter().enumerate().take(residents + usize::from(has_guest)) {
+        let body = scenario.residents.get(who).or(scenario.residents.first());
+        let radius_m = body.map_or(0.2, |resident| resident.file.radius_m);
+        let mesh = Mesh::with_numbers(scenario.home.plan(), radius_m, scenario.home.numbers());
+        let (path, acted_out) = track.path(&mesh, heard.length);
+        length = length.min(acted_out);
+        let name = if who < residents { format!("walked-back-{}.path.json", who + 1) } else { PATH_OF_GUEST.into() };
+        edit = edit.path(who, &name, &path);
+    }
+    let loaded = edit.file(|file| file.days = heard.calendar.days_lived(length)).load()?;
+    Ok((loaded.sources, loaded.entry, length))
+}
+
+const PATH_OF_GUEST: &str = "walked-back-guest.path.json";

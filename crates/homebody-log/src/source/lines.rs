@@ -1,0 +1,81 @@
+//! The lines of a text, none of which is longer than a row may be.
+
+use super::reading::open;
+use crate::error::LogError;
+use crate::limits::LONGEST_ROW_BYTES;
+use std::borrow::Cow;
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read};
+use std::path::{Path, PathBuf};
+
+/// How many bytes are asked for at once.
+const BUFFER: usize = 1 << 16;
+
+/// What some programs begin a text with.
+const MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// A text on its way, line by line.
+pub(super) struct Lines {
+    path: PathBuf,
+    file: BufReader<File>,
+    number: u64,
+    /// How much of the buffer the last line is.
+    used: usize,
+    /// A line that does not end in the buffer.
+    line: Vec<u8>,
+}
+
+impl Lines {
+    pub fn open(path: &Path) -> Result<Lines, LogError> {
+        let file = BufReader::with_capacity(BUFFER, open(path)?);
+        Ok(Lines { path: path.into(), file, number: 0, used: 0, line: Vec::new() })
+    }
+
+    /// The next line without its end, and its number, counted from 1; None at the end.
+    pub fn next(&mut self) -> Result<Option<(u64, &[u8])>, LogError> {
+        let Some((number, line)) = self.next_whole()? else { return Ok(None) };
+        let line = line.strip_suffix(b"\n").unwrap_or(line);
+        Ok(Some((number, line.strip_suffix(b"\r").unwrap_or(line))))
+    }
+
+    /// The same with the line's end.
+    pub fn next_whole(&mut self) -> Result<Option<(u64, &[u8])>, LogError> {
+        self.file.consume(std::mem::take(&mut self.used));
+        let path = &self.path;
+        let failed = |error| LogError::file(path, error);
+        self.number += 1;
+        let end = memchr::memchr(b'\n', self.file.fill_buf().map_err(failed)?);
+        let line = match end {
+            Some(end) => {
+                self.used = end + 1;
+                &self.file.buffer()[..self.used]
+            }
+            // It goes on behind the buffer; one more is read, which says that it is too long.
+            None => {
+                self.line.clear();
+                let mut rest = self.file.by_ref().take(LONGEST_ROW_BYTES as u64 + 1);
+                rest.read_until(b'\n', &mut self.line).map_err(failed)?;
+                &self.line
+            }
+        };
+        if line.is_empty() {
+            return Ok(None);
+        }
+        if line.len() > LONGEST_ROW_BYTES {
+            let what = format!("the line is longer than {LONGEST_ROW_BYTES} bytes");
+            return Err(LogError::too_long(path, self.number, what));
+        }
+        let line = if self.number == 1 { line.strip_prefix(MARK).unwrap_or(line) } else { line };
+        Ok(Some((self.number, line)))
+    }
+
+    /// The next line as text; what is none in UTF-8 is replaced.
+    pub fn next_text(&mut self) -> Result<Option<(u64, Cow<'_, str>)>, LogError> {
+        Ok(self.next()?.map(|(number, line)| (number, text(line))))
+    }
+}
+
+/// Bytes as text; what is none in UTF-8 is replaced. Nearly all is, which is quick to see.
+pub(super) fn text(bytes: &[u8]) -> Cow<'_, str> {
+    str::from_utf8(bytes).map_or_else(|_| String::from_utf8_lossy(bytes), Cow::Borrowed)
+}

@@ -1,0 +1,154 @@
+//! The text of Tapia's homes at MIT: records of five lines, one for each time that somebody did something.
+//!
+//! They are the activity with its day and its two ends, the ids of the sensors that changed meanwhile, their names, when each was
+//! opened or turned on, and when it was over. Beside the text lies a table of the sensors' rooms and names.
+//!
+//! We assume that what ends before it begins ends on the next day. Left out: that an activation which falls into two activities is
+//! told in both records; it comes twice.
+
+use super::form::{Form, Shows};
+use super::in_order::InOrder;
+use super::instant::{Instant, midnight};
+use super::lines::Lines;
+use super::reading::Reading;
+use super::start::Start;
+use crate::error::LogError;
+use crate::limits::beginning;
+use crate::plain;
+use crate::sensor_info::SensorInfo;
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::time::{DAY, Micros, SECOND};
+use jiff::civil::Date;
+use std::path::Path;
+
+pub(super) const FORM: Form = Form {
+    name: "mit",
+    what: "records of five lines: an activity, then the ids, names and times of the sensors that changed; Tapia's homes at MIT",
+    shows,
+    read,
+};
+
+/// The table beside the text, `id,room,name` in each row.
+const SENSORS: &str = "sensors.csv";
+
+/// No such table has more bytes (ours): one of 77 sensors has two thousand.
+const LARGEST_TABLE_BYTES: u64 = 1 << 20;
+
+fn shows(start: &Start) -> Shows {
+    let mut lines = start.lines();
+    let (first, second) = (lines.next(), lines.next());
+    let is_first = first.is_some_and(|line| heading(&line).is_some());
+    Shows::rows_if(is_first && second.is_some_and(|line| line.split(',').all(is_id)))
+}
+
+fn is_id(cell: &str) -> bool {
+    !cell.trim().is_empty() && cell.trim().bytes().all(|byte| byte.is_ascii_digit())
+}
+
+/// What the first line of a record says: what was done, on which day, from when to when.
+struct Heading {
+    activity: String,
+    midnight: Micros,
+    ends: [Micros; 2],
+}
+
+fn heading(line: &str) -> Option<Heading> {
+    let cells: Vec<&str> = line.split(',').map(str::trim).collect();
+    let [activity @ .., day, begin, end] = &cells[..] else { return None };
+    let midnight = midnight(american(day)?)?;
+    let activity = activity.join(",");
+    (!activity.is_empty()).then_some(())?;
+    Some(Heading { activity, midnight, ends: following(time(begin)?, time(end)?) })
+}
+
+/// `4/1/2003` is the first of April.
+fn american(day: &str) -> Option<Date> {
+    let numbers: Vec<i16> = day.split('/').map(|part| part.parse().ok()).collect::<Option<_>>()?;
+    let &[month, day, year] = &numbers[..] else { return None };
+    (1..=9999).contains(&year).then_some(())?;
+    Date::new(year, i8::try_from(month).ok()?, i8::try_from(day).ok()?).ok()
+}
+
+/// `9:5:3`, since midnight.
+fn time(text: &str) -> Option<Micros> {
+    let numbers: Vec<i64> = text.trim().split(':').map(|part| part.parse().ok()).collect::<Option<_>>()?;
+    let &[hours, minutes, seconds] = &numbers[..] else { return None };
+    let fits = (0..24).contains(&hours) && (0..60).contains(&minutes) && (0..60).contains(&seconds);
+    fits.then_some(((hours * 60 + minutes) * 60 + seconds) * SECOND)
+}
+
+/// Two ends of which the second is not before the first.
+fn following(begin: Micros, end: Micros) -> [Micros; 2] {
+    [begin, if end < begin { end + DAY } else { end }]
+}
+
+fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+    if reading.log.known.is_empty() {
+        reading.log.known = known_beside(path);
+    }
+    let mut lines = Lines::open(path)?;
+    let mut order = InOrder::new();
+    // The lines of a record that have come.
+    let mut record: Vec<(u64, String)> = Vec::new();
+    while let Some((number, line)) = lines.next_text()? {
+        if line.trim().is_empty() {
+            continue;
+        }
+        if heading(&line).is_some() {
+            take(&std::mem::take(&mut record), &mut order, reading)?;
+        } else if record.is_empty() {
+            reading.skip(number, format!("{} begins no activity", beginning(line.trim())));
+            continue;
+        }
+        record.push((number, line.into_owned()));
+        if record.len() == LINES {
+            take(&std::mem::take(&mut record), &mut order, reading)?;
+        }
+    }
+    take(&record, &mut order, reading)?;
+    order.end(reading)
+}
+
+/// So many lines has a record.
+const LINES: usize = 5;
+
+/// Takes the lines of a record: its activity, and of its sensors those whose two times are known.
+fn take(record: &[(u64, String)], order: &mut InOrder, reading: &mut Reading<'_>) -> Result<(), LogError> {
+    let Some((first, head)) = record.first() else { return Ok(()) };
+    let Some(Heading { activity, midnight, ends }) = heading(head) else { return Ok(()) };
+    let [begin, end] = ends.map(|at| Instant::Local(midnight + at));
+    reading.span(*first, begin, end, &activity);
+    let [(_, _), (line, ids), (_, _), (_, begins), (last, ends)] = record else {
+        reading.skip(*first, format!("it has {} of {LINES} lines, so that its sensors are not known", record.len()));
+        return Ok(());
+    };
+    let [ids, begins, ends] = [ids, begins, ends].map(|line| line.split(',').map(str::trim).collect::<Vec<_>>());
+    if ids.len() != begins.len() || ids.len() != ends.len() {
+        let counts = format!("{} sensors have {} times and {} ends", ids.len(), begins.len(), ends.len());
+        reading.skip(*line, counts);
+        return Ok(());
+    }
+    for ((id, begin), end) in ids.into_iter().zip(begins).zip(ends) {
+        match (time(begin), time(end)) {
+            _ if id.is_empty() => reading.skip(*line, "there is no sensor".into()),
+            (Some(begin), Some(end)) => {
+                let [begin, end] = following(begin, end).map(|at| Instant::Local(midnight + at));
+                order.interval(*last, (begin, end), id, reading)?;
+            }
+            _ => reading.skip(*last, format!("the times of sensor {} are not known", beginning(id))),
+        }
+    }
+    Ok(())
+}
+
+/// What the table beside the text tells of the sensors; nothing where there is none.
+fn known_beside(path: &Path) -> Vec<SensorInfo> {
+    let table = plain::read_text(&path.with_file_name(SENSORS), LARGEST_TABLE_BYTES).unwrap_or_default();
+    let row = |line: &str| {
+        let cells: Vec<&str> = line.split(',').map(str::trim).collect();
+        let &[id, room, ref name @ ..] = &cells[..] else { return None };
+        let known = SensorInfo { name: name.join(","), room: Some(room.to_owned()), ..SensorInfo::named(id) };
+        (is_id(id) && !known.name.is_empty()).then_some(known)
+    };
+    table.lines().filter_map(row).collect()
+}

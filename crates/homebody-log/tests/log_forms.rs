@@ -1,0 +1,79 @@
+//! `docs/logs.md` is what the table of forms says.
+//!
+//! `HOMEBODY_REWRITE=1 cargo test -p homebody-log --test log_forms` writes it anew. What the forms hold is tested in
+//! `crates/homebody-log/tests/recorded.rs`.
+
+#[path = "../../../tests/generated.rs"]
+mod generated;
+
+use generated::is_generated;
+use homebody_log::source::FORMS;
+
+const HEAD: &str = "\
+# Logs that are read
+
+Commands that take a log take the folder of a run, a file, or the folder of a data set with one log in it. A file is known by how it
+begins. Where that misleads, its form is named before it, as in `casas:home.txt`. This page is made from the table in
+`crates/homebody-log/src/source/forms.rs`.
+
+```sh
+homebody look kasteren
+homebody look week.csv --png week.png
+homebody convert mit:activities_data.csv --to csv:mit.csv
+```
+
+## Forms
+
+";
+
+const TAIL: &str = "
+A log of any size is read in little memory. Databases are opened to be read only, but for one that a run of ours left in the middle of a
+transaction. Nothing of a log goes anywhere but where a command is told to write.
+
+## Rows and lines
+
+Each row has an instant, a sensor and what it said. A line that cannot be understood is left out and named with its number and why;
+the first hundred are listed, all are counted, and no other line is lost with it. A log is in local time or in UTC, as most of its
+first rows are; rows on the other clock are named. Instants may have fractions of any length, or none. What is longer than
+`docs/limits.md` says is no log.
+
+Intervals become an ON and an OFF, in the order of time as far as a million rows are apart; one that ends before it begins is named. In
+tables of each second only changes become rows. ARAS tells no dates: its day is told as that of January 1970.
+
+A home that is read from a table with odd names needs a `logger.json` that tells the names of table and columns: `--mapping logger.json`
+(`docs/logger.md`). A folder with `sensors.csv`, as a run leaves it, tells names, kinds and rooms of sensors.
+
+## Activities
+
+What a log tells of activities is read with it: notes that they begin and end (`Sleep begin`, `Sleep=\"end\"`), a label on each row, or a
+text or table beside the rows, such as `kasterenActData.txt` beside `kasterenSenseData.txt`, `OrdonezA_ADLs.txt` beside
+`OrdonezA_Sensors.txt`, `activities.csv` beside `devices.csv`. A label holds from its row up to the first row with another.
+
+`homebody convert` writes them along. In CSV and SQLite each row has the labels of what goes on in the column `activity`, parted by `|`, and
+a table has them whole, as `start_time,end_time,activity`: in SQLite it is called `activity`, in CSV it is a file such as
+`week.activity.csv`, which pyadlml reads. In the form of CASAS a note stands at the first row from that instant on that has none yet. A run's
+own truth goes along with `--activities` alone.
+
+## What is odd
+
+`homebody look` tells it, and `homebody convert` counts it.
+
+| word | meaning |
+|---|---|
+| repeated | a row says that what is on comes on, such as an ON after an ON |
+| missing | a row says that something ends that has not begun, such as an OFF without an ON |
+| doubled | a row is the sensor's last once more: the same instant, the same value |
+| set back | a row is earlier than the one before it |
+| silence | nothing says anything for 12 h or more |
+| dead | a sensor says nothing more for two days or more before the log ends, and for three times as long as ever before |
+| stuck | a motion sensor is on for 6 h or more; or all of 50 readings or more over a day are one number |
+
+Sensors of which no row says that something ends repeat nothing, and numbers do not either.
+";
+
+#[test]
+fn the_page_of_forms_is_that_of_the_table() {
+    let row = |name: &str, what: &str| format!("| `{name}` | {} |\n", what.replace('|', "\\|"));
+    let rows: String = FORMS.iter().map(|form| row(form.name, form.what)).collect();
+    is_generated("docs/logs.md", &format!("{HEAD}| form | what it is |\n|---|---|\n{rows}{TAIL}"));
+}

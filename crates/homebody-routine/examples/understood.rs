@@ -1,0 +1,54 @@
+//! What the language makes of sentences in somebody's own words: reads files with one a line, as JSON with its `text` or `say`,
+//! writes beside each what is understood, what is kept as a remark and what is refused, and counts them.
+//!
+//! `cargo run -p homebody-routine --example understood -- SENTENCES.jsonl`
+
+#![allow(clippy::disallowed_methods, clippy::print_stdout, reason = "an example reads files and prints")]
+
+#[path = "../tests/home/mod.rs"]
+mod home;
+
+use home::{home, short};
+use homebody_routine::language::{Known, routine};
+use homebody_routine::routine::{Activity, Routine};
+use serde_json::{Value, json};
+
+fn main() {
+    let known = Known { usual: Activity::OWN_WAYS.to_vec(), ..home() };
+    let (mut lived, mut remarks, mut hinted, mut unhinted) = (0, 0, 0, 0);
+    for file in std::env::args().skip(1) {
+        let text = std::fs::read_to_string(&file).unwrap_or_else(|fault| panic!("{file}: {fault}"));
+        for line in text.lines() {
+            let line: Value = serde_json::from_str(line).unwrap_or_else(|fault| panic!("{file}: {fault}"));
+            let said = line["text"].as_str().or(line["say"].as_str()).unwrap_or_default();
+            let (found, problems) = routine("margaret.routine", said, &known);
+            let proposes = |hint: &String| {
+                hint.contains("of it: \"") || hint.contains("without it: \"") || hint.contains("as in \"")
+            };
+            match problems.is_empty() {
+                true if found
+                    == (Routine { remarks: found.remarks.clone(), file: found.file.clone(), ..Routine::default() }) =>
+                {
+                    remarks += 1
+                }
+                true => lived += 1,
+                false if problems.iter().any(|problem| problem.hint.as_ref().is_some_and(proposes)) => hinted += 1,
+                false => unhinted += 1,
+            }
+            let beside: Vec<&String> = found.remarks.iter().map(|remark| &remark.text).collect();
+            let told: Vec<String> = problems
+                .iter()
+                .map(|one| format!("{} | {}", one.what, one.hint.as_deref().unwrap_or("no hint")))
+                .collect();
+            let shown = if problems.is_empty() { short(&found) } else { String::new() };
+            println!(
+                "{}",
+                json!({"id": line["id"], "text": said, "meaning": line["meaning"], "understood": shown, "remarks": beside, "problems": told})
+            );
+        }
+    }
+    println!(
+        "{}",
+        json!({"lived": lived, "remarks": remarks, "refused, with a sentence that is understood": hinted, "refused, without": unhinted})
+    );
+}

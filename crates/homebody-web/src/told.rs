@@ -1,0 +1,112 @@
+//! What the logs of stored runs hold, and how near they are to each other: the pages that the commands write.
+
+use crate::playback::Refusal;
+use crate::shelf::Shelf;
+use crate::stored_log::{MOST_ROWS, damaged, shortened};
+use crate::walked::given;
+use homebody_analysis::density::{Asked, density};
+use homebody_analysis::look::{HomeSensor, Looker};
+use homebody_analysis::realism::{NotComparable, Told, realism};
+use homebody_core::scenario::load::Scenario;
+use homebody_kit::{LogWithRun, NamedLog, home_sensors, sensors_of_home};
+use homebody_picture::{density_map, look_page, realism_page};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// The logs of a shelf's runs. A clone is the same.
+#[derive(Clone)]
+pub struct Logs {
+    shelf: Shelf,
+    /// Held while a log is read: one after the other, so that the run on the stage has a core.
+    reading: Arc<Mutex<()>>,
+}
+
+/// Which log of a run.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Which {
+    /// Of one that was walked back the log as it was given; of any other its own.
+    Given,
+    /// The run's own, which its home's sensors made.
+    Own,
+}
+
+impl Logs {
+    pub fn new(shelf: Shelf) -> Logs {
+        Logs { shelf, reading: Arc::default() }
+    }
+
+    /// What the log of a run holds, as `homebody look` writes it.
+    pub fn look(&self, run: &str) -> Result<String, Refusal> {
+        let _reading = self.reading.lock().unwrap_or_else(PoisonError::into_inner);
+        let (named, scenario) = self.find(run, Which::Given)?;
+        let mut looker = Looker::new(Some(scenario.calendar.local(0).time_zone().clone()));
+        let about = named.stream(&mut |part| looker.take(part)).map_err(|error| self.wrong(&error))?;
+        let sensors = home_sensors(&scenario);
+        let home: (&str, &[HomeSensor]) = (&scenario.file.name, &sensors);
+        let is_called = |sensor: &&HomeSensor, id: &str| sensor.name != id && sensor.ids.iter().any(|own| own == id);
+        let name = |id: &str| sensors.iter().find(|sensor| is_called(sensor, id)).map(|sensor| sensor.name.clone());
+        let look = looker.look(&named.name, named.place.form().name, &about, &name, Some(home));
+        let map = if look.rows <= MOST_ROWS as u64 { density_of(named, &scenario.file.time_zone) } else { None };
+        Ok(look_page(&look, map.as_deref()))
+    }
+
+    /// How near the log of a run is to that of another, which is taken for what is real, as `homebody realism` writes it.
+    pub fn realism(&self, real: (&str, Which), other: (&str, Which)) -> Result<String, Refusal> {
+        let _reading = self.reading.lock().unwrap_or_else(PoisonError::into_inner);
+        let (a, b) = (self.read(real)?, self.read(other)?);
+        let realism = realism(told(&a), told(&b)).map_err(|problems| {
+            let said: Vec<String> = problems.iter().map(NotComparable::to_string).collect();
+            Refusal::Damaged(shortened(&said.join("\n")))
+        })?;
+        Ok(realism_page(&realism))
+    }
+
+    /// A log in memory, by the home's own names of its sensors.
+    fn read(&self, (run, which): (&str, Which)) -> Result<LogWithRun, Refusal> {
+        let (named, scenario) = self.find(run, which)?;
+        let rows = named.survey().map_err(|error| self.wrong(&error))?.rows;
+        if rows > MOST_ROWS as u64 {
+            let name = &named.name;
+            return Err(Refusal::Damaged(format!("{name} has {rows} rows; the page compares {MOST_ROWS} at most.")));
+        }
+        let zone = scenario.file.time_zone.as_str();
+        let mut read = LogWithRun::of(named, Some(zone)).map_err(|error| self.wrong(&error))?;
+        let known = sensors_of_home(&read.log, &scenario);
+        for (id, number) in read.log.sensors.iter_mut().zip(known) {
+            number.into_iter().for_each(|number| id.clone_from(&scenario.home.placed_sensors()[number].name));
+        }
+        Ok(read)
+    }
+
+    /// A log, and the scenario of its home.
+    fn find(&self, run: &str, which: Which) -> Result<(NamedLog, Scenario), Refusal> {
+        let folder = self.shelf.run(run).ok_or_else(|| Refusal::Unknown(format!("There is no run {run:?}.")))?;
+        let recording = self.shelf.recording(run).map_err(|why| Refusal::Damaged(shortened(&why)))?;
+        let scenario = recording.scenario().map_err(|problems| damaged(problems.render()))?;
+        let walked = self.shelf.walked(run);
+        let named = match walked.as_deref().filter(|_| which == Which::Given) {
+            Some(walked) => given(walked)?,
+            None => {
+                let mut found = NamedLog::find(&folder.to_string_lossy()).map_err(|error| self.wrong(&error))?;
+                found.name = if walked.is_some() { "what was lived again" } else { run }.to_owned();
+                found
+            }
+        };
+        Ok((named, scenario))
+    }
+
+    /// What is wrong, without where the runs are.
+    fn wrong(&self, error: &homebody_kit::Error) -> Refusal {
+        damaged(error.to_string().replace(&format!("{}{}", self.shelf.runs.display(), std::path::MAIN_SEPARATOR), ""))
+    }
+}
+
+/// The map of a log's density, where it has motion sensors, and days that are not too many.
+fn density_of(named: NamedLog, zone: &str) -> Option<String> {
+    let log = LogWithRun::of(named, Some(zone)).ok()?;
+    let asked = Asked { recorded: log.recorded.clone(), ..Asked::default() };
+    density((&log.name, &log.log, &asked), None).ok().map(|density| density_map(&density))
+}
+
+fn told(log: &LogWithRun) -> Told<'_> {
+    Told { name: &log.name, log: &log.log, recorded: log.recorded.as_ref() }
+}

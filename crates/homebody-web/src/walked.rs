@@ -1,0 +1,186 @@
+//! A log that was walked back, as playback shows it: its rows as they were, and how likely everybody was in each room.
+
+use crate::stored_log::{MOST_ROWS, Refusal, damaged, first_rows, rows_of, shortened, stranger};
+use crate::wire::{BETWEEN, Chance, OUT, PlaybackView, WalkView};
+use homebody_core::scenario::load::Scenario;
+use homebody_core::time::{Micros, SECOND};
+use homebody_kit::walked::{GIVEN, REPORT, ROOMS, Reported, doubts};
+use homebody_kit::{Doubt, NamedLog, Place, sensors_of_home};
+use homebody_log::limits::LARGEST_RECORDING_BYTES;
+use homebody_log::source::Clock;
+use homebody_log::{Event, RunClock, plain};
+use std::path::{Path, PathBuf};
+
+/// A shorter stay in a room is none that anybody goes to (ours).
+const LEAST_STAY: Micros = 10 * SECOND;
+
+/// The folder of a log that was walked back.
+pub struct Walked {
+    folder: PathBuf,
+    given: NamedLog,
+    reported: Reported,
+}
+
+/// What the report in such a folder says, as far as it can be read.
+pub fn reported(folder: &Path) -> Reported {
+    let text = plain::read_text(&folder.join(REPORT), LARGEST_RECORDING_BYTES);
+    text.ok().and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default()
+}
+
+/// The log that was given, in such a folder: the one file in there, or what the files come to together.
+pub fn given(folder: &Path) -> Result<NamedLog, Refusal> {
+    let given = folder.join(GIVEN);
+    let entries = given.read_dir().into_iter().flatten().flatten();
+    // A link may lead to what its author was never to see.
+    let plain = entries.filter(|entry| entry.file_type().is_ok_and(|kind| kind.is_file()));
+    let files: Vec<PathBuf> = plain.map(|entry| entry.path()).collect();
+    let found = match &files[..] {
+        [one] => one,
+        _ => &given,
+    };
+    NamedLog::find(&found.to_string_lossy()).map_err(|error| damaged(without(folder, &error)))
+}
+
+/// What is wrong in a folder, without where that is.
+fn without(folder: &Path, error: &impl ToString) -> String {
+    error.to_string().replace(&format!("{}{}", folder.display(), std::path::MAIN_SEPARATOR), "")
+}
+
+impl Walked {
+    pub fn at(folder: PathBuf) -> Result<Walked, Refusal> {
+        Ok(Walked { given: given(&folder)?, reported: reported(&folder), folder })
+    }
+
+    /// What it is read from.
+    pub fn files(&self) -> impl Iterator<Item = PathBuf> {
+        [ROOMS, REPORT].map(|file| self.folder.join(file)).into_iter().chain(self.given.place.files())
+    }
+
+    /// The rows of the log as it was given, with the view's sensors, by their names in the home.
+    pub fn rows(&self, scenario: &Scenario, view: &mut PlaybackView) -> Result<Vec<Event>, Refusal> {
+        view.sensors = view.home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
+        let log = first_rows(self.given.place.clone(), &self.given.mapping, MOST_ROWS);
+        let log = log.map_err(|error| damaged(without(&self.folder, &error)))?;
+        let known = sensors_of_home(&log, scenario).into_iter().zip(&log.sensors);
+        let number = |(number, id): (Option<usize>, &String)| number.map_or_else(|| stranger(id, view), |of| of as u32);
+        let numbers: Vec<u32> = known.map(number).collect();
+        let clock = RunClock::new(&scenario.calendar, view.length_us, log.clock);
+        let mut rows = rows_of(log, &numbers, &clock, view);
+        // Of a way that is too long for a path only the first days are there.
+        rows.retain(|row| row.at <= view.length_us);
+        view.remarks.extend(self.reported.remarks.iter().map(|remark| shortened(remark)));
+        Ok(rows)
+    }
+
+    /// How likely everybody was where, by resident of the view, which is told of it.
+    pub fn chances(&self, scenario: &Scenario, view: &mut PlaybackView) -> Result<Vec<Vec<Chance>>, Refusal> {
+        let clock = RunClock::new(&scenario.calendar, view.length_us, Clock::Local);
+        let table = self.folder.join(ROOMS);
+        let all = doubts(&table, &self.reported.people, scenario.home.plan(), &clock);
+        let all = all.map_err(|error| damaged(without(&self.folder, &error)))?;
+        // The guest is the last, and told of although nobody ever came.
+        let mut chances = vec![Vec::new(); view.residents.len()];
+        for Doubt { at, who, place, chance } in all.into_iter().filter(|doubt| doubt.at <= view.length_us) {
+            let place = match place {
+                Place::Out => OUT,
+                Place::Between => BETWEEN,
+                Place::Room(room) => room as i32,
+            };
+            let of = chances.get_mut(who);
+            of.into_iter().for_each(|all: &mut Vec<Chance>| all.push((at, place, chance)));
+        }
+        let places = view.home.rooms.len() + 2;
+        let stays = chances.iter().map(|of| stays(of, places, view.length_us)).collect();
+        view.walk = Some(WalkView { log: self.reported.log.clone(), stays });
+        Ok(chances)
+    }
+}
+
+/// Where somebody most likely was, and from when to when.
+fn stays(chances: &[Chance], places: usize, end: Micros) -> Vec<(i64, i64, i32)> {
+    let mut now = Known::new(places);
+    let mut all: Vec<(i64, i64, i32)> = Vec::new();
+    for (index, &(at, place, chance)) in chances.iter().enumerate() {
+        now.set(place, chance);
+        // What changes at one instant is one change.
+        if chances.get(index + 1).is_some_and(|next| next.0 == at) {
+            continue;
+        }
+        let best = now.best();
+        match all.last_mut() {
+            Some(last) if last.2 == best => last.1 = end,
+            Some(last) => {
+                last.1 = at;
+                all.push((at, end, best));
+            }
+            None => all.push((at, end, best)),
+        }
+    }
+    all.retain(|stay| stay.2 != BETWEEN && stay.1 - stay.0 >= LEAST_STAY);
+    all
+}
+
+/// The chances of a span: first those that hold when it begins, then what changes in it.
+pub fn chances_of(chances: &[Chance], begin: Micros, end: Micros) -> Vec<Chance> {
+    let first = chances.partition_point(|chance| chance.0 <= begin);
+    let last = chances.partition_point(|chance| chance.0 < end).max(first);
+    let most = chances[..first].iter().map(|chance| chance.1).max().unwrap_or(0);
+    let mut now = Known::new(usize::try_from(most).unwrap_or(0) + 3);
+    chances[..first].iter().for_each(|&(_, place, chance)| now.set(place, chance));
+    let known = now.all().filter(|(_, chance)| *chance > 0.0).map(|(place, chance)| (begin, place, chance));
+    known.chain(chances[first..last].iter().copied()).collect()
+}
+
+/// The chances that hold at an instant.
+struct Known(Vec<f32>);
+
+impl Known {
+    fn new(places: usize) -> Known {
+        Known(vec![0.0; places])
+    }
+
+    fn set(&mut self, place: i32, chance: f32) {
+        self.0[(place - BETWEEN) as usize] = chance;
+    }
+
+    fn all(&self) -> impl Iterator<Item = (i32, f32)> {
+        (BETWEEN..).zip(self.0.iter().copied())
+    }
+
+    fn best(&self) -> i32 {
+        self.all().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(OUT, |(place, _)| place)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CHANCES: [Chance; 7] = [
+        (0, 1, 1.0),
+        (20 * SECOND, 1, 0.5),
+        (20 * SECOND, 0, 0.5),
+        (30 * SECOND, 1, 0.1),
+        (30 * SECOND, 0, 0.9),
+        (32 * SECOND, OUT, 1.0),
+        (32 * SECOND, 0, 0.0),
+    ];
+
+    #[test]
+    fn a_span_begins_with_what_holds_then() {
+        let at = 25 * SECOND;
+        let of = chances_of(&CHANCES, at, 31 * SECOND);
+        assert_eq!(of, [(at, 0, 0.5), (at, 1, 0.5), (30 * SECOND, 1, 0.1), (30 * SECOND, 0, 0.9)]);
+        assert_eq!(chances_of(&CHANCES, -5, 0), []);
+        assert_eq!(chances_of(&[], 0, 1), []);
+    }
+
+    #[test]
+    fn stays_are_where_somebody_most_likely_was_and_short_ones_are_none() {
+        let end = 100 * SECOND;
+        let all = stays(&CHANCES, 4, end);
+        assert_eq!(all.first().map(|stay| stay.2), Some(1));
+        assert_eq!(all.last(), Some(&(32 * SECOND, end, OUT)));
+        assert!(all.iter().all(|stay| stay.1 - stay.0 >= LEAST_STAY), "{all:?}");
+    }
+}

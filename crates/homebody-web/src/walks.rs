@@ -1,0 +1,240 @@
+//! Logs that somebody opens in the page: each is walked back through a home, in a thread of its own, one at a time.
+//!
+//! A log comes into a hidden folder among the runs. What is made of it gets a name there once it is whole, so that what was
+//! stopped, or went wrong, leaves nothing behind.
+
+use crate::shelf::Shelf;
+use crate::wire::{WalkState, WalkingView};
+use homebody_core::problem::counted;
+use homebody_core::scenario::load::Scenario;
+use homebody_core::time::DAY;
+use homebody_kit::walked::walk_into;
+use homebody_kit::{Cancel, Error, LogWithRun, NamedLog};
+use homebody_routine::household::Household;
+use std::fs;
+use std::io;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+use tempfile::TempDir;
+
+/// No larger log is opened in the page, in bytes (ours).
+pub const LARGEST_LOG_BYTES: u64 = 64 << 20;
+
+/// No log with more rows (ours): they take a minute or two.
+const MOST_ROWS: usize = 1_000_000;
+
+/// None of more days (ours).
+const MOST_DAYS: i64 = 1100;
+
+/// How long is waited at the end for a log that is being walked back (ours).
+const LONGEST_FAREWELL: Duration = Duration::from_secs(2);
+
+/// What a log is called whose file has no name that can be kept.
+const UNNAMED: &str = "log";
+
+/// The log that is walked back, or was last. A clone is the same.
+#[derive(Clone)]
+pub struct Walks {
+    shelf: Shelf,
+    now: Arc<Mutex<Option<Walk>>>,
+}
+
+struct Walk {
+    view: WalkingView,
+    cancel: Cancel,
+    /// The hidden folder.
+    folder: PathBuf,
+}
+
+/// Why no log is opened now.
+#[derive(Debug)]
+pub enum Unwalked {
+    /// Another one is being walked back.
+    Busy(String),
+    /// There is no place for it.
+    NoPlace(io::Error),
+}
+
+impl Walks {
+    pub fn new(shelf: Shelf) -> Walks {
+        Walks { shelf, now: Arc::default() }
+    }
+
+    /// The log that is walked back, or was last; none where none has come yet.
+    pub fn now(&self) -> Option<WalkingView> {
+        self.locked().as_ref().map(|walk| walk.view.clone())
+    }
+
+    /// Ends what is being done, soon.
+    pub fn stop(&self) {
+        if let Some(walk) = self.locked().as_ref() {
+            walk.cancel.cancel();
+        }
+    }
+
+    /// Ends what is being done, and waits until it has left nothing behind, but not long: then what is there is removed.
+    pub fn close(&self) {
+        self.stop();
+        let begun = Instant::now();
+        let is_going_on = || self.now().is_some_and(|walk| walk.is_going_on());
+        while is_going_on() && begun.elapsed() < LONGEST_FAREWELL {
+            thread::sleep(Duration::from_millis(10));
+        }
+        if let Some(walk) = self.locked().as_ref().filter(|walk| walk.view.is_going_on()) {
+            // What cannot be removed stays hidden.
+            let _ = fs::remove_dir_all(&walk.folder);
+        }
+    }
+
+    /// Takes a log that is coming, to be walked back through the home of a stored run, or else of the scenario.
+    pub fn begin(&self, log: &str, home: Option<String>) -> Result<Coming, Unwalked> {
+        let mut now = self.locked();
+        if let Some(walk) = now.as_ref().filter(|walk| walk.view.is_going_on()) {
+            return Err(Unwalked::Busy(walk.view.log.clone()));
+        }
+        let folder = fs::create_dir_all(&self.shelf.runs)
+            .and_then(|()| tempfile::Builder::new().prefix(".walk-").tempdir_in(&self.shelf.runs));
+        let folder = folder.map_err(Unwalked::NoPlace)?;
+        let is_kept = log.len() <= 100 && !log.starts_with('.') && !log.contains(['/', '\\', ':', '\0']);
+        let log = if is_kept && !log.is_empty() { log } else { UNNAMED }.to_owned();
+        let cancel = Cancel::new();
+        let view = WalkingView { log: log.clone(), state: WalkState::Coming, share: 0.0, run: None, problem: None };
+        *now = Some(Walk { view, cancel: cancel.clone(), folder: folder.path().to_owned() });
+        Ok(Coming { walks: self.clone(), folder: Some(folder), log, home, cancel })
+    }
+
+    fn locked(&self) -> MutexGuard<'_, Option<Walk>> {
+        self.now.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn tell(&self, change: impl FnOnce(&mut WalkingView)) {
+        if let Some(walk) = self.locked().as_mut() {
+            change(&mut walk.view);
+        }
+    }
+
+    fn end(&self, ended: Result<String, Error>, hidden: &Path) {
+        self.tell(|view| match ended {
+            Ok(run) => (view.state, view.share, view.run) = (WalkState::Done, 1.0, Some(run)),
+            Err(Error::Cancelled) => view.state = WalkState::Stopped,
+            Err(error) => {
+                // Where the log lies meanwhile tells nobody anything.
+                let folder = format!("{}{}", hidden.display(), std::path::MAIN_SEPARATOR);
+                view.state = WalkState::Failed;
+                view.problem = Some(error.to_string().replace(&folder, ""));
+            }
+        });
+    }
+}
+
+impl WalkingView {
+    fn is_going_on(&self) -> bool {
+        matches!(self.state, WalkState::Coming | WalkState::Walking)
+    }
+}
+
+/// A log that is on its way. Dropped before all of it is there, it leaves nothing.
+pub struct Coming {
+    walks: Walks,
+    folder: Option<TempDir>,
+    log: String,
+    home: Option<String>,
+    cancel: Cancel,
+}
+
+impl Coming {
+    /// The file that its bytes go into.
+    pub fn file(&self) -> PathBuf {
+        self.folder.as_ref().map_or_else(PathBuf::new, |folder| folder.path().join(&self.log))
+    }
+
+    /// Whether nobody wants it any more.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancel.is_cancelled()
+    }
+
+    /// All of it is there: it is walked back from now on.
+    pub fn walk(mut self) {
+        let Some(folder) = self.folder.take() else { return };
+        let (walks, log, home, cancel) = (self.walks.clone(), self.log.clone(), self.home.clone(), self.cancel.clone());
+        walks.tell(|view| view.state = WalkState::Walking);
+        thread::spawn(move || {
+            let hidden = folder.path().to_owned();
+            let walk = || walks.walk(&hidden, &log, home.as_deref(), &cancel);
+            let broken = || Error::Translation("it cannot be walked back, by a mistake of the program".into());
+            let ended = catch_unwind(AssertUnwindSafe(walk)).unwrap_or_else(|_| Err(broken()));
+            // First all is tidy, then it is told.
+            drop(folder);
+            walks.end(ended, &hidden);
+        });
+    }
+}
+
+impl Drop for Coming {
+    fn drop(&mut self) {
+        if let Some(folder) = self.folder.take() {
+            let hidden = folder.path().to_owned();
+            drop(folder);
+            let why = match self.cancel.is_cancelled() {
+                true => Error::Cancelled,
+                false => Error::Translation("not all of the log has come".into()),
+            };
+            self.walks.end(Err(why), &hidden);
+        }
+    }
+}
+
+impl Walks {
+    /// Walks back the log in a hidden folder; the name of the run that came of it.
+    fn walk(&self, hidden: &Path, log: &str, home: Option<&str>, cancel: &Cancel) -> Result<String, Error> {
+        let scenario = self.home(home)?;
+        let named = NamedLog::find(&hidden.join(log).to_string_lossy())?;
+        let read = LogWithRun::of(named, Some(&scenario.file.time_zone))?;
+        small_enough(&read)?;
+        let to = hidden.join("walked");
+        walk_into(&to, (log, &read), &scenario, cancel, |share| self.tell(|view| view.share = share))?;
+        let failed = |error: io::Error| Error::File { path: log.into(), why: error.to_string(), source: None };
+        let name = self.free_name(log);
+        fs::rename(&to, self.shelf.runs.join(&name)).map_err(failed)?;
+        Ok(format!("{name}/{}", homebody_kit::walked::RELIVED))
+    }
+
+    /// The scenario whose home the log is of.
+    fn home(&self, run: Option<&str>) -> Result<Scenario, Error> {
+        let loaded = match run {
+            None => Household::load(&self.shelf, &self.shelf.entry, &[]),
+            Some(run) => Household::recorded(&self.shelf.recording(run).map_err(Error::Translation)?),
+        };
+        Ok(loaded?.0)
+    }
+
+    /// A name among the runs that nothing has yet.
+    fn free_name(&self, log: &str) -> String {
+        let stem = Path::new(log).file_stem().unwrap_or_default().to_string_lossy();
+        let plain: String = stem.chars().take(40).map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+        let named = |number: u32| format!("{plain}-walked-{number}");
+        (1..).map(named).find(|name| !self.shelf.runs.join(name).exists()).unwrap_or(plain)
+    }
+}
+
+fn small_enough(read: &LogWithRun) -> Result<(), Error> {
+    const HINT: &str = "hint: open a part of it, or use homebody translate, which has no such limit";
+    let rows = read.log.events.len();
+    if rows > MOST_ROWS {
+        return Err(Error::Translation(format!(
+            "the log has {rows} rows; the page takes {MOST_ROWS} at most\n  {HINT}"
+        )));
+    }
+    let times = || read.log.events.iter().map(|event| event.at);
+    let span = times().max().zip(times().min()).map_or(0, |(last, first)| last.saturating_sub(first));
+    if span > MOST_DAYS * DAY {
+        let days = counted((span / DAY) as usize, "day", "days");
+        return Err(Error::Translation(format!(
+            "the log goes over {days}; the page takes {MOST_DAYS} at most\n  {HINT}"
+        )));
+    }
+    Ok(())
+}

@@ -1,0 +1,229 @@
+//! Logs that are opened in the page: walked back in the background, played as they were, and told of.
+
+use super::served::{Answer, Served};
+use homebody_kit::Destinations;
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use std::thread;
+use std::time::{Duration, Instant};
+
+const MINUTE: i64 = 60_000_000;
+
+impl Served {
+    /// Lives some days of the scenario into the folder of runs, which is told, and its log as CSV.
+    fn lived(&self, scenario: &str, days: f64) -> (String, Vec<u8>) {
+        let (folder, runs) = (self.folder.path(), self.folder.path().join("runs"));
+        let run = || homebody_kit::open(folder.join(scenario)).unwrap().run().days(days).start().unwrap();
+        run().store(&Destinations::new_folder_in(&runs), |_| ()).unwrap();
+        let csv = folder.join("log.csv");
+        run().store(&Destinations::log(&format!("csv:{}", csv.display())).unwrap(), |_| ()).unwrap();
+        (format!("{scenario}-1"), fs::read(csv).unwrap())
+    }
+
+    fn send(&self, method: &str, path: &str, body: &[u8]) -> Answer {
+        let (address, token) = (self.address, &self.token);
+        let head = format!(
+            "{method} {path} HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\nx-homebody-token: {token}\r\n\
+             Content-Type: application/octet-stream\r\nContent-Length: {}\r\n\r\n",
+            body.len()
+        );
+        self.ask(&[head.as_bytes(), body].concat())
+    }
+
+    /// What has become of the log that was opened last, once it is over.
+    fn walked(&self) -> Value {
+        let begun = Instant::now();
+        loop {
+            let now: Value = serde_json::from_slice(&self.api("/api/walk").body).unwrap();
+            if !["coming", "walking"].contains(&now["state"].as_str().unwrap_or_default()) {
+                return now;
+            }
+            assert!(begun.elapsed() < Duration::from_secs(180), "{now}");
+            thread::sleep(Duration::from_millis(50));
+        }
+    }
+
+    fn view(&self, run: &str) -> Value {
+        let answer = self.api(&format!("/api/runs/{}", run.replace('/', "%2F")));
+        assert_eq!(answer.code, 200, "{}", text(&answer));
+        serde_json::from_slice(&answer.body).unwrap()
+    }
+
+    fn day(&self, run: &str, day: usize) -> Value {
+        let answer = self.api(&format!("/api/runs/{}/days/{day}", run.replace('/', "%2F")));
+        assert_eq!(answer.code, 200, "{}", text(&answer));
+        rmp_serde::from_slice(&answer.body).unwrap()
+    }
+}
+
+fn text(answer: &Answer) -> String {
+    String::from_utf8_lossy(&answer.body).into_owned()
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect()
+}
+
+/// The room of the last span that has begun.
+fn room_at(spans: &Value, at: i64) -> Option<i64> {
+    let span = spans.as_array()?.iter().rev().find(|span| span[0].as_i64() <= Some(at))?;
+    (span[1].as_i64() > Some(at)).then(|| span[2].as_i64())?
+}
+
+/// The place that is most likely at an instant.
+fn likeliest(chances: &Value, at: i64) -> Option<i64> {
+    let mut known = std::collections::BTreeMap::new();
+    for chance in chances.as_array()?.iter().take_while(|chance| chance[0].as_i64() <= Some(at)) {
+        known.insert(chance[1].as_i64()?, chance[2].as_f64()?);
+    }
+    known.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)).map(|(place, _)| place)
+}
+
+#[test]
+fn a_log_is_walked_back_in_the_background_and_played_as_it_was() {
+    let served = Served::scenario("studio");
+    assert_eq!(served.api("/api/walk").body, b"null");
+    let (run, log) = served.lived("studio", 1.0);
+    let answer = served.send("POST", "/api/walk/real%20week.csv", &log);
+    assert_eq!(answer.code, 200, "{}", text(&answer));
+    assert_eq!(served.api("/api/runs").code, 200, "others are answered meanwhile");
+    let done = served.walked();
+    assert_eq!((&done["state"], &done["run"]), (&"done".into(), &"real-week-walked-1/run".into()), "{done}");
+
+    let list: Value = serde_json::from_slice(&served.api("/api/runs").body).unwrap();
+    let listed = list.as_array().unwrap().iter().find(|stored| stored["name"] == done["run"]).unwrap();
+    assert_eq!(listed["walked_back"], "real week.csv");
+    let walked = done["run"].as_str().unwrap();
+    let (view, day) = (served.view(walked), served.day(walked, 0));
+    assert_eq!((&view["walk"]["log"], &view["has_truth"]), (&"real week.csv".into(), &true.into()));
+    // The rows are those of the log, not of what was lived again.
+    let (of_run, truth) = (served.view(&run), served.day(&run, 0));
+    assert_eq!(day["rows"].as_array().unwrap().len(), log.iter().filter(|&&byte| byte == b'\n').count() - 1);
+    let named = |view: &Value, day: &Value| -> Vec<(i64, String, String)> {
+        let text =
+            |list: &str, number: &Value| view[list][number.as_u64().unwrap() as usize].as_str().unwrap().to_owned();
+        let sensor = |number: &Value| view["home"]["sensors"][number.as_u64().unwrap() as usize]["name"].to_string();
+        let rows = day["rows"].as_array().unwrap().iter();
+        rows.map(|row| (row[0].as_i64().unwrap(), sensor(&row[1]), text("values", &row[2]))).collect()
+    };
+    assert_eq!(named(&view, &day), named(&of_run, &truth));
+
+    // Who lived it is most likely where they were, and is drawn there.
+    let (mut right, mut drawn, mut minutes) = (0, 0, 0);
+    for minute in 1..1439 {
+        let at = minute * MINUTE;
+        let Some(room) = room_at(&truth["lives"][0]["rooms"], at) else { continue };
+        minutes += 1;
+        right += usize::from(likeliest(&day["lives"][0]["chances"], at) == Some(room));
+        drawn += usize::from(room_at(&day["lives"][0]["rooms"], at) == Some(room));
+    }
+    assert!(minutes > 700 && right * 10 > minutes * 9 && drawn * 10 > minutes * 8, "{right}, {drawn} of {minutes}");
+    let stays = view["walk"]["stays"][0].as_array().unwrap();
+    assert!(stays.len() > 5 && stays.windows(2).all(|two| two[0][1].as_i64() <= two[1][0].as_i64()), "{stays:?}");
+}
+
+#[test]
+fn what_cannot_be_walked_back_is_said_and_leaves_nothing() {
+    let served = Served::scenario("studio");
+    let (run, log) = served.lived("studio", 0.5);
+    let before = names(&served.folder.path().join("runs"));
+    let strange = String::from_utf8(log.clone()).unwrap().replace(['M', 'D', 'T'], "Q");
+    let header = String::from_utf8(log.clone()).unwrap().lines().next().unwrap().to_owned() + "\n";
+    for (body, said) in [
+        (strange.as_bytes(), "none of the log's sensors is one of the home's\n  hint: the log has"),
+        (header.as_bytes(), "no rows"),
+        (&b""[..], "no rows"),
+        (&b"Dear reader,\nthis is no log.\n"[..], "line"),
+        (&[0, 159, 146, 150, 0, 0][..], ""),
+    ] {
+        assert_eq!(served.send("POST", "/api/walk/a.csv", body).code, 200);
+        let failed = served.walked();
+        let problem = failed["problem"].as_str().unwrap();
+        assert!(failed["state"] == "failed" && problem.contains(said) && !problem.contains(".walk-"), "{failed}");
+    }
+    // The same log fits the home of the run that it is of, and no home there is none.
+    assert_eq!(served.send("POST", &format!("/api/walk/..%2Fup.csv/{run}"), &log).code, 200);
+    let done = served.walked();
+    assert_eq!((&done["state"], &done["run"]), (&"done".into(), &"log-walked-1/run".into()), "{done}");
+    assert_eq!(served.send("POST", "/api/walk/a.csv/..%2Fstudio", &log).code, 200);
+    assert!(served.walked()["problem"].as_str().unwrap().contains("there is no run"));
+    let mut after = names(&served.folder.path().join("runs"));
+    after.retain(|name| name != "log-walked-1");
+    assert_eq!(after, before);
+    assert_eq!(names(served.folder.path()).len(), 3, "the scenario, the runs, the log");
+}
+
+#[test]
+fn a_log_that_is_too_large_is_refused_before_it_comes() {
+    let served = Served::scenario("studio");
+    let (address, token) = (served.address, &served.token);
+    let head = format!(
+        "POST /api/walk/a.csv HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\nx-homebody-token: {token}\r\n\
+         Content-Length: {}\r\n\r\n",
+        65 << 20
+    );
+    let answer = served.ask(head.as_bytes());
+    assert_eq!(answer.code, 413);
+    assert!(text(&answer).contains("at most 64 MB"), "{}", text(&answer));
+    assert_eq!(names(&served.folder.path().join("runs")), Vec::<String>::new());
+    // Rows in two years that are far apart are too long a log, however few they are.
+    let far = "time,sensor,value\n2001-01-01 10:00:00,M001,ON\n2026-01-01 10:00:00,M001,ON\n";
+    served.send("POST", "/api/walk/far.csv", far.as_bytes());
+    assert!(served.walked()["problem"].as_str().unwrap().contains("the page takes 1100 at most"));
+    assert_eq!(served.send("POST", "/api/walk/a.csv", b"").code, 200);
+    let stranger = format!("POST /api/walk/a.csv HTTP/1.1\r\nHost: {address}\r\nContent-Length: 1\r\n\r\na");
+    assert_eq!(served.ask(stranger.as_bytes()).code, 401);
+}
+
+#[test]
+fn one_log_at_a_time_is_walked_back_and_it_can_be_stopped() {
+    let mut served = Served::scenario("tigerplace");
+    let (run, log) = served.lived("tigerplace", 30.0);
+    assert_eq!(served.send("POST", "/api/walk/month.csv", &log).code, 200);
+    let busy = served.send("POST", "/api/walk/other.csv", &log);
+    assert_eq!(busy.code, 409);
+    assert!(text(&busy).contains("month.csv is being walked back"), "{}", text(&busy));
+    assert_eq!(served.send("DELETE", "/api/walk", b"").code, 200);
+    let stopped = served.walked();
+    assert_eq!((&stopped["state"], &stopped["run"]), (&"stopped".into(), &Value::Null), "{stopped}");
+    let runs = served.folder.path().join("runs");
+    assert_eq!(names(&runs), std::slice::from_ref(&run));
+    // A server that ends leaves nothing half done either.
+    assert_eq!(served.send("POST", "/api/walk/month.csv", &log).code, 200);
+    served.close();
+    assert_eq!(names(&runs), [run]);
+}
+
+#[test]
+fn what_a_log_holds_and_how_real_it_is_are_the_pages_of_the_commands() {
+    let served = Served::scenario("studio");
+    let (run, log) = served.lived("studio", 3.0);
+    let page = |path: &str, code: u16| {
+        let answer = served.api(path);
+        assert_eq!(answer.code, code, "{path}: {}", text(&answer));
+        text(&answer)
+    };
+    let look = page(&format!("/api/runs/{run}/look"), 200);
+    assert!(look.contains("<svg") && look.contains("room motion") && look.contains("Rows of each sensor by day"));
+    let alone = page(&format!("/api/runs/{run}/realism/{run}"), 200);
+    assert!(alone.contains("firings a day"), "{alone}");
+
+    served.send("POST", "/api/walk/week.csv", &log);
+    let walked = served.walked()["run"].as_str().unwrap().replace('/', "%2F");
+    let look = page(&format!("/api/runs/{walked}/look"), 200);
+    assert!(look.contains("<title>week.csv") || look.contains("week.csv"), "{look}");
+    let relived = page(&format!("/api/runs/{walked}/realism/{walked}"), 200);
+    assert!(relived.contains("A: week.csv") && relived.contains("B: what was lived again"), "{relived}");
+    let beside = page(&format!("/api/runs/{walked}/realism/{run}"), 200);
+    assert!(beside.contains(&format!("B: {run}")));
+    page("/api/runs/nowhere/look", 404);
+    page(&format!("/api/runs/{run}/realism/nowhere"), 404);
+    // Of less than a day nothing can be compared, which is said.
+    let short = Served::scenario("studio");
+    let (run, _) = short.lived("studio", 0.4);
+    let answer = short.api(&format!("/api/runs/{run}/realism/{run}"));
+    assert_eq!(answer.code, 422);
+    assert!(text(&answer).contains("no day of it is whole"), "{}", text(&answer));
+}

@@ -1,0 +1,260 @@
+//! `homebody calibrate`: a scenario fitted to the log of its home.
+
+use super::read_log::read_log;
+use super::scenario::Trust;
+use crate::beginning::begin;
+use crate::failure::{EXIT_CODES, Failure};
+use crate::print::{json_text, print_json, print_text, tell, write_file};
+use homebody_analysis::dates::{date_of, midnight};
+use homebody_analysis::realism::{Measure, NotComparable, Realism, Told, realism};
+use homebody_core::problem::counted;
+use homebody_core::time::{DAY, Micros};
+use homebody_kit::{Calibration, Fitted, OpenScenario, Source, calibrate, lived};
+use homebody_log::Log;
+use indicatif::{ProgressBar, ProgressStyle};
+use jiff::civil::Date;
+use serde::Serialize;
+use std::fmt;
+use std::ops::Range;
+use std::path::PathBuf;
+
+/// Fits a scenario to the log of its home: the timing of its sensors, the rhythm of who lives there, how much they move and turn, how
+/// their days differ, and which messages come twice or get lost. Then it is lived, and held against days that it was not fitted to.
+///
+/// The home is that of a scenario in which one person lives; its sensors have the names of the log, or its logger.json says their ids.
+/// What a log cannot tell stays as the scenario has it: walls, furniture, what sensors reach and how much they miss.
+#[derive(clap::Args)]
+#[command(after_help = format!("Examples:
+  homebody calibrate week.csv --home my-home --to fitted
+  homebody calibrate casas:month.txt --home my-home --days 2016-07-01..2016-07-14 --to fitted
+  homebody calibrate runs/older-adult-1 --home scenarios/older-adult --to fitted --json
+
+In the new folder:
+  scenario.json   the fitted scenario, with its home, its logger, its link and its routine
+  fitted.routine  the rhythm in sentences: homebody routine explain fitted
+  report.json     what was fitted, and each measure of homebody realism on unseen days
+
+Each measure stands beside the same of the seen days, which is how near the home is to itself, and of the
+scenario as it was.
+
+{EXIT_CODES}."))]
+pub struct Arguments {
+    /// The log: the folder of its run or of a data set, a file, or FORM:FILE
+    log: String,
+    /// The folder of a scenario whose home the log is of
+    #[arg(long, value_name = "SCENARIO")]
+    home: PathBuf,
+    /// The days that it is fitted to, the last included; the first half without it. It is judged on the others
+    #[arg(long, value_name = "FROM..TO", value_parser = days)]
+    days: Option<(Date, Date)>,
+    /// The folder to create
+    #[arg(long, value_name = "FOLDER")]
+    to: PathBuf,
+    /// The time zone of the home, for a log in UTC; the scenario's own without it
+    #[arg(long)]
+    time_zone: Option<String>,
+    /// Print the report as one JSON object
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    trust: Trust,
+}
+
+/// Two dates with two dots between them.
+fn days(text: &str) -> Result<(Date, Date), String> {
+    let dates = text.split_once("..").map(|(from, to)| (from.trim().parse::<Date>(), to.trim().parse::<Date>()));
+    match dates {
+        Some((Ok(from), Ok(to))) if from <= to => Ok((from, to)),
+        Some((Ok(_), Ok(_))) => Err("the second day is before the first".into()),
+        _ => Err("write two days such as 2016-07-01..2016-07-14".into()),
+    }
+}
+
+/// So many days are lived to be held against the unseen ones.
+const LIVED_DAYS: u32 = 28;
+/// Other lives than those by which it was fitted.
+const SEED: u64 = 1000;
+
+/// What came of it.
+#[derive(Serialize)]
+struct Report {
+    log: String,
+    seen_days: Vec<String>,
+    unseen_days: Vec<String>,
+    fitted: Fitted,
+    measures: Vec<Row>,
+}
+
+/// A measure of unseen days against three others.
+#[derive(Serialize)]
+struct Row {
+    measure: &'static str,
+    about: &'static str,
+    /// Of the fitted scenario.
+    fitted: Option<f64>,
+    /// Of the seen days: how near the home is to itself.
+    seen_days: Option<f64>,
+    /// Of the scenario before it was fitted.
+    before: Option<f64>,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        if self.to.exists() {
+            let what = format!("{} exists already\n  hint: name a folder that does not", self.to.display());
+            return Err(Failure::Io(what));
+        }
+        let home = self.trust.source(&self.home)?.open()?;
+        let zone = self.time_zone.clone().unwrap_or_else(|| home.scenario().file.time_zone.clone());
+        let read = read_log(&self.log, Some(&zone))?;
+        let parts = self.parts(&read.log, read.recorded.as_ref())?;
+        let bar = ProgressBar::new(1000);
+        let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {eta} left");
+        bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        let seen = parts.of(&read.log, true);
+        let calibration = calibrate(&seen, &home, |share| bar.set_position((share * 1000.0) as u64))?;
+        bar.finish_and_clear();
+        let report = Report {
+            log: self.log.clone(),
+            seen_days: parts.dates(true),
+            unseen_days: parts.dates(false),
+            measures: self.measures(&read.log, &parts, &home, &calibration)?,
+            fitted: calibration.fitted.clone(),
+        };
+        begin(&self.to, |_| {
+            for (name, text) in &calibration.files {
+                let path = self.to.join(name);
+                path.parent().map_or(Ok(()), std::fs::create_dir_all).map_err(|error| Failure::io(&path, error))?;
+                write_file(&path, text.as_bytes(), false)?;
+            }
+            write_file(&self.to.join("report.json"), json_text(&report)?.as_bytes(), false)
+        })?;
+        if self.json {
+            return print_json(&report);
+        }
+        print_text(&report.to_string())?;
+        tell(format_args!("{} is ready.\n  homebody run {0}\n  homebody routine explain {0}", self.to.display()));
+        Ok(())
+    }
+
+    /// The days that are seen and those that are not.
+    fn parts(&self, log: &Log, recorded: Option<&Range<Micros>>) -> Result<Parts, Failure> {
+        let rows = || log.events.iter().map(|event| event.at);
+        let whole = recorded.cloned().or_else(|| rows().min().zip(rows().max()).map(|(first, last)| first..last + 1));
+        let whole = whole.ok_or_else(|| Failure::Usage(format!("{}: the log has no rows", self.log)))?;
+        let (first, last) = (whole.start.div_euclid(DAY), (whole.end - 1).div_euclid(DAY) + 1);
+        let seen = match self.days {
+            None => first..first + (last - first) / 2,
+            Some((from, to)) => midnight(from).div_euclid(DAY)..midnight(to).div_euclid(DAY) + 1,
+        };
+        let seen = seen.start.max(first)..seen.end.min(last);
+        let (count, unseen) = (seen.end - seen.start, last - first - (seen.end - seen.start).max(0));
+        if count < LEAST_DAYS || unseen < 1 {
+            let count = counted(count.max(0) as usize, "day", "days");
+            let why = format!(
+                "{}: {count} to be fitted to, and {} besides\n  hint: it has {} to {}; fitting takes {LEAST_DAYS} days and \
+                 more, and judging another",
+                self.log,
+                unseen.max(0),
+                date_of(whole.start),
+                date_of(whole.end - 1),
+            );
+            return Err(Failure::Usage(why));
+        }
+        // What is not seen is one stretch: the longer of what is before and after.
+        let unseen = if last - seen.end >= seen.start - first { seen.end..last } else { first..seen.start };
+        let within = |days: Range<Micros>| (days.start * DAY).max(whole.start)..(days.end * DAY).min(whole.end);
+        Ok(Parts { seen: within(seen), unseen: within(unseen) })
+    }
+
+    /// The measures of unseen days against the fitted scenario, the seen days, and the scenario as it was.
+    fn measures(
+        &self,
+        log: &Log,
+        parts: &Parts,
+        home: &OpenScenario,
+        calibration: &Calibration,
+    ) -> Result<Vec<Row>, Failure> {
+        let open = Source::of_texts(calibration.files.clone(), calibration.entry.clone()).open()?;
+        let log = Log { sensors: calibration.names.clone(), ..log.clone() };
+        let unseen = parts.of(&log, false);
+        let seen = parts.of(&log, true);
+        let against = |name: &str, other: &Log, recorded: Option<&Range<Micros>>| -> Result<Realism, Failure> {
+            let real = Told { name: &self.log, log: &unseen, recorded: Some(&parts.unseen) };
+            realism(real, Told { name, log: other, recorded }).map_err(|problems| {
+                let said: Vec<String> = problems.iter().map(NotComparable::to_string).collect();
+                Failure::usage(said.join("\nerror: "))
+            })
+        };
+        let fitted = against("the fitted scenario", &lived(&open, SEED, LIVED_DAYS)?, None)?;
+        let own = against("the days that it is fitted to", &seen, Some(&parts.seen))?;
+        let before = against("the scenario as it was", &lived(home, SEED, LIVED_DAYS)?, None)?;
+        let rows = fitted.measures().into_iter().zip(own.measures()).zip(before.measures());
+        let value = |measure: Measure| measure.value;
+        Ok(rows
+            .map(|(((measure, about, fitted), (_, _, own)), (_, _, before))| Row {
+                measure,
+                about,
+                fitted: value(fitted),
+                seen_days: value(own),
+                before: value(before),
+            })
+            .collect())
+    }
+}
+
+/// Fewer days tell no rhythm (ours).
+const LEAST_DAYS: Micros = 3;
+
+/// The two parts of a log, as instants on the clock on the wall.
+struct Parts {
+    seen: Range<Micros>,
+    unseen: Range<Micros>,
+}
+
+impl Parts {
+    fn of(&self, log: &Log, seen: bool) -> Log {
+        let span = if seen { &self.seen } else { &self.unseen };
+        let events = log.events.iter().filter(|event| span.contains(&event.at)).copied().collect();
+        Log { events, ..log.clone() }
+    }
+
+    /// The first and the last date.
+    fn dates(&self, seen: bool) -> Vec<String> {
+        let span = if seen { &self.seen } else { &self.unseen };
+        [span.start, span.end - 1].map(|at| date_of(at).to_string()).into()
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Report { log, seen_days, unseen_days, fitted, measures } = self;
+        let [real, ours] = fitted.firings_an_hour;
+        writeln!(f, "{log}, fitted to {}, judged on {}\n", seen_days.join(" to "), unseen_days.join(" to "))?;
+        writeln!(f, "{}", fitted.timing.all)?;
+        writeln!(
+            f,
+            "messages that come twice {:.2} %, that are missing {:.2} %",
+            100.0 * fitted.timing.repeated,
+            100.0 * fitted.timing.missing
+        )?;
+        writeln!(
+            f,
+            "firings an hour: up {:.1} (fitted {:.1}), in bed {:.1} (fitted {:.1})",
+            real.up, ours.up, real.in_bed, ours.in_bed
+        )?;
+        writeln!(
+            f,
+            "movement {:.2} times the usual, turning {:.2} times, days differ by {:.2}\n",
+            fitted.movement, fitted.turning, fitted.day_spread
+        )?;
+        fitted.routine.iter().try_for_each(|sentence| writeln!(f, "  {sentence}"))?;
+        writeln!(f, "\n{:<18} {:>8} {:>10} {:>8}", "unseen days against", "fitted", "seen days", "before")?;
+        for row in measures {
+            let told = |value: Option<f64>| value.map_or("-".into(), |value| format!("{value:.3}"));
+            let [fitted, own, before] = [row.fitted, row.seen_days, row.before].map(told);
+            writeln!(f, "{:<18} {fitted:>9} {own:>10} {before:>8}  {}", row.measure, row.about)?;
+        }
+        Ok(())
+    }
+}

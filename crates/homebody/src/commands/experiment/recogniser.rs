@@ -1,0 +1,76 @@
+//! `homebody experiment recogniser`.
+
+use crate::commands::read_log::read_log;
+use crate::failure::Failure;
+use crate::print::{json_text, print_json, print_text, write_file};
+use homebody_experiment::recogniser::{Case, NotRecognised, Prepared};
+use homebody_log::places::can_be_written;
+use indicatif::ProgressBar;
+use rayon::prelude::*;
+use std::path::{Path, PathBuf};
+
+/// Activities in a real flat, recognised by who has learnt from simulated days alone, beside who has learnt from the flat's own.
+///
+/// The flat is home A of the data set "ADLs Recognition Using Binary Sensors" (Ordonez et al. 2013), which is not part of this
+/// program: uci_adl_ordonez/OrdonezA_Sensors.txt and OrdonezA_ADLs.txt in the folder. A routine is written from the first half of its
+/// days; recognisers are judged on the second half, which nothing else has seen.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  homebody experiment recogniser --data uci
+  homebody experiment recogniser --data uci --seeds 20 --days 56 --json recogniser.json")]
+pub struct Arguments {
+    /// The folder that the folder of the data set is in, or that folder
+    #[arg(long, value_name = "DIR")]
+    data: PathBuf,
+    /// How many times it is done, each with other simulated days and another draw of real ones
+    #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    seeds: u32,
+    /// How many days are simulated each time
+    #[arg(long, default_value_t = 28, value_parser = clap::value_parser!(u32).range(3..=366))]
+    days: u32,
+    /// Write the figures into a file as JSON; - prints them
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Replace a file that exists
+    #[arg(long)]
+    force: bool,
+}
+
+/// The data set's folder, and the file of home A's sensors in it.
+const FOLDER: &str = "uci_adl_ordonez";
+const SENSORS: &str = "OrdonezA_Sensors.txt";
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let file = self.json.as_deref().filter(|path| path.as_os_str() != "-");
+        can_be_written(&file.into_iter().collect::<Vec<&Path>>(), &[], self.force)?;
+        let path =
+            [self.data.join(FOLDER).join(SENSORS), self.data.join(SENSORS)].into_iter().find(|path| path.is_file());
+        let Some(path) = path else {
+            let why = format!("there is no {SENSORS} in it\n  hint: the data set is not part of this program");
+            return Err(Failure::io(&self.data, why));
+        };
+        let refused = |why: NotRecognised| Failure::Usage(format!("{}: {why}", path.display()));
+        let prepared = Prepared::new(&read_log(&path.to_string_lossy(), None)?.log).map_err(refused)?;
+        let progress = ProgressBar::new(u64::from(self.seeds));
+        let seeds: Vec<u64> = (1..=u64::from(self.seeds)).collect();
+        let cases: Result<Vec<Case>, NotRecognised> = seeds
+            .par_iter()
+            .map(|&seed| {
+                let case = prepared.case(seed, self.days);
+                progress.inc(1);
+                case
+            })
+            .collect();
+        progress.finish_and_clear();
+        let experiment = prepared.experiment(cases.map_err(refused)?, self.days);
+        match file {
+            Some(path) => {
+                write_file(path, json_text(&experiment)?.as_bytes(), self.force)?;
+                print_text(&experiment.to_string())
+            }
+            None if self.json.is_some() => print_json(&experiment),
+            None => print_text(&experiment.to_string()),
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! `homebody experiment sensor-health`.
+
+use super::walk_back::{lived, of_homes};
+use crate::commands::answer::Answer;
+use crate::failure::Failure;
+use homebody_experiment::sensor_health::{Case, KINDS, Planted, case, faulty};
+use serde::Serialize;
+use std::fmt;
+
+/// Plants faults in sensors, and says what is found of them by the logs of their homes alone.
+///
+/// Homes are those of templates, one after the other, each with a life of its own and with four faults, each of another
+/// motion sensor; every second home has the other four kinds.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  homebody experiment sensor-health
+  homebody experiment sensor-health --homes 5 --days 21 --json sensor-health.json")]
+pub struct Arguments {
+    /// How many homes and lives
+    #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    homes: u32,
+    /// How many days of each
+    #[arg(long, default_value_t = 14, value_parser = clap::value_parser!(u32).range(7..=366))]
+    days: u32,
+    #[command(flatten)]
+    answer: Answer,
+}
+
+#[derive(Serialize)]
+struct SensorHealth {
+    days: u32,
+    kinds: Vec<Kind>,
+    /// How many things were said of sensors that were well, and of how many sensor-days.
+    false_alarms: usize,
+    sensor_days: u64,
+    cases: Vec<Case>,
+}
+
+/// How faults of a kind were found.
+#[derive(Serialize)]
+struct Kind {
+    kind: &'static str,
+    planted: usize,
+    found: usize,
+    named: usize,
+    /// The median of how many days after its beginning what was found begins.
+    late_days: Option<f64>,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let answer = self.answer.check([], &[])?;
+        let homes: Vec<usize> = (0..self.homes as usize).collect();
+        let cases = of_homes(
+            &homes,
+            |&home| home,
+            |opened, &home| {
+                let link = faulty(opened.scenario(), home, self.days);
+                lived(opened, &link, |lived| case(lived, 1 + home as u64, self.days))
+            },
+        )?;
+        answer.give(&SensorHealth::of(cases, self.days), [])
+    }
+}
+
+impl SensorHealth {
+    fn of(cases: Vec<Case>, days: u32) -> SensorHealth {
+        let of_kind = |kind: &&'static str| {
+            let all: Vec<&Planted> =
+                cases.iter().flat_map(|case| &case.faults).filter(|fault| fault.kind == *kind).collect();
+            let mut late: Vec<f64> = all.iter().filter_map(|fault| fault.late_days).collect();
+            late.sort_by(f64::total_cmp);
+            Kind {
+                kind,
+                planted: all.len(),
+                found: all.iter().filter(|fault| fault.found).count(),
+                named: all.iter().filter(|fault| fault.named).count(),
+                late_days: late.get(late.len() / 2).copied(),
+            }
+        };
+        SensorHealth {
+            days,
+            kinds: KINDS.iter().map(of_kind).collect(),
+            false_alarms: cases.iter().map(|case| case.false_alarms.len()).sum(),
+            sensor_days: cases.iter().map(|case| case.sensors as u64 * u64::from(case.days)).sum(),
+            cases,
+        }
+    }
+}
+
+impl fmt::Display for SensorHealth {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        writeln!(f, "Faults of sensors, by the logs of {} days alone\n", self.days)?;
+        writeln!(f, "{:<18} {:>7} {:>6} {:>6} {:>10}", "fault", "planted", "found", "named", "days late")?;
+        for Kind { kind, planted, found, named, late_days } in &self.kinds {
+            let late = late_days.map_or("-".into(), |late| format!("{late:.1}"));
+            writeln!(f, "{kind:<18} {planted:>7} {found:>6} {named:>6} {late:>10}")?;
+        }
+        let per_year = self.false_alarms as f64 / self.sensor_days.max(1) as f64 * 365.0;
+        writeln!(f, "\nfalse alarms: {}, {per_year:.2} a year of each sensor", self.false_alarms)
+    }
+}

@@ -1,0 +1,70 @@
+//! `homebody calibrate`: scenarios fitted to the logs of their homes.
+
+use crate::folder::Folder;
+use serde_json::Value;
+
+/// A folder with the log of a home whose numbers are known: six days of units that hold their ONs for three seconds, of somebody who gets
+/// up at eight and goes to bed at ten, and the same home with numbers that are not those.
+fn known() -> Folder {
+    let folder = Folder::new();
+    folder.run("new known --template older-adult").ok();
+    let change = |file: &str, from: &str, to: &str| {
+        let text = folder.read(file);
+        assert!(text.contains(from), "{file}");
+        folder.write(file, text.replace(from, to));
+    };
+    change("known/logger.json", "\"hold_s\": 4", "\"hold_s\": 3");
+    folder.write(
+        "known/ada.routine",
+        "She gets up at 8:00.\nShe goes to bed at 22:00.\nShe leaves the apartment at 15:00 for 2 hours.\n",
+    );
+    folder.run("run known --for 6d --quiet --out casas:log.txt").ok();
+    change("known/logger.json", "\"hold_s\": 3", "\"hold_s\": 9");
+    folder.write("known/ada.routine", "She gets up at 5:00.\nShe goes to bed at 20:00.\n");
+    folder
+}
+
+/// The clock time behind some words of a text, in hours.
+fn hour_after(text: &str, words: &str) -> f64 {
+    let at = text.find(words).unwrap_or_else(|| panic!("{words:?} is not in {text}")) + words.len();
+    let (hour, minute) = text[at..at + 5].split_once(':').unwrap();
+    hour.parse::<f64>().unwrap() + minute.parse::<f64>().unwrap() / 60.0
+}
+
+#[test]
+fn the_numbers_of_a_life_that_is_known_are_found_again() {
+    let folder = known();
+    let done = folder.run("calibrate casas:log.txt --home known --days 2011-06-06..2011-06-09 --to fitted").ok();
+    assert!(done.out.contains("unseen days against"), "{}", done.out);
+    let logger: Value = serde_json::from_str(&folder.read("fitted/logger.json")).unwrap();
+    let hold = logger["messages"]["on_off"]["hold_s"].as_f64().unwrap();
+    assert!((hold - 3.0).abs() < 0.1, "{hold}");
+    let routine = folder.read("fitted/fitted.routine");
+    assert!((hour_after(&routine, "She gets up at about ") - 8.0).abs() < 0.75, "{routine}");
+    assert!((hour_after(&routine, "She goes to bed at about ") - 22.0).abs() < 0.75, "{routine}");
+    assert!(
+        (hour_after(&routine, "she leaves the apartment at about ".trim_start_matches("she ")) - 15.0).abs() < 0.75,
+        "{routine}"
+    );
+    let report: Value = serde_json::from_str(&folder.read("fitted/report.json")).unwrap();
+    let hours = report["measures"].as_array().unwrap().iter().find(|row| row["measure"] == "hours").unwrap();
+    let [fitted, before] = ["fitted", "before"].map(|key| hours[key].as_f64().unwrap());
+    assert!(fitted < before, "{hours}");
+    let lengths = report["measures"].as_array().unwrap().iter().find(|row| row["measure"] == "ON lengths").unwrap();
+    assert!(lengths["fitted"].as_f64().unwrap() < 0.3 && lengths["before"].as_f64().unwrap() > 0.6, "{lengths}");
+    folder.run("check fitted").ok();
+    folder.run("calibrate casas:log.txt --home known --to fitted").fails(1, "fitted exists already");
+}
+
+#[test]
+fn what_cannot_be_fitted_is_said_and_nothing_is_written() {
+    let folder = known();
+    folder
+        .run("calibrate casas:log.txt --home known --days 2011-06-06..2011-06-07 --to fitted")
+        .fails(2, "takes 3 days");
+    folder.run("calibrate casas:log.txt --home known --days 2011-06-06..2011-06-11 --to fitted").fails(2, "0 besides");
+    folder.run("calibrate casas:log.txt --home known --days yesterday --to fitted").fails(2, "2016-07-01..2016-07-14");
+    folder.run("new couple --template couple-with-cat").ok();
+    folder.run("calibrate casas:log.txt --home couple --to fitted").fails(2, "only who lives alone");
+    assert!(!folder.path("fitted").exists());
+}

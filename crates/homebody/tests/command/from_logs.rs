@@ -1,0 +1,148 @@
+//! A home that nobody has drawn is made of what a log tells.
+
+use crate::folder::Folder;
+use serde_json::Value;
+
+/// Two days of a flat, in names of CASAS: somebody sleeps, washes, cooks, sits and goes out.
+fn log() -> String {
+    let walk =
+        ["BedroomABed", "BedroomAArea", "BedroomADoor", "HallwayA", "BathroomAToilet", "BathroomASink", "HallwayA"];
+    let on = ["KitchenASink", "KitchenAStove", "LivingRoomAArea", "LivingRoomAChair", "MainEntryway"];
+    let mut log = String::new();
+    for (round, minute) in (0..2 * 24 * 60).step_by(20).enumerate() {
+        let (day, minute) = (minute / 1440, minute % 1440);
+        let places = if round % 3 == 0 { &walk[..] } else { &on[..] };
+        for (step, place) in places.iter().enumerate() {
+            let at =
+                |second: usize| format!("2016-07-{:02} {:02}:{:02}:{second:02}", 12 + day, minute / 60, minute % 60);
+            log += &format!("{} {place} ON\n{} {place} OFF\n", at(4 * step), at(4 * step + 1));
+        }
+    }
+    log
+}
+
+fn home(folder: &Folder, scenario: &str) -> Value {
+    serde_json::from_str(&folder.read(&format!("{scenario}/home.json"))).unwrap()
+}
+
+fn names<'v>(home: &'v Value, list: &str) -> Vec<&'v str> {
+    home[list].as_array().unwrap().iter().map(|one| one["name"].as_str().unwrap()).collect()
+}
+
+#[test]
+fn a_log_becomes_a_home_in_which_it_is_walked_back() {
+    let folder = Folder::new();
+    folder.write("week.txt", log());
+    let made = folder.run("new flat --from-log week.txt").ok();
+    assert!(made.err.contains("flat is ready, and schematic: 6 rooms"), "{}", made.err);
+    assert!(
+        made.err.contains("things that no sensor tells of, and that a life needs, are added: fridge, dining chair"),
+        "{}",
+        made.err
+    );
+    let checked = folder.run("check flat").ok();
+    assert!(checked.err.contains("nothing is wrong"), "{}", checked.err);
+    let home = home(&folder, "flat");
+    assert_eq!(names(&home, "rooms"), ["bedroom", "hallway", "bathroom", "kitchen", "living room", "main entryway"]);
+    assert!(home["about"].as_str().unwrap().starts_with("Schematic: "), "{home}");
+    assert!(home["doors"].as_array().unwrap().iter().any(|door| door["outside"] == true));
+    for thing in ["bed", "toilet", "washbasin", "sink", "stove", "armchair"] {
+        assert!(names(&home, "furniture").contains(&thing), "{thing}: {home}");
+    }
+    let logger: Value = serde_json::from_str(&folder.read("flat/logger.json")).unwrap();
+    assert_eq!(
+        (&logger["ids"]["bedroom bed"], &logger["ids"]["kitchen stove"]),
+        (&"BedroomABed".into(), &"KitchenAStove".into())
+    );
+    // Somebody lives there, and where the log leads is walked there.
+    folder.run("run flat --for 1d --quiet --out casas:lived.txt").ok();
+    assert!(folder.read("lived.txt").contains("BedroomABed"));
+    let told = folder.run("translate week.txt --home flat --to walked --json").ok().json();
+    assert_eq!(told["unknown_sensors"], Value::Array(Vec::new()));
+    let told = folder.run("translate lived.txt --home flat --to again --json").ok().json();
+    let all = &told["explained"]["all"];
+    assert!(all["matched"].as_f64().unwrap() / all["real"].as_f64().unwrap() > 0.7, "{all}");
+    // The same log makes the same home.
+    folder.run("new more/flat --from-log week.txt").ok();
+    assert_eq!(folder.read("more/flat/home.json"), folder.read("flat/home.json"));
+}
+
+/// A PNG's first bytes, as far as anybody looks at them: 1000 by 500 pixels.
+const PICTURE: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x03\xe8\0\0\x01\xf4";
+
+#[test]
+fn sensors_on_a_picture_are_where_they_are_and_the_picture_goes_along() {
+    let folder = Folder::new();
+    let row = |at: usize, id: &str| format!("2016-07-12 08:00:{at:02} {id} ON\n");
+    folder.write(
+        "week.txt",
+        [row(0, "S1"), row(9, "S2"), row(20, "S3"), row(30, "S4"), "2016-07-12 08:01:00 T1 21.5\n".into()].concat(),
+    );
+    folder.write("plan.png", PICTURE);
+    folder.write("sensors.csv", "id,room,place,x,y\nS1,bedroom,bed,100,100\nS2,bathroom,toilet,500,100\nS3,kitchen,stove,900,400\nS4,living room,,300,400\nS9,hall,,0,0\n");
+    let known = "--image plan.png --known 0,500=0,0 --known 1000,500=10,0";
+    let made = folder.run(&format!("new flat --from-log week.txt --sensors sensors.csv {known}")).ok();
+    assert!(
+        made.err.contains("the log has nothing of S9") && made.err.contains("walls are drawn half way"),
+        "{}",
+        made.err
+    );
+    folder.run("check flat").ok();
+    let home = home(&folder, "flat");
+    let area = |name: &str| -> Vec<[f64; 2]> {
+        let sensor = home["sensors"].as_array().unwrap().iter().find(|sensor| sensor["name"] == name).unwrap();
+        serde_json::from_value(sensor["area"].clone()).unwrap()
+    };
+    let seen = area("bedroom bed");
+    let [x, y] = [0, 1].map(|axis| seen.iter().map(|corner| corner[axis]).sum::<f64>() / seen.len() as f64);
+    assert!((x - 1.0).abs() < 0.7 && (y - 4.0).abs() < 0.7, "{x}, {y}");
+    let lies: Value = serde_json::from_str(&folder.read("flat/underlay.json")).unwrap();
+    assert_eq!((&lies["picture"], &lies["width_m"], &lies["at"][0]), (&"plan.png".into(), &10.0.into(), &5.0.into()));
+    assert_eq!(std::fs::read(folder.path("flat/plan.png")).unwrap(), PICTURE);
+}
+
+#[test]
+fn what_is_wrong_is_told_at_once_and_nothing_is_written() {
+    let folder = Folder::new();
+    folder.write("codes.txt", "2016-07-12 08:00:00 M1 ON\n2016-07-12 08:00:05 M2 ON\n2016-07-12 08:00:09 D3 OPEN\n");
+    let said = folder.run("new flat --from-log codes.txt").fails(2, "nothing tells where 3 sensors are: M1, M2, D3");
+    assert!(said.err.contains("--sensors FILE"), "{}", said.err);
+    folder.write("wrong.csv", "id,room,x,y,kind\nM1,hall,1,,motion\nM1,hall,,,\n,kitchen,,,\nM2,hall,a,2,laser\n");
+    let said = folder
+        .run("new flat --from-log codes.txt --sensors wrong.csv")
+        .fails(2, "wrong.csv:2: \"M1\" has one of x and y");
+    for more in [
+        "wrong.csv:3: the sensor \"M1\" is in line 2, too",
+        "wrong.csv:4: the row has no id",
+        "wrong.csv:5: \"a\" is no number",
+        "\"laser\" is no kind",
+    ] {
+        assert!(said.err.contains(more), "{more}: {}", said.err);
+    }
+    folder.write("ids.csv", "what,room\nM1,hall\n");
+    folder.run("new flat --from-log codes.txt --sensors ids.csv").fails(2, "there is no column id");
+    folder.write("strange.csv", "id,room\nX1,hall\n");
+    folder
+        .run("new flat --from-log codes.txt --sensors strange.csv")
+        .fails(2, "none of the table's sensors is in the log");
+    folder.write("numbers.txt", "2016-07-12 08:00:00 T1 21.5\n");
+    folder.run("new flat --from-log numbers.txt").fails(2, "no sensor of it tells of movement or of doors");
+    folder.write("plan.png", PICTURE);
+    folder.write("on.csv", "id,room,x,y\nM1,hall,5000,10\nM2,hall,,\nD3,hall,,\n");
+    let on = "new flat --from-log codes.txt --sensors on.csv --image plan.png";
+    folder.run(on).fails(2, "0 of two known points are given");
+    folder.run(&format!("{on} --known 1,1=0,0 --known 1,1=4,4")).fails(2, "the two known points are one");
+    let said = folder
+        .run(&format!("{on} --known 0,0=0,0 --known 900,0=9,0"))
+        .fails(2, "\"M1\" is not on the picture: 5000, 10");
+    assert!(said.err.contains("no sensor has a place on the picture"), "{}", said.err);
+    folder.write("plan.gif", "GIF89a");
+    folder
+        .run("new flat --from-log codes.txt --image plan.gif --known 0,0=0,0 --known 9,0=9,0")
+        .fails(2, "it is no picture in PNG or JPEG");
+    folder.run("new flat --from-log nothing.txt").fails(1, "nothing.txt does not exist");
+    assert!(!folder.path("flat").exists());
+    folder.write("home.txt", log());
+    folder.run("new flat --from-log home.txt").ok();
+    folder.run("new flat --from-log home.txt").fails(1, "flat exists already");
+}

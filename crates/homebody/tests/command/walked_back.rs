@@ -1,0 +1,98 @@
+//! `homebody translate`: logs walked back through the plan.
+
+use crate::folder::Folder;
+use serde_json::Value;
+
+/// A folder with a day of the studio, in which one person lives.
+fn studio() -> Folder {
+    let folder = Folder::new();
+    folder.run("new home --template studio").ok();
+    folder.run("run home --for 1d --quiet --out sqlite:log.db --truth truth.db").ok();
+    folder
+}
+
+fn report(folder: &Folder) -> Value {
+    serde_json::from_str(&folder.read("walked/report.json")).unwrap()
+}
+
+#[test]
+fn a_log_is_walked_back_and_what_is_lived_again_explains_it() {
+    let folder = studio();
+    folder.run("translate log.db --home home --to walked").ok();
+    let all = report(&folder)["explained"]["all"].clone();
+    let [real, relived, matched] = ["real", "relived", "matched"].map(|key| all[key].as_f64().unwrap());
+    assert!(real > 300.0 && matched / real > 0.8 && (relived - matched) / relived < 0.25, "{all}");
+    // Where he was told is where he was, most of the day.
+    let rooms = folder.query(
+        "truth.db",
+        "SELECT substr(at, 1, 19) AS at, coalesce(room, '') FROM room WHERE resident = 'walter' ORDER BY at",
+    );
+    let told = folder.read("walked/where.csv");
+    let told: Vec<(&str, &str)> = told
+        .lines()
+        .skip(1)
+        .filter(|line| !line.contains("somebody else"))
+        .map(|line| (&line[..19], line.split(',').nth(2).unwrap()))
+        .collect();
+    let room_at = |minute: usize| {
+        let at = format!("{:02}:{:02}:30", minute / 60, minute % 60);
+        let of = |all: &mut dyn Iterator<Item = (&str, &str)>| {
+            all.take_while(|(time, _)| &time[11..] <= at.as_str()).last().map(|(_, room)| room.to_owned())
+        };
+        let is = rooms.iter().map(|row| row.split_once('|').unwrap());
+        (of(&mut is.into_iter()), of(&mut told.iter().copied()))
+    };
+    let right = (1..1_440).filter(|&minute| matches!(room_at(minute), (Some(is), Some(told)) if is == told)).count();
+    assert!(right > 1_300, "{right} of 1439 minutes");
+    // The chances by room are those of the rooms that were told, and come to 1.
+    let rooms = folder.read("walked/rooms.csv");
+    let mut chances = std::collections::BTreeMap::new();
+    for line in rooms.lines().skip(1).filter(|line| line.contains(",walter,") && &line[11..19] <= "12:00:00") {
+        let cells: Vec<&str> = line.split(',').collect();
+        chances.insert(cells[2].to_owned(), cells[3].parse::<f64>().unwrap());
+    }
+    let sum: f64 = chances.values().sum();
+    assert!((sum - 1.0).abs() < 0.2, "{chances:?}");
+    let best = chances.iter().max_by(|a, b| a.1.total_cmp(b.1)).unwrap().0;
+    let told_at_noon = told.iter().take_while(|(time, _)| &time[11..] <= "12:00:00").last().unwrap().1;
+    assert_eq!(best.replace("out", ""), told_at_noon);
+    assert!(folder.path("walked/given/log.db").is_file());
+    // What it has written is a scenario, and its run one that can be looked at.
+    folder.run("check walked").ok();
+    folder.run("day walked/run 2026-03-02 --json");
+    folder.run("translate log.db --home home --to walked").fails(1, "walked exists already");
+}
+
+#[test]
+fn what_does_not_fit_is_said_with_its_share() {
+    let folder = studio();
+    folder.run("convert log.db --to csv:log.csv").ok();
+    let log = folder.read("log.csv").replace("M002", "M999");
+    folder.write("strange.csv", &log);
+    let done = folder.run("translate strange.csv --home home --to walked").ok();
+    assert!(done.err.contains("% of the rows are of sensors that the home does not have: M999"), "{}", done.err);
+    assert!(done.err.contains("nothing comes from bathroom motion"), "{}", done.err);
+    let header = log.lines().next().unwrap();
+    let of_attic: Vec<&str> = log.lines().filter(|line| line.contains("M999")).collect();
+    folder.write("none.csv", format!("{header}\n{}\n", of_attic.join("\n")));
+    folder.run("translate none.csv --home home --to never").fails(2, "none of the log's sensors is one of the home's");
+    folder.write("empty.csv", format!("{header}\n"));
+    folder.run("translate empty.csv --home home --to never").fails(2, "no rows");
+    assert!(!folder.path("never").exists());
+}
+
+#[test]
+fn time_that_runs_backward_and_rows_that_come_twice_are_walked_back_all_the_same() {
+    let folder = studio();
+    folder.run("convert log.db --to csv:log.csv").ok();
+    let log = folder.read("log.csv");
+    let mut lines: Vec<&str> = log.lines().collect();
+    let middle = lines.len() / 2;
+    lines[middle..middle + 40].reverse();
+    let again = lines[middle];
+    lines.insert(middle, again);
+    folder.write("mixed.csv", &(lines.join("\n") + "\n"));
+    folder.run("translate mixed.csv --home home --to walked").ok();
+    let all = report(&folder)["explained"]["all"].clone();
+    assert!(all["matched"].as_f64().unwrap() / all["real"].as_f64().unwrap() > 0.8, "{all}");
+}
