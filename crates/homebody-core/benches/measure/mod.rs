@@ -1,6 +1,9 @@
 //! What benchmarks measure with: the rows of a log, a bare loop that inserts them, and the middle of some measurements.
 
+mod spread;
+
 use rusqlite::{Connection, params};
+pub use spread::Spread;
 use std::fs;
 use std::path::Path;
 use std::time::Instant;
@@ -31,23 +34,4 @@ pub fn insert(path: &Path, rows: &[[String; 3]]) -> f64 {
     transaction.commit().expect("a commit");
     connection.close().expect("a closed database");
     start.elapsed().as_secs_f64()
-}
-
-/// The middle and the ends of some measurements.
-pub struct Spread {
-    pub least: f64,
-    pub median: f64,
-    pub most: f64,
-}
-
-impl Spread {
-    pub fn of(values: &[f64]) -> Spread {
-        let mut values = values.to_vec();
-        values.sort_by(f64::total_cmp);
-        Spread { least: values[0], median: values[values.len() / 2], most: values[values.len() - 1] }
-    }
-
-    pub fn line(&self, name: &str, decimals: usize) -> String {
-        format!("RATIO {name} {:.decimals$} {:.decimals$}..{:.decimals$}", self.median, self.least, self.most)
-    }
 }
