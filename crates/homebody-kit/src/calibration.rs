@@ -6,12 +6,15 @@
 //! day and turns by night, and how much days differ, cannot be read off: the fitted scenario is lived, its firings an hour are held
 //! against the log's, and the sentences are changed until they agree.
 //!
+//! How far sensors see and what they miss is what makes them fire most like the log when the walked path is lived again
+//! (`seeing`); the log is then walked back anew.
+//!
 //! We assume one resident, whose days are all of a kind.
 //!
-//! Left out: what sensors reach and how much they miss, which a log cannot tell from how much somebody moves; where furniture stands;
-//! visitors; weekdays.
+//! Left out: where furniture stands and sensors hang; visitors; weekdays.
 
 mod rhythm;
+mod seeing;
 mod sensing;
 
 use crate::cancel::Cancel;
@@ -30,6 +33,7 @@ use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 use homebody_core::time::{DAY, Micros};
 use homebody_log::{Event, Log, Rows};
 use rhythm::{Night, Rhythm};
+pub use seeing::Sight;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -51,6 +55,10 @@ pub struct Calibration {
 pub struct Fitted {
     /// What the log tells of its sensors and of the link.
     pub timing: Timing,
+    /// How far its sensors of movement see, and what they miss: of those that fired often enough to tell.
+    pub sights: Vec<Sight>,
+    /// The nights and days that the rhythm was read off.
+    pub nights: usize,
     /// The sentences of the routine.
     pub routine: Vec<String>,
     /// So many times as much movement while up as usual.
@@ -90,6 +98,8 @@ const DAY_SPREAD: &str = "life.day_spread";
 const MOST_DAY_SPREAD: f64 = 2.0;
 /// From fewer days nobody can say how much days differ (ours).
 const LEAST_DAYS: i64 = 5;
+/// Fewer nights tell a rhythm only roughly (ours).
+const FEW_NIGHTS: usize = 5;
 /// The routine's file.
 const ROUTINE: &str = "fitted.routine";
 
@@ -111,8 +121,9 @@ pub fn calibrate(log: &Log, home: &OpenScenario, mut progress: impl FnMut(f64)) 
     }
     let timing = timing(log);
     let sensed = sensing::fitted(scenario.edit(), &timing, &scenario.logger, scenario.link.as_ref()).load()?;
-    let walked = Source::of_texts(sensed.sources.clone(), sensed.entry.clone()).open()?;
-    let translation = walk_back(log, walked.scenario(), &Cancel::new(), |share| progress(share * 0.6))?;
+    let (seen, sights) = seeing::fitted(&sensed, log, |share| progress(share * 0.5))?;
+    let walked = Source::of_texts(seen.sources.clone(), seen.entry.clone()).open()?;
+    let translation = walk_back(log, walked.scenario(), &Cancel::new(), |share| progress(0.5 + share * 0.3))?;
     let log = Log { sensors: translation.names.clone(), ..log.clone() };
     let rhythm = Rhythm::of(&translation, walked.scenario());
     let Some(night) = rhythm.night() else {
@@ -125,6 +136,8 @@ pub fn calibrate(log: &Log, home: &OpenScenario, mut progress: impl FnMut(f64)) 
     let real = Rates::of(&log, &night);
     let mut fitted = Fitted {
         timing,
+        sights,
+        nights: rhythm.nights(),
         routine: rhythm.sentences(),
         movement: 1.0,
         turning: 1.0,
@@ -140,7 +153,7 @@ pub fn calibrate(log: &Log, home: &OpenScenario, mut progress: impl FnMut(f64)) 
         if let Some(times) = days_differ(&log, &lived).filter(|_| round == 0) {
             fitted.day_spread = (fitted.day_spread * times).min(MOST_DAY_SPREAD);
         }
-        progress(0.6 + 0.4 * (round + 1) as f64 / (ROUNDS + 1) as f64);
+        progress(0.8 + 0.2 * (round + 1) as f64 / (ROUNDS + 1) as f64);
     }
     let open = open(&walked, &fitted)?;
     fitted.firings_an_hour[1] = Rates::of(&lived(&open, SEED, DAYS)?, &night);
@@ -149,6 +162,14 @@ pub fn calibrate(log: &Log, home: &OpenScenario, mut progress: impl FnMut(f64)) 
 }
 
 impl Fitted {
+    /// What of it is to be believed only roughly, in a sentence.
+    pub fn doubt(&self) -> Option<String> {
+        (self.nights < FEW_NIGHTS).then(|| {
+            let nights = self.nights;
+            format!("the rhythm was read off {nights} nights: times and counts are rough\n  hint: a week and more tells a rhythm")
+        })
+    }
+
     /// The routine with how much somebody moves and turns.
     fn text(&self) -> String {
         let mut sentences = self.routine.clone();
@@ -228,8 +249,12 @@ fn open(walked: &OpenScenario, fitted: &Fitted) -> Result<OpenScenario, Error> {
 ///
 /// [`Error::Log`] if its logger has wrong names, and what a driver says that cannot go on.
 pub fn lived(open: &OpenScenario, seed: u64, days: u32) -> Result<Log, Error> {
+    lived_for(open, seed, Micros::from(days) * DAY)
+}
+
+/// The log of so much of a life, as [`lived`] has it.
+fn lived_for(open: &OpenScenario, seed: u64, length: Micros) -> Result<Log, Error> {
     let scenario = open.scenario();
-    let length = Micros::from(days) * DAY;
     let mut run = Run::new(scenario, open.household(), seed, length);
     let names: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
     let logger = LoggerFile { time: TimeFormat::Local, ..scenario.logger.clone() };

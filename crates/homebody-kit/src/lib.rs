@@ -55,7 +55,7 @@ pub mod walked;
 
 mod calibration;
 
-pub use calibration::{Calibration, Fitted, Rates, calibrate, lived};
+pub use calibration::{Calibration, Fitted, Rates, Sight, calibrate, lived};
 pub use cancel::Cancel;
 pub use cohort::{Cohort, CohortSetup, LivedCohort, Member, UnfinishedCohort};
 pub use cohort_list::{CohortList, ListedMember};

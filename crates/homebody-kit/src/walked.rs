@@ -186,7 +186,7 @@ fn report(name: &str, read: &LogWithRun, relived: &LogWithRun, translation: &Tra
 }
 
 /// The part of a log that is lived again, by the home's own names of its sensors.
-fn beginning(log: &Log, translation: &Translation) -> Log {
+pub(crate) fn beginning(log: &Log, translation: &Translation) -> Log {
     let end = translation.calendar.local(translation.acted_out).date();
     let is_strange = |name: &String| translation.strangers.iter().any(|(id, _)| id == name);
     let strange: Vec<bool> = translation.names.iter().map(is_strange).collect();

@@ -1,12 +1,13 @@
 //! A diary written as a routine: sentences with the times, the lengths and the frequencies of what somebody did.
 //!
 //! A day goes from one rising to the next. When somebody gets up and goes to bed is a triangle whose standard deviation is that of
-//! the diary. What is done soon after rising on most days is said by how long after. Of what takes long, such as outings, the first, the
-//! second and so on of a day each have a time of day, and so has each meal; of what is soon done, such as washing, it is said how many
-//! times a day it is, and of visits to the toilet how many times a night. Lengths and counts are those of four in five cases, from the
-//! first tenth to the last; where a few last much longer than most, these are said apart.
+//! the diary. What is done soon after rising on most days is said by how long after. Of what takes long, such as outings, the first,
+//! the second and so on of a day each have a time of day, and so has each meal; of what is soon done, such as washing, and of what
+//! has no name of its own, such as sitting somewhere, it is said how many times a day it is, and of visits to the toilet how many
+//! times a night. Lengths and counts are those of four in five cases, from the first tenth to the last; where a few last much longer
+//! than most, these are said apart.
 //!
-//! We assume that a night is the only sleep of three hours and more, in which one may have been up for three quarters of an hour, and
+//! We assume that a night is the only sleep of three hours and more, in which one may have been up for an hour and a half, and
 //! that what a diary could note and never does is not done.
 //!
 //! Left out: weekdays, whether one day is like the one before, and what follows what but for rising, and for eating what was
@@ -30,7 +31,7 @@ pub struct Noted {
 }
 
 /// Who sleeps on within so long was not up for the day (ours).
-const UP_AT_NIGHT: Micros = 45 * 60 * SECOND;
+const UP_AT_NIGHT: Micros = 90 * 60 * SECOND;
 /// A shorter sleep is a nap (ours).
 const SHORTEST_NIGHT: Micros = 3 * 3600 * SECOND;
 /// What begins within so long of rising, on at least half of the days, is done because of it (ours).
@@ -165,7 +166,9 @@ fn of_activity(what: &Activity, days: &[Day], mut of: Vec<Vec<&Noted>>) -> Vec<S
         return if said.is_empty() { at_their_times(what, days, &of) } else { said };
     }
     let lengths: Vec<f64> = of.iter().flatten().map(|one| seconds(one.end - one.begin)).collect();
-    match lengths.is_empty() || quantile(&lengths, 0.5) < seconds(LONG) {
+    // What has no name of its own, such as sitting, is done again and again.
+    let is_often = lengths.is_empty() || matches!(what, Activity::Other(_)) || quantile(&lengths, 0.5) < seconds(LONG);
+    match is_often {
         true => said.extend(shorter_and_longer(of).iter().filter_map(|of| times_a_day(what, days, of))),
         false => said.extend(at_their_times(what, days, &of)),
     }

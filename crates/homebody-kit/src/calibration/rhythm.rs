@@ -2,9 +2,11 @@
 //!
 //! | what | when |
 //! |---|---|
-//! | night | from noon to noon the longest time in bed, of three hours and more; who is back in bed within three quarters of an hour was not up |
+//! | night | from noon to noon the longest time in bed, of three hours and more; who is back in bed within an hour and a half was not up |
+//! | in bed by day | any other time in bed of twenty minutes and more |
 //! | outing | out for five minutes and more |
 //! | toilet, shower, washing | at the toilet, the shower, the washbasin for so long that it is no way past; washing after the toilet is part of it |
+//! | sitting | on an armchair, a sofa or a chair at a desk for ten minutes and more; who is back within five minutes sat on |
 //! | meal | at stove, counter, fridge or sink for four minutes and more, until one sits at the table: the longest in the morning, around noon and around six of each day |
 //!
 //! All limits are ours.
@@ -28,7 +30,12 @@ const HOUR: Micros = 60 * MINUTE;
 /// Who is nearer than this to a place is at it.
 const AT_M: f64 = 1.0;
 /// Who is back in bed within so long was not up.
-const UP_AT_NIGHT: Micros = 45 * MINUTE;
+const UP_AT_NIGHT: Micros = 90 * MINUTE;
+/// Who lies down by day for less does not rest there.
+const SHORTEST_NAP: Micros = 20 * MINUTE;
+/// Who is back in the seat within so long sat on.
+const SITS_ON: Micros = 5 * MINUTE;
+const SHORTEST_SITTING: Micros = 10 * MINUTE;
 const SHORTEST_NIGHT: Micros = 3 * HOUR;
 const SHORTEST_OUTING: Micros = 5 * MINUTE;
 /// Who is back in the kitchen within so long goes on with the meal.
@@ -45,6 +52,9 @@ const CARE: [(Role, Activity, Range<Micros>); 3] = [
     (Role::Shower, Activity::Shower, 2 * MINUTE..HOUR),
     (Role::Washbasin, Activity::Wash, MINUTE..HOUR),
 ];
+
+/// Where somebody sits for long, other than for a meal.
+const SEATS: [Role; 3] = [Role::Armchair, Role::Sofa, Role::Desk];
 
 /// Where food is prepared.
 const KITCHEN: [Role; 5] = [Role::Stove, Role::Counter, Role::Fridge, Role::Sink, Role::Drawers];
@@ -104,6 +114,12 @@ impl Rhythm {
         let places = Places::new(&scenario.home, plan, &mesh, &resident.name);
         let stays = stays(translation, &spots(&places));
         let mut noted = nights(&stays);
+        let naps = naps(&stays, &noted);
+        noted.extend(naps);
+        noted.extend(SEATS.into_iter().flat_map(|seat| {
+            let name = places.of(seat).map_or("", |spot| &spot.name);
+            sittings(&stays, seat, name)
+        }));
         let out = merged(&stays, 0, |stay| stay.is_out);
         let outings = out.into_iter().filter(|span| span.end - span.start >= SHORTEST_OUTING);
         noted.extend(outings.map(|span| done(Activity::Leave, span)));
@@ -117,6 +133,11 @@ impl Rhythm {
     pub fn sentences(&self) -> Vec<String> {
         let known: Vec<Activity> = self.noted.iter().map(|one| one.what.clone()).collect();
         sentences(&self.noted, &known)
+    }
+
+    /// How many nights it has.
+    pub fn nights(&self) -> usize {
+        self.noted.iter().filter(|one| one.what == Activity::GoToBed).count()
     }
 
     /// The usual night: the median of beds and risings; nothing where there are less than two nights.
@@ -201,6 +222,24 @@ fn nights(stays: &[Stay]) -> Vec<Noted> {
         }
     }
     longest.into_values().map(|span| done(Activity::GoToBed, span)).collect()
+}
+
+/// Times in bed that are none of the nights.
+fn naps(stays: &[Stay], nights: &[Noted]) -> Vec<Noted> {
+    let in_bed = merged(stays, SITS_ON, |stay| is_at(stay, &[Role::Bed]));
+    let is_nap = |span: &Range<Micros>| {
+        let is_of_night = nights.iter().any(|night| night.begin < span.end && span.start < night.end);
+        span.end - span.start >= SHORTEST_NAP && !is_of_night
+    };
+    let nap = || Activity::Other("naps in bed".into());
+    in_bed.into_iter().filter(is_nap).map(|span| done(nap(), span)).collect()
+}
+
+/// Times in a seat of this name.
+fn sittings(stays: &[Stay], seat: Role, name: &str) -> Vec<Noted> {
+    let spans = merged(stays, SITS_ON, |stay| is_at(stay, &[seat]));
+    let long = spans.into_iter().filter(|span| span.end - span.start >= SHORTEST_SITTING);
+    long.map(|span| done(Activity::Other(format!("sits in the {name}")), span)).collect()
 }
 
 fn care(stays: &[Stay]) -> Vec<Noted> {

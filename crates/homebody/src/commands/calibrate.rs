@@ -9,7 +9,7 @@ use homebody_analysis::dates::{date_of, midnight};
 use homebody_analysis::realism::{Measure, NotComparable, Realism, Told, realism};
 use homebody_core::problem::counted;
 use homebody_core::time::{DAY, Micros};
-use homebody_kit::{Calibration, Fitted, OpenScenario, Source, calibrate, lived};
+use homebody_kit::{Calibration, Fitted, OpenScenario, Sight, Source, calibrate, lived};
 use homebody_log::Log;
 use indicatif::{ProgressBar, ProgressStyle};
 use jiff::civil::Date;
@@ -129,6 +129,7 @@ impl Arguments {
             }
             write_file(&self.to.join("report.json"), json_text(&report)?.as_bytes(), false)
         })?;
+        report.fitted.doubt().iter().for_each(|doubt| tell(format_args!("{}: {doubt}", self.log)));
         if self.json {
             return print_json(&report);
         }
@@ -226,6 +227,20 @@ impl Parts {
     }
 }
 
+/// How far the sensors see and what they miss, a line each.
+fn sights(f: &mut fmt::Formatter, sights: &[Sight]) -> fmt::Result {
+    if sights.is_empty() {
+        return Ok(());
+    }
+    let width = sights.iter().map(|sight| sight.sensor.chars().count()).max().unwrap_or(0);
+    writeln!(f, "  {:width$}  {:>5}  {:>6}  {:>9}  {:>6}", "", "reach", "missed", "agreement", "before")?;
+    for Sight { sensor, reach, missed, agreement: [before, after] } in sights {
+        let missed = missed.map_or("-".into(), |missed| format!("{missed:.2}"));
+        writeln!(f, "  {sensor:width$}  {reach:>5.2}  {missed:>6}  {after:>9.2}  {before:>6.2}")?;
+    }
+    writeln!(f)
+}
+
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let Report { log, seen_days, unseen_days, fitted, measures } = self;
@@ -248,6 +263,7 @@ impl fmt::Display for Report {
             "movement {:.2} times the usual, turning {:.2} times, days differ by {:.2}\n",
             fitted.movement, fitted.turning, fitted.day_spread
         )?;
+        sights(f, &fitted.sights)?;
         fitted.routine.iter().try_for_each(|sentence| writeln!(f, "  {sentence}"))?;
         writeln!(f, "\n{:<18} {:>8} {:>10} {:>8}", "unseen days against", "fitted", "seen days", "before")?;
         for row in measures {

@@ -3,8 +3,14 @@
 use crate::folder::Folder;
 use serde_json::Value;
 
-/// A folder with the log of a home whose numbers are known: six days of units that hold their ONs for three seconds, of somebody who gets
-/// up at eight and goes to bed at ten, and the same home with numbers that are not those.
+/// The end of the line of the sensor in the hallway.
+const HALLWAY: &str = r#"[3.6, 2.4], [2.95, 2.4]], "preset": "casas_pulse" }"#;
+/// What the sensor in the middle of the hallway sees, half as wide and half as long.
+const HALF_AS_FAR: &str = "[[4.425, 1.925], [4.875, 1.925], [4.875, 2.375], [4.425, 2.375]]";
+
+/// A folder with the log of a home whose numbers are known: six days of units that hold their ONs for three seconds, one of which
+/// misses most of what passes and one sees half as far, of somebody who gets up at eight and goes to bed at ten; and the same home
+/// with numbers that are not those.
 fn known() -> Folder {
     let folder = Folder::new();
     folder.run("new known --template older-adult").ok();
@@ -14,11 +20,15 @@ fn known() -> Folder {
         folder.write(file, text.replace(from, to));
     };
     change("known/logger.json", "\"hold_s\": 4", "\"hold_s\": 3");
+    let home = folder.read("known/home.json");
+    change("known/home.json", HALLWAY, &HALLWAY.replace(" }", r#", "notice": { "chance": { "missed": 0.6 } } }"#));
+    change("known/home.json", "[[4.2, 1.7], [5.1, 1.7], [5.1, 2.6], [4.2, 2.6]]", HALF_AS_FAR);
     folder.write(
         "known/ada.routine",
         "She gets up at 8:00.\nShe goes to bed at 22:00.\nShe leaves the apartment at 15:00 for 2 hours.\n",
     );
     folder.run("run known --for 6d --quiet --out casas:log.txt").ok();
+    folder.write("known/home.json", home);
     change("known/logger.json", "\"hold_s\": 3", "\"hold_s\": 9");
     folder.write("known/ada.routine", "She gets up at 5:00.\nShe goes to bed at 20:00.\n");
     folder
@@ -52,6 +62,14 @@ fn the_numbers_of_a_life_that_is_known_are_found_again() {
     assert!(fitted < before, "{hours}");
     let lengths = report["measures"].as_array().unwrap().iter().find(|row| row["measure"] == "ON lengths").unwrap();
     assert!(lengths["fitted"].as_f64().unwrap() < 0.3 && lengths["before"].as_f64().unwrap() > 0.6, "{lengths}");
+    let sights = report["fitted"]["sights"].as_array().unwrap();
+    let of = |name: &str| sights.iter().find(|sight| sight["sensor"] == name).unwrap();
+    // Of few days nobody can say whether a sensor misses much or sees little.
+    let sees_less = |sight: &Value| sight["missed"].as_f64().unwrap() > 0.3 || sight["reach"].as_f64().unwrap() < 0.8;
+    assert!(sees_less(of("hallway")), "{sights:?}");
+    assert!(of("hallway middle")["reach"].as_f64().unwrap() < 0.8, "{sights:?}");
+    let as_they_were = sights.iter().filter(|sight| sight["reach"] == 1.0 && sight["missed"] == 0.12).count();
+    assert!(sights.len() > 10 && as_they_were * 10 > sights.len() * 6, "{sights:?}");
     folder.run("check fitted").ok();
     folder.run("calibrate casas:log.txt --home known --to fitted").fails(1, "fitted exists already");
 }
