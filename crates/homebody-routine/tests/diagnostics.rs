@@ -167,9 +167,7 @@ fn an_end_that_is_no_time_of_day() {
 #[test]
 fn how_long_within_a_day_without_from_when() {
     refused("She reads all day.", "all day", "says how long, but not from when", "from 14:00 to 17:00");
-    let text = "She sits in the armchair most of the afternoon.";
-    refused(text, "most of the afternoon", "says how long, but not from when", "");
-    understood("Most of the days she reads. All days she naps.");
+    understood("She sits in the armchair most of the afternoon. Most of the days she reads. All days she naps.");
 }
 
 #[test]
@@ -221,7 +219,7 @@ fn a_verb_that_goes_with_something_else() {
     refused("She whittles wood in the hall.", "whittles wood", "is nothing", own);
     refused("She has dreams.", "has dreams", "is nothing", "known are");
     let rule = "\"whenever she has been in bed for 10 hours, she gets up\"";
-    refused("She paces when she is restless.", "when", "is not understood here", rule);
+    refused("She paces when the moon is full.", "when", "is not understood here", rule);
     understood("Her son phones on Sunday.");
 }
 
@@ -529,10 +527,10 @@ fn every_sentence_that_a_hint_proposes_is_understood() {
         "She collects stamps.",
         "She urinates purple.",
         "She walks slowly.",
-        "She goes out when it rains.",
+        "She goes out whenever it thunders.",
         "She watches a lot of television in the evening.",
         "She is up three times a night.",
-        "She reads sidewise thrice at 10:00 because her eyes are bad.",
+        "She reads blorp thrice at 10:00 because her eyes are bad.",
         "She becomes agitated in the evening.",
         "Her lunch visits on Sunday for 2 hours.",
         "When she cannot sleep, she reads at night.",

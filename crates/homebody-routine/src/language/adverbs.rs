@@ -4,7 +4,7 @@ use super::activities;
 use super::amounts::{self, Amount, Unit, amount};
 use super::calendar;
 use super::often::{self, Often};
-use super::reader::Reader;
+use super::reader::{Reader, is_beginning};
 use super::times;
 use super::words::{Span, Token};
 use crate::fuzzy::Fuzzy;
@@ -142,6 +142,17 @@ fn when_doing(reader: &mut Reader) -> Option<When> {
     })
 }
 
+const ABOUT_WORDS: [&str; 4] = ["about", "around", "roughly", "approximately"];
+
+/// "around four", where nothing follows that four could be of.
+fn is_hour_by_itself(reader: &mut Reader) -> bool {
+    ABOUT_WORDS.contains(&reader.peek(0))
+        && reader.ahead(|reader| {
+            times::time(reader, true).is_some()
+                && (reader.token(0).is_none_or(|token| token == Token::Comma) || is_beginning(reader.peek(0)))
+        })
+}
+
 /// Who gets up by 8 does so in the half hour before it (ours).
 const BY_S: f64 = 1_800.0;
 
@@ -180,6 +191,11 @@ impl Adverbs {
             }
             found
         })
+    }
+
+    /// Whether a word is the name of a part of the day.
+    pub fn is_part(word: &str) -> bool {
+        times::PARTS.iter().any(|(names, _)| names.split('|').any(|name| name == word))
     }
 
     /// Reads all that come next.
@@ -293,7 +309,18 @@ impl Adverbs {
             return Some(());
         }
         let at = reader.eat("at");
-        let time = times::time(reader, at)?;
+        // "Her tablets, four in the morning and two at night": so many of them.
+        let is_count = !at
+            && reader.token(0) == Some(Token::Word)
+            && from.checked_sub(1).is_some_and(|before| reader.words[before].token == Token::Comma)
+            && self.when.is_none()
+            && !ABOUT_WORDS.contains(&reader.peek(0))
+            && !["half", "quarter", "noon", "midday", "midnight"].contains(&reader.peek(0));
+        if is_count {
+            return None;
+        }
+        let is_bare = at || is_hour_by_itself(reader);
+        let time = times::time(reader, is_bare)?;
         let span = reader.span(from);
         put(reader, &mut self.when, When::At(time.fuzzy()), span, kind);
         self.last = Last::When;

@@ -101,8 +101,8 @@ const UNITS: [(&str, (Unit, f64)); 20] = [
     ("times", (Unit::Times, 1.0)),
 ];
 
-pub const ABOUT: [(&str, ()); 5] =
-    [("about", ()), ("around", ()), ("roughly", ()), ("approximately", ()), ("some", ())];
+pub const ABOUT: [(&str, ()); 6] =
+    [("about", ()), ("around", ()), ("roughly", ()), ("approximately", ()), ("some", ()), ("nearly|almost", ())];
 
 /// An amount, if one comes next.
 pub fn amount(reader: &mut Reader) -> Option<Amount> {

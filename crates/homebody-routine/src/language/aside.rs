@@ -26,7 +26,7 @@ const MOST_TRIES: usize = 30;
 const LONGEST_SENTENCE: usize = 40;
 
 /// Words of which none is set aside: they say whether, when, how often, how much, or begin what does.
-const TELLING: &str = "not no never none nor neither without nothing nobody hardly barely scarcely except unless only \
+pub const TELLING: &str = "not no never none nor neither without nothing nobody hardly barely scarcely except unless only \
     instead rather refuses declines cannot unable if when whenever while until till once since before after during more \
     less fewer than longer shorter later sooner earlier faster slower better worse again increasingly gradually always \
     often usually sometimes rarely seldom occasionally regularly frequently constantly continually continuously repeatedly \
@@ -35,7 +35,7 @@ const TELLING: &str = "not no never none nor neither without nothing nobody hard
     months year years hour hours minute minutes second seconds morning mornings afternoon afternoons evening evenings \
     weekend weekends weekday weekdays today tomorrow yesterday tonight spring summer autumn winter january february march \
     april may june july august september october november december noon midday midnight lunchtime bedtime teatime mealtimes \
-    dinnertime suppertime dusk dawn sunrise sunset late early lately recently soon now then already still yet am pm o'clock \
+    dinnertime suppertime dusk dawn sunrise sunset late early lately recently soon then already yet am pm o'clock \
     christmas easter holiday holidays weeknight weeknights ages forever starts stops begins ends becomes becoming \
     increasing decreasing growing one two three four five six seven eight nine ten dozen couple several few many much \
     little lot lots plenty others somebody someone everybody everyone together upstairs downstairs outside outdoors away \
@@ -46,7 +46,7 @@ const BEGINNING: &str = "with for from to into of about among against using over
     because although though so which who that where despite due owing even very quite rather fairly really just simply";
 
 /// Of these, the ones that say where: what the home does not have is no matter of course.
-const WHERE: &str = "in on at by near under along across";
+pub const WHERE: &str = "in on at by near under along across";
 
 /// What a sentence says without one or two of its parts, and these parts.
 pub struct Aside {
@@ -104,7 +104,7 @@ fn windows(names: &Names, draft: &Draft, words: &[Word]) -> Vec<(usize, usize)> 
     found
 }
 
-fn is_one_of(list: &str, word: &str) -> bool {
+pub fn is_one_of(list: &str, word: &str) -> bool {
     list.split_whitespace().any(|one| one == word)
 }
 
@@ -208,7 +208,7 @@ fn is_known(reader: &mut Reader, is_origin: bool) -> bool {
 }
 
 /// Whether a word is nearly one that says when or where.
-fn is_slip(reader: &Reader, word: &str) -> bool {
+pub fn is_slip(reader: &Reader, word: &str) -> bool {
     const SHORT: usize = 5;
     let is_near = |known: &str| known != word && unknown::is_slip_of(word, known);
     word.len() >= SHORT && (vocabulary().any(is_near) || reader.names.of(&PLACES).any(is_near))

@@ -83,8 +83,12 @@ pub fn says_length(reader: &mut Reader, clause: &mut Clause) -> bool {
 
 /// "plays bingo at the community centre": what is done out of the home is being out.
 pub fn says_outside(reader: &mut Reader, clause: &mut Clause) -> bool {
-    if !matches!(clause.predicate, Predicate::Does(_) | Predicate::Own(_)) || clause.place.is_some() {
-        return false;
+    // "Spends Sunday at her son's": the day would be lost.
+    let says_when = |words: &str| words.split(' ').any(|word| is_weekday(word) || Adverbs::is_part(word));
+    match &clause.predicate {
+        Predicate::Does(_) if clause.place.is_none() => {}
+        Predicate::Own(words) if clause.place.is_none() && !says_when(words) => {}
+        _ => return false,
     }
     let found = reader.attempt(|reader| {
         if !reader.eat("at|in") {

@@ -317,9 +317,27 @@ const HALVES: [(&[Activity], [f64; 2], [f64; 2]); 9] = [
 
 const NONE: [f64; 2] = [0.0, 0.0];
 
+/// At these hours of the clock nobody does by night what is done by day (ours).
+const BY_DAY: [f64; 2] = [1.0, 6.0];
+
+/// What is done by night as well.
+const AT_ANY_HOUR: [Activity; 9] = [
+    Activity::UseBathroom,
+    Activity::LieAwake,
+    Activity::Wander,
+    Activity::Pace,
+    Activity::Lap,
+    Activity::Fall,
+    Activity::ComeHome,
+    Activity::Snack,
+    Activity::Relax,
+];
+
 /// Whether something is done in the second half of the day, where at this hour of the clock it is done in one half only.
 fn half_of(doing: &Activity, hour: f64) -> Option<bool> {
-    let (_, first, second) = HALVES.iter().find(|(activities, ..)| activities.contains(doing))?;
+    let of_doing = HALVES.iter().find(|(activities, ..)| activities.contains(doing));
+    let usual = (!AT_ANY_HOUR.contains(doing)).then_some((NONE, BY_DAY));
+    let (first, second) = &of_doing.map(|(_, first, second)| (*first, *second)).or(usual)?;
     let is_in = |[from, to]: &[f64; 2]| (*from..*to).contains(&(hour % 12.0));
     if is_in(first) { Some(false) } else { is_in(second).then_some(true) }
 }

@@ -72,6 +72,8 @@ pub struct Words {
     past: BTreeMap<String, String>,
     /// What is not clear, and what could be said instead.
     hints: Vec<(Way, String)>,
+    /// What is not said exactly, and how it is lived.
+    roughly: Vec<(Way, String)>,
     /// How activities are told.
     usual: Vec<(Activity, String)>,
     /// Of activities that a user has named: where, and how many minutes.
@@ -129,6 +131,7 @@ enum Section {
     Past,
     Means,
     Hints,
+    Roughly,
 }
 
 impl Words {
@@ -222,6 +225,11 @@ impl Words {
         self.hints.iter().filter(move |(way, _)| begins_with(way, word))
     }
 
+    /// How words are lived roughly of which this is the first.
+    pub fn roughly<'a>(&'a self, word: &'a str) -> impl Iterator<Item = &'a (Way, String)> {
+        self.roughly.iter().filter(move |(way, _)| begins_with(way, word))
+    }
+
     /// How many lines of words there are.
     pub fn count(&self) -> usize {
         self.lines.len()
@@ -282,6 +290,7 @@ impl Words {
             "VERBS" => return Ok(Section::Verbs),
             "PAST" => return Ok(Section::Past),
             "HINTS" => return Ok(Section::Hints),
+            "ROUGHLY" => return Ok(Section::Roughly),
             "MEANS" => return Ok(Section::Means),
             _ if is_list(name) => return Ok(Section::List(name.to_owned())),
             _ => {}
@@ -327,6 +336,7 @@ impl Words {
             Section::Past => "past",
             Section::Means => "means",
             Section::Hints => "hint",
+            Section::Roughly => "rough",
         };
         if !self.lines.insert(format!("{sort}: {line}")) {
             return Err((format!("{line:?} is said twice"), "leave one of the two lines out".into()));
@@ -343,7 +353,7 @@ impl Words {
                     self.past.insert(past.to_owned(), verb.to_owned());
                 }
             }
-            Section::Names | Section::Means | Section::Hints => {
+            Section::Names | Section::Means | Section::Hints | Section::Roughly => {
                 let Some((said, meant)) = line.split_once("=>") else {
                     let hint = "write the new words, then \"=>\" and known ones: \"settee => sofa\"".to_owned();
                     return Err((format!("{line:?} does not say what it means"), hint));
@@ -352,6 +362,7 @@ impl Words {
                 match section {
                     Section::Names => self.names.push((entry(said), meant.split(' ').map(str::to_owned).collect())),
                     Section::Hints => self.hints.push((self.way(said)?, meant.to_owned())),
+                    Section::Roughly => self.roughly.push((self.way(said)?, meant.to_owned())),
                     _ => self.means.push((self.way(said)?, meant.to_owned())),
                 }
             }

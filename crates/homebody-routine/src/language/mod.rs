@@ -41,8 +41,10 @@ mod rules;
 mod helping;
 mod remarks;
 mod aside;
+mod skim;
 mod parts;
 mod rewording;
+mod roughly;
 mod shape;
 mod joined;
 mod simpler;
@@ -64,8 +66,9 @@ use homebody_core::problem::Problem;
 pub use known::Known;
 pub use lexicon::Lexicon;
 use reader::{Names, Reader};
+use skim::skim;
 use std::ops::Range;
-use words::{Sentence, Span};
+use words::{Sentence, Span, Word};
 
 /// Longer lines are refused.
 pub const LONGEST_LINE: usize = 2_000;
@@ -184,24 +187,19 @@ fn one(draft: &mut Draft, names: &mut Names, faults: &mut Faults, heading: &mut 
     }
     let above = heading.as_ref().map(|heading| &heading.adverbs);
     let part = above.and_then(|above| above.part.as_ref()).map(|part| part.value);
-    let (shaped, words) = shape::in_shape(names, draft, &sentence.words);
     // Of a text in which nearly nothing is understood nobody asks what is beside the point.
-    let is_hopeless = faults.count() >= MOST_MENDED;
-    let is_read = is_hopeless || alone::read_alone(names, draft, draft.text, &words).is_some();
-    let aside = if is_read { None } else { set_aside(names, draft, &shaped) };
-    let words = match &aside {
-        Some(aside) => rewording::reworded(names, draft.text, &aside.words),
-        None => words,
+    let reading = match faults.count() >= MOST_MENDED {
+        true => None,
+        false => understood(draft, names, &sentence.words),
     };
-    if !is_read
-        && aside.is_none()
-        && let Some(parts) = parts::in_parts(names, draft, &sentence.words)
-    {
-        return in_parts(draft, names, faults, (heading, sentence), parts);
-    }
-    for left_out in aside.iter().flat_map(|aside| &aside.left_out) {
-        draft.routine.remarks.push(draft.said(*left_out));
-    }
+    let (shaped, words) = match reading {
+        Some(Reading::Parts(parts)) => return in_parts(draft, names, faults, (heading, sentence), parts),
+        Some(Reading::Whole(words, left_out)) => {
+            left_out.into_iter().for_each(|span| draft.routine.remarks.push(draft.said(span)));
+            (sentence.words.clone(), words)
+        }
+        None => shape::in_shape(names, draft, &sentence.words),
+    };
     let mut reader = Reader { words: &words, at: 0, names, faults, text: draft.text, part };
     let before = reader.faults.count();
     let Some(adverbs) = sentence::sentence(&mut reader, draft, above) else {
@@ -220,6 +218,39 @@ fn one(draft: &mut Draft, names: &mut Names, faults: &mut Faults, heading: &mut 
     if !sentence.indented {
         *heading = Some(Heading { adverbs, span: sentence.span(), is_used: failed });
     }
+}
+
+/// How a sentence is understood.
+enum Reading {
+    /// In one: the words that are read, and what is set aside.
+    Whole(Vec<Word>, Vec<Span>),
+    Parts(parts::Parts),
+}
+
+/// Reads a sentence as it stands; or without what is beside the point; or in parts; or with what is lived of it roughly.
+fn understood(draft: &Draft, names: &Names, words: &[Word]) -> Option<Reading> {
+    let exactly = |words: &[Word], leaves_out: bool| {
+        let (shaped, reworded) = shape::in_shape(names, draft, words);
+        if alone::read_alone(names, draft, draft.text, &reworded).is_some() {
+            return Some(Reading::Whole(reworded, Vec::new()));
+        }
+        if let Some(aside) = set_aside(names, draft, &shaped) {
+            return Some(Reading::Whole(rewording::reworded(names, draft.text, &aside.words), aside.left_out));
+        }
+        if let Some(aside) = skim(names, draft, &shaped) {
+            return Some(Reading::Whole(aside.words, aside.left_out));
+        }
+        parts::in_parts(names, draft, words, leaves_out).map(Reading::Parts)
+    };
+    let roughly = |leaves_out: bool| {
+        let (rough, without, told) = roughly::roughly(names, draft.text, words)?;
+        Some(match exactly(&rough, leaves_out).or_else(|| exactly(&without?, leaves_out))? {
+            Reading::Whole(words, left_out) => Reading::Whole(words, [left_out, told].concat()),
+            Reading::Parts(parts) => Reading::Parts(parts::Parts { remarks: [parts.remarks, told].concat(), ..parts }),
+        })
+    };
+    let read = |leaves_out: bool| exactly(words, leaves_out).or_else(|| roughly(leaves_out));
+    read(false).or_else(|| read(true)).or_else(|| parts::attitude(names, draft, words).map(Reading::Parts))
 }
 
 /// Lives the parts of a sentence that are lived, below the heading, and keeps the others.

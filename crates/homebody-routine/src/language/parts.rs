@@ -2,8 +2,9 @@
 //! remark, or lets the whole be refused.
 //!
 //! Kept are reasons, purposes, what somebody thinks or says, what was, and what is said of others or of things; the first words
-//! that tell them are lists of the lexicon. A part that holds a time, a number, a denial or something done, and is none of
-//! these, is never left out.
+//! that tell them are lists of the lexicon. Besides what is lived, a clause of its own may be kept that is not understood, such as
+//! "and won't let anyone else touch it": the user is told that it is not lived. Nothing is left out that limits the rest ("except",
+//! "if", "only", "until"), that says when another part is, or that would be the whole sentence.
 
 use super::activities;
 use super::adverbs::Adverbs;
@@ -13,9 +14,11 @@ use super::calendar::is_weekday;
 use super::draft::Draft;
 use super::faults::Faults;
 use super::joined::days_span;
-use super::reader::{Names, Reader, is_determiner};
+use super::lexicon::third_person;
+use super::reader::{Names, Reader, denies, is_determiner};
 use super::rewording::reworded;
 use super::shape::in_shape;
+use super::skim::skim;
 use super::subjects::{self, Subject};
 use super::words::{Span, Token, Word};
 use crate::routine::Routine;
@@ -23,6 +26,11 @@ use std::collections::BTreeMap;
 
 /// A sentence of more parts is several.
 const MOST_PARTS: usize = 9;
+/// A clause that is not understood costs as much as so many that are, and a word of it as much as one more of them (ours): the
+/// fewest words are left out.
+const LEFT_OUT: usize = 3;
+/// No less than this share of the words is lived (ours).
+const LEAST_LIVED: f64 = 0.34;
 /// No more sentences are tried without some of their parts.
 const MOST_TRIES: usize = 40;
 /// Longer sentences are read as they stand.
@@ -43,14 +51,18 @@ enum Kind {
     Said,
     /// A remark on what stands beside it.
     Beside,
+    /// A clause of its own that is not understood.
+    LeftOut,
 }
 
 /// Parts a sentence, if something of it is understood and all else is surely a remark.
-pub fn in_parts(names: &Names, draft: &Draft, words: &[Word]) -> Option<Parts> {
+/// Whether clauses may be left out, `leaves_out` says.
+pub fn in_parts(names: &Names, draft: &Draft, words: &[Word], leaves_out: bool) -> Option<Parts> {
     if words.len() > LONGEST {
         return None;
     }
-    let parting = Parting { names, draft, words, bounds: bounds(names, words), carried: carried(names, draft, words) };
+    let (bounds, carried) = (bounds(names, words), carried(names, draft, words));
+    let parting = Parting { names, draft, words, bounds, carried, leaves_out };
     if parting.bounds.len() > MOST_PARTS + 1 {
         return None;
     }
@@ -67,6 +79,7 @@ pub fn parts_of<'w>(names: &Names, words: &'w [Word]) -> Vec<&'w [Word]> {
 fn bounds(names: &Names, words: &[Word]) -> Vec<usize> {
     const JOINS: &str = "and but so because since as although though whereas which who whose whom where to due owing therefore \
         however otherwise yet despite instead rather in given for";
+    const WHO: [&str; 5] = ["she", "he", "they", "she's", "he's"];
     let joins = |at: usize| JOINS.split_whitespace().any(|join| join == words[at].text);
     let text = |at: usize| words.get(at).map_or("", |word| word.text.as_str());
     let why_in_front = names.lexicon.list("WHY", text).is_some();
@@ -75,7 +88,7 @@ fn bounds(names: &Names, words: &[Word]) -> Vec<usize> {
         let begins_why =
             ["WHY", "MINDS"].iter().any(|list| names.lexicon.list(list, |ahead| text(at + ahead)).is_some());
         let begins_clause = joins(*at) && !["to", "in", "for", "given", "rather", "instead"].contains(&text(*at));
-        let ends_why = why_in_front && *at > 2 && ["she", "he", "they"].contains(&text(*at));
+        let ends_why = why_in_front && *at > 2 && WHO.contains(&text(*at));
         (words[*at].token == Token::Comma || begins_clause || begins_why || ends_why) && !after_comma
     };
     let inner = (1..words.len()).filter(begins);
@@ -111,6 +124,7 @@ struct Parting<'a> {
     words: &'a [Word],
     bounds: Vec<usize>,
     carried: Carried,
+    leaves_out: bool,
 }
 
 impl Parting<'_> {
@@ -141,23 +155,28 @@ impl Parting<'_> {
     fn one_by_one(&self) -> Option<Parts> {
         let last = self.bounds.len() - 1;
         let mut kinds: BTreeMap<(usize, usize), Option<Kind>> = BTreeMap::new();
-        // Of each bound, the best way to go on from there: how many parts, and where the first ends.
+        // Of each bound, the best way to go on from there: what it costs, and where the first part ends.
         let mut best: Vec<Option<(usize, usize)>> = vec![None; last + 1];
         best[last] = Some((0, last));
         for from in (0..last).rev() {
             for to in (from + 1..=last).rev() {
                 let Some((more, _)) = best[to] else { continue };
-                if best[from].is_some_and(|(count, _)| count <= more + 1) {
+                if best[from].is_some_and(|(cost, _)| cost <= more + 1) {
                     continue;
                 }
                 let kind = self.kind(self.bounds[from], self.bounds[to]);
-                if kind.is_some() {
-                    best[from] = Some((more + 1, to));
+                let cost = match kind {
+                    Some(Kind::LeftOut) => LEFT_OUT + self.bounds[to] - self.bounds[from],
+                    _ => 1,
+                };
+                if kind.is_some() && best[from].is_none_or(|(best, _)| more + cost < best) {
+                    best[from] = Some((more + cost, to));
                 }
                 kinds.insert((from, to), kind);
             }
         }
-        let (mut found, mut at, mut is_said) = (Parts::default(), 0, false);
+        let (mut found, mut at, mut is_said, mut lived) = (Parts::default(), 0, false, 0);
+        let mut is_left_out = false;
         while at < last {
             let (_, to) = best[at]?;
             match kinds.remove(&(at, to))?? {
@@ -165,11 +184,14 @@ impl Parting<'_> {
                     let then =
                         self.words[self.bounds[at]..self.bounds[to]].iter().take(3).find(|word| word.text == "then");
                     let then = then.filter(|_| !found.lived.is_empty()).cloned();
+                    let then = then.or_else(|| self.goes_on(at, &found).then(|| word_of("then", &words[0])));
+                    lived += self.bounds[to] - self.bounds[at];
                     found.lived.push(then.into_iter().chain(words).collect());
                     found.remarks.extend(aside);
                 }
                 kind => {
                     is_said |= matches!(kind, Kind::Said);
+                    is_left_out |= matches!(kind, Kind::LeftOut);
                     found.remarks.push(self.span(self.bounds[at], self.bounds[to]));
                 }
             }
@@ -177,8 +199,16 @@ impl Parting<'_> {
         }
         // "She reads and naps or knits" leaves open what goes with what.
         let is_open = found.lived.len() > 1 && self.words.iter().any(|word| word.text == "or");
-        (is_said || !found.lived.is_empty() && !is_open).then_some(())?;
+        (is_said && !is_left_out || !found.lived.is_empty() && !is_open).then_some(())?;
+        (!is_left_out || lived as f64 >= LEAST_LIVED * self.words.len() as f64).then_some(())?;
         self.are_of_one_time(&found.lived).then_some(found)
+    }
+
+    /// "Wakes at 3, makes toast": what has no time of its own, and nobody else who does it, is done then.
+    fn goes_on(&self, at: usize, found: &Parts) -> bool {
+        let part = without_join(trimmed(&self.words[self.bounds[at]..self.bounds[at + 1]]));
+        let begins_verb = part.first().is_some_and(|first| self.names.lexicon.is_third_person(&first.text));
+        at > 0 && !found.lived.is_empty() && begins_verb && self.says_no_more_time(part)
     }
 
     /// What the words between two bounds are, if that is sure.
@@ -188,6 +218,12 @@ impl Parting<'_> {
         }
         let part = trimmed(&self.words[from..to]);
         let words = if from == 0 { part } else { without_join(part) };
+        let is_fragment = ["and", "or"].contains(&self.words[from].text.as_str())
+            && words.first().is_some_and(|first| is_determiner(&first.text))
+            && !words.iter().any(|word| self.is_verb(&word.text));
+        if is_fragment && !self.follows_what_is_lived(from) {
+            return None;
+        }
         if let Some(kind) = self.understood(words) {
             return Some(kind);
         }
@@ -197,7 +233,16 @@ impl Parting<'_> {
         {
             return Some(kind);
         }
-        (self.is_past(words) || self.is_of_others(from, to)).then_some(Kind::Beside)
+        if self.is_past(words) || self.is_of_others(from, to) {
+            return Some(Kind::Beside);
+        }
+        (self.leaves_out && from > 0 && self.may_be_left_out(words)).then_some(Kind::LeftOut)
+    }
+
+    /// Whether the part that ends there is lived by itself.
+    fn follows_what_is_lived(&self, at: usize) -> bool {
+        let before = self.bounds.iter().rev().find(|bound| **bound < at).copied().unwrap_or(0);
+        matches!(self.understood(without_join(trimmed(&self.words[before..at]))), Some(Kind::Lived(..)))
     }
 
     fn understood(&self, words: &[Word]) -> Option<Kind> {
@@ -206,8 +251,11 @@ impl Parting<'_> {
         }
         let (said, shaped) = in_shape(self.names, self.draft, words);
         let Some(routine) = read_alone(self.names, self.draft, self.draft.text, &shaped) else {
-            let aside = set_aside(self.names, self.draft, &said)?;
-            return Some(Kind::Lived(reworded(self.names, self.draft.text, &aside.words), aside.left_out));
+            if let Some(aside) = set_aside(self.names, self.draft, &said) {
+                return Some(Kind::Lived(reworded(self.names, self.draft.text, &aside.words), aside.left_out));
+            }
+            let aside = skim(self.names, self.draft, &said)?;
+            return Some(Kind::Lived(aside.words, aside.left_out));
         };
         if is_something(&routine) {
             return Some(Kind::Lived(shaped, Vec::new()));
@@ -218,7 +266,13 @@ impl Parting<'_> {
     /// A later part with the days and the visitor of the first.
     fn with_carried(&self, words: &[Word]) -> Vec<Word> {
         let Some(first) = words.first() else { return Vec::new() };
-        let begins_verb = self.names.lexicon.is_third_person(&first.text);
+        let lexicon = &self.names.lexicon;
+        let begins_verb = lexicon.is_third_person(&first.text);
+        // "I wake at five, make tea".
+        let writes = self.words.iter().find(|word| word.text == "i");
+        if let Some(writes) = writes.filter(|_| !begins_verb && lexicon.is_third_person(&third_person(&first.text))) {
+            return [std::slice::from_ref(writes), words].concat();
+        }
         let visitor: &[Word] = if begins_verb { &self.carried.visitor } else { &[] };
         [&self.carried.days, visitor, words].concat()
     }
@@ -226,6 +280,10 @@ impl Parting<'_> {
     /// Whether no part leaves open whether the days of another are its own, too.
     fn are_of_one_time(&self, lived: &[Vec<Word>]) -> bool {
         let says_days = |words: &Vec<Word>| {
+            let words = match words.first() {
+                Some(first) if first.text == "then" => &words[1..],
+                _ => &words[..],
+            };
             let routine = read_alone(self.names, self.draft, self.draft.text, words).unwrap_or_default();
             routine.habits.iter().all(|habit| habit.days != crate::routine::Days::ALL)
         };
@@ -300,6 +358,74 @@ impl Parting<'_> {
         is_thing && self.is_plain(from, to) || (is_aid || has_last("OTHERS", first)) && self.says_no_time(words)
     }
 
+    /// Whether these words are a clause of their own that limits nothing.
+    fn may_be_left_out(&self, words: &[Word]) -> bool {
+        const LIMITS: [&str; 14] = [
+            "except",
+            "unless",
+            "if",
+            "only",
+            "instead",
+            "rather",
+            "until",
+            "till",
+            "when",
+            "whenever",
+            "without",
+            "apart",
+            "excluding",
+            "or",
+        ];
+        const LEAST: usize = 3;
+        let limits = |word: &Word| LIMITS.contains(&word.text.as_str());
+        let is_bare = |word: &Word| word.token == Token::Word;
+        let denies_bare = |word: &Word| denies(&word.text) && !word.text.ends_with("n't");
+        if words.len() < LEAST || words.iter().any(limits) || words.first().is_some_and(denies_bare) {
+            return false;
+        }
+        // "Twice a day, usually in the morning" is said of what stands before it.
+        const SAID_MORE: [&str; 14] = [
+            "once",
+            "usually",
+            "mostly",
+            "generally",
+            "normally",
+            "typically",
+            "sometimes",
+            "perhaps",
+            "maybe",
+            "round",
+            "at",
+            "say",
+            "especially",
+            "particularly",
+        ];
+        let is_clock = |word: &Word| !matches!(word.token, Token::Word | Token::Comma);
+        let says_more =
+            words.first().is_some_and(|first| SAID_MORE.contains(&first.text.as_str())) && !words.iter().any(is_clock);
+        let denies_something = words.iter().any(|word| denies(&word.text) || word.text.ends_with("n't"));
+        // "Then does not eat" is something that could be lived.
+        const DONE: [&str; 12] =
+            ["eat", "drink", "sleep", "go", "get", "wash", "bathe", "dress", "take", "leave", "cook", "read"];
+        let denies_a_deed = words.windows(2).any(|pair| {
+            (denies(&pair[0].text) || pair[0].text.ends_with("n't")) && DONE.contains(&pair[1].text.as_str())
+        });
+        if denies_a_deed {
+            return false;
+        }
+        let tells_when = !self.says_no_time(words);
+        let holds_verb = words.iter().any(|word| is_bare(word) && self.is_verb(&word.text));
+        !(tells_when && denies_something) && (holds_verb || says_more || !tells_when)
+    }
+
+    fn is_verb(&self, word: &str) -> bool {
+        const BE: [&str; 18] = [
+            "is", "are", "was", "were", "has", "have", "had", "does", "do", "did", "will", "would", "can", "could",
+            "may", "might", "must", "should",
+        ];
+        BE.contains(&word) || self.names.lexicon.is_third_person(word) || word.ends_with("'s") || word.ends_with("'ll")
+    }
+
     /// Whether no word of these says when, how often or how many, and the person does nothing in them.
     fn says_no_time(&self, words: &[Word]) -> bool {
         let mut faults = Faults::of_trial();
@@ -312,6 +438,20 @@ impl Parting<'_> {
                 || reader.ahead(|reader| reader.eat("she|he|they") && activities::activity(reader).is_some())
                 || reader.ahead(|reader| reader.eat("her|him|them|mum|dad") && activities::activity(reader).is_some());
             if is_when {
+                return false;
+            }
+            reader.at += 1;
+        }
+        true
+    }
+
+    /// Whether none of these words says when or how often.
+    fn says_no_more_time(&self, words: &[Word]) -> bool {
+        let mut faults = Faults::of_trial();
+        let (names, text) = (self.names, self.draft.text);
+        let mut reader = Reader { words, at: 0, names, faults: &mut faults, text, part: None };
+        while !reader.is_over() {
+            if reader.ahead(|reader| Adverbs::default().next(reader)) || is_weekday(reader.peek(0)) {
                 return false;
             }
             reader.at += 1;
@@ -332,6 +472,35 @@ impl Parting<'_> {
             _ => Span::default(),
         }
     }
+}
+
+/// A word that is put in where another stands.
+fn word_of(text: &str, at: &Word) -> Word {
+    Word { text: text.to_owned(), token: Token::Word, ..at.clone() }
+}
+
+/// A sentence of which nothing can be lived, that says what somebody thinks, can do or needs, and no time: a remark as a whole.
+pub fn attitude(names: &Names, draft: &Draft, words: &[Word]) -> Option<Parts> {
+    let mut faults = Faults::of_trial();
+    let mut reader = Reader { words, at: 0, names, faults: &mut faults, text: draft.text, part: None };
+    match subjects::subject(&mut reader) {
+        Some(Subject::Person) | None => {}
+        Some(_) => return None,
+    }
+    while reader.eat("also|still|always|only|ever|really|strongly|just|never|very|much|often|usually") {}
+    if reader.ahead(|reader| activities::activity(reader).is_some()) {
+        return None;
+    }
+    // "She is busy" may be anything.
+    const LEAST: usize = 5;
+    names.lexicon.list("ATTITUDES", |ahead| reader.peek(ahead)).filter(|_| words.len() >= LEAST)?;
+    let is_when = |word: &Word| {
+        !matches!(word.token, Token::Word | Token::Comma) || is_weekday(&word.text) || Adverbs::is_part(&word.text)
+    };
+    (!words.iter().any(is_when)).then(|| Parts {
+        lived: Vec::new(),
+        remarks: vec![words.first().map_or(Span::default(), |first| first.span.to(words[words.len() - 1].span))],
+    })
 }
 
 /// Whether a routine says more than remarks.

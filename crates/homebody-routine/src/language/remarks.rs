@@ -37,6 +37,8 @@ const STATES: &[(&str, Rest)] = &[
     ("refuses|refuse|declines|accepts personal", Rest::Any),
     ("refuses|refuse|declines|accepts|resists help|care|support|assistance|treatment", Rest::Any),
     ("has|have declined|deteriorated|improved|worsened|changed|fallen|broken|stayed|remained|been", Rest::Any),
+    ("can|cannot|can't|could|couldn't", Rest::Any),
+    ("would rather|sooner", Rest::Any),
     ("wants|want|wishes|hopes", Rest::Any),
     ("would like|love", Rest::Any),
     ("misses|miss her|him|them|home|company", Rest::Any),

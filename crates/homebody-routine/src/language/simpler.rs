@@ -99,7 +99,10 @@ fn clearer_than(names: &Names, draft: &Draft, words: &[Word]) -> Option<String> 
     let mut faults = Faults::of_trial();
     let mut reader = Reader { words, at: 0, names, faults: &mut faults, text: draft.text, part: None };
     while let Some(word) = words.get(reader.at) {
-        let ways = lexicon.hinted(&word.text).filter_map(|(way, meant)| Some((fits(&reader, way)?, meant)));
+        let ways = lexicon
+            .hinted(&word.text)
+            .chain(lexicon.roughly(&word.text))
+            .filter_map(|(way, meant)| Some((fits(&reader, way)?, meant)));
         if let Some((end, meant)) = ways.max_by_key(|(end, _)| *end) {
             said.extend(meant.split(' ').filter(|word| !word.is_empty()).map(str::to_owned));
             is_other = true;

@@ -34,5 +34,18 @@ pub const VISITS: [&str; 27] = [
 ];
 
 pub fn visits(reader: &mut Reader) -> bool {
-    VISITS.iter().any(|phrase| reader.eat(phrase))
+    VISITS.iter().any(|phrase| reader.eat(phrase)) || calls(reader)
+}
+
+/// Who comes on duty calls at the house; friends and relatives may call on the telephone.
+fn calls(reader: &mut Reader) -> bool {
+    let before = reader.at.checked_sub(1).map(|before| &reader.words[before].text);
+    let is_on_duty = before.is_some_and(|before| reader.names.lexicon.has_last("PEOPLE", before) && !is_friend(before));
+    let calls_somebody = ["her", "him", "them", "mum", "dad", "me", "us"].contains(&reader.peek(1));
+    is_on_duty && !calls_somebody && reader.eat("calls|call")
+}
+
+fn is_friend(who: &str) -> bool {
+    const FRIENDS: &str = "friend neighbour neighbor grandchildren child children family relative visitor";
+    FRIENDS.split(' ').any(|friend| friend == who.trim_end_matches('s') || friend == who)
 }
