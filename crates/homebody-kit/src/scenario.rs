@@ -11,6 +11,7 @@ use homebody_core::scenario::remarks;
 use homebody_core::time::{DAY, Micros};
 use homebody_routine::household::{self, Household};
 use homebody_routine::living::account::Difference;
+use homebody_routine::routine::Routine;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -101,6 +102,8 @@ impl OpenScenario {
         let mut all = remarks::of(&self.scenario, length);
         all.extend(idle_sensors::remarks(&self.scenario, &self.household));
         all.extend(self.household.foretold(days(length)).iter().map(foretold));
+        let routines = (0..self.scenario.residents.len()).filter_map(|resident| self.household.routine(resident));
+        all.extend(routines.filter_map(not_lived));
         all
     }
 
@@ -207,6 +210,20 @@ impl OpenScenario {
 /// In how many days a run is lived, the last of them perhaps in part.
 fn days(length: Micros) -> i32 {
     i32::try_from((length + DAY - 1).div_euclid(DAY)).unwrap_or(i32::MAX)
+}
+
+/// What a routine says beside what is lived, in one remark.
+fn not_lived(routine: &Routine) -> Option<Problem> {
+    /// So many are quoted (ours).
+    const QUOTED: usize = 3;
+    let first = routine.remarks.first()?;
+    let quotes: Vec<String> = routine.remarks.iter().take(QUOTED).map(|remark| format!("{:?}", remark.text)).collect();
+    let more = routine.remarks.len() - quotes.len();
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    let what = format!("kept, and not lived: {}{more}", quotes.join(", "));
+    let hint = "homebody routine explain says what is lived of each sentence".to_owned();
+    let (line, column) = (first.line, first.column);
+    Some(Problem { line, column, ..Problem::of_file(&routine.file, what, Some(hint)) })
 }
 
 /// What can be told of a sentence before the run.

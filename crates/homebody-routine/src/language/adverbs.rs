@@ -309,16 +309,6 @@ impl Adverbs {
             return Some(());
         }
         let at = reader.eat("at");
-        // "Her tablets, four in the morning and two at night": so many of them.
-        let is_count = !at
-            && reader.token(0) == Some(Token::Word)
-            && from.checked_sub(1).is_some_and(|before| reader.words[before].token == Token::Comma)
-            && self.when.is_none()
-            && !ABOUT_WORDS.contains(&reader.peek(0))
-            && !["half", "quarter", "noon", "midday", "midnight"].contains(&reader.peek(0));
-        if is_count {
-            return None;
-        }
         let is_bare = at || is_hour_by_itself(reader);
         let time = times::time(reader, is_bare)?;
         let span = reader.span(from);

@@ -42,7 +42,7 @@ pub const TELLING: &str = "not no never none nor neither without nothing nobody 
     first last next alternate weather rain rains raining rainy snow snows snowing snowy wet";
 
 /// Words that what is set aside may begin with.
-const BEGINNING: &str = "with for from to into of about among against using over through in on at by near under along across like as \
+pub const BEGINNING: &str = "with for from to into of about among against using over through in on at by near under along across like as \
     because although though so which who that where despite due owing even very quite rather fairly really just simply";
 
 /// Of these, the ones that say where: what the home does not have is no matter of course.

@@ -25,6 +25,9 @@ struct Face {
 /// Of what ends after another time, it is the first of the two that may be meant.
 pub fn clock(reader: &mut Reader, bare: bool, begin: Option<f64>) -> Option<f64> {
     let from = reader.at;
+    if !bare && counts_tablets(reader) {
+        return None;
+    }
     if reader.eat("noon|midday") || reader.eat("12|twelve noon|midday") {
         return Some(12.0 * HOUR_S);
     }
@@ -66,6 +69,17 @@ pub fn clock(reader: &mut Reader, bare: bool, begin: Option<f64>) -> Option<f64>
         Some(is_late) if by_twelve => face.after_twelve_s() + if is_late { DAY_S / 2.0 } else { 0.0 },
         _ => face.hours * HOUR_S + face.minutes * 60.0,
     })
+}
+
+/// "Her tablets, four in the morning and two at night": so many of them.
+fn counts_tablets(reader: &Reader) -> bool {
+    const COUNTED: [&str; 9] =
+        ["tablets", "pills", "capsules", "puffs", "drops", "units", "cups", "glasses", "spoonfuls"];
+    let is_bare = reader.token(0) == Some(Token::Word)
+        && !["half", "quarter", "noon", "midday", "midnight"].contains(&reader.peek(0));
+    let before = reader.at.checked_sub(1).map(|before| &reader.words[before]);
+    let follows = before.is_some_and(|before| before.token == Token::Comma || before.text == "and");
+    is_bare && follows && reader.words[..reader.at].iter().any(|word| COUNTED.contains(&word.text.as_str()))
 }
 
 impl Face {

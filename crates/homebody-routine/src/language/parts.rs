@@ -377,7 +377,11 @@ impl Parting<'_> {
             "or",
         ];
         const LEAST: usize = 3;
-        let limits = |word: &Word| LIMITS.contains(&word.text.as_str());
+        // "Carer only does the stockings" limits what the carer does.
+        let is_other = words.first().is_some_and(|first| {
+            ["PEOPLE", "RELATIVES"].iter().any(|list| self.names.lexicon.has_last(list, &first.text))
+        });
+        let limits = |word: &Word| LIMITS.contains(&word.text.as_str()) && !(is_other && word.text == "only");
         let is_bare = |word: &Word| word.token == Token::Word;
         let denies_bare = |word: &Word| denies(&word.text) && !word.text.ends_with("n't");
         if words.len() < LEAST || words.iter().any(limits) || words.first().is_some_and(denies_bare) {

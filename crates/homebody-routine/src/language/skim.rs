@@ -10,7 +10,7 @@
 use super::activities;
 use super::adverbs::Adverbs;
 use super::alone::read_alone;
-use super::aside::{Aside, TELLING, WHERE, is_one_of, is_slip};
+use super::aside::{Aside, BEGINNING, TELLING, WHERE, is_one_of, is_slip};
 use super::calendar::is_weekday;
 use super::clause::place;
 use super::draft::Draft;
@@ -77,8 +77,15 @@ fn taken(names: &Names, draft: &Draft, words: &[Word]) -> Option<Vec<bool>> {
     let mut is_object = !is_beginning(reader.peek(0));
     while !reader.is_over() {
         let (from, before) = (reader.at, reader.faults.count());
+        let so_far = adverbs.clone();
+        let follows_comma = from > 0 && words[from - 1].token == Token::Comma;
         if adverbs.next(&mut reader) && reader.faults.count() == before {
-            take(from, reader.at);
+            // "Breakfast, usually porridge": how often is said of what follows.
+            let is_of_next = follows_comma && adverbs.chance != so_far.chance && !reader.is_over();
+            match is_of_next {
+                true => adverbs = so_far,
+                false => take(from, reader.at),
+            }
             is_object = false;
             continue;
         }
@@ -93,8 +100,9 @@ fn taken(names: &Names, draft: &Draft, words: &[Word]) -> Option<Vec<bool>> {
         let is_elsewhere = is_one_of(WHERE, reader.peek(0)) && ["the", "a", "an"].contains(&reader.peek(1));
         let is_wrong_place = is_elsewhere && !matches!(doing, Activity::Leave | Activity::Visit);
         // "Westerns" may be read, but nobody knows what "blorp" is.
-        let is_bare =
-            reader.token(0) == Some(Token::Word) && !is_determiner(reader.peek(0)) && !reader.peek(0).ends_with('s');
+        let word = reader.peek(0);
+        let is_named = is_determiner(word) || is_one_of(BEGINNING, word) || word.ends_with('s');
+        let is_bare = reader.token(0) == Some(Token::Word) && !is_named;
         let is_unknown = is_object && reader.at == object && is_bare && doing != Activity::Leave;
         if is_object && !leaves_it_the_same(&doing) || is_unknown || is_wrong_place || !may_be_passed(&mut reader) {
             return None;
