@@ -292,16 +292,20 @@ fn half_by_doing(reader: &mut Reader, from: usize, face: Face) -> Option<bool> {
         "asleep" if (7.0..12.0).contains(&hour) => return Some(true),
         _ => {}
     }
-    let doing = |reader: &mut Reader, at: usize| {
-        reader.ahead(|reader| {
-            reader.at = at;
-            activities::activity(reader).or_else(|| activities::noun(reader))
-        })
-    };
     /// Further away, something else is meant.
     const NEAR: usize = 20;
-    let before = (from.saturating_sub(NEAR)..from).rev().find_map(|at| doing(reader, at));
-    let doing = before.or_else(|| (from..reader.words.len().min(from + NEAR)).find_map(|at| doing(reader, at)));
+    let near = |reader: &mut Reader, named: fn(&mut Reader) -> Option<Activity>| {
+        let at = |reader: &mut Reader, at: usize| {
+            reader.ahead(|reader| {
+                reader.at = at;
+                named(reader)
+            })
+        };
+        let before = (from.saturating_sub(NEAR)..from).rev().find_map(|from| at(reader, from));
+        before.or_else(|| (from..reader.words.len().min(from + NEAR)).find_map(|from| at(reader, from)))
+    };
+    // Of "naps on the bed" the nap.
+    let doing = near(reader, activities::activity).or_else(|| near(reader, activities::noun));
     let comes = |reader: &mut Reader| {
         (0..from).any(|at| {
             reader.at = at;

@@ -3,7 +3,7 @@
 use super::activities;
 use super::adverbs::Adverbs;
 use super::called::person_called;
-use super::helping::visiting;
+use super::helping::{seeing_to, visiting};
 use super::reader::{Reader, is_determiner};
 use super::remarks::remark;
 use super::words::Token;
@@ -157,6 +157,7 @@ fn visitor_verb(reader: &mut Reader) -> bool {
     Adverbs::default().all(reader);
     reader.eat("also|usually|often|still|no");
     reader.ahead(|reader| visiting(reader).is_some())
+        || reader.ahead(|reader| seeing_to(reader).is_some())
         || reader.ahead(|reader| activities::activity(reader).is_some())
         || reader.ahead(|reader| remark(reader).is_some())
         || reader.eat("is|are|has|does|stays|helps")
