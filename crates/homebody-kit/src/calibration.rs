@@ -13,6 +13,7 @@
 //!
 //! Left out: where furniture stands and sensors hang; visitors; weekdays.
 
+mod lived;
 mod rhythm;
 mod seeing;
 mod sensing;
@@ -22,16 +23,14 @@ use crate::error::Error;
 use crate::scenario::{OpenScenario, numbers};
 use crate::source::Source;
 use crate::translation::walk_back;
-use homebody_analysis::dates::midnight;
 use homebody_analysis::realism::{Told, realism};
 use homebody_analysis::signs::{Kind, Says, kinds, says};
 use homebody_analysis::timing::{Timing, timing};
-use homebody_core::event::Events;
-use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 use homebody_core::time::{DAY, Micros};
-use homebody_log::{Event, Log, Rows};
+use homebody_log::{Event, Log};
+use lived::SEED;
+pub use lived::lived;
 use rhythm::{Night, Rhythm};
 pub use seeing::Sight;
 use serde::Serialize;
@@ -85,8 +84,6 @@ pub struct Rates {
 const ROUNDS: usize = 3;
 /// So many days are lived each time (ours).
 const DAYS: u32 = 28;
-/// Always the same life, so that what changes is what the sentences change.
-const SEED: u64 = 1;
 /// How many times as much movement, and turning in bed, there is at least and at most (ours).
 const MOVEMENT: Range<f64> = 0.1..4.0;
 const TURNING: Range<f64> = 0.05..10.0;
@@ -241,38 +238,4 @@ fn open(walked: &OpenScenario, fitted: &Fitted) -> Result<OpenScenario, Error> {
     });
     let entry = edit.entry().to_owned();
     Source::of_texts(edit.into_texts(), entry).open()
-}
-
-/// The log of so many days of a life in a scenario, on the clock on the wall and by the home's own names of sensors.
-///
-/// # Errors
-///
-/// [`Error::Log`] if its logger has wrong names, and what a driver says that cannot go on.
-pub fn lived(open: &OpenScenario, seed: u64, days: u32) -> Result<Log, Error> {
-    lived_for(open, seed, Micros::from(days) * DAY)
-}
-
-/// The log of so much of a life, as [`lived`] has it.
-fn lived_for(open: &OpenScenario, seed: u64, length: Micros) -> Result<Log, Error> {
-    let scenario = open.scenario();
-    let mut run = Run::new(scenario, open.household(), seed, length);
-    let names: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
-    let logger = LoggerFile { time: TimeFormat::Local, ..scenario.logger.clone() };
-    let mut rows = Rows::new(&logger, seed, &names, &scenario.calendar)?;
-    let midnight = midnight(scenario.calendar.local(0).date());
-    let mut log = Log { sensors: names, ..Log::default() };
-    let mut events = Events::default();
-    while run.now() < length {
-        run.advance((run.now() + DAY / 24).min(length), &mut events)?;
-        for row in rows.of(&events.firings, run.settled()) {
-            let known = log.values.iter().position(|value| *value == row.value);
-            let value = known.unwrap_or_else(|| {
-                log.values.push(row.value);
-                log.values.len() - 1
-            });
-            log.events.push(Event { at: midnight + row.at, sensor: row.sensor.0, value: value as u32 });
-        }
-        events.clear();
-    }
-    Ok(log)
 }

@@ -17,7 +17,7 @@
 //!
 //! Left out: where a sensor hangs and looks, and how small a movement it notices. What notices every movement misses nothing.
 
-use super::{SEED, lived_for};
+use super::lived::{SEED, lived_for};
 use crate::cancel::Cancel;
 use crate::error::Error;
 use crate::source::Source;

@@ -243,8 +243,8 @@ fn understood(draft: &Draft, names: &Names, words: &[Word]) -> Option<Reading> {
         parts::in_parts(names, draft, words, leaves_out).map(Reading::Parts)
     };
     let roughly = |leaves_out: bool| {
-        let (rough, without, told) = roughly::roughly(names, draft.text, words)?;
-        Some(match exactly(&rough, leaves_out).or_else(|| exactly(&without?, leaves_out))? {
+        let roughly::Rough { lived, without, told } = roughly::roughly(names, draft.text, words)?;
+        Some(match exactly(&lived, leaves_out).or_else(|| exactly(&without?, leaves_out))? {
             Reading::Whole(words, left_out) => Reading::Whole(words, [left_out, told].concat()),
             Reading::Parts(parts) => Reading::Parts(parts::Parts { remarks: [parts.remarks, told].concat(), ..parts }),
         })

@@ -10,27 +10,36 @@ use super::words::{Span, Word};
 /// What is so on fewer than half of the days would be lived too often without these words.
 const SELDOM: [&str; 3] = ["sometimes", "rarely", "on 30 % of days"];
 
-/// A sentence with what is lived instead of what is not exact, the sentence without either where that is so on most days, and where
-/// it stands; nothing where all of it is exact.
-pub fn roughly(names: &Names, text: &str, words: &[Word]) -> Option<(Vec<Word>, Option<Vec<Word>>, Vec<Span>)> {
+/// A sentence that is not exact.
+pub struct Rough {
+    /// The sentence with what is lived instead of what is not exact.
+    pub lived: Vec<Word>,
+    /// The sentence without either, where that is so on most days.
+    pub without: Option<Vec<Word>>,
+    /// What is not exact.
+    pub told: Vec<Span>,
+}
+
+/// How a sentence is lived that is not exact; nothing where all of it is.
+pub fn roughly(names: &Names, text: &str, words: &[Word]) -> Option<Rough> {
     let lexicon = names.lexicon.clone();
     let mut faults = Faults::of_trial();
     let mut reader = Reader { words, at: 0, names, faults: &mut faults, text, part: None };
-    let (mut rough, mut without, mut told) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut lived, mut without, mut told) = (Vec::new(), Vec::new(), Vec::new());
     let mut is_usual = true;
     while let Some(word) = words.get(reader.at) {
         let ways = lexicon.roughly(&word.text).filter_map(|(way, meant)| Some((fits(&reader, way)?, meant)));
         let Some((end, meant)) = ways.max_by_key(|(end, _)| *end) else {
-            rough.push(word.clone());
+            lived.push(word.clone());
             without.push(word.clone());
             reader.at += 1;
             continue;
         };
         let span = reader.span(reader.at).to(words[end - 1].span);
-        rough.extend(words_of(meant, &Word { span, ..word.clone() }));
+        lived.extend(words_of(meant, &Word { span, ..word.clone() }));
         is_usual &= !SELDOM.iter().any(|seldom| meant.starts_with(seldom));
         told.push(span);
         reader.at = end;
     }
-    (!told.is_empty()).then_some((rough, is_usual.then_some(without), told))
+    (!told.is_empty()).then_some(Rough { lived, without: is_usual.then_some(without), told })
 }

@@ -125,26 +125,27 @@ fn is_manner(word: &str) -> bool {
 
 /// Whether it is the same thing, whatever it is done to.
 fn leaves_it_the_same(doing: &Activity) -> bool {
-    const SAME: [&str; 16] = [
-        "reading",
-        "housework",
-        "handicraft",
-        "writing",
-        "baking",
-        "gardening",
-        "watching_television",
-        "listening",
-        "telephoning",
-        "doing_puzzles",
-        "making_music",
-        "laundry",
-        "drinking",
-        "having_a_snack",
-        "visit",
-        "caring_for_plants",
-    ];
-    SAME.contains(&doing.label().as_ref())
-        || matches!(doing, Activity::Prepare(_) | Activity::Eat(_) | Activity::TakeMedicine | Activity::Leave)
+    use homebody_core::activity::{
+        BAKING, CARING_FOR_PLANTS, DOING_PUZZLES, GARDENING, HANDICRAFT, LISTENING, MAKING_MUSIC, WRITING,
+    };
+    const EVERYDAY: [&str; 8] =
+        [BAKING, CARING_FOR_PLANTS, DOING_PUZZLES, GARDENING, HANDICRAFT, LISTENING, MAKING_MUSIC, WRITING];
+    match doing {
+        Activity::Everyday(label) => EVERYDAY.contains(label),
+        Activity::Prepare(_)
+        | Activity::Eat(_)
+        | Activity::TakeMedicine
+        | Activity::Leave
+        | Activity::Read
+        | Activity::Housework
+        | Activity::WatchTelevision
+        | Activity::Phone
+        | Activity::Laundry
+        | Activity::Drink
+        | Activity::Snack
+        | Activity::Visit => true,
+        _ => false,
+    }
 }
 
 /// Whether a word tells nothing that is lived.
