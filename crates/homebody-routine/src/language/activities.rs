@@ -7,6 +7,7 @@ use super::lexicon::{Is, Lexicon, Piece, Way};
 use super::reader::{Reader, is_beginning, is_determiner};
 use super::words::Token;
 use crate::routine::{Activity, Meal};
+use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 /// Meals by name.
@@ -125,8 +126,12 @@ fn is_here(reader: &Reader, word: &str) -> bool {
 }
 
 /// Words that turn what stands after them into something else, or join something to it.
-const TURNING: &str = "no not never without nothing less fewer more because when so as that which who if unless cannot she he they \
-    too lot lots plenty much many little few two three four five six seven eight nine ten only";
+static TURNING: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
+    "no not never without nothing less fewer more because when so as that which who if unless cannot she he they \
+    too lot lots plenty much many little few two three four five six seven eight nine ten only"
+        .split_whitespace()
+        .collect()
+});
 
 /// Times of the day, which are kept for those that read them but in the names of some things.
 const PARTS: &str = "morning afternoon evening night bedtime nighttime mornings afternoons evenings nights";
@@ -142,7 +147,7 @@ fn is_plain(reader: &Reader, ahead: usize) -> bool {
         && !is_time
         && !is_determiner(word)
         && !is_beginning(word)
-        && !is_one(TURNING, word)
+        && !TURNING.contains(word)
         && !(word.len() > 4 && word.ends_with("ly") && word != "family")
 }
 

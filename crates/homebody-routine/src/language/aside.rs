@@ -17,6 +17,8 @@ use super::tail::vocabulary;
 use super::unknown;
 use super::words::{Span, Token, Word};
 use crate::routine::Routine;
+use std::collections::BTreeSet;
+use std::sync::LazyLock;
 
 /// More words are another sentence.
 const LONGEST: usize = 12;
@@ -26,7 +28,8 @@ const MOST_TRIES: usize = 30;
 const LONGEST_SENTENCE: usize = 40;
 
 /// Words of which none is set aside: they say whether, when, how often, how much, or begin what does.
-pub const TELLING: &str = "not no never none nor neither without nothing nobody hardly barely scarcely except unless only \
+pub static TELLING: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
+    "not no never none nor neither without nothing nobody hardly barely scarcely except unless only \
     instead rather refuses declines cannot unable if when whenever while until till once since before after during more \
     less fewer than longer shorter later sooner earlier faster slower better worse again increasingly gradually always \
     often usually sometimes rarely seldom occasionally regularly frequently constantly continually continuously repeatedly \
@@ -39,11 +42,16 @@ pub const TELLING: &str = "not no never none nor neither without nothing nobody 
     christmas easter holiday holidays weeknight weeknights ages forever starts stops begins ends becomes becoming \
     increasing decreasing growing one two three four five six seven eight nine ten dozen couple several few many much \
     little lot lots plenty others somebody someone everybody everyone together upstairs downstairs outside outdoors away \
-    first last next alternate weather rain rains raining rainy snow snows snowing snowy wet";
+    first last next alternate weather rain rains raining rainy snow snows snowing snowy wet".split_whitespace().collect()
+});
 
 /// Words that what is set aside may begin with.
-pub const BEGINNING: &str = "with for from to into of about among against using over through in on at by near under along across like as \
-    because although though so which who that where despite due owing even very quite rather fairly really just simply";
+pub static BEGINNING: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
+    "with for from to into of about among against using over through in on at by near under along across like as \
+    because although though so which who that where despite due owing even very quite rather fairly really just simply"
+        .split_whitespace()
+        .collect()
+});
 
 /// Of these, the ones that say where: what the home does not have is no matter of course.
 pub const WHERE: &str = "in on at by near under along across";
@@ -94,7 +102,7 @@ fn windows(names: &Names, draft: &Draft, words: &[Word]) -> Vec<(usize, usize)> 
             // What has a subject of its own goes on to a comma, and no word alone is beside the point but how something is done.
             let is_clause = words[from..to].iter().any(|word| ["she", "he", "they"].contains(&word.text.as_str()));
             let is_whole = !is_clause || words.get(to).is_none_or(|next| next.token == Token::Comma);
-            let is_loose = to == from + 1 && is_one_of(BEGINNING, &words[from].text);
+            let is_loose = to == from + 1 && BEGINNING.contains(words[from].text.as_str());
             if ends && is_whole && !is_loose && is_beside_the_point(names, draft, words, from, to) {
                 found.push((from, to));
             }
@@ -129,7 +137,7 @@ fn begins(names: &Names, words: &[Word], from: usize) -> bool {
         return false;
     }
     let is_manner = first.text.len() > 4 && (first.text.ends_with("ly") || first.text.ends_with("ing"));
-    is_one_of(BEGINNING, &first.text) || is_manner || names.lexicon.has_last("MANNERS", &first.text)
+    BEGINNING.contains(first.text.as_str()) || is_manner || names.lexicon.has_last("MANNERS", &first.text)
 }
 
 /// "For her arthritis, she ...", "being a former nurse, she ...".
@@ -137,7 +145,7 @@ fn begins_in_front(words: &[Word]) -> bool {
     const OPENING: &str = "however therefore sadly unfortunately luckily thankfully apparently basically anyway overall previously \
         formerly nowadays please bless following given";
     let first = words.first().map_or("", |word| &word.text);
-    is_one_of(BEGINNING, first)
+    BEGINNING.contains(first)
         || is_one_of(OPENING, first)
         || first.len() > 4 && (first.ends_with("ly") || first.ends_with("ing"))
 }
@@ -177,7 +185,7 @@ pub fn is_beside_the_point(names: &Names, draft: &Draft, words: &[Word], from: u
         let before = reader.at.checked_sub(1).map_or("", |before| words[before].text.as_str());
         let names_somebody = ["with", "by", "to", "from", "of", "and"].contains(&before)
             && draft.text.get(word.span.start..).is_some_and(|text| text.starts_with(char::is_uppercase));
-        !(is_one_of(TELLING, &word.text)
+        !(TELLING.contains(word.text.as_str())
             || word.text.ends_with("n't")
             || is_weekday(&word.text)
             || names_somebody
@@ -197,7 +205,7 @@ fn is_known(reader: &mut Reader, is_origin: bool) -> bool {
     let lexicon = reader.names.lexicon.clone();
     let word = reader.peek(0).to_owned();
     let is_somebody = !is_origin && ["PEOPLE", "RELATIVES"].iter().any(|list| lexicon.has_last(list, &word));
-    let is_small = is_determiner(&word) || is_one_of(BEGINNING, &word);
+    let is_small = is_determiner(&word) || BEGINNING.contains(word.as_str());
     is_somebody
         || lexicon.has_last("ROOMS", &word)
         || reader.ahead(|reader| reader.name(&PLACES).is_some() || reader.name(&[Sort::Condition]).is_some())

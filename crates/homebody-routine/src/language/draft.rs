@@ -22,6 +22,8 @@ pub(crate) struct Draft<'t> {
     pub lines: Vec<Line<'t>>,
     /// Whether nobody will read what is understood: no lines are counted.
     pub is_trial: bool,
+    /// How many words of sentences that are not understood as they stand were read in other ways.
+    pub freely_read: usize,
 }
 
 impl<'t> Draft<'t> {
@@ -38,6 +40,7 @@ impl<'t> Draft<'t> {
             text,
             lines: Vec::new(),
             is_trial: true,
+            freely_read: 0,
         }
     }
 }

@@ -75,6 +75,9 @@ pub const LONGEST_LINE: usize = 2_000;
 /// After so many problems of a text no more is looked for of what a sentence may mean (ours): that takes time.
 const MOST_MENDED: usize = 10;
 
+/// So many words of a text are read freely, where they are not understood as they stand (ours): that takes time.
+const MOST_FREE_WORDS: usize = 600;
+
 /// More sentences than this are refused.
 pub const MOST_SENTENCES: usize = 2_000;
 
@@ -121,6 +124,7 @@ fn read(file: &str, text: &str, known: &Known, is_condition: bool) -> (Routine, 
         text,
         lines: words::lines(text),
         is_trial: false,
+        freely_read: 0,
     };
     let (mut names, mut faults) = (Names::new(known), Faults::default());
     let (mut heading, mut count): (Option<Heading>, usize) = (None, 0);
@@ -188,10 +192,13 @@ fn one(draft: &mut Draft, names: &mut Names, faults: &mut Faults, heading: &mut 
     let above = heading.as_ref().map(|heading| &heading.adverbs);
     let part = above.and_then(|above| above.part.as_ref()).map(|part| part.value);
     // Of a text in which nearly nothing is understood nobody asks what is beside the point.
-    let reading = match faults.count() >= MOST_MENDED {
+    let reading = match faults.count() >= MOST_MENDED || draft.freely_read >= MOST_FREE_WORDS {
         true => None,
         false => understood(draft, names, &sentence.words),
     };
+    if !matches!(&reading, Some(Reading::Whole(_, left_out)) if left_out.is_empty()) {
+        draft.freely_read += sentence.words.len();
+    }
     let (shaped, words) = match reading {
         Some(Reading::Parts(parts)) => return in_parts(draft, names, faults, (heading, sentence), parts),
         Some(Reading::Whole(words, left_out)) => {

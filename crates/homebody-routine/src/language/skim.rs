@@ -101,7 +101,7 @@ fn taken(names: &Names, draft: &Draft, words: &[Word]) -> Option<Vec<bool>> {
         let is_wrong_place = is_elsewhere && !matches!(doing, Activity::Leave | Activity::Visit);
         // "Westerns" may be read, but nobody knows what "blorp" is.
         let word = reader.peek(0);
-        let is_named = is_determiner(word) || is_one_of(BEGINNING, word) || word.ends_with('s');
+        let is_named = is_determiner(word) || BEGINNING.contains(word) || word.ends_with('s');
         let is_bare = reader.token(0) == Some(Token::Word) && !is_named;
         let is_unknown = is_object && reader.at == object && is_bare && doing != Activity::Leave;
         if is_object && !leaves_it_the_same(&doing) || is_unknown || is_wrong_place || !may_be_passed(&mut reader) {
@@ -119,8 +119,7 @@ fn is_deed(reader: &mut Reader, is_visitor: bool) -> bool {
 
 fn is_manner(word: &str) -> bool {
     const HOW: &str = "still also just even now usually generally happily then sometimes herself himself";
-    word.len() > 4 && word.ends_with("ly") && !is_one_of(TELLING, word)
-        || is_one_of(HOW, word) && !is_one_of(TELLING, word)
+    word.len() > 4 && word.ends_with("ly") && !TELLING.contains(word) || is_one_of(HOW, word) && !TELLING.contains(word)
 }
 
 /// Whether it is the same thing, whatever it is done to.
@@ -169,7 +168,7 @@ fn may_be_passed(reader: &mut Reader) -> bool {
         && !is_other
         && !is_purpose
         && !is_of_time
-        && !is_one_of(TELLING, &word)
+        && !TELLING.contains(word.as_str())
         && !word.ends_with("n't")
         && !is_weekday(&word)
         && !is_slip(reader, &word)

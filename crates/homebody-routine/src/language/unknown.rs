@@ -149,7 +149,10 @@ pub fn meant(words: &str) -> Option<String> {
     // As many words of what was said as the phrase has; the longest phrase that is near wins.
     let said: Vec<String> = (0..=words.len()).map(|length| words[..length].join(" ")).collect();
     let mut best: Option<(usize, &str)> = None;
-    for phrase in all.filter(|phrase| !is_verb || phrase.split(' ').next() == Some(verb)) {
+    let is_of_verb = |phrase: &&str| {
+        !is_verb || phrase.strip_prefix(verb).is_some_and(|rest| rest.is_empty() || rest.starts_with(' '))
+    };
+    for phrase in all.filter(is_of_verb) {
         let length = phrase.split(' ').count();
         // Who says more than the phrase does has said less of it wrongly.
         let slips = if length < words.len() { 1 } else { 2 };
@@ -184,7 +187,11 @@ pub fn is_nearly_known(words: &str) -> bool {
         let (same, longer) = same_letters(said, known);
         **said == *known || *said != "does" && longer >= 4 && same + 1 >= longer
     };
+    let first = words.first().and_then(|word| word.as_bytes().first());
     let is_near = |phrase: &String| {
+        if phrase.as_bytes().first() != first {
+            return false;
+        }
         let count = phrase.split(' ').count();
         // Many short verbs differ by a letter: who stops does not shop.
         let is_long = count > 1 || phrase.len() >= 6;
