@@ -134,33 +134,34 @@ static TURNING: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
 });
 
 /// Times of the day, which are kept for those that read them but in the names of some things.
-const PARTS: &str = "morning afternoon evening night bedtime nighttime mornings afternoons evenings nights";
-const NAMED_BY_PARTS: &str =
-    "news programme programmes show shows paper film service prayer prayers meal mass class dress wear";
+static PARTS: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
+    "morning afternoon evening night bedtime nighttime mornings afternoons evenings nights".split(' ').collect()
+});
+static NAMED_BY_PARTS: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
+    "news programme programmes show shows paper film service prayer prayers meal mass class dress wear"
+        .split(' ')
+        .collect()
+});
 
 /// Whether a word may stand among those of an activity.
 fn is_plain(reader: &Reader, ahead: usize) -> bool {
     let word = reader.peek(ahead);
-    let is_one = |list: &str, word: &str| list.split_whitespace().any(|one| one == word);
-    let is_time = is_one(PARTS, word) && !is_one(NAMED_BY_PARTS, reader.peek(ahead + 1));
+    let is_time = || PARTS.contains(word) && !NAMED_BY_PARTS.contains(reader.peek(ahead + 1));
     reader.token(ahead) == Some(Token::Word)
-        && !is_time
         && !is_determiner(word)
         && !is_beginning(word)
         && !TURNING.contains(word)
         && !(word.len() > 4 && word.ends_with("ly") && word != "family")
+        && !is_time()
 }
 
 /// How many words stand before what a piece wants: none if it does not come soon.
 fn adjectives(reader: &Reader, from: usize, piece: &Piece) -> usize {
     const MOST: usize = 3;
     let is_wanted = |ahead: usize| length(reader, piece, from + ahead, from + ahead).is_some();
-    (0..=MOST)
-        .take_while(|ahead| (0..*ahead).all(|ahead| is_plain(reader, from + ahead)))
-        // Of "quiz shows", the shows.
-        .filter(|ahead| is_wanted(*ahead))
-        .last()
-        .unwrap_or(0)
+    let is_passed = |ahead: usize| (0..ahead).all(|ahead| is_plain(reader, from + ahead));
+    // Of "quiz shows", the shows.
+    (1..=MOST).rev().find(|&ahead| is_wanted(ahead) && is_passed(ahead)).unwrap_or(0)
 }
 
 /// How many words of an activity go on from there.
