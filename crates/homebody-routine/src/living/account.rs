@@ -109,7 +109,7 @@ fn difference(life: &Life, id: SentenceId, lived: Lived) -> Option<(String, Stri
         return Some((expected, format!("{} times: {why}", begun.saturating_sub(no_way))));
     }
     let habit = life.habit(id)?;
-    if matches!(habit.when, When::At(_)) && f64::from(late) > f64::from(begun) * LATE_SHARE {
+    if matches!(habit.when, When::At(_) | When::Before(..)) && f64::from(late) > f64::from(begun) * LATE_SHARE {
         let minutes = LATE / (60 * SECOND);
         return Some(("at its time".to_owned(), format!("begun more than {minutes} min late {late} of {begun} times")));
     }

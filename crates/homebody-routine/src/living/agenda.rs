@@ -66,8 +66,8 @@ impl Agenda {
         };
         planner.draw();
         let Planner { drafts, mut breaks, bathroom, .. } = planner;
-        let Resolved { mut items, helped, mornings } = drafts.resolve();
-        breaks.extend(helped);
+        let Resolved { mut items, breaks: while_busy, mornings } = drafts.resolve();
+        breaks.extend(while_busy);
         items.sort_by_key(|item| item.start);
         let ready = ready(life, up, &items, &mornings);
         // Who gets up late begins the day later, and not with what is overdue; what is said keeps a time that is not past.

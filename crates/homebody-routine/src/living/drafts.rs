@@ -39,14 +39,17 @@ pub struct Drafts<'a> {
 /// Drafts whose starts are all known.
 pub struct Resolved {
     pub items: Vec<Item>,
-    /// What a visitor helps with: it interrupts the visit.
-    pub helped: Vec<Item>,
+    /// What interrupts: what a visitor helps with, and what is soon done while a meal is cooked.
+    pub breaks: Vec<Item>,
     /// What is done after getting up, by key: washing, dressing.
     pub mornings: Vec<String>,
 }
 
 /// How much longer than planned cooking takes at most, for the ways between stove, sink and fridge (ours).
 const TO_AND_FRO: Micros = 4 * 60 * SECOND;
+
+/// What takes no longer may be done while something is on the stove (ours).
+pub const SOON_DONE: Micros = 3 * 60 * SECOND;
 
 /// So long after a visitor was to come what they help with begins (ours).
 const WELCOMED: Micros = 3 * 60 * SECOND;
@@ -74,8 +77,15 @@ impl Drafts<'_> {
             let start = draft.item.start + WELCOMED;
             Item { start, latest: start + 3600 * SECOND, ..draft.item.clone() }
         });
-        let items = self.list.iter().filter(|draft| !is_idle(draft) && !is_helped(draft));
-        Resolved { helped: helped.collect(), items: items.map(|draft| draft.item.clone()).collect(), mornings }
+        let breaks_in = |draft: &&Draft| self.breaks_into_cooking(draft);
+        // The meal is later by what breaks into the cooking, and by the ways there.
+        let while_cooking = self.list.iter().filter(breaks_in).map(|draft| {
+            let start = draft.item.start + draft.item.lasts + TO_AND_FRO / 2;
+            Item { start, ..draft.item.clone() }
+        });
+        let breaks = helped.chain(while_cooking).collect();
+        let items = self.list.iter().filter(|draft| !is_idle(draft) && !is_helped(draft) && !breaks_in(draft));
+        Resolved { breaks, items: items.map(|draft| draft.item.clone()).collect(), mornings }
     }
 
     /// What is said to come with or after something makes that as firm as it is itself, and what comes after it waits
@@ -161,6 +171,20 @@ impl Drafts<'_> {
                 (item.start, item.is_unsaid, item.waits) = (ready, cooking.is_unsaid, cooking.waits);
             }
         }
+    }
+
+    /// Whether something is to be done so shortly before a meal that it falls into the cooking, and is soon done.
+    fn breaks_into_cooking(&self, draft: &Draft) -> bool {
+        let (Start::Before(Activity::Eat(meal), _), Item { start, lasts, visitor: None, .. }) = (&draft.start, &draft.item)
+        else {
+            return false;
+        };
+        let is_cooking = |other: &Draft| {
+            let cook = &other.item;
+            let over = cook.start + cook.lasts + TO_AND_FRO;
+            cook.activity == Activity::Prepare(*meal) && cook.visitor.is_none() && (cook.start..over).contains(start)
+        };
+        *lasts <= SOON_DONE && self.list.iter().any(is_cooking)
     }
 
     /// Coming home at a time ends the outing before it.

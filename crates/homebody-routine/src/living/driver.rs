@@ -312,6 +312,7 @@ impl RoutineDriver {
     /// Stays for as long as nothing ends it, one movement or rest after the other.
     fn stay(&mut self, now: Micros) {
         let (interrupted_at, rules_at) = (self.interrupted_at(now), self.rules_at().max(now));
+        let breaks_at = self.breaks_into_cooking_at(now);
         let next_start =
             self.agenda.items.get(self.next_item).map_or(self.agenda.bed, |item| item.start.min(self.agenda.bed));
         let active = self.activity(now);
@@ -336,6 +337,7 @@ impl RoutineDriver {
         let interrupted_at = match stay.may {
             Interruptible::Nothing => Micros::MAX,
             Interruptible::Rules => rules_at,
+            Interruptible::Breaks => rules_at.min(breaks_at),
             Interruptible::Interrupt | Interruptible::Yield => interrupted_at,
         };
         if interrupted_at < Micros::MAX {

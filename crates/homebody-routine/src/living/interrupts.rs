@@ -1,5 +1,6 @@
 //! What interrupts what is being done: rules, meals that are due, what breaks into the day, needs that press.
 
+use super::drafts::SOON_DONE;
 use super::driver::{GRACE, RoutineDriver};
 use super::item::Item;
 use super::script::Step;
@@ -36,6 +37,13 @@ impl RoutineDriver {
         let Some(item) = self.agenda.breaks.get(self.next_break) else { return Micros::MAX };
         let waits = item.activity == Activity::LieAwake && !self.needs.asleep() && now <= item.latest;
         if waits { Micros::MAX } else { item.start }
+    }
+
+    /// When something is next to be done that is soon done, and may be done while a meal is cooked.
+    pub(super) fn breaks_into_cooking_at(&self, now: Micros) -> Micros {
+        let next = self.agenda.breaks.get(self.next_break).filter(|_| self.visitor.is_none());
+        let is_soon_done = |item: &&Item| item.lasts <= SOON_DONE && !item.activity.is_of_the_night();
+        next.filter(is_soon_done).map_or(Micros::MAX, |item| item.start.max(now))
     }
 
     /// The next meal or medicine of the plan, and from when on it interrupts what goes on, if that gives way to it.

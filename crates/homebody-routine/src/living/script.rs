@@ -88,7 +88,9 @@ pub enum Interruptible {
     Nothing,
     /// Only rules.
     Rules,
-    /// Needs, rules, what interrupts, and meals; it goes on afterwards.
+    /// Rules, and what the plan says is done meanwhile; it goes on afterwards.
+    Breaks,
+    /// These, needs and meals; it goes on afterwards.
     Interrupt,
     /// These, and whatever is next on the plan, which ends it.
     Yield,
@@ -366,7 +368,7 @@ impl Steps<'_, '_> {
                 self.stay(Posture::Standing, Manner::BUSY, span, Interruptible::Rules);
                 self.act(role, false);
             }
-            _ => self.at(role, None, span, Manner::BUSY, Interruptible::Rules),
+            _ => self.at(role, None, span, Manner::BUSY, Interruptible::Breaks),
         }
         span.max(SECOND)
     }
