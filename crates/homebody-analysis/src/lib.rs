@@ -32,6 +32,12 @@ pub mod timing;
 /// How much somebody moved in each hour of each day, and when nobody was at home.
 pub mod density;
 
+/// What a person has been doing, day by day, in figures.
+pub mod measures;
+
+/// What is different from before, and worth a visit.
+pub mod alerts;
+
 /// One day: what sensors said, and what residents did.
 pub mod day;
 

@@ -15,6 +15,8 @@ pub mod daily_life;
 pub mod claims;
 /// Lives in which nothing happens that cannot be.
 pub mod possible;
+/// Measures of days, by the logs of homes alone.
+pub mod measures;
 /// What is wrong with sensors, by the logs of their homes alone.
 pub mod sensor_health;
 /// Where people were, by the logs of their homes alone.

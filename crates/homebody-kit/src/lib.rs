@@ -66,7 +66,7 @@ pub use homebody_infer::{Ailment, Ill, Kind, Spell};
 pub use homebody_log::Url;
 pub use homebody_log::places::LIST;
 pub use homebody_routine::living::account::Difference;
-pub use log_with_run::{LogWithRun, NamedLog, Unended, home_sensors};
+pub use log_with_run::{LogWithRun, NamedLog, Unended, home_sensors, sensor_rooms};
 pub use profiles::Profile;
 pub use recorded::{Recorded, Unfinished, recording};
 pub use run::{Batch, BatchSink, LiveRun, Progress, RunSetup};

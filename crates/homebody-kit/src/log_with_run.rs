@@ -18,6 +18,7 @@ use homebody_log::word::one_word;
 use homebody_log::{Life, Log, LogError, RunClock, Source, Url, lives, read, stream, survey, truth_beside};
 use jiff::civil::Date;
 use jiff::tz::TimeZone;
+use std::collections::BTreeMap;
 use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -30,6 +31,9 @@ pub struct LogWithRun {
     pub log: Log,
     /// What the truth tells, where there is one.
     pub lives: Vec<Life>,
+    /// The rooms of its sensors in the home of its run, or as the log itself tells them, by their names in the log; none where
+    /// neither does.
+    pub rooms: BTreeMap<String, String>,
     /// From when to when the run was, if that is known.
     pub recorded: Option<Range<Micros>>,
     /// The files that the log itself is in.
@@ -78,6 +82,7 @@ impl LogWithRun {
         if let Some(scenario) = &scenario {
             name_sensors(&mut log, scenario);
         }
+        let rooms = scenario.as_ref().map_or_else(|| rooms_told(&log), sensor_rooms);
         let zone = asked.or(known_zone);
         // One that is being lived, or was killed, says how long it is to be, and not how far it has come.
         let lived = run.as_ref().filter(|run| run.is_complete());
@@ -100,7 +105,14 @@ impl LogWithRun {
         let sources = files.iter().cloned().chain(truth).chain(beside).collect();
         let without = run.map(|run| run.without).filter(|without| !without.is_empty());
         let name = name + without.map_or_else(String::new, |names| format!(", without {}", names.join(", "))).as_str();
-        Ok(LogWithRun { name, log, lives, recorded, files, sources, unfinished })
+        Ok(LogWithRun { name, log, lives, rooms, recorded, files, sources, unfinished })
+    }
+
+    /// Gives its sensors the names and rooms that they have in the home of a scenario. Says how many of them are in it.
+    pub fn place_in(&mut self, scenario: &Scenario) -> usize {
+        name_sensors(&mut self.log, scenario);
+        self.rooms = sensor_rooms(scenario);
+        self.log.sensors.iter().filter(|sensor| self.rooms.contains_key(*sensor)).count()
     }
 
     /// The first and the last of its dates: those of its run, on which nothing may have been said, else those of its rows.
@@ -125,6 +137,26 @@ pub fn home_sensors(scenario: &Scenario) -> Vec<HomeSensor> {
         HomeSensor { ids: vec![id.clone(), one_word(id)], name: info.name, kind }
     };
     scenario.home.placed_sensors().iter().map(one).collect()
+}
+
+/// The rooms that the sensors of a home are in, by their names there and by their ids in its logs.
+pub fn sensor_rooms(scenario: &Scenario) -> BTreeMap<String, String> {
+    let mut rooms = BTreeMap::new();
+    for sensor in scenario.home.placed_sensors() {
+        let info = sensor.info(scenario.home.plan());
+        let Some(room) = info.room else { continue };
+        let id = scenario.logger.ids.get(&info.name).unwrap_or(&info.name);
+        for name in [info.name.clone(), id.clone(), one_word(id)] {
+            rooms.insert(name, room.clone());
+        }
+    }
+    rooms
+}
+
+/// The rooms that a log itself tells of its sensors.
+fn rooms_told(log: &Log) -> BTreeMap<String, String> {
+    let told = log.known.iter().filter_map(|known| Some((known.id.clone(), known.room.clone()?)));
+    told.collect()
 }
 
 /// Gives the sensors their names in the home for the ids that they have in the log.

@@ -20,6 +20,7 @@ mod label;
 mod layers;
 mod legend;
 mod look_map;
+mod measures_picture;
 mod page;
 mod paint;
 mod realism_page;
@@ -39,6 +40,7 @@ pub use density_map::density_map;
 pub use film_strip::film_strip;
 pub use floor_plan::floor_plan;
 pub use look_map::{look_map, look_page};
+pub use measures_picture::measures_picture;
 pub use realism_page::{realism_chart, realism_page};
 
 /// Why an SVG did not become a PNG.

@@ -20,6 +20,7 @@
 //! no absence is an hour without data: no network that works keeps so quiet. Left out: visitors, whom the 2008 map takes
 //! out by fuzzy rules.
 
+pub(crate) mod apart;
 mod away;
 mod cell;
 mod entrance;
@@ -88,7 +89,11 @@ pub fn density(log: (&str, &Log, &Asked), against: Option<(&str, &Log, &Asked)>)
 
 /// A round height of eight levels, such that one cell in a hundred is above the top.
 fn step_per_h<'a>(maps: impl Iterator<Item = &'a Map>) -> f64 {
-    let mut densities: Vec<f64> = maps.flat_map(|map| map.cells.iter().flatten()).filter_map(Cell::density).collect();
+    step_of(maps.flat_map(|map| map.cells.iter().flatten()))
+}
+
+fn step_of<'a>(cells: impl Iterator<Item = &'a Cell>) -> f64 {
+    let mut densities: Vec<f64> = cells.filter_map(Cell::density).collect();
     densities.sort_by(f64::total_cmp);
     let top =
         densities.get((densities.len() * 99 / 100).min(densities.len().saturating_sub(1))).copied().unwrap_or(0.0);

@@ -147,11 +147,12 @@ static NAMED_BY_PARTS: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
 fn is_plain(reader: &Reader, ahead: usize) -> bool {
     let word = reader.peek(ahead);
     let is_time = || PARTS.contains(word) && !NAMED_BY_PARTS.contains(reader.peek(ahead + 1));
+    let is_manner = word.len() > 4 && word.ends_with("ly") && word != "family";
     reader.token(ahead) == Some(Token::Word)
+        && !is_manner
         && !is_determiner(word)
         && !is_beginning(word)
         && !TURNING.contains(word)
-        && !(word.len() > 4 && word.ends_with("ly") && word != "family")
         && !is_time()
 }
 

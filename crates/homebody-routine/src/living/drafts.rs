@@ -175,7 +175,8 @@ impl Drafts<'_> {
 
     /// Whether something is to be done so shortly before a meal that it falls into the cooking, and is soon done.
     fn breaks_into_cooking(&self, draft: &Draft) -> bool {
-        let (Start::Before(Activity::Eat(meal), _), Item { start, lasts, visitor: None, .. }) = (&draft.start, &draft.item)
+        let (Start::Before(Activity::Eat(meal), _), Item { start, lasts, visitor: None, .. }) =
+            (&draft.start, &draft.item)
         else {
             return false;
         };

@@ -1,5 +1,6 @@
 //! The commands, one file each, all in the same shape: the arguments as a struct, with a `run`.
 
+mod alerts;
 mod anonymise;
 mod answer;
 mod calibrate;
@@ -17,6 +18,7 @@ mod import;
 mod label;
 mod live;
 mod look;
+mod measure;
 mod new;
 mod numbers;
 mod plan;
@@ -64,6 +66,10 @@ pub enum Command {
     Realism(realism::Arguments),
     /// Say how much somebody moves in each hour of each day, with a map
     Density(density::Arguments),
+    /// Say what somebody has been doing day by day: bed, bathroom, meals, outings, pace, with a picture
+    Measure(measure::Arguments),
+    /// Say what is different from before in what somebody does
+    Alerts(alerts::Arguments),
     /// Say what happened on one day, with a chart
     Day(day::Arguments),
     /// Show moments of a run side by side, as a film strip
@@ -106,6 +112,8 @@ impl Command {
             Command::Compare(arguments) => arguments.run(),
             Command::Realism(arguments) => arguments.run(),
             Command::Density(arguments) => arguments.run(),
+            Command::Measure(arguments) => arguments.run(),
+            Command::Alerts(arguments) => arguments.run(),
             Command::Day(arguments) => arguments.run(),
             Command::Strip(arguments) => arguments.run(),
             Command::Experiment(arguments) => arguments.run(),

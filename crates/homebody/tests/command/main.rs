@@ -19,6 +19,7 @@ mod from_logs;
 mod hostile;
 mod logs;
 mod looks;
+mod measured;
 mod days;
 mod figures;
 mod labels;

@@ -4,6 +4,7 @@ mod claims;
 mod conditions;
 mod daily_life;
 mod godsey2009;
+mod measures;
 mod possible;
 mod realism;
 mod recogniser;
@@ -24,6 +25,7 @@ use crate::failure::Failure;
   homebody experiment possible
   homebody experiment realism --data casas --json realism.json
   homebody experiment walk-back --json walk-back.json
+  homebody experiment measures --homes 8
   homebody experiment sensor-health --homes 10
   homebody experiment recogniser --data uci")]
 pub struct Arguments {
@@ -51,6 +53,8 @@ enum Experiment {
     Recogniser(recogniser::Arguments),
     /// Where residents were, by their logs alone, beside the truth
     WalkBack(walk_back::Arguments),
+    /// What residents did day by day, measured by their logs alone, beside the truth
+    Measures(measures::Arguments),
     /// What is wrong with sensors, by the logs of their homes alone, beside the faults that were planted
     SensorHealth(sensor_health::Arguments),
 }
@@ -67,6 +71,7 @@ impl Arguments {
             Experiment::Realism(arguments) => arguments.run(),
             Experiment::Recogniser(arguments) => arguments.run(),
             Experiment::WalkBack(arguments) => arguments.run(),
+            Experiment::Measures(arguments) => arguments.run(),
             Experiment::SensorHealth(arguments) => arguments.run(),
         }
     }

@@ -4,7 +4,7 @@ use crate::commands::answer::Answer;
 use crate::failure::Failure;
 use homebody_core::scenario::link::LinkFile;
 use homebody_core::scenario::load::Scenario;
-use homebody_experiment::walk_back::{Case, Home, NotWalked, case};
+use homebody_experiment::walk_back::{Case, Home, case};
 use homebody_kit::{OpenScenario, template};
 use homebody_routine::routine::Kind;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -79,10 +79,10 @@ pub(super) fn of_homes<Case: Sync, T: Send>(
 }
 
 /// Asks something of a home that is lived in with this link.
-pub(super) fn lived<T>(
+pub(super) fn lived<T, E: fmt::Display>(
     opened: &OpenScenario,
     link: &LinkFile,
-    ask: impl FnOnce(&Home) -> Result<T, NotWalked>,
+    ask: impl FnOnce(&Home) -> Result<T, E>,
 ) -> Result<T, Failure> {
     let household = opened.household();
     let is_person = |body: &usize| {
@@ -95,7 +95,7 @@ pub(super) fn lived<T>(
 }
 
 /// A link of a real network with every fault on, each of another of the motion sensors.
-fn every_fault(scenario: &Scenario, home: usize, days: u32) -> LinkFile {
+pub(super) fn every_fault(scenario: &Scenario, home: usize, days: u32) -> LinkFile {
     let sensors = scenario.home.placed_sensors();
     let motion: Vec<&str> =
         sensors.iter().filter(|sensor| sensor.senses_motion()).map(|sensor| sensor.name.as_str()).collect();

@@ -1,0 +1,298 @@
+//! What is worth a visit: measures held against the resident's own past.
+//!
+//! A day is held against the days before, never against other people. It does not count, neither as usual nor as unusual, where
+//! it is not whole, where nobody was at home for most of it, or where a sensor was silent that the measure needs: of that there
+//! is an alert about the sensor. With too few days that count there is no usual, and nothing is said.
+//!
+//! Left out: visitors, who are measured as if they were the resident.
+
+mod rule;
+
+use crate::measures::{Day, Measure, Measures};
+use jiff::civil::Date;
+use serde::Serialize;
+use std::fmt;
+
+pub use rule::{Method, Rule, Rules, Several, USUAL, When};
+
+/// Away for so many hours, a day does not count (ours).
+const AWAY_H: f64 = 16.0;
+/// After so many days of alarm in a row a control chart begins anew (published for times of transfer out of bed).
+const ANEW_AFTER: usize = 3;
+
+/// What was told is not told again for so many days (ours).
+const TOLD_AGAIN: usize = 7;
+
+/// The alerts of a log.
+#[derive(Clone, Debug, Serialize)]
+pub struct Alerts {
+    /// What the log is called.
+    pub name: String,
+    /// How many days it has, and how many of them count.
+    pub days: usize,
+    /// Those that are whole, with somebody at home.
+    pub days_that_count: usize,
+    /// What cannot be said, in sentences.
+    pub remarks: Vec<String>,
+    /// In order of time.
+    pub alerts: Vec<Alert>,
+}
+
+/// Something that is worth a look.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Alert {
+    /// The first day on which it can be said.
+    pub date: Date,
+    /// The rule's name; `several` for several measures at once, `sensor` for a sensor that is silent.
+    pub rule: String,
+    /// The measures that it is about.
+    pub measures: Vec<&'static str>,
+    /// Whether it is more than usual; `None` where that is no question.
+    pub is_more: Option<bool>,
+    /// The measure's value of that day, or its weighted average; `None` where it is not about one measure.
+    pub value: Option<f64>,
+    /// The mean of the days before.
+    pub usual: Option<f64>,
+    /// Their standard deviation, as far as the rule lets it be small.
+    pub sd: Option<f64>,
+    /// The days that show it.
+    pub shown_by: Vec<Date>,
+    /// The same in words.
+    pub words: String,
+}
+
+/// The usual of a measure on a day.
+#[derive(Clone, Copy)]
+struct Usual {
+    mean: f64,
+    sd: f64,
+}
+
+/// All alerts of the measures of a log.
+pub fn alerts(measures: &Measures, rules: &Rules) -> Alerts {
+    let counts: Vec<bool> = measures.days.iter().map(counts).collect();
+    let mut alerts: Vec<Alert> = Vec::new();
+    for rule in &rules.rules {
+        let Some((number, measure)) = rule.measure() else { continue };
+        let values: Vec<Option<f64>> =
+            measures.days.iter().zip(&counts).map(|(day, counts)| day.values[number].filter(|_| *counts)).collect();
+        alerts.extend(match rule.method {
+            Method::Deviation => by_deviation(rule, measure, &values, &measures.days),
+            Method::Ewma => by_average(rule, measure, &values, &measures.days),
+        });
+    }
+    if let Some(several) = rules.several {
+        alerts.extend(at_once(several, rules, measures, &counts));
+    }
+    alerts.extend(measures.silent.iter().map(|silent| Alert {
+        date: silent.told,
+        rule: "sensor".into(),
+        measures: Vec::new(),
+        is_more: None,
+        value: None,
+        usual: None,
+        sd: None,
+        shown_by: vec![silent.since],
+        words: format!("The sensor {} has said nothing since {}", silent.sensor, silent.since),
+    }));
+    alerts.sort_by(|a, b| (a.date, &a.rule).cmp(&(b.date, &b.rule)));
+    let mut remarks = measures.remarks.clone();
+    let days_that_count = counts.iter().filter(|counts| **counts).count();
+    let least = rules.rules.iter().map(|rule| rule.min_days).min().unwrap_or(0);
+    if days_that_count <= least {
+        remarks.push(format!(
+            "{days_that_count} days that count are too few to know what is usual: {} are needed",
+            least + 1
+        ));
+    }
+    Alerts { name: measures.name.clone(), days: measures.days.len(), days_that_count, remarks, alerts }
+}
+
+/// Whether a day says anything of what is usual.
+fn counts(day: &Day) -> bool {
+    day.is_whole && day.value("time_out").is_none_or(|hours| hours < AWAY_H)
+}
+
+/// Mean and standard deviation of the days before one, if enough count.
+fn usual(rule: &Rule, values: &[Option<f64>], day: usize) -> Option<Usual> {
+    let before: Vec<f64> = values[day.saturating_sub(rule.baseline_days)..day].iter().copied().flatten().collect();
+    let count = before.len() as f64;
+    if before.len() < rule.min_days {
+        return None;
+    }
+    let mean = before.iter().sum::<f64>() / count;
+    let variance = before.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / (count - 1.0);
+    let sd = variance.sqrt().max(rule.least_sd);
+    (sd > 0.0).then_some(Usual { mean, sd })
+}
+
+/// By how many standard deviations a value differs in a direction that counts; 0 where it does not.
+fn differs(rule: &Rule, value: f64, mean: f64, sd: f64) -> f64 {
+    let by = (value - mean) / sd;
+    match rule.when {
+        When::More => by.max(0.0),
+        When::Less => (-by).max(0.0),
+        When::Either => by.abs(),
+    }
+}
+
+/// Days in a row that differ from those before the first of them.
+fn by_deviation(rule: &Rule, measure: &'static Measure, values: &[Option<f64>], days: &[Day]) -> Vec<Alert> {
+    let mut alerts = Vec::new();
+    // Since when, and what was usual then: what has changed does not become usual by going on for a day.
+    let mut since: Option<(Vec<usize>, Usual)> = None;
+    // A single odd day is not usual either.
+    let mut counted = values.to_vec();
+    for (day, value) in values.iter().enumerate() {
+        let Some(value) = *value else { continue };
+        let usual = match &since {
+            Some((shown, usual)) if shown.len() < rule.baseline_days => Some(*usual),
+            _ => usual(rule, &counted, day),
+        };
+        let Some(usual) = usual.filter(|usual| differs(rule, value, usual.mean, usual.sd) > rule.k_sd) else {
+            let odd = since.take().map(|(shown, _)| shown).filter(|shown| shown.len() < rule.days);
+            odd.into_iter().flatten().for_each(|day| counted[day] = None);
+            continue;
+        };
+        let (shown, _) = since.get_or_insert_with(|| (Vec::new(), usual));
+        shown.push(day);
+        if shown.len() == rule.days {
+            alerts.push(alert(rule, measure, (value, usual), shown, days));
+        }
+    }
+    alerts
+}
+
+/// Days on which the weighted average leaves its limits.
+fn by_average(rule: &Rule, measure: &'static Measure, values: &[Option<f64>], days: &[Day]) -> Vec<Alert> {
+    let mut alerts = Vec::new();
+    // What was usual as the chart began, the average, how many days it has, and those of alarm.
+    let mut chart: Option<(Usual, f64, i32, Vec<usize>)> = None;
+    let mut begins = 0;
+    let mut told: Option<usize> = None;
+    for (day, value) in values.iter().enumerate() {
+        let Some(value) = *value else { continue };
+        let Some((usual, average, count, alarms)) = &mut chart else {
+            let known = values[begins..day].iter().flatten().count();
+            if known >= rule.baseline_days.min(rule.min_days * 2) {
+                chart = usual_of(rule, &values[begins..day]).map(|usual| (usual, usual.mean, 0, Vec::new()));
+            }
+            continue;
+        };
+        *count += 1;
+        *average += rule.smoothing * (value - *average);
+        let weights = rule.smoothing / (2.0 - rule.smoothing) * (1.0 - (1.0 - rule.smoothing).powi(2 * *count));
+        if differs(rule, *average, usual.mean, usual.sd * weights.sqrt()) <= rule.k_sd {
+            alarms.clear();
+            continue;
+        }
+        alarms.push(day);
+        if alarms.len() == 1 && told.replace(day).is_none_or(|told| day - told > TOLD_AGAIN) {
+            alerts.push(alert(rule, measure, (*average, *usual), alarms, days));
+        }
+        if alarms.len() == ANEW_AFTER {
+            (chart, begins) = (None, day + 1);
+        }
+    }
+    alerts
+}
+
+fn usual_of(rule: &Rule, before: &[Option<f64>]) -> Option<Usual> {
+    let all = Rule { baseline_days: before.len(), ..rule.clone() };
+    usual(&all, before, before.len())
+}
+
+fn alert(rule: &Rule, measure: &'static Measure, (value, usual): (f64, Usual), shown: &[usize], days: &[Day]) -> Alert {
+    let shown_by: Vec<Date> = shown.iter().map(|&day| days[day].date).collect();
+    let date = shown_by.last().copied().unwrap_or_default();
+    let (is_more, title, unit) = (value > usual.mean, measure.title, measure.unit);
+    let (mean, sd) = (usual.mean, usual.sd);
+    let much = if is_more { "more" } else { "less" };
+    let words = match rule.method {
+        Method::Deviation => format!(
+            "{title}: {value:.1} {unit} on {date}, {much} than the usual {mean:.1} (give or take {sd:.1}) of the {} days before",
+            rule.baseline_days
+        ),
+        Method::Ewma => format!(
+            "{title}: the average of the last days has come to {value:.2} {unit} on {date}, {much} than the {mean:.2} of before"
+        ),
+    };
+    Alert {
+        date,
+        rule: rule.name.clone(),
+        measures: vec![measure.name],
+        is_more: Some(is_more),
+        value: Some(value),
+        usual: Some(mean),
+        sd: Some(sd),
+        shown_by,
+        words,
+    }
+}
+
+/// Days on which several measures differ, each less than would be worth an alert of its own; the first of those in a row.
+fn at_once(several: Several, rules: &Rules, measures: &Measures, counts: &[bool]) -> Vec<Alert> {
+    let mut alerts = Vec::new();
+    let mut was_so = false;
+    for (day, of_day) in measures.days.iter().enumerate() {
+        let mut differ: Vec<&'static Measure> = Vec::new();
+        for rule in &rules.rules {
+            let Some((number, measure)) = rule.measure() else { continue };
+            let values: Vec<Option<f64>> = measures.days[..=day]
+                .iter()
+                .zip(counts)
+                .skip(day.saturating_sub(rule.baseline_days))
+                .map(|(day, counts)| day.values[number].filter(|_| *counts))
+                .collect();
+            let Some((&Some(value), before)) = values.split_last() else { continue };
+            let differs = usual(rule, &values, before.len())
+                .is_some_and(|usual| differs(rule, value, usual.mean, usual.sd) > several.k_sd);
+            if differs && !differ.iter().any(|known| known.name == measure.name) {
+                differ.push(measure);
+            }
+        }
+        let is_so = differ.len() >= several.at_least;
+        if is_so && !was_so {
+            let titles: Vec<&str> = differ.iter().map(|measure| measure.title).collect();
+            alerts.push(Alert {
+                date: of_day.date,
+                rule: "several".into(),
+                measures: differ.iter().map(|measure| measure.name).collect(),
+                is_more: None,
+                value: None,
+                usual: None,
+                sd: None,
+                shown_by: vec![of_day.date],
+                words: format!("Several things differ on {}: {}", of_day.date, titles.join(", ")),
+            });
+        }
+        was_so = is_so;
+    }
+    alerts
+}
+
+impl fmt::Display for Alerts {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        writeln!(
+            f,
+            "{}: {} days, of which {} count; {} alerts",
+            self.name,
+            self.days,
+            self.days_that_count,
+            self.alerts.len()
+        )?;
+        for alert in &self.alerts {
+            writeln!(f, "\n{}  {}\n  {}", alert.date, alert.rule, alert.words)?;
+        }
+        for (number, remark) in self.remarks.iter().enumerate() {
+            if number == 0 {
+                writeln!(f)?;
+            }
+            writeln!(f, "{remark}.")?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,84 @@
+//! Alerts over days that are made up.
+
+use super::*;
+use crate::measures::{MEASURES, Silent};
+use jiff::civil::date;
+
+/// Days with these values of a measure, and nothing else.
+fn days_of(name: &str, values: &[Option<f64>]) -> Measures {
+    let number = MEASURES.iter().position(|measure| measure.name == name).unwrap();
+    let day = |(day, value): (usize, &Option<f64>)| {
+        let mut of_day = vec![None; MEASURES.len()];
+        of_day[number] = *value;
+        Day {
+            date: date(2024, 1, 1).saturating_add(jiff::Span::new().days(day as i64)),
+            is_whole: true,
+            values: of_day,
+        }
+    };
+    Measures {
+        name: "log".into(),
+        measures: MEASURES,
+        remarks: Vec::new(),
+        silent: Vec::new(),
+        days: values.iter().enumerate().map(day).collect(),
+    }
+}
+
+fn rules(rule: &str) -> Rules {
+    Rules::read(&format!(r#"{{ "rules": [{rule}] }}"#)).unwrap()
+}
+
+/// Fourteen days of one and two visits, then these.
+fn then(values: &[f64]) -> Vec<Option<f64>> {
+    let before = (0..14).map(|day| Some(f64::from(1 + day % 2)));
+    before.chain(values.iter().copied().map(Some)).collect()
+}
+
+const NIGHTS: &str = r#"{ "name": "nights", "measure": "bathroom_night", "when": "more", "days": 2, "least_sd": 0.5 }"#;
+
+#[test]
+fn what_is_far_from_usual_on_days_in_a_row_is_told_once() {
+    let found = alerts(&days_of("bathroom_night", &then(&[6.0, 2.0, 6.0, 5.0, 6.0])), &rules(NIGHTS));
+    let [alert] = &found.alerts[..] else { panic!("{found}") };
+    assert_eq!((alert.date, alert.shown_by.len()), (date(2024, 1, 18), 2));
+    assert!(alert.words.contains("Bathroom by night: 5.0 visits on 2024-01-18, more than the usual"), "{found}");
+    // Less is not more.
+    assert!(alerts(&days_of("bathroom_night", &then(&[0.0, 0.0, 0.0])), &rules(NIGHTS)).alerts.is_empty());
+}
+
+#[test]
+fn without_enough_days_nothing_is_usual() {
+    let short: Vec<Option<f64>> = vec![Some(1.0), Some(2.0), Some(9.0), Some(9.0)];
+    let found = alerts(&days_of("bathroom_night", &short), &rules(NIGHTS));
+    assert!(found.alerts.is_empty());
+    assert!(found.remarks[0].contains("too few to know what is usual"), "{found}");
+}
+
+#[test]
+fn days_that_are_not_known_do_not_count() {
+    let mut gap = then(&[6.0, 6.0]);
+    gap.splice(14..14, vec![None; 6]);
+    assert_eq!(alerts(&days_of("bathroom_night", &gap), &rules(NIGHTS)).alerts.len(), 1);
+    gap.splice(14..14, vec![None; 30]);
+    assert!(alerts(&days_of("bathroom_night", &gap), &rules(NIGHTS)).alerts.is_empty());
+}
+
+#[test]
+fn a_slow_change_is_found_by_the_moving_average() {
+    let slowly: Vec<f64> = (0..21).map(|day| 1.5 + f64::from(day % 2) + 0.12 * f64::from(day)).collect();
+    let rule = r#"{ "name": "slow", "measure": "bathroom_night", "when": "more", "method": "ewma" }"#;
+    let found = alerts(&days_of("bathroom_night", &then(&slowly)), &rules(rule));
+    assert!(found.alerts.first().is_some_and(|alert| alert.date < date(2024, 1, 29)), "{found}");
+    let steady: Vec<f64> = (0..60).map(|day| f64::from(1 + day % 2)).collect();
+    assert!(alerts(&days_of("bathroom_night", &then(&steady)), &rules(rule)).alerts.is_empty());
+}
+
+#[test]
+fn a_silent_sensor_is_told_of() {
+    let mut measures = days_of("meals", &then(&[2.0; 5]));
+    measures.silent.push(Silent { sensor: "kitchen motion".into(), since: date(2024, 1, 15), told: date(2024, 1, 17) });
+    let found = alerts(&measures, &rules(NIGHTS));
+    let [alert] = &found.alerts[..] else { panic!("{found}") };
+    assert_eq!((alert.rule.as_str(), alert.date), ("sensor", date(2024, 1, 17)));
+}

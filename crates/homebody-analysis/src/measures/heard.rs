@@ -1,0 +1,233 @@
+//! What measures are taken from, as a log tells it.
+
+use super::rooms::{Purpose, Rooms};
+use super::timeline::{Passage, Span, Stay, Timeline, joined, without};
+use crate::dates::midnight;
+use crate::density::{Absence, Asked, Map, NoMap};
+use crate::signs::{Kind, Says, says, spans};
+use homebody_core::names::words;
+use homebody_core::time::{DAY, Micros, SECOND, seconds};
+use homebody_log::Log;
+use std::collections::BTreeMap;
+
+const MINUTE: Micros = 60 * SECOND;
+
+/// Who is in a bedroom and gives no sign for so long is in bed (ours); who is in bed and gives none for so long sleeps.
+const LIES_STILL: Micros = 20 * MINUTE;
+const SLEEPS: Micros = 5 * MINUTE;
+/// Signs in bed farther apart than this are two bouts (ours).
+const BOUT: Micros = 30 * SECOND;
+/// Who is seen once in a room on the way to another is there for so long at most (ours).
+const GLIMPSE: Micros = 5 * SECOND;
+/// Signs of a shower's own sensor no farther apart belong to one shower, which lasts at least so long (ours).
+const SHOWER_APART: Micros = 3 * MINUTE;
+const SHOWER_LASTS: Micros = 3 * MINUTE;
+/// Where a shower has no sensor of its own, who stays in the bathroom for so long by day showers (ours).
+const BATHROOM_LONG: Micros = 12 * MINUTE;
+/// Times in the kitchen no farther apart belong to one meal; for a meal somebody is there for so long (ours).
+const MEAL_APART: Micros = 15 * MINUTE;
+const MEAL_LASTS: Micros = 12 * MINUTE;
+/// A way from one sensor to another takes no longer, and is known by so many (ours).
+const PASSES_WITHIN: Micros = 15 * SECOND;
+const PASSES_KNOWN: usize = 20;
+
+/// A sign of somebody: when, where, and by which sensor.
+struct Sign {
+    at: Micros,
+    room: usize,
+    sensor: usize,
+}
+
+impl Timeline {
+    /// As a log tells it. `known` says which sensors are in which rooms; `asked` from when to when.
+    ///
+    /// # Errors
+    ///
+    /// Those of the log's density map.
+    pub(super) fn heard(
+        log: &Log,
+        kinds: &[Kind],
+        known: &BTreeMap<String, String>,
+        asked: &Asked,
+    ) -> Result<(Timeline, Map), NoMap> {
+        let map = Map::of("", log, asked)?;
+        let rooms = Rooms::of(&log.sensors, known);
+        let signs = signs(log, kinds, &rooms);
+        let begin = midnight(map.from);
+        let end = begin + map.cells.len() as Micros * DAY;
+        let away: Vec<Span> = map.absences.iter().map(|Absence { begin, end, .. }| (*begin, *end)).collect();
+        let last = signs.last().map_or(end, |sign| sign.at).min(end);
+        let stays = stays(&signs, &away, last);
+        let mut timeline = Timeline {
+            first: map.from,
+            begin,
+            recorded_h: map.cells.iter().map(|day| day.map(|cell| cell.recorded_h)).collect(),
+            away: (!map.entrance.sensors.is_empty()).then_some(away),
+            passages: passages(&signs),
+            cells: Some(map.cells.clone()),
+            stays,
+            rooms,
+            ..Timeline::default()
+        };
+        timeline.lie_down(log, kinds, &signs);
+        timeline.wash_and_eat(log, kinds, &signs);
+        Ok((timeline, map))
+    }
+
+    /// Finds the times in bed: by what is in the bed, or else by silence in the bedroom.
+    fn lie_down(&mut self, log: &Log, kinds: &[Kind], signs: &[Sign]) {
+        let is_bed = |sensor: usize| kinds[sensor] == Kind::Used && is_named(&log.sensors[sensor], &BEDS);
+        let mut lain: Vec<Span> = Vec::new();
+        for (_, spans) in spans(log).into_iter().enumerate().filter(|(sensor, _)| is_bed(*sensor)) {
+            lain.extend(spans.into_iter().filter(|span| span.1 > span.0));
+        }
+        lain.sort();
+        let in_bedroom: Vec<&Sign> =
+            signs.iter().filter(|sign| self.rooms.purpose(sign.room) == Purpose::Bedroom).collect();
+        if lain.is_empty() && !self.rooms.has(Purpose::Bedroom) {
+            return;
+        }
+        if lain.is_empty() {
+            let silent = self.stays.iter().filter(|stay| self.rooms.purpose(stay.room) == Purpose::Bedroom);
+            lain = silent.filter_map(|stay| still(stay, &in_bedroom)).collect();
+        }
+        let lain = joined(lain.into_iter(), 0);
+        let (mut asleep, mut stirs) = (Vec::new(), Vec::new());
+        for &(begin, end) in &lain {
+            let of = within(&in_bedroom, begin, end);
+            let mut before = begin;
+            for at in of.iter().map(|sign| sign.at).chain([end]) {
+                if at - before >= SLEEPS {
+                    asleep.push((before, at));
+                }
+                if at < end && at - before > BOUT {
+                    stirs.push(at);
+                }
+                before = at;
+            }
+        }
+        (self.in_bed, self.asleep, self.stirs) = (Some(lain), Some(asleep), Some(stirs));
+    }
+
+    /// Finds showers and meals.
+    fn wash_and_eat(&mut self, log: &Log, kinds: &[Kind], signs: &[Sign]) {
+        let is_shower = |sensor: usize| kinds[sensor] == Kind::Motion && is_named(&log.sensors[sensor], &SHOWERS);
+        let begins = |spans: Vec<Span>, least: Micros| {
+            let long = spans.into_iter().filter(|span| span.1 - span.0 >= least);
+            Some(long.map(|span| span.0).collect())
+        };
+        if (0..log.sensors.len()).any(is_shower) {
+            let seen = signs.iter().filter(|sign| is_shower(sign.sensor)).map(|sign| (sign.at, sign.at));
+            self.showers = begins(joined(seen, SHOWER_APART), SHOWER_LASTS);
+        } else if self.rooms.has(Purpose::Bathroom) {
+            let in_bed = self.in_bed.as_deref().unwrap_or_default();
+            let by_day = without(&self.visits(Purpose::Bathroom, MINUTE), in_bed);
+            self.showers = begins(by_day, BATHROOM_LONG);
+        }
+        if self.rooms.has(Purpose::Kitchen) {
+            let cooked = self.visits(Purpose::Kitchen, 0);
+            let mut meals = Vec::new();
+            for (begin, end) in joined(cooked.iter().copied(), MEAL_APART) {
+                let there: Micros =
+                    cooked.iter().filter(|stay| stay.0 >= begin && stay.1 <= end).map(|stay| stay.1 - stay.0).sum();
+                if there >= MEAL_LASTS {
+                    meals.push(begin);
+                }
+            }
+            self.meals = Some(meals);
+        }
+    }
+}
+
+/// Words that tell of beds and showers.
+const BEDS: [&str; 2] = ["bed", "mattress"];
+const SHOWERS: [&str; 3] = ["shower", "bathtub", "tub"];
+
+fn is_named(name: &str, as_one_of: &[&str]) -> bool {
+    words(name).iter().any(|word| as_one_of.contains(&word.as_str()))
+}
+
+/// What motion sensors say of somebody who is in a room that is known, in order of time.
+fn signs(log: &Log, kinds: &[Kind], rooms: &Rooms) -> Vec<Sign> {
+    let begins: Vec<bool> = log.values.iter().map(|value| says(value) == Says::Begins).collect();
+    let told = log.events.iter().filter(|event| begins[event.value as usize]);
+    let mut signs: Vec<Sign> = told
+        .filter_map(|event| {
+            let sensor = event.sensor as usize;
+            let room = rooms.of_sensors[sensor].filter(|_| kinds[sensor] == Kind::Motion)?;
+            Some(Sign { at: event.at, room, sensor })
+        })
+        .collect();
+    signs.sort_by_key(|sign| sign.at);
+    signs
+}
+
+/// Somebody is in the room of the last sign until there is one of another, or until they leave. A single sign of a room is a
+/// glimpse of somebody who passes: a moment of its own between two other rooms, and nothing within one.
+fn stays(signs: &[Sign], away: &[Span], last: Micros) -> Vec<Stay> {
+    let rooms: Vec<&[Sign]> = signs.chunk_by(|a, b| a.room == b.room).collect();
+    let mut stays: Vec<Stay> = Vec::new();
+    for (index, of_room) in rooms.iter().enumerate() {
+        let next = rooms.get(index + 1);
+        let (room, begin) = (of_room[0].room, of_room[0].at);
+        let end = next.map_or(last.max(begin), |next| next[0].at);
+        let is_glimpse = of_room.len() == 1;
+        match stays.last_mut() {
+            Some(before) if before.room == room => before.end = end,
+            Some(before) if is_glimpse && next.is_some_and(|next| next[0].room == before.room) => before.end = end,
+            Some(before) if is_glimpse && next.is_some() => {
+                before.end = begin;
+                stays.push(Stay { room, begin, end: end.min(begin + GLIMPSE) });
+            }
+            _ => stays.push(Stay { room, begin, end }),
+        }
+    }
+    // What comes after a glimpse has begun when that is over.
+    for index in 1..stays.len() {
+        stays[index].begin = stays[index].begin.min(stays[index - 1].end);
+    }
+    let parts = stays.iter().flat_map(|stay| {
+        let first = away.partition_point(|absence| absence.1 <= stay.begin);
+        let parts = without(&[(stay.begin, stay.end)], &away[first..]);
+        parts.into_iter().map(|(begin, end)| Stay { room: stay.room, begin, end })
+    });
+    parts.collect()
+}
+
+/// The signs within a span.
+fn within<'a>(signs: &'a [&'a Sign], begin: Micros, end: Micros) -> &'a [&'a Sign] {
+    let from = signs.partition_point(|sign| sign.at < begin);
+    let to = signs.partition_point(|sign| sign.at < end);
+    &signs[from..to.max(from)]
+}
+
+/// From the first to the last long silence of a stay, if there is one.
+fn still(stay: &Stay, signs: &[&Sign]) -> Option<Span> {
+    let of = within(signs, stay.begin, stay.end);
+    let times: Vec<Micros> = of.iter().map(|sign| sign.at).chain([stay.end]).collect();
+    let is_long = |pair: &&[Micros]| pair[1] - pair[0] >= LIES_STILL;
+    let mut long = times.windows(2).filter(is_long);
+    let first = long.next()?;
+    Some((first[0], long.next_back().unwrap_or(first)[1]))
+}
+
+/// How fast somebody went from sensor to sensor, of those pairs in different rooms that are passed often enough.
+fn passages(signs: &[Sign]) -> Option<Vec<Passage>> {
+    let mut by_pair: BTreeMap<(usize, usize), Vec<(Micros, f64)>> = BTreeMap::new();
+    for pair in signs.windows(2) {
+        let took = pair[1].at - pair[0].at;
+        if pair[0].room != pair[1].room && took > 0 && took <= PASSES_WITHIN {
+            let of = (pair[0].sensor, pair[1].sensor);
+            by_pair.entry(of).or_default().push((pair[1].at, seconds(took)));
+        }
+    }
+    let mut passages = Vec::new();
+    for passed in by_pair.into_values().filter(|passed| passed.len() >= PASSES_KNOWN) {
+        let mut took: Vec<f64> = passed.iter().map(|(_, took)| *took).collect();
+        took.sort_by(f64::total_cmp);
+        let usual = took[took.len() / 2];
+        passages.extend(passed.into_iter().map(|(at, took)| Passage { at, of_usual: usual / took }));
+    }
+    passages.sort_by_key(|passage| passage.at);
+    (!passages.is_empty()).then_some(passages)
+}

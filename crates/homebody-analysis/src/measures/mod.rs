@@ -1,0 +1,91 @@
+//! What a person has been doing, day by day: bed and sleep, bathroom, meals, outings, ways and their pace, sitting, density.
+//!
+//! A measure is written once, in `of_day`, and is taken from a `Timeline`: who was in which room, in bed, asleep and out. A
+//! log tells it in `heard`, a truth by `Timeline::lived`, so that the two can be held against each other. What
+//! each measure is, with its unit, its definition and the source of that, stands in `MEASURES`.
+//!
+//! A day of which more than an hour is unknown has no values, and a night none of its own: nothing is filled in. Left out: who
+//! of several residents it was, and visitors, who are measured as if they were the resident.
+
+mod heard;
+mod held;
+mod kinds;
+mod lived;
+mod of_day;
+mod rooms;
+mod silent;
+mod table;
+mod timeline;
+mod wandering;
+
+use crate::density::{Asked, Chosen, NoMap};
+use crate::signs::kinds;
+use homebody_log::{Life, Log};
+use of_day::Common;
+use std::collections::BTreeMap;
+
+pub use held::{Day, Measures, Silent};
+pub use kinds::{MEASURES, Measure};
+pub use of_day::OfDay;
+pub use rooms::{Purpose, Rooms};
+pub use timeline::{Passage, Stay, Timeline};
+
+impl Measures {
+    /// Of a log. `known` says which of its sensors are in which rooms, where a home tells it.
+    ///
+    /// # Errors
+    ///
+    /// [`NoMap`] where no sensor tells of motion, or the days are too many.
+    pub fn heard(name: &str, log: &Log, known: &BTreeMap<String, String>, asked: &Asked) -> Result<Measures, NoMap> {
+        let kinds = kinds(log);
+        let (timeline, map) = Timeline::heard(log, &kinds, known, asked)?;
+        let mut remarks = Vec::new();
+        let unplaced = timeline.rooms.of_sensors.iter().filter(|room| room.is_none()).count();
+        if timeline.rooms.rooms.is_empty() {
+            remarks.push("No sensor's name tells its room, so nothing of rooms, bed, meals and showers is known; --home tells which room each is in".to_owned());
+        } else if unplaced > 0 {
+            remarks.push(format!("{unplaced} of {} sensors are in no room that is known", log.sensors.len()));
+        }
+        for (purpose, room, lacking) in [
+            (Purpose::Bedroom, "bedroom", "nights"),
+            (Purpose::Bathroom, "bathroom", "visits to it and showers"),
+            (Purpose::Kitchen, "kitchen", "meals"),
+        ] {
+            if !timeline.rooms.rooms.is_empty() && !timeline.rooms.has(purpose) {
+                remarks.push(format!("No sensor is in a {room}, so nothing is known of {lacking}"));
+            }
+        }
+        match map.entrance.chosen {
+            Chosen::None => remarks.push("No sensor is at an entrance, so nothing is known of outings".to_owned()),
+            Chosen::Guessed => remarks.push(format!(
+                "Outings are a guess: the entrance is taken to be at {}",
+                map.entrance.sensors.join(", ")
+            )),
+            Chosen::Asked | Chosen::Known => {}
+        }
+        let mut measures = Measures::of(name, &timeline, remarks);
+        let away = timeline.away.clone().unwrap_or_default();
+        let last = log.events.iter().map(|event| event.at).max().unwrap_or(timeline.begin);
+        let silences = silent::silences(log, &kinds, &away, last);
+        measures.leave_out(&silences, log, &timeline.rooms, &map.entrance);
+        Ok(measures)
+    }
+
+    /// Of a truth, for the days of a log.
+    pub fn lived(name: &str, life: &Life, recorded: std::ops::Range<homebody_core::time::Micros>) -> Measures {
+        Measures::of(name, &Timeline::lived(life, recorded), Vec::new())
+    }
+
+    /// Of a timeline.
+    pub fn of(name: &str, timeline: &Timeline, remarks: Vec<String>) -> Measures {
+        let common = Common::of(timeline);
+        let first = timeline.first;
+        let days = (0..timeline.days()).map(|number| {
+            let day = OfDay::new(&common, number);
+            let values = MEASURES.iter().map(|measure| (measure.of)(&day)).collect();
+            let date = first.saturating_add(jiff::Span::new().days(number as i64));
+            Day { date, is_whole: day.is_known(), values }
+        });
+        Measures { name: name.to_owned(), measures: MEASURES, remarks, silent: Vec::new(), days: days.collect() }
+    }
+}

@@ -1,0 +1,257 @@
+//! A day of a timeline, and what each measure comes to on it.
+
+use super::rooms::Purpose;
+use super::timeline::{Span, Timeline, within_h, without};
+use super::wandering::Wandering;
+use crate::density::{Cell, Sum, apart};
+use homebody_core::time::{DAY, Micros, SECOND, seconds};
+
+const HOUR: Micros = 3600 * SECOND;
+
+/// Who is in the bathroom for less passes through it (ours).
+const VISIT: Micros = 20 * SECOND;
+/// Who comes back so soon has not left (ours).
+const VISITS_APART: Micros = 60 * SECOND;
+/// Who stays in a room for so long sits there.
+const SITS: Micros = 30 * 60 * SECOND;
+/// A day of which more is unknown has no measures of days, and a night none of nights (ours).
+const UNKNOWN_H: f64 = 1.0;
+/// Fewer ways have no distribution (ours).
+const LEAST_WAYS: usize = 10;
+/// What is told of a week is told of so many days.
+const WEEK: usize = 7;
+
+/// What all days ask for.
+pub struct Common<'a> {
+    /// What is known.
+    pub timeline: &'a Timeline,
+    /// Visits to the bathroom.
+    pub bathroom: Vec<Span>,
+    /// Long stays in one room.
+    pub sitting: Vec<Span>,
+    /// Aimless ways.
+    pub wandering: Wandering,
+    /// The height of a level of density, in firings an hour.
+    pub step_per_h: f64,
+}
+
+impl<'a> Common<'a> {
+    /// Of a timeline.
+    pub fn of(timeline: &'a Timeline) -> Common<'a> {
+        let visits = timeline.visits(Purpose::Bathroom, VISITS_APART);
+        let long = timeline.stays.iter().filter(|stay| stay.lasts() >= SITS);
+        Common {
+            timeline,
+            bathroom: visits.into_iter().filter(|visit| visit.1 - visit.0 >= VISIT).collect(),
+            sitting: long.map(|stay| (stay.begin, stay.end)).collect(),
+            wandering: super::wandering::wandering(&timeline.stays),
+            step_per_h: timeline.cells.as_deref().map_or(1.0, apart::step_per_h),
+        }
+    }
+}
+
+/// A day, with the night that ends on it.
+pub struct OfDay<'a> {
+    common: &'a Common<'a>,
+    number: usize,
+    day: Span,
+    /// From lying down to getting up.
+    night: Option<Span>,
+    is_known: bool,
+    is_night_known: bool,
+}
+
+impl<'a> OfDay<'a> {
+    /// The day of a number.
+    pub fn new(common: &'a Common<'a>, number: usize) -> OfDay<'a> {
+        let timeline = common.timeline;
+        let day = timeline.day(number);
+        let known = |span: Span| timeline.known_h(span) > seconds(span.1 - span.0) / 3600.0 - UNKNOWN_H;
+        OfDay {
+            common,
+            number,
+            day,
+            night: timeline.night(number),
+            is_known: known(day),
+            is_night_known: known((day.0 - DAY / 4, day.0 + DAY * 3 / 8)),
+        }
+    }
+
+    /// Whether so little is missing of the day that it has measures.
+    pub fn is_known(&self) -> bool {
+        self.is_known
+    }
+
+    fn by_night(&self) -> Option<Span> {
+        self.night.filter(|_| self.is_night_known)
+    }
+
+    /// How many instants lie within the day.
+    fn count(&self, instants: Option<&[Micros]>) -> Option<f64> {
+        let instants = instants.filter(|_| self.is_known)?;
+        Some(instants.iter().filter(|&&at| (self.day.0..self.day.1).contains(&at)).count() as f64)
+    }
+
+    pub(super) fn time_in_bed(&self) -> Option<f64> {
+        Some(within_h(self.common.timeline.in_bed.as_ref()?, self.by_night()?))
+    }
+
+    pub(super) fn bedtime(&self) -> Option<f64> {
+        Some(seconds(self.by_night()?.0 - self.day.0 + DAY) / 3600.0)
+    }
+
+    pub(super) fn rising(&self) -> Option<f64> {
+        Some(seconds(self.by_night()?.1 - self.day.0) / 3600.0)
+    }
+
+    pub(super) fn sleep(&self) -> Option<f64> {
+        Some(within_h(self.common.timeline.asleep.as_ref()?, self.by_night()?))
+    }
+
+    pub(super) fn restlessness(&self) -> Option<f64> {
+        let (begin, end) = self.by_night()?;
+        let stirs = self.common.timeline.stirs.as_ref()?.iter().filter(|&&at| (begin..end).contains(&at));
+        Some(stirs.count() as f64 / self.time_in_bed().filter(|&hours| hours > 0.0)?)
+    }
+
+    fn has_bathroom(&self) -> Option<()> {
+        self.common.timeline.rooms.has(Purpose::Bathroom).then_some(())
+    }
+
+    pub(super) fn bathroom_night(&self) -> Option<f64> {
+        self.has_bathroom()?;
+        let (begin, end) = self.by_night()?;
+        Some(self.common.bathroom.iter().filter(|visit| visit.0 > begin && visit.1 <= end).count() as f64)
+    }
+
+    pub(super) fn bathroom_day(&self) -> Option<f64> {
+        self.has_bathroom()?;
+        let nights = [self.night, self.common.timeline.night(self.number + 1)];
+        let is_by_night = |at: Micros| nights.iter().flatten().any(|night| (night.0..night.1).contains(&at));
+        let by_day: Vec<Micros> =
+            self.common.bathroom.iter().map(|visit| visit.0).filter(|&at| !is_by_night(at)).collect();
+        self.count(Some(&by_day))
+    }
+
+    pub(super) fn showers(&self) -> Option<f64> {
+        self.count(self.common.timeline.showers.as_deref())
+    }
+
+    pub(super) fn meals(&self) -> Option<f64> {
+        self.count(self.common.timeline.meals.as_deref())
+    }
+
+    pub(super) fn time_out(&self) -> Option<f64> {
+        let away = self.common.timeline.away.as_ref().filter(|_| self.is_known)?;
+        Some(within_h(away, self.day))
+    }
+
+    pub(super) fn outings(&self) -> Option<f64> {
+        let away = self.common.timeline.away.as_ref()?;
+        let long = away.iter().filter(|span| span.1 - span.0 >= HOUR / 2);
+        self.count(Some(&long.map(|span| span.0).collect::<Vec<_>>()))
+    }
+
+    pub(super) fn room_changes(&self) -> Option<f64> {
+        let stays = &self.common.timeline.stays;
+        if self.common.timeline.rooms.rooms.len() < 2 {
+            return None;
+        }
+        let changes = stays.windows(2).filter(|pair| pair[0].room != pair[1].room).map(|pair| pair[1].begin);
+        self.count(Some(&changes.collect::<Vec<_>>()))
+    }
+
+    /// How fast the ways of the day were gone, the slowest first.
+    fn paces(&self) -> Option<Vec<f64>> {
+        let passages = self.common.timeline.passages.as_ref().filter(|_| self.is_known)?;
+        let from = passages.partition_point(|passage| passage.at < self.day.0);
+        let to = passages.partition_point(|passage| passage.at < self.day.1);
+        let mut paces: Vec<f64> = passages[from..to].iter().map(|passage| passage.of_usual).collect();
+        paces.sort_by(f64::total_cmp);
+        (paces.len() >= LEAST_WAYS).then_some(paces)
+    }
+
+    pub(super) fn pace(&self) -> Option<f64> {
+        let paces = self.paces()?;
+        Some(paces[paces.len() / 2])
+    }
+
+    pub(super) fn pace_slow(&self) -> Option<f64> {
+        let paces = self.paces()?;
+        Some(paces[paces.len() / 10])
+    }
+
+    pub(super) fn pacing(&self) -> Option<f64> {
+        self.count(Some(&self.common.wandering.pacing))
+    }
+
+    pub(super) fn lapping(&self) -> Option<f64> {
+        self.count(Some(&self.common.wandering.lapping))
+    }
+
+    pub(super) fn sedentary(&self) -> Option<f64> {
+        self.common.timeline.in_bed.as_ref().filter(|_| self.is_known)?;
+        let nights: Vec<Span> =
+            [self.night, self.common.timeline.night(self.number + 1)].into_iter().flatten().collect();
+        let by_day = without(&self.common.sitting, &nights);
+        Some(within_h(&by_day, self.day))
+    }
+
+    /// The hours of so many days up to this one, which must all be known.
+    fn week(&self, back: usize) -> Option<&'a [[Cell; 24]]> {
+        let timeline = self.common.timeline;
+        let end = (self.number + 1).checked_sub(back)?;
+        let from = end.checked_sub(WEEK)?;
+        let are_known = timeline.recorded_h[from..end].iter().all(|day| day.iter().sum::<f64>() > 24.0 - UNKNOWN_H);
+        timeline.cells.as_ref()?.get(from..end).filter(|_| are_known)
+    }
+
+    fn density(&self, hours: std::ops::Range<usize>) -> Option<f64> {
+        let cells = self.common.timeline.cells.as_ref().filter(|_| self.is_known)?;
+        Sum::of(&cells[self.number][hours]).density_per_h
+    }
+
+    pub(super) fn density_night(&self) -> Option<f64> {
+        self.density(0..6)
+    }
+
+    pub(super) fn density_morning(&self) -> Option<f64> {
+        self.density(6..12)
+    }
+
+    pub(super) fn density_afternoon(&self) -> Option<f64> {
+        self.density(12..18)
+    }
+
+    pub(super) fn density_evening(&self) -> Option<f64> {
+        self.density(18..24)
+    }
+
+    pub(super) fn density_distance(&self) -> Option<f64> {
+        apart::distance(self.week(0)?, self.week(WEEK)?, self.common.step_per_h)
+    }
+
+    /// Firings by hour of a week, with the sum of their squared differences from their mean.
+    fn hours(&self) -> Option<(Vec<f64>, f64, f64)> {
+        let hours: Vec<f64> = self.week(0)?.iter().flatten().map(|cell| cell.events as f64).collect();
+        let mean = hours.iter().sum::<f64>() / hours.len() as f64;
+        let squares = hours.iter().map(|hour| (hour - mean) * (hour - mean)).sum::<f64>();
+        (squares > 0.0).then_some((hours, mean, squares))
+    }
+
+    pub(super) fn interdaily_stability(&self) -> Option<f64> {
+        let (hours, mean, squares) = self.hours()?;
+        let of_hour = |hour: usize| {
+            let of_days = hours.iter().skip(hour).step_by(24);
+            let difference = of_days.sum::<f64>() / WEEK as f64 - mean;
+            difference * difference
+        };
+        Some(WEEK as f64 * (0..24).map(of_hour).sum::<f64>() / squares)
+    }
+
+    pub(super) fn intradaily_variability(&self) -> Option<f64> {
+        let (hours, _, squares) = self.hours()?;
+        let steps = hours.windows(2).map(|pair| (pair[1] - pair[0]) * (pair[1] - pair[0])).sum::<f64>();
+        Some(hours.len() as f64 * steps / ((hours.len() - 1) as f64 * squares))
+    }
+}

@@ -1,0 +1,131 @@
+//! Which room each sensor of a log is in, and what the room is for: by its home, where that is known, else by names.
+
+use homebody_core::names::words;
+use std::collections::BTreeMap;
+
+/// What a room is for, as far as measures ask for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Purpose {
+    /// Where one sleeps.
+    Bedroom,
+    /// Where toilet or shower are.
+    Bathroom,
+    /// Where one cooks.
+    Kitchen,
+    /// All else.
+    Other,
+}
+
+/// The rooms of a log, and in which of them its sensors are.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Rooms {
+    /// By number: what it is called, and what it is for.
+    pub rooms: Vec<(String, Purpose)>,
+    /// By sensor of the log.
+    pub of_sensors: Vec<Option<usize>>,
+}
+
+/// A room as names of sensors tell it: what it is called here, what it is for, and the words that tell it (ours). Of two, the
+/// word that stands first in a name decides: a `KitchenDoor` is the kitchen's.
+const TOLD: [(&str, Purpose, &[&str]); 7] = [
+    ("bedroom", Purpose::Bedroom, &["bedroom", "bed", "bedside", "mattress"]),
+    (
+        "bathroom",
+        Purpose::Bathroom,
+        &["bathroom", "bath", "bathtub", "toilet", "shower", "wc", "loo", "restroom", "basin", "flush"],
+    ),
+    (
+        "kitchen",
+        Purpose::Kitchen,
+        &[
+            "kitchen",
+            "stove",
+            "fridge",
+            "refrigerator",
+            "freezer",
+            "microwave",
+            "oven",
+            "dishwasher",
+            "cooktop",
+            "toaster",
+        ],
+    ),
+    ("living room", Purpose::Other, &["living", "lounge", "sofa", "couch", "armchair", "recliner", "tv", "television"]),
+    ("dining room", Purpose::Other, &["dining"]),
+    ("study", Purpose::Other, &["study", "office", "work", "desk", "computer"]),
+    (
+        "hall",
+        Purpose::Other,
+        &["hall", "hallway", "corridor", "entry", "entryway", "entrance", "foyer", "front", "main"],
+    ),
+];
+
+/// The room that a name speaks of.
+fn told(name: &str) -> Option<(&'static str, Purpose)> {
+    let said = words(name);
+    said.iter().find_map(|word| {
+        let told = TOLD.iter().find(|(.., words)| words.contains(&word.as_str()))?;
+        Some((told.0, told.1))
+    })
+}
+
+/// What a room of this name is for.
+pub fn purpose(room: &str) -> Purpose {
+    told(room).map_or(Purpose::Other, |(_, purpose)| purpose)
+}
+
+impl Rooms {
+    /// Of these sensors; `known` says which of them are in which rooms. Where it says nothing of any, names decide.
+    pub fn of(sensors: &[String], known: &BTreeMap<String, String>) -> Rooms {
+        let mut rooms = Rooms::default();
+        for sensor in sensors {
+            let room = match known.is_empty() {
+                true => told(sensor).map(|(name, purpose)| (name.to_owned(), purpose)),
+                false => known.get(sensor).map(|room| (room.clone(), purpose(room))),
+            };
+            let number = room.map(|room| rooms.number(room));
+            rooms.of_sensors.push(number);
+        }
+        rooms
+    }
+
+    /// The number of a room, which is a new one where it is not known.
+    pub fn number(&mut self, room: (String, Purpose)) -> usize {
+        self.rooms.iter().position(|known| known.0 == room.0).unwrap_or_else(|| {
+            self.rooms.push(room);
+            self.rooms.len() - 1
+        })
+    }
+
+    /// What a room is for.
+    pub fn purpose(&self, room: usize) -> Purpose {
+        self.rooms[room].1
+    }
+
+    /// Whether there is a room for this.
+    pub fn has(&self, purpose: Purpose) -> bool {
+        self.rooms.iter().any(|room| room.1 == purpose)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rooms_are_those_of_the_home_or_else_of_names() {
+        let sensors: Vec<String> =
+            ["BedroomABed", "KitchenADoor", "M003", "shower motion", "MainDoor"].map(String::from).into();
+        let rooms = Rooms::of(&sensors, &BTreeMap::new());
+        let of = |rooms: &Rooms, sensor: usize| rooms.of_sensors[sensor].map(|room| rooms.rooms[room].0.clone());
+        let found: Vec<Option<String>> = (0..5).map(|sensor| of(&rooms, sensor)).collect();
+        assert_eq!(
+            found,
+            [Some("bedroom"), Some("kitchen"), None, Some("bathroom"), Some("hall")].map(|room| room.map(String::from))
+        );
+        let known = BTreeMap::from([("M003".to_owned(), "guest bedroom".to_owned())]);
+        let rooms = Rooms::of(&sensors, &known);
+        assert_eq!((of(&rooms, 0), of(&rooms, 2)), (None, Some("guest bedroom".to_owned())));
+        assert!(rooms.has(Purpose::Bedroom) && !rooms.has(Purpose::Kitchen));
+    }
+}

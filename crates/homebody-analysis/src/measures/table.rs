@@ -1,0 +1,72 @@
+//! Measures as tables, for people and for programs.
+
+use super::held::Measures;
+use super::kinds::MEASURES;
+use std::fmt;
+use std::fmt::Write;
+
+impl Measures {
+    /// A row for each day, a column for each measure: `date,time_in_bed,...`; what is not known is empty.
+    pub fn csv(&self) -> String {
+        let names: Vec<&str> = MEASURES.iter().map(|measure| measure.name).collect();
+        let mut text = format!("date,{}\n", names.join(","));
+        for day in &self.days {
+            let values = day.values.iter().map(|value| value.map_or_else(String::new, |value| format!("{value:.4}")));
+            let _ = writeln!(text, "{},{}", day.date, values.collect::<Vec<_>>().join(","));
+        }
+        text
+    }
+
+    /// The values of a measure that are known, in the order of days.
+    pub fn known(&self, measure: usize) -> Vec<f64> {
+        self.days.iter().filter_map(|day| day.values[measure]).collect()
+    }
+}
+
+/// What each measure usually comes to, and on the last days.
+impl fmt::Display for Measures {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        const LAST: usize = 7;
+        let whole = self.days.iter().filter(|day| day.is_whole).count();
+        let (first, last) = match (self.days.first(), self.days.last()) {
+            (Some(first), Some(last)) => (first.date, last.date),
+            _ => return writeln!(f, "{}: no day", self.name),
+        };
+        writeln!(f, "{}: {} days from {first} to {last}, {whole} of them whole\n", self.name, self.days.len())?;
+        writeln!(
+            f,
+            "  {:24}{:10}{:>6}{:>9}{:>9}{:>9}   last days",
+            "measure", "unit", "days", "tenth", "median", "nine tenths"
+        )?;
+        for (number, measure) in MEASURES.iter().enumerate() {
+            let mut known = self.known(number);
+            let recent: Vec<String> = self.days[self.days.len().saturating_sub(LAST)..]
+                .iter()
+                .map(|day| day.values[number].map_or("-".to_owned(), |value| format!("{value:.1}")))
+                .collect();
+            known.sort_by(f64::total_cmp);
+            write!(f, "  {:24}{:10}{:>6}", measure.name, measure.unit, known.len())?;
+            if known.is_empty() {
+                writeln!(f)?;
+                continue;
+            }
+            let at = |share: f64| known[((known.len() - 1) as f64 * share).round() as usize];
+            write!(f, "{:>9.2}{:>9.2}{:>9.2}", at(0.1), at(0.5), at(0.9))?;
+            writeln!(f, "   {}", recent.join("  "))?;
+        }
+        for silent in &self.silent {
+            writeln!(
+                f,
+                "\nThe sensor {} has said nothing since {}; what needs it has no value.",
+                silent.sensor, silent.since
+            )?;
+        }
+        for (number, remark) in self.remarks.iter().enumerate() {
+            if number == 0 {
+                writeln!(f)?;
+            }
+            writeln!(f, "{remark}.")?;
+        }
+        Ok(())
+    }
+}

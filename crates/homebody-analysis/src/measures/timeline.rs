@@ -1,0 +1,188 @@
+//! What measures are taken from: who was in which room, in bed, asleep and out, and from when to when. A log tells it in
+//! `heard`, a truth in `lived`.
+
+use super::rooms::{Purpose, Rooms};
+use crate::density::Cell;
+use homebody_core::time::{DAY, Micros, SECOND, seconds};
+use jiff::civil::Date;
+
+/// From when to when.
+pub type Span = (Micros, Micros);
+
+/// A time in one room.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stay {
+    /// The room, by its number.
+    pub room: usize,
+    /// From when, in microseconds since 1970 on the clock on the wall.
+    pub begin: Micros,
+    /// Until when.
+    pub end: Micros,
+}
+
+impl Stay {
+    /// How long it lasts.
+    pub fn lasts(&self) -> Micros {
+        self.end - self.begin
+    }
+}
+
+/// The way from one sensor to another, as they speak one after the other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Passage {
+    /// When the second one speaks.
+    pub at: Micros,
+    /// How fast it was gone, as multiples of what is usual between the two.
+    pub of_usual: f64,
+}
+
+/// What is known of some days.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Timeline {
+    /// The first day, and midnight at its beginning.
+    pub first: Date,
+    /// The same in microseconds since 1970.
+    pub begin: Micros,
+    /// For how many hours of each hour of each day anything is known.
+    pub recorded_h: Vec<[f64; 24]>,
+    /// The rooms.
+    pub rooms: Rooms,
+    /// Who was where, in order of time.
+    pub stays: Vec<Stay>,
+    /// When nobody was at home.
+    pub away: Option<Vec<Span>>,
+    /// When somebody was in bed: by night and by day.
+    pub in_bed: Option<Vec<Span>>,
+    /// When somebody was asleep in bed.
+    pub asleep: Option<Vec<Span>>,
+    /// When somebody stirred in bed: the beginnings of bouts.
+    pub stirs: Option<Vec<Micros>>,
+    /// When showers and baths began.
+    pub showers: Option<Vec<Micros>>,
+    /// When meals began, or their cooking where only that is known.
+    pub meals: Option<Vec<Micros>>,
+    /// How fast somebody walked.
+    pub passages: Option<Vec<Passage>>,
+    /// How much is said in each hour.
+    pub cells: Option<Vec<[Cell; 24]>>,
+}
+
+/// What is no more apart than this is one night in bed (ours).
+const OUT_OF_BED: Micros = 90 * 60 * SECOND;
+
+/// A night shorter than this is a nap (ours).
+const LEAST_NIGHT: Micros = 2 * 3600 * SECOND;
+
+impl Timeline {
+    /// How many days there are.
+    pub fn days(&self) -> usize {
+        self.recorded_h.len()
+    }
+
+    /// From midnight to midnight.
+    pub fn day(&self, day: usize) -> Span {
+        let begin = self.begin + day as Micros * DAY;
+        (begin, begin + DAY)
+    }
+
+    /// For how many hours between two instants anything is known, to the hour.
+    pub fn known_h(&self, span: Span) -> f64 {
+        let hour = 3600 * SECOND;
+        let hours = (span.0 - self.begin).div_euclid(hour)..(span.1 - self.begin).div_euclid(hour);
+        let known = hours.filter_map(|hour| {
+            let day = self.recorded_h.get(usize::try_from(hour.div_euclid(24)).ok()?)?;
+            Some(day[hour.rem_euclid(24) as usize])
+        });
+        known.sum()
+    }
+
+    /// The stays in rooms for this; those that are no farther apart than `apart` are one.
+    pub fn visits(&self, purpose: Purpose, apart: Micros) -> Vec<Span> {
+        let stays = self.stays.iter().filter(|stay| self.rooms.purpose(stay.room) == purpose);
+        joined(stays.map(|stay| (stay.begin, stay.end)), apart)
+    }
+
+    /// The night in bed that ends on a day: from lying down to getting up, with the times out of bed in between.
+    pub fn night(&self, day: usize) -> Option<Span> {
+        let (midnight, _) = self.day(day);
+        let (from, to) = (midnight - DAY / 2, midnight + DAY / 2);
+        let in_bed = self.in_bed.as_ref()?.iter().filter(|span| span.1 > from && span.0 < to);
+        let mut nights: Vec<(Micros, Span)> = Vec::new();
+        for &(begin, end) in in_bed {
+            match nights.last_mut().filter(|(_, night)| begin - night.1 <= OUT_OF_BED) {
+                Some((lain, night)) => {
+                    *lain += end - begin;
+                    night.1 = end;
+                }
+                None => nights.push((end - begin, (begin, end))),
+            }
+        }
+        let (lain, night) = nights.into_iter().max_by_key(|(lain, _)| *lain)?;
+        (lain >= LEAST_NIGHT).then_some(night)
+    }
+}
+
+/// Spans in order of time, of which those no farther apart than this are one.
+pub fn joined(spans: impl Iterator<Item = Span>, apart: Micros) -> Vec<Span> {
+    let mut joined: Vec<Span> = Vec::new();
+    for (begin, end) in spans {
+        match joined.last_mut().filter(|last| begin - last.1 <= apart) {
+            Some(last) => last.1 = last.1.max(end),
+            None => joined.push((begin, end)),
+        }
+    }
+    joined
+}
+
+/// For how many hours some spans, of which none are at once, lie within another.
+pub fn within_h(spans: &[Span], within: Span) -> f64 {
+    let part = |span: &Span| (span.1.min(within.1) - span.0.max(within.0)).max(0);
+    seconds(spans.iter().map(part).sum()) / 3600.0
+}
+
+/// The parts of spans that lie outside others; both in order of time.
+pub fn without(spans: &[Span], others: &[Span]) -> Vec<Span> {
+    let mut left = Vec::new();
+    let mut first = 0;
+    for &(begin, end) in spans {
+        while others.get(first).is_some_and(|other| other.1 <= begin) {
+            first += 1;
+        }
+        let mut from = begin;
+        for other in others[first..].iter().take_while(|other| other.0 < end) {
+            if other.0 > from {
+                left.push((from, other.0));
+            }
+            from = from.max(other.1);
+        }
+        if from < end {
+            left.push((from, end));
+        }
+    }
+    left
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const H: Micros = 3600 * SECOND;
+
+    #[test]
+    fn spans_are_joined_and_cut() {
+        assert_eq!(joined([(0, 2), (3, 5), (9, 10)].into_iter(), 1), [(0, 5), (9, 10)]);
+        assert_eq!(without(&[(0, 10), (12, 20)], &[(2, 3), (5, 13), (19, 30)]), [(0, 2), (3, 5), (13, 19)]);
+        assert!((within_h(&[(0, 2 * H), (3 * H, 4 * H)], (H, 4 * H)) - 2.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_night_is_the_longest_time_in_bed_with_what_interrupts_it() {
+        // A nap after lunch, the night with a way to the bathroom, and an hour in the morning that is far from it.
+        let in_bed = vec![(14 * H, 15 * H), (22 * H, 26 * H), (26 * H + H / 4, 31 * H), (34 * H, 35 * H)];
+        let timeline = Timeline { recorded_h: vec![[1.0; 24]; 2], in_bed: Some(in_bed), ..Timeline::default() };
+        assert_eq!(timeline.night(1), Some((22 * H, 31 * H)));
+        assert_eq!(timeline.night(0), None);
+        assert!((timeline.known_h((12 * H, 36 * H)) - 24.0).abs() < 1e-9);
+        assert!((timeline.known_h((-12 * H, 12 * H)) - 12.0).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,170 @@
+//! Measures of days taken from logs, held against the same taken from what residents did.
+
+use crate::walk_back::{Home, NotWalked};
+use homebody_analysis::dates::midnight;
+use homebody_analysis::density::{Asked, NoMap};
+use homebody_analysis::measures::{MEASURES, Measures};
+use homebody_core::event::{Events, Fact};
+use homebody_core::run::Run;
+use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
+use homebody_core::time::{DAY, Micros};
+use homebody_log::{Activity, Event, Life, Log, Rows};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// How a measure of a home's log differs from the truth.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Error {
+    /// The measure's name.
+    pub measure: &'static str,
+    /// Its unit.
+    pub unit: &'static str,
+    /// By day on which both are known: what the log says, and what was so.
+    #[serde(skip)]
+    pub pairs: Vec<(f64, f64)>,
+    /// On how many days both are known.
+    pub days: usize,
+    /// The mean of the truth.
+    pub mean_true: f64,
+    /// The mean of what the log says, less that of the truth.
+    pub bias: f64,
+    /// The mean of how far the two are apart.
+    pub mean_error: f64,
+    /// On nine days of ten they are no farther apart.
+    pub p90_error: f64,
+    /// How well the log follows the truth from day to day: Pearson's correlation; `None` where either never changes.
+    pub correlation: Option<f64>,
+}
+
+impl Error {
+    /// Of pairs of what a log says and what was so; `None` without any.
+    pub fn of(measure: &'static str, unit: &'static str, pairs: Vec<(f64, f64)>) -> Option<Error> {
+        let count = pairs.len() as f64;
+        let mean = |of: &dyn Fn(&(f64, f64)) -> f64| pairs.iter().map(of).sum::<f64>() / count;
+        let mut apart: Vec<f64> = pairs.iter().map(|(heard, lived)| (heard - lived).abs()).collect();
+        apart.sort_by(f64::total_cmp);
+        let p90_error = *apart.get(((count - 1.0) * 0.9).max(0.0).round() as usize)?;
+        let (mean_heard, mean_true) = (mean(&|pair| pair.0), mean(&|pair| pair.1));
+        let together = mean(&|pair| (pair.0 - mean_heard) * (pair.1 - mean_true));
+        let spread = [mean(&|pair| (pair.0 - mean_heard).powi(2)), mean(&|pair| (pair.1 - mean_true).powi(2))];
+        let spread = spread[0].sqrt() * spread[1].sqrt();
+        Some(Error {
+            measure,
+            unit,
+            days: pairs.len(),
+            mean_true,
+            bias: mean_heard - mean_true,
+            mean_error: apart.iter().sum::<f64>() / count,
+            p90_error,
+            correlation: (spread > 1e-12).then(|| together / spread),
+            pairs,
+        })
+    }
+
+    /// All days of several homes together.
+    pub fn all<'a>(of_homes: impl Iterator<Item = &'a Error> + Clone) -> Vec<Error> {
+        let of_measure = |measure: &homebody_analysis::measures::Measure| {
+            let same = of_homes.clone().filter(|error| error.measure == measure.name);
+            Error::of(measure.name, measure.unit, same.flat_map(|error| error.pairs.iter().copied()).collect())
+        };
+        MEASURES.iter().filter_map(of_measure).collect()
+    }
+}
+
+/// Why nothing is measured.
+#[derive(Debug, thiserror::Error)]
+pub enum NotMeasured {
+    /// The log or its lives came to a bad end.
+    #[error(transparent)]
+    Lives(#[from] NotWalked),
+    /// The log tells of no motion.
+    #[error(transparent)]
+    NoMap(#[from] NoMap),
+}
+
+/// Lives a home of one resident for so many days, and measures its log and its truth.
+///
+/// # Errors
+///
+/// If the home cannot be lived in, or its log tells of no motion.
+pub fn case(home: &Home, seed: u64, days: u32) -> Result<Vec<Error>, NotMeasured> {
+    let (log, life) = log_and_life(home, seed, i64::from(days) * DAY)?;
+    let rooms: BTreeMap<String, String> = home
+        .scenario
+        .home
+        .placed_sensors()
+        .iter()
+        .filter_map(|sensor| Some((sensor.name.clone(), sensor.info(home.scenario.home.plan()).room?)))
+        .collect();
+    let begin = midnight(home.scenario.calendar.local(0).date());
+    let recorded = begin..begin + i64::from(days) * DAY;
+    let asked = Asked { recorded: Some(recorded.clone()), ..Asked::default() };
+    let heard = Measures::heard("", &log, &rooms, &asked)?;
+    let lived = Measures::lived("", &life, recorded);
+    let errors = MEASURES.iter().enumerate().filter_map(|(number, measure)| {
+        let both = heard.days.iter().zip(&lived.days);
+        let pairs = both.filter_map(|(heard, lived)| heard.values[number].zip(lived.values[number]));
+        Error::of(measure.name, measure.unit, pairs.collect())
+    });
+    Ok(errors.collect())
+}
+
+/// The log of a life by the home's own names of sensors, and the life of the first resident, both on the clock on the wall.
+fn log_and_life(home: &Home, seed: u64, length: Micros) -> Result<(Log, Life), NotWalked> {
+    let scenario = home.scenario;
+    let mut run = Run::new(scenario, home.drivers, seed, length);
+    let names: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
+    let logger = LoggerFile { time: TimeFormat::Local, ..scenario.logger.clone() };
+    let mut rows = Rows::new(&logger, seed, &names, &scenario.calendar)?;
+    let midnight = midnight(scenario.calendar.local(0).date());
+    let mut log = Log { sensors: names, ..Log::default() };
+    let mut life = Life::default();
+    let mut events = Events::default();
+    let mut known: BTreeMap<String, u32> = BTreeMap::new();
+    while run.now() < length {
+        run.advance((run.now() + DAY / 24).min(length), &mut events)?;
+        for fact in &events.facts {
+            let (at, name, spans) = match fact {
+                Fact::Room { resident, at, room } if resident.index() == 0 => {
+                    let name = room.map(|room| scenario.home.plan().rooms[room.index()].name.clone());
+                    (*at, name, &mut life.rooms)
+                }
+                Fact::Activity { resident, at, name } if resident.index() == 0 => {
+                    (*at, name.clone(), &mut life.activities)
+                }
+                _ => continue,
+            };
+            if let Some(last) = spans.last_mut().filter(|last| last.end == Micros::MAX) {
+                last.end = midnight + at;
+            }
+            spans.extend(name.map(|name| Activity { name, begin: midnight + at, end: Micros::MAX }));
+        }
+        for row in rows.of(&events.firings, run.settled()) {
+            let next = known.len() as u32;
+            let value = *known.entry(row.value.clone()).or_insert(next);
+            if value == next {
+                log.values.push(row.value);
+            }
+            log.events.push(Event { at: midnight + row.at, sensor: row.sensor.0, value });
+        }
+        events.clear();
+    }
+    for spans in [&mut life.rooms, &mut life.activities] {
+        spans.iter_mut().filter(|span| span.end == Micros::MAX).for_each(|span| span.end = midnight + length);
+    }
+    Ok((log, life))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_are_told_beside_the_truth() {
+        let error = Error::of("meals", "times", vec![(3.0, 3.0), (4.0, 3.0), (1.0, 2.0), (5.0, 4.0)]).unwrap();
+        assert_eq!((error.days, error.mean_true, error.bias, error.mean_error), (4, 3.0, 0.25, 0.75));
+        assert!((error.p90_error - 1.0).abs() < 1e-9 && error.correlation.unwrap() > 0.9);
+        assert_eq!(Error::of("meals", "times", Vec::new()), None);
+        assert_eq!(Error::of("meals", "times", vec![(1.0, 2.0); 3]).unwrap().correlation, None);
+    }
+}

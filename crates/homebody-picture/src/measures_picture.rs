@@ -1,0 +1,98 @@
+//! Months at a glance: a row for each measure, a column for each day, shaded from the least to the most of the measure.
+
+use super::paint::{DENSITY, HAIRLINE, INK, MUTED, Paint, QUIET};
+use super::svg::{Anchor, Px, Svg, Type};
+use homebody_analysis::measures::{MEASURES, Measures};
+use homebody_core::geometry::Point;
+use std::fmt::Write;
+
+const WIDTH: f64 = 1200.0;
+const LEFT: f64 = 210.0;
+const RIGHT: f64 = WIDTH - 210.0;
+const TOP: f64 = 122.0;
+/// Height of a measure, and of the gap below it.
+const ROW: f64 = 20.0;
+const GAP: f64 = 3.0;
+const AXIS: Type = Type::new(12.0, MUTED);
+const HATCH: &str = "unknown";
+
+/// Draws the measures of all days.
+pub fn measures_picture(measures: &Measures) -> String {
+    let span = match (measures.days.first(), measures.days.last()) {
+        (Some(first), Some(last)) => format!("{} to {}", first.date, last.date),
+        _ => "without a day".into(),
+    };
+    let title = "Measures by day";
+    let words = format!("{}: {} days, {span}", measures.name, measures.days.len());
+    let mut svg = Svg::new(title, &words);
+    svg.hatch(HATCH, "#eceef0", "#c4c9cf");
+    svg.text(title, Point::new(40.0, 36.0), &Type::new(24.0, INK));
+    svg.text(&words, Point::new(40.0, 64.0), &Type::new(14.0, INK));
+    legend(&mut svg);
+    let shown: Vec<usize> = (0..MEASURES.len()).filter(|&number| !measures.known(number).is_empty()).collect();
+    for (row, &number) in shown.iter().enumerate() {
+        draw_row(&mut svg, measures, number, TOP + ROW * row as f64);
+    }
+    let bottom = TOP + ROW * shown.len() as f64;
+    let column = (RIGHT - LEFT) / measures.days.len().max(1) as f64;
+    let apart = (90.0 / column).ceil().max(1.0) as usize;
+    for (number, day) in measures.days.iter().enumerate().step_by(apart) {
+        let x = LEFT + column * number as f64;
+        svg.line(Point::new(x, bottom), Point::new(x, bottom + 6.0), &Paint::line(MUTED, 1.0));
+        svg.text(&day.date.to_string(), Point::new(x, bottom + 18.0), &AXIS);
+    }
+    for (number, remark) in measures.remarks.iter().enumerate() {
+        svg.text(remark, Point::new(40.0, bottom + 48.0 + 18.0 * number as f64), &AXIS);
+    }
+    svg.finish(WIDTH, bottom + 54.0 + 18.0 * measures.remarks.len() as f64)
+}
+
+/// The colours, from the least to the most.
+fn legend(svg: &mut Svg) {
+    const Y: f64 = 94.0;
+    const BOX: Point = Point::new(26.0, 16.0);
+    svg.rectangle(Point::new(40.0, Y - BOX.y / 2.0), BOX, &Paint::fill(&format!("url(#{HATCH})")).outlined(MUTED, 0.8));
+    svg.text("not known", Point::new(74.0, Y), &Type::new(13.0, INK));
+    let left = RIGHT - BOX.x * DENSITY.len() as f64;
+    svg.text("its lowest twentieth", Point::new(left - 10.0, Y), &Type::new(13.0, INK).anchored(Anchor::End));
+    for (place, colour) in DENSITY.iter().enumerate() {
+        svg.rectangle(Point::new(left + BOX.x * place as f64, Y - BOX.y / 2.0), BOX, &Paint::fill(colour));
+    }
+    svg.text("its highest; beside: tenth, median, nine tenths", Point::new(RIGHT + 10.0, Y), &Type::new(9.0, INK));
+}
+
+fn draw_row(svg: &mut Svg, measures: &Measures, number: usize, top: f64) {
+    let measure = &MEASURES[number];
+    let mut known = measures.known(number);
+    known.sort_by(f64::total_cmp);
+    let at = |share: f64| known[((known.len() - 1) as f64 * share).round() as usize];
+    let (low, high) = (at(0.05), at(0.95));
+    let level = |value: f64| {
+        let share = if high > low { (value - low) / (high - low) } else { 0.0 };
+        ((share * DENSITY.len() as f64) as usize).min(DENSITY.len() - 1)
+    };
+    let (middle, bottom) = (top + (ROW - GAP) / 2.0, top + ROW - GAP);
+    let column = (RIGHT - LEFT) / measures.days.len() as f64;
+    svg.rectangle(Point::new(LEFT, top), Point::new(RIGHT - LEFT, bottom - top), &Paint::fill(QUIET));
+    svg.rectangle(
+        Point::new(LEFT, top),
+        Point::new(RIGHT - LEFT, bottom - top),
+        &Paint::fill(&format!("url(#{HATCH})")),
+    );
+    for (shade, colour) in DENSITY.iter().enumerate() {
+        let mut path = String::new();
+        for (day, value) in measures.days.iter().map(|day| day.values[number]).enumerate() {
+            if value.map(level) == Some(shade) {
+                let (left, right) = (LEFT + column * day as f64, LEFT + column * (day + 1) as f64);
+                let _ = write!(path, "M{} {}H{}V{}H{}Z", Px(left), Px(top), Px(right), Px(bottom), Px(left));
+            }
+        }
+        if !path.is_empty() {
+            svg.crisp(|svg| svg.path(&path, &Paint::fill(colour).joined()));
+        }
+    }
+    svg.rectangle(Point::new(LEFT, top), Point::new(RIGHT - LEFT, bottom - top), &Paint::line(HAIRLINE, 1.0));
+    svg.text(measure.title, Point::new(LEFT - 8.0, middle), &Type::new(13.0, INK).anchored(Anchor::End));
+    let usual = format!("{:.1}  {:.1}  {:.1} {}", at(0.1), at(0.5), at(0.9), measure.unit);
+    svg.text(&usual, Point::new(RIGHT + 10.0, middle), &AXIS);
+}
