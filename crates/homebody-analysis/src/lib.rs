@@ -38,6 +38,8 @@ pub mod measures;
 /// What is different from before, and worth a visit.
 pub mod alerts;
 
+pub mod summaries;
+
 /// One day: what sensors said, and what residents did.
 pub mod day;
 

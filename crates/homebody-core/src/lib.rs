@@ -10,6 +10,9 @@ pub mod time;
 pub mod geometry;
 pub mod random;
 
+// What "about" and "most" mean in numbers.
+pub mod fuzzy;
+
 // The numbers that models are made of.
 pub mod numbers;
 

@@ -15,8 +15,14 @@ pub mod daily_life;
 pub mod claims;
 /// Lives in which nothing happens that cannot be.
 pub mod possible;
+/// How soon alerts come, and how often for nothing.
+pub mod alerting;
 /// Measures of days, by the logs of homes alone.
 pub mod measures;
+
+pub mod placing;
+
+pub mod round_trip;
 /// What is wrong with sensors, by the logs of their homes alone.
 pub mod sensor_health;
 /// Where people were, by the logs of their homes alone.

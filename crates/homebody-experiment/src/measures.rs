@@ -7,10 +7,12 @@ use homebody_analysis::measures::{MEASURES, Measures};
 use homebody_core::event::{Events, Fact};
 use homebody_core::run::Run;
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
-use homebody_core::time::{DAY, Micros};
+use homebody_core::sensors::Sensor;
+use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_log::{Activity, Event, Life, Log, Rows};
 use serde::Serialize;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// How a measure of a home's log differs from the truth.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -88,25 +90,77 @@ pub enum NotMeasured {
 ///
 /// If the home cannot be lived in, or its log tells of no motion.
 pub fn case(home: &Home, seed: u64, days: u32) -> Result<Vec<Error>, NotMeasured> {
-    let (log, life) = log_and_life(home, seed, i64::from(days) * DAY)?;
-    let rooms: BTreeMap<String, String> = home
-        .scenario
-        .home
-        .placed_sensors()
-        .iter()
-        .filter_map(|sensor| Some((sensor.name.clone(), sensor.info(home.scenario.home.plan()).room?)))
-        .collect();
-    let begin = midnight(home.scenario.calendar.local(0).date());
-    let recorded = begin..begin + i64::from(days) * DAY;
-    let asked = Asked { recorded: Some(recorded.clone()), ..Asked::default() };
-    let heard = Measures::heard("", &log, &rooms, &asked)?;
-    let lived = Measures::lived("", &life, recorded);
+    let logged = LoggedLife::live(home, seed, days)?;
+    let (heard, lived) = (logged.heard()?, logged.lived());
     let errors = MEASURES.iter().enumerate().filter_map(|(number, measure)| {
         let both = heard.days.iter().zip(&lived.days);
         let pairs = both.filter_map(|(heard, lived)| heard.values[number].zip(lived.values[number]));
         Error::of(measure.name, measure.unit, pairs.collect())
     });
     Ok(errors.collect())
+}
+
+/// A life of days, with the log of it.
+pub struct LoggedLife {
+    log: Log,
+    life: Life,
+    rooms: BTreeMap<String, String>,
+    recorded: Range<Micros>,
+}
+
+impl LoggedLife {
+    /// Lives a home for so many days; the life is that of the first resident.
+    ///
+    /// # Errors
+    ///
+    /// If the home cannot be lived in.
+    pub fn live(home: &Home, seed: u64, days: u32) -> Result<LoggedLife, NotMeasured> {
+        let (log, life) = log_and_life(home, seed, i64::from(days) * DAY)?;
+        let sensors = home.scenario.home.placed_sensors();
+        let room = |sensor: &Sensor| Some((sensor.name.clone(), sensor.info(home.scenario.home.plan()).room?));
+        let begin = midnight(home.scenario.calendar.local(0).date());
+        let rooms = sensors.iter().filter_map(room).collect();
+        Ok(LoggedLife { log, life, rooms, recorded: begin..begin + i64::from(days) * DAY })
+    }
+
+    /// Measures of the days by the log.
+    ///
+    /// # Errors
+    ///
+    /// If it tells of no motion.
+    pub fn heard(&self) -> Result<Measures, NotMeasured> {
+        self.heard_of(&self.log)
+    }
+
+    /// The same by some of the sensors alone.
+    ///
+    /// # Errors
+    ///
+    /// If none of them looks for motion.
+    pub fn heard_by(&self, keep: &dyn Fn(&str) -> bool) -> Result<Measures, NotMeasured> {
+        let kept: Vec<&String> = self.log.sensors.iter().filter(|sensor| keep(sensor)).collect();
+        let mut next = 0..;
+        let numbers: Vec<Option<u32>> =
+            self.log.sensors.iter().map(|sensor| keep(sensor).then(|| next.next()).flatten()).collect();
+        let of_kept = |event: &Event| numbers[event.sensor as usize].map(|sensor| Event { sensor, ..*event });
+        let log = Log {
+            sensors: kept.into_iter().cloned().collect(),
+            values: self.log.values.clone(),
+            events: self.log.events.iter().filter_map(of_kept).collect(),
+            ..Log::default()
+        };
+        self.heard_of(&log)
+    }
+
+    /// The same measures by what the resident did.
+    pub fn lived(&self) -> Measures {
+        Measures::lived("", &self.life, self.recorded.clone())
+    }
+
+    fn heard_of(&self, log: &Log) -> Result<Measures, NotMeasured> {
+        let asked = Asked { recorded: Some(self.recorded.clone()), ..Asked::default() };
+        Ok(Measures::heard("", log, &self.rooms, &asked)?)
+    }
 }
 
 /// The log of a life by the home's own names of sensors, and the life of the first resident, both on the clock on the wall.
@@ -116,7 +170,10 @@ fn log_and_life(home: &Home, seed: u64, length: Micros) -> Result<(Log, Life), N
     let names: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
     let logger = LoggerFile { time: TimeFormat::Local, ..scenario.logger.clone() };
     let mut rows = Rows::new(&logger, seed, &names, &scenario.calendar)?;
-    let midnight = midnight(scenario.calendar.local(0).date());
+    let wall = |at: Micros| {
+        let local = scenario.calendar.local(at);
+        local.timestamp().as_microsecond() + i64::from(local.offset().seconds()) * SECOND
+    };
     let mut log = Log { sensors: names, ..Log::default() };
     let mut life = Life::default();
     let mut events = Events::default();
@@ -127,17 +184,17 @@ fn log_and_life(home: &Home, seed: u64, length: Micros) -> Result<(Log, Life), N
             let (at, name, spans) = match fact {
                 Fact::Room { resident, at, room } if resident.index() == 0 => {
                     let name = room.map(|room| scenario.home.plan().rooms[room.index()].name.clone());
-                    (*at, name, &mut life.rooms)
+                    (at, name, &mut life.rooms)
                 }
                 Fact::Activity { resident, at, name } if resident.index() == 0 => {
-                    (*at, name.clone(), &mut life.activities)
+                    (at, name.clone(), &mut life.activities)
                 }
                 _ => continue,
             };
             if let Some(last) = spans.last_mut().filter(|last| last.end == Micros::MAX) {
-                last.end = midnight + at;
+                last.end = wall(*at);
             }
-            spans.extend(name.map(|name| Activity { name, begin: midnight + at, end: Micros::MAX }));
+            spans.extend(name.map(|name| Activity { name, begin: wall(*at), end: Micros::MAX }));
         }
         for row in rows.of(&events.firings, run.settled()) {
             let next = known.len() as u32;
@@ -145,12 +202,12 @@ fn log_and_life(home: &Home, seed: u64, length: Micros) -> Result<(Log, Life), N
             if value == next {
                 log.values.push(row.value);
             }
-            log.events.push(Event { at: midnight + row.at, sensor: row.sensor.0, value });
+            log.events.push(Event { at: wall(row.at), sensor: row.sensor.0, value });
         }
         events.clear();
     }
     for spans in [&mut life.rooms, &mut life.activities] {
-        spans.iter_mut().filter(|span| span.end == Micros::MAX).for_each(|span| span.end = midnight + length);
+        spans.iter_mut().filter(|span| span.end == Micros::MAX).for_each(|span| span.end = wall(length));
     }
     Ok((log, life))
 }

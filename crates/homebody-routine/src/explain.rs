@@ -1,12 +1,12 @@
 //! What was understood of a routine, sentence by sentence: as numbers, and in words.
 
-use crate::fuzzy::Fuzzy;
 use crate::language::LAST_WEEK;
 use crate::language::activities::phrase;
 use crate::routine::{
     Activity, Chance, Change, DayKind, Days, Effect, Habit, Moment, PartOfDay, Person, Phase, Quote, Response, Routine,
     Rule, Shy, When,
 };
+use homebody_core::fuzzy::Fuzzy;
 use serde::Serialize;
 use words::{clock, join, lasts_words, number, numbers, sentence, span_words};
 

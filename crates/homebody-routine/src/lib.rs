@@ -2,8 +2,7 @@
 //!
 //! In reading order:
 
-// What a routine says: fuzzy numbers and quantifiers, habits, rules, changes.
-pub mod fuzzy;
+// What a routine says: habits, rules, changes.
 pub mod routine;
 
 // How text becomes a routine.

@@ -3,9 +3,9 @@
 //! The language makes it from text; the living asks it what to do. It holds what was said, no more: what
 //! nobody said, such as how long a breakfast takes, is for the living to fill in.
 
-use crate::fuzzy::{Fuzzy, Quantifier};
 pub use days::{DayKind, Days, Moment, PartOfDay, Phase};
 use homebody_core::activity::{self, UsualLength};
+use homebody_core::fuzzy::{Fuzzy, Quantifier};
 use homebody_core::role::Role;
 use serde::Serialize;
 

@@ -3,11 +3,11 @@
 mod stage;
 
 use homebody_core::event::{Events, Fact, MotionState};
+use homebody_core::fuzzy::Quantifier;
 use homebody_core::geometry::Point;
 use homebody_core::ids::{SensorId, ThingId};
 use homebody_core::run::Run;
 use homebody_core::time::{DAY, Micros, SECOND};
-use homebody_routine::fuzzy::Quantifier;
 use stage::{HOUR, ORDINARY, activities, events, files, household, run};
 
 const DECLINE: &str = include_str!("../../../scenarios/tigerplace-decline/margaret.routine");

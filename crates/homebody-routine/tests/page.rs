@@ -3,8 +3,8 @@
 mod home;
 
 use home::{home, problems, understood};
+use homebody_core::fuzzy::Quantifier;
 use homebody_core::problem::Problems;
-use homebody_routine::fuzzy::Quantifier;
 use homebody_routine::language::amounts::{ABOUT_SHARE, MONTH_DAYS, PLAIN_SHARE, YEAR_DAYS};
 use homebody_routine::language::times::{ABOUT_TIME_S, PLAIN_TIME_S};
 use homebody_routine::language::{LONGEST_LINE, MOST_SENTENCES, condition};

@@ -15,6 +15,9 @@ use std::fmt;
 
 pub use rule::{Method, Rule, Rules, Several, USUAL, When};
 
+/// The rule of alerts about sensors that are silent.
+pub const SENSOR: &str = "sensor";
+
 /// Away for so many hours, a day does not count (ours).
 const AWAY_H: f64 = 16.0;
 /// After so many days of alarm in a row a control chart begins anew (published for times of transfer out of bed).
@@ -86,7 +89,7 @@ pub fn alerts(measures: &Measures, rules: &Rules) -> Alerts {
     }
     alerts.extend(measures.silent.iter().map(|silent| Alert {
         date: silent.told,
-        rule: "sensor".into(),
+        rule: SENSOR.into(),
         measures: Vec::new(),
         is_more: None,
         value: None,
@@ -109,7 +112,7 @@ pub fn alerts(measures: &Measures, rules: &Rules) -> Alerts {
 }
 
 /// Whether a day says anything of what is usual.
-fn counts(day: &Day) -> bool {
+pub(crate) fn counts(day: &Day) -> bool {
     day.is_whole && day.value("time_out").is_none_or(|hours| hours < AWAY_H)
 }
 

@@ -3,7 +3,9 @@
 use super::rooms::{Rooms, purpose};
 use super::timeline::{Span, Stay, Timeline, joined};
 use crate::dates::{date_of, midnight};
-use homebody_core::activity::{AWAY, EATING_BREAKFAST, EATING_DINNER, EATING_LUNCH, LYING_AWAKE, SHOWERING, SLEEPING};
+use homebody_core::activity::{
+    AWAY, EATING_BREAKFAST, EATING_DINNER, EATING_LUNCH, GOING_TO_BED, LYING_AWAKE, SHOWERING, SLEEPING,
+};
 use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_log::Life;
 use std::ops::Range;
@@ -47,7 +49,7 @@ impl Timeline {
             rooms,
             stays,
             away: Some(joined(of(&[AWAY]).into_iter(), 0)),
-            in_bed: Some(joined(of(&[SLEEPING, LYING_AWAKE]).into_iter(), SECOND)),
+            in_bed: Some(joined(of(&[GOING_TO_BED, SLEEPING, LYING_AWAKE]).into_iter(), SECOND)),
             asleep: Some(of(&[SLEEPING])),
             showers: begins(&[SHOWERING]),
             meals: begins(&[EATING_BREAKFAST, EATING_LUNCH, EATING_DINNER]),

@@ -1,6 +1,6 @@
 //! Times, spans and numbers in words.
 
-use crate::fuzzy::Fuzzy;
+use homebody_core::fuzzy::Fuzzy;
 
 pub fn lasts_words(lasts: &Fuzzy) -> String {
     span_words(lasts.low, lasts.high)

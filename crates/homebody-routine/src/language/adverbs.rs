@@ -7,8 +7,8 @@ use super::often::{self, Often};
 use super::reader::{Reader, is_beginning};
 use super::times;
 use super::words::{Span, Token};
-use crate::fuzzy::Fuzzy;
 use crate::routine::{Activity, Chance, DayKind, Moment, PartOfDay, When};
+use homebody_core::fuzzy::Fuzzy;
 
 /// Something that was said, where, and whether by this sentence or by the heading above it.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use super::reader::Reader;
 use super::words::{Span, Token};
-use crate::fuzzy::Fuzzy;
+use homebody_core::fuzzy::Fuzzy;
 
 /// What a number counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

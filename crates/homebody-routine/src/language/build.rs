@@ -14,9 +14,9 @@ use super::subjects::Subject;
 use super::times::is_of_next_day;
 use super::unknown::{is_way, unknown_doing};
 use super::words::Span;
-use crate::fuzzy::{Fuzzy, Quantifier};
 use crate::routine::{Activity, Chance, Change, DayKind, Effect, Habit, Kind, PartOfDay, Person, Shy, When};
 use homebody_core::activity::TimeUse;
+use homebody_core::fuzzy::{Fuzzy, Quantifier};
 
 pub fn build(reader: &mut Reader, draft: &mut Draft, mut clause: Clause) {
     for beside in std::mem::take(&mut clause.beside) {

@@ -4,8 +4,8 @@ use super::activities::phrase;
 use super::calendar::days_between;
 use super::draft::Draft;
 use super::faults::Faults;
-use crate::fuzzy::Fuzzy;
 use crate::routine::{Activity, Days, Effect, Habit, Meal, Moment, PartOfDay, Phase, Response, Rule, Trigger, When};
+use homebody_core::fuzzy::Fuzzy;
 use homebody_core::scenario::nearest::nearest;
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -170,7 +170,7 @@ fn divide(group: &mut [Clause]) {
         clause.adverbs = all.iter().fold(clause.adverbs.clone(), |own, other| own.under(other));
         let chance = clause.adverbs.chance.as_ref().map_or(Chance::ALWAYS, |slot| slot.value);
         let chance = match clause.tends && clause.adverbs.chance.is_none() {
-            true => Chance::of(crate::fuzzy::Quantifier::Most),
+            true => Chance::of(homebody_core::fuzzy::Quantifier::Most),
             false => chance,
         };
         let value =

@@ -6,8 +6,8 @@ use super::calendar;
 use super::reader::Reader;
 use super::times;
 use super::words::Span;
-use crate::fuzzy::Fuzzy;
 use crate::routine::{Days, Moment, PartOfDay, Phase, When};
+use homebody_core::fuzzy::Fuzzy;
 
 impl Adverbs {
     /// Takes over from a heading what this sentence does not say itself.

@@ -3,7 +3,7 @@
 use super::amounts::{Amount, DAY_S, Unit, amount};
 use super::reader::Reader;
 use super::words::Span;
-use crate::fuzzy::Fuzzy;
+use homebody_core::fuzzy::Fuzzy;
 
 /// Beyond this a change is a slip of the pen (ours); so it is for heartbeats and breaths a minute.
 const MOST_TIMES: f64 = 100.0;

@@ -4,8 +4,8 @@ use super::amounts::{ABOUT, Amount, MONTH_DAYS, Unit, amount, happens, number, s
 use super::calendar;
 use super::reader::Reader;
 use super::times;
-use crate::fuzzy::Quantifier;
 use crate::routine::{Chance, PartOfDay};
+use homebody_core::fuzzy::Quantifier;
 
 const QUANTIFIERS: [(&str, Quantifier); 20] = [
     ("almost never", Quantifier::AlmostNever),

@@ -9,8 +9,8 @@ use super::reader::{Reader, Sort, begins_adverb};
 use super::remarks::remark;
 use super::said::{Predicate, named, own_words};
 use super::words::Token;
-use crate::fuzzy::{Fuzzy, Quantifier};
 use crate::routine::{Activity, Chance, PartOfDay, When};
+use homebody_core::fuzzy::{Fuzzy, Quantifier};
 
 /// Passes over words that say that somebody likes to do something, or mostly does: both are how they usually live.
 pub fn tends(reader: &mut Reader) -> bool {

@@ -5,8 +5,8 @@ use super::calendar::{self, days_between};
 use super::clause::Clause;
 use super::draft::Draft;
 use super::reader::Reader;
-use crate::fuzzy::Fuzzy;
 use crate::routine::{Activity, Phase, When};
+use homebody_core::fuzzy::Fuzzy;
 
 /// From when on the days begin and end of who is away, or visits, for whole days (ours).
 const SETS_OUT_S: Fuzzy = Fuzzy { low: 9.0 * 3600.0, from: 9.5 * 3600.0, to: 10.5 * 3600.0, high: 11.0 * 3600.0 };

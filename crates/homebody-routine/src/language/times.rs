@@ -3,8 +3,8 @@
 use super::amounts::{ABOUT, DAY_S};
 use super::clock::clock;
 use super::reader::Reader;
-use crate::fuzzy::Fuzzy;
 use crate::routine::PartOfDay;
+use homebody_core::fuzzy::Fuzzy;
 
 /// How far "about" a time of day reaches, in seconds.
 pub const ABOUT_TIME_S: f64 = 20.0 * 60.0;

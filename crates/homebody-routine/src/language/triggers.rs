@@ -8,8 +8,8 @@ use super::subjects::{self, Subject};
 use super::times;
 use super::unknown;
 use super::words::{Span, Token};
-use crate::fuzzy::Fuzzy;
 use crate::routine::{Activity, Circumstance, Trigger};
+use homebody_core::fuzzy::Fuzzy;
 
 const DAY_S: f64 = 86_400.0;
 

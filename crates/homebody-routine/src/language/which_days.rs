@@ -9,8 +9,8 @@ use super::reader::Reader;
 use super::said::Predicate;
 use super::subjects::Subject;
 use super::tail::tail;
-use crate::fuzzy::Quantifier;
 use crate::routine::Chance;
+use homebody_core::fuzzy::Quantifier;
 
 /// Behind the days: "some days are busy and some are quiet".
 pub fn says_kinds(reader: &mut Reader, draft: &mut Draft, mut adverbs: Adverbs, heading: Option<&Adverbs>) -> bool {

@@ -7,10 +7,10 @@
 //! A name is written out here field by field, not derived: to rename a field or a variant in the code changes no log, while
 //! every change of this file does.
 
-use crate::fuzzy::Fuzzy;
 use crate::routine::{
     Change, Circumstance, Days, Effect, Habit, Moment, PartOfDay, Phase, Response, Routine, Rule, Trigger, When,
 };
+use homebody_core::fuzzy::Fuzzy;
 use std::collections::BTreeMap;
 
 /// The streams' names of all that one routine or condition says, each in the order of the file.

@@ -7,11 +7,11 @@ use super::keys::Keys;
 pub use super::parameters::DayParameters;
 use super::parameters::{BUSY_DAY, DAY_LIKE, DAY_SPREAD, LEAST_PACE, MOST_MOVEMENT, MOST_WEEKS, QUIET_DAY, Span};
 use super::person::{Constitution, Person};
-use crate::fuzzy::Quantifier;
 use crate::language::LAST_WEEK;
 use crate::routine::{
     Activity, Chance, Change, DayKind, Days, Effect, Habit, Meal, Moment, Phase, Quote, Routine, Rule,
 };
+use homebody_core::fuzzy::Quantifier;
 use homebody_core::numbers::Numbers;
 use homebody_core::random::Stream;
 use homebody_core::scenario::calendar::Calendar;

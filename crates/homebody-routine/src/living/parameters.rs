@@ -1,7 +1,7 @@
 //! How things are on one day: what all changes in force come to.
 
-use crate::fuzzy::Fuzzy;
 use crate::routine::{Activity, Effect, PartOfDay, Shy};
+use homebody_core::fuzzy::Fuzzy;
 use homebody_core::time::Micros;
 use homebody_walk::Gains;
 use std::collections::BTreeMap;

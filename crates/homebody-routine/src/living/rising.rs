@@ -1,8 +1,8 @@
 //! When somebody gets up and goes to bed on a day, and how what is fuzzy is drawn.
 
 use super::life::{DayParameters, InForce, Life};
-use crate::fuzzy::Fuzzy;
 use crate::routine::{Activity, When};
+use homebody_core::fuzzy::Fuzzy;
 use homebody_core::numbers::Numbers;
 use homebody_core::time::{Micros, SECOND};
 

@@ -1,9 +1,9 @@
 //! How long activities take and when they are done where nothing is said, as the scenario's numbers have it: those of the
 //! table of activities, unless they are set.
 
-use crate::fuzzy::Fuzzy;
 use crate::routine::{Activity, Meal};
 use homebody_core::activity::UsualLength;
+use homebody_core::fuzzy::Fuzzy;
 use homebody_core::numbers::{Number, Numbers};
 
 /// The table that these numbers are of.

@@ -1,8 +1,8 @@
 //! A home for sentences to name, and what was understood of them in short.
 #![allow(dead_code)]
 
+use homebody_core::fuzzy::Fuzzy;
 use homebody_core::problem::{Problem, Problems};
-use homebody_routine::fuzzy::Fuzzy;
 use homebody_routine::language::{Known, routine};
 use homebody_routine::routine::{Chance, Change, Days, Effect, Habit, Phase, Response, Routine, Rule, When};
 

@@ -5,7 +5,7 @@ use super::measure::Measured;
 use crate::failure::{EXIT_CODES, Failure};
 use homebody_analysis::alerts::{Rules, USUAL, alerts};
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Says what is different from before in what somebody does, day by day: each measure is held against the resident's own last
 /// two weeks.
@@ -32,25 +32,28 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let rules = self.rules()?;
+        let rules = match &self.rules {
+            Some(path) => rules(path)?,
+            None => usual()?,
+        };
         let read = self.measured.read()?;
         let answer = self.answer.check([], &read.sources)?;
         let measures = self.measured.measures(&read)?;
         answer.give(&alerts(&measures, &rules), [])
     }
+}
 
-    fn rules(&self) -> Result<Rules, Failure> {
-        let (name, text) = match &self.rules {
-            Some(path) => {
-                let name = path.display().to_string();
-                let text = fs::read_to_string(path).map_err(|error| Failure::usage(format!("{name}: {error}")))?;
-                (name, text)
-            }
-            None => ("the usual rules".to_owned(), USUAL.to_owned()),
-        };
-        Rules::read(&text).map_err(|problems| {
-            let told: Vec<String> = problems.iter().map(|problem| format!("{name}: {problem}")).collect();
-            Failure::usage(told.join("\nerror: "))
-        })
-    }
+/// The rules that hold where nobody says others.
+pub fn usual() -> Result<Rules, Failure> {
+    Rules::read(USUAL).map_err(|problems| Failure::Io(problems.join("; ")))
+}
+
+/// The rules of a file.
+pub fn rules(path: &Path) -> Result<Rules, Failure> {
+    let name = path.display();
+    let text = fs::read_to_string(path).map_err(|error| Failure::usage(format!("{name}: {error}")))?;
+    Rules::read(&text).map_err(|problems| {
+        let told: Vec<String> = problems.iter().map(|problem| format!("{name}: {problem}")).collect();
+        Failure::usage(told.join("\nerror: "))
+    })
 }

@@ -62,6 +62,11 @@ pub struct Measured {
 }
 
 impl Measured {
+    /// The resident from whose life the measures are taken, if one is asked for.
+    pub fn resident(&self) -> Option<&str> {
+        self.resident.as_deref()
+    }
+
     /// Reads the log, with its sensors in their rooms.
     pub fn read(&self) -> Result<LogWithRun, Failure> {
         let mut read = read_log(&self.log, self.time_zone.as_deref())?;

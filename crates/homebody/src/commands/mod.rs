@@ -21,6 +21,8 @@ mod look;
 mod measure;
 mod new;
 mod numbers;
+mod people_with_conditions;
+mod place;
 mod plan;
 mod read_log;
 mod realism;
@@ -31,6 +33,7 @@ mod scenario;
 mod schema;
 mod serve;
 mod strip;
+mod summarise;
 mod translate;
 
 use crate::failure::Failure;
@@ -70,6 +73,10 @@ pub enum Command {
     Measure(measure::Arguments),
     /// Say what is different from before in what somebody does
     Alerts(alerts::Arguments),
+    /// Say in sentences how somebody has been doing of late, and what has changed
+    Summarise(summarise::Arguments),
+    /// Propose where sensors go in a home, and say what each additional one buys
+    Place(place::Arguments),
     /// Say what happened on one day, with a chart
     Day(day::Arguments),
     /// Show moments of a run side by side, as a film strip
@@ -114,6 +121,8 @@ impl Command {
             Command::Density(arguments) => arguments.run(),
             Command::Measure(arguments) => arguments.run(),
             Command::Alerts(arguments) => arguments.run(),
+            Command::Summarise(arguments) => arguments.run(),
+            Command::Place(arguments) => arguments.run(),
             Command::Day(arguments) => arguments.run(),
             Command::Strip(arguments) => arguments.run(),
             Command::Experiment(arguments) => arguments.run(),

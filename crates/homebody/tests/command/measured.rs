@@ -6,7 +6,7 @@ use serde_json::Value;
 /// Three weeks of the apartment of the README, in its run's folder.
 fn lived() -> Folder {
     let folder = Folder::new();
-    folder.copy_hand_written_day();
+    folder.copy_scenario("tigerplace");
     folder.run("run tigerplace --quiet --for 21d").ok();
     folder
 }

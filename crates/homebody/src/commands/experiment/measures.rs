@@ -49,7 +49,11 @@ impl Arguments {
             &asked,
             |&(home, _)| home / OF_ONE * TEMPLATES + home % OF_ONE,
             |opened, &(home, faults)| {
-                let link = if faults { every_fault(opened.scenario(), home, self.days) } else { LinkFile::default() };
+                let link = if faults {
+                    every_fault(opened.scenario(), home, (0.0, self.days.into()))
+                } else {
+                    LinkFile::default()
+                };
                 lived(opened, &link, |lived| case(lived, 1 + home as u64, self.days))
             },
         )?;

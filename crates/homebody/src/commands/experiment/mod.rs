@@ -1,5 +1,6 @@
 //! `homebody experiment`: what was measured in the real world, done again, and what is said, measured in lives.
 
+mod alerts;
 mod claims;
 mod conditions;
 mod daily_life;
@@ -8,6 +9,7 @@ mod measures;
 mod possible;
 mod realism;
 mod recogniser;
+mod round_trip;
 mod sensor_health;
 mod sphere;
 mod walk_back;
@@ -26,6 +28,8 @@ use crate::failure::Failure;
   homebody experiment realism --data casas --json realism.json
   homebody experiment walk-back --json walk-back.json
   homebody experiment measures --homes 8
+  homebody experiment alerts --people 200 --json alerts.json
+  homebody experiment round-trip --homes 40
   homebody experiment sensor-health --homes 10
   homebody experiment recogniser --data uci")]
 pub struct Arguments {
@@ -55,6 +59,10 @@ enum Experiment {
     WalkBack(walk_back::Arguments),
     /// What residents did day by day, measured by their logs alone, beside the truth
     Measures(measures::Arguments),
+    /// How soon alerts come after a condition has begun, and how often for nothing
+    Alerts(alerts::Arguments),
+    /// Routines lived, their logs summarised, and each sentence held against the routine
+    RoundTrip(round_trip::Arguments),
     /// What is wrong with sensors, by the logs of their homes alone, beside the faults that were planted
     SensorHealth(sensor_health::Arguments),
 }
@@ -72,6 +80,8 @@ impl Arguments {
             Experiment::Recogniser(arguments) => arguments.run(),
             Experiment::WalkBack(arguments) => arguments.run(),
             Experiment::Measures(arguments) => arguments.run(),
+            Experiment::Alerts(arguments) => arguments.run(),
+            Experiment::RoundTrip(arguments) => arguments.run(),
             Experiment::SensorHealth(arguments) => arguments.run(),
         }
     }

@@ -50,7 +50,11 @@ impl Arguments {
             &asked,
             |&(home, _)| home,
             |opened, &(home, faults)| {
-                let link = if faults { every_fault(opened.scenario(), home, self.days) } else { LinkFile::default() };
+                let link = if faults {
+                    every_fault(opened.scenario(), home, (0.0, self.days.into()))
+                } else {
+                    LinkFile::default()
+                };
                 lived(opened, &link, |lived| case(lived, 1 + home as u64, self.days))
             },
         )?;
@@ -94,17 +98,18 @@ pub(super) fn lived<T, E: fmt::Display>(
     ask(&Home { scenario: &scenario, drivers: household, people }).map_err(|error| Failure::Io(error.to_string()))
 }
 
-/// A link of a real network with every fault on, each of another of the motion sensors.
-pub(super) fn every_fault(scenario: &Scenario, home: usize, days: u32) -> LinkFile {
+/// A link of a real network with every fault on in a span of days, each of another of the motion sensors.
+pub(super) fn every_fault(scenario: &Scenario, home: usize, (from_day, days): (f64, f64)) -> LinkFile {
     let sensors = scenario.home.placed_sensors();
     let motion: Vec<&str> =
         sensors.iter().filter(|sensor| sensor.senses_motion()).map(|sensor| sensor.name.as_str()).collect();
     let nth = |number: usize| motion[(home * 3 + number * 2) % motion.len()];
-    let day = |share: f64| share * f64::from(days);
+    let within = |share: f64| share * days;
+    let day = |share: f64| from_day + within(share);
     let faults = serde_json::json!([
-        { "kind": "battery", "sensor": nth(0), "from_day": day(0.3), "fading_days": day(0.2), "days": day(0.4) },
-        { "kind": "falls_off", "sensor": nth(1), "from_day": day(0.6), "days": day(0.3) },
-        { "kind": "stuck", "sensor": nth(2), "from_day": day(0.5), "days": day(0.1), "every_s": 60 },
+        { "kind": "battery", "sensor": nth(0), "from_day": day(0.3), "fading_days": within(0.2), "days": within(0.4) },
+        { "kind": "falls_off", "sensor": nth(1), "from_day": day(0.6), "days": within(0.3) },
+        { "kind": "stuck", "sensor": nth(2), "from_day": day(0.5), "days": within(0.1), "every_s": 60 },
         { "kind": "drift", "sensor": nth(3), "ppm": 20 },
         { "kind": "false_fires", "sensor": nth(4), "per_h": 2, "between": ["10:00", "15:00"] },
         { "kind": "outage", "from_day": day(0.4), "at": "13:00", "hours": 3 }

@@ -3,15 +3,19 @@
 //! A fuzzy number is a trapezoid: how far a value agrees with the words, from 0 to 1. What is drawn from it has a
 //! density proportional to that agreement, so the values that the words fit best come most often.
 
-use homebody_core::random::Stream;
+use crate::random::Stream;
 use serde::Serialize;
 
 /// A trapezoid: nothing below `low`, full agreement from `from` to `to`, nothing above `high`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Fuzzy {
+    /// Below it nothing agrees.
     pub low: f64,
+    /// From here on all agree fully.
     pub from: f64,
+    /// As far as this.
     pub to: f64,
+    /// Above it nothing agrees.
     pub high: f64,
 }
 
@@ -90,13 +94,21 @@ impl Fuzzy {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantifier {
+    /// In one case of twenty or fewer.
     AlmostNever,
+    /// In one case of ten.
     Rarely,
+    /// In one case of five.
     Sometimes,
+    /// In one case of two.
     AboutHalf,
+    /// In two cases of three and more.
     Often,
+    /// In four cases of five and more.
     Most,
+    /// In nineteen cases of twenty and more.
     AlmostAlways,
+    /// In each case.
     Every,
 }
 

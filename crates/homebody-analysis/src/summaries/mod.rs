@@ -1,0 +1,164 @@
+//! Measures of days in words: sentences such as "On most nights of the last two weeks, she went to the bathroom twice or more."
+//!
+//! Each is a protoform (Yager 1982): on so many of the days, the measure is so. How many and how are fuzzy sets. The truth value is
+//! how well the share of the days on which it is so fits the quantifier, by Zadeh's calculus; a sentence is told that
+//! is true to 0.8 and more. Of all that are true of a measure, that one is told that says most: with a strict
+//! quantifier and a narrow set. Sentences about what has changed come first.
+//!
+//! We assume that each measure is about one person. Left out: sentences about several measures at once.
+
+mod distance;
+mod protoform;
+mod words;
+
+use crate::alerts::counts;
+use crate::measures::{Day, Measures};
+use homebody_core::fuzzy::Quantifier;
+use jiff::civil::Date;
+use protoform::{Found, change, level};
+use serde::Serialize;
+use std::fmt;
+use words::{SPOKEN, Spoken};
+
+pub use distance::{between, of_summaries};
+pub use protoform::{Set, truth};
+
+/// A sentence is told from this truth value on (ours).
+pub const TRUE_ENOUGH: f64 = 0.8;
+/// With fewer days that count nothing is summarised (ours).
+const LEAST_DAYS: usize = 5;
+/// What was before is taken from so many days at most, and from so many that count at least (ours).
+const BEFORE: usize = 56;
+const LEAST_BEFORE: usize = 7;
+
+/// The days of a log in words.
+#[derive(Clone, Debug, Serialize)]
+pub struct Summary {
+    /// What the log is called.
+    pub name: String,
+    /// The first of the days that it is about.
+    pub from: Option<Date>,
+    /// How many days it is about, and how many of them count.
+    pub days: usize,
+    /// Those that are whole, with somebody at home.
+    pub days_that_count: usize,
+    /// What cannot be said, in sentences.
+    pub remarks: Vec<String>,
+    /// The sentences, those that say most first.
+    pub sentences: Vec<Sentence>,
+}
+
+/// A sentence about a measure.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Sentence {
+    /// For carers.
+    pub plain: String,
+    /// The same with numbers.
+    pub expert: String,
+    /// The measure's name.
+    pub measure: &'static str,
+    /// Whether it says what has changed: more than before, or less; `None` where it says how things are.
+    pub is_more: Option<bool>,
+    /// On how many of the days.
+    pub quantifier: Quantifier,
+    /// How the measure is on them.
+    pub set: Set,
+    /// From 0 to 1.
+    pub truth: f64,
+    /// The share of the days on which the measure is known.
+    pub focus: f64,
+    /// How much it says, from 0 to 1.
+    pub says: f64,
+    /// The share of the days on which it is so.
+    pub share: f64,
+    /// The measure's mean over the days.
+    pub mean: f64,
+    /// The mean of the days before, of a change.
+    pub before: Option<f64>,
+    /// The days on which it is so.
+    pub shown_by: Vec<Date>,
+}
+
+/// Whom sentences are about.
+#[derive(Clone, Copy, Debug)]
+pub struct About<'a> {
+    /// What they are called: `Margaret`, or `The resident`.
+    pub subject: &'a str,
+    /// So many of the last days.
+    pub last: usize,
+}
+
+/// Summarises the last days of measures.
+pub fn summarise(measures: &Measures, about: About) -> Summary {
+    let from = measures.days.len().saturating_sub(about.last);
+    let (before, days) = measures.days.split_at(from);
+    let before = &before[before.len().saturating_sub(BEFORE)..];
+    let days_that_count = days.iter().filter(|day| counts(day)).count();
+    let mut remarks = measures.remarks.clone();
+    let (mut sentences, mut changes) = (Vec::new(), Vec::new());
+    if days_that_count < LEAST_DAYS {
+        remarks.push(format!("{days_that_count} days that count are too few to summarise: {LEAST_DAYS} are needed"));
+    } else {
+        let is_enough = before.iter().filter(|day| counts(day)).count() >= LEAST_BEFORE;
+        if !is_enough {
+            remarks
+                .push(format!("Fewer than {LEAST_BEFORE} days that count lie before, so nothing is said of changes"));
+        }
+        for spoken in SPOKEN {
+            let of = |days: &[Day]| known(spoken, days);
+            let values = of(days);
+            if values.len() < LEAST_DAYS {
+                continue;
+            }
+            let sentence = |found: Found| found.told(spoken, &values, days.len(), about);
+            sentences.extend(level(spoken, &values).map(sentence));
+            let past = of(before);
+            if is_enough && past.len() >= LEAST_BEFORE {
+                changes.extend(change(spoken, &values, &past).map(sentence));
+            }
+        }
+    }
+    let sentences = [without_repeats(changes), without_repeats(sentences)].concat();
+    Summary {
+        name: measures.name.clone(),
+        from: days.first().map(|day| day.date),
+        days: days.len(),
+        days_that_count,
+        remarks,
+        sentences,
+    }
+}
+
+/// The days that count on which a measure is known, with its values.
+fn known(spoken: &Spoken, days: &[Day]) -> Vec<(Date, f64)> {
+    let of = |day: &Day| Some((day.date, day.value(spoken.measure)?));
+    days.iter().filter(|day| counts(day)).filter_map(of).collect()
+}
+
+/// Those that say most first; of those about the same thing, the first alone.
+fn without_repeats(mut sentences: Vec<Sentence>) -> Vec<Sentence> {
+    sentences.sort_by(|a, b| b.says.total_cmp(&a.says));
+    let mut told: Vec<&str> = Vec::new();
+    sentences.retain(|sentence| {
+        let thing = words::thing(sentence.measure);
+        let is_new = !told.contains(&thing);
+        told.extend(is_new.then_some(thing));
+        is_new
+    });
+    sentences
+}
+
+impl fmt::Display for Summary {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        for remark in &self.remarks {
+            writeln!(f, "{remark}.")?;
+        }
+        for sentence in &self.sentences {
+            writeln!(f, "{}", sentence.plain)?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests;

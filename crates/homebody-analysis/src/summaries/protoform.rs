@@ -1,0 +1,190 @@
+//! What can be said of a measure, how true each of it is, and which says most.
+
+use super::words::{Kind, Spoken, expert, plain};
+use super::{About, Sentence, TRUE_ENOUGH};
+use homebody_core::fuzzy::{Fuzzy, Quantifier};
+use jiff::civil::Date;
+use serde::Serialize;
+
+/// What values of a measure a sentence is about.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Set {
+    /// So many times, or more often.
+    AtLeast(u32),
+    /// So many times.
+    Exactly(u32),
+    /// Between two values.
+    Between(f64, f64),
+    /// More than before, or less: from half a standard deviation on a little, from one and a half on fully.
+    Beyond {
+        /// The mean before.
+        mean: f64,
+        /// The standard deviation before.
+        sd: f64,
+        /// Whether it is more.
+        is_more: bool,
+    },
+}
+
+impl Set {
+    /// As a fuzzy number.
+    pub fn fuzzy(self) -> Fuzzy {
+        match self {
+            Set::AtLeast(times) => {
+                let times = f64::from(times);
+                Fuzzy { low: times - 1.0, from: times, to: f64::MAX, high: f64::MAX }
+            }
+            Set::Exactly(times) => Fuzzy::around(f64::from(times), 1.0),
+            Set::Between(from, to) => Fuzzy { low: from - BORDER, from, to, high: to + BORDER },
+            Set::Beyond { mean, sd, is_more: true } => {
+                Fuzzy { low: mean + 0.5 * sd, from: mean + 1.5 * sd, to: f64::MAX, high: f64::MAX }
+            }
+            Set::Beyond { mean, sd, is_more: false } => {
+                Fuzzy { low: f64::MIN, from: f64::MIN, to: mean - 1.5 * sd, high: mean - 0.5 * sd }
+            }
+        }
+    }
+}
+
+/// The border of a set of hours is so wide (ours), in hours.
+const BORDER: f64 = 0.25;
+/// Sets of counts go so far.
+const MOST_TIMES: u32 = 8;
+/// One time more is so many times as likely (ours).
+const ONE_MORE: f64 = 0.6;
+/// Sets of hours are so wide.
+const WIDTHS_H: [f64; 5] = [0.5, 1.0, 1.5, 2.0, 3.0];
+
+/// How much the quantifiers of levels say (ours), from the one that says most.
+const STRICT: [(Quantifier, f64); 6] = [
+    (Quantifier::Every, 1.0),
+    (Quantifier::AlmostAlways, 0.95),
+    (Quantifier::Most, 0.8),
+    (Quantifier::Often, 0.6),
+    (Quantifier::AboutHalf, 0.5),
+    (Quantifier::Sometimes, 0.3),
+];
+/// What has not changed is beyond the past on some days all the same: a change is told of so many of them.
+const OF_CHANGES: usize = 4;
+
+/// What was found to say.
+pub(super) struct Found {
+    quantifier: Quantifier,
+    set: Set,
+    truth: f64,
+    says: f64,
+    before: Option<f64>,
+}
+
+/// The share of values that are in a set, and how well it fits a quantifier.
+pub fn truth(quantifier: Quantifier, set: Set, values: impl Iterator<Item = f64>) -> (f64, f64) {
+    let set = set.fuzzy();
+    let (mut sum, mut count) = (0.0, 0.0);
+    for value in values {
+        (sum, count) = (sum + set.agreement(value), count + 1.0);
+    }
+    let share = if count > 0.0 { sum / count } else { 0.0 };
+    (share, quantifier.share().agreement(share))
+}
+
+/// How a measure is, if anything says it.
+pub(super) fn level(spoken: &Spoken, values: &[(Date, f64)]) -> Option<Found> {
+    let mut best: Option<Found> = None;
+    for set in sets(spoken) {
+        // How narrow it is beside all that the measure can be.
+        let narrow = 1.0 - covers(set, spoken.range);
+        for (quantifier, strict) in STRICT {
+            let is_not_at_all = set == Set::Exactly(0);
+            if is_not_at_all && strict < 0.9 {
+                continue;
+            }
+            let (_, truth) = truth(quantifier, set, values.iter().map(|(_, value)| *value));
+            let says = truth * strict * narrow;
+            if truth >= TRUE_ENOUGH && best.as_ref().is_none_or(|best| says > best.says) {
+                best = Some(Found { quantifier, set, truth, says, before: None });
+            }
+        }
+    }
+    best
+}
+
+/// The sets that may tell how a measure is.
+fn sets(spoken: &Spoken) -> Vec<Set> {
+    let (low, high) = spoken.range;
+    match spoken.kind {
+        Kind::Change => Vec::new(),
+        Kind::Count => {
+            let most = MOST_TIMES.min(high as u32);
+            (0..=most).map(Set::Exactly).chain((1..=most).map(Set::AtLeast)).collect()
+        }
+        Kind::Hours | Kind::Clock => {
+            let steps = ((high - low) * 2.0) as u32;
+            let begins = (0..steps).map(|step| low + f64::from(step) / 2.0);
+            begins.flat_map(|from| WIDTHS_H.map(|width| Set::Between(from, from + width))).collect()
+        }
+    }
+}
+
+/// How much of all that a measure can be a set covers: more times are taken to be rarer, each so many times as likely as one fewer.
+fn covers(set: Set, (low, high): (f64, f64)) -> f64 {
+    let at_least = |times: u32| (0..times).fold(1.0, |share, _| share * ONE_MORE);
+    match set {
+        Set::AtLeast(times) => at_least(times),
+        Set::Exactly(times) => at_least(times) * (1.0 - ONE_MORE),
+        Set::Between(from, to) => (to - from + BORDER) / (high - low),
+        Set::Beyond { .. } => 0.5,
+    }
+}
+
+/// What has changed, if anything has.
+pub(super) fn change(spoken: &Spoken, values: &[(Date, f64)], past: &[(Date, f64)]) -> Option<Found> {
+    let count = past.len() as f64;
+    let mean = past.iter().map(|(_, value)| value).sum::<f64>() / count;
+    let square = past.iter().map(|(_, value)| (value - mean) * (value - mean)).sum::<f64>() / count;
+    let sd = square.sqrt().max(spoken.least_sd);
+    let now = values.iter().map(|(_, value)| value).sum::<f64>() / values.len() as f64;
+    let set = Set::Beyond { mean, sd, is_more: now > mean };
+    let told = STRICT[..OF_CHANGES].iter().find_map(|&(quantifier, strict)| {
+        let (_, truth) = truth(quantifier, set, values.iter().map(|(_, value)| *value));
+        (truth >= TRUE_ENOUGH).then_some((quantifier, strict, truth))
+    });
+    let (quantifier, strict, truth) = told?;
+    let apart = (now - mean).abs() / sd;
+    Some(Found { quantifier, set, truth, says: truth * strict * (apart / (1.0 + apart)), before: Some(mean) })
+}
+
+impl Found {
+    /// As a sentence.
+    pub(super) fn told(self, spoken: &Spoken, values: &[(Date, f64)], days: usize, about: About) -> Sentence {
+        let Found { quantifier, set, truth, says, before } = self;
+        let fuzzy = set.fuzzy();
+        let count = values.len() as f64;
+        let share = values.iter().map(|(_, value)| fuzzy.agreement(*value)).sum::<f64>() / count;
+        let is_so = values.iter().filter(|(_, value)| fuzzy.agreement(*value) >= 0.5);
+        let shown_by: Vec<Date> = is_so.map(|(date, _)| *date).collect();
+        let mean = values.iter().map(|(_, value)| value).sum::<f64>() / count;
+        let plain = plain(spoken, quantifier, set, about, days);
+        let expert = expert(spoken, &plain, (shown_by.len(), values.len()), (mean, before), truth);
+        let is_more = match set {
+            Set::Beyond { is_more, .. } => Some(is_more),
+            _ => None,
+        };
+        let focus = count / days.max(1) as f64;
+        Sentence {
+            plain,
+            expert,
+            measure: spoken.measure,
+            is_more,
+            quantifier,
+            set,
+            truth,
+            focus,
+            says,
+            share,
+            mean,
+            before,
+            shown_by,
+        }
+    }
+}

@@ -1,0 +1,68 @@
+use super::*;
+use crate::measures::MEASURES;
+use jiff::civil::date;
+
+/// Days with these visits to the bathroom by night, and bedtimes.
+fn days(visits: &[f64], bedtimes: &[f64]) -> Measures {
+    let number = |name: &str| MEASURES.iter().position(|measure| measure.name == name).unwrap();
+    let (visited, to_bed) = (number("bathroom_night"), number("bedtime"));
+    let day = |(index, (&visits, &bedtime)): (usize, (&f64, &f64))| {
+        let mut values = vec![None; MEASURES.len()];
+        (values[visited], values[to_bed]) = (Some(visits), Some(bedtime));
+        Day { date: date(2024, 1, 1).saturating_add(jiff::Span::new().days(index as i64)), is_whole: true, values }
+    };
+    let days = visits.iter().zip(bedtimes).enumerate().map(day).collect();
+    Measures { name: "log".into(), measures: MEASURES, remarks: vec![], silent: vec![], days }
+}
+
+const ADA: About = About { subject: "Ada", last: 14 };
+
+#[test]
+fn what_is_told_is_true_and_says_most() {
+    let summary = summarise(&days(&[2.0; 14], &[22.6; 14]), ADA);
+    let told: Vec<&str> = summary.sentences.iter().map(|sentence| sentence.plain.as_str()).collect();
+    assert!(told.contains(&"Every night of the last two weeks, Ada went to the bathroom twice."), "{told:?}");
+    assert!(told.contains(&"Every night of the last two weeks, Ada went to bed between 22:30 and 23:00."), "{told:?}");
+    assert_eq!(summary.remarks.len(), 1, "nothing lies before: {:?}", summary.remarks);
+    let mixed: Vec<f64> = (0..14).map(|night| if night % 5 == 0 { 0.0 } else { 2.0 + f64::from(night % 2) }).collect();
+    let summary = summarise(&days(&mixed, &[22.6; 14]), ADA);
+    let visits = summary.sentences.iter().find(|sentence| sentence.measure == "bathroom_night").unwrap();
+    assert_eq!(visits.plain, "On most nights of the last two weeks, Ada went to the bathroom twice or more.");
+    assert_eq!((visits.shown_by.len(), visits.focus), (11, 1.0));
+    assert!(visits.expert.contains("11 of 14"), "{}", visits.expert);
+}
+
+#[test]
+fn what_has_changed_comes_first() {
+    let visits = [[1.0; 28].as_slice(), &[3.0; 14]].concat();
+    let summary = summarise(&days(&visits, &[22.6; 42]), ADA);
+    let first = &summary.sentences[0];
+    assert_eq!(first.plain, "Every night of the last two weeks, Ada went to the bathroom more often than before.");
+    assert_eq!((first.is_more, first.before), (Some(true), Some(1.0)));
+    let changes = summary.sentences.iter().filter(|sentence| sentence.is_more.is_some());
+    assert_eq!(changes.count(), 1, "her bedtime is what it was");
+}
+
+#[test]
+fn too_few_days_say_nothing() {
+    let summary = summarise(&days(&[2.0; 3], &[22.6; 3]), ADA);
+    assert!(summary.sentences.is_empty() && summary.remarks[0].contains("too few"), "{:?}", summary.remarks);
+}
+
+#[test]
+fn distance_is_a_metric() {
+    let of = |visits: f64, bedtime: f64| summarise(&days(&[visits; 14], &[bedtime; 14]), ADA);
+    let all = [of(1.0, 22.6), of(2.0, 22.6), of(2.0, 23.9), of(5.0, 21.0)];
+    let sentences: Vec<&Sentence> = all.iter().flat_map(|summary| &summary.sentences).collect();
+    for a in &sentences {
+        assert_eq!(between(a, a), 0.0);
+        for b in &sentences {
+            assert_eq!(between(a, b), between(b, a));
+            for c in &sentences {
+                assert!(between(a, c) <= between(a, b) + between(b, c) + 1e-9);
+            }
+        }
+    }
+    assert_eq!(of_summaries(&all[0], &all[0]), 0.0);
+    assert!(of_summaries(&all[0], &all[1]) < of_summaries(&all[0], &all[3]));
+}

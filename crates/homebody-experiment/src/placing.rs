@@ -1,0 +1,315 @@
+//! Where sensors go: which of the places in a home tell most of what one wants to see.
+//!
+//! Candidates are a motion sensor in that corner of each room from which most of the room is seen, one on the ceiling above each
+//! piece of furniture that somebody enters, a sensor in each bed, and a contact on each door out. People live in the home with all of them.
+//! The first sensor is the one whose log alone tells most, the next the one that adds most to it, and so on.
+//!
+//! Each goal is from 0 to 1. A condition: how soon people are found who show it, with few false alarms, from 1 at once to 0
+//! in four weeks or never. A measure of days: how near the log comes to the truth, beside the mean of the truth. Falls: the share of the
+//! floor that is seen, as nobody knows where somebody has fallen who was not seen.
+//!
+//! Left out: prices, wires and batteries, and layouts in which each sensor alone tells little and all together much.
+
+use crate::alerting::{Adequacy, Person, WITHIN, Watched, adequacy};
+use crate::measures::LoggedLife;
+use homebody_analysis::alerts::Rules;
+use homebody_analysis::coverage::{self, Coverage};
+use homebody_analysis::measures::{MEASURES, Measure, Measures};
+use homebody_core::geometry::{Point, contains};
+use homebody_core::home::Build;
+use homebody_core::home::plan::Plan;
+use homebody_core::role::Role;
+use homebody_core::scenario::home::{FurnitureFile, HomeFile, SensorFile};
+use rayon::prelude::*;
+use serde::Serialize;
+use serde_json::json;
+
+/// A sensor on a wall hangs so far from the corner along each wall, and so high (ours).
+const FROM_CORNER_M: f64 = 0.15;
+const HEIGHT_M: f64 = 2.1;
+/// A sensor on the ceiling sees so far around what it looks at (ours).
+const AROUND_M: f64 = 0.35;
+/// The floor is looked at in steps of so many metres (ours).
+const STEP_M: f64 = 0.1;
+
+/// What somebody wants to see.
+#[derive(Clone, Copy, Debug)]
+pub enum Goal {
+    /// A condition, soon.
+    Condition(&'static str),
+    /// A measure of days, rightly; with its number among the measures.
+    Measure(usize),
+    /// Where somebody has fallen.
+    Falls,
+}
+
+impl Goal {
+    /// What somebody calls it: a condition, a measure, `falls`, or `night-bathroom`.
+    pub fn of(name: &str, conditions: &[&'static str]) -> Option<Goal> {
+        let is_named = |measure: &Measure| measure.name == name.replace('-', "_");
+        match name {
+            "falls" => Some(Goal::Falls),
+            "night-bathroom" => Goal::of("bathroom_night", conditions),
+            _ => {
+                let condition = conditions.iter().find(|condition| **condition == name).copied();
+                condition.map(Goal::Condition).or(MEASURES.iter().position(is_named).map(Goal::Measure))
+            }
+        }
+    }
+
+    /// What it is called.
+    pub fn name(self) -> &'static str {
+        match self {
+            Goal::Condition(name) => name,
+            Goal::Measure(number) => MEASURES[number].name,
+            Goal::Falls => "falls",
+        }
+    }
+}
+
+/// How far a goal is reached.
+#[derive(Clone, Debug, Serialize)]
+pub struct Reached {
+    /// What the goal is called.
+    pub goal: &'static str,
+    /// From 0 to 1.
+    pub score: f64,
+    /// The same in its own unit: days until found, the mean error of a day, the share of the floor.
+    pub value: f64,
+    /// That unit.
+    pub unit: &'static str,
+}
+
+/// How much a layout tells.
+#[derive(Clone, Debug, Serialize)]
+pub struct Layout {
+    /// The names of the sensors.
+    pub sensors: Vec<String>,
+    /// The mean over the goals.
+    pub score: f64,
+    /// Each goal.
+    pub goals: Vec<Reached>,
+}
+
+/// Somebody who lived in the home with all candidates.
+pub struct Somebody {
+    /// Who.
+    pub person: Person,
+    /// Their days, by all sensors.
+    pub life: LoggedLife,
+    /// The measures of the days by what they did.
+    pub lived: Measures,
+}
+
+/// What is to be placed, and for what.
+pub struct Trial<'a> {
+    /// The home with all candidates, and the sensors that it has.
+    pub home: &'a HomeFile,
+    /// What is wanted.
+    pub goals: &'a [Goal],
+    /// Who lived there.
+    pub people: &'a [Somebody],
+    /// The rules of alerts.
+    pub rules: &'a Rules,
+}
+
+impl Trial<'_> {
+    /// The layouts with one sensor of the candidates, two, and so on: each the best that one more sensor makes of the last.
+    /// `added` is told of each.
+    pub fn best(&self, candidates: &[String], count: usize, added: &dyn Fn(&Layout)) -> Vec<Layout> {
+        let coverage = self.coverage();
+        let mut layouts: Vec<Layout> = Vec::new();
+        while layouts.len() < count.min(candidates.len()) {
+            let before = layouts.last().map(|layout| layout.sensors.clone()).unwrap_or_default();
+            let left = candidates.iter().filter(|name| !before.contains(name));
+            let with: Vec<Vec<String>> = left.map(|name| [&before[..], &[name.clone()]].concat()).collect();
+            let tried: Vec<Layout> = with.into_par_iter().map(|sensors| self.layout(sensors, &coverage)).collect();
+            // Of those that are as good, the first.
+            let best = tried.into_iter().reduce(|best, other| if other.score > best.score { other } else { best });
+            let Some(best) = best else { break };
+            added(&best);
+            layouts.push(best);
+        }
+        layouts
+    }
+
+    /// How much some of the sensors tell.
+    pub fn of(&self, sensors: &[String]) -> Layout {
+        self.layout(sensors.to_vec(), &self.coverage())
+    }
+
+    fn coverage(&self) -> Coverage {
+        coverage::of_home(self.home, Build::adult(), STEP_M).coverage
+    }
+
+    fn layout(&self, sensors: Vec<String>, coverage: &Coverage) -> Layout {
+        let keep = |name: &str| sensors.iter().any(|sensor| sensor == name);
+        // What tells of no motion tells of no day.
+        let heard: Vec<Option<Measures>> = self.people.iter().map(|person| person.life.heard_by(&keep).ok()).collect();
+        let watched: Vec<Watched> = (self.people.iter().zip(&heard))
+            .filter_map(|(somebody, heard)| Some(Watched { person: &somebody.person, measures: heard.as_ref()? }))
+            .collect();
+        let found = adequacy(&watched, self.rules);
+        let reached = |goal: &Goal| match *goal {
+            Goal::Condition(name) => of_condition(name, &found),
+            Goal::Measure(number) => self.of_measure(number, &heard),
+            Goal::Falls => {
+                let seen = share_seen(coverage, &sensors);
+                Reached { goal: "falls", score: seen, value: seen, unit: "of the floor" }
+            }
+        };
+        let goals: Vec<Reached> = self.goals.iter().map(reached).collect();
+        let score = goals.iter().map(|goal| goal.score).sum::<f64>() / goals.len().max(1) as f64;
+        Layout { sensors, score, goals }
+    }
+
+    /// How near the log comes to the truth of those who show no condition. A day of which the log tells nothing is as wrong as
+    /// can be.
+    fn of_measure(&self, number: usize, heard: &[Option<Measures>]) -> Reached {
+        let (mut wrong, mut truth, mut days) = (0.0, 0.0, 0.0);
+        for (somebody, heard) in self.people.iter().zip(heard).filter(|(one, _)| one.person.condition.is_none()) {
+            for (day, lived) in somebody.lived.days.iter().enumerate() {
+                let Some(lived) = lived.values[number] else { continue };
+                let heard = heard.as_ref().and_then(|heard| heard.days.get(day)?.values[number]);
+                wrong += heard.map_or(lived.abs(), |heard| (heard - lived).abs());
+                (truth, days) = (truth + lived.abs(), days + 1.0);
+            }
+        }
+        let score = if truth > 0.0 { (1.0 - wrong / truth).max(0.0) } else { 0.0 };
+        let Measure { name, unit, .. } = MEASURES[number];
+        Reached { goal: name, score, value: wrong / f64::max(days, 1.0), unit }
+    }
+}
+
+fn of_condition(name: &'static str, found: &Adequacy) -> Reached {
+    let days = found.by_condition.iter().find(|(condition, _)| condition == name).map(|(_, days)| *days);
+    let value = days.unwrap_or(WITHIN as f64);
+    Reached { goal: name, score: 1.0 - value / WITHIN as f64, value, unit: "days until found" }
+}
+
+/// Which share of the floor at least one of the sensors sees.
+fn share_seen(coverage: &Coverage, sensors: &[String]) -> f64 {
+    let kept: Vec<bool> = coverage.sensors.iter().map(|sensor| sensors.contains(&sensor.name)).collect();
+    let floor = coverage.grid.cells.iter().flatten();
+    let seen = floor.clone().filter(|seen| seen.iter().any(|sensor| kept[sensor.index()])).count();
+    seen as f64 / floor.count().max(1) as f64
+}
+
+/// The sensors that may go into a home, whatever it has by now: their names are of no sensor that it has.
+pub fn candidates(home: &HomeFile) -> Vec<SensorFile> {
+    let plan = Plan::new(home);
+    let mut all: Vec<SensorFile> = Vec::new();
+    for (room, named) in plan.rooms.iter().enumerate() {
+        let corners = corners(&named.outline).into_iter().enumerate();
+        let sensors = corners.filter_map(|(number, (at, facing_deg))| {
+            let name = format!("{} corner {number}", named.name);
+            let at = [at.x, at.y].map(in_centimetres);
+            sensor(json!({ "kind": "motion", "name": name, "at": at, "height_m": HEIGHT_M, "facing_deg": facing_deg }))
+        });
+        let sensors: Vec<SensorFile> = sensors.collect();
+        all.extend(best_in_room(home, &plan, room, sensors).map(|mut best| {
+            *best.name_mut() = format!("{} motion", named.name);
+            best
+        }));
+    }
+    for piece in &home.furniture {
+        all.extend(of_piece(piece, &plan));
+    }
+    for door in home.doors.iter().filter(|door| door.outside) {
+        all.extend(sensor(json!({ "kind": "contact", "name": format!("{} contact", door.name), "on": door.name })));
+    }
+    let taken = |name: &str| home.sensors.iter().any(|sensor| sensor.name() == name);
+    for candidate in &mut all {
+        if taken(candidate.name()) {
+            *candidate.name_mut() = format!("new {}", candidate.name());
+        }
+    }
+    all
+}
+
+fn sensor(file: serde_json::Value) -> Option<SensorFile> {
+    serde_json::from_value(file).ok()
+}
+
+fn in_centimetres(metres: f64) -> f64 {
+    (metres * 100.0).round() / 100.0
+}
+
+/// The corners of an outline that point outward, a little inside, with the direction in which they look into it.
+fn corners(outline: &[Point]) -> Vec<(Point, f64)> {
+    let count = outline.len();
+    let looks = |number: usize| {
+        let (before, at, after) =
+            (outline[(number + count - 1) % count], outline[number], outline[(number + 1) % count]);
+        let along = |to: Point| (to - at) / to.distance(at).max(1e-9);
+        let into = along(before) + along(after);
+        let inside = at + FROM_CORNER_M * into;
+        let facing_deg = into.y.atan2(into.x).to_degrees().round();
+        contains(outline, inside).then_some((inside, facing_deg))
+    };
+    (0..count).filter_map(looks).collect()
+}
+
+/// That of the sensors that sees most of the room.
+fn best_in_room(home: &HomeFile, plan: &Plan, room: usize, sensors: Vec<SensorFile>) -> Option<SensorFile> {
+    let with = HomeFile { sensors: sensors.clone(), ..home.clone() };
+    let seen = coverage::of_home(&with, Build::adult(), STEP_M);
+    let grid = &seen.coverage.grid;
+    let of_room = |cell: &usize| plan.room_at(grid.middle(*cell)) == Some(room);
+    let sees = |name: &str| {
+        let number = seen.coverage.sensors.iter().position(|sensor| sensor.name == name);
+        let cells = (0..grid.cells.len()).filter(of_room).filter_map(|cell| grid.cells[cell].as_ref());
+        cells.filter(|cell| cell.iter().any(|sensor| Some(sensor.index()) == number)).count()
+    };
+    let counted = sensors.into_iter().map(|sensor| (sees(sensor.name()), sensor));
+    counted.reduce(|best, other| if other.0 > best.0 { other } else { best }).map(|(_, sensor)| sensor)
+}
+
+/// What looks at a piece of furniture that somebody enters: a sensor in a bed, else one above it.
+fn of_piece(piece: &FurnitureFile, plan: &Plan) -> Option<SensorFile> {
+    if !piece.enterable {
+        return None;
+    }
+    let middle = plan.places.iter().find(|(name, _)| *name == piece.name).map(|(_, at)| *at)?;
+    let role = piece.role.or_else(|| Role::of_name(&piece.name.to_lowercase()).next());
+    if role == Some(Role::Bed) {
+        return sensor(json!({ "kind": "bed", "name": format!("{} sensor", piece.name), "on": piece.name }));
+    }
+    let room = plan.rooms.get(plan.room_at(middle)?)?;
+    let [width, depth] = piece.size_m?;
+    let reach = f64::max(width, depth) / 2.0 + AROUND_M;
+    // As much of the square around it as is in the room.
+    let bound = |low: f64, high: f64, axis: fn(Point) -> f64| {
+        let of_room = room.outline.iter().map(|corner| axis(*corner));
+        let (least, most) = of_room.fold((f64::MAX, f64::MIN), |(least, most), at| (least.min(at), most.max(at)));
+        [low.max(least + FROM_CORNER_M), high.min(most - FROM_CORNER_M)].map(in_centimetres)
+    };
+    let [west, east] = bound(middle.x - reach, middle.x + reach, |p| p.x);
+    let [south, north] = bound(middle.y - reach, middle.y + reach, |p| p.y);
+    let area = [[west, south], [east, south], [east, north], [west, north]];
+    sensor(json!({ "kind": "ceiling_motion", "name": format!("{} motion", piece.name), "area": area }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn corners_look_into_the_room() {
+        let outline = [(0.0, 0.0), (4.0, 0.0), (4.0, 2.0), (2.0, 2.0), (2.0, 4.0), (0.0, 4.0)];
+        let outline = outline.map(|(x, y)| Point::new(x, y));
+        let found = corners(&outline);
+        assert_eq!(found.len(), 5, "the inward corner has no wall to hang on: {found:?}");
+        assert_eq!(found[0].1, 45.0);
+        assert!((found[0].0.x - FROM_CORNER_M).abs() < 1e-9);
+    }
+
+    #[test]
+    fn goals_have_names_that_people_use() {
+        let known = ["depression"];
+        assert!(matches!(Goal::of("depression", &known), Some(Goal::Condition("depression"))));
+        assert_eq!(Goal::of("night-bathroom", &known).map(Goal::name), Some("bathroom_night"));
+        assert_eq!(Goal::of("time-out", &known).map(Goal::name), Some("time_out"));
+        assert!(Goal::of("luck", &known).is_none());
+    }
+}

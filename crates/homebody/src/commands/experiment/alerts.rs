@@ -1,0 +1,248 @@
+//! `homebody experiment alerts`.
+
+use super::walk_back::every_fault;
+use crate::commands::alerts::{rules, usual};
+use crate::commands::answer::Answer;
+use crate::commands::people_with_conditions::{CONDITIONS, Lives, ONSET, People};
+use crate::failure::Failure;
+use homebody_analysis::alerts::Rules;
+use homebody_analysis::measures::Measures;
+use homebody_core::scenario::link::LinkFile;
+use homebody_core::sensors::Sensor;
+use homebody_experiment::alerting::{Adequacy, Curve, Person, Quality, Watched, adequacy, later, quality};
+use homebody_experiment::measures::NotMeasured;
+use homebody_kit::{OpenScenario, template};
+use homebody_picture::{TotalsLine, totals_chart};
+use serde::Serialize;
+use std::fmt;
+use std::path::PathBuf;
+
+/// Lives people with and without conditions, and says how soon alerts come after a condition has begun, for how many, and how
+/// often they come for nothing.
+///
+/// Each lives in the apartment of the template `older-adult` and differs from the others as people do. One in nine has no
+/// condition; the others each show one of those that come with the program from day 61 on: mild, moderate or severe, in turn.
+/// Conditions grow for as long as they are known to: infections for days, depression for weeks. Alerts are those of
+/// `homebody alerts`, by the log alone.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  homebody experiment alerts --people 200
+  homebody experiment alerts --people 36 --rules rules.json --json alerts.json
+  homebody experiment alerts --layouts --png curves.png
+
+JSON has \"rows\", each with condition, rule, sensitivity, lead_days and false_alarms_per_week, with intervals of 95 %; and
+\"curves\" for other numbers of standard deviations.")]
+pub struct Arguments {
+    /// How many people
+    #[arg(long, default_value_t = 200, value_parser = clap::value_parser!(u32).range(9..=100_000))]
+    people: u32,
+    /// How many days each lives
+    #[arg(long, default_value_t = 120, value_parser = clap::value_parser!(u32).range(90..=3660))]
+    days: u32,
+    /// The number all randomness comes from
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Say as well how much later people are found with faults, with one motion sensor a room, and with each sensor taken away
+    #[arg(long)]
+    layouts: bool,
+    /// The rules, instead of the usual ones
+    #[arg(long, value_name = "FILE")]
+    rules: Option<PathBuf>,
+    #[command(flatten)]
+    answer: Answer,
+}
+
+/// Where people live, and how.
+const SCENARIO: &str = "older-adult";
+
+/// All measures of somebody: by the home as it is first, then by each of the other layouts.
+type OfLayouts = Vec<Measures>;
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let answer = self.answer.check([""], &[])?;
+        let rules = match &self.rules {
+            Some(path) => rules(path)?,
+            None => usual()?,
+        };
+        let scenario = template(SCENARIO)?;
+        let people = People::of(&scenario, &CONDITIONS, self.people, (self.days, self.seed))?;
+        let layouts = if self.layouts { Layout::all(&scenario) } else { vec![Layout::AsItIs] };
+        let measure = |lives: &Lives| {
+            let logged = lives.live(&LinkFile::default())?;
+            let heard = |layout: &Layout| match layout {
+                Layout::AsItIs => logged.heard().map_err(unmeasured),
+                Layout::WithFaults => {
+                    let half = f64::from(self.days) / 2.0;
+                    // Faults come as often before conditions as after.
+                    let from_day = half * [0.0, 0.5, 1.0][lives.number % 3];
+                    let link = every_fault(lives.opened.scenario(), lives.number, (from_day, half));
+                    lives.live(&link)?.heard().map_err(unmeasured)
+                }
+                Layout::OneInEachRoom(kept) => {
+                    logged.heard_by(&|sensor| kept.iter().any(|name| name == sensor)).map_err(unmeasured)
+                }
+                Layout::Without(taken) => logged.heard_by(&|sensor| sensor != taken).map_err(unmeasured),
+            };
+            layouts.iter().map(heard).collect()
+        };
+        let watched: Vec<(Person, OfLayouts)> = people.each(measure)?;
+        let by = |layout: usize| -> Vec<Watched> {
+            watched.iter().map(|(person, measures)| Watched { person, measures: &measures[layout] }).collect()
+        };
+        let found =
+            Found { quality: quality(&by(0), &rules, self.days), layouts: beside_each_other(&layouts, &by, &rules) };
+        answer.give(&found, [&|| curves(&found.quality.curves)])
+    }
+}
+
+fn unmeasured(error: NotMeasured) -> Failure {
+    Failure::Io(error.to_string())
+}
+
+/// Which sensors there are, and how they do.
+enum Layout {
+    AsItIs,
+    WithFaults,
+    OneInEachRoom(Vec<String>),
+    Without(String),
+}
+
+impl Layout {
+    fn all(scenario: &OpenScenario) -> Vec<Layout> {
+        let home = &scenario.scenario().home;
+        let sensors = home.placed_sensors();
+        let mut rooms = Vec::new();
+        let of_new_room = |sensor: &&Sensor| {
+            let room = sensor.info(home.plan()).room;
+            let is_new = sensor.senses_motion() && room.is_some() && !rooms.contains(&room);
+            rooms.push(room);
+            is_new
+        };
+        let one_each: Vec<String> = sensors.iter().filter(of_new_room).map(|sensor| sensor.name.clone()).collect();
+        let without = sensors.iter().map(|sensor| Layout::Without(sensor.name.clone()));
+        [Layout::AsItIs, Layout::WithFaults, Layout::OneInEachRoom(one_each)].into_iter().chain(without).collect()
+    }
+}
+
+impl fmt::Display for Layout {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Layout::AsItIs => f.write_str("all sensors"),
+            Layout::WithFaults => f.write_str("all sensors, with every fault"),
+            Layout::OneInEachRoom(kept) => write!(f, "{} motion sensors, one a room", kept.len()),
+            Layout::Without(sensor) => write!(f, "without {sensor}"),
+        }
+    }
+}
+
+/// How soon people are found by one layout.
+#[derive(Serialize)]
+struct OfLayout {
+    layout: String,
+    #[serde(flatten)]
+    adequacy: Adequacy,
+    /// How many days later than by all sensors, on average.
+    later_days: f64,
+    /// The interval of 95 %.
+    later_95: [f64; 2],
+}
+
+fn beside_each_other<'a>(layouts: &[Layout], by: &dyn Fn(usize) -> Vec<Watched<'a>>, rules: &Rules) -> Vec<OfLayout> {
+    if layouts.len() < 2 {
+        return Vec::new();
+    }
+    let of_each: Vec<Adequacy> = (0..layouts.len()).map(|layout| adequacy(&by(layout), rules)).collect();
+    let beside = |(layout, adequacy): (&Layout, &Adequacy)| {
+        let (later_days, later_95) = later(&of_each[0], adequacy);
+        OfLayout { layout: layout.to_string(), adequacy: adequacy.clone(), later_days, later_95 }
+    };
+    layouts.iter().zip(&of_each).map(beside).collect()
+}
+
+/// Curves are drawn as far as anybody would bear.
+const DRAWN_PER_WEEK: f64 = 1.0;
+
+/// Sensitivity against false alarms: a line for each condition.
+fn curves(curves: &[Curve]) -> String {
+    let line = |curve: &Curve| TotalsLine {
+        label: curve.condition.clone(),
+        points: (curve.points.iter().rev())
+            .map(|point| (point.false_alarms_per_week, point.sensitivity))
+            .filter(|(false_alarms, _)| *false_alarms <= DRAWN_PER_WEEK)
+            .collect(),
+    };
+    let lines: Vec<TotalsLine> = curves.iter().map(line).collect();
+    let axes = ["false alarms a week of one person", "share found within 28 days"];
+    totals_chart("Found, and alarmed for nothing, by number of standard deviations", axes, &lines, None)
+}
+
+/// What was found, as words.
+#[derive(Serialize)]
+struct Found {
+    #[serde(flatten)]
+    quality: Quality,
+    /// Where layouts are asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    layouts: Vec<OfLayout>,
+}
+
+impl fmt::Display for Found {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Quality { people, days, rows, false_alarms, .. } = &self.quality;
+        writeln!(f, "Alerts of {people} people over {days} days; conditions begin on day {}\n", ONSET + 1)?;
+        writeln!(
+            f,
+            "{:24} {:26} {:>6} {:>19} {:>7} {:>6} {:>6} {:>6} {:>11}",
+            "condition", "rule", "people", "found (95 %)", "chance", "14 d", "28 d", "delay", "lead, days"
+        )?;
+        for row in rows {
+            let within =
+                |days: usize| row.within.iter().find(|(after, _)| *after == days).map_or(0.0, |(_, share)| *share);
+            let [low, high] = row.sensitivity_95;
+            let days = |days: Option<f64>| days.map_or("-".to_owned(), |days| format!("{days:.0}"));
+            let found = format!("{:.2} ({low:.2}-{high:.2})", row.sensitivity);
+            writeln!(
+                f,
+                "{:24} {:26} {:>6} {found:>19} {:>7.2} {:>6.2} {:>6.2} {:>6} {:>11}",
+                row.condition,
+                row.rule,
+                row.people,
+                row.by_chance,
+                within(14),
+                within(28),
+                days(row.delay_days.map(|[_, middle, _]| middle)),
+                days(row.lead_days)
+            )?;
+        }
+        writeln!(f, "\n{:51} a week of one person (95 %)", "false alarms")?;
+        for idle in false_alarms {
+            let [low, high] = idle.per_week_95;
+            writeln!(f, "{:51} {:.3} ({low:.3}-{high:.3})", idle.rule, idle.per_week)?;
+        }
+        self.tell_layouts(f)
+    }
+}
+
+impl Found {
+    fn tell_layouts(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        if self.layouts.is_empty() {
+            return Ok(());
+        }
+        writeln!(f, "\nWith at most one false alarm in five weeks of one person:\n")?;
+        writeln!(
+            f,
+            "{:32} {:>5} {:>13} {:>6} {:>8} {:>22}",
+            "layout", "k", "false a week", "found", "days", "later, days (95 %)"
+        )?;
+        for OfLayout { layout, adequacy, later_days, later_95: [low, high] } in &self.layouts {
+            let Adequacy { k_sd, false_alarms_per_week, found, days, .. } = adequacy;
+            writeln!(
+                f,
+                "{layout:32} {k_sd:>5} {false_alarms_per_week:>13.2} {found:>6.2} {days:>8.1} {:>22}",
+                format!("{later_days:+.1} ({low:+.1} to {high:+.1})")
+            )?;
+        }
+        Ok(())
+    }
+}

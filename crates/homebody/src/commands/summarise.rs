@@ -1,0 +1,103 @@
+//! `homebody summarise`: days in words.
+
+use super::answer::Answer;
+use super::measure::Measured;
+use super::read_log::read_log;
+use crate::failure::{EXIT_CODES, Failure};
+use homebody_analysis::density::Asked;
+use homebody_analysis::measures::Measures;
+use homebody_analysis::summaries::{About, Summary, of_summaries, summarise};
+use serde::Serialize;
+use std::fmt;
+
+/// Says in sentences how somebody has been doing of late: what has changed first, then how things are.
+///
+/// Each sentence is about one measure of homebody measure: on so many of the last days it was so. Of all that is true, that is
+/// told which says most. Days away and days that are not whole do not count.
+#[derive(clap::Args)]
+#[command(after_help = format!("Examples:
+  homebody summarise runs/tigerplace-depression-1
+  homebody summarise casas:tm000.txt --for experts --last 28
+  homebody summarise runs/tigerplace-1 --beside runs/tigerplace-depression-1 --json
+
+{EXIT_CODES}."))]
+pub struct Arguments {
+    #[command(flatten)]
+    measured: Measured,
+    /// How many of the last days it is about
+    #[arg(long, value_name = "DAYS", default_value_t = 14, value_parser = clap::value_parser!(u16).range(5..=366))]
+    last: u16,
+    /// For whom: carers, or experts, who get the numbers
+    #[arg(long = "for", value_enum, value_name = "WHOM", default_value_t = Reader::Carers)]
+    reader: Reader,
+    /// Another log: how far its summary is from this one, from 0 to 1, after Wilbik and Keller
+    #[arg(long, value_name = "LOG")]
+    beside: Option<String>,
+    #[command(flatten)]
+    answer: Answer,
+}
+
+/// Who reads a summary.
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Reader {
+    Carers,
+    Experts,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let read = self.measured.read()?;
+        let answer = self.answer.check([], &read.sources)?;
+        let measures = self.measured.measures(&read)?;
+        let subject = subject(self.measured.resident(), &read.lives);
+        let about = About { subject: &subject, last: self.last.into() };
+        let summary = summarise(&measures, about);
+        let distance = match &self.beside {
+            None => None,
+            Some(other) => {
+                let read = read_log(other, None)?;
+                let asked = Asked { recorded: read.recorded.clone(), ..Asked::default() };
+                let measures = Measures::heard(&read.name, &read.log, &read.rooms, &asked)
+                    .map_err(|why| Failure::usage(format!("{other}: {why}")))?;
+                Some(of_summaries(&summary, &summarise(&measures, about)))
+            }
+        };
+        answer.give(&Told { summary, distance, reader: self.reader }, [])
+    }
+}
+
+/// What sentences call the resident: by name where there is one alone.
+fn subject(asked: Option<&str>, lives: &[homebody_log::Life]) -> String {
+    let residents: Vec<&str> = lives.iter().map(|life| life.resident.as_str()).collect();
+    let name = asked.or(residents.first().copied().filter(|_| residents.len() == 1));
+    let Some(name) = name else { return "the resident".into() };
+    let mut letters = name.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}
+
+#[derive(Serialize)]
+struct Told {
+    #[serde(flatten)]
+    summary: Summary,
+    /// How far the other log's summary is from this one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    distance: Option<f64>,
+    #[serde(skip)]
+    reader: Reader,
+}
+
+impl fmt::Display for Told {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self.reader {
+            Reader::Carers => write!(f, "{}", self.summary)?,
+            Reader::Experts => {
+                self.summary.remarks.iter().try_for_each(|remark| writeln!(f, "{remark}."))?;
+                self.summary.sentences.iter().try_for_each(|sentence| writeln!(f, "{}", sentence.expert))?;
+            }
+        }
+        match self.distance {
+            Some(distance) => writeln!(f, "\nDistance from the other summary: {distance:.2} of 1"),
+            None => Ok(()),
+        }
+    }
+}
