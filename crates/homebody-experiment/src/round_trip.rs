@@ -20,11 +20,13 @@ use serde::Serialize;
 use std::fmt::Write;
 
 /// So many days are lived, of which the last are summarised; what changes does so with the first of these.
-pub const DAYS: u32 = 42;
-const LAST: usize = 14;
+pub const DAYS: u32 = 56;
+const LAST: usize = 28;
 /// What a routine says of a day is drawn so often (ours).
 const DRAWS: usize = 50;
 const HOUR: f64 = 3600.0;
+/// A visit to the bathroom takes somebody out of bed for so many hours (ours: the median of the activity).
+const VISIT_H: f64 = 0.1;
 
 /// A sentence of a summary beside what the routine says.
 #[derive(Clone, Debug, Serialize)]
@@ -180,7 +182,11 @@ impl Said<'_> {
                 "rising" => self.clock(&Activity::GetUp, day, &mut stream),
                 "bedtime" => self.bedtime(day, &mut stream),
                 "time_in_bed" => {
-                    Some(24.0 + self.clock(&Activity::GetUp, day, &mut stream)? - self.bedtime(day, &mut stream)?)
+                    let lain =
+                        24.0 + self.clock(&Activity::GetUp, day, &mut stream)? - self.bedtime(day, &mut stream)?;
+                    let is_visit = |habit: &Habit| habit.is_how_often(&Activity::UseBathroom, true);
+                    // The last visit comes before going to bed.
+                    Some(lain - (1.0 + self.times(day, &mut stream, is_visit)?) * VISIT_H)
                 }
                 "bathroom_night" => {
                     self.times(day, &mut stream, |habit| habit.is_how_often(&Activity::UseBathroom, true))

@@ -20,6 +20,7 @@ fn days_of(name: &str, values: &[Option<f64>]) -> Measures {
         name: "log".into(),
         measures: MEASURES,
         remarks: Vec::new(),
+        guesses: Vec::new(),
         silent: Vec::new(),
         days: values.iter().enumerate().map(day).collect(),
     }

@@ -15,18 +15,27 @@ const MINUTE: Micros = 60 * SECOND;
 /// Who is in a bedroom and gives no sign for so long is in bed (ours); who is in bed and gives none for so long sleeps.
 const LIES_STILL: Micros = 20 * MINUTE;
 const SLEEPS: Micros = 5 * MINUTE;
+/// Who is out of the bedroom for so long at night lies in bed before and after; who comes to bed is still after so long (ours).
+const UP_AT_NIGHT: Micros = 30 * MINUTE;
+const FALLS_ASLEEP: Micros = 40 * MINUTE;
+/// Who leaves the bedroom so soon after a long silence got up as they left it (ours).
+const WAKES: Micros = 30 * MINUTE;
 /// Signs in bed farther apart than this are two bouts (ours).
 const BOUT: Micros = 30 * SECOND;
 /// Who is seen once in a room on the way to another is there for so long at most (ours).
 const GLIMPSE: Micros = 5 * SECOND;
+/// It is a glimpse, too, if several signs come within that time and the next one, of another room, no later than this (ours).
+const SEEN_PASSING: Micros = 10 * SECOND;
 /// Signs of a shower's own sensor no farther apart belong to one shower, which lasts at least so long (ours).
 const SHOWER_APART: Micros = 3 * MINUTE;
 const SHOWER_LASTS: Micros = 3 * MINUTE;
-/// Where a shower has no sensor of its own, who stays in the bathroom for so long by day showers (ours).
-const BATHROOM_LONG: Micros = 12 * MINUTE;
+/// Where a shower has no sensor of its own, who stays in the bathroom for so long by day, with a sign every minute, showers (ours):
+/// who sits on the toilet gives fewer.
+const BATHROOM_LONG: Micros = 10 * MINUTE;
+const BATHROOM_LIVELY: Micros = MINUTE;
 /// Times in the kitchen no farther apart belong to one meal; for a meal somebody is there for so long (ours).
 const MEAL_APART: Micros = 15 * MINUTE;
-const MEAL_LASTS: Micros = 12 * MINUTE;
+const MEAL_LASTS: Micros = 15 * MINUTE;
 /// A way from one sensor to another takes no longer, and is known by so many (ours).
 const PASSES_WITHIN: Micros = 15 * SECOND;
 const PASSES_KNOWN: usize = 20;
@@ -88,8 +97,8 @@ impl Timeline {
             return;
         }
         if lain.is_empty() {
-            let silent = self.stays.iter().filter(|stay| self.rooms.purpose(stay.room) == Purpose::Bedroom);
-            lain = silent.filter_map(|stay| still(stay, &in_bedroom)).collect();
+            let of_bedroom = self.stays.iter().filter(|stay| self.rooms.purpose(stay.room) == Purpose::Bedroom);
+            lain = nights(&of_bedroom.copied().collect::<Vec<Stay>>(), &in_bedroom);
         }
         let lain = joined(lain.into_iter(), 0);
         let (mut asleep, mut stirs) = (Vec::new(), Vec::new());
@@ -121,8 +130,14 @@ impl Timeline {
             self.showers = begins(joined(seen, SHOWER_APART), SHOWER_LASTS);
         } else if self.rooms.has(Purpose::Bathroom) {
             let in_bed = self.in_bed.as_deref().unwrap_or_default();
-            let by_day = without(&self.visits(Purpose::Bathroom, MINUTE), in_bed);
+            let mut by_day = without(&self.visits(Purpose::Bathroom, MINUTE), in_bed);
+            let in_bathroom: Vec<&Sign> =
+                signs.iter().filter(|sign| self.rooms.purpose(sign.room) == Purpose::Bathroom).collect();
+            by_day.retain(|&(begin, end)| {
+                within(&in_bathroom, begin, end).len() as Micros * BATHROOM_LIVELY >= end - begin
+            });
             self.showers = begins(by_day, BATHROOM_LONG);
+            self.guesses_showers = true;
         }
         if self.rooms.has(Purpose::Kitchen) {
             let cooked = self.visits(Purpose::Kitchen, 0);
@@ -171,7 +186,8 @@ fn stays(signs: &[Sign], away: &[Span], last: Micros) -> Vec<Stay> {
         let next = rooms.get(index + 1);
         let (room, begin) = (of_room[0].room, of_room[0].at);
         let end = next.map_or(last.max(begin), |next| next[0].at);
-        let is_glimpse = of_room.len() == 1;
+        let last = of_room[of_room.len() - 1].at;
+        let is_glimpse = of_room.len() == 1 || last - begin < GLIMPSE && end - last < SEEN_PASSING;
         match stays.last_mut() {
             Some(before) if before.room == room => before.end = end,
             Some(before) if is_glimpse && next.is_some_and(|next| next[0].room == before.room) => before.end = end,
@@ -199,6 +215,27 @@ fn within<'a>(signs: &'a [&'a Sign], begin: Micros, end: Micros) -> &'a [&'a Sig
     let from = signs.partition_point(|sign| sign.at < begin);
     let to = signs.partition_point(|sign| sign.at < end);
     &signs[from..to.max(from)]
+}
+
+/// When somebody lies in bed, by the stays in the bedroom that have a long silence. Who goes to the bathroom at night lies down at
+/// once when they are back, and until they go. Who comes to bed lies down at once, unless it takes them too long to be still.
+fn nights(stays: &[Stay], signs: &[&Sign]) -> Vec<Span> {
+    let mut lain: Vec<Span> = Vec::new();
+    let mut until: Option<Micros> = None;
+    for stay in stays {
+        let Some((begin, end)) = still(stay, signs) else { continue };
+        let end = if stay.end - end <= WAKES { stay.end } else { end };
+        let was_up_for = until.map(|until| stay.begin - until);
+        match lain.last_mut() {
+            Some(last) if was_up_for.is_some_and(|up| up <= UP_AT_NIGHT) => {
+                last.1 = until.unwrap_or(last.1);
+                lain.push((stay.begin, end));
+            }
+            _ => lain.push((if begin - stay.begin <= FALLS_ASLEEP { stay.begin } else { begin }, end)),
+        }
+        until = Some(stay.end);
+    }
+    lain
 }
 
 /// From the first to the last long silence of a stay, if there is one.

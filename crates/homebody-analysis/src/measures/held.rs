@@ -14,6 +14,8 @@ pub struct Measures {
     pub measures: &'static [Measure],
     /// What it cannot tell, or only roughly, in sentences.
     pub remarks: Vec<String>,
+    /// The names of measures that are guessed, as no sensor tells of them: see the remarks.
+    pub guesses: Vec<&'static str>,
     /// Sensors that fell silent: what needs them has no value meanwhile.
     pub silent: Vec<Silent>,
     /// Day by day.

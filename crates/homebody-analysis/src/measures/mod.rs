@@ -55,15 +55,23 @@ impl Measures {
                 remarks.push(format!("No sensor is in a {room}, so nothing is known of {lacking}"));
             }
         }
+        let mut guesses = Vec::new();
         match map.entrance.chosen {
             Chosen::None => remarks.push("No sensor is at an entrance, so nothing is known of outings".to_owned()),
-            Chosen::Guessed => remarks.push(format!(
-                "Outings are a guess: the entrance is taken to be at {}",
-                map.entrance.sensors.join(", ")
-            )),
+            Chosen::Guessed => {
+                guesses.extend(["time_out", "outings"]);
+                remarks.push(format!(
+                    "Outings are a guess: the entrance is taken to be at {}",
+                    map.entrance.sensors.join(", ")
+                ));
+            }
             Chosen::Asked | Chosen::Known => {}
         }
-        let mut measures = Measures::of(name, &timeline, remarks);
+        if timeline.guesses_showers {
+            guesses.push("showers");
+            remarks.push("Showers are a guess by long stays in the bathroom: no sensor is at the shower".to_owned());
+        }
+        let mut measures = Measures { guesses, ..Measures::of(name, &timeline, remarks) };
         let away = timeline.away.clone().unwrap_or_default();
         let last = log.events.iter().map(|event| event.at).max().unwrap_or(timeline.begin);
         let silences = silent::silences(log, &kinds, &away, last);
@@ -86,6 +94,13 @@ impl Measures {
             let date = first.saturating_add(jiff::Span::new().days(number as i64));
             Day { date, is_whole: day.is_known(), values }
         });
-        Measures { name: name.to_owned(), measures: MEASURES, remarks, silent: Vec::new(), days: days.collect() }
+        Measures {
+            name: name.to_owned(),
+            measures: MEASURES,
+            remarks,
+            guesses: Vec::new(),
+            silent: Vec::new(),
+            days: days.collect(),
+        }
     }
 }

@@ -57,6 +57,8 @@ pub struct Timeline {
     pub asleep: Option<Vec<Span>>,
     /// When somebody stirred in bed: the beginnings of bouts.
     pub stirs: Option<Vec<Micros>>,
+    /// Whether showers are guessed.
+    pub guesses_showers: bool,
     /// When showers and baths began.
     pub showers: Option<Vec<Micros>>,
     /// When meals began, or their cooking where only that is known.

@@ -5,7 +5,7 @@
 //! is true to 0.8 and more. Of all that are true of a measure, that one is told that says most: with a strict
 //! quantifier and a narrow set. Sentences about what has changed come first.
 //!
-//! We assume that each measure is about one person. Left out: sentences about several measures at once.
+//! We assume that each measure is about one person. Left out: what is guessed, and sentences about several measures at once.
 
 mod distance;
 mod protoform;
@@ -104,7 +104,8 @@ pub fn summarise(measures: &Measures, about: About) -> Summary {
             remarks
                 .push(format!("Fewer than {LEAST_BEFORE} days that count lie before, so nothing is said of changes"));
         }
-        for spoken in SPOKEN {
+        let is_told = |spoken: &&Spoken| !measures.guesses.contains(&spoken.measure);
+        for spoken in SPOKEN.iter().filter(is_told) {
             let of = |days: &[Day]| known(spoken, days);
             let values = of(days);
             if values.len() < LEAST_DAYS {
