@@ -122,7 +122,7 @@ impl Trial<'_> {
         while layouts.len() < count.min(candidates.len()) {
             let before = layouts.last().map(|layout| layout.sensors.clone()).unwrap_or_default();
             let left = candidates.iter().filter(|name| !before.contains(name));
-            let with: Vec<Vec<String>> = left.map(|name| [&before[..], &[name.clone()]].concat()).collect();
+            let with: Vec<Vec<String>> = left.map(|name| [&before[..], std::slice::from_ref(name)].concat()).collect();
             let tried: Vec<Layout> = with.into_par_iter().map(|sensors| self.layout(sensors, &coverage)).collect();
             // Of those that are as good, the first.
             let best = tried.into_iter().reduce(|best, other| if other.score > best.score { other } else { best });

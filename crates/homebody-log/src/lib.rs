@@ -52,6 +52,8 @@ pub mod convert;
 pub mod anonymise;
 pub mod label;
 
+pub mod records;
+
 pub use anonymise::{Anonymised, Anonymising, anonymise};
 pub use convert::convert;
 pub use error::LogError;

@@ -37,7 +37,7 @@ macro_rules! measures {
 
 measures! {
     time_in_bed ("h", "Time in bed")
-        "Hours in bed in the night: by the bed's sensor, or else from the first to the last silence of 20 min and more in the bedroom, without the times in other rooms",
+        "Hours in bed in the night: by the bed's sensor, or else in stays in the bedroom that have a silence of 20 min and more, from coming to bed to leaving it, without the times in other rooms",
         "Rantz et al. 2015, time in bed; the rule for motion sensors is ours";
     bedtime ("h", "To bed at")
         "When the night begins, in hours of the day before: 24.5 is half past midnight", "ours";
@@ -54,10 +54,10 @@ measures! {
     bathroom_day ("visits", "Bathroom by day")
         "Stays in the bathroom of 20 s and more on the day, but for those of the night", "Rantz et al. 2015, bathroom activity";
     showers ("times", "Showers")
-        "Where the shower has a sensor, spans of its movements of 3 min and more; else stays in the bathroom of 12 min and more out of the night",
+        "Where the shower has a sensor, spans of its movements of 3 min and more; else, as a guess, stays in the bathroom of 10 min and more by day with a sign every minute",
         "ours";
     meals ("times", "Meals")
-        "Times around the kitchen with 12 min and more in it, with gaps of 15 min at most", "ours";
+        "Times around the kitchen with 15 min and more in it, with gaps of 15 min at most", "ours";
     time_out ("h", "Out")
         "Hours of the day with nobody at home", "Wang and Skubic 2008, time away from home";
     outings ("times", "Outings")

@@ -7,6 +7,7 @@
 //! A day of which more than an hour is unknown has no values, and a night none of its own: nothing is filled in. Left out: who
 //! of several residents it was, and visitors, who are measured as if they were the resident.
 
+mod fhir;
 mod heard;
 mod held;
 mod kinds;

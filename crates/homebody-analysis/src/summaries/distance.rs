@@ -1,7 +1,7 @@
 //! How far summaries are apart, after Wilbik & Keller (2012): by what they mean, how true they are, and how many days they are from.
 
-use super::protoform::Set;
-use super::{Sentence, Summary};
+use super::sentence::{Sentence, Summary};
+use super::set::Set;
 use homebody_core::fuzzy::Fuzzy;
 
 /// How far two sentences are apart, from 0 to 1: by whatever they differ in most, so that it is a metric.

@@ -1,54 +1,11 @@
 //! What can be said of a measure, how true each of it is, and which says most.
 
+use super::sentence::{About, Sentence, TRUE_ENOUGH};
+use super::set::{BORDER, Set};
 use super::words::{Kind, Spoken, expert, plain};
-use super::{About, Sentence, TRUE_ENOUGH};
-use homebody_core::fuzzy::{Fuzzy, Quantifier};
+use homebody_core::fuzzy::Quantifier;
 use jiff::civil::Date;
-use serde::Serialize;
 
-/// What values of a measure a sentence is about.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Set {
-    /// So many times, or more often.
-    AtLeast(u32),
-    /// So many times.
-    Exactly(u32),
-    /// Between two values.
-    Between(f64, f64),
-    /// More than before, or less: from half a standard deviation on a little, from one and a half on fully.
-    Beyond {
-        /// The mean before.
-        mean: f64,
-        /// The standard deviation before.
-        sd: f64,
-        /// Whether it is more.
-        is_more: bool,
-    },
-}
-
-impl Set {
-    /// As a fuzzy number.
-    pub fn fuzzy(self) -> Fuzzy {
-        match self {
-            Set::AtLeast(times) => {
-                let times = f64::from(times);
-                Fuzzy { low: times - 1.0, from: times, to: f64::MAX, high: f64::MAX }
-            }
-            Set::Exactly(times) => Fuzzy::around(f64::from(times), 1.0),
-            Set::Between(from, to) => Fuzzy { low: from - BORDER, from, to, high: to + BORDER },
-            Set::Beyond { mean, sd, is_more: true } => {
-                Fuzzy { low: mean + 0.5 * sd, from: mean + 1.5 * sd, to: f64::MAX, high: f64::MAX }
-            }
-            Set::Beyond { mean, sd, is_more: false } => {
-                Fuzzy { low: f64::MIN, from: f64::MIN, to: mean - 1.5 * sd, high: mean - 0.5 * sd }
-            }
-        }
-    }
-}
-
-/// The border of a set of hours is so wide (ours), in hours.
-const BORDER: f64 = 0.25;
 /// Sets of counts go so far.
 const MOST_TIMES: u32 = 8;
 /// One time more is so many times as likely (ours).

@@ -1,6 +1,7 @@
 //! The words of summaries: what each measure is in a sentence.
 
-use super::{About, protoform::Set};
+use super::sentence::About;
+use super::set::Set;
 use homebody_core::fuzzy::Quantifier;
 
 /// What kind of sets a measure's values are told by.
@@ -16,7 +17,7 @@ pub(super) enum Kind {
     Change,
 }
 
-/// How a measure is spoken of.
+/// How a measure is spoken of. The numbers are ours.
 pub(super) struct Spoken {
     /// Its name.
     pub measure: &'static str,
@@ -26,7 +27,7 @@ pub(super) struct Spoken {
     pub is_of_night: bool,
     /// What its values can be.
     pub range: (f64, f64),
-    /// A standard deviation is taken to be so much at least (ours).
+    /// A standard deviation is taken to be so much at least.
     pub least_sd: f64,
     /// What somebody did; `{}` is how many, how long or when.
     pub did: &'static str,
@@ -89,7 +90,7 @@ spoken! {
         "", "", "moved about more at night", "moved about less at night";
     pace of "walking": Change false (0.0, 3.0), 0.03,
         "", "", "walked faster", "walked more slowly";
-    pacing of "wandering": Change false (0.0, 50.0), 1.0,
+    pacing of "going to and fro": Change false (0.0, 50.0), 1.0,
         "", "", "went to and fro more often", "went to and fro less often";
 }
 

@@ -1,11 +1,15 @@
 //! `homebody alerts`: what is different from before.
 
 use super::answer::Answer;
+use super::for_programs::{ForPrograms, row};
 use super::measure::Measured;
 use crate::failure::{EXIT_CODES, Failure};
-use homebody_analysis::alerts::{Rules, USUAL, alerts};
+use crate::print::print_text;
+use homebody_analysis::alerts::{Alert, Rules, USUAL, alerts};
+use homebody_log::records::Records;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// Says what is different from before in what somebody does, day by day: each measure is held against the resident's own last
 /// two weeks.
@@ -18,6 +22,8 @@ use std::path::{Path, PathBuf};
   homebody alerts runs/tigerplace-depression-1
   homebody alerts casas:tm000.txt --home my-home --json
   homebody alerts runs/tigerplace-1 --rules rules.json
+  homebody alerts runs/tigerplace-1 --out sqlite:care.db
+  homebody alerts casas:home.txt --follow --out jsonl:-
 
 {EXIT_CODES}."))]
 pub struct Arguments {
@@ -26,6 +32,14 @@ pub struct Arguments {
     /// The rules, instead of the usual ones
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
+    /// Go on reading the log as it grows, and tell each alert as it comes, until the program is stopped
+    #[arg(long)]
+    follow: bool,
+    /// How many seconds pass from one look at the log to the next
+    #[arg(long, value_name = "SECONDS", default_value_t = 60, requires = "follow", value_parser = clap::value_parser!(u64).range(1..=86_400))]
+    every: u64,
+    #[command(flatten)]
+    programs: ForPrograms,
     #[command(flatten)]
     answer: Answer,
 }
@@ -36,11 +50,64 @@ impl Arguments {
             Some(path) => rules(path)?,
             None => usual()?,
         };
+        if self.follow {
+            return self.follow(&rules);
+        }
         let read = self.measured.read()?;
         let answer = self.answer.check([], &read.sources)?;
+        self.programs.check(false, &read.sources, self.answer.replaces())?;
+        self.measured.tell_of_all(&read);
         let measures = self.measured.measures(&read)?;
-        answer.give(&alerts(&measures, &rules), [])
+        let alerts = alerts(&measures, &rules);
+        self.programs.store(&records(&alerts.name, &alerts.alerts), &Default::default, self.answer.replaces())?;
+        match self.programs.is_printed() {
+            true => answer.give_to_files(&alerts, [], &String::new),
+            false => answer.give(&alerts, []),
+        }
     }
+
+    /// Tells what alerts there are, and then each that comes: a line each, as JSON where lines are asked for.
+    fn follow(&self, rules: &Rules) -> Result<(), Failure> {
+        if !self.answer.is_empty() || !self.programs.is_empty_or_printed() {
+            return Err(Failure::usage(
+                "--follow tells alerts as they come, and writes no files\n  hint: --out jsonl:- gives lines for programs",
+            ));
+        }
+        let mut told: Vec<Alert> = Vec::new();
+        loop {
+            // A log that has no day yet, or is being written, is looked at again.
+            let found = self.measured.read().and_then(|read| self.measured.measures(&read));
+            match found {
+                Err(failure) if told.is_empty() && !self.measured.is_there() => return Err(failure),
+                Err(_) => {}
+                Ok(measures) => {
+                    let all = alerts(&measures, rules);
+                    let is_told =
+                        |new: &Alert| told.iter().any(|told| (told.date, &told.rule) == (new.date, &new.rule));
+                    let new: Vec<Alert> = all.alerts.into_iter().filter(|alert| !is_told(alert)).collect();
+                    match self.programs.is_printed() {
+                        true => print_text(&records(&all.name, &new).lines())?,
+                        false => {
+                            new.iter().try_for_each(|alert| print_text(&format!("{} {}\n", alert.date, alert.words)))?
+                        }
+                    }
+                    told.extend(new);
+                }
+            }
+            std::thread::sleep(Duration::from_secs(self.every));
+        }
+    }
+}
+
+/// A row for each alert.
+fn records(log: &str, alerts: &[Alert]) -> Records {
+    let of = |alert: &Alert| {
+        let mut row = row(alert);
+        row.insert("log".into(), log.into());
+        row
+    };
+    let columns = &["log", "date", "rule", "measures", "is_more", "value", "usual", "sd", "shown_by", "words"];
+    Records { kind: "alert", columns, rows: alerts.iter().map(of).collect() }
 }
 
 /// The rules that hold where nobody says others.

@@ -74,6 +74,11 @@ impl Answer {
         Ok(Checked { answer: self, pictures, table })
     }
 
+    /// Whether nothing is asked for besides words.
+    pub fn is_empty(&self) -> bool {
+        self.json.is_none() && self.pictures.is_empty()
+    }
+
     /// Whether a picture is asked for.
     pub fn draws(&self) -> bool {
         !self.pictures.is_empty()
@@ -103,18 +108,26 @@ impl<const N: usize> Checked<'_, N> {
         pictures: [Picture; N],
         table: &dyn Fn() -> String,
     ) -> Result<(), Failure> {
+        self.give_to_files(answer, pictures, table)?;
+        match self.answer.json.is_some() && self.answer.json_file().is_none() {
+            true => print_json(answer),
+            false => print_text(&answer.to_string()),
+        }
+    }
+
+    /// Writes what goes into files, and tells nothing: standard output is taken.
+    pub fn give_to_files(
+        &self,
+        answer: &impl Serialize,
+        pictures: [Picture; N],
+        table: &dyn Fn() -> String,
+    ) -> Result<(), Failure> {
         self.pictures.draw(pictures)?;
         if let Some(path) = self.table {
             write_file(path, table().as_bytes(), self.answer.pictures.force)?;
         }
-        match self.answer.json_file() {
-            Some(path) => {
-                write_file(path, json_text(answer)?.as_bytes(), self.answer.pictures.force)?;
-                print_text(&answer.to_string())
-            }
-            None if self.answer.json.is_some() => print_json(answer),
-            None => print_text(&answer.to_string()),
-        }
+        let figures = self.answer.json_file();
+        figures.map_or(Ok(()), |path| write_file(path, json_text(answer)?.as_bytes(), self.answer.pictures.force))
     }
 }
 

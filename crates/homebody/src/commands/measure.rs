@@ -1,14 +1,18 @@
 //! `homebody measure`: what somebody has been doing, day by day.
 
 use super::answer::Answer;
+use super::for_programs::{ForPrograms, row};
 use super::read_log::read_log;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
 use homebody_analysis::density::Asked;
-use homebody_analysis::measures::Measures;
+use homebody_analysis::measures::{Day, Measures};
 use homebody_kit::LogWithRun;
+use homebody_log::Life;
+use homebody_log::records::Records;
 use homebody_picture::measures_picture;
-use std::path::PathBuf;
+use serde_json::{Map, Value, json};
+use std::path::{Path, PathBuf};
 
 /// Says and draws what somebody has been doing, day by day: time in bed and sleep, visits to the bathroom, showers, meals,
 /// outings, ways and how fast they were walked, sitting, density, and how even the days are.
@@ -21,6 +25,7 @@ use std::path::PathBuf;
   homebody measure runs/tigerplace-1 --png measures.png
   homebody measure casas:tm000.txt --csv measures.csv
   homebody measure log.csv --home scenarios/tigerplace --json
+  homebody measure runs/tigerplace-1 --out sqlite:care.db --out fhir:observations.json
 
 What each measure is, with its unit and its source, stands in \"measures\" of the JSON and in
 docs/measures.md. Of what is not known a day has no value.
@@ -33,6 +38,8 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
     #[command(flatten)]
+    programs: ForPrograms,
+    #[command(flatten)]
     answer: Answer,
 }
 
@@ -40,9 +47,46 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let read = self.measured.read()?;
         let answer = self.answer.check_beside([""], self.csv.as_deref(), &read.sources)?;
+        self.programs.check(true, &read.sources, self.answer.replaces())?;
+        self.measured.tell_of_all(&read);
         let measures = self.measured.measures(&read)?;
-        answer.give_beside(&measures, [&|| measures_picture(&measures)], &|| measures.csv())
+        let patient = subject(self.measured.resident(), &read.lives);
+        self.programs.store(&records(&measures), &|| measures.fhir(&patient), self.answer.replaces())?;
+        let picture = || measures_picture(&measures);
+        match self.programs.is_printed() {
+            true => answer.give_to_files(&measures, [&picture], &|| measures.csv()),
+            false => answer.give_beside(&measures, [&picture], &|| measures.csv()),
+        }
     }
+}
+
+/// A row for each measure of each day.
+fn records(measures: &Measures) -> Records {
+    let of_day = |day: &Day| {
+        let known = measures.measures.iter().zip(&day.values).filter_map(|(measure, value)| Some((measure, (*value)?)));
+        let date = day.date.to_string();
+        let rows: Vec<Map<String, Value>> = known
+            .map(|(measure, value)| {
+                let is_guess = measures.guesses.contains(&measure.name);
+                row(&json!({
+                    "log": measures.name, "date": date, "measure": measure.name,
+                    "value": value, "unit": measure.unit, "is_guess": is_guess
+                }))
+            })
+            .collect();
+        rows
+    };
+    let columns = &["log", "date", "measure", "value", "unit", "is_guess"];
+    Records { kind: "measure", columns, rows: measures.days.iter().flat_map(of_day).collect() }
+}
+
+/// What the resident is called: by name where there is one alone.
+pub fn subject(asked: Option<&str>, lives: &[Life]) -> String {
+    let residents: Vec<&str> = lives.iter().map(|life| life.resident.as_str()).collect();
+    let name = asked.or(residents.first().copied().filter(|_| residents.len() == 1));
+    let Some(name) = name else { return "the resident".into() };
+    let mut letters = name.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// A log that is measured.
@@ -67,6 +111,12 @@ impl Measured {
         self.resident.as_deref()
     }
 
+    /// Whether there is anything where the log is looked for.
+    pub fn is_there(&self) -> bool {
+        let file = self.log.split_once(':').map_or(self.log.as_str(), |(_, file)| file);
+        Path::new(file).exists() || Path::new(&self.log).exists()
+    }
+
     /// Reads the log, with its sensors in their rooms.
     pub fn read(&self) -> Result<LogWithRun, Failure> {
         let mut read = read_log(&self.log, self.time_zone.as_deref())?;
@@ -80,16 +130,20 @@ impl Measured {
         Ok(read)
     }
 
+    /// Says whose measures they are, where there are several and none is asked for.
+    pub fn tell_of_all(&self, read: &LogWithRun) {
+        let residents: Vec<&str> = read.lives.iter().map(|life| life.resident.as_str()).collect();
+        if self.resident.is_none() && residents.len() > 1 {
+            let all = residents.join(", ");
+            let hint = "--resident NAME tells of one";
+            tell(format_args!("{}: its measures are of all who are there: {all}; {hint}", read.name));
+        }
+    }
+
     /// Measures it.
     pub fn measures(&self, read: &LogWithRun) -> Result<Measures, Failure> {
         if let Some(resident) = &self.resident {
             return lived(read, resident);
-        }
-        let residents: Vec<&str> = read.lives.iter().map(|life| life.resident.as_str()).collect();
-        if residents.len() > 1 {
-            let all = residents.join(", ");
-            let hint = "--resident NAME tells of one";
-            tell(format_args!("{}: its measures are of all who are there: {all}; {hint}", read.name));
         }
         let asked = Asked { recorded: read.recorded.clone(), ..Asked::default() };
         Measures::heard(&read.name, &read.log, &read.rooms, &asked)

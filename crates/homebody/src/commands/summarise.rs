@@ -1,12 +1,14 @@
 //! `homebody summarise`: days in words.
 
 use super::answer::Answer;
-use super::measure::Measured;
+use super::for_programs::{ForPrograms, row};
+use super::measure::{Measured, subject};
 use super::read_log::read_log;
 use crate::failure::{EXIT_CODES, Failure};
 use homebody_analysis::density::Asked;
 use homebody_analysis::measures::Measures;
-use homebody_analysis::summaries::{About, Summary, of_summaries, summarise};
+use homebody_analysis::summaries::{About, Sentence, Summary, of_summaries, summarise};
+use homebody_log::records::Records;
 use serde::Serialize;
 use std::fmt;
 
@@ -34,6 +36,8 @@ pub struct Arguments {
     #[arg(long, value_name = "LOG")]
     beside: Option<String>,
     #[command(flatten)]
+    programs: ForPrograms,
+    #[command(flatten)]
     answer: Answer,
 }
 
@@ -48,6 +52,8 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let read = self.measured.read()?;
         let answer = self.answer.check([], &read.sources)?;
+        self.programs.check(false, &read.sources, self.answer.replaces())?;
+        self.measured.tell_of_all(&read);
         let measures = self.measured.measures(&read)?;
         let subject = subject(self.measured.resident(), &read.lives);
         let about = About { subject: &subject, last: self.last.into() };
@@ -62,17 +68,39 @@ impl Arguments {
                 Some(of_summaries(&summary, &summarise(&measures, about)))
             }
         };
-        answer.give(&Told { summary, distance, reader: self.reader }, [])
+        self.programs.store(&records(&summary), &Default::default, self.answer.replaces())?;
+        let told = Told { summary, distance, reader: self.reader };
+        match self.programs.is_printed() {
+            true => answer.give_to_files(&told, [], &String::new),
+            false => answer.give(&told, []),
+        }
     }
 }
 
-/// What sentences call the resident: by name where there is one alone.
-fn subject(asked: Option<&str>, lives: &[homebody_log::Life]) -> String {
-    let residents: Vec<&str> = lives.iter().map(|life| life.resident.as_str()).collect();
-    let name = asked.or(residents.first().copied().filter(|_| residents.len() == 1));
-    let Some(name) = name else { return "the resident".into() };
-    let mut letters = name.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+/// A row for each sentence.
+fn records(summary: &Summary) -> Records {
+    let of = |sentence: &Sentence| {
+        let mut row = row(sentence);
+        row.insert("log".into(), summary.name.clone().into());
+        row
+    };
+    let columns = &[
+        "log",
+        "plain",
+        "expert",
+        "measure",
+        "is_more",
+        "quantifier",
+        "set",
+        "truth",
+        "focus",
+        "says",
+        "share",
+        "mean",
+        "before",
+        "shown_by",
+    ];
+    Records { kind: "sentence", columns, rows: summary.sentences.iter().map(of).collect() }
 }
 
 #[derive(Serialize)]

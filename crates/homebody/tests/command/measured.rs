@@ -59,3 +59,55 @@ fn alerts_go_by_rules_that_may_be_changed() {
     folder.run("alerts runs/tigerplace-1 --rules rules.json").fails(2, "no measure \"meels\"");
     folder.run("alerts runs/tigerplace-1 --rules rules.json").fails(2, "k_sd has to be");
 }
+
+#[test]
+fn days_are_told_in_sentences() {
+    let folder = lived();
+    let told = folder.run("summarise runs/tigerplace-1").ok();
+    assert!(told.out.contains("of the last two weeks, the resident went to bed between "), "{}", told.out);
+    let of_one = folder.run("summarise runs/tigerplace-1 --resident margaret --for experts --last 7").ok();
+    assert!(of_one.out.contains("of the last 7 days, Margaret ") && of_one.out.contains("truth "), "{}", of_one.out);
+    let beside = folder.run("summarise runs/tigerplace-1 --beside runs/tigerplace-1 --json").ok().json();
+    assert_eq!(beside["distance"].as_f64(), Some(0.0));
+}
+
+#[test]
+fn programs_get_rows() {
+    let folder = lived();
+    folder.run("measure runs/tigerplace-1 --out sqlite:care.db --out fhir:care.json --out jsonl:care.jsonl").ok();
+    let bundle: Value = serde_json::from_str(&folder.read("care.json")).unwrap();
+    let lines = folder.read("care.jsonl");
+    let first: Value = serde_json::from_str(lines.lines().next().unwrap()).unwrap();
+    assert_eq!((bundle["resourceType"].as_str(), first["kind"].as_str()), (Some("Bundle"), Some("measure")));
+    assert_eq!(bundle["entry"].as_array().unwrap().len(), lines.lines().count());
+    folder.run("measure runs/tigerplace-1 --out sqlite:care.db").fails(1, "table measure of care.db exists already");
+    folder.run("alerts runs/tigerplace-1 --out sqlite:care.db").ok();
+    let printed = folder.run("summarise runs/tigerplace-1 --out jsonl:- --out sqlite:care.db").ok();
+    let is_row = |line: &str| serde_json::from_str::<Value>(line).is_ok_and(|row| row["kind"] == "sentence");
+    assert!(printed.out.lines().count() > 3 && printed.out.lines().all(is_row), "{}", printed.out);
+    let database = rusqlite::Connection::open(folder.path("care.db")).unwrap();
+    let count = |table: &str| -> u32 {
+        database.query_row(&format!("select count(*) from {table}"), [], |row| row.get(0)).unwrap()
+    };
+    assert_eq!(count("measure") as usize, lines.lines().count());
+    assert_eq!(count("sentence") as usize, printed.out.lines().count());
+    folder.run("alerts runs/tigerplace-1 --out fhir:x.json").fails(2, "FHIR has measures alone");
+    folder.run("alerts runs/tigerplace-1 --out x.json").fails(2, "hint: write jsonl:FILE");
+    folder.run("alerts runs/tigerplace-1 --follow --json").fails(2, "writes no files");
+    folder.run("alerts nowhere --follow").fails(1, "nowhere");
+}
+
+#[test]
+fn sensors_are_placed() {
+    let folder = Folder::new();
+    folder.copy_scenario("studio");
+    let words = "place studio --to-see falls,outings --sensors 3 --people 4 --json=placed.json --svg placed.svg";
+    let told = folder.run(words).ok();
+    assert!(told.out.contains("that the home has"), "{}", told.out);
+    let placed: Value = serde_json::from_str(&folder.read("placed.json")).unwrap();
+    let steps = placed["steps"].as_array().unwrap();
+    let score = |step: &Value| step["score"].as_f64().unwrap();
+    assert_eq!((steps.len(), placed["sensors"].as_array().unwrap().len()), (3, 3));
+    assert!(score(&steps[2]) >= score(&steps[0]) && score(&steps[0]) > 0.0, "{placed}");
+    folder.run("place studio --to-see luck,depression").fails(2, "there is no \"luck\"");
+}

@@ -1,0 +1,99 @@
+//! Measures as HL7 FHIR R4: a bundle of observations, one for each measure of each day.
+//!
+//! Codes are our own, under [`SYSTEM`], as no terminology has most of these measures; units are UCUM's. A day is an
+//! `effectivePeriod` by dates, as a clock on the wall has no zone. What was guessed says so in a note.
+
+use super::held::{Day, Measures};
+use super::kinds::Measure;
+use serde_json::{Value, json};
+
+/// The system of the codes of measures.
+pub const SYSTEM: &str = "urn:homebody:measure";
+
+impl Measures {
+    /// A bundle of the type `collection`; `patient` is what the patient is called, and no identifier.
+    pub fn fhir(&self, patient: &str) -> Value {
+        let of_day = |day: &Day| -> Vec<Value> {
+            let known = self.measures.iter().zip(&day.values).filter_map(|(measure, value)| Some((measure, (*value)?)));
+            known
+                .map(|(measure, value)| json!({ "resource": self.observation(patient, day, measure, value) }))
+                .collect()
+        };
+        let entries: Vec<Value> = self.days.iter().flat_map(of_day).collect();
+        let mut bundle = json!({ "resourceType": "Bundle", "type": "collection" });
+        // FHIR knows no empty lists.
+        if !entries.is_empty() {
+            bundle["entry"] = entries.into();
+        }
+        bundle
+    }
+
+    fn observation(&self, patient: &str, day: &Day, measure: &Measure, value: f64) -> Value {
+        let date = day.date.to_string();
+        let (unit, code) = ucum(measure.unit);
+        let mut observation = json!({
+            "resourceType": "Observation",
+            "status": "final",
+            "category": [{ "coding": [{
+                "system": "http://terminology.hl7.org/CodeSystem/observation-category",
+                "code": "activity"
+            }] }],
+            "code": {
+                "coding": [{ "system": SYSTEM, "code": measure.name, "display": measure.title }],
+                "text": measure.definition
+            },
+            "subject": { "display": patient },
+            "effectivePeriod": { "start": date, "end": date },
+            "valueQuantity": { "value": value, "unit": unit, "system": "http://unitsofmeasure.org", "code": code },
+            "device": { "display": "Homebody, by the sensors of the home" }
+        });
+        if self.guesses.contains(&measure.name) {
+            observation["note"] = json!([{ "text": "Guessed: no sensor of the home tells of it." }]);
+        }
+        observation
+    }
+}
+
+/// A unit as people read it, and its code in UCUM.
+fn ucum(unit: &str) -> (&str, &str) {
+    match unit {
+        "h" => ("h", "h"),
+        "visits" => ("visits", "{visits}"),
+        "times" => ("times", "{times}"),
+        "bouts/h" => ("bouts/h", "{bouts}/h"),
+        "firings/h" => ("firings/h", "{firings}/h"),
+        other => (other, "1"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::kinds::MEASURES;
+    use super::*;
+    use jiff::civil::date;
+    use std::path::Path;
+
+    /// The day of the example, which `checks/fhir` holds against FHIR's own form. `HOMEBODY_REWRITE` writes it anew.
+    #[test]
+    fn a_bundle_is_the_example() {
+        let values = MEASURES.iter().enumerate().map(|(number, _)| (number != 3).then_some(1.5)).collect();
+        let day = Day { date: date(2024, 2, 29), is_whole: true, values };
+        let measures = Measures {
+            name: "log".into(),
+            measures: MEASURES,
+            remarks: Vec::new(),
+            guesses: vec!["showers"],
+            silent: Vec::new(),
+            days: vec![day],
+        };
+        let bundle = measures.fhir("Ada");
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../checks/fhir/observations.json");
+        if std::env::var_os("HOMEBODY_REWRITE").is_some() {
+            std::fs::write(&path, serde_json::to_string_pretty(&bundle).unwrap() + "\n").unwrap();
+        }
+        let example: Value = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
+        assert_eq!(bundle, example, "checks/fhir/observations.json is not that of the code");
+        let none = Measures { days: Vec::new(), ..measures };
+        assert!(none.fhir("Ada").get("entry").is_none(), "FHIR knows no empty lists");
+    }
+}

@@ -1,0 +1,93 @@
+//! Rows for programs: what commands find, as lines of JSON, as a table of a database, or as FHIR.
+
+use crate::failure::Failure;
+use crate::print::{json_text, print_text, write_file};
+use homebody_log::places::can_be_written;
+use homebody_log::records::Records;
+use serde_json::Value;
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// Where rows for programs go.
+#[derive(clap::Args)]
+pub struct ForPrograms {
+    /// Store it for programs as well: jsonl:FILE (- for standard output) has a JSON object a line, sqlite:FILE a table; may be given several times
+    #[arg(long = "out", value_name = "FORM:FILE")]
+    to: Vec<To>,
+}
+
+/// A place for rows.
+#[derive(Clone, Debug, PartialEq)]
+enum To {
+    Lines(PathBuf),
+    Database(PathBuf),
+    Fhir(PathBuf),
+}
+
+impl FromStr for To {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<To, String> {
+        match text.split_once(':').filter(|(_, file)| !file.is_empty()) {
+            Some(("jsonl", file)) => Ok(To::Lines(file.into())),
+            Some(("sqlite", file)) => Ok(To::Database(file.into())),
+            Some(("fhir", file)) => Ok(To::Fhir(file.into())),
+            _ => Err("\n  hint: write jsonl:FILE, sqlite:FILE, or fhir:FILE for measures".into()),
+        }
+    }
+}
+
+impl ForPrograms {
+    /// Makes sure that what is asked for can be stored, before anybody waits for it.
+    pub fn check(&self, has_fhir: bool, sources: &[PathBuf], force: bool) -> Result<(), Failure> {
+        if !has_fhir && self.to.iter().any(|to| matches!(to, To::Fhir(_))) {
+            return Err(Failure::usage(
+                "--out fhir: FHIR has measures alone\n  hint: homebody measure LOG --out fhir:FILE",
+            ));
+        }
+        let files: Vec<&PathBuf> = self.to.iter().filter_map(To::whole_file).collect();
+        let files: Vec<&std::path::Path> = files.into_iter().map(PathBuf::as_path).collect();
+        Ok(can_be_written(&files, sources, force)?)
+    }
+
+    /// Whether rows go to standard output, so that nothing else may.
+    pub fn is_printed(&self) -> bool {
+        self.to.contains(&To::Lines("-".into()))
+    }
+
+    /// Whether nothing is asked for but lines on standard output.
+    pub fn is_empty_or_printed(&self) -> bool {
+        self.to.iter().all(|to| *to == To::Lines("-".into()))
+    }
+
+    /// Stores rows; `fhir` makes the bundle where it is asked for.
+    pub fn store(&self, records: &Records, fhir: &dyn Fn() -> Value, force: bool) -> Result<(), Failure> {
+        for to in &self.to {
+            match to {
+                To::Lines(path) if path.as_os_str() == "-" => print_text(&records.lines())?,
+                To::Lines(path) => write_file(path, records.lines().as_bytes(), force)?,
+                To::Database(path) => records.store(path, force)?,
+                To::Fhir(path) => write_file(path, json_text(&fhir())?.as_bytes(), force)?,
+            }
+        }
+        Ok(())
+    }
+}
+
+impl To {
+    /// The file that is written as a whole.
+    fn whole_file(&self) -> Option<&PathBuf> {
+        match self {
+            To::Lines(path) | To::Fhir(path) if path.as_os_str() != "-" => Some(path),
+            _ => None,
+        }
+    }
+}
+
+/// A row of the named values of something.
+pub fn row(of: &impl serde::Serialize) -> serde_json::Map<String, Value> {
+    match serde_json::to_value(of) {
+        Ok(Value::Object(row)) => row,
+        _ => serde_json::Map::new(),
+    }
+}
