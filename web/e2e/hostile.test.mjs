@@ -67,7 +67,7 @@ test('whatever things are called, the page shows it as text', { timeout: 120_000
   await page.getByText('rows are in').first().waitFor();
   assert.ok((await page.getByRole('banner').innerText()).includes(EVIL[1]), 'the name is shown as it is');
   const [run] = served.runs();
-  for (const view of ['live', 'plan', 'life', 'log', 'playback', `playback/${encodeURIComponent(run)}`]) {
+  for (const view of ['live', 'plan', 'life', 'log', 'playback', `care/${encodeURIComponent(run)}`, `playback/${encodeURIComponent(run)}`]) {
     await page.goto(`${origin}#/${view}`);
     await wait(2000);
     assert.equal(await page.evaluate(() => window.broken), undefined, view);

@@ -9,7 +9,7 @@ import { setTimeout as wait } from 'node:timers/promises';
 import { serve } from './served.mjs';
 
 const axe = readFileSync(new URL('../node_modules/axe-core/axe.min.js', import.meta.url), 'utf8');
-const VIEWS = { live: 'live', plan: 'plan', life: 'life', log: 'log', runs: 'playback', playback: 'playback/tigerplace-depression-1' };
+const VIEWS = { live: 'live', plan: 'plan', life: 'life', log: 'log', runs: 'playback', playback: 'playback/tigerplace-depression-1', care: 'care/tigerplace-depression-1' };
 const SIZES = [[1280, 720], [1024, 768]];
 const folder = process.env.PICTURES;
 

@@ -1,10 +1,11 @@
-// The five views, and which of them the address asks for. The part after # is never sent to a server.
+// The six views, and which of them the address asks for. The part after # is never sent to a server.
 
 export const ROUTES = [
   { id: 'live', title: 'Live' },
   { id: 'plan', title: 'Plan' },
   { id: 'life', title: 'Life' },
   { id: 'playback', title: 'Playback' },
+  { id: 'care', title: 'Care' },
   { id: 'log', title: 'Log' },
 ] as const;
 

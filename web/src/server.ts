@@ -137,6 +137,11 @@ export function toldPath(run: string, beside: string | null): string {
   return beside === null ? `${storedPath(run)}/look` : `${storedPath(run)}/realism/${encodeURIComponent(beside)}`;
 }
 
+/** The path of how the resident of a run is. */
+export function carePath(run: string): string {
+  return `${storedPath(run)}/care`;
+}
+
 /** Has the browser save a file, as if its link had been clicked. */
 export function save(blob: Blob, name: string): void {
   const link = document.createElement('a');

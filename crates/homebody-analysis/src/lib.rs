@@ -40,6 +40,8 @@ pub mod alerts;
 
 pub mod summaries;
 
+pub mod care;
+
 /// One day: what sensors said, and what residents did.
 pub mod day;
 

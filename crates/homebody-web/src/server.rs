@@ -213,6 +213,7 @@ fn routes(house: House) -> Router {
         .route("/api/runs/{run}", get(stored_run))
         .route("/api/runs/{run}/days/{day}", get(stored_day))
         .route("/api/runs/{run}/look", get(look))
+        .route("/api/runs/{run}/care", get(care))
         .route("/api/runs/{run}/realism/{beside}", get(realism))
         .route("/api/runs/{run}/{what}", get(file_of_run))
         .route("/api/walk", get(walking).delete(stop_walking))
@@ -366,6 +367,12 @@ fn refused(refusal: Refusal) -> Refused {
         Refusal::Unknown(why) => (StatusCode::NOT_FOUND, why),
         Refusal::Damaged(why) => (StatusCode::UNPROCESSABLE_ENTITY, why),
     }
+}
+
+/// How the resident of a stored run is, by its log.
+async fn care(State(house): State<House>, Path(run): Path<String>) -> Response {
+    let care = found(move || house.logs.care(&run)).await.and_then(|care| care.map_err(refused));
+    care.map_or_else(Refused::into_response, |care| Json(care).into_response())
 }
 
 /// What the log of a stored run holds, as a page.

@@ -4,8 +4,12 @@ use crate::playback::Refusal;
 use crate::shelf::Shelf;
 use crate::stored_log::{MOST_ROWS, damaged, shortened};
 use crate::walked::given;
+use crate::wire::CareView;
+use homebody_analysis::alerts::{Rules, USUAL};
+use homebody_analysis::care::care;
 use homebody_analysis::density::{Asked, density};
 use homebody_analysis::look::{HomeSensor, Looker};
+use homebody_analysis::measures::Measures;
 use homebody_analysis::realism::{NotComparable, Told, realism};
 use homebody_core::scenario::load::Scenario;
 use homebody_kit::{LogWithRun, NamedLog, home_sensors, sensors_of_home};
@@ -47,6 +51,29 @@ impl Logs {
         let look = looker.look(&named.name, named.place.form().name, &about, &name, Some(home));
         let map = if look.rows <= MOST_ROWS as u64 { density_of(named, &scenario.file.time_zone) } else { None };
         Ok(look_page(&look, map.as_deref()))
+    }
+
+    /// How the resident of a run is, by its log alone.
+    pub fn care(&self, run: &str) -> Result<CareView, Refusal> {
+        let _reading = self.reading.lock().unwrap_or_else(PoisonError::into_inner);
+        let (named, scenario) = self.find(run, Which::Given)?;
+        let rows = named.survey().map_err(|error| self.wrong(&error))?.rows;
+        if rows > MOST_ROWS as u64 {
+            return Err(Refusal::Damaged(format!("{run} has {rows} rows; the page takes {MOST_ROWS} at most.")));
+        }
+        let zone = scenario.file.time_zone.as_str();
+        let mut read = LogWithRun::of(named, Some(zone)).map_err(|error| self.wrong(&error))?;
+        read.place_in(&scenario);
+        let asked = Asked { recorded: read.recorded.clone(), ..Asked::default() };
+        let measures = Measures::heard(run, &read.log, &read.rooms, &asked)
+            .map_err(|why| Refusal::Damaged(shortened(&why.to_string())))?;
+        let rules = Rules::read(USUAL).map_err(|problems| Refusal::Damaged(shortened(&problems.join("; "))))?;
+        let residents: Vec<&str> = scenario.residents.iter().map(|resident| resident.file.name.as_str()).collect();
+        let person = match residents[..] {
+            [one] => in_a_sentence(one),
+            _ => "the residents".to_owned(),
+        };
+        Ok(CareView::of(&care(&measures, &rules, &person), run, &person))
     }
 
     /// How near the log of a run is to that of another, which is taken for what is real, as `homebody realism` writes it.
@@ -98,6 +125,12 @@ impl Logs {
     fn wrong(&self, error: &homebody_kit::Error) -> Refusal {
         damaged(error.to_string().replace(&format!("{}{}", self.shelf.runs.display(), std::path::MAIN_SEPARATOR), ""))
     }
+}
+
+/// A name with a capital.
+fn in_a_sentence(name: &str) -> String {
+    let mut letters = name.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// The map of a log's density, where it has motion sensors, and days that are not too many.

@@ -7,8 +7,10 @@
 //! Lengths are metres, angles degrees, instants whole microseconds since the run's start, which any number of JSON holds
 //! exactly for two hundred years. Points are `[x, y]`, with y up on the plan.
 
+mod care;
 mod draft;
 
+pub use care::*;
 pub use draft::*;
 
 use serde::{Deserialize, Serialize};

@@ -116,16 +116,25 @@ pub(crate) fn counts(day: &Day) -> bool {
     day.is_whole && day.value("time_out").is_none_or(|hours| hours < AWAY_H)
 }
 
-/// Mean and standard deviation of the days before one, if enough count.
+/// The usual of a day by the days before it that count: mean and standard deviation, which is `least_sd` at least.
+pub(crate) fn usual_of(values: &[Option<f64>], day: usize, least_sd: f64) -> Option<(f64, f64)> {
+    of_before(values, day, (rule::fourteen(), rule::seven()), least_sd).map(|usual| (usual.mean, usual.sd))
+}
+
 fn usual(rule: &Rule, values: &[Option<f64>], day: usize) -> Option<Usual> {
-    let before: Vec<f64> = values[day.saturating_sub(rule.baseline_days)..day].iter().copied().flatten().collect();
+    of_before(values, day, (rule.baseline_days, rule.min_days), rule.least_sd)
+}
+
+/// Mean and standard deviation of the days before one, if enough count.
+fn of_before(values: &[Option<f64>], day: usize, (baseline, least): (usize, usize), least_sd: f64) -> Option<Usual> {
+    let before: Vec<f64> = values[day.saturating_sub(baseline)..day].iter().copied().flatten().collect();
     let count = before.len() as f64;
-    if before.len() < rule.min_days {
+    if before.len() < least {
         return None;
     }
     let mean = before.iter().sum::<f64>() / count;
     let variance = before.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / (count - 1.0);
-    let sd = variance.sqrt().max(rule.least_sd);
+    let sd = variance.sqrt().max(least_sd);
     (sd > 0.0).then_some(Usual { mean, sd })
 }
 

@@ -84,11 +84,11 @@ pub enum Method {
 }
 
 // The window is that of two weeks in the Missouri systems, and the least number of days half of it, which is ours.
-fn fourteen() -> usize {
+pub(super) fn fourteen() -> usize {
     14
 }
 
-fn seven() -> usize {
+pub(super) fn seven() -> usize {
     7
 }
 

@@ -219,6 +219,12 @@ fn what_a_log_holds_and_how_real_it_is_are_the_pages_of_the_commands() {
     let beside = page(&format!("/api/runs/{walked}/realism/{run}"), 200);
     assert!(beside.contains(&format!("B: {run}")));
     page("/api/runs/nowhere/look", 404);
+    page("/api/runs/nowhere/care", 404);
+    for run in [&run, &walked] {
+        let care: Value = serde_json::from_str(&page(&format!("/api/runs/{run}/care"), 200)).unwrap();
+        let remarks = care["remarks"].to_string();
+        assert!(remarks.contains("too few to summarise") && !care["charts"].as_array().unwrap().is_empty(), "{care}");
+    }
     page(&format!("/api/runs/{run}/realism/nowhere"), 404);
     // Of less than a day nothing can be compared, which is said.
     let short = Served::scenario("studio");

@@ -1,0 +1,202 @@
+//! How somebody is, for those who care: the last day beside the usual, what has changed, what was worth a visit, and charts.
+//!
+//! All of it is of measures, alerts and summaries, in words without sensors. A day's usual is the mean and the standard deviation of the
+//! days before it that count, as alerts have it.
+
+use crate::alerts::{Alert, Rules, alerts, counts, usual_of};
+use crate::measures::{Day, Measures};
+use crate::summaries::{About, Sentence, summarise};
+use jiff::civil::Date;
+
+/// How somebody is.
+#[derive(Clone, Debug)]
+pub struct Care {
+    /// The last whole day, which is held against the usual.
+    pub day: Option<Date>,
+    /// What cannot be said, in sentences.
+    pub remarks: Vec<String>,
+    /// The last day, by what carers ask about.
+    pub today: Vec<Today>,
+    /// Sentences about the last two weeks: what has changed first.
+    pub sentences: Vec<Sentence>,
+    /// What was worth a visit, the latest first.
+    pub alerts: Vec<Alert>,
+    /// A chart for each thing that carers ask about.
+    pub charts: Vec<Chart>,
+}
+
+/// A measure of the last day.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Today {
+    /// Its name.
+    pub measure: &'static str,
+    /// In words, such as `Slept 7.2 h, as usual`.
+    pub words: String,
+    /// More than usual, or less; `None` as usual.
+    pub is_more: Option<bool>,
+}
+
+/// A measure day by day.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chart {
+    /// Its name.
+    pub measure: &'static str,
+    /// What it is called.
+    pub title: &'static str,
+    /// What its values are in.
+    pub unit: Unit,
+    /// Whether it is guessed.
+    pub is_guess: bool,
+    /// Its days, in order.
+    pub days: Vec<Point>,
+}
+
+/// What values of a chart are in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// Hours.
+    Hours,
+    /// A time of day, in hours since midnight.
+    Clock,
+    /// So many times.
+    Times,
+    /// Multiples of what is usual.
+    OfUsual,
+}
+
+/// A day of a chart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// The day.
+    pub date: Date,
+    /// The measure; `None` where it is not known, or the day does not count.
+    pub value: Option<f64>,
+    /// What was usual by then: from a standard deviation below the mean to one above.
+    pub usual: Option<(f64, f64)>,
+}
+
+/// What carers ask about, in the order of a day's account.
+struct Asked {
+    measure: &'static str,
+    title: &'static str,
+    unit: Unit,
+    /// A standard deviation is taken to be so much at least.
+    least_sd: f64,
+    said: &'static str,
+}
+
+/// A day is told as unusual that is so many standard deviations from the mean (ours), and what is less than these apart is
+/// usual all the same (ours).
+const UNUSUAL_SD: f64 = 2.0;
+const ASKED: [Asked; 8] = [
+    Asked { measure: "sleep", title: "Sleep", unit: Unit::Hours, least_sd: 0.5, said: "Slept {}" },
+    Asked { measure: "bedtime", title: "To bed", unit: Unit::Clock, least_sd: 0.4, said: "Went to bed at {}" },
+    Asked { measure: "rising", title: "Up", unit: Unit::Clock, least_sd: 0.4, said: "Got up at {}" },
+    Asked { measure: "bathroom_night", title: "Bathroom by night", unit: Unit::Times, least_sd: 0.7, said: "Bathroom by night: {}" },
+    Asked { measure: "bathroom_day", title: "Bathroom by day", unit: Unit::Times, least_sd: 1.5, said: "Bathroom by day: {}" },
+    Asked { measure: "meals", title: "Meals", unit: Unit::Times, least_sd: 0.6, said: "Meals in the kitchen: {}" },
+    Asked { measure: "time_out", title: "Out of the home", unit: Unit::Hours, least_sd: 0.7, said: "Was out for {}" },
+    Asked { measure: "pace", title: "Walking pace", unit: Unit::OfUsual, least_sd: 0.04, said: "Walked at {} of the usual pace" },
+];
+
+/// How somebody is, by the measures of their days; `subject` is what sentences call them.
+pub fn care(measures: &Measures, rules: &Rules, subject: &str) -> Care {
+    let last = measures.days.iter().rposition(counts);
+    let mut charts = Vec::new();
+    let mut today = Vec::new();
+    for asked in &ASKED {
+        let chart = chart(asked, measures);
+        let of_last = last.and_then(|last| chart.days[last].value.map(|value| (value, chart.days[last].usual)));
+        if let Some((value, usual)) = of_last
+            && !chart.is_guess
+        {
+            today.push(of_day(asked, value, usual));
+        }
+        if chart.days.iter().any(|day| day.value.is_some()) {
+            charts.push(chart);
+        }
+    }
+    let summary = summarise(measures, About { subject, last: 14 });
+    let mut alerts = alerts(measures, rules).alerts;
+    alerts.reverse();
+    let day = last.map(|last| measures.days[last].date);
+    Care { day, remarks: summary.remarks, today, sentences: summary.sentences, alerts, charts }
+}
+
+fn chart(asked: &Asked, measures: &Measures) -> Chart {
+    let value = |day: &Day| day.value(asked.measure).filter(|_| counts(day));
+    let values: Vec<Option<f64>> = measures.days.iter().map(value).collect();
+    let point = |(number, day): (usize, &Day)| {
+        let usual = usual_of(&values, number, asked.least_sd).map(|(mean, sd)| (mean - sd, mean + sd));
+        Point { date: day.date, value: values[number], usual }
+    };
+    let days = measures.days.iter().enumerate().map(point).collect();
+    let is_guess = measures.guesses.contains(&asked.measure);
+    Chart { measure: asked.measure, title: asked.title, unit: asked.unit, is_guess, days }
+}
+
+/// A measure of a day in words, beside the usual.
+fn of_day(asked: &Asked, value: f64, usual: Option<(f64, f64)>) -> Today {
+    let told = asked.said.replace("{}", &said(asked.unit, value));
+    let Some((low, high)) = usual else {
+        return Today { measure: asked.measure, words: told, is_more: None };
+    };
+    let (mean, sd) = ((low + high) / 2.0, (high - low) / 2.0);
+    let is_more = ((value - mean).abs() > UNUSUAL_SD * sd).then_some(value > mean);
+    let beside = match (is_more, asked.unit) {
+        (None, _) => "as usual".to_owned(),
+        (Some(true), Unit::Clock) => format!("later than usual ({})", said(asked.unit, mean)),
+        (Some(false), Unit::Clock) => format!("earlier than usual ({})", said(asked.unit, mean)),
+        (Some(true), _) => format!("more than usual ({})", said(asked.unit, mean)),
+        (Some(false), _) => format!("less than usual ({})", said(asked.unit, mean)),
+    };
+    Today { measure: asked.measure, words: format!("{told}, {beside}"), is_more }
+}
+
+/// A value in words.
+fn said(unit: Unit, value: f64) -> String {
+    match unit {
+        Unit::Hours => format!("{value:.1} hours"),
+        Unit::Clock => {
+            let minutes = (value * 60.0).round() as i64;
+            format!("{:02}:{:02}", minutes.div_euclid(60).rem_euclid(24), minutes.rem_euclid(60))
+        }
+        Unit::Times if value.fract() == 0.0 => format!("{value:.0} times"),
+        Unit::Times => format!("{value:.1} times"),
+        Unit::OfUsual => format!("{:.0} %", value * 100.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::alerts::USUAL;
+    use crate::measures::MEASURES;
+    use jiff::civil::date;
+
+    fn measures(sleep: &[f64]) -> Measures {
+        let number = MEASURES.iter().position(|measure| measure.name == "sleep").unwrap();
+        let day = |(index, &hours): (usize, &f64)| {
+            let mut values = vec![None; MEASURES.len()];
+            values[number] = Some(hours);
+            Day { date: date(2024, 1, 1).saturating_add(jiff::Span::new().days(index as i64)), is_whole: true, values }
+        };
+        let days = sleep.iter().enumerate().map(day).collect();
+        let (remarks, guesses, silent) = (Vec::new(), Vec::new(), Vec::new());
+        Measures { name: "log".into(), measures: MEASURES, remarks, guesses, silent, days }
+    }
+
+    #[test]
+    fn the_last_day_is_held_against_the_usual() {
+        let rules = Rules::read(USUAL).unwrap();
+        let same = care(&measures(&[7.0; 20]), &rules, "Ada");
+        assert_eq!(same.today[0].words, "Slept 7.0 hours, as usual");
+        let short = [[7.0; 20].as_slice(), &[4.0]].concat();
+        let short = care(&measures(&short), &rules, "Ada");
+        assert_eq!(short.today[0].words, "Slept 4.0 hours, less than usual (7.0 hours)");
+        assert_eq!((short.today[0].is_more, short.day), (Some(false), Some(date(2024, 1, 21))));
+        assert_eq!((short.charts.len(), short.charts[0].days.len()), (1, 21));
+        assert_eq!(short.charts[0].days[20].usual, Some((6.5, 7.5)));
+        assert_eq!(short.charts[0].days[3].usual, None, "three days are no usual");
+    }
+}

@@ -1,0 +1,77 @@
+// A small chart: where its days, its usual range and its lines go. Lengths are pixels.
+
+import type { ChartView, CareUnit, PointView } from '../../wire';
+
+export const WIDTH = 560;
+export const HEIGHT = 120;
+const LEFT = 46;
+const BOTTOM = 20;
+const TOP = 8;
+
+export interface Drawn {
+  /** The usual range, as paths: one for each stretch of days that have a usual. */
+  usual: string[];
+  /** The days that are known. */
+  dots: { x: number; y: number; day: PointView }[];
+  /** The first day of each month, or of each week of a short log. */
+  dates: { x: number; text: string }[];
+  /** The lowest and the highest value, and where they are. */
+  values: { y: number; text: string }[];
+}
+
+/** A value as people read it. */
+export function said(unit: CareUnit, value: number): string {
+  switch (unit) {
+    case 'clock': {
+      const minutes = Math.round(value * 60);
+      const two = (part: number) => String(part).padStart(2, '0');
+      return `${two(Math.floor(minutes / 60) % 24)}:${two(((minutes % 60) + 60) % 60)}`;
+    }
+    case 'hours':
+      return `${value.toFixed(1)} h`;
+    case 'of_usual':
+      return `${Math.round(value * 100)} %`;
+    case 'times':
+      return Number.isInteger(value) ? String(value) : value.toFixed(1);
+  }
+}
+
+/** Where everything of a chart goes. */
+export function drawn(chart: ChartView): Drawn {
+  const values = chart.days.flatMap(({ value, usual }) => [...(value === null ? [] : [value]), ...(usual ?? [])]);
+  const [low, high] = values.length > 0 ? [Math.min(...values), Math.max(...values)] : [0, 1];
+  const span = high - low || 1;
+  const step = (WIDTH - LEFT - 8) / Math.max(chart.days.length - 1, 1);
+  const x = (day: number) => LEFT + day * step;
+  const y = (value: number) => TOP + ((high - value) / span) * (HEIGHT - TOP - BOTTOM);
+  const usual: string[] = [];
+  let from: number | null = null;
+  for (let day = 0; day <= chart.days.length; day++) {
+    const has = day < chart.days.length && chart.days[day]!.usual !== null;
+    if (has && from === null) from = day;
+    if (!has && from !== null) {
+      const days = Array.from({ length: day - from }, (_, index) => from! + index);
+      const edge = (of: 0 | 1, among: number[]) => among.map((one) => `${x(one).toFixed(1)},${y(chart.days[one]!.usual![of]).toFixed(1)}`);
+      usual.push(`M${[...edge(1, days), ...edge(0, [...days].reverse())].join('L')}Z`);
+      from = null;
+    }
+  }
+  const dots = chart.days.flatMap((day, index) => (day.value === null ? [] : [{ x: x(index), y: y(day.value), day }]));
+  const apart = chart.days.length > 70 ? 'month' : 'week';
+  const dates = chart.days.flatMap((day, index) => {
+    const begins = apart === 'month' ? day.day.endsWith('-01') : index % 7 === 0;
+    const isFar = index * step < WIDTH - LEFT - 40;
+    return begins && isFar ? [{ x: x(index), text: day.day.slice(5) }] : [];
+  });
+  const ends = low === high ? [low] : [high, low];
+  return { usual, dots, dates, values: ends.map((value) => ({ y: y(value), text: said(chart.unit, value) })) };
+}
+
+/** A chart in a sentence, for who does not see it. */
+export function described(chart: ChartView): string {
+  const known = chart.days.filter(({ value }) => value !== null);
+  const last = known.at(-1);
+  if (!last) return `${chart.title}: not known.`;
+  const usual = last.usual ? `, usual ${said(chart.unit, last.usual[0])} to ${said(chart.unit, last.usual[1])}` : '';
+  return `${chart.title} on ${known.length} of ${chart.days.length} days; on ${last.day} ${said(chart.unit, last.value!)}${usual}.`;
+}
