@@ -223,6 +223,60 @@ walk: WalkView | null,
  */
 remarks: Array<string>, };
 
+export type CareView = { 
+/**
+ * What the run is called.
+ */
+name: string, 
+/**
+ * Whom it is about.
+ */
+person: string, 
+/**
+ * The day that is told of, as `2009-03-02`.
+ */
+day: string | null, 
+/**
+ * What cannot be said.
+ */
+remarks: Array<string>, today: Array<TodayView>, 
+/**
+ * About the last two weeks, what has changed first.
+ */
+sentences: Array<CareSentenceView>, 
+/**
+ * The latest first.
+ */
+alerts: Array<AlertView>, charts: Array<ChartView>, };
+
+export type TodayView = { measure: string, words: string, 
+/**
+ * More than usual, or less; null as usual.
+ */
+is_more: boolean | null, };
+
+export type CareSentenceView = { words: string, 
+/**
+ * The same with numbers.
+ */
+numbers: string, measure: string, is_change: boolean, days: Array<string>, };
+
+export type AlertView = { day: string, rule: string, words: string, 
+/**
+ * The days that show it.
+ */
+days: Array<string>, };
+
+export type ChartView = { measure: string, title: string, unit: CareUnit, is_guess: boolean, days: Array<PointView>, };
+
+export type CareUnit = "hours" | "clock" | "times" | "of_usual";
+
+export type PointView = { day: string, value: number | null, 
+/**
+ * From where to where it was usual.
+ */
+usual: [number, number] | null, };
+
 export type WalkView = { 
 /**
  * What the log was called.

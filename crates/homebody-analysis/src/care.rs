@@ -3,7 +3,7 @@
 //! All of it is of measures, alerts and summaries, in words without sensors. A day's usual is the mean and the standard deviation of the
 //! days before it that count, as alerts have it.
 
-use crate::alerts::{Alert, Rules, alerts, counts, usual_of};
+use crate::alerts::{Alert, Rules, alerts, counts, usual_before};
 use crate::measures::{Day, Measures};
 use crate::summaries::{About, Sentence, summarise};
 use jiff::civil::Date;
@@ -92,11 +92,29 @@ const ASKED: [Asked; 8] = [
     Asked { measure: "sleep", title: "Sleep", unit: Unit::Hours, least_sd: 0.5, said: "Slept {}" },
     Asked { measure: "bedtime", title: "To bed", unit: Unit::Clock, least_sd: 0.4, said: "Went to bed at {}" },
     Asked { measure: "rising", title: "Up", unit: Unit::Clock, least_sd: 0.4, said: "Got up at {}" },
-    Asked { measure: "bathroom_night", title: "Bathroom by night", unit: Unit::Times, least_sd: 0.7, said: "Bathroom by night: {}" },
-    Asked { measure: "bathroom_day", title: "Bathroom by day", unit: Unit::Times, least_sd: 1.5, said: "Bathroom by day: {}" },
+    Asked {
+        measure: "bathroom_night",
+        title: "Bathroom by night",
+        unit: Unit::Times,
+        least_sd: 0.7,
+        said: "Bathroom by night: {}",
+    },
+    Asked {
+        measure: "bathroom_day",
+        title: "Bathroom by day",
+        unit: Unit::Times,
+        least_sd: 1.5,
+        said: "Bathroom by day: {}",
+    },
     Asked { measure: "meals", title: "Meals", unit: Unit::Times, least_sd: 0.6, said: "Meals in the kitchen: {}" },
     Asked { measure: "time_out", title: "Out of the home", unit: Unit::Hours, least_sd: 0.7, said: "Was out for {}" },
-    Asked { measure: "pace", title: "Walking pace", unit: Unit::OfUsual, least_sd: 0.04, said: "Walked at {} of the usual pace" },
+    Asked {
+        measure: "pace",
+        title: "Walking pace",
+        unit: Unit::OfUsual,
+        least_sd: 0.04,
+        said: "Walked at {} of the usual pace",
+    },
 ];
 
 /// How somebody is, by the measures of their days; `subject` is what sentences call them.
@@ -127,7 +145,7 @@ fn chart(asked: &Asked, measures: &Measures) -> Chart {
     let value = |day: &Day| day.value(asked.measure).filter(|_| counts(day));
     let values: Vec<Option<f64>> = measures.days.iter().map(value).collect();
     let point = |(number, day): (usize, &Day)| {
-        let usual = usual_of(&values, number, asked.least_sd).map(|(mean, sd)| (mean - sd, mean + sd));
+        let usual = usual_before(&values, number, asked.least_sd).map(|(mean, sd)| (mean - sd, mean + sd));
         Point { date: day.date, value: values[number], usual }
     };
     let days = measures.days.iter().enumerate().map(point).collect();

@@ -37,7 +37,7 @@ fn declarations() -> Vec<String> {
         PlaybackView,
         CareView,
         TodayView,
-        SentenceView,
+        CareSentenceView,
         AlertView,
         ChartView,
         CareUnit,

@@ -117,7 +117,7 @@ pub(crate) fn counts(day: &Day) -> bool {
 }
 
 /// The usual of a day by the days before it that count: mean and standard deviation, which is `least_sd` at least.
-pub(crate) fn usual_of(values: &[Option<f64>], day: usize, least_sd: f64) -> Option<(f64, f64)> {
+pub(crate) fn usual_before(values: &[Option<f64>], day: usize, least_sd: f64) -> Option<(f64, f64)> {
     of_before(values, day, (rule::fourteen(), rule::seven()), least_sd).map(|usual| (usual.mean, usual.sd))
 }
 

@@ -19,7 +19,7 @@ pub struct CareView {
     pub remarks: Vec<String>,
     pub today: Vec<TodayView>,
     /// About the last two weeks, what has changed first.
-    pub sentences: Vec<SentenceView>,
+    pub sentences: Vec<CareSentenceView>,
     /// The latest first.
     pub alerts: Vec<AlertView>,
     pub charts: Vec<ChartView>,
@@ -34,7 +34,7 @@ pub struct TodayView {
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
-pub struct SentenceView {
+pub struct CareSentenceView {
     pub words: String,
     /// The same with numbers.
     pub numbers: String,
@@ -86,7 +86,7 @@ impl CareView {
             day: care.day.map(|day| day.to_string()),
             remarks: care.remarks.clone(),
             today: care.today.iter().map(TodayView::from).collect(),
-            sentences: care.sentences.iter().map(SentenceView::from).collect(),
+            sentences: care.sentences.iter().map(CareSentenceView::from).collect(),
             alerts: care.alerts.iter().map(AlertView::from).collect(),
             charts: care.charts.iter().map(ChartView::from).collect(),
         }
@@ -99,9 +99,9 @@ impl From<&Today> for TodayView {
     }
 }
 
-impl From<&Sentence> for SentenceView {
-    fn from(sentence: &Sentence) -> SentenceView {
-        SentenceView {
+impl From<&Sentence> for CareSentenceView {
+    fn from(sentence: &Sentence) -> CareSentenceView {
+        CareSentenceView {
             words: sentence.plain.clone(),
             numbers: sentence.expert.clone(),
             measure: sentence.measure.to_owned(),
