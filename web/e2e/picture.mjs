@@ -1,5 +1,5 @@
 // Draws the pictures of the README, each a moment of use: `node e2e/picture.mjs FOLDER` draws live.png, where a resident is
-// driven, plan.png, where a sensor is dragged, and life.png, where a condition is left out.
+// driven, plan.png, where a sensor is dragged, life.png, where a condition is left out, and care.png, seven weeks after one began.
 
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -17,7 +17,7 @@ async function picture(name, scenario, act) {
   await page.setViewportSize({ width: 1280, height: 800 });
   await page.emulateMedia({ colorScheme: 'light' });
   await page.goto(`${address.split('#')[0]}#/${name}`);
-  await act(page);
+  await act(page, served);
   await page.screenshot({ path: join(folder, `${name}.png`) });
   await served.close();
 }
@@ -78,4 +78,13 @@ await picture('life', 'tigerplace-depression', async (page) => {
   await page.keyboard.press('Control+End');
   await page.keyboard.press('ArrowUp');
   await wait(1000);
+});
+
+// How somebody is whose depression has grown for some weeks.
+await picture('care', 'tigerplace-depression', async (page, served) => {
+  served.homebody('run', 'tigerplace-depression', '--for', '70d', '--quiet');
+  await page.setViewportSize({ width: 1280, height: 1400 });
+  await page.reload();
+  await page.getByRole('heading', { name: 'Day by day' }).waitFor();
+  await wait(500);
 });

@@ -124,11 +124,11 @@ pub fn care(measures: &Measures, rules: &Rules, subject: &str) -> Care {
     let mut today = Vec::new();
     for asked in &ASKED {
         let chart = chart(asked, measures);
-        let of_last = last.and_then(|last| chart.days[last].value.map(|value| (value, chart.days[last].usual)));
-        if let Some((value, usual)) = of_last
-            && !chart.is_guess
+        if let Some(last) = last.filter(|_| !chart.is_guess)
+            && let Some(value) = chart.days[last].value
         {
-            today.push(of_day(asked, value, usual));
+            let values: Vec<Option<f64>> = chart.days.iter().map(|day| day.value).collect();
+            today.push(of_day(asked, value, usual_before(&values, last, asked.least_sd)));
         }
         if chart.days.iter().any(|day| day.value.is_some()) {
             charts.push(chart);
@@ -145,7 +145,8 @@ fn chart(asked: &Asked, measures: &Measures) -> Chart {
     let value = |day: &Day| day.value(asked.measure).filter(|_| counts(day));
     let values: Vec<Option<f64>> = measures.days.iter().map(value).collect();
     let point = |(number, day): (usize, &Day)| {
-        let usual = usual_before(&values, number, asked.least_sd).map(|(mean, sd)| (mean - sd, mean + sd));
+        // Nothing that is measured is below 0.
+        let usual = usual_before(&values, number, asked.least_sd).map(|(mean, sd)| ((mean - sd).max(0.0), mean + sd));
         Point { date: day.date, value: values[number], usual }
     };
     let days = measures.days.iter().enumerate().map(point).collect();
@@ -153,13 +154,12 @@ fn chart(asked: &Asked, measures: &Measures) -> Chart {
     Chart { measure: asked.measure, title: asked.title, unit: asked.unit, is_guess, days }
 }
 
-/// A measure of a day in words, beside the usual.
+/// A measure of a day in words, beside the usual: mean and standard deviation.
 fn of_day(asked: &Asked, value: f64, usual: Option<(f64, f64)>) -> Today {
     let told = asked.said.replace("{}", &said(asked.unit, value));
-    let Some((low, high)) = usual else {
+    let Some((mean, sd)) = usual else {
         return Today { measure: asked.measure, words: told, is_more: None };
     };
-    let (mean, sd) = ((low + high) / 2.0, (high - low) / 2.0);
     let is_more = ((value - mean).abs() > UNUSUAL_SD * sd).then_some(value > mean);
     let beside = match (is_more, asked.unit) {
         (None, _) => "as usual".to_owned(),
@@ -179,6 +179,7 @@ fn said(unit: Unit, value: f64) -> String {
             let minutes = (value * 60.0).round() as i64;
             format!("{:02}:{:02}", minutes.div_euclid(60).rem_euclid(24), minutes.rem_euclid(60))
         }
+        Unit::Times if value == 1.0 => "once".to_owned(),
         Unit::Times if value.fract() == 0.0 => format!("{value:.0} times"),
         Unit::Times => format!("{value:.1} times"),
         Unit::OfUsual => format!("{:.0} %", value * 100.0),
