@@ -23,6 +23,12 @@ pub fn words(name: &str) -> Vec<String> {
     words
 }
 
+/// A name as a sentence begins with it.
+pub fn capitalised(name: &str) -> String {
+    let mut letters = name.chars();
+    letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

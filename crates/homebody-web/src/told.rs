@@ -11,6 +11,7 @@ use homebody_analysis::density::{Asked, density};
 use homebody_analysis::look::{HomeSensor, Looker};
 use homebody_analysis::measures::Measures;
 use homebody_analysis::realism::{NotComparable, Told, realism};
+use homebody_core::names::capitalised;
 use homebody_core::scenario::load::Scenario;
 use homebody_kit::{LogWithRun, NamedLog, home_sensors, sensors_of_home};
 use homebody_picture::{density_map, look_page, realism_page};
@@ -70,7 +71,7 @@ impl Logs {
         let rules = Rules::read(USUAL).map_err(|problems| Refusal::Damaged(shortened(&problems.join("; "))))?;
         let residents: Vec<&str> = scenario.residents.iter().map(|resident| resident.file.name.as_str()).collect();
         let person = match residents[..] {
-            [one] => in_a_sentence(one),
+            [one] => capitalised(one),
             _ => "the residents".to_owned(),
         };
         Ok(CareView::of(&care(&measures, &rules, &person), run, &person))
@@ -125,12 +126,6 @@ impl Logs {
     fn wrong(&self, error: &homebody_kit::Error) -> Refusal {
         damaged(error.to_string().replace(&format!("{}{}", self.shelf.runs.display(), std::path::MAIN_SEPARATOR), ""))
     }
-}
-
-/// A name with a capital.
-fn in_a_sentence(name: &str) -> String {
-    let mut letters = name.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// The map of a log's density, where it has motion sensors, and days that are not too many.

@@ -46,10 +46,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let rules = match &self.rules {
-            Some(path) => rules(path)?,
-            None => usual()?,
-        };
+        let rules = rules(self.rules.as_deref())?;
         if self.follow {
             return self.follow(&rules);
         }
@@ -110,13 +107,11 @@ fn records(log: &str, alerts: &[Alert]) -> Records {
     Records { kind: "alert", columns, rows: alerts.iter().map(of).collect() }
 }
 
-/// The rules that hold where nobody says others.
-pub fn usual() -> Result<Rules, Failure> {
-    Rules::read(USUAL).map_err(|problems| Failure::Io(problems.join("; ")))
-}
-
-/// The rules of a file.
-pub fn rules(path: &Path) -> Result<Rules, Failure> {
+/// The rules of a file, or those that hold where nobody says others.
+pub fn rules(path: Option<&Path>) -> Result<Rules, Failure> {
+    let Some(path) = path else {
+        return Rules::read(USUAL).map_err(|problems| Failure::Io(problems.join("; ")));
+    };
     let name = path.display();
     let text = fs::read_to_string(path).map_err(|error| Failure::usage(format!("{name}: {error}")))?;
     Rules::read(&text).map_err(|problems| {

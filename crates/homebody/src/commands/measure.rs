@@ -7,6 +7,7 @@ use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
 use homebody_analysis::density::Asked;
 use homebody_analysis::measures::{Day, Measures};
+use homebody_core::names::capitalised;
 use homebody_kit::LogWithRun;
 use homebody_log::Life;
 use homebody_log::records::Records;
@@ -84,9 +85,7 @@ fn records(measures: &Measures) -> Records {
 pub fn subject(asked: Option<&str>, lives: &[Life]) -> String {
     let residents: Vec<&str> = lives.iter().map(|life| life.resident.as_str()).collect();
     let name = asked.or(residents.first().copied().filter(|_| residents.len() == 1));
-    let Some(name) = name else { return "the resident".into() };
-    let mut letters = name.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+    name.map_or("the resident".into(), capitalised)
 }
 
 /// A log that is measured.

@@ -1,6 +1,6 @@
 //! `homebody place`: where sensors go.
 
-use super::alerts::{rules, usual};
+use super::alerts::rules;
 use super::answer::Answer;
 use super::people_with_conditions::{CONDITIONS, Lives, ONSET, People};
 use super::scenario::Chosen;
@@ -60,10 +60,7 @@ impl Arguments {
         let source = self.scenario.source()?;
         let scenario = source.open()?;
         let answer = self.answer.check([""], &scenario.paths())?;
-        let rules = match &self.rules {
-            Some(path) => rules(path)?,
-            None => usual()?,
-        };
+        let rules = rules(self.rules.as_deref())?;
         let goals = goals(&self.to_see)?;
         let wanted = |name: &str| goals.iter().any(|goal| matches!(goal, Goal::Condition(goal) if *goal == name));
         let conditions: Vec<(&str, usize)> = CONDITIONS.into_iter().filter(|(name, _)| wanted(name)).collect();

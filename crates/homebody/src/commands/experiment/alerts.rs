@@ -1,7 +1,7 @@
 //! `homebody experiment alerts`.
 
 use super::walk_back::every_fault;
-use crate::commands::alerts::{rules, usual};
+use crate::commands::alerts::rules;
 use crate::commands::answer::Answer;
 use crate::commands::people_with_conditions::{CONDITIONS, Lives, ONSET, People};
 use crate::failure::Failure;
@@ -61,10 +61,7 @@ type OfLayouts = Vec<Measures>;
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let answer = self.answer.check([""], &[])?;
-        let rules = match &self.rules {
-            Some(path) => rules(path)?,
-            None => usual()?,
-        };
+        let rules = rules(self.rules.as_deref())?;
         let scenario = template(SCENARIO)?;
         let people = People::of(&scenario, &CONDITIONS, self.people, (self.days, self.seed))?;
         let layouts = if self.layouts { Layout::all(&scenario) } else { vec![Layout::AsItIs] };

@@ -1,6 +1,6 @@
 //! `homebody experiment measures`.
 
-use super::walk_back::{every_fault, lived, of_homes};
+use super::walk_back::{every_fault, lived, of_homes, of_one};
 use crate::commands::answer::Answer;
 use crate::failure::Failure;
 use homebody_core::scenario::link::LinkFile;
@@ -27,10 +27,6 @@ pub struct Arguments {
     answer: Answer,
 }
 
-/// The templates of one resident come first of so many.
-const OF_ONE: usize = 4;
-const TEMPLATES: usize = 5;
-
 #[derive(Serialize)]
 struct OfLogs {
     days: u32,
@@ -47,7 +43,7 @@ impl Arguments {
             (0..self.homes as usize).flat_map(|home| [(home, false), (home, true)]).collect();
         let cases = of_homes(
             &asked,
-            |&(home, _)| home / OF_ONE * TEMPLATES + home % OF_ONE,
+            |&(home, _)| of_one(home),
             |opened, &(home, faults)| {
                 let link = if faults {
                     every_fault(opened.scenario(), home, (0.0, self.days.into()))

@@ -1,8 +1,9 @@
 //! `homebody experiment round-trip`.
 
-use super::walk_back::{lived, of_homes};
+use super::walk_back::{lived, of_homes, of_one};
 use crate::commands::answer::Answer;
 use crate::failure::Failure;
+use homebody_core::names::capitalised;
 use homebody_core::scenario::link::LinkFile;
 use homebody_experiment::round_trip::{DAYS, Held, drawn_routine, round_trip};
 use homebody_kit::{OpenScenario, Source};
@@ -31,10 +32,6 @@ pub struct Arguments {
     answer: Answer,
 }
 
-/// The templates of one resident come first of so many.
-const OF_ONE: usize = 4;
-const TEMPLATES: usize = 5;
-
 #[derive(Serialize)]
 struct RoundTrip {
     homes: u32,
@@ -54,7 +51,7 @@ impl Arguments {
         let homes: Vec<usize> = (0..self.homes as usize).collect();
         let cases = of_homes(
             &homes,
-            |&home| home / OF_ONE * TEMPLATES + home % OF_ONE,
+            |&home| of_one(home),
             |opened, &home| {
                 let seed = self.seed + home as u64;
                 let opened = with_routine(opened, seed)?;
@@ -81,9 +78,7 @@ impl Arguments {
 fn with_routine(opened: &OpenScenario, seed: u64) -> Result<OpenScenario, Failure> {
     let scenario = opened.scenario();
     let name = scenario.residents.first().map_or("", |resident| resident.file.name.as_str());
-    let mut letters = name.chars();
-    let name: String = letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect();
-    let edit = scenario.edit().routine(0, "drawn.routine", drawn_routine(&name, seed));
+    let edit = scenario.edit().routine(0, "drawn.routine", drawn_routine(&capitalised(name), seed));
     let entry = edit.entry().to_owned();
     Ok(Source::of_texts(edit.into_texts(), entry).open()?)
 }

@@ -62,6 +62,12 @@ impl Arguments {
     }
 }
 
+/// Of the homes of one resident alone, which come before the last of [`HOMES`]: the number of such a one among all.
+pub(super) fn of_one(number: usize) -> usize {
+    let of_one = HOMES.len() - 1;
+    number / of_one * HOMES.len() + number % of_one
+}
+
 /// Asks something of each case, on all processors: the template of its home goes by the home's number.
 pub(super) fn of_homes<Case: Sync, T: Send>(
     cases: &[Case],
