@@ -4,6 +4,7 @@
 use crate::cancel::Cancel;
 use homebody_core::problem::readable;
 use homebody_core::time::{Micros, SECOND, micros};
+use jiff::Timestamp;
 use std::str::FromStr;
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::thread;
@@ -89,6 +90,8 @@ pub struct Pace {
     holds_at: Option<Micros>,
     /// Up to here it goes as fast as it can, whatever its speed.
     hurries_to: Option<Micros>,
+    /// The instant of the world at which the run starts, in microseconds since 1970: it is where the world's clock is.
+    on_wall: Option<i64>,
 }
 
 impl Default for Pace {
@@ -101,7 +104,13 @@ impl Default for Pace {
 impl Pace {
     /// From the run's start at this speed.
     pub fn new(speed: Speed) -> Pace {
-        Pace { speed, from: (0, Instant::now()), holds_at: None, hurries_to: None }
+        Pace { speed, from: (0, Instant::now()), holds_at: None, hurries_to: None, on_wall: None }
+    }
+
+    /// The run is where the world's clock is, whose instant `start` is the run's start. What is behind, it catches up with as
+    /// fast as it can.
+    pub fn on_wall(start: Timestamp) -> Pace {
+        Pace { on_wall: Some(start.as_microsecond()), ..Pace::new(Speed::Times(1.0)) }
     }
 
     /// At this speed, once somebody says so.
@@ -117,10 +126,11 @@ impl Pace {
     /// How far the run may go by now: [`Micros::MAX`] where nothing holds it.
     pub fn due(&self) -> Micros {
         let (begin, since) = self.from;
-        let due = match (self.hurries_to, self.speed) {
-            (Some(to), _) => to,
-            (None, Speed::Max) => Micros::MAX,
-            (None, Speed::Times(times)) => {
+        let due = match (self.hurries_to, self.on_wall, self.speed) {
+            (Some(to), ..) => to,
+            (None, Some(start), _) => Timestamp::now().as_microsecond() - start,
+            (None, None, Speed::Max) => Micros::MAX,
+            (None, None, Speed::Times(times)) => {
                 begin.saturating_add((since.elapsed().as_secs_f64() * times * SECOND as f64) as Micros)
             }
         };
@@ -194,6 +204,9 @@ impl Pace {
 /// How often a paced run is advanced.
 const FRAME: Duration = Duration::from_millis(16);
 
+/// A run on the world's clock that is behind by more than this hurries (ours).
+const BEHIND: Micros = SECOND;
+
 /// Keeps a run at its pace: waits, and does what is said meanwhile.
 pub(crate) struct Paced {
     pace: Pace,
@@ -210,7 +223,9 @@ impl Paced {
     pub fn next(&mut self, now: Micros) -> Option<Micros> {
         while !self.cancel.is_cancelled() {
             let until = self.pace.due();
-            let wait = if until > now && self.pace.speed == Speed::Max { Duration::ZERO } else { FRAME };
+            let hurries =
+                self.pace.speed == Speed::Max || until.saturating_sub(now) > BEHIND && self.pace.on_wall.is_some();
+            let wait = if until > now && hurries { Duration::ZERO } else { FRAME };
             match self.heard(wait, now) {
                 Some(Command::Stop) => break,
                 Some(command) => self.obey(command, now),
@@ -268,6 +283,20 @@ mod tests {
         assert!(pace.is_paused(91 * SECOND), "a jump to where it is takes no time");
         pace.resume(91 * SECOND);
         assert_eq!(pace.due(), Micros::MAX);
+    }
+
+    #[test]
+    fn a_run_on_the_worlds_clock_is_where_that_is() {
+        let hours = |hours| jiff::SignedDuration::from_hours(hours);
+        let behind = Pace::on_wall(Timestamp::now() - hours(3));
+        assert!((10_800 * SECOND..10_860 * SECOND).contains(&behind.due()));
+        let mut paced = Paced::new(behind, Cancel::new(), None);
+        let begun = Instant::now();
+        assert!((0..1000).all(|_| paced.next(0).is_some_and(|until| until >= 10_800 * SECOND)));
+        assert!(begun.elapsed() < 1000 * FRAME / 2, "it hurries while it is behind");
+        let early = Pace::on_wall(Timestamp::now() + hours(1));
+        assert!(early.due() < 0);
+        assert_eq!(Paced::new(early, Cancel::new(), None).next(0), Some(0), "one that starts later waits");
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use crate::VERSION;
 use crate::cancel::Cancel;
 use crate::error::Error;
+use crate::meters::Meters;
 use crate::pace::{Command, Pace, Paced};
 use crate::run::{LiveRun, Progress};
 use crate::store::Lived;
@@ -88,8 +89,8 @@ impl Recorded {
 /// # Ok::<(), homebody_kit::Error>(())
 /// ```
 pub struct Unfinished {
-    run: LiveRun,
-    places: Places,
+    pub(crate) run: LiveRun,
+    pub(crate) places: Places,
 }
 
 impl Unfinished {
@@ -122,6 +123,12 @@ impl Unfinished {
     /// At which pace it is lived, what is said to it meanwhile, and who may end it.
     pub fn paced(mut self, pace: Pace, commands: Option<Receiver<Command>>, cancel: &Cancel) -> Unfinished {
         self.run.paced = Paced::new(pace, cancel.clone(), commands);
+        self
+    }
+
+    /// What is to be seen of it while it is lived is told there.
+    pub fn metered(mut self, meters: &Meters) -> Unfinished {
+        self.run.meters = meters.clone();
         self
     }
 

@@ -3,6 +3,7 @@
 use crate::VERSION;
 use crate::cancel::Cancel;
 use crate::error::{BoxError, Error};
+use crate::meters::Meters;
 use crate::own_driver::{MakeDriver, Provider};
 use crate::pace::{Command, Pace, Paced};
 use crate::scenario::OpenScenario;
@@ -222,6 +223,8 @@ pub struct LiveRun {
     pub(crate) events: Events,
     /// Where the last batch begins.
     pub(crate) begin: Micros,
+    /// What others see of it.
+    pub(crate) meters: Meters,
 }
 
 impl LiveRun {
@@ -290,7 +293,19 @@ impl LiveRun {
     pub(crate) fn of(scenario: Arc<Scenario>, run: Run, recording: Recording, sources: Vec<PathBuf>) -> LiveRun {
         let paced = Paced::new(Pace::default(), Cancel::new(), None);
         let (stretch, events) = (Stretch::new(LONGEST_BATCH), Events::default());
-        LiveRun { scenario, run, recording, sources, paced, stretch, has_own_driver: false, events, begin: 0 }
+        let (has_own_driver, meters) = (false, Meters::default());
+        LiveRun { scenario, run, recording, sources, paced, stretch, has_own_driver, events, begin: 0, meters }
+    }
+
+    /// Goes at this pace from now on, until it is cancelled.
+    pub(crate) fn keep_pace(&mut self, pace: Pace, cancel: &Cancel) {
+        self.paced = Paced::new(pace, cancel.clone(), None);
+    }
+
+    /// What is to be seen of it while it is lived is told there.
+    pub fn metered(mut self, meters: &Meters) -> LiveRun {
+        self.meters = meters.clone();
+        self
     }
 
     /// Lives on, and returns what has happened: at most an hour of the run, less where it goes at a pace, nothing at all

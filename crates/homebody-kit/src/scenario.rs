@@ -6,6 +6,7 @@ use crate::profiles::{self, Base, Profile};
 use crate::source::{Source, Template};
 use homebody_core::numbers::{self, Number};
 use homebody_core::problem::{Problem, Problems};
+use homebody_core::scenario::ScenarioFile;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::remarks;
 use homebody_core::time::{DAY, Micros};
@@ -185,7 +186,28 @@ impl OpenScenario {
         if !problems.is_empty() {
             return Err(Error::Problems(Problems(problems)));
         }
-        let edit = self.scenario.edit().file(|file| file.numbers.extend(set));
+        self.with_file(|file| file.numbers.extend(set))
+    }
+
+    /// The same scenario, begun at another date and time on the clock of the home, such as `2026-11-01T08:00:00`.
+    ///
+    /// ```
+    /// let scenario = homebody_kit::template("studio")?.starting("2026-11-01T08:00:00")?;
+    /// assert_eq!(scenario.scenario().calendar.wall_clock(0), "2026-11-01 08:00:00");
+    /// # Ok::<(), homebody_kit::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Problems`] if there is no such date and time.
+    pub fn starting(&self, start: impl Into<String>) -> Result<OpenScenario, Error> {
+        let start = start.into();
+        self.with_file(|file| file.start = start)
+    }
+
+    /// The same scenario with its own file changed. What is recorded of its runs has the change.
+    fn with_file(&self, change: impl FnOnce(&mut ScenarioFile)) -> Result<OpenScenario, Error> {
+        let edit = self.scenario.edit().file(change);
         let (scenario, household) = Household::load(&edit.over(self.source.files()), self.source.entry(), &[])?;
         Ok(OpenScenario { scenario: Arc::new(scenario), household: Arc::new(household), source: self.source.clone() })
     }

@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::run::{LiveRun, Progress};
 use homebody_core::recording::Recording;
 use homebody_log::places::{RECORDING, RUNS, TRUTH, can_be_written};
-use homebody_log::{Destination, How, Places, RunLog, Stored, Url};
+use homebody_log::{Destination, How, Places, RunLog, Stored, Url, WhenDown};
 use homebody_routine::living::account::Difference;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 /// Where a run goes. Where no log is named, all of it goes into a new folder.
 #[derive(Clone, Debug)]
 pub struct Destinations {
-    /// The places of its log.
+    /// The places of its log. Where all of them are servers, it goes into a new folder as well.
     pub log: Vec<Url>,
     /// The place of its ground truth; none where a log is named and this is not.
     pub truth: Option<Url>,
@@ -24,11 +24,20 @@ pub struct Destinations {
     pub runs: Option<PathBuf>,
     /// Whether files that exist are replaced.
     pub replace: bool,
+    /// What becomes of the run while a server among the places of its log is away.
+    pub when_down: WhenDown,
 }
 
 impl Default for Destinations {
     fn default() -> Destinations {
-        Destinations { log: Vec::new(), truth: None, recording: None, runs: Some(RUNS.into()), replace: false }
+        Destinations {
+            log: Vec::new(),
+            truth: None,
+            recording: None,
+            runs: Some(RUNS.into()),
+            replace: false,
+            when_down: WhenDown::default(),
+        }
     }
 }
 
@@ -63,15 +72,17 @@ impl Destinations {
     }
 
     fn found(&self, run: &LiveRun) -> Result<Places, Error> {
-        let Destinations { log, truth, recording, runs, replace } = self;
+        let Destinations { log, truth, recording, runs, replace, .. } = self;
         let runs = match runs {
-            Some(runs) if log.is_empty() => runs,
+            // What goes to servers is beside the folder, by which the run can be gone on with.
+            Some(runs) if log.iter().all(|url| url.server().is_some()) => runs,
             _ => {
                 let (log, truth, recording) = (log.clone(), truth.clone(), recording.clone());
                 return Ok(Places::of(log, truth, recording, &run.sources, *replace)?);
             }
         };
         let mut places = Places::run(runs, &run.scenario)?;
+        places.log.extend(log.iter().cloned());
         places.truth = truth.clone().or(places.truth);
         places.recording = recording.clone().or(places.recording);
         let named: Vec<&Path> = truth.iter().filter_map(Url::file).chain(recording.as_deref()).collect();
@@ -171,9 +182,11 @@ impl LiveRun {
         own: Vec<Destination>,
         progress: impl FnMut(Progress),
     ) -> Result<Lived, Error> {
-        let places = to.places(&self)?;
+        let mut places = to.places(&self)?;
+        let servers = places.log.extract_if(.., |url| url.server().is_some());
+        let servers: Vec<Destination> = servers.map(|url| Destination::of(&url).when_down(&to.when_down)).collect();
         let how = if to.replace { How::Replace } else { How::New };
-        let lived = self.store_into(&places, own, how, progress);
+        let lived = self.store_into(&places, servers.into_iter().chain(own).collect(), how, progress);
         if lived.is_err() {
             // What was stored before the failure stays.
             places.give_up();
@@ -192,12 +205,16 @@ impl LiveRun {
         let version = VERSION.into();
         let recording = Recording { version, ..self.recording.clone() };
         let mut log = RunLog::open_with(places, own, &self.scenario, &self.run, &recording, how)?;
+        self.meters.begin(self.scenario.calendar.timestamp(0), log.meters());
         let ended = loop {
             let lived_on = self.live_on();
             // What happened before a driver went wrong is stored, too.
             log.store(&self.run, &self.events)?;
             match lived_on {
-                Ok(true) => progress(self.progress()),
+                Ok(true) => {
+                    self.meters.lived(self.run.now());
+                    progress(self.progress());
+                }
                 Ok(false) => break Ok(()),
                 Err(error) => break Err(error),
             }

@@ -269,6 +269,30 @@ pub enum LogError {
         /// What the system says.
         source: io::Error,
     },
+    /// What is put aside for a destination that is away has no room left.
+    #[error(
+        "{place} is still away, and its spool {spool} is full: it may have {most_mb} MB\n  hint: what {place} has confirmed is safe \
+         there; once it is back, go on with the run in its folder, or allow a larger spool"
+    )]
+    SpoolFull {
+        /// The destination.
+        place: String,
+        /// The file of rows that were put aside.
+        spool: String,
+        /// How large it may be.
+        most_mb: u64,
+    },
+    /// A destination has not come back by the end of a run.
+    #[error(
+        "{place} is away: it was waited for {seconds} s at the end\n  hint: what it has confirmed is safe there; once it is back, \
+         go on with the run in its folder"
+    )]
+    StillAway {
+        /// The destination.
+        place: String,
+        /// How long, in seconds.
+        seconds: u64,
+    },
     /// A kind of place is known by its name alone: this build cannot write or read it.
     #[error(
         "{place}: this program was built without {name}\n  hint: cargo install --path crates/homebody --features {feature} \

@@ -28,6 +28,7 @@ pub mod table;
 pub mod sensor_info;
 pub mod run_info;
 pub mod policy;
+pub mod meter;
 pub mod sink;
 pub mod elsewhere;
 
@@ -40,6 +41,7 @@ mod writer;
 mod packed;
 
 pub mod logger;
+pub mod spool;
 pub mod truth;
 
 pub mod run_log;
@@ -62,6 +64,7 @@ pub use error::LogError;
 pub use label::{Labelled, label};
 pub use logger::{Destination, Logger, RowsOfFirings, Stored};
 pub use mapping::read_mapping;
+pub use meter::Meter;
 pub use places::Places;
 pub use policy::Policy;
 pub use rows::{RowText, Rows};
@@ -73,6 +76,7 @@ pub use source::{
     Activity, Event, Life, Log, Movement, MovementKind, Movements, RunClock, SensorMap, Source, activities, ids, lives,
     read, stream, survey, truth_at, truth_beside,
 };
+pub use spool::WhenDown;
 pub use transfer::Transfer;
 pub use truth::TruthLog;
 pub use url::Url;

@@ -5,6 +5,7 @@ use crate::error::LogError;
 use crate::fresh::all_can_be_written;
 use crate::mapping::{Columns, Shown};
 use crate::messages::{LogRow, Messages};
+use crate::meter::Meter;
 use crate::policy::Policy;
 use crate::run_info::RunInfo;
 use crate::sink::{self, How, Sink, Watermark};
@@ -25,18 +26,20 @@ pub struct Destination {
     pub sink: Box<dyn Sink>,
     /// How long a failure is waited for, and whether the run ends with it.
     pub policy: Policy,
+    /// What counts what it takes.
+    pub meter: Arc<Meter>,
 }
 
 impl Destination {
     /// A place of one of the known kinds, which the run cannot do without.
     pub fn of(url: &Url) -> Destination {
         let policy = elsewhere::of(url.scheme()).map_or_else(Policy::default, |elsewhere| (elsewhere.policy)());
-        Destination { place: url.to_string(), sink: sink::open(url), policy }
+        Destination { place: url.to_string(), sink: sink::open(url), policy, meter: Arc::default() }
     }
 
     /// A caller's own.
     pub fn own(place: impl Into<String>, sink: impl Sink + 'static, policy: Policy) -> Destination {
-        Destination { place: place.into(), sink: Box::new(sink), policy }
+        Destination { place: place.into(), sink: Box::new(sink), policy, meter: Arc::default() }
     }
 }
 
@@ -117,9 +120,9 @@ impl Logger {
         };
         let mut stored = Stored { by_sensor: vec![0; sensors.len()], ..Stored::default() };
         let mut writers = Vec::new();
-        for Destination { place, sink, policy } in destinations {
-            let is_required = policy.required;
-            match Writer::spawn(place.clone(), sink, policy, &beginning) {
+        for destination in destinations {
+            let (place, is_required) = (destination.place.clone(), destination.policy.required);
+            match Writer::spawn(destination, &beginning) {
                 Ok(writer) => writers.push(writer),
                 Err(error) if is_required => return Err(error),
                 Err(error) => stored.failed.push((place, error)),
@@ -254,6 +257,11 @@ impl Logger {
             }
         }
         Ok(())
+    }
+
+    /// The places that are written, each with what counts what it takes.
+    pub(crate) fn meters(&self) -> impl Iterator<Item = (String, Arc<Meter>)> {
+        self.writers.iter().map(Writer::meter)
     }
 
     /// How many rows were made.

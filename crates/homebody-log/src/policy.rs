@@ -1,6 +1,7 @@
 //! What becomes of a run when one of its destinations fails, hangs or is slow.
 
 use crate::error::LogError;
+use crate::meter::Meter;
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -50,13 +51,18 @@ impl Policy {
     }
 
     /// Makes a call, and makes it again while its error passes and there is time.
-    pub(crate) fn with_retries<T>(&self, mut call: impl FnMut() -> Result<T, LogError>) -> Result<T, LogError> {
+    pub(crate) fn with_retries<T>(
+        &self,
+        meter: &Meter,
+        mut call: impl FnMut() -> Result<T, LogError>,
+    ) -> Result<T, LogError> {
         let begun = Instant::now();
         let mut wait = self.retry_after;
         loop {
             match call() {
                 Err(error) if error.passes() && begun.elapsed() + wait <= self.retry_for => {
                     thread::sleep(wait);
+                    meter.tries_again();
                     wait = (2 * wait).min(LONGEST_WAIT);
                 }
                 done => return done,
@@ -74,17 +80,20 @@ mod tests {
         let policy =
             Policy { retry_for: Duration::from_secs(5), retry_after: Duration::from_millis(1), ..Policy::default() };
         let mut calls = 0;
-        let done = policy.with_retries(|| {
+        let meter = Meter::default();
+        let done = policy.with_retries(&meter, || {
             calls += 1;
             if calls < 4 { Err(LogError::destination("there", "it is away").passing()) } else { Ok(calls) }
         });
-        assert_eq!(done.unwrap(), 4);
+        assert_eq!((done.unwrap(), meter.read().retries), (4, 3));
         let mut calls = 0;
-        let failed = policy.with_retries(|| -> Result<(), LogError> {
+        let failed = policy.with_retries(&meter, || -> Result<(), LogError> {
             calls += 1;
             Err(LogError::destination("there", "it is gone"))
         });
         assert!(failed.is_err() && calls == 1);
-        assert!(Policy::default().with_retries(|| Err::<(), _>(LogError::destination("", "").passing())).is_err());
+        assert!(
+            Policy::default().with_retries(&meter, || Err::<(), _>(LogError::destination("", "").passing())).is_err()
+        );
     }
 }

@@ -6,6 +6,7 @@ use crate::fresh::{FreshFile, remove_parts};
 use crate::limits::LARGEST_RECORDING_BYTES;
 use crate::lock::{FileLock, FolderLock};
 use crate::logger::{Destination, Logger, RowsOfFirings, Stored, destinations};
+use crate::meter::Meter;
 use crate::places::Places;
 use crate::plain;
 use crate::run_info::RunInfo;
@@ -152,6 +153,12 @@ impl RunLog {
                 Err(error)
             }
         }
+    }
+
+    /// The places that are written, each with what counts what it takes.
+    pub fn meters(&self) -> Vec<(String, Arc<Meter>)> {
+        let logs = self.logger.iter().flat_map(Logger::meters);
+        logs.chain(self.truth.iter().map(TruthLog::meter)).collect()
     }
 
     /// Hands on what has happened in the run since the last time.

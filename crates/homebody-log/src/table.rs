@@ -159,6 +159,12 @@ impl Batch {
         self
     }
 
+    /// The same with the texts of another batch of the same run, which came later.
+    pub(crate) fn with_texts_of(mut self, later: &Batch) -> Batch {
+        self.texts = later.texts.clone();
+        self
+    }
+
     /// How many rows it has.
     pub fn len(&self) -> usize {
         self.rows.len()

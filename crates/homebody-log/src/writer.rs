@@ -4,6 +4,8 @@
 //! small. An error ends the thread; it comes out of the next call to the writer.
 
 use crate::error::LogError;
+use crate::logger::Destination;
+use crate::meter::Meter;
 use crate::policy::Policy;
 use crate::run_info::RunInfo;
 use crate::sink::{Begin, How, Sink, Watermark};
@@ -36,6 +38,7 @@ pub(crate) struct Writer {
     messages: Option<SyncSender<Message>>,
     thread: Option<JoinHandle<Result<(), LogError>>>,
     shared: Arc<Shared>,
+    meter: Arc<Meter>,
     /// Whether it was waited for in vain: nobody does so twice.
     hangs: bool,
     /// How often it was asked to make sure of its rows.
@@ -72,21 +75,18 @@ pub(crate) struct Beginning {
 impl Writer {
     /// Begins the sink in a thread of its own. Waits until it has begun, as long as its policy says, so that its error is
     /// told at once.
-    pub fn spawn(
-        place: String,
-        sink: Box<dyn Sink>,
-        policy: Policy,
-        beginning: &Beginning,
-    ) -> Result<Writer, LogError> {
+    pub fn spawn(destination: Destination, beginning: &Beginning) -> Result<Writer, LogError> {
+        let Destination { place, sink, policy, meter } = destination;
         let (messages, incoming) = sync_channel(policy.batches_waiting);
         let (begun, begins) = sync_channel(1);
         let shared = Arc::new(Shared::default());
-        let work = Work { sink, policy: policy.clone(), shared: shared.clone(), there: Vec::new() };
+        let work =
+            Work { sink, policy: policy.clone(), shared: shared.clone(), meter: meter.clone(), there: Vec::new() };
         let beginning = beginning.clone();
         let thread = thread::Builder::new().spawn(move || work.live(&beginning, &begun, incoming));
         let thread = thread.map_err(|source| LogError::NoThread { place: place.clone(), source })?;
         let (messages, thread) = (Some(messages), Some(thread));
-        let mut writer = Writer { place, policy, messages, thread, shared, hangs: false, asked: 0 };
+        let mut writer = Writer { place, policy, messages, thread, shared, meter, hangs: false, asked: 0 };
         match begins.recv_timeout(writer.policy.answers_within) {
             Ok(()) => Ok(writer),
             Err(RecvTimeoutError::Timeout) => {
@@ -108,6 +108,11 @@ impl Writer {
     /// What errors call the destination.
     pub fn place(&self) -> &str {
         &self.place
+    }
+
+    /// The place, and what counts what it takes.
+    pub fn meter(&self) -> (String, Arc<Meter>) {
+        (self.place.clone(), self.meter.clone())
     }
 
     /// Whether its error ends the run.
@@ -239,6 +244,7 @@ struct Work {
     sink: Box<dyn Sink>,
     policy: Policy,
     shared: Arc<Shared>,
+    meter: Arc<Meter>,
     /// By table, how many of the rows to come the destination has already.
     there: Vec<u64>,
 }
@@ -259,8 +265,8 @@ impl Work {
             spreadsheet_safe: beginning.spreadsheet_safe,
             how: beginning.how,
         };
-        let Work { sink, policy, shared, .. } = &mut self;
-        let there = policy.with_retries(|| sink.begin(&begin))?;
+        let Work { sink, policy, shared, meter, .. } = &mut self;
+        let there = policy.with_retries(meter, || sink.begin(&begin))?;
         *shared.durable.lock().unwrap_or_else(PoisonError::into_inner) = there.clone();
         self.there = there.0;
         // Nobody waits any more for one that has begun too late: then it is dropped as it is.
@@ -285,15 +291,15 @@ impl Work {
                 Ok(Message::Settle) => {
                     self.settle()?;
                     self.shared.settled.fetch_add(1, Ordering::Release);
-                    is_unsure = false;
+                    is_unsure = self.sink.is_behind();
                 }
                 Ok(Message::Finish(end)) => {
-                    let Work { sink, policy, .. } = &mut self;
-                    return policy.with_retries(|| sink.finish(end));
+                    let Work { sink, policy, meter, .. } = &mut self;
+                    return policy.with_retries(meter, || sink.finish(end));
                 }
                 Err(RecvTimeoutError::Timeout) => {
                     self.settle()?;
-                    is_unsure = false;
+                    is_unsure = self.sink.is_behind();
                 }
                 // Whoever made the rows has given up.
                 Err(RecvTimeoutError::Disconnected) => return self.settle(),
@@ -303,22 +309,24 @@ impl Work {
 
     /// Writes a batch, but for what is there already.
     fn take(&mut self, batch: &Batch) -> Result<(), LogError> {
-        let Work { sink, policy, shared, there } = self;
+        let Work { sink, policy, shared, meter, there } = self;
         if there.iter().any(|&rows| rows > 0) {
             let rest = batch.beyond(there);
             if !rest.is_empty() {
-                policy.with_retries(|| sink.write(&rest))?;
+                policy.with_retries(meter, || sink.write(&rest))?;
             }
         } else {
-            policy.with_retries(|| sink.write(batch))?;
+            policy.with_retries(meter, || sink.write(batch))?;
         }
+        meter.took(batch);
         shared.answers.fetch_add(1, Ordering::Relaxed);
         Ok(())
     }
 
     fn settle(&mut self) -> Result<(), LogError> {
-        let Work { sink, policy, shared, .. } = self;
-        let durable = policy.with_retries(|| sink.settle())?;
+        let Work { sink, policy, shared, meter, .. } = self;
+        let durable = policy.with_retries(meter, || sink.settle())?;
+        meter.made_sure(durable.0.iter().sum());
         *shared.durable.lock().unwrap_or_else(PoisonError::into_inner) = durable;
         shared.answers.fetch_add(1, Ordering::Relaxed);
         Ok(())

@@ -10,6 +10,7 @@ mod pace;
 mod print;
 mod sensor_table;
 mod signals;
+mod start;
 mod traced;
 
 use clap::{CommandFactory, Parser};

@@ -42,6 +42,11 @@ pub trait Sink: Send {
 
     /// Makes sure of everything, and marks the run as ended at an instant.
     fn finish(&mut self, end: Micros) -> Result<(), LogError>;
+
+    /// Whether it holds rows back and wants to be asked to settle again, though nothing new comes.
+    fn is_behind(&self) -> bool {
+        false
+    }
 }
 
 /// What a destination is begun with.

@@ -13,6 +13,7 @@ use crate::error::{LogError, place_of};
 use crate::fresh::{all_can_be_written, same_file};
 use crate::logger::{Destination, RowsOfFirings};
 use crate::mapping::Shown;
+use crate::meter::Meter;
 use crate::run_info::RunInfo;
 use crate::sink::{How, Watermark};
 use crate::table::{Batch, Cell, TextId, Texts};
@@ -88,8 +89,7 @@ impl TruthLog {
             spreadsheet_safe: file.spreadsheet_safe,
             how,
         };
-        let Destination { place, sink, policy } = destination;
-        let writer = Writer::spawn(place, sink, policy, &beginning)?;
+        let writer = Writer::spawn(destination, &beginning)?;
         let mut texts = Texts::default();
         let mut log = TruthLog {
             writer,
@@ -124,6 +124,11 @@ impl TruthLog {
             }
         }
         if self.sent_at.elapsed() >= BATCH_WAITS { self.send() } else { Ok(()) }
+    }
+
+    /// Its place, and what counts what goes there.
+    pub(crate) fn meter(&self) -> (String, Arc<Meter>) {
+        self.writer.meter()
     }
 
     /// How far the truth is durable, by table.

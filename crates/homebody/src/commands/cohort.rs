@@ -1,6 +1,6 @@
 //! What is told of a cohort.
 
-use super::live::{Output, go_on_in, speed_in_words};
+use super::lived::{Output, go_on_in, speed_in_words};
 use crate::failure::Failure;
 use crate::print::{print_json, print_text};
 use homebody_core::problem::counted;

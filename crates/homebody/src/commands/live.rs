@@ -1,242 +1,137 @@
-//! Living a run: telling people how far it is, and what has become of it.
+//! `homebody live`: a home on the world's clock.
 
-use crate::failure::Failure;
-use crate::print::{print_json, print_text, tell};
+use super::lived::{Away, report_live, servers};
+use super::scenario::Trust;
+use crate::failure::{EXIT_CODES, Failure};
+use crate::print::tell;
 use crate::signals::Signals;
-use homebody_core::recording::Recording;
-use homebody_core::scenario::scheme::{NoPlace, SCHEMES, Scheme};
-use homebody_core::time::{Micros, SECOND, seconds};
-use homebody_kit::{Destinations, Difference, LiveRun, Lived, Progress, Url, VERSION};
-use homebody_log::sink::log_beside;
+use crate::start::Start;
+use homebody_core::time::SECOND;
+use homebody_kit::{Destination, LiveHome, Meters, Progress, Url};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use serde_json::json;
+use jiff::Timestamp;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-/// Where a run goes, and how much it says.
+/// Lives a home on the world's clock, for as long as nobody stops it.
+///
+/// Its log, its truth and its recording go into a folder, which is live/ and the scenario's name unless --folder says otherwise; --out
+/// names servers, and standard output, that get the rows as they come. Stopped or killed, the same command goes on with it: what would
+/// have happened meanwhile is lived as fast as it goes, and no row is missing or there twice.
 #[derive(clap::Args)]
-pub struct Output {
-    /// Write the log here: sqlite:FILE, csv:FILE, jsonl:- and so on (homebody convert --help lists all); may be given several times
-    #[arg(long, value_name = "URL")]
-    pub out: Vec<Url>,
-    /// Write the ground truth into this SQLite file, or to csv:FILE, with a file for each table
-    #[arg(long, value_name = "FILE", value_parser = truth_place)]
-    pub truth: Option<Url>,
-    /// Replace files that exist
+#[command(after_help = format!("Examples:
+  homebody live scenarios/tigerplace
+  homebody live scenarios/tigerplace --from 2026-11-01 --out postgresql://ann@localhost/homes
+  homebody live scenarios/tigerplace --out mqtt://localhost/homebody --on-sink-down spool
+  homebody live scenarios/tigerplace --out jsonl:- | consumer
+
+{EXIT_CODES},
+129, 130 or 143 it was ended by SIGHUP, SIGINT or SIGTERM; what was lived is stored."))]
+pub struct Arguments {
+    /// The scenario's folder, or its scenario.json
+    scenario: PathBuf,
+    #[command(flatten)]
+    trust: Trust,
+    /// From when on it is lived: now, today, 2026-11-01 or 2026-11-01T08:00, on the clock of the home. What lies before now is lived as
+    /// fast as it goes
+    #[arg(long, value_name = "TIME", default_value = "now")]
+    from: Start,
+    /// Where it lives
+    #[arg(long, value_name = "FOLDER")]
+    folder: Option<PathBuf>,
+    /// The number all randomness comes from, instead of the scenario's
     #[arg(long)]
-    pub force: bool,
+    seed: Option<u64>,
+    /// Leave out a condition that a routine shows; may be given several times
+    #[arg(long, value_name = "CONDITION")]
+    without: Vec<String>,
+    /// Give the rows to this server as well, or to jsonl:-, csv:- or casas:-; may be given several times
+    #[arg(long, value_name = "URL")]
+    out: Vec<Url>,
+    #[command(flatten)]
+    away: Away,
     /// Say nothing but errors
     #[arg(long)]
-    pub quiet: bool,
-    /// Print the summary as one JSON object on standard output
-    #[arg(long)]
-    pub json: bool,
+    quiet: bool,
 }
 
-impl Output {
-    /// A bar that shows how far the run is, where somebody looks.
-    pub fn progress(&self, length: Micros) -> ProgressBar {
-        let hidden = self.quiet || self.json;
-        let target = if hidden { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-        let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {eta} left");
-        let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
-        ProgressBar::with_draw_target(Some(length as u64), target).with_style(style)
-    }
-}
+/// The folder that homes live in where nobody says otherwise.
+const LIVE: &str = "live";
 
-/// Lives a run to its end, or until it is told to stop, and tells what has become of it.
-pub fn live(run: LiveRun, record: Option<PathBuf>, output: &Output, signals: &Signals) -> Result<(), Failure> {
-    let Output { out, truth, force, .. } = output;
-    let to = Destinations {
-        log: out.clone(),
-        truth: truth.clone(),
-        recording: record,
-        replace: *force,
-        ..Destinations::default()
-    };
-    if output.json && out.iter().any(Url::is_output) {
-        let hint = "leave --json out: the summary goes to standard error then";
-        return Err(Failure::Usage(format!("rows and the summary cannot both go to standard output\n  hint: {hint}")));
-    }
-    let name = run.scenario().file.name.clone();
-    let progress = output.progress(run.progress().length);
-    let lived = run.store(&to, |lived| show(&progress, 0, lived));
-    progress.finish_and_clear();
-    let lived = lived?;
-    report(&name, &lived, output)?;
-    signals.ended(lived.is_stopped())
-}
-
-/// Shows how far it is, where somebody looks; `before` of it was lived before this program began.
-pub fn show(progress: &ProgressBar, before: Micros, Progress { lived, length }: Progress) {
-    if !progress.is_hidden() {
-        progress.set_position(lived as u64);
-        let speed = speed_in_words(lived - before, progress.elapsed());
-        progress.set_message(format!("{} of {}, {speed}", span_in_words(lived), span_in_words(length)));
-    }
-}
-
-/// Tells people and scripts what has become of a run.
-pub fn report(name: &str, lived: &Lived, output: &Output) -> Result<(), Failure> {
-    let Lived { recording, stored, truth, recorded, progress, agrees, before, took, .. } = lived;
-    let Recording { firings, sha256, .. } = recording;
-    let path = |path: &Option<PathBuf>| path.as_ref().map(|path| path.display().to_string());
-    if output.json {
-        print_json(&json!({
-            "scenario": name,
-            "seed": recording.seed,
-            "simulated_s": seconds(progress.lived),
-            "stopped": lived.is_stopped(),
-            "took_s": took.as_secs_f64(),
-            "firings": firings,
-            "sha256": sha256,
-            "sentences": lived.differences,
-            "agrees_with_recording": agrees,
-            "rows": stored.rows,
-            "rows_by_sensor": lived.rows_by_sensor().map(|(name, rows)| (name.into(), rows.into()))
-                .collect::<serde_json::Map<String, serde_json::Value>>(),
-            "log": stored.places,
-            "truth": truth.as_ref().map(told),
-            "recording": path(recorded),
-            "folder": path(&lived.folder),
-        }))?;
-    } else if !output.quiet {
-        let summary = summary(name, lived);
-        // Rows on standard output stay alone there.
-        match output.out.iter().any(Url::is_output) {
-            true => tell(summary.trim_end()),
-            false => print_text(&summary)?,
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let signals = Signals::listen()?;
+        let opened = self.trust.source(&self.scenario)?.open()?;
+        let folder = self.folder.clone().unwrap_or_else(|| Path::new(LIVE).join(opened.name()));
+        let (outputs, elsewhere): (Vec<Url>, Vec<Url>) = self.out.iter().cloned().partition(Url::is_output);
+        let mut own = servers(&elsewhere, &self.away)?;
+        own.extend(outputs.iter().map(Destination::of));
+        let home = match LiveHome::is_there(&folder) {
+            true => LiveHome::go_on(&folder)?,
+            false => {
+                let opened = self.from.of(&opened)?;
+                let setup = opened.run().without(&self.without);
+                let setup = self.seed.into_iter().fold(setup, |setup, seed| setup.seed(seed));
+                LiveHome::begin(setup, &folder)?
+            }
+        };
+        if home.goes_on() && home.scenario().file.name != opened.name() {
+            let what = format!("{} lives in {}", home.scenario().file.name, folder.display());
+            return Err(Failure::usage(format!("{what}\n  hint: name another --folder for {}", opened.name())));
         }
-    }
-    if !output.quiet {
-        stored
-            .places
-            .iter()
-            .filter_map(|place| place.parse().ok())
-            .chain(truth.clone())
-            .for_each(|url| tell_reader(&url));
-    }
-    let Some(before) = before.as_ref().filter(|_| *agrees == Some(false)) else { return Ok(()) };
-    let (by, hint) = match before.version.as_str() {
-        VERSION => (String::new(), "the recording is not as the run wrote it".to_owned()),
-        version => (
-            format!(", which version {version} made; this is {VERSION}"),
-            "replay it with that version, or live its scenario anew".to_owned(),
-        ),
-    };
-    Err(Failure::Usage(format!(
-        "the replay differs from the recording{by}: {firings} firings, and {} in the recording\n  hint: {hint}",
-        before.firings
-    )))
-}
-
-/// Warns of who reads a database that is complete, and so keeps a part of it in a file beside.
-fn tell_reader(place: &Url) {
-    if let (Scheme::Sqlite, Some(file)) = (place.scheme(), place.file())
-        && let Some(beside) = log_beside(file)
-    {
-        let (file, beside) = (file.display(), beside.display());
-        tell(format_args!("warning: another program is reading {file}: until it is done, {beside} is a part of it"));
-    }
-}
-
-fn summary(name: &str, lived: &Lived) -> String {
-    let Lived { recording, stored, truth, recorded, progress, agrees, took, .. } = lived;
-    let span = match lived.is_stopped() {
-        true => format!("stopped after {} of {},", span_in_words(progress.lived), span_in_words(progress.length)),
-        false => span_in_words(progress.lived),
-    };
-    let (took, seed) = (took.as_secs_f64(), recording.seed);
-    let mut text = format!("{name}: {span} lived in {took:.2} s, seed {seed}\n\n");
-    let most = stored.by_sensor.iter().copied().max().unwrap_or(0).max(1);
-    let width = lived.rows_by_sensor().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
-    for (name, rows) in lived.rows_by_sensor() {
-        let bar = "█".repeat((rows * 30).div_ceil(most) as usize);
-        text += &format!("  {name:width$} {rows:>8}  {bar}\n");
-    }
-    text += &format!("  {:width$} {:>8}\n\n", "rows", stored.rows);
-    for url in &stored.places {
-        text += &format!("log        {url}\n");
-    }
-    let recorded = recorded.as_ref().map(|path| path.display().to_string());
-    for (what, place) in [("truth", truth.as_ref().map(told)), ("recording", recorded)] {
-        if let Some(place) = place {
-            text += &format!("{what:10} {place}\n");
+        if !self.quiet {
+            let how = if home.goes_on() { "goes on" } else { "begins" };
+            let since = home.scenario().calendar.wall_clock(0);
+            tell(format_args!("{} {how} in {}, from {since} on; Ctrl-C stops it", opened.name(), folder.display()));
         }
-    }
-    for (place, error) in &stored.failed {
-        text += &format!("failed     {place}: {error}\n");
-    }
-    text += &format!("firings    {} with SHA-256 {}\n", recording.firings, recording.sha256);
-    if *agrees == Some(true) {
-        text += "replay     the same as the recording, firing by firing\n";
-    }
-    text += &not_as_said(&lived.differences);
-    match &lived.folder {
-        _ if !lived.is_stopped() => {}
-        Some(folder) => text += &go_on_in(folder),
-        None => text += "go on      not this one: only a run without --out, which has a folder of its own\n",
-    }
-    text
-}
-
-/// So many sentences are told after a run (ours); `homebody routine check --lived` tells all.
-const MOST_TOLD: usize = 5;
-
-/// The sentences whose lives differ from their words, briefly.
-fn not_as_said(differences: &[Difference]) -> String {
-    let line = |of: &Difference| {
-        let said = of.text.split_whitespace().collect::<Vec<_>>().join(" ");
-        format!("not lived  {}:{}: {said} ({}; {})\n", of.file, of.line, of.expected, of.lived)
-    };
-    let mut text: String = differences.iter().take(MOST_TOLD).map(line).collect();
-    if let Some(more) = differences.len().checked_sub(MOST_TOLD).filter(|&more| more > 0) {
-        text += &format!("           and {more} more: homebody routine check --lived\n");
-    }
-    text
-}
-
-/// The place of a truth: a database where no kind is said.
-fn truth_place(text: &str) -> Result<Url, String> {
-    let is_kind = |(scheme, _): (&str, &str)| SCHEMES.iter().any(|row| row.name == scheme);
-    match text.split_once(':').is_some_and(is_kind) {
-        true => text.parse().map_err(|error: NoPlace| error.to_string()),
-        false => Ok(Url::new(Scheme::Sqlite, text)),
+        let (name, meters) = (opened.name().to_owned(), Meters::default());
+        let mut watch = Watch::new(self.quiet, &meters);
+        let lived = home.live(own, &meters, signals.cancel(), |progress| watch.look(progress))?;
+        watch.bar.finish_and_clear();
+        if !self.quiet {
+            report_live(&name, &folder, &lived);
+        }
+        signals.ended(true)
     }
 }
 
-/// A database by its path alone, as it may be asked for.
-fn told(truth: &Url) -> String {
-    match (truth.scheme(), truth.file()) {
-        (Scheme::Sqlite, Some(file)) => file.display().to_string(),
-        _ => truth.to_string(),
+/// Shows how it goes, where somebody looks.
+struct Watch<'m> {
+    bar: ProgressBar,
+    meters: &'m Meters,
+    shown: Instant,
+}
+
+/// How often it is shown anew.
+const LOOK: Duration = Duration::from_millis(500);
+
+impl<'m> Watch<'m> {
+    fn new(is_quiet: bool, meters: &'m Meters) -> Watch<'m> {
+        let target = if is_quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+        let style =
+            ProgressStyle::with_template("{spinner} {msg}").unwrap_or_else(|_| ProgressStyle::default_spinner());
+        let bar = ProgressBar::with_draw_target(None, target).with_style(style);
+        Watch { bar, meters, shown: Instant::now() }
     }
-}
 
-/// The last line of what is told of a run or a cohort that was stopped: how to go on with it.
-pub fn go_on_in(folder: &Path) -> String {
-    format!("go on      homebody run --resume {}\n", folder.display())
-}
-
-/// How fast it goes: as a pace that one may ask for, or beyond those in what goes by in a second.
-pub fn speed_in_words(lived: Micros, took: Duration) -> String {
-    match seconds(lived) / took.as_secs_f64() {
-        times if times < 1050.0 => format!("{times:.0} times as fast as life"),
-        times => format!("{} a second", span_in_words((times * SECOND as f64) as Micros)),
-    }
-}
-
-pub fn span_in_words(span: Micros) -> String {
-    let of = |unit: Micros, name: &str| {
-        let count = span as f64 / (unit * SECOND) as f64;
-        let rounded = format!("{count:.1}");
-        let count = rounded.trim_end_matches(".0");
-        format!("{count} {name}{}", if count == "1" { "" } else { "s" })
-    };
-    match span / SECOND {
-        0..120 => of(1, "second"),
-        120..7200 => of(60, "minute"),
-        7200..172_800 => of(3600, "hour"),
-        _ => of(86_400, "day"),
+    fn look(&mut self, Progress { .. }: Progress) {
+        if self.bar.is_hidden() || self.shown.elapsed() < LOOK {
+            return;
+        }
+        self.shown = Instant::now();
+        let seen = self.meters.look();
+        let Some(now) = seen.now else { return };
+        let behind = (Timestamp::now().as_microsecond() - now.as_microsecond()) as f64 / SECOND as f64;
+        let places = seen.destinations.iter().map(|(place, meter)| {
+            let away = if meter.is_away {
+                format!(" (away, {} kB put aside)", meter.spooled_bytes / 1000)
+            } else {
+                String::new()
+            };
+            format!("{place} {} rows{away}", meter.rows)
+        });
+        let places: Vec<String> = places.collect();
+        self.bar.set_message(format!("{now:.0}  {behind:.2} s behind  {}", places.join("  ")));
+        self.bar.tick();
     }
 }

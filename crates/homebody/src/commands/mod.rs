@@ -18,6 +18,7 @@ mod health;
 mod import;
 mod label;
 mod live;
+mod lived;
 mod look;
 mod measure;
 mod new;
@@ -44,6 +45,8 @@ use clap::Subcommand;
 pub enum Command {
     /// Live a scenario and store what its sensors say
     Run(run::Arguments),
+    /// Live a home on the world's clock, for as long as nobody stops it
+    Live(live::Arguments),
     /// Live a recording again, byte for byte
     Replay(replay::Arguments),
     /// Report everything that is wrong with a scenario
@@ -107,6 +110,7 @@ impl Command {
     pub fn run(self, whole: fn() -> clap::Command) -> Result<(), Failure> {
         match self {
             Command::Run(arguments) => arguments.run(),
+            Command::Live(arguments) => arguments.run(),
             Command::Replay(arguments) => arguments.run(),
             Command::Check(arguments) => arguments.run(),
             Command::Routine(arguments) => arguments.run(),

@@ -1,6 +1,6 @@
 //! `homebody replay`: live a recording again.
 
-use super::live::{Output, live};
+use super::lived::{Output, live};
 use crate::failure::Failure;
 use crate::pace::Asked;
 use crate::signals::Signals;

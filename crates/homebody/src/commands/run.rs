@@ -2,13 +2,14 @@
 
 use super::check::tell_remark;
 use super::cohort;
-use super::live::{Output, go_on_in, live, report, show};
+use super::lived::{Output, go_on_in, live, report, servers, show};
 use super::scenario::Trust;
 use crate::failure::Failure;
 use crate::length::{Length, length};
 use crate::pace::Asked;
 use crate::print::print_text;
 use crate::signals::Signals;
+use crate::start::Start;
 use homebody_core::time::Micros;
 use homebody_kit::{Error, LIST, LivedCohort, OpenScenario, Unfinished, UnfinishedCohort};
 use homebody_log::LogError;
@@ -28,6 +29,7 @@ use std::path::{Path, PathBuf};
   homebody run scenarios/tigerplace --residents 100 --for 28d
   homebody run scenarios/tigerplace --profiles people.csv --for 28d
   homebody run my-home --out sqlite:log.db --out csv:log.csv --truth truth.db --force
+  homebody run scenarios/tigerplace --start now --for 1h --speed 1 --out jsonl:-
   homebody run --resume runs/tigerplace-1
   printf 'step 60\\nstop\\n' | homebody run my-home --control --paused
 
@@ -54,6 +56,9 @@ pub struct Arguments {
     /// Days and weeks are those of the calendar: a run of 7d ends at the hour at which it began, also where clocks change.
     #[arg(long = "for", value_name = "SPAN", value_parser = length)]
     length: Option<Length>,
+    /// When the run begins, instead of when the scenario says: now, today, 2026-11-01 or 2026-11-01T08:00, on the clock of the home
+    #[arg(long, value_name = "TIME")]
+    start: Option<Start>,
     /// The number all randomness comes from, instead of the scenario's
     #[arg(long)]
     seed: Option<u64>,
@@ -77,7 +82,7 @@ pub struct Arguments {
     /// It is lived again from its beginning: what is there is compared, what is missing is written. In the end log and truth have
     /// the bytes of a run that nothing has disturbed. Of a cohort, those who were lived to the end stay, all others are gone on with.
     #[arg(long, value_name = "FOLDER",
-          conflicts_with_all = ["scenario", "length", "seed", "without", "numbers", "residents", "profiles", "out", "truth", "record", "force"])]
+          conflicts_with_all = ["scenario", "length", "seed", "without", "numbers", "start", "residents", "profiles", "truth", "record", "force"])]
     resume: Option<PathBuf>,
     /// Live the members of this list side by side: a CSV file with a row for each
     ///
@@ -139,6 +144,7 @@ impl Arguments {
         all_different(&self.numbers)?;
         let source = self.trust.source(self.scenario.as_deref().unwrap_or(Path::new("")))?;
         let opened = source.open()?.with_numbers(self.numbers.clone())?;
+        let opened = self.start.as_ref().map_or(Ok(opened.clone()), |start| start.of(&opened))?;
         let scenario = opened.scenario();
         let seed = self.seed.unwrap_or(scenario.file.seed);
         let length = self.length.unwrap_or(Length::Days(scenario.file.days)).by(&scenario.calendar);
@@ -184,9 +190,10 @@ impl Arguments {
         }
         let run = Unfinished::open(folder).map_err(not_gone_on_with)?;
         let run = run.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
+        let servers = servers(&self.output.out, &self.output.away)?;
         let name = run.scenario().file.name.clone();
         let progress = self.output.progress(run.progress().length);
-        let lived = run.go_on(|lived| show(&progress, 0, lived));
+        let lived = run.go_on_with(servers, |lived| show(&progress, 0, lived));
         let lived = lived.or_else(|error| self.not_yet(error, folder, &progress, signals))?;
         progress.finish_and_clear();
         report(&name, &lived, &self.output)?;

@@ -1,0 +1,307 @@
+//! What becomes of rows while a destination is away: the run fails, waits, or puts them aside on disk.
+//!
+//! A spool is a file of rows that their destination has not taken yet. It is bounded, and gone once the destination has them
+//! all. What a killed program leaves of one is of no use: whoever goes on with the run makes these rows again.
+
+mod frame;
+
+use crate::error::{LogError, place_of};
+use crate::logger::Destination;
+use crate::meter::Meter;
+use crate::policy::Policy;
+use crate::run_info::RunInfo;
+use crate::sink::{Begin, How, Sink, Watermark};
+use crate::table::{Batch, Table};
+use frame::{read_frame, write_frame};
+use homebody_core::scenario::logger::TimeFormat;
+use homebody_core::time::Micros;
+use std::fs::{self, File, OpenOptions};
+use std::io::{BufReader, BufWriter, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// What becomes of a run while one of its destinations is away.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum WhenDown {
+    /// It ends with an error; what the destination has confirmed is safe there.
+    #[default]
+    Error,
+    /// It waits until the destination is back, for so long at most.
+    Retry(Duration),
+    /// It goes on. Rows are put aside in this folder, in at most so many bytes, and handed over once the destination is back.
+    Spool(PathBuf, u64),
+}
+
+/// How long between two tries to reach a destination that is away, at the beginning and at most (ours).
+const FIRST_WAIT: Duration = Duration::from_millis(100);
+const LONGEST_WAIT: Duration = Duration::from_secs(5);
+
+/// How many batches may wait while a destination is tried that does not answer (ours).
+const BATCHES_WAITING: usize = 256;
+
+/// How long a destination is waited for at the end of a run (ours): a restart of a server takes less.
+const END_WAITS: Duration = Duration::from_secs(60);
+
+impl Destination {
+    /// The same, with what becomes of the run while it is away.
+    pub fn when_down(self, when: &WhenDown) -> Destination {
+        match when {
+            WhenDown::Error => self,
+            &WhenDown::Retry(retry_for) => {
+                let answers_within = self.policy.answers_within.saturating_add(retry_for);
+                Destination { policy: Policy { retry_for, answers_within, ..self.policy }, ..self }
+            }
+            WhenDown::Spool(folder, most_bytes) => {
+                let file = folder.join(format!("{}.spool", file_name(&self.place)));
+                let answers_within = self.policy.answers_within.saturating_add(END_WAITS);
+                let policy = Policy { batches_waiting: BATCHES_WAITING, answers_within, ..self.policy };
+                let spooled = Spooled::new(self.place.clone(), self.sink, file, *most_bytes, self.meter.clone());
+                Destination { sink: Box::new(spooled), policy, ..self }
+            }
+        }
+    }
+}
+
+/// A place as a file's name.
+fn file_name(place: &str) -> String {
+    let plain: String = place.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).take(80).collect();
+    plain.split('-').filter(|part| !part.is_empty()).collect::<Vec<_>>().join("-")
+}
+
+/// A destination whose rows are put aside while it is away.
+struct Spooled {
+    place: String,
+    inner: Box<dyn Sink>,
+    path: PathBuf,
+    most_bytes: u64,
+    beginning: Option<Beginning>,
+    /// Whether the destination has begun.
+    has_begun: bool,
+    /// Rows that it has already and that are still to come, by table: known where it could not be asked at the beginning.
+    there: Vec<u64>,
+    /// While it is away.
+    away: Option<Away>,
+    meter: Arc<Meter>,
+}
+
+/// What a destination is begun with, kept for when it is back.
+struct Beginning {
+    run: RunInfo,
+    tables: Vec<Table>,
+    time: TimeFormat,
+    run_column: String,
+    spreadsheet_safe: bool,
+    how: How,
+}
+
+/// What is kept while a destination is away.
+struct Away {
+    file: BufWriter<File>,
+    written_bytes: u64,
+    /// Up to where the destination has it.
+    read_bytes: u64,
+    /// No rows, and the texts of all that were put aside.
+    texts: Batch,
+    wait: Duration,
+    next_try: Instant,
+}
+
+impl Spooled {
+    fn new(place: String, inner: Box<dyn Sink>, path: PathBuf, most_bytes: u64, meter: Arc<Meter>) -> Spooled {
+        Spooled {
+            place,
+            inner,
+            path,
+            most_bytes,
+            beginning: None,
+            has_begun: false,
+            there: Vec::new(),
+            away: None,
+            meter,
+        }
+    }
+
+    fn begin_inner(&mut self) -> Result<Watermark, LogError> {
+        let Some(kept) = &self.beginning else { return Ok(Watermark::none()) };
+        let begin = Begin {
+            run: &kept.run,
+            tables: &kept.tables,
+            time: kept.time,
+            run_column: &kept.run_column,
+            spreadsheet_safe: kept.spreadsheet_safe,
+            how: kept.how,
+        };
+        let there = self.inner.begin(&begin)?;
+        self.has_begun = true;
+        Ok(there)
+    }
+
+    /// From now on rows are put aside.
+    fn goes_away(&mut self) -> Result<(), LogError> {
+        let opened = OpenOptions::new().read(true).write(true).create(true).truncate(true).open(&self.path);
+        let file = BufWriter::new(opened.map_err(|error| LogError::file(&self.path, error))?);
+        let next_try = Instant::now() + FIRST_WAIT;
+        self.meter.puts_aside(true, 0);
+        self.away =
+            Some(Away { file, written_bytes: 0, read_bytes: 0, texts: Batch::default(), wait: FIRST_WAIT, next_try });
+        Ok(())
+    }
+
+    fn put_aside(&mut self, batch: &Batch) -> Result<(), LogError> {
+        let Some(away) = &mut self.away else { return Ok(()) };
+        let frame = write_frame(batch);
+        if away.written_bytes + frame.len() as u64 > self.most_bytes {
+            return Err(LogError::SpoolFull {
+                place: self.place.clone(),
+                spool: place_of(&self.path),
+                most_mb: self.most_bytes >> 20,
+            });
+        }
+        away.file.write_all(&frame).map_err(|error| LogError::file(&self.path, error))?;
+        away.written_bytes += frame.len() as u64;
+        self.meter.puts_aside(true, away.written_bytes - away.read_bytes);
+        away.texts = Batch::default().with_texts_of(batch);
+        Ok(())
+    }
+
+    /// Hands over what was put aside if it is time to try; an error that passes means that the destination is still away.
+    fn catch_up(&mut self, now: bool) -> Result<(), LogError> {
+        if self.away.as_ref().is_none_or(|away| !now && Instant::now() < away.next_try) {
+            return Ok(());
+        }
+        match self.hand_over() {
+            Ok(()) => {
+                self.away = None;
+                self.meter.puts_aside(false, 0);
+                let _ = fs::remove_file(&self.path);
+                Ok(())
+            }
+            Err(error) if error.passes() => {
+                self.meter.tries_again();
+                if let Some(away) = &mut self.away {
+                    away.wait = (2 * away.wait).min(LONGEST_WAIT);
+                    away.next_try = Instant::now() + away.wait;
+                }
+                Ok(())
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    fn hand_over(&mut self) -> Result<(), LogError> {
+        if !self.has_begun {
+            self.there = self.begin_inner()?.0;
+        }
+        let Some(away) = &mut self.away else { return Ok(()) };
+        let failed = |path: &Path| {
+            let path = path.to_owned();
+            move |error| LogError::file(&path, error)
+        };
+        away.file.flush().map_err(failed(&self.path))?;
+        let mut file = File::open(&self.path).map_err(failed(&self.path))?;
+        file.seek(SeekFrom::Start(away.read_bytes)).map_err(failed(&self.path))?;
+        let mut file = BufReader::with_capacity(1 << 16, file);
+        while away.read_bytes < away.written_bytes {
+            let (batch, bytes) = read_frame(&mut file, &away.texts).map_err(failed(&self.path))?;
+            // What it has already is counted down once: the same frame may be tried again.
+            let mut there = self.there.clone();
+            let rest = batch.beyond(&mut there);
+            if !rest.is_empty() {
+                self.inner.write(&rest)?;
+            }
+            self.there = there;
+            away.read_bytes += bytes;
+        }
+        self.inner.settle().map(|_| ())
+    }
+}
+
+impl Sink for Spooled {
+    fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
+        // What a program left that died is made again.
+        if let Err(error) = fs::remove_file(&self.path)
+            && error.kind() != std::io::ErrorKind::NotFound
+        {
+            return Err(LogError::file(&self.path, error));
+        }
+        self.beginning = Some(Beginning {
+            run: begin.run.clone(),
+            tables: begin.tables.to_vec(),
+            time: begin.time,
+            run_column: begin.run_column.to_owned(),
+            spreadsheet_safe: begin.spreadsheet_safe,
+            how: begin.how,
+        });
+        match self.begin_inner() {
+            Err(error) if error.passes() => {
+                self.goes_away()?;
+                Ok(Watermark::none())
+            }
+            begun => begun,
+        }
+    }
+
+    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
+        self.catch_up(false)?;
+        if self.away.is_some() {
+            return self.put_aside(batch);
+        }
+        let mut there = self.there.clone();
+        let rest = batch.beyond(&mut there);
+        match self.inner.write(&rest) {
+            Err(error) if error.passes() => {
+                self.goes_away()?;
+                self.put_aside(batch)
+            }
+            written => {
+                self.there = there;
+                written
+            }
+        }
+    }
+
+    fn settle(&mut self) -> Result<Watermark, LogError> {
+        self.catch_up(false)?;
+        if self.away.is_some() {
+            return Ok(Watermark::none());
+        }
+        match self.inner.settle() {
+            Err(error) if error.passes() => {
+                self.goes_away()?;
+                Ok(Watermark::none())
+            }
+            settled => settled,
+        }
+    }
+
+    fn finish(&mut self, end: Micros) -> Result<(), LogError> {
+        let until = Instant::now() + END_WAITS;
+        loop {
+            self.catch_up(true)?;
+            if self.away.is_none() {
+                match self.inner.finish(end) {
+                    Err(error) if error.passes() => self.goes_away()?,
+                    finished => return finished,
+                }
+            }
+            if Instant::now() >= until {
+                return Err(LogError::StillAway { place: self.place.clone(), seconds: END_WAITS.as_secs() });
+            }
+            std::thread::sleep(FIRST_WAIT);
+        }
+    }
+
+    fn is_behind(&self) -> bool {
+        self.away.is_some()
+    }
+}
+
+impl Drop for Spooled {
+    fn drop(&mut self) {
+        // Whoever goes on with the run makes these rows again.
+        if self.away.take().is_some() {
+            let _ = fs::remove_file(&self.path);
+        }
+    }
+}

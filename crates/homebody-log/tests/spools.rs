@@ -1,0 +1,131 @@
+//! A destination that is away while rows are put aside on disk: it gets each of them once, in their order, and nobody else waits.
+
+mod stage;
+
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::time::Micros;
+use homebody_log::logger::destinations;
+use homebody_log::table::{Batch, Cell};
+use homebody_log::{Begin, Destination, How, LogError, Logger, Policy, Sink, Stored, Watermark, WhenDown};
+use stage::Folder;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
+
+const ROWS: u64 = 60_000;
+
+const PLENTY_BYTES: u64 = 64 << 20;
+
+/// A server that is there or away by how often it was asked for anything.
+#[derive(Clone)]
+struct Server {
+    got: Arc<Mutex<Got>>,
+    asked: Arc<AtomicUsize>,
+    is_away: fn(usize) -> bool,
+}
+
+/// What it has: the numbers and texts of rows, of which some are not sure yet, and whether the end was told.
+#[derive(Default)]
+struct Got {
+    rows: Vec<(i64, String)>,
+    ended: bool,
+}
+
+impl Server {
+    fn new(is_away: fn(usize) -> bool) -> Server {
+        Server { got: Arc::default(), asked: Arc::default(), is_away }
+    }
+
+    fn answers(&self) -> Result<(), LogError> {
+        match (self.is_away)(self.asked.fetch_add(1, Ordering::Relaxed)) {
+            true => Err(LogError::destination("a server", "it is away").passing()),
+            false => Ok(()),
+        }
+    }
+
+    fn is_whole(&self) -> bool {
+        let got = self.got.lock().unwrap();
+        let sensors = stage::sensors();
+        got.ended
+            && got.rows.iter().map(|(number, _)| *number).eq(0..ROWS as i64)
+            && got.rows.iter().all(|(_, sensor)| sensors.contains(sensor))
+    }
+}
+
+impl Sink for Server {
+    fn begin(&mut self, _: &Begin) -> Result<Watermark, LogError> {
+        self.answers()?;
+        Ok(Watermark(vec![self.got.lock().unwrap().rows.len() as u64]))
+    }
+
+    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
+        self.answers()?;
+        let row = |cells: &[Cell]| match cells {
+            [Cell::Integer(number), _, Cell::Text(sensor), ..] => (*number, batch.text(*sensor).to_owned()),
+            _ => panic!("a row of a log"),
+        };
+        self.got.lock().unwrap().rows.extend(batch.rows().map(|found| row(found.cells)));
+        Ok(())
+    }
+
+    fn settle(&mut self) -> Result<Watermark, LogError> {
+        self.answers()?;
+        Ok(Watermark(vec![self.got.lock().unwrap().rows.len() as u64]))
+    }
+
+    fn finish(&mut self, _: Micros) -> Result<(), LogError> {
+        self.answers()?;
+        self.got.lock().unwrap().ended = true;
+        Ok(())
+    }
+}
+
+/// Stores a run into a file and a server, with what becomes of it while the server is away.
+fn stored(folder: &Folder, server: &Server, when: &WhenDown) -> Result<Stored, LogError> {
+    let mut all = destinations(&[folder.url("csv:log.csv")], How::Replace)?;
+    all.push(Destination::own("a server", server.clone(), Policy::default()).when_down(when));
+    let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), How::Replace)?;
+    stage::store(logger, &stage::firings(ROWS), 1000)
+}
+
+fn spool(folder: &Folder, most_bytes: u64) -> WhenDown {
+    WhenDown::Spool(folder.path().into(), most_bytes)
+}
+
+#[test]
+fn who_was_away_gets_every_row_once_and_no_spool_is_left() {
+    let ways: [(&str, fn(usize) -> bool); 5] = [
+        ("in-the-middle", |asked| (3..9).contains(&asked)),
+        ("at-the-beginning", |asked| asked < 4),
+        ("again-and-again", |asked| asked % 3 == 1),
+        ("until-the-end", |asked| (2..12).contains(&asked)),
+        ("never", |_| false),
+    ];
+    for (name, is_away) in ways {
+        let (folder, server) = (Folder::new(name), Server::new(is_away));
+        let stored = stored(&folder, &server, &spool(&folder, PLENTY_BYTES)).unwrap();
+        assert_eq!((stored.rows, server.is_whole()), (ROWS, true), "{name}");
+        assert_eq!(folder.files(), ["log.csv"], "{name}");
+    }
+    // The control: without a spool, the first time away ends the run.
+    let (folder, server) = (Folder::new("without"), Server::new(|asked| asked == 3));
+    assert!(stored(&folder, &server, &WhenDown::Error).is_err() && !server.is_whole());
+}
+
+#[test]
+fn who_has_the_beginning_already_gets_the_rest() {
+    let folder = Folder::new("beginning");
+    let server = Server::new(|asked| asked < 2);
+    let sensor = stage::sensors()[0].clone();
+    server.got.lock().unwrap().rows.extend((0..12_345).map(|number| (number, sensor.clone())));
+    let stored = stored(&folder, &server, &spool(&folder, PLENTY_BYTES)).unwrap();
+    assert_eq!((stored.rows, server.is_whole()), (ROWS, true));
+}
+
+#[test]
+fn a_full_spool_ends_the_run_and_says_how_to_go_on() {
+    let (folder, server) = (Folder::new("full"), Server::new(|asked| asked > 2));
+    let error = stored(&folder, &server, &spool(&folder, 1 << 20)).unwrap_err();
+    assert!(matches!(error, LogError::SpoolFull { most_mb: 1, .. }), "{error}");
+    assert!(error.to_string().contains("go on with the run in its folder"), "{error}");
+    assert!(!folder.files().iter().any(|name| name.ends_with(".spool")), "whoever goes on makes its rows again");
+}

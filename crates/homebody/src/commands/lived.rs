@@ -1,0 +1,305 @@
+//! Living a run: telling people how far it is, and what has become of it.
+
+use crate::failure::Failure;
+use crate::print::{print_json, print_text, tell};
+use crate::signals::Signals;
+use homebody_core::recording::Recording;
+use homebody_core::scenario::scheme::{NoPlace, SCHEMES, Scheme};
+use homebody_core::time::{Micros, SECOND, seconds};
+use homebody_kit::{Destination, Destinations, Difference, LiveRun, Lived, Progress, Url, VERSION, WhenDown};
+use homebody_log::sink::log_beside;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde_json::json;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// Where a run goes, and how much it says.
+#[derive(clap::Args)]
+pub struct Output {
+    /// Write the log here: sqlite:FILE, csv:FILE, jsonl:- and so on (homebody convert --help lists all); may be given several times
+    #[arg(long, value_name = "URL")]
+    pub out: Vec<Url>,
+    /// Write the ground truth into this SQLite file, or to csv:FILE, with a file for each table
+    #[arg(long, value_name = "FILE", value_parser = truth_place)]
+    pub truth: Option<Url>,
+    #[command(flatten)]
+    pub away: Away,
+    /// Replace files that exist
+    #[arg(long)]
+    pub force: bool,
+    /// Say nothing but errors
+    #[arg(long)]
+    pub quiet: bool,
+    /// Print the summary as one JSON object on standard output
+    #[arg(long)]
+    pub json: bool,
+}
+
+impl Output {
+    /// A bar that shows how far the run is, where somebody looks.
+    pub fn progress(&self, length: Micros) -> ProgressBar {
+        let hidden = self.quiet || self.json;
+        let target = if hidden { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+        let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {eta} left");
+        let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+        ProgressBar::with_draw_target(Some(length as u64), target).with_style(style)
+    }
+}
+
+/// What becomes of a run while a server that it writes to is away.
+#[derive(clap::Args)]
+pub struct Away {
+    /// What becomes of the run while a server of --out is away: it ends with an error, waits for the server, or goes on and puts
+    /// rows aside on disk until the server is back
+    #[arg(long, value_name = "WHAT", value_enum, default_value_t)]
+    on_sink_down: OnSinkDown,
+    /// Where rows are put aside
+    #[arg(long, value_name = "FOLDER", default_value = "spool")]
+    spool: PathBuf,
+    /// How much may be put aside for each server, in MB; beyond that the run ends, and can be gone on with
+    #[arg(long, value_name = "MB", default_value_t = 1024)]
+    spool_mb: u64,
+}
+
+#[derive(Clone, Copy, Default, PartialEq, clap::ValueEnum)]
+enum OnSinkDown {
+    #[default]
+    Error,
+    Retry,
+    Spool,
+}
+
+/// For so long a server is waited for (ours): whoever waits longer stops the run and goes on with it later.
+const RETRY_FOR: Duration = Duration::from_secs(86_400);
+
+impl Away {
+    /// The same for the library. The folder for what is put aside is made.
+    pub fn when(&self) -> Result<WhenDown, Failure> {
+        Ok(match self.on_sink_down {
+            OnSinkDown::Error => WhenDown::Error,
+            OnSinkDown::Retry => WhenDown::Retry(RETRY_FOR),
+            OnSinkDown::Spool => {
+                let failed = |error| Failure::Io(format!("{}: {error}", self.spool.display()));
+                std::fs::create_dir_all(&self.spool).map_err(failed)?;
+                WhenDown::Spool(self.spool.clone(), self.spool_mb.saturating_mul(1 << 20))
+            }
+        })
+    }
+}
+
+/// The destinations on servers beside a folder that is there already; files would be none of that folder's.
+pub fn servers(out: &[Url], away: &Away) -> Result<Vec<Destination>, Failure> {
+    if let Some(file) = out.iter().find(|url| url.server().is_none()) {
+        let what = format!("{file} cannot be begun in the middle of a run");
+        let hint =
+            "only servers are gone on with beside the folder; homebody convert carries its log elsewhere afterwards";
+        return Err(Failure::usage(format!("{what}\n  hint: {hint}")));
+    }
+    let when = away.when()?;
+    Ok(out.iter().map(|url| Destination::of(url).when_down(&when)).collect())
+}
+
+/// Lives a run to its end, or until it is told to stop, and tells what has become of it.
+pub fn live(run: LiveRun, record: Option<PathBuf>, output: &Output, signals: &Signals) -> Result<(), Failure> {
+    let Output { out, truth, force, away, .. } = output;
+    let to = Destinations {
+        log: out.clone(),
+        truth: truth.clone(),
+        recording: record,
+        replace: *force,
+        when_down: away.when()?,
+        ..Destinations::default()
+    };
+    if output.json && out.iter().any(Url::is_output) {
+        let hint = "leave --json out: the summary goes to standard error then";
+        return Err(Failure::Usage(format!("rows and the summary cannot both go to standard output\n  hint: {hint}")));
+    }
+    let name = run.scenario().file.name.clone();
+    let progress = output.progress(run.progress().length);
+    let lived = run.store(&to, |lived| show(&progress, 0, lived));
+    progress.finish_and_clear();
+    let lived = lived?;
+    report(&name, &lived, output)?;
+    signals.ended(lived.is_stopped())
+}
+
+/// Shows how far it is, where somebody looks; `before` of it was lived before this program began.
+pub fn show(progress: &ProgressBar, before: Micros, Progress { lived, length }: Progress) {
+    if !progress.is_hidden() {
+        progress.set_position(lived as u64);
+        let speed = speed_in_words(lived - before, progress.elapsed());
+        progress.set_message(format!("{} of {}, {speed}", span_in_words(lived), span_in_words(length)));
+    }
+}
+
+/// Tells people and scripts what has become of a run.
+pub fn report(name: &str, lived: &Lived, output: &Output) -> Result<(), Failure> {
+    let Lived { recording, stored, truth, recorded, progress, agrees, before, took, .. } = lived;
+    let Recording { firings, sha256, .. } = recording;
+    let path = |path: &Option<PathBuf>| path.as_ref().map(|path| path.display().to_string());
+    if output.json {
+        print_json(&json!({
+            "scenario": name,
+            "seed": recording.seed,
+            "simulated_s": seconds(progress.lived),
+            "stopped": lived.is_stopped(),
+            "took_s": took.as_secs_f64(),
+            "firings": firings,
+            "sha256": sha256,
+            "sentences": lived.differences,
+            "agrees_with_recording": agrees,
+            "rows": stored.rows,
+            "rows_by_sensor": lived.rows_by_sensor().map(|(name, rows)| (name.into(), rows.into()))
+                .collect::<serde_json::Map<String, serde_json::Value>>(),
+            "log": stored.places,
+            "truth": truth.as_ref().map(told),
+            "recording": path(recorded),
+            "folder": path(&lived.folder),
+        }))?;
+    } else if !output.quiet {
+        let summary = summary(name, lived);
+        // Rows on standard output stay alone there.
+        match output.out.iter().any(Url::is_output) {
+            true => tell(summary.trim_end()),
+            false => print_text(&summary)?,
+        }
+    }
+    if !output.quiet {
+        stored
+            .places
+            .iter()
+            .filter_map(|place| place.parse().ok())
+            .chain(truth.clone())
+            .for_each(|url| tell_reader(&url));
+    }
+    let Some(before) = before.as_ref().filter(|_| *agrees == Some(false)) else { return Ok(()) };
+    let (by, hint) = match before.version.as_str() {
+        VERSION => (String::new(), "the recording is not as the run wrote it".to_owned()),
+        version => (
+            format!(", which version {version} made; this is {VERSION}"),
+            "replay it with that version, or live its scenario anew".to_owned(),
+        ),
+    };
+    Err(Failure::Usage(format!(
+        "the replay differs from the recording{by}: {firings} firings, and {} in the recording\n  hint: {hint}",
+        before.firings
+    )))
+}
+
+/// Warns of who reads a database that is complete, and so keeps a part of it in a file beside.
+fn tell_reader(place: &Url) {
+    if let (Scheme::Sqlite, Some(file)) = (place.scheme(), place.file())
+        && let Some(beside) = log_beside(file)
+    {
+        let (file, beside) = (file.display(), beside.display());
+        tell(format_args!("warning: another program is reading {file}: until it is done, {beside} is a part of it"));
+    }
+}
+
+fn summary(name: &str, lived: &Lived) -> String {
+    let Lived { recording, stored, truth, recorded, progress, agrees, took, .. } = lived;
+    let span = match lived.is_stopped() {
+        true => format!("stopped after {} of {},", span_in_words(progress.lived), span_in_words(progress.length)),
+        false => span_in_words(progress.lived),
+    };
+    let (took, seed) = (took.as_secs_f64(), recording.seed);
+    let mut text = format!("{name}: {span} lived in {took:.2} s, seed {seed}\n\n");
+    let most = stored.by_sensor.iter().copied().max().unwrap_or(0).max(1);
+    let width = lived.rows_by_sensor().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+    for (name, rows) in lived.rows_by_sensor() {
+        let bar = "█".repeat((rows * 30).div_ceil(most) as usize);
+        text += &format!("  {name:width$} {rows:>8}  {bar}\n");
+    }
+    text += &format!("  {:width$} {:>8}\n\n", "rows", stored.rows);
+    for url in &stored.places {
+        text += &format!("log        {url}\n");
+    }
+    let recorded = recorded.as_ref().map(|path| path.display().to_string());
+    for (what, place) in [("truth", truth.as_ref().map(told)), ("recording", recorded)] {
+        if let Some(place) = place {
+            text += &format!("{what:10} {place}\n");
+        }
+    }
+    for (place, error) in &stored.failed {
+        text += &format!("failed     {place}: {error}\n");
+    }
+    text += &format!("firings    {} with SHA-256 {}\n", recording.firings, recording.sha256);
+    if *agrees == Some(true) {
+        text += "replay     the same as the recording, firing by firing\n";
+    }
+    text += &not_as_said(&lived.differences);
+    match &lived.folder {
+        _ if !lived.is_stopped() => {}
+        Some(folder) => text += &go_on_in(folder),
+        None => text += "go on      not this one: only a run without --out, which has a folder of its own\n",
+    }
+    text
+}
+
+/// So many sentences are told after a run (ours); `homebody routine check --lived` tells all.
+const MOST_TOLD: usize = 5;
+
+/// The sentences whose lives differ from their words, briefly.
+fn not_as_said(differences: &[Difference]) -> String {
+    let line = |of: &Difference| {
+        let said = of.text.split_whitespace().collect::<Vec<_>>().join(" ");
+        format!("not lived  {}:{}: {said} ({}; {})\n", of.file, of.line, of.expected, of.lived)
+    };
+    let mut text: String = differences.iter().take(MOST_TOLD).map(line).collect();
+    if let Some(more) = differences.len().checked_sub(MOST_TOLD).filter(|&more| more > 0) {
+        text += &format!("           and {more} more: homebody routine check --lived\n");
+    }
+    text
+}
+
+/// The place of a truth: a database where no kind is said.
+fn truth_place(text: &str) -> Result<Url, String> {
+    let is_kind = |(scheme, _): (&str, &str)| SCHEMES.iter().any(|row| row.name == scheme);
+    match text.split_once(':').is_some_and(is_kind) {
+        true => text.parse().map_err(|error: NoPlace| error.to_string()),
+        false => Ok(Url::new(Scheme::Sqlite, text)),
+    }
+}
+
+/// A database by its path alone, as it may be asked for.
+fn told(truth: &Url) -> String {
+    match (truth.scheme(), truth.file()) {
+        (Scheme::Sqlite, Some(file)) => file.display().to_string(),
+        _ => truth.to_string(),
+    }
+}
+
+/// The last line of what is told of a run or a cohort that was stopped: how to go on with it.
+pub fn go_on_in(folder: &Path) -> String {
+    format!("go on      homebody run --resume {}\n", folder.display())
+}
+
+/// How fast it goes: as a pace that one may ask for, or beyond those in what goes by in a second.
+pub fn speed_in_words(lived: Micros, took: Duration) -> String {
+    match seconds(lived) / took.as_secs_f64() {
+        times if times < 1050.0 => format!("{times:.0} times as fast as life"),
+        times => format!("{} a second", span_in_words((times * SECOND as f64) as Micros)),
+    }
+}
+
+pub fn span_in_words(span: Micros) -> String {
+    let of = |unit: Micros, name: &str| {
+        let count = span as f64 / (unit * SECOND) as f64;
+        let rounded = format!("{count:.1}");
+        let count = rounded.trim_end_matches(".0");
+        format!("{count} {name}{}", if count == "1" { "" } else { "s" })
+    };
+    match span / SECOND {
+        0..120 => of(1, "second"),
+        120..7200 => of(60, "minute"),
+        7200..172_800 => of(3600, "hour"),
+        _ => of(86_400, "day"),
+    }
+}
+
+/// Tells what has become of a home that was lived on the world's clock and stopped.
+pub fn report_live(name: &str, folder: &Path, lived: &Lived) {
+    let rows = lived.stored.rows;
+    tell(format_args!("{name}: {} lived, {rows} rows, in {}", span_in_words(lived.progress.lived), folder.display()));
+    lived.stored.failed.iter().for_each(|(place, error)| tell(format_args!("failed     {place}: {error}")));
+}
