@@ -185,8 +185,12 @@ impl LiveRun {
         let mut places = to.places(&self)?;
         let servers = places.log.extract_if(.., |url| url.server().is_some());
         let servers: Vec<Destination> = servers.map(|url| Destination::of(&url).when_down(&to.when_down)).collect();
+        let servers = servers.into_iter().map(|server| match folder_of(&places) {
+            Some(folder) => server.remembered_in(&folder),
+            None => server,
+        });
         let how = if to.replace { How::Replace } else { How::New };
-        let lived = self.store_into(&places, servers.into_iter().chain(own).collect(), how, progress);
+        let lived = self.store_into(&places, servers.chain(own).collect(), how, progress);
         if lived.is_err() {
             // What was stored before the failure stays.
             places.give_up();

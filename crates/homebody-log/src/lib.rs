@@ -42,6 +42,7 @@ mod packed;
 
 pub mod logger;
 pub mod spool;
+pub mod remembered;
 pub mod truth;
 
 pub mod run_log;

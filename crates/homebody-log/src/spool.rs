@@ -64,7 +64,7 @@ impl Destination {
 }
 
 /// A place as a file's name.
-fn file_name(place: &str) -> String {
+pub(crate) fn file_name(place: &str) -> String {
     let plain: String = place.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).take(80).collect();
     plain.split('-').filter(|part| !part.is_empty()).collect::<Vec<_>>().join("-")
 }

@@ -121,6 +121,49 @@ fn who_has_the_beginning_already_gets_the_rest() {
     assert_eq!((stored.rows, server.is_whole()), (ROWS, true));
 }
 
+/// A destination that counts what it was given since it was begun, and cannot say what it had before.
+#[derive(Clone, Default)]
+struct Forgetful(Arc<Mutex<Vec<i64>>>, Arc<AtomicUsize>);
+
+impl Sink for Forgetful {
+    fn begin(&mut self, _: &Begin) -> Result<Watermark, LogError> {
+        self.1.store(0, Ordering::Relaxed);
+        Ok(Watermark::none())
+    }
+
+    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
+        self.1.fetch_add(batch.len(), Ordering::Relaxed);
+        let number = |cell: &Cell| if let Cell::Integer(number) = *cell { number } else { panic!("a number") };
+        self.0.lock().unwrap().extend(batch.rows().map(|row| number(&row.cells[0])));
+        Ok(())
+    }
+
+    fn settle(&mut self) -> Result<Watermark, LogError> {
+        Ok(Watermark(vec![self.1.load(Ordering::Relaxed) as u64]))
+    }
+
+    fn finish(&mut self, _: Micros) -> Result<(), LogError> {
+        Ok(())
+    }
+}
+
+#[test]
+fn what_is_confirmed_is_not_given_again_to_who_forgets_it() {
+    let (folder, forgetful) = (Folder::new("forgetful"), Forgetful::default());
+    let lived = |rows, how| {
+        let own = Destination::own("a pipe", forgetful.clone(), Policy::default()).remembered_in(folder.path());
+        let logger = Logger::open(vec![own], &LoggerFile::default(), &Arc::new(stage::run()), how).unwrap();
+        stage::store(logger, &stage::firings(rows), 1000).unwrap();
+    };
+    lived(ROWS / 3, How::New);
+    lived(ROWS / 2, How::GoOn);
+    lived(ROWS, How::GoOn);
+    assert!(forgetful.0.lock().unwrap().iter().copied().eq(0..ROWS as i64));
+    // The control: nothing is left out for a run that begins anew.
+    lived(ROWS, How::New);
+    assert_eq!(forgetful.0.lock().unwrap().len() as u64, 2 * ROWS);
+}
+
 #[test]
 fn a_full_spool_ends_the_run_and_says_how_to_go_on() {
     let (folder, server) = (Folder::new("full"), Server::new(|asked| asked > 2));

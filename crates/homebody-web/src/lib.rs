@@ -40,5 +40,7 @@ mod doorway;
 mod page;
 pub mod server;
 mod socket;
+mod metrics;
 
+pub use metrics::serve_metrics;
 pub use server::{Address, Options, ServeError, serve};

@@ -170,7 +170,7 @@ fn listen(options: &Options) -> Result<TcpListener, ServeError> {
     Err(ServeError::NoPort { ip, first: FIRST_PORT, last })
 }
 
-fn bind(address: SocketAddr) -> io::Result<TcpListener> {
+pub(crate) fn bind(address: SocketAddr) -> io::Result<TcpListener> {
     let socket = if address.is_ipv4() { TcpSocket::new_v4()? } else { TcpSocket::new_v6()? };
     // A server that has just ended leaves connections that block its port. Elsewhere than on Unix the option means another thing.
     #[cfg(unix)]

@@ -56,6 +56,7 @@ impl From<LogError> for Failure {
             | LogError::NoMapping { .. }
             | LogError::SensorMap { .. }
             | LogError::NoPlace(_)
+            | LogError::NotBuiltIn { .. }
             | LogError::Zone(_) => Failure::Usage(error.to_string()),
             LogError::Unmade { .. } => Failure::Io(format!("{error}; --out writes elsewhere")),
             LogError::Exists { place } => Failure::Io(format!("{place} exists already\n  hint: --force replaces it")),

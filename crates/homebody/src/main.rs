@@ -12,13 +12,14 @@ mod sensor_table;
 mod signals;
 mod start;
 mod traced;
+mod watched;
 
 use clap::{CommandFactory, Parser};
 use commands::Command;
 use failure::{EXIT_CODES, Failure};
 use homebody_core::problem::counted;
 use homebody_kit::{TRUST, VERSION};
-use print::tell;
+use print::{Told, tell, tell_as};
 use std::process::ExitCode;
 
 /// Simulates homes wired with sensors and the people who live in them.
@@ -27,6 +28,9 @@ use std::process::ExitCode;
 struct Arguments {
     #[command(subcommand)]
     command: Command,
+    /// How what is said besides is told on standard error
+    #[arg(long = "log", global = true, value_enum, default_value_t, value_name = "FORM")]
+    told: Told,
 }
 
 const EXAMPLES: &str = "\
@@ -42,7 +46,9 @@ const SIGNALS: &str =
 fn main() -> ExitCode {
     signals::outlive_full_files();
     homebody_kit::elsewhere::install_all();
-    match Arguments::parse().command.run(Arguments::command) {
+    let arguments = Arguments::parse();
+    tell_as(arguments.told);
+    match arguments.command.run(Arguments::command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => report(&failure),
     }

@@ -2,8 +2,10 @@
 
 use crate::failure::Failure;
 use homebody_log::fresh::FreshFile;
+use jiff::Timestamp;
 use std::borrow::Cow;
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A JSON object as files and scripts get it.
 pub fn json_text(value: &impl serde::Serialize) -> Result<String, Failure> {
@@ -34,7 +36,37 @@ pub fn write_file(path: &Path, bytes: &[u8], force: bool) -> Result<(), Failure>
 /// Tells people something on standard error; that nobody listens there is no error.
 pub fn tell(text: impl std::fmt::Display) {
     use std::io::Write;
-    let _ = writeln!(std::io::stderr().lock(), "{}", seen(&text.to_string()));
+    let text = text.to_string();
+    let text = seen(&text);
+    let _ = match IN_JSON.load(Ordering::Relaxed) {
+        true => writeln!(std::io::stderr().lock(), "{}", as_json(&text, Timestamp::now())),
+        false => writeln!(std::io::stderr().lock(), "{text}"),
+    };
+}
+
+/// How people, or programs that collect logs, are told something.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Told {
+    /// As lines of text.
+    #[default]
+    Text,
+    /// As a JSON object a line, with time, level and message.
+    Json,
+}
+
+static IN_JSON: AtomicBool = AtomicBool::new(false);
+
+/// From now on everything is told like this.
+pub fn tell_as(told: Told) {
+    IN_JSON.store(told == Told::Json, Ordering::Relaxed);
+}
+
+/// What is told as an object.
+fn as_json(text: &str, now: Timestamp) -> serde_json::Value {
+    let levels = [("error: ", "error"), ("warning: ", "warning")];
+    let named = levels.iter().find_map(|(begins, level)| Some((text.strip_prefix(begins)?, *level)));
+    let (message, level) = named.unwrap_or((text, "info"));
+    serde_json::json!({ "time": now.to_string(), "level": level, "message": message })
 }
 
 /// The text with a mark for each character that a terminal would obey: names come from files that anybody may have written.
@@ -46,6 +78,19 @@ fn seen(text: &str) -> Cow<'_, str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_told_is_an_object_where_programs_collect_it() {
+        let told = |text| as_json(text, Timestamp::from_second(0).unwrap());
+        let object = told("warning: the \"hall\"\nis dark");
+        assert_eq!(object["level"], "warning");
+        assert_eq!(
+            (&object["message"], &object["time"]),
+            (&"the \"hall\"\nis dark".into(), &"1970-01-01T00:00:00Z".into())
+        );
+        assert_eq!((told("error: no")["level"].as_str(), told("so")["level"].as_str()), (Some("error"), Some("info")));
+        assert!(!told("two\nlines").to_string().contains('\n'));
+    }
 
     #[test]
     fn no_terminal_obeys_a_name() {

@@ -6,6 +6,7 @@ use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
 use crate::signals::Signals;
 use crate::start::Start;
+use crate::watched::Watched;
 use homebody_core::time::SECOND;
 use homebody_kit::{Destination, LiveHome, Meters, Progress, Url};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -23,7 +24,7 @@ use std::time::{Duration, Instant};
   homebody live scenarios/tigerplace
   homebody live scenarios/tigerplace --from 2026-11-01 --out postgresql://ann@localhost/homes
   homebody live scenarios/tigerplace --out mqtt://localhost/homebody --on-sink-down spool
-  homebody live scenarios/tigerplace --out jsonl:- | consumer
+  homebody live scenarios/tigerplace --out jsonl:- --metrics 9464 | consumer
 
 {EXIT_CODES},
 129, 130 or 143 it was ended by SIGHUP, SIGINT or SIGTERM; what was lived is stored."))]
@@ -50,6 +51,8 @@ pub struct Arguments {
     out: Vec<Url>,
     #[command(flatten)]
     away: Away,
+    #[command(flatten)]
+    watched: Watched,
     /// Say nothing but errors
     #[arg(long)]
     quiet: bool,
@@ -66,6 +69,7 @@ impl Arguments {
         let (outputs, elsewhere): (Vec<Url>, Vec<Url>) = self.out.iter().cloned().partition(Url::is_output);
         let mut own = servers(&elsewhere, &self.away)?;
         own.extend(outputs.iter().map(Destination::of));
+        let own: Vec<Destination> = own.into_iter().map(|own| own.remembered_in(&folder)).collect();
         let home = match LiveHome::is_there(&folder) {
             true => LiveHome::go_on(&folder)?,
             false => {
@@ -84,7 +88,7 @@ impl Arguments {
             let since = home.scenario().calendar.wall_clock(0);
             tell(format_args!("{} {how} in {}, from {since} on; Ctrl-C stops it", opened.name(), folder.display()));
         }
-        let (name, meters) = (opened.name().to_owned(), Meters::default());
+        let (name, meters) = (opened.name().to_owned(), self.watched.begin(opened.name())?);
         let mut watch = Watch::new(self.quiet, &meters);
         let lived = home.live(own, &meters, signals.cancel(), |progress| watch.look(progress))?;
         watch.bar.finish_and_clear();

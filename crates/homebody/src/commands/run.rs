@@ -10,6 +10,7 @@ use crate::pace::Asked;
 use crate::print::print_text;
 use crate::signals::Signals;
 use crate::start::Start;
+use crate::watched::Watched;
 use homebody_core::time::Micros;
 use homebody_kit::{Error, LIST, LivedCohort, OpenScenario, Unfinished, UnfinishedCohort};
 use homebody_log::LogError;
@@ -98,6 +99,8 @@ pub struct Arguments {
     record: Option<PathBuf>,
     #[command(flatten)]
     pace: Asked,
+    #[command(flatten)]
+    watched: Watched,
 }
 
 /// The name of a number and what it is set to.
@@ -170,6 +173,7 @@ impl Arguments {
         }
         let run = opened.run().seed(seed).length(length).without(&self.without);
         let run = run.pace(self.pace.pace()).commands(self.pace.commands()?).cancel(cancel).start()?;
+        let run = run.metered(&self.watched.begin(opened.name())?);
         self.remark(&opened, length);
         live(run, self.record, &self.output, &signals)
     }
@@ -191,6 +195,9 @@ impl Arguments {
         let run = Unfinished::open(folder).map_err(not_gone_on_with)?;
         let run = run.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
         let servers = servers(&self.output.out, &self.output.away)?;
+        let servers = servers.into_iter().map(|server| server.remembered_in(folder)).collect();
+        let meters = self.watched.begin(&run.scenario().file.name)?;
+        let run = run.metered(&meters);
         let name = run.scenario().file.name.clone();
         let progress = self.output.progress(run.progress().length);
         let lived = run.go_on_with(servers, |lived| show(&progress, 0, lived));

@@ -24,6 +24,7 @@ mod days;
 mod figures;
 mod labels;
 mod lives;
+mod live_homes;
 mod truths;
 mod walked_back;
 mod calibrated;

@@ -1,0 +1,95 @@
+//! Destinations that cannot say how far they hold a run, such as standard output or a broker: what they have confirmed is noted in a
+//! file beside the run, so that going on does not give it again.
+//!
+//! What was given and not noted before the program died is given again, with the same numbers: such a destination gets each row at
+//! least once.
+
+use crate::error::LogError;
+use crate::logger::Destination;
+use crate::sink::{Begin, How, Sink, Watermark};
+use crate::spool::file_name;
+use crate::table::Batch;
+use homebody_core::time::Micros;
+use serde::{Deserialize, Serialize};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+impl Destination {
+    /// The same, with what it has confirmed noted in this folder.
+    pub fn remembered_in(self, folder: &Path) -> Destination {
+        let path = folder.join(format!("{}.confirmed.json", file_name(&self.place)));
+        Destination { sink: Box::new(Remembered { inner: self.sink, path, noted: None, left_out: Vec::new() }), ..self }
+    }
+}
+
+struct Remembered {
+    inner: Box<dyn Sink>,
+    path: PathBuf,
+    noted: Option<Note>,
+    /// By table, how many rows it was not given this time, as they are noted: it counts from there.
+    left_out: Vec<u64>,
+}
+
+/// What is in the file.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+struct Note {
+    /// The run's id.
+    run: i64,
+    /// By table, how many rows are confirmed.
+    rows: Vec<u64>,
+}
+
+impl Remembered {
+    /// What is noted of this run; nothing where the file is of another, or damaged.
+    fn read(&self, run: i64) -> Option<Note> {
+        let note: Note = serde_json::from_slice(&fs::read(&self.path).ok()?).ok()?;
+        (note.run == run).then_some(note)
+    }
+
+    /// Notes what has been confirmed by now, and returns it: what was left out, and what was given since.
+    fn note(&mut self, confirmed: &Watermark) -> Result<Watermark, LogError> {
+        let tables = self.left_out.len().max(confirmed.0.len());
+        let left_out = |table: usize| self.left_out.get(table).copied().unwrap_or(0);
+        let rows: Vec<u64> = (0..tables).map(|table| left_out(table) + confirmed.of(table)).collect();
+        let Some(noted) = self.noted.as_mut().filter(|noted| noted.rows != rows) else { return Ok(Watermark(rows)) };
+        noted.rows.clone_from(&rows);
+        let failed = |error| LogError::file(&self.path, error);
+        let part = self.path.with_extension("part");
+        // It has its name once it is whole.
+        fs::write(&part, serde_json::to_vec(noted)?).map_err(failed)?;
+        fs::rename(&part, &self.path).map_err(failed)?;
+        Ok(Watermark(rows))
+    }
+}
+
+impl Sink for Remembered {
+    fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
+        let known = if begin.how == How::GoOn { self.read(begin.run.id) } else { None };
+        let there = self.inner.begin(begin)?;
+        let noted = known.unwrap_or(Note { run: begin.run.id, rows: Vec::new() });
+        let known = Watermark(noted.rows.clone());
+        let tables = there.0.len().max(known.0.len());
+        self.left_out = (0..tables).map(|table| known.of(table).saturating_sub(there.of(table))).collect();
+        self.noted = Some(noted);
+        Ok(Watermark((0..tables).map(|table| there.of(table).max(known.of(table))).collect()))
+    }
+
+    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
+        self.inner.write(batch)
+    }
+
+    fn settle(&mut self) -> Result<Watermark, LogError> {
+        let confirmed = self.inner.settle()?;
+        self.note(&confirmed)
+    }
+
+    fn finish(&mut self, end: Micros) -> Result<(), LogError> {
+        let confirmed = self.inner.settle()?;
+        self.note(&confirmed)?;
+        self.inner.finish(end)
+    }
+
+    fn is_behind(&self) -> bool {
+        self.inner.is_behind()
+    }
+}

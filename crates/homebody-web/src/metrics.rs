@@ -1,0 +1,60 @@
+//! Numbers of a run for who watches programs from outside: a text, asked for again and again, at an address of its own.
+
+use crate::connections;
+use crate::guard::{Guard, watch};
+use crate::server::{ServeError, bind};
+use axum::Router;
+use axum::http::header;
+use axum::middleware;
+use axum::routing::get;
+use std::io::{self, ErrorKind};
+use std::net::SocketAddr;
+use std::sync::mpsc::sync_channel;
+use std::thread;
+
+/// The text format of Prometheus, version 0.0.4.
+const TEXT: &str = "text/plain; version=0.0.4; charset=utf-8";
+
+/// Serves a text at `/metrics`, made anew for each who asks, until the program ends; returns where. It is answered under the
+/// address's own names alone, as the page is, and needs no token: it holds counts and nothing of anybody's life.
+///
+/// # Errors
+///
+/// [`ServeError::Port`] or [`ServeError::Foreign`] if the address cannot be listened to.
+pub fn serve_metrics(
+    address: SocketAddr,
+    text: impl Fn() -> String + Clone + Send + Sync + 'static,
+) -> Result<SocketAddr, ServeError> {
+    let (bound, is_bound) = sync_channel(1);
+    let serving = move || {
+        let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(1).enable_all().build();
+        let begun = runtime.map_err(ServeError::Broken).and_then(|runtime| {
+            let _entered = runtime.enter();
+            let listener = bind(address).map_err(|source| match source.kind() {
+                ErrorKind::AddrNotAvailable => ServeError::Foreign(address.ip()),
+                _ => ServeError::Port { address, source },
+            })?;
+            let address = listener.local_addr().map_err(ServeError::Broken)?;
+            let guard = Guard::new(address).map_err(ServeError::Token)?;
+            drop(_entered);
+            Ok((runtime, listener, address, guard))
+        });
+        match begun {
+            Err(error) => drop(bound.send(Err(error))),
+            Ok((runtime, listener, address, guard)) => {
+                let answer = move || {
+                    let text = text();
+                    async move { ([(header::CONTENT_TYPE, TEXT)], text) }
+                };
+                let routes = Router::new().route("/metrics", get(answer));
+                let routes = routes.layer(middleware::from_fn_with_state(guard, watch));
+                if bound.send(Ok(address)).is_ok() {
+                    // It ends with the program.
+                    let _ = runtime.block_on(connections::serve(listener, routes));
+                }
+            }
+        }
+    };
+    thread::Builder::new().name("metrics".into()).spawn(serving).map_err(ServeError::Broken)?;
+    is_bound.recv().unwrap_or_else(|_| Err(ServeError::Broken(io::ErrorKind::BrokenPipe.into())))
+}

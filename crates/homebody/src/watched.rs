@@ -1,0 +1,109 @@
+//! How a run is watched from outside: its numbers in the text format of Prometheus, by `--metrics`.
+
+use crate::failure::Failure;
+use crate::print::tell;
+use homebody_core::time::SECOND;
+use homebody_kit::{Meters, Seen};
+use homebody_log::meter::Reading;
+use homebody_web::serve_metrics;
+use jiff::Timestamp;
+use std::fmt::Write;
+use std::net::{Ipv4Addr, SocketAddr};
+
+/// Where numbers are asked for.
+#[derive(clap::Args)]
+pub struct Watched {
+    /// Serve the run's numbers in the text format of Prometheus at this port of 127.0.0.1, or at IP:PORT: rows, how far behind, retries,
+    /// what is put aside
+    #[arg(long, value_name = "PORT", value_parser = address)]
+    metrics: Option<SocketAddr>,
+}
+
+fn address(text: &str) -> Result<SocketAddr, String> {
+    let port = text.parse::<u16>().map(|port| (Ipv4Addr::LOCALHOST, port).into());
+    port.or_else(|_| text.parse()).map_err(|_| "write a port, such as 9464, or IP:PORT".into())
+}
+
+impl Watched {
+    /// Begins to serve the numbers of a run, where somebody wants them.
+    pub fn begin(&self, scenario: &str) -> Result<Meters, Failure> {
+        let meters = Meters::default();
+        if let Some(address) = self.metrics {
+            if !address.ip().is_loopback() {
+                tell(format_args!("warning: who can reach {address} can read the run's numbers"));
+            }
+            let (seen, name) = (meters.clone(), scenario.to_owned());
+            let bound = serve_metrics(address, move || text(&name, &seen.look(), Timestamp::now()))?;
+            tell(format_args!("numbers    http://{bound}/metrics"));
+        }
+        Ok(meters)
+    }
+}
+
+/// A family of numbers: its name, its type, its help and the number of each destination.
+type Family = (&'static str, &'static str, &'static str, fn(&Reading) -> u64);
+
+const OF_DESTINATIONS: [Family; 5] = [
+    ("homebody_rows_total", "counter", "Rows that a destination has taken, or that were put aside for it.", |r| r.rows),
+    ("homebody_rows_durable_total", "counter", "Rows that a destination has confirmed.", |r| r.durable),
+    ("homebody_retries_total", "counter", "How often a call to a destination was made again.", |r| r.retries),
+    ("homebody_spool_bytes", "gauge", "Bytes of rows that are put aside for a destination.", |r| r.spooled_bytes),
+    ("homebody_destination_up", "gauge", "Whether a destination is there.", |r| u64::from(!r.is_away)),
+];
+
+/// The numbers as text.
+fn text(scenario: &str, seen: &Seen, now: Timestamp) -> String {
+    let mut text = String::new();
+    let scenario = escaped(scenario);
+    let behind = seen.now.map(|at| (now.as_microsecond() - at.as_microsecond()) as f64 / SECOND as f64);
+    let lived = seen.lived as f64 / SECOND as f64;
+    let of_run = [
+        ("homebody_simulated_seconds_total", "counter", "How much of the run has been lived.", Some(lived)),
+        ("homebody_lag_seconds", "gauge", "How far the run is behind the world's clock; below 0 it is ahead.", behind),
+    ];
+    for (name, kind, help, value) in of_run {
+        let Some(value) = value else { continue };
+        // A string takes whatever is written to it.
+        let _ = writeln!(text, "# HELP {name} {help}\n# TYPE {name} {kind}\n{name}{{scenario=\"{scenario}\"}} {value}");
+    }
+    for (name, kind, help, value) in OF_DESTINATIONS {
+        let _ = writeln!(text, "# HELP {name} {help}\n# TYPE {name} {kind}");
+        for (place, reading) in &seen.destinations {
+            let (place, value) = (escaped(place), value(reading));
+            let _ = writeln!(text, "{name}{{scenario=\"{scenario}\",destination=\"{place}\"}} {value}");
+        }
+    }
+    text
+}
+
+/// A label's value, as the format wants it.
+fn escaped(text: &str) -> String {
+    text.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', "\\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_told_as_prometheus_reads_them() {
+        let reading = Reading { rows: 12, durable: 10, retries: 1, spooled_bytes: 99, is_away: true, last: 0 };
+        let now = Timestamp::from_second(1000).unwrap();
+        let seen = Seen {
+            now: Timestamp::from_second(998).ok(),
+            lived: 3 * SECOND / 2,
+            destinations: vec![("csv:\"a\".csv".into(), reading)],
+        };
+        let text = text("studio", &seen, now);
+        for line in [
+            "# TYPE homebody_lag_seconds gauge",
+            "homebody_lag_seconds{scenario=\"studio\"} 2",
+            "homebody_simulated_seconds_total{scenario=\"studio\"} 1.5",
+            "homebody_rows_total{scenario=\"studio\",destination=\"csv:\\\"a\\\".csv\"} 12",
+            "homebody_spool_bytes{scenario=\"studio\",destination=\"csv:\\\"a\\\".csv\"} 99",
+            "homebody_destination_up{scenario=\"studio\",destination=\"csv:\\\"a\\\".csv\"} 0",
+        ] {
+            assert!(text.lines().any(|told| told == line), "{line}\n{text}");
+        }
+    }
+}

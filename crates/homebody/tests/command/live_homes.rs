@@ -1,0 +1,109 @@
+//! Homes on the world's clock: they go on after a stop or a death without a gap, and what they leave is what a run leaves.
+
+use crate::folder::Folder;
+use std::fs::File;
+use std::io::{Read, Write};
+use std::net::TcpStream;
+use std::process::{Child, Command};
+
+/// A home that is lived, what it says going into files: nobody waits for who does not read.
+struct Living<'f> {
+    folder: &'f Folder,
+    child: Child,
+    name: &'static str,
+}
+
+impl<'f> Living<'f> {
+    fn begin(folder: &'f Folder, name: &'static str, words: &str) -> Living<'f> {
+        let file = |what: &str| File::create(folder.path(&format!("{name}.{what}"))).unwrap();
+        let child = folder.command(words).stdout(file("out")).stderr(file("err")).spawn().unwrap();
+        Living { folder, child, name }
+    }
+
+    /// Ends it by a signal; its exit code, and the numbers of the rows that it has given.
+    fn end(mut self, signal: &str) -> (Option<i32>, Vec<u64>) {
+        let kill = Command::new("sh").args(["-c", &format!("kill -{signal} {}", self.child.id())]).status();
+        assert!(kill.unwrap().success());
+        let code = self.child.wait().unwrap().code();
+        assert!(!self.told().contains("panicked"), "{}", self.told());
+        (code, numbers(&self.folder.read(&format!("{}.out", self.name))))
+    }
+
+    /// What it has said besides.
+    fn told(&self) -> String {
+        self.folder.read(&format!("{}.err", self.name))
+    }
+}
+
+/// The numbers of rows as they were given; one that a death has cut short is none.
+fn numbers(rows: &str) -> Vec<u64> {
+    let object = |line: &str| serde_json::from_str::<serde_json::Value>(line).ok();
+    rows.lines().filter_map(object).map(|row| row["seq"].as_u64().unwrap()).collect()
+}
+
+#[test]
+fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
+    let folder = Folder::new();
+    folder.copy_scenario("studio");
+    folder.edit("studio/logger.json", "casas:log.txt", "sqlite:log.db");
+    let stored = || folder.stored_rows("home/log.db");
+
+    // Days are caught up with in seconds; then it is stopped.
+    let home = Living::begin(&folder, "first", "live studio --folder home --from 2026-11-20 --out jsonl:-");
+    folder.until("it has begun", |_| stored() > 1000);
+    let (code, first) = home.end("TERM");
+    assert_eq!(code, Some(143));
+    assert!(first.iter().copied().eq(0..first.len() as u64), "every row once, in order");
+    assert_eq!(stored(), first.len() as i64);
+    folder.run("replay home/recording.json --out csv:again.csv").ok();
+
+    // What has passed meanwhile is lived, and nothing is given twice.
+    let home = Living::begin(&folder, "second", "live studio --folder home --out jsonl:-");
+    folder.until("it has gone on", |_| stored() > first.len() as i64);
+    let (code, second) = home.end("INT");
+    assert_eq!(code, Some(130));
+    assert!(second.iter().copied().eq(first.len() as u64..stored() as u64), "{:?}", second.first());
+
+    // After a death some rows may be given again, by their numbers, and none is missing.
+    let killed = || folder.stored_rows("killed/log.db");
+    let home = Living::begin(&folder, "third", "live studio --folder killed --from 2026-11-20 --out jsonl:-");
+    folder.until("it has begun", |_| killed() > 1000);
+    let (_, before) = home.end("KILL");
+    let home = Living::begin(&folder, "fourth", "live studio --folder killed --out jsonl:-");
+    folder.until("it has gone on", |_| killed() > before.len() as i64);
+    let (_, after) = home.end("TERM");
+    assert!(after[0] <= before.len() as u64, "{} and {}", before.len(), after[0]);
+    assert!(after.iter().copied().eq(after[0]..killed() as u64));
+    folder.run("replay killed/recording.json --out csv:killed.csv").ok();
+
+    // Another scenario has another folder.
+    folder.copy_scenario("tigerplace");
+    folder.run("live tigerplace --folder home").fails(2, "--folder");
+    folder.run("live studio --from yesterday").fails(2, "now, today, 2026-11-01");
+    folder.run("live studio --out csv:rows.csv").fails(2, "homebody convert");
+}
+
+#[test]
+fn the_numbers_of_a_run_are_served_under_their_own_name_alone() {
+    let folder = Folder::new();
+    folder.copy_scenario("studio");
+    let home = Living::begin(&folder, "watched", "live studio --metrics 127.0.0.1:0");
+    folder.until("it says where", |_| home.told().contains("/metrics"));
+    let told = home.told();
+    let address = told.split("http://").nth(1).unwrap().split('/').next().unwrap().to_owned();
+    let ask = |host: &str| {
+        let mut stream = TcpStream::connect(&address).unwrap();
+        write!(stream, "GET /metrics HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n").unwrap();
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer).unwrap();
+        answer
+    };
+    let numbers = ask(&address);
+    assert!(
+        numbers.starts_with("HTTP/1.1 200") && numbers.contains("homebody_lag_seconds{scenario=\"studio\"}"),
+        "{numbers}"
+    );
+    assert!(ask("evil.example").starts_with("HTTP/1.1 403"));
+    assert_eq!(home.end("TERM").0, Some(143));
+    folder.run("run studio --for 1h --metrics nowhere --out csv:a.csv").fails(2, "IP:PORT");
+}
