@@ -48,8 +48,8 @@ fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
     folder.edit("studio/logger.json", "casas:log.txt", "sqlite:log.db");
     let stored = || folder.stored_rows("home/log.db");
 
-    // Days are caught up with in seconds; then it is stopped.
-    let home = Living::begin(&folder, "first", "live studio --folder home --from 2026-11-20 --out jsonl:-");
+    // Years are caught up with in a while; meanwhile it is stopped.
+    let home = Living::begin(&folder, "first", "live studio --folder home --from 2024-11-01 --out jsonl:-");
     folder.until("it has begun", |_| stored() > 1000);
     let (code, first) = home.end("TERM");
     assert_eq!(code, Some(143));
@@ -66,7 +66,7 @@ fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
 
     // After a death some rows may be given again, by their numbers, and none is missing.
     let killed = || folder.stored_rows("killed/log.db");
-    let home = Living::begin(&folder, "third", "live studio --folder killed --from 2026-11-20 --out jsonl:-");
+    let home = Living::begin(&folder, "third", "live studio --folder killed --from 2024-11-01 --out jsonl:-");
     folder.until("it has begun", |_| killed() > 1000);
     let (_, before) = home.end("KILL");
     let home = Living::begin(&folder, "fourth", "live studio --folder killed --out jsonl:-");
@@ -98,6 +98,7 @@ fn the_numbers_of_a_run_are_served_under_their_own_name_alone() {
         stream.read_to_string(&mut answer).unwrap();
         answer
     };
+    folder.until("it has begun", |_| ask(&address).contains("homebody_lag_seconds"));
     let numbers = ask(&address);
     assert!(
         numbers.starts_with("HTTP/1.1 200") && numbers.contains("homebody_lag_seconds{scenario=\"studio\"}"),
