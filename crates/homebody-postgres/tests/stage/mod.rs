@@ -110,7 +110,7 @@ impl Server {
             self.keeper = Some(command.spawn().unwrap());
             let tried = Instant::now();
             while tried.elapsed() < Duration::from_secs(10) {
-                if self.psql_in("postgres", "SELECT 1").is_ok() {
+                if self.try_psql("postgres", "SELECT 1").is_ok() {
                     return;
                 }
                 std::thread::sleep(Duration::from_millis(20));
@@ -125,7 +125,7 @@ impl Server {
     }
 
     /// Kills the server's first process, and lets nothing else of it end orderly.
-    pub fn kill(&mut self) {
+    pub fn kill(&self) {
         if let Some(pid) = self.pid() {
             let _ = Command::new("kill").args(["-9", &pid.to_string()]).status();
         }
@@ -135,7 +135,14 @@ impl Server {
     pub fn stop(&mut self) {
         if let Some(mut keeper) = self.keeper.take() {
             drop(keeper.stdin.take());
-            let _ = keeper.wait();
+            let began = Instant::now();
+            while keeper.try_wait().is_ok_and(|ended| ended.is_none()) {
+                if began.elapsed() > Duration::from_secs(10) {
+                    self.kill();
+                    let _ = keeper.kill();
+                }
+                std::thread::sleep(Duration::from_millis(5));
+            }
         }
     }
 
@@ -160,10 +167,10 @@ impl Server {
 
     /// What the server's own program says to SQL.
     pub fn psql(&self, database: &str, sql: &str) -> String {
-        self.psql_in(database, sql).unwrap_or_else(|error| panic!("{sql}: {error}"))
+        self.try_psql(database, sql).unwrap_or_else(|error| panic!("{sql}: {error}"))
     }
 
-    fn psql_in(&self, database: &str, sql: &str) -> Result<String, String> {
+    pub fn try_psql(&self, database: &str, sql: &str) -> Result<String, String> {
         let mut command = self.program("psql");
         command.args(["-XAtq", "-v", "ON_ERROR_STOP=1", "-U", "postgres", "-h"]).arg(self.folder.path());
         let said = command.args(["-d", database, "-c", sql]).stdin(Stdio::null()).output().unwrap();
@@ -205,9 +212,10 @@ fn programs() -> Option<PathBuf> {
     let versions = fs::read_dir("/usr/lib/postgresql").into_iter().flatten().flatten();
     let mut found: Vec<PathBuf> = versions.map(|version| version.path().join("bin")).collect();
     found.sort();
+    found.reverse();
     let path = std::env::var_os("PATH").unwrap_or_default();
     found.extend(std::env::split_paths(&path));
-    found.into_iter().rev().find(|folder| folder.join("initdb").is_file() && folder.join("postgres").is_file())
+    found.into_iter().find(|folder| ["initdb", "postgres", "psql"].iter().all(|name| folder.join(name).is_file()))
 }
 
 /// How often something is killed or cut: few times by default, as many as `HOMEBODY_KILLS` says.
