@@ -6,7 +6,7 @@ pub mod proxy;
 
 use sha2::{Digest, Sha256};
 use std::fs;
-use std::os::unix::fs::{MetadataExt, chown};
+use std::os::unix::fs::{MetadataExt, PermissionsExt, chown};
 use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
@@ -30,6 +30,7 @@ pub struct Server {
     folder: TempDir,
     keeper: Option<Child>,
     settings: Vec<String>,
+    port: u16,
 }
 
 impl Server {
@@ -39,6 +40,11 @@ impl Server {
     }
 
     pub fn start_with(settings: &[&str]) -> Option<Server> {
+        Server::start_at(5432, settings, &[])
+    }
+
+    /// One that has these files beside its data.
+    pub fn start_at(port: u16, settings: &[&str], files: &[(&str, Vec<u8>)]) -> Option<Server> {
         let Some(programs) = programs() else {
             let why = "PostgreSQL is not installed: no initdb in /usr/lib/postgresql/*/bin nor on the PATH";
             assert_ne!(std::env::var("HOMEBODY_SERVERS").as_deref(), Ok("required"), "{why}");
@@ -50,7 +56,7 @@ impl Server {
             chown(folder.path(), Some(NOBODY), Some(NOBODY)).unwrap();
         }
         let settings = settings.iter().map(|setting| (*setting).to_owned()).collect();
-        let mut server = Server { programs, folder, keeper: None, settings };
+        let mut server = Server { programs, folder, keeper: None, settings, port };
         let made = server
             .program("initdb")
             .args(["-U", "postgres", "-E", "UTF8", "--locale", "C", "--no-sync", "-A", "trust", "-D"])
@@ -60,6 +66,14 @@ impl Server {
             .unwrap();
         assert!(made.success(), "initdb makes a database");
         fs::write(server.data().join("pg_hba.conf"), WHO).unwrap();
+        for (name, bytes) in files {
+            let path = server.data().join(name);
+            fs::write(&path, bytes).unwrap();
+            fs::set_permissions(&path, fs::Permissions::from_mode(0o600)).unwrap();
+            if is_root() {
+                chown(&path, Some(NOBODY), Some(NOBODY)).unwrap();
+            }
+        }
         server.restart();
         Some(server)
     }
@@ -99,6 +113,7 @@ impl Server {
             let mut command = self.as_nobody("sh");
             command.args(["-c", KEEPER, "keeper"]).arg(self.programs.join("postgres"));
             command.arg("-D").arg(self.data()).arg("-k").arg(self.folder.path());
+            command.args(["-p", &self.port.to_string()]);
             for setting in ["listen_addresses=", "max_connections=50", "shared_buffers=32MB"] {
                 command.args(["-c", setting]);
             }
@@ -173,6 +188,7 @@ impl Server {
     pub fn try_psql(&self, database: &str, sql: &str) -> Result<String, String> {
         let mut command = self.program("psql");
         command.args(["-XAtq", "-v", "ON_ERROR_STOP=1", "-U", "postgres", "-h"]).arg(self.folder.path());
+        command.args(["-p", &self.port.to_string()]);
         let said = command.args(["-d", database, "-c", sql]).stdin(Stdio::null()).output().unwrap();
         let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).trim_end().to_owned();
         if said.status.success() { Ok(text(&said.stdout)) } else { Err(text(&said.stderr)) }
