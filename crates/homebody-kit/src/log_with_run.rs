@@ -207,6 +207,8 @@ impl NamedLog {
         }
         let place = match path.exists() {
             true => Source::recognise(&path)?,
+            // What is no file is a URL with something wrong in it; a password may be in it, too.
+            false if text.contains("://") => text.parse().map_err(LogError::NoPlace)?,
             false => text.parse().or_else(|_| Source::recognise(&path)).map_err(|error: LogError| error)?,
         };
         let beside = place.path().parent().and_then(recording_in);

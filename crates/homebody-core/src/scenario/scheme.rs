@@ -2,6 +2,7 @@
 
 use super::nearest::nearest;
 use crate::problem::readable;
+use std::borrow::Cow;
 use std::error::Error;
 use std::fmt;
 
@@ -166,6 +167,32 @@ impl fmt::Display for NoPlace {
 
 impl Error for NoPlace {}
 
+impl SchemeRow {
+    /// The row of a name. `postgres` is what many call PostgreSQL.
+    pub fn named(name: &str) -> Option<&'static SchemeRow> {
+        let name = if name == "postgres" { "postgresql" } else { name };
+        SCHEMES.iter().find(|row| row.name == name)
+    }
+}
+
+/// A place as it may be repeated to people: what stands as a password in it is left out.
+pub fn without_password(place: &str) -> Cow<'_, str> {
+    let Some((before, rest)) = place.split_once("//") else { return place.into() };
+    let (main, query) = rest.split_once('?').map_or((rest, None), |(main, query)| (main, Some(query)));
+    // What belongs to a user may hold a stroke, where somebody has not written it as %2F.
+    let (user, host) = main.rsplit_once('@').map_or((None, main), |(user, host)| (Some(user), host));
+    let name = user.map(|user| user.split_once(':').map_or(user, |(name, _)| name));
+    let is_open = |pair: &&str| !pair.split('=').next().is_some_and(|name| name.ends_with("password"));
+    let open: Option<Vec<&str>> = query.map(|query| query.split('&').filter(is_open).collect());
+    let pairs = |query: &str| query.split('&').count();
+    if user == name && open.as_ref().map(Vec::len) == query.map(pairs) {
+        return place.into();
+    }
+    let name = name.map_or(String::new(), |name| format!("{name}@"));
+    let open = open.filter(|open| !open.is_empty()).map_or(String::new(), |open| format!("?{}", open.join("&")));
+    format!("{before}//{name}{host}{open}").into()
+}
+
 impl Scheme {
     /// The row of the table.
     pub fn row(self) -> &'static SchemeRow {
@@ -174,26 +201,43 @@ impl Scheme {
 
     /// Parts a place such as `csv:week.csv` into its kind and what comes after the colon.
     pub fn split(place: &str) -> Result<(Scheme, &str), NoPlace> {
+        let told = without_password(place);
         let nowhere =
-            |hint| NoPlace { what: readable(format!("{place:?} is nowhere a log can go")), hint: readable(hint) };
+            |hint| NoPlace { what: readable(format!("{told:?} is nowhere a log can go")), hint: readable(hint) };
         // One letter before a colon is a drive, not a scheme.
         let (scheme, at) = place.split_once(':').filter(|(scheme, _)| scheme.len() > 1).unwrap_or((place, ""));
-        let Some(row) = SCHEMES.iter().find(|row| row.name == scheme) else {
+        let Some(row) = SchemeRow::named(scheme) else {
+            let at = without_password(at);
             return Err(nowhere(match nearest(scheme, SCHEMES.map(|row| row.name)) {
                 Some(near) => format!("did you mean \"{near}:{at}\"?"),
                 None => format!("write {}", forms()),
             }));
         };
         let form = || format!("write {}:{}", row.name, row.at);
-        let none = |what: &str| NoPlace { what: readable(format!("{place:?} names no {what}")), hint: form() };
+        let none = |what: &str| NoPlace { what: readable(format!("{told:?} names no {what}")), hint: form() };
         match row.stands {
             Stands::Server if at.strip_prefix("//").is_none_or(|at| at.trim().is_empty()) => Err(none("server")),
+            Stands::Server if told != place => {
+                let what = readable(format!("{told:?} had a password in it, which histories and lists of processes show"));
+                Err(NoPlace { what, hint: row.scheme.instead_of_password().into() })
+            }
             Stands::Text | Stands::File if at.trim().is_empty() => Err(none("file")),
             Stands::File if at == OUTPUT => {
                 let hint = format!("name a file, or write one of {} to standard output", texts());
                 Err(NoPlace { what: readable(format!("{place:?}: {} is no text", row.name)), hint })
             }
             _ => Ok((row.scheme, at)),
+        }
+    }
+
+    /// Where a password goes that is in no URL.
+    fn instead_of_password(self) -> &'static str {
+        match self {
+            Scheme::Postgresql => {
+                "leave it out, and write HOST:PORT:DATABASE:USER:PASSWORD into ~/.pgpass, which nobody else may read \
+                 (chmod 600), or set PGPASSWORD; ?passfile=FILE names another file"
+            }
+            _ => "leave it out; the document of this kind of place says where it goes",
         }
     }
 
@@ -245,11 +289,31 @@ mod tests {
             ("sqlit:log", "did you mean \"sqlite:log\"?"),
             ("csv:", "write csv:FILE"),
             ("postgresql:log", "write postgresql://USER@HOST/DATABASE"),
+            ("postgresq://ann@host/homes", "did you mean \"postgresql://ann@host/homes\"?"),
             ("mqtt://", "write mqtt://HOST/PREFIX"),
             ("sqlite:-", "csv:-, casas:- or jsonl:-"),
         ] {
             let error = Scheme::split(place).unwrap_err().to_string();
             assert!(error.contains(told), "{error}");
+        }
+    }
+
+    #[test]
+    fn a_password_is_refused_and_never_repeated() {
+        for place in [
+            "postgresql://ann:s3cr3t-canary@host/homes",
+            "postgres://ann:s3cr3t@canary@host/homes?schema=a",
+            "postgresql://ann@host/homes?password=s3cr3t-canary&schema=a",
+            "postgresq://ann:s3cr3t-canary@host/homes",
+            "mqtt://ann:s3cr3t/canary@host/home",
+            "redis://ann:s3cr3t-canary@host",
+        ] {
+            let told = Scheme::split(place).unwrap_err().to_string();
+            assert!(told.contains("ann@host") && !told.contains("s3cr3t") && !told.contains("canary"), "{told}");
+        }
+        for place in ["postgresql://ann@host:5432/homes?passfile=secret", "postgres://host", "mqtt://[::1]:1883/home"] {
+            assert!(Scheme::split(place).is_ok(), "{place}");
+            assert_eq!(without_password(place), place);
         }
     }
 }

@@ -10,7 +10,7 @@ use crate::url::{Url, table_file};
 use homebody_core::problem::readable;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::nearest::nearest;
-use homebody_core::scenario::scheme::{NoPlace, SCHEMES, Scheme, Stands};
+use homebody_core::scenario::scheme::{NoPlace, SCHEMES, Scheme, SchemeRow, Stands, without_password};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -209,15 +209,15 @@ impl FromStr for Source {
     fn from_str(text: &str) -> Result<Source, NoPlace> {
         // One letter before a colon is a drive, not a form.
         let (name, path) = text.split_once(':').filter(|(name, _)| name.len() > 1).unwrap_or((text, ""));
-        let what = readable(format!("{text:?} names no log"));
-        if let Some(row) = SCHEMES.iter().find(|row| row.name == name && row.stands == Stands::Server) {
-            Scheme::split(text)?;
-            return Ok(Source::new(of_scheme(row.scheme), text));
+        let what = readable(format!("{:?} names no log", without_password(text)));
+        if let Some(row) = SchemeRow::named(name).filter(|row| row.stands == Stands::Server) {
+            let (scheme, at) = Scheme::split(text)?;
+            return Ok(Source::new(of_scheme(scheme), format!("{}:{at}", row.name)));
         }
         let Some(form) = forms().chain(ABSENT).find(|form| form.name == name) else {
             let names = forms().map(|form| form.name);
             let hint = match nearest(name, names.clone()) {
-                Some(near) => readable(format!("did you mean \"{near}:{path}\"?")),
+                Some(near) => readable(format!("did you mean \"{near}:{}\"?", without_password(path))),
                 None => format!(
                     "write a path, or one of {} before a colon and the path",
                     names.collect::<Vec<_>>().join(", ")

@@ -10,7 +10,7 @@ use crate::spreadsheet::unescaped;
 use crate::table::{Column, ColumnKind, Table};
 use crate::truth::{Truth, tables};
 use crate::url::{Url, table_file};
-use homebody_core::scenario::scheme::Scheme;
+use homebody_core::scenario::scheme::{Scheme, without_password};
 use rusqlite::types::Value;
 use rusqlite::{Connection, params_from_iter};
 use std::fs;
@@ -144,6 +144,7 @@ pub fn truth_at(text: &str) -> Url {
         return truth_beside(&inside).unwrap_or(Url::new(Scheme::Sqlite, inside));
     }
     if !path.exists() {
+        let path = &*PathBuf::from(&*without_password(text));
         let named = text.parse().ok().or_else(|| has_tables(path).then(|| Url::new(Scheme::Csv, path)));
         return named.unwrap_or(Url::new(Scheme::Sqlite, path));
     }

@@ -1,0 +1,36 @@
+//! PostgreSQL as a destination of logs and truths, and as a source of logs.
+//!
+//! A [`Postgres`] keeps rows exactly once, whatever dies: the rows of a transaction and how far the run has come go in
+//! together, and what became of a transaction whose end nobody heard of is asked of the server. Passwords come from files
+//! and the environment alone, and are in no type of this crate.
+//!
+//! This crate does not know how firings come about, nor what a log means. Reading order:
+
+#![warn(missing_docs)]
+
+mod server;
+mod password;
+mod tls;
+mod trouble;
+mod session;
+
+mod rows;
+mod schema;
+mod runs;
+mod sink;
+
+mod source;
+
+use homebody_core::scenario::scheme::Scheme;
+use homebody_log::Policy;
+use homebody_log::elsewhere::Elsewhere;
+pub use sink::Postgres;
+pub use source::FORM;
+
+/// PostgreSQL as a kind of place.
+pub const POSTGRESQL: Elsewhere = Elsewhere {
+    schemes: &[Scheme::Postgresql],
+    open: |url| Box::new(Postgres::new(url)),
+    policy: Policy::default,
+    forms: &[FORM],
+};

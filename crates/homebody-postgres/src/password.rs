@@ -1,0 +1,128 @@
+//! Where passwords come from, as for libpq: `PGPASSWORD`, else a file of passwords that nobody else may read.
+
+use crate::server::{Host, Server};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A password, and why a file that may have one was not read. It is in memory only while a connection is made.
+#[derive(Default)]
+pub(crate) struct Found {
+    pub password: Option<String>,
+    pub ignored: Option<String>,
+}
+
+/// Files of passwords are short (ours): no more is read.
+const LARGEST_BYTES: u64 = 1 << 20;
+
+/// Looks for the password of a server.
+pub(crate) fn find(server: &Server) -> Found {
+    if let Ok(password) = std::env::var("PGPASSWORD") {
+        return Found { password: Some(password), ignored: None };
+    }
+    let home = || std::env::var_os("HOME").map(|home| Path::new(&home).join(".pgpass"));
+    let named = server.password_file.clone().or_else(|| std::env::var_os("PGPASSFILE").map(PathBuf::from));
+    named.or_else(home).map_or_else(Found::default, |file| in_file(&file, server))
+}
+
+fn in_file(file: &Path, server: &Server) -> Found {
+    let Ok(found) = fs::metadata(file) else { return Found::default() };
+    let ignored = |why: &str| Found { password: None, ignored: Some(format!("{} is ignored: {why}", file.display())) };
+    if !found.is_file() || found.len() > LARGEST_BYTES {
+        return ignored("it is no file of passwords");
+    }
+    if others_may_read(&found) {
+        return ignored("others may read it; chmod 600 makes it yours alone");
+    }
+    match fs::read_to_string(file) {
+        Ok(text) => Found { password: text.lines().find_map(|line| of_line(line, server)), ignored: None },
+        Err(error) => ignored(&error.to_string()),
+    }
+}
+
+#[cfg(unix)]
+fn others_may_read(found: &fs::Metadata) -> bool {
+    use std::os::unix::fs::PermissionsExt;
+    found.permissions().mode() & 0o077 != 0
+}
+
+#[cfg(not(unix))]
+fn others_may_read(_: &fs::Metadata) -> bool {
+    false
+}
+
+/// The password of a line `host:port:database:user:password`, if it is of this server. A star is anything.
+fn of_line(line: &str, server: &Server) -> Option<String> {
+    if line.starts_with('#') {
+        return None;
+    }
+    let [host, port, database, user, password] = fields(line)?;
+    let is_host = match &server.host {
+        Host::Name(name) => host == *name,
+        Host::Socket(folder) => host == "localhost" || Path::new(&host) == folder,
+    };
+    let fits = |said: &str, wanted: &str| said == "*" || said == wanted;
+    let is_it = (host == "*" || is_host)
+        && fits(&port, &server.port.to_string())
+        && fits(&database, &server.database)
+        && fits(&user, &server.user);
+    is_it.then_some(password)
+}
+
+/// The fields of a line; a backslash takes what follows as it is.
+fn fields(line: &str) -> Option<[String; 5]> {
+    let mut fields: [String; 5] = Default::default();
+    let mut field = 0;
+    let mut letters = line.chars();
+    while let Some(letter) = letters.next() {
+        match letter {
+            '\\' => fields[field].extend(letters.next()),
+            ':' if field < 4 => field += 1,
+            letter => fields[field].push(letter),
+        }
+    }
+    (field == 4).then_some(fields)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn server(url: &str) -> Server {
+        Server::parse(url).unwrap()
+    }
+
+    #[test]
+    fn a_line_is_of_its_server_alone() {
+        let here = server("postgresql://ann@host:5433/homes");
+        for (line, password) in [
+            ("host:5433:homes:ann:p:w", Some("p:w")),
+            ("*:*:*:*:all\\:of\\\\it", Some("all:of\\it")),
+            ("host:5432:homes:ann:p", None),
+            ("host:5433:homes:bob:p", None),
+            ("#host:5433:homes:ann:p", None),
+            ("host:5433:homes", None),
+        ] {
+            assert_eq!(of_line(line, &here).as_deref(), password, "{line}");
+        }
+        let socket = server("postgresql://ann@/homes?host=/tmp");
+        assert!(of_line("localhost:5432:homes:ann:p", &socket).is_some());
+        assert!(of_line("/tmp:5432:homes:ann:p", &socket).is_some());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_file_that_others_may_read_is_ignored_and_that_is_told() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("pgpass");
+        fs::write(&file, "# ours\n*:*:*:ann:right\n").unwrap();
+        let here = server("postgresql://ann@host/homes");
+        for (mode, is_read) in [(0o600, true), (0o400, true), (0o640, false), (0o604, false)] {
+            fs::set_permissions(&file, fs::Permissions::from_mode(mode)).unwrap();
+            let found = in_file(&file, &here);
+            assert_eq!(found.password.as_deref(), is_read.then_some("right"), "{mode:o}");
+            assert_eq!(found.ignored.is_some(), !is_read, "{mode:o}");
+        }
+        assert!(in_file(&folder.path().join("none"), &here).password.is_none());
+    }
+}

@@ -1,0 +1,153 @@
+//! The table `homebody_run`: what each run is, and how far the database holds it. That is its watermark, which changes in the
+//! same transaction as the rows that it counts.
+
+use crate::rows::EPOCH_2000;
+use crate::schema::Schema;
+use crate::session::Session;
+use bytes::BytesMut;
+use homebody_core::time::Micros;
+use homebody_log::{LogError, RunInfo};
+use std::error::Error;
+use tokio_postgres::types::{FromSql, IsNull, ToSql, Type, to_sql_checked};
+
+/// What the database says of a run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Known {
+    pub holds: String,
+    pub tables: Vec<String>,
+    /// How many rows of each table it has.
+    pub rows: Vec<i64>,
+    /// How many transactions have changed it: what tells one from the next.
+    pub commits: i64,
+    pub is_ended: bool,
+}
+
+/// What runs of a log and of a truth are called in the table.
+pub(crate) fn holds(is_truth: bool) -> &'static str {
+    if is_truth { "truth" } else { "log" }
+}
+
+/// What is known of a run; `locks` has who else would change it wait until this transaction ends.
+pub(crate) fn find(session: &Session, schema: &Schema, run: i64, locks: bool) -> Result<Option<Known>, LogError> {
+    let lock = if locks { " FOR UPDATE" } else { "" };
+    let sql = format!(
+        "SELECT holds, tables, rows, commits, ended_at IS NOT NULL FROM {} WHERE run_id = $1{lock}",
+        schema.runs()
+    );
+    let row = session.wait(session.client.query_opt(&sql, &[&run]))?;
+    Ok(row.map(|row| Known {
+        holds: row.get(0),
+        tables: row.get(1),
+        rows: row.get(2),
+        commits: row.get(3),
+        is_ended: row.get(4),
+    }))
+}
+
+/// Whether the schema has runs of the other kind: of a truth where it should be of logs, or of logs where it should be of a
+/// truth.
+pub(crate) fn has_others(session: &Session, schema: &Schema) -> Result<bool, LogError> {
+    let sql = format!("SELECT EXISTS (SELECT FROM {} WHERE holds <> $1)", schema.runs());
+    Ok(session.wait(session.client.query_one(&sql, &[&holds(schema.is_truth)]))?.get(0))
+}
+
+/// Whether a table has rows of a run, wherever they are from.
+pub(crate) fn has_rows(session: &Session, schema: &Schema, run: i64) -> Result<bool, LogError> {
+    for table in schema.tables.iter().filter(|table| table.is_numbered) {
+        let sql = format!("SELECT EXISTS (SELECT FROM {} WHERE {} = $1)", table.quoted, table.run_column);
+        if session.wait(session.client.query_one(&sql, &[&run]))?.get(0) {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}
+
+/// Adds a run without rows. False where it is there already.
+pub(crate) fn add(session: &Session, schema: &Schema, run: &RunInfo) -> Result<bool, LogError> {
+    let sql = format!(
+        "INSERT INTO {} (run_id, holds, home, scenario, seed, version, zone, started_at, tables, rows, commits) \
+         VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9, $10, 0) ON CONFLICT DO NOTHING",
+        schema.runs()
+    );
+    let tables: Vec<&str> = schema.tables.iter().map(|table| table.name.as_str()).collect();
+    let rows = vec![0_i64; tables.len()];
+    let (seed, zone, start) = (run.seed.to_string(), zone(run), At(start_of(run)));
+    let values: [&(dyn ToSql + Sync); 10] = [
+        &run.id,
+        &holds(schema.is_truth),
+        &run.home,
+        &run.scenario,
+        &seed,
+        &run.version,
+        &zone,
+        &start,
+        &tables,
+        &rows,
+    ];
+    Ok(session.wait(session.client.execute(&sql, &values))? == 1)
+}
+
+/// Says that so many rows are there, within the transaction that has brought them. One that replaces says anew what the run is.
+pub(crate) fn mark(
+    session: &Session,
+    schema: &Schema,
+    run: &RunInfo,
+    rows: &[i64],
+    end: Option<Micros>,
+) -> Result<(), LogError> {
+    let sql = format!(
+        "UPDATE {} SET rows = $2, commits = commits + 1, ended_at = $3, home = $4, scenario = $5, seed = $6, version = $7, \
+         zone = $8, started_at = $9, tables = $10 WHERE run_id = $1",
+        schema.runs()
+    );
+    let tables: Vec<&str> = schema.tables.iter().map(|table| table.name.as_str()).collect();
+    let (seed, zone, start) = (run.seed.to_string(), zone(run), At(start_of(run)));
+    let end = end.map(|end| At(start.0 + end));
+    let values: [&(dyn ToSql + Sync); 10] =
+        [&run.id, &rows, &end, &run.home, &run.scenario, &seed, &run.version, &zone, &start, &tables];
+    session.wait(session.client.execute(&sql, &values)).map(|_| ())
+}
+
+/// Removes a run of which no row has ever come.
+pub(crate) fn forget(session: &Session, schema: &Schema, run: i64) -> Result<(), LogError> {
+    /// Nobody waits longer for what only tidies up (ours).
+    const LONGEST: std::time::Duration = std::time::Duration::from_secs(2);
+    let sql = format!("DELETE FROM {} WHERE run_id = $1 AND commits = 0", schema.runs());
+    session.wait_for(LONGEST, session.client.execute(&sql, &[&run])).map(|_| ())
+}
+
+/// The run's start, in microseconds since 1970.
+pub(crate) fn start_of(run: &RunInfo) -> i64 {
+    run.calendar.timestamp(0).as_microsecond()
+}
+
+fn zone(run: &RunInfo) -> String {
+    run.calendar.local(0).time_zone().iana_name().unwrap_or("UTC").to_owned()
+}
+
+/// An instant as the server keeps it, in microseconds since 1970.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct At(pub i64);
+
+impl ToSql for At {
+    fn to_sql(&self, kind: &Type, out: &mut BytesMut) -> Result<IsNull, Box<dyn Error + Sync + Send>> {
+        (self.0 - EPOCH_2000).to_sql(kind, out)
+    }
+
+    fn accepts(kind: &Type) -> bool {
+        *kind == Type::TIMESTAMPTZ
+    }
+
+    to_sql_checked!();
+}
+
+impl<'a> FromSql<'a> for At {
+    fn from_sql(kind: &Type, raw: &'a [u8]) -> Result<At, Box<dyn Error + Sync + Send>> {
+        // What never was and what never will be stay what they are.
+        Ok(At(i64::from_sql(kind, raw)?.saturating_add(EPOCH_2000)))
+    }
+
+    fn accepts(kind: &Type) -> bool {
+        matches!(*kind, Type::TIMESTAMPTZ | Type::TIMESTAMP)
+    }
+}

@@ -1,0 +1,370 @@
+//! The tables of a run in the database: made where they are missing, else held against what they should be, all at once.
+
+use crate::server::{Server, is_plain_name};
+use crate::session::Session;
+use crate::trouble::wrong;
+use homebody_core::problem::readable;
+use homebody_core::scenario::logger::TimeFormat;
+use homebody_log::table::{Column, ColumnKind, Table};
+use homebody_log::{Begin, How, LogError};
+use std::collections::BTreeMap;
+use tokio_postgres::Row;
+
+/// The table that tells about runs and how far they have come, beside the rows' own.
+pub(crate) const RUNS: &str = "homebody_run";
+
+/// Where a truth goes if its URL does not say.
+const TRUTH_SCHEMA: &str = "truth";
+
+/// What programs that make tables at the same time take turns by: `homebody`, as a number.
+const TURN: i64 = i64::from_be_bytes(*b"homebody");
+
+/// The columns of the table of runs, and their types.
+pub(crate) const RUN_COLUMNS: [(&str, &str); 12] = [
+    ("run_id", "bigint"),
+    ("holds", "text"),
+    ("home", "text"),
+    ("scenario", "text"),
+    ("seed", "text"),
+    ("version", "text"),
+    ("zone", "text"),
+    ("started_at", "timestamp with time zone"),
+    ("ended_at", "timestamp with time zone"),
+    ("tables", "text[]"),
+    ("rows", "bigint[]"),
+    ("commits", "bigint"),
+];
+
+/// A table as SQL names it.
+#[derive(Clone, Debug)]
+pub(crate) struct InTable {
+    pub name: String,
+    pub quoted: String,
+    pub columns_quoted: String,
+    pub run_column: String,
+    pub is_numbered: bool,
+}
+
+/// The tables of a run, in a schema.
+pub(crate) struct Schema {
+    pub name: String,
+    pub tables: Vec<InTable>,
+    /// Whether they are a truth's.
+    pub is_truth: bool,
+}
+
+impl Schema {
+    /// Makes the tables that are missing; refuses those that rows do not fit into, with all that is wrong.
+    pub fn make(session: &Session, server: &Server, begin: &Begin) -> Result<Schema, LogError> {
+        let is_truth = begin.tables.len() > 1;
+        let name = match (&server.schema, is_truth) {
+            (Some(name), _) => name.clone(),
+            (None, true) => TRUTH_SCHEMA.into(),
+            (None, false) => usual(session, server)?,
+        };
+        names_fit(server, &name, begin)?;
+        let wanted: Vec<Wanted> = begin.tables.iter().map(|table| Wanted::of(table, begin)).chain([Wanted::runs()]).collect();
+        let found = Found::look(session, &name, &wanted)?;
+        let problems = found.problems(&name, &wanted, begin.how);
+        if !problems.is_empty() {
+            return Err(all(server, problems));
+        }
+        let statements: Vec<String> = found.missing(&name, &wanted);
+        if !statements.is_empty() {
+            let sql = format!("BEGIN; SELECT pg_advisory_xact_lock({TURN}); {}; COMMIT", statements.join("; "));
+            session.wait(session.client.batch_execute(&sql))?;
+        }
+        let tables = begin.tables.iter().map(|table| in_table(&name, table, begin.run_column)).collect();
+        Ok(Schema { name, tables, is_truth })
+    }
+
+    /// The table of runs, as SQL names it.
+    pub fn runs(&self) -> String {
+        quoted(&self.name, RUNS)
+    }
+}
+
+/// The schema that a session makes tables in if nobody says where.
+pub(crate) fn usual(session: &Session, server: &Server) -> Result<String, LogError> {
+    let row = session.wait(session.client.query_one("SELECT current_schema()::text", &[]))?;
+    let none = || wrong(server, "this user has no schema".into(), "name one: ?schema=NAME");
+    row.get::<_, Option<String>>(0).ok_or_else(none)
+}
+
+pub(crate) fn quoted(schema: &str, table: &str) -> String {
+    format!("{}.{}", ident(schema), ident(table))
+}
+
+/// A name as SQL wants it.
+pub(crate) fn ident(name: &str) -> String {
+    format!("\"{}\"", name.replace('"', "\"\""))
+}
+
+fn in_table(schema: &str, table: &Table, run_column: &str) -> InTable {
+    let names = std::iter::once(run_column).chain(table.columns.iter().map(|column| column.name.as_str()));
+    InTable {
+        name: table.name.clone(),
+        quoted: quoted(schema, &table.name),
+        columns_quoted: names.map(ident).collect::<Vec<_>>().join(", "),
+        run_column: ident(run_column),
+        is_numbered: table.is_numbered,
+    }
+}
+
+/// Refuses names that could be SQL, whoever they come from.
+fn names_fit(server: &Server, schema: &str, begin: &Begin) -> Result<(), LogError> {
+    let refused = |what, name: &str| Err(LogError::Name { what, name: name.to_owned() });
+    // One that the server gave may have any name; it is quoted.
+    if server.schema.is_some() && !is_plain_name(schema) {
+        return refused("schema", schema);
+    }
+    for table in begin.tables {
+        if !is_plain_name(&table.name) {
+            return refused("table", &table.name);
+        }
+        if table.name == RUNS {
+            return Err(LogError::SameName { what: "table", name: table.name.clone() });
+        }
+        let columns = table.columns.iter().map(|column| column.name.as_str()).chain([begin.run_column]);
+        if let Some(name) = columns.into_iter().find(|name| !is_plain_name(name)) {
+            return refused("column", name);
+        }
+    }
+    Ok(())
+}
+
+/// A table as it should be.
+struct Wanted {
+    name: String,
+    /// By name: the type, and what else will do.
+    columns: Vec<(String, &'static str)>,
+    key: Vec<String>,
+    is_runs: bool,
+}
+
+impl Wanted {
+    fn of(table: &Table, begin: &Begin) -> Wanted {
+        let typed = |column: &Column| (column.name.clone(), column_type(column.kind, begin.time));
+        let run = begin.run_column.to_owned();
+        let columns = std::iter::once((run.clone(), "bigint")).chain(table.columns.iter().map(typed)).collect();
+        let key = if table.is_numbered { vec![run, table.columns[0].name.clone()] } else { Vec::new() };
+        Wanted { name: table.name.clone(), columns, key, is_runs: false }
+    }
+
+    fn runs() -> Wanted {
+        let columns = RUN_COLUMNS.map(|(name, is)| (name.to_owned(), is)).to_vec();
+        Wanted { name: RUNS.into(), columns, key: vec!["run_id".into()], is_runs: true }
+    }
+
+    fn create(&self, schema: &str) -> String {
+        let columns: Vec<String> = self.columns.iter().map(|(name, is)| format!("{} {is}", ident(name))).collect();
+        let key = match &self.key[..] {
+            [] => String::new(),
+            key => format!(", PRIMARY KEY ({})", key.iter().map(|name| ident(name)).collect::<Vec<_>>().join(", ")),
+        };
+        format!("CREATE TABLE IF NOT EXISTS {} ({}{key})", quoted(schema, &self.name), columns.join(", "))
+    }
+}
+
+fn column_type(kind: ColumnKind, time: TimeFormat) -> &'static str {
+    match kind {
+        ColumnKind::Instant => match time {
+            TimeFormat::Local | TimeFormat::LocalOffset | TimeFormat::Utc => "timestamp with time zone",
+            TimeFormat::EpochS => "double precision",
+            TimeFormat::EpochMs => "bigint",
+        },
+        ColumnKind::Integer => "bigint",
+        ColumnKind::Real => "double precision",
+        ColumnKind::Text => "text",
+    }
+}
+
+/// What else than a type takes the same bytes.
+fn will_do(wanted: &str, found: &str) -> bool {
+    wanted == found || wanted == "text" && found == "character varying"
+}
+
+/// What is there.
+struct Found {
+    is_read_only: bool,
+    user: String,
+    may_make_schemas: bool,
+    /// Whether the schema is there, and tables may be made in it.
+    schema: Option<(bool, bool)>,
+    tables: BTreeMap<String, FoundTable>,
+}
+
+#[derive(Default)]
+struct FoundTable {
+    is_table: bool,
+    columns: BTreeMap<String, FoundColumn>,
+    /// The columns of its unique keys.
+    keys: Vec<Vec<String>>,
+    may: [bool; 4],
+}
+
+struct FoundColumn {
+    is: String,
+    must_be_given: bool,
+}
+
+/// What is asked of a table, in the order of `may`.
+const RIGHTS: [&str; 4] = ["INSERT", "SELECT", "UPDATE", "DELETE"];
+
+impl Found {
+    fn look(session: &Session, schema: &str, wanted: &[Wanted]) -> Result<Found, LogError> {
+        const ABOUT: &str = "SELECT current_setting('transaction_read_only') = 'on', current_user::text, \
+             has_database_privilege(current_database(), 'CREATE'), \
+             (SELECT has_schema_privilege(oid, 'USAGE') FROM pg_namespace WHERE nspname = $1), \
+             (SELECT has_schema_privilege(oid, 'CREATE') FROM pg_namespace WHERE nspname = $1)";
+        const TABLES: &str = "SELECT c.relname::text, c.relkind IN ('r', 'p'), has_table_privilege(c.oid, 'INSERT'), \
+             has_table_privilege(c.oid, 'SELECT'), has_table_privilege(c.oid, 'UPDATE'), has_table_privilege(c.oid, 'DELETE') \
+             FROM pg_class c JOIN pg_namespace n ON n.oid = c.relnamespace \
+             WHERE n.nspname = $1 AND c.relname::text = ANY($2) AND c.relkind IN ('r', 'p', 'v', 'm', 'f')";
+        const COLUMNS: &str = "SELECT c.relname::text, a.attname::text, format_type(a.atttypid, a.atttypmod), \
+             a.attnotnull AND NOT a.atthasdef AND a.attidentity = '' \
+             FROM pg_attribute a JOIN pg_class c ON c.oid = a.attrelid JOIN pg_namespace n ON n.oid = c.relnamespace \
+             WHERE n.nspname = $1 AND c.relname::text = ANY($2) AND a.attnum > 0 AND NOT a.attisdropped";
+        const KEYS: &str = "SELECT c.relname::text, array_agg(a.attname::text) \
+             FROM pg_index i JOIN pg_class c ON c.oid = i.indrelid JOIN pg_namespace n ON n.oid = c.relnamespace \
+             JOIN pg_attribute a ON a.attrelid = c.oid AND a.attnum = ANY(i.indkey) \
+             WHERE n.nspname = $1 AND c.relname::text = ANY($2) AND i.indisunique AND i.indpred IS NULL \
+             GROUP BY c.relname, i.indexrelid";
+        let names: Vec<&str> = wanted.iter().map(|wanted| wanted.name.as_str()).collect();
+        let about = session.wait(session.client.query_one(ABOUT, &[&schema]))?;
+        let usage: Option<bool> = about.get(3);
+        let mut found = Found {
+            is_read_only: about.get(0),
+            user: about.get(1),
+            may_make_schemas: about.get(2),
+            schema: usage.zip(about.get(4)),
+            tables: BTreeMap::new(),
+        };
+        for row in session.wait(session.client.query(TABLES, &[&schema, &names]))? {
+            let table = FoundTable { is_table: row.get(1), may: [2, 3, 4, 5].map(|right| row.get(right)), ..Default::default() };
+            found.tables.insert(row.get(0), table);
+        }
+        let mut each = |sql: &str, take: &dyn Fn(&mut FoundTable, &Row)| -> Result<(), LogError> {
+            for row in session.wait(session.client.query(sql, &[&schema, &names]))? {
+                if let Some(table) = found.tables.get_mut(row.get::<_, &str>(0)) {
+                    take(table, &row);
+                }
+            }
+            Ok(())
+        };
+        each(COLUMNS, &|table, row| {
+            let column = FoundColumn { is: row.get(2), must_be_given: row.get(3) };
+            table.columns.insert(row.get(1), column);
+        })?;
+        each(KEYS, &|table, row| table.keys.push(row.get(1)))?;
+        Ok(found)
+    }
+
+    /// All that is wrong: what, and what to do.
+    fn problems(&self, schema: &str, wanted: &[Wanted], how: How) -> Vec<(String, String)> {
+        let mut problems = Vec::new();
+        let user = &self.user;
+        if self.is_read_only {
+            let hint = "name a server that takes changes, or ALTER ROLE the user's default_transaction_read_only";
+            problems.push(("the server takes no changes from this user".into(), hint.into()));
+        }
+        match self.schema {
+            None if !self.may_make_schemas => problems.push((
+                format!("there is no schema {schema:?}, and {user:?} may not make one"),
+                format!("CREATE SCHEMA {schema} AUTHORIZATION {user}"),
+            )),
+            Some((false, _)) => problems.push((
+                format!("{user:?} may not use the schema {schema:?}"),
+                format!("GRANT USAGE ON SCHEMA {schema} TO {user}"),
+            )),
+            _ => {}
+        }
+        for wanted in wanted {
+            match self.tables.get(&wanted.name) {
+                Some(table) => table.problems(wanted, user, how, &mut problems),
+                None if matches!(self.schema, Some((true, false))) => problems.push((
+                    format!("there is no table {:?} in the schema {schema:?}, and {user:?} may not make one", wanted.name),
+                    format!("GRANT CREATE ON SCHEMA {schema} TO {user}, or name another: ?schema=NAME"),
+                )),
+                None => {}
+            }
+        }
+        problems
+    }
+
+    /// What makes the tables that are missing.
+    fn missing(&self, schema: &str, wanted: &[Wanted]) -> Vec<String> {
+        let mut statements = Vec::new();
+        if self.schema.is_none() {
+            statements.push(format!("CREATE SCHEMA IF NOT EXISTS {}", ident(schema)));
+        }
+        let missing = wanted.iter().filter(|wanted| !self.tables.contains_key(&wanted.name));
+        statements.extend(missing.map(|wanted| wanted.create(schema)));
+        statements
+    }
+}
+
+impl FoundTable {
+    fn problems(&self, wanted: &Wanted, user: &str, how: How, problems: &mut Vec<(String, String)>) {
+        let name = &wanted.name;
+        if !self.is_table {
+            problems.push((format!("{name:?} is no table"), "rename it, or name another schema: ?schema=NAME".into()));
+            return;
+        }
+        let mut wants = |what: String, hint: String| problems.push((what, hint));
+        for (column, is) in &wanted.columns {
+            match self.columns.get(column) {
+                None => wants(
+                    format!("the table {name:?} has no column {column:?}"),
+                    format!("ALTER TABLE {name} ADD {column} {is}, or rename the table so that it is made anew"),
+                ),
+                Some(found) if !will_do(is, &found.is) => wants(
+                    format!("the column {column:?} of {name:?} is {}, and not {is}", found.is),
+                    format!("ALTER TABLE {name} ALTER {column} TYPE {is}, or rename the table so that it is made anew"),
+                ),
+                Some(_) => {}
+            }
+        }
+        let is_ours = |column: &String| wanted.columns.iter().any(|(name, _)| name == column);
+        for (column, _) in self.columns.iter().filter(|(name, found)| found.must_be_given && !is_ours(name)) {
+            wants(
+                format!("the column {column:?} of {name:?} wants a value, and no log has one"),
+                format!("ALTER TABLE {name} ALTER {column} DROP NOT NULL"),
+            );
+        }
+        let mut key = wanted.key.clone();
+        key.sort();
+        let has_key = self.keys.iter().any(|found| {
+            let mut found = found.clone();
+            found.sort();
+            found == key
+        });
+        if !key.is_empty() && !has_key {
+            let columns = wanted.key.join(", ");
+            wants(
+                format!("the table {name:?} has no key ({columns}), so that a row could be in it twice"),
+                format!("ALTER TABLE {name} ADD PRIMARY KEY ({columns})"),
+            );
+        }
+        let needed = match (wanted.is_runs, how) {
+            (true, _) => [true, true, true, false],
+            (false, how) => [true, true, false, how == How::Replace],
+        };
+        let lacking = RIGHTS.iter().zip(self.may).zip(needed).filter(|((_, may), needed)| *needed && !*may);
+        let lacking: Vec<&str> = lacking.map(|((right, _), _)| *right).collect();
+        if !lacking.is_empty() {
+            let rights = lacking.join(", ");
+            wants(format!("{user:?} has no right to {rights} in {name:?}"), format!("GRANT {rights} ON {name} TO {user}"));
+        }
+    }
+}
+
+/// One error of all problems, each on its line.
+fn all(server: &Server, problems: Vec<(String, String)>) -> LogError {
+    let (what, mut hints): (Vec<String>, Vec<String>) = problems.into_iter().unzip();
+    hints.dedup();
+    let separator = format!("\n{}: ", server.place);
+    let what = what.into_iter().map(readable).collect::<Vec<_>>().join(&separator);
+    let hint = Some(readable(hints.join("; ")));
+    LogError::Destination { place: server.place.clone(), what, hint, passes: false, source: None }
+}

@@ -1,0 +1,341 @@
+//! Which database a URL means: `postgresql://ann@host:5432/homes?schema=home1`, with the parameters that users of libpq know.
+//!
+//! What a URL does not say, the environment does, as for libpq: `PGHOST`, `PGPORT`, `PGUSER`, `PGDATABASE`, `PGSSLMODE`,
+//! `PGSSLROOTCERT`. A password in a URL is refused: it would end up in histories, in lists of processes and in messages.
+
+use homebody_core::problem::readable;
+use homebody_core::scenario::nearest::nearest;
+use homebody_core::scenario::scheme::NoPlace;
+use homebody_log::LogError;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// A database on a server, and who asks for what in it. It knows no password.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Server {
+    /// The URL as it was written, for errors.
+    pub place: String,
+    pub host: Host,
+    pub port: u16,
+    pub user: String,
+    pub database: String,
+    /// The schema that tables are in; None for the usual one.
+    pub schema: Option<String>,
+    /// Which run of several is read.
+    pub run: Option<String>,
+    pub tls: Tls,
+    /// The file of certificates by which the server's is judged; None for the usual ones.
+    pub root_certificates: Option<PathBuf>,
+    /// How long the server may take until it has let us in.
+    pub connect_within: Duration,
+    /// A file of passwords other than the usual one.
+    pub password_file: Option<PathBuf>,
+    /// What the server calls this program in its lists.
+    pub application: String,
+    /// Settings of the session, as `-c name=value`.
+    pub options: Option<String>,
+}
+
+/// Where a server is reached.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Host {
+    Name(String),
+    /// The folder of a Unix socket.
+    Socket(PathBuf),
+}
+
+/// How a connection is encrypted, as `sslmode` says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Tls {
+    Disable,
+    /// Where the server can.
+    Prefer,
+    /// Always; whose certificate it is, is not asked, unless a file says which are trusted.
+    Require,
+    /// By a certificate of who is trusted.
+    VerifyCa,
+    /// By a certificate of who is trusted, for this host.
+    VerifyFull,
+}
+
+const MODES: [(&str, Tls); 6] = [
+    ("disable", Tls::Disable),
+    ("allow", Tls::Prefer),
+    ("prefer", Tls::Prefer),
+    ("require", Tls::Require),
+    ("verify-ca", Tls::VerifyCa),
+    ("verify-full", Tls::VerifyFull),
+];
+
+/// The parameters that a URL may have behind its question mark.
+const PARAMETERS: [&str; 13] = [
+    "schema", "run", "host", "port", "user", "dbname", "sslmode", "sslrootcert", "connect_timeout", "passfile",
+    "application_name", "options", "target_session_attrs",
+];
+
+/// Those that are secret, and refused.
+const SECRET: [&str; 2] = ["password", "sslpassword"];
+
+/// How long a server may take to let us in (ours): who waits for a run to begin learns within five seconds that there is none.
+const CONNECT_WITHIN: Duration = Duration::from_secs(4);
+
+/// Where servers usually have their sockets.
+const SOCKETS: [&str; 2] = ["/var/run/postgresql", "/tmp"];
+
+/// What else to do than write a password into a URL.
+pub(crate) const INSTEAD: &str = "leave the password out, and write HOST:PORT:DATABASE:USER:PASSWORD into ~/.pgpass, which nobody \
+                                  else may read (chmod 600), or set PGPASSWORD; ?passfile=FILE names another file";
+
+impl Server {
+    /// What a URL means, or all that is wrong with it.
+    pub fn parse(url: &str) -> Result<Server, LogError> {
+        Server::parse_with(url, &|name| std::env::var(name).ok().filter(|value| !value.is_empty()))
+    }
+
+    fn parse_with(url: &str, environment: &dyn Fn(&str) -> Option<String>) -> Result<Server, LogError> {
+        let mut problems = Problems::default();
+        let parts = Parts::of(url, &mut problems);
+        let said = |name: &str, variable: &str| parts.parameter(name).map(str::to_owned).or_else(|| environment(variable));
+        let port = said("port", "PGPORT").or(parts.port.clone());
+        let port = problems.number("port", port, 5432, 1..=65_535) as u16;
+        let host = parts.parameter("host").map(str::to_owned).or(parts.host.clone()).or_else(|| environment("PGHOST"));
+        if host.as_ref().is_some_and(|host| host.contains(',')) {
+            problems.add("several hosts are named".into(), "name one");
+        }
+        let mode = said("sslmode", "PGSSLMODE").unwrap_or_else(|| "prefer".into());
+        let tls = MODES.iter().find(|(name, _)| *name == mode).map(|(_, tls)| *tls);
+        let tls = tls.unwrap_or_else(|| {
+            let names = MODES.map(|(name, _)| name);
+            problems.add(format!("sslmode={mode:?} is none"), &format!("write one of {}", names.join(", ")));
+            Tls::VerifyFull
+        });
+        let schema = parts.parameter("schema").map(str::to_owned);
+        if let Some(schema) = schema.as_ref().filter(|schema| !is_plain_name(schema) || is_servers_own(schema)) {
+            let hint = "use up to 63 of a-z, 0-9 and _, not a digit first, and none of the server's own";
+            problems.add(format!("{schema:?} cannot name a schema"), hint);
+        }
+        let seconds = said("connect_timeout", "PGCONNECT_TIMEOUT");
+        let seconds = problems.number("connect_timeout", seconds, CONNECT_WITHIN.as_secs(), 1..=3600);
+        let user = parts.parameter("user").map(str::to_owned).or(parts.user.clone());
+        let user = user.or_else(|| environment("PGUSER")).or_else(|| environment("USER"));
+        let user = user.unwrap_or_else(|| {
+            problems.add("no user is named".into(), "write postgresql://USER@HOST/DATABASE");
+            String::new()
+        });
+        let database = parts.parameter("dbname").map(str::to_owned).or(parts.database.clone());
+        problems.refuse()?;
+        Ok(Server {
+            place: parts.place.clone(),
+            host: host.map_or_else(|| usual_host(port), Host::of),
+            port,
+            database: database.or_else(|| environment("PGDATABASE")).unwrap_or_else(|| user.clone()),
+            user,
+            schema,
+            run: parts.parameter("run").map(str::to_owned),
+            tls,
+            root_certificates: said("sslrootcert", "PGSSLROOTCERT").map(PathBuf::from),
+            connect_within: Duration::from_secs(seconds),
+            password_file: parts.parameter("passfile").map(PathBuf::from),
+            application: said("application_name", "PGAPPNAME").unwrap_or_else(|| "homebody".into()),
+            options: said("options", "PGOPTIONS"),
+        })
+    }
+}
+
+impl Host {
+    fn of(text: String) -> Host {
+        if text.starts_with('/') { Host::Socket(text.into()) } else { Host::Name(text) }
+    }
+}
+
+/// Where a server is looked for if nobody says where.
+fn usual_host(port: u16) -> Host {
+    let has_socket = |folder: &&&str| Path::new(folder).join(format!(".s.PGSQL.{port}")).exists();
+    SOCKETS.iter().find(has_socket).map_or_else(|| Host::Name("localhost".into()), |folder| Host::Socket(folder.into()))
+}
+
+/// Whether a name may reach SQL: `^[a-z_][a-z0-9_]{0,62}$`.
+pub(crate) fn is_plain_name(name: &str) -> bool {
+    let letter = |byte: u8| byte.is_ascii_lowercase() || byte == b'_';
+    let begins = name.bytes().next().is_some_and(letter);
+    begins && name.len() <= 63 && name.bytes().all(|byte| letter(byte) || byte.is_ascii_digit())
+}
+
+fn is_servers_own(schema: &str) -> bool {
+    schema.starts_with("pg_") || schema == "information_schema"
+}
+
+/// A URL in its parts, decoded.
+#[derive(Default)]
+struct Parts {
+    /// The URL without a password.
+    place: String,
+    user: Option<String>,
+    host: Option<String>,
+    port: Option<String>,
+    database: Option<String>,
+    parameters: Vec<(String, String)>,
+}
+
+impl Parts {
+    fn of(url: &str, problems: &mut Problems) -> Parts {
+        let rest = url.split_once("//").map_or(url, |(_, rest)| rest);
+        let (main, query) = rest.split_once('?').unwrap_or((rest, ""));
+        let (authority, database) = main.split_once('/').unwrap_or((main, ""));
+        // A password may hold an at sign: what is before the last one is the user's.
+        let (user, host) = authority.rsplit_once('@').unwrap_or(("", authority));
+        let (user, secret) = user.split_once(':').map_or((user, false), |(user, _)| (user, true));
+        let (host, port) = match host.rsplit_once(':').filter(|(host, _)| !host.contains(':') || host.ends_with(']')) {
+            Some((host, port)) => (host, port),
+            None => (host, ""),
+        };
+        let is_secret = |pair: &&str| SECRET.contains(&pair.split('=').next().unwrap_or_default());
+        let has_secret = secret || query.split('&').any(|pair| is_secret(&pair));
+        let place = match has_secret {
+            false => readable(url.to_owned()),
+            true => readable(format!("postgresql://{user}@{host}/{database}")),
+        };
+        problems.place.clone_from(&place);
+        if has_secret {
+            problems.add("there is a password in the URL".into(), INSTEAD);
+        }
+        let mut parts = Parts { place, ..Parts::default() };
+        let mut decoded = |text: &str| (!text.is_empty()).then(|| problems.decode(text));
+        parts.user = decoded(user);
+        parts.host = decoded(host.strip_prefix('[').and_then(|host| host.strip_suffix(']')).unwrap_or(host));
+        parts.port = decoded(port);
+        parts.database = decoded(database);
+        for pair in query.split('&').filter(|pair| !pair.is_empty() && !is_secret(pair)) {
+            let (name, value) = pair.split_once('=').unwrap_or((pair, ""));
+            if !PARAMETERS.contains(&name) {
+                let hint = match nearest(name, PARAMETERS) {
+                    Some(near) => format!("did you mean {near}?"),
+                    None => format!("known are {}", PARAMETERS.join(", ")),
+                };
+                problems.add(format!("there is no parameter {name:?}"), &hint);
+            } else if value.is_empty() {
+                problems.add(format!("the parameter {name} has no value"), &format!("write {name}=..."));
+            } else {
+                parts.parameters.push((name.to_owned(), problems.decode(value)));
+            }
+        }
+        parts
+    }
+
+    fn parameter(&self, name: &str) -> Option<&str> {
+        self.parameters.iter().rfind(|(known, _)| known == name).map(|(_, value)| value.as_str())
+    }
+}
+
+/// All that is wrong with a URL.
+#[derive(Default)]
+struct Problems {
+    place: String,
+    what: Vec<String>,
+    hints: Vec<String>,
+}
+
+impl Problems {
+    fn add(&mut self, what: String, hint: &str) {
+        self.what.push(what);
+        self.hints.push(hint.to_owned());
+    }
+
+    /// Percent signs and two digits are bytes.
+    fn decode(&mut self, text: &str) -> String {
+        let mut bytes = Vec::new();
+        let mut rest = text.as_bytes();
+        while let [first, after @ ..] = rest {
+            let digits = after.get(..2).filter(|_| *first == b'%').and_then(|digits| str::from_utf8(digits).ok());
+            match digits.map(|digits| u8::from_str_radix(digits, 16)) {
+                Some(Ok(byte)) if byte != 0 => {
+                    bytes.push(byte);
+                    rest = &after[2..];
+                }
+                _ if *first == b'%' => {
+                    self.add("a % is not followed by two digits".into(), "write %25 for a % itself");
+                    return String::new();
+                }
+                _ => {
+                    bytes.push(*first);
+                    rest = after;
+                }
+            }
+        }
+        String::from_utf8(bytes).unwrap_or_else(|_| {
+            self.add("what is written by % is no UTF-8".into(), "write %C3%B6 for ö");
+            String::new()
+        })
+    }
+
+    fn number(&mut self, name: &str, text: Option<String>, usual: u64, range: std::ops::RangeInclusive<u64>) -> u64 {
+        let Some(text) = text else { return usual };
+        text.parse().ok().filter(|number| range.contains(number)).unwrap_or_else(|| {
+            self.add(
+                format!("the {name} {text:?} is none"),
+                &format!("write a number from {} to {}", range.start(), range.end()),
+            );
+            usual
+        })
+    }
+
+    fn refuse(self) -> Result<(), LogError> {
+        if self.what.is_empty() {
+            return Ok(());
+        }
+        let lines: Vec<String> = self.what.into_iter().map(|what| readable(format!("{}: {what}", self.place))).collect();
+        let mut hints = self.hints;
+        hints.dedup();
+        Err(NoPlace { what: lines.join("\n"), hint: readable(hints.join("; ")) }.into())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse(url: &str) -> Result<Server, LogError> {
+        Server::parse_with(url, &|name| (name == "USER").then(|| "margaret".into()))
+    }
+
+    #[test]
+    fn a_url_says_where_who_and_what() {
+        let server = parse("postgresql://ann%40home@db.example:5433/homes?schema=home1&sslmode=verify-full&run=7").unwrap();
+        assert_eq!((server.user.as_str(), server.database.as_str(), server.port), ("ann@home", "homes", 5433));
+        assert_eq!(server.host, Host::Name("db.example".into()));
+        assert_eq!((server.schema.as_deref(), server.run.as_deref()), (Some("home1"), Some("7")));
+        assert_eq!(server.tls, Tls::VerifyFull);
+        let socket = parse("ann@/homes?host=/tmp/sockets").unwrap();
+        assert_eq!(socket.host, Host::Socket("/tmp/sockets".into()));
+        assert_eq!(parse("postgresql://%2Ftmp%2Fs/homes").unwrap().host, Host::Socket("/tmp/s".into()));
+        let six = parse("ann@[::1]:6000/homes").unwrap();
+        assert_eq!((six.host, six.port), (Host::Name("::1".into()), 6000));
+        let bare = parse("postgresql://db").unwrap();
+        assert_eq!((bare.user.as_str(), bare.database.as_str()), ("margaret", "margaret"));
+    }
+
+    #[test]
+    fn a_password_in_a_url_is_refused_and_not_repeated() {
+        for url in [
+            "postgresql://ann:s3cr3t-canary@host/homes",
+            "postgresql://ann:s3cr3t@canary@host/homes?schema=a",
+            "postgresql://ann@host/homes?password=s3cr3t-canary",
+            "postgresql://ann@host/homes?schema=A&password=s3cr3t-canary&sslpassword=s3cr3t-canary",
+        ] {
+            let error = parse(url).unwrap_err();
+            let told = format!("{error} {error:?}");
+            assert!(told.contains("~/.pgpass") && !told.contains("s3cr3t"), "{told}");
+        }
+    }
+
+    #[test]
+    fn all_that_is_wrong_is_told_at_once() {
+        let error = parse("postgresql://ann@a,b:99999/homes?schem=x&sslmode=on&schema=pg_x&run=").unwrap_err().to_string();
+        for told in ["several hosts", "port \"99999\"", "schem", "did you mean schema?", "sslmode=\"on\"", "pg_x", "run has no value"] {
+            assert!(error.contains(told), "{told}: {error}");
+        }
+        for schema in ["a\"; drop table x; --", "A", "1a", "", "\u{e9}", &"a".repeat(64)] {
+            assert!(parse(&format!("ann@host/homes?schema={schema}")).is_err(), "{schema}");
+        }
+    }
+}

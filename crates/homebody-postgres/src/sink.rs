@@ -1,0 +1,286 @@
+//! A log or a truth in a database of PostgreSQL.
+//!
+//! Rows wait in memory, in the form in which they are sent, until a transaction has taken them; with them goes how far the
+//! database holds the run then. A transaction that fails is made again with the same rows. Where nobody knows whether it was
+//! taken, because the connection was lost as it ended, the next one asks: each begins with a look at the run's watermark, which
+//! waits for whatever is still on its way.
+
+use crate::rows::{Encoder, Rows, copy_into};
+use crate::runs::{self, At, Known};
+use crate::schema::{Schema, ident};
+use crate::server::Server;
+use crate::session::Session;
+use crate::trouble::wrong;
+use bytes::Bytes;
+use futures_util::SinkExt;
+use homebody_core::problem::readable;
+use homebody_core::scenario::logger::TimeFormat;
+use homebody_core::time::Micros;
+use homebody_log::table::{Batch, ColumnKind};
+use homebody_log::{Begin, How, LogError, RunInfo, Sink, Url, Watermark};
+use std::pin::pin;
+use std::sync::Arc;
+use tokio_postgres::types::ToSql;
+
+/// Rows and bytes after which a transaction ends, whoever asks for it or not (ours): what memory has to hold.
+const MOST_ROWS: u64 = 200_000;
+const MOST_BYTES: usize = 32 << 20;
+
+/// A database as a destination. Its errors that [pass](LogError::passes) may be tried again; nothing is kept twice.
+pub struct Postgres {
+    url: String,
+    open: Option<Open>,
+    /// Whether this program may have added the run, without having heard of it.
+    has_tried: bool,
+}
+
+/// A run in a database.
+struct Open {
+    server: Server,
+    /// None after it was lost, until the next transaction.
+    session: Option<Session>,
+    schema: Schema,
+    run: Arc<RunInfo>,
+    encoder: Encoder,
+    /// How many transactions have changed the run.
+    commits: i64,
+    /// How many rows of each table are durable.
+    durable: Vec<i64>,
+    /// Whether rows of the run that are there already go with the first transaction.
+    replaces: bool,
+    /// Where a log is gone on with: the column of its instants.
+    goes_on_by: Option<(String, TimeFormat)>,
+    /// The rows of the transaction that is under way.
+    sealed: Option<Sealed>,
+    /// The rows that have come since.
+    waiting: Vec<Rows>,
+}
+
+/// What a transaction takes: it stays the same until the transaction was taken.
+struct Sealed {
+    rows: Vec<Rows>,
+    /// How many rows of each table there are then.
+    then: Vec<i64>,
+    end: Option<Micros>,
+    /// Whether the server was asked to end the transaction.
+    is_in_doubt: bool,
+}
+
+impl Postgres {
+    /// The database of a URL. Nothing is touched before it is begun.
+    pub fn new(url: &Url) -> Postgres {
+        Postgres { url: url.to_string(), open: None, has_tried: false }
+    }
+
+    fn begun(&mut self) -> Result<&mut Open, LogError> {
+        // Only a URL that was read has been begun.
+        self.open.as_mut().ok_or_else(|| LogError::Stopped { place: "postgresql".into() })
+    }
+}
+
+impl Sink for Postgres {
+    fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
+        let server = Server::parse(&self.url)?;
+        let session = Session::open(&server)?;
+        let schema = Schema::make(&session, &server, begin)?;
+        let run = begin.run;
+        if runs::has_others(&session, &schema)? {
+            let (what, hint) = match schema.is_truth {
+                true => ("holds logs", "a truth goes into a schema of its own: ?schema=NAME"),
+                false => ("holds truths", "a log goes into another schema: ?schema=NAME"),
+            };
+            return Err(wrong(&server, format!("the schema {:?} {what}", schema.name), hint));
+        }
+        let known = runs::find(&session, &schema, run.id, false)?;
+        let is_ours = self.has_tried && known.as_ref().is_some_and(|known| known.commits == 0);
+        let has_rows = known.is_none() && begin.how != How::GoOn && runs::has_rows(&session, &schema, run.id)?;
+        if begin.how == How::New && (known.is_some() && !is_ours || has_rows) {
+            return Err(already(&server, &schema, run));
+        }
+        let mut replaces = begin.how == How::Replace && (known.is_some() || has_rows);
+        let nothing = vec![0; schema.tables.len()];
+        let (commits, durable) = match known {
+            Some(known) if begin.how == How::GoOn => {
+                can_go_on(&server, &schema, &known)?;
+                // What residents were doing as the run was stopped is said to end there and then.
+                replaces = schema.is_truth && known.is_ended;
+                (known.commits, if replaces { nothing } else { known.rows })
+            }
+            Some(known) => (known.commits, nothing),
+            None => {
+                self.has_tried = true;
+                if !runs::add(&session, &schema, run)? {
+                    return Err(already(&server, &schema, run));
+                }
+                (0, nothing)
+            }
+        };
+        let encoder = Encoder::new(run.id, runs::start_of(run), begin.time);
+        let waiting = vec![Rows::default(); schema.tables.len()];
+        let (run, session) = (Arc::new(run.clone()), Some(session));
+        let goes_on = begin.how == How::GoOn && !schema.is_truth && durable[0] > 0;
+        let instants = begin.tables[0].columns.iter().find(|column| column.kind == ColumnKind::Instant);
+        let goes_on_by = instants.filter(|_| goes_on).map(|column| (ident(&column.name), begin.time));
+        let sealed = None;
+        let open = Open { server, session, schema, run, encoder, commits, durable, replaces, goes_on_by, sealed, waiting };
+        let watermark = open.watermark();
+        self.open = Some(open);
+        Ok(watermark)
+    }
+
+    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
+        let open = self.begun()?;
+        // First, so that a batch whose call fails has not been taken.
+        if open.waiting.iter().map(|rows| rows.count).sum::<u64>() >= MOST_ROWS
+            || open.waiting.iter().map(Rows::bytes).sum::<usize>() >= MOST_BYTES
+        {
+            open.commit(None)?;
+        }
+        open.encoder.learn(batch).map_err(|text| {
+            let what = readable(format!("the text {text:?}"));
+            let hint = "PostgreSQL takes no NUL in texts: give the sensor another id";
+            LogError::CannotHold { place: open.server.place.clone(), what, hint }
+        })?;
+        for row in batch.rows() {
+            open.encoder.row(row.cells, &mut open.waiting[row.table]);
+        }
+        Ok(())
+    }
+
+    fn settle(&mut self) -> Result<Watermark, LogError> {
+        let open = self.begun()?;
+        open.commit(None)?;
+        Ok(open.watermark())
+    }
+
+    fn finish(&mut self, end: Micros) -> Result<(), LogError> {
+        let open = self.begun()?;
+        open.has_come_as_far(end)?;
+        open.commit(Some(end))?;
+        self.open = None;
+        Ok(())
+    }
+}
+
+impl Drop for Postgres {
+    /// A run of which nothing was stored leaves nothing behind that would be in the way of the next.
+    fn drop(&mut self) {
+        let Some(Open { session: Some(session), schema, run, commits: 0, sealed: None, .. }) = &self.open else { return };
+        let _ = runs::forget(session, schema, run.id);
+    }
+}
+
+impl Open {
+    fn watermark(&self) -> Watermark {
+        Watermark(self.durable.iter().map(|&rows| rows as u64).collect())
+    }
+
+    /// Refuses the end of a run that is gone on with and was stopped before it had come as far as before.
+    fn has_come_as_far(&mut self, end: Micros) -> Result<(), LogError> {
+        let Some((column, time)) = self.goes_on_by.take() else { return Ok(()) };
+        let Open { server, session: Some(session), schema, run, .. } = self else { return Ok(()) };
+        let end = runs::start_of(run) + end;
+        let (seconds, milliseconds) = (end as f64 / 1e6, end.div_euclid(1000));
+        let end: &(dyn ToSql + Sync) = match time {
+            TimeFormat::Local | TimeFormat::LocalOffset | TimeFormat::Utc => &At(end),
+            TimeFormat::EpochS => &seconds,
+            TimeFormat::EpochMs => &milliseconds,
+        };
+        let (table, run_column) = (&schema.tables[0].quoted, &schema.tables[0].run_column);
+        let sql = format!("SELECT EXISTS (SELECT FROM {table} WHERE {run_column} = $1 AND {column} > $2)");
+        match session.wait(session.client.query_one(&sql, &[&run.id, end]))?.get(0) {
+            true => Err(changed(server, "it has rows from after the end of this one")),
+            false => Ok(()),
+        }
+    }
+
+    /// Makes sure of all rows that have come, and of the run's end if that has come.
+    fn commit(&mut self, end: Option<Micros>) -> Result<(), LogError> {
+        // What an earlier call has left undone comes first, as it was.
+        while self.sealed.is_some() || end.is_some() || self.waiting.iter().any(|rows| rows.count > 0) {
+            let sealed = self.sealed.get_or_insert_with(|| {
+                let rows = std::mem::replace(&mut self.waiting, vec![Rows::default(); self.durable.len()]);
+                let then = self.durable.iter().zip(&rows).map(|(durable, rows)| durable + rows.count as i64).collect();
+                Sealed { rows, then, end, is_in_doubt: false }
+            });
+            let is_last = end.is_some() && sealed.end == end;
+            match self.transact() {
+                // A connection may have been lost long ago, without anybody noticing: a new one is tried once.
+                Err(error) if error.passes() => {
+                    self.session = None;
+                    self.transact().inspect_err(|_| self.session = None)?;
+                }
+                Err(error) => {
+                    self.session = None;
+                    return Err(error);
+                }
+                Ok(()) => {}
+            }
+            if let Some(taken) = self.sealed.take() {
+                self.durable = taken.then;
+            }
+            self.commits += 1;
+            self.replaces = false;
+            if is_last {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// One transaction of the sealed rows, unless an earlier one has taken them.
+    fn transact(&mut self) -> Result<(), LogError> {
+        if self.session.is_none() {
+            self.session = Some(Session::open(&self.server)?);
+        }
+        let Open { server, session: Some(session), schema, run, sealed: Some(sealed), .. } = self else { return Ok(()) };
+        let ask = |sql: &str| session.wait(session.client.batch_execute(sql));
+        ask("BEGIN")?;
+        let known = runs::find(session, schema, run.id, true)?;
+        let known = known.ok_or_else(|| changed(server, "its row in homebody_run is gone"))?;
+        if known.commits != self.commits {
+            // It has gone as asked where that was in doubt. Nobody else leaves just these numbers.
+            let is_taken = sealed.is_in_doubt && known.commits == self.commits + 1 && known.rows == sealed.then;
+            ask("ROLLBACK")?;
+            return if is_taken { Ok(()) } else { Err(changed(server, "another program has gone on with it")) };
+        }
+        for table in schema.tables.iter().filter(|_| self.replaces) {
+            let sql = format!("DELETE FROM {} WHERE {} = $1", table.quoted, table.run_column);
+            session.wait(session.client.execute(&sql, &[&run.id]))?;
+        }
+        for (table, rows) in schema.tables.iter().zip(&sealed.rows).filter(|(_, rows)| rows.count > 0) {
+            let sql = copy_into(table);
+            let copied = session.wait(async {
+                let mut copy = pin!(session.client.copy_in::<_, Bytes>(&sql).await?);
+                for chunk in rows.copy().filter(|chunk| !chunk.is_empty()) {
+                    copy.feed(chunk).await?;
+                }
+                copy.finish().await
+            })?;
+            if copied != rows.count {
+                return Err(changed(server, "the server has taken another number of rows"));
+            }
+        }
+        runs::mark(session, schema, run, &sealed.then, sealed.end)?;
+        sealed.is_in_doubt = true;
+        ask("COMMIT")
+    }
+}
+
+fn changed(server: &Server, what: &str) -> LogError {
+    LogError::Changed { place: server.place.clone(), what: what.into() }
+}
+
+fn already(server: &Server, schema: &Schema, run: &RunInfo) -> LogError {
+    let what = format!("the run {} of {:?} is in the schema {:?} already", run.id, run.scenario, schema.name);
+    wrong(server, what, "--force replaces it, --resume goes on with it; or name another schema: ?schema=NAME")
+}
+
+/// Refuses what was not begun as this run is.
+fn can_go_on(server: &Server, schema: &Schema, known: &Known) -> Result<(), LogError> {
+    let tables: Vec<&str> = schema.tables.iter().map(|table| table.name.as_str()).collect();
+    if known.tables != tables {
+        return Err(changed(server, &format!("it is in the tables {}", known.tables.join(", "))));
+    }
+    Ok(())
+}

@@ -1,0 +1,249 @@
+//! A table in a database of PostgreSQL: by the names of a mapping, or ours. It is read row by row, in the order of its numbers,
+//! through a cursor.
+
+use crate::runs::At;
+use crate::schema::{ident, quoted, usual};
+use crate::server::Server;
+use crate::session::Session;
+use crate::trouble::{told, wrong};
+use homebody_core::problem::readable;
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::scenario::nearest::nearest;
+use homebody_log::LogError;
+use homebody_log::source::{Form, Instant, Reading, Shows};
+use std::path::Path;
+use tokio_postgres::Row;
+use tokio_postgres::types::ToSql;
+
+/// Logs in databases of PostgreSQL.
+pub const FORM: Form = Form {
+    name: "postgresql",
+    what: "a table of a database of PostgreSQL that has a time, a sensor and a value, by the names of logger.json or ours",
+    shows: |_| Shows::Nothing,
+    read,
+};
+
+/// Rows that are asked for at once (ours).
+const ROWS_AT_ONCE: i32 = 8192;
+
+/// So many runs, tables or columns are named in an error (ours).
+const MOST_NAMED: usize = 20;
+
+fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+    let server = Server::parse(&path.to_string_lossy())?;
+    let session = Session::open(&server)?;
+    let table = Found::find(&session, &server, file)?;
+    let run = table.run(&session, &server)?;
+    let (sql, parameter) = table.rows(run.as_deref());
+    let parameters: Vec<&(dyn ToSql + Sync)> = parameter.iter().map(|run| run as &(dyn ToSql + Sync)).collect();
+    session.wait(session.client.batch_execute("BEGIN READ ONLY"))?;
+    session.wait(session.client.execute(&format!("DECLARE rows NO SCROLL CURSOR FOR {sql}"), &parameters))?;
+    let next = session.wait(session.client.prepare(&format!("FETCH {ROWS_AT_ONCE} FROM rows")))?;
+    let mut line = 0;
+    loop {
+        let rows = session.wait(session.client.query(&next, &[]))?;
+        for row in &rows {
+            line += 1;
+            table.take(line, row, reading).map_err(|failed| match failed {
+                Failed::Row(error) => told(&server, &error, None),
+                Failed::Log(error) => error,
+            })?;
+        }
+        if rows.len() < ROWS_AT_ONCE as usize {
+            return Ok(());
+        }
+    }
+}
+
+/// A table of rows, and what its columns are.
+struct Found {
+    schema: String,
+    table: String,
+    time: String,
+    clock: Time,
+    sensor: String,
+    value: String,
+    run: Option<String>,
+    /// Whether runs are numbers.
+    has_numbers: bool,
+    seq: Option<String>,
+}
+
+/// What a column of instants says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Time {
+    /// Instants of the world's clock.
+    Utc,
+    /// Those of a clock on some wall.
+    Local,
+    /// A text or a number, as files have them.
+    Text,
+}
+
+/// Why a row was not taken.
+enum Failed {
+    Row(tokio_postgres::Error),
+    Log(LogError),
+}
+
+impl From<tokio_postgres::Error> for Failed {
+    fn from(error: tokio_postgres::Error) -> Failed {
+        Failed::Row(error)
+    }
+}
+
+impl From<LogError> for Failed {
+    fn from(error: LogError) -> Failed {
+        Failed::Log(error)
+    }
+}
+
+impl Found {
+    /// The table by the names of a mapping, or all that is missing.
+    fn find(session: &Session, server: &Server, file: &LoggerFile) -> Result<Found, LogError> {
+        const COLUMNS: &str = "SELECT a.attname::text, format_type(a.atttypid, NULL) FROM pg_attribute a \
+             JOIN pg_class c ON c.oid = a.attrelid JOIN pg_namespace n ON n.oid = c.relnamespace \
+             WHERE n.nspname = $1 AND c.relname = $2 AND c.relkind IN ('r', 'p', 'v', 'm', 'f') \
+             AND a.attnum > 0 AND NOT a.attisdropped ORDER BY a.attnum";
+        let schema = match &server.schema {
+            Some(schema) => schema.clone(),
+            None => usual(session, server)?,
+        };
+        let table = file.table.clone().unwrap_or_else(|| "firing".into());
+        let columns = session.wait(session.client.query(COLUMNS, &[&schema, &table]))?;
+        if columns.is_empty() {
+            return Err(no_table(session, server, &schema, &table)?);
+        }
+        let columns: Vec<(String, String)> = columns.iter().map(|row| (row.get(0), row.get(1))).collect();
+        let has = |name: &String| columns.iter().any(|(column, _)| column == name).then(|| name.clone());
+        let names = &file.columns;
+        let missing: Vec<&String> =
+            [&names.time, &names.sensor, &names.value].into_iter().filter(|name| has(name).is_none()).collect();
+        if !missing.is_empty() {
+            let known: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
+            let missing: Vec<String> = missing.iter().map(|name| format!("{name:?}")).collect();
+            let what = format!("the table {table:?} has no column {}", missing.join(", no column "));
+            let hint = format!("it has {}; a logger.json that names its columns is given by --mapping FILE", listed(&known));
+            return Err(wrong(server, what, &hint));
+        }
+        let is = |wanted: &String| columns.iter().find(|(name, _)| name == wanted).map_or("", |(_, is)| is.as_str());
+        let clock = match is(&names.time) {
+            "timestamp with time zone" => Time::Utc,
+            "timestamp without time zone" => Time::Local,
+            _ => Time::Text,
+        };
+        Ok(Found {
+            time: names.time.clone(),
+            clock,
+            sensor: names.sensor.clone(),
+            value: names.value.clone(),
+            run: has(&names.run),
+            has_numbers: ["bigint", "integer", "smallint"].contains(&is(&names.run)),
+            seq: has(&names.seq),
+            schema,
+            table,
+        })
+    }
+
+    /// Which run is read, where rows say of which they are: the one that was asked for, or the only one.
+    fn run(&self, session: &Session, server: &Server) -> Result<Option<String>, LogError> {
+        let Some(run) = &self.run else { return Ok(None) };
+        let (run, table) = (ident(run), quoted(&self.schema, &self.table));
+        // Where the run is the beginning of a key, each is found without a look at all rows.
+        let runs = format!(
+            "WITH RECURSIVE runs AS ((SELECT {run} AS run FROM {table} WHERE {run} IS NOT NULL ORDER BY 1 LIMIT 1) UNION ALL \
+             SELECT (SELECT {run} FROM {table} WHERE {run} > runs.run ORDER BY 1 LIMIT 1) FROM runs WHERE runs.run IS NOT NULL) \
+             SELECT run::text FROM runs WHERE run IS NOT NULL LIMIT {}",
+            MOST_NAMED + 1
+        );
+        if let Some(asked) = &server.run {
+            let (is_it, parameter) = self.is_run(&run, asked);
+            let sql = format!("SELECT EXISTS (SELECT FROM {table} WHERE {is_it})");
+            let parameters: Vec<&(dyn ToSql + Sync)> = parameter.iter().map(|run| run as _).collect();
+            if session.wait(session.client.query_one(&sql, &parameters))?.get(0) {
+                return Ok(Some(asked.clone()));
+            }
+        }
+        let found = session.wait(session.client.query(&runs, &[]))?;
+        let found: Vec<&str> = found.iter().map(|row| row.get(0)).collect();
+        match (&server.run, &found[..]) {
+            (Some(asked), found) => {
+                let what = format!("the table {:?} has no run {asked}", self.table);
+                Err(wrong(server, what, &format!("it has {}", listed(found))))
+            }
+            (None, []) => Ok(None),
+            (None, [one]) => Ok(Some((*one).to_owned())),
+            (None, several) => {
+                let what = format!("the table {:?} has several runs: {}", self.table, listed(several));
+                Err(wrong(server, what, &format!("name one: ?run={}", several[0])))
+            }
+        }
+    }
+
+    /// What is so in rows of a run, with its parameter: by its number an index finds them.
+    fn is_run(&self, column: &str, run: &str) -> (String, Option<String>) {
+        match run.parse::<i64>().ok().filter(|_| self.has_numbers) {
+            Some(number) => (format!("{column} = {number}"), None),
+            None => (format!("{column}::text = $1"), Some(run.to_owned())),
+        }
+    }
+
+    /// What asks for the rows, and the parameter that says of which run.
+    fn rows(&self, run: Option<&str>) -> (String, Option<String>) {
+        let time = ident(&self.time);
+        let told = if self.clock == Time::Text { format!("{time}::text") } else { time.clone() };
+        let [sensor, value] = [&self.sensor, &self.value].map(|name| format!("{}::text", ident(name)));
+        let mut sql = format!("SELECT {told}, {sensor}, {value} FROM {}", quoted(&self.schema, &self.table));
+        let mut parameter = None;
+        if let (Some(run), Some(column)) = (run, self.run.as_deref().map(ident)) {
+            let (is_it, asked) = self.is_run(&column, run);
+            sql += &format!(" WHERE {is_it}");
+            parameter = asked;
+        }
+        sql += &match &self.seq {
+            Some(seq) => format!(" ORDER BY {}", ident(seq)),
+            None => format!(" ORDER BY {time}"),
+        };
+        (sql, parameter)
+    }
+
+    /// Hands a row over.
+    fn take(&self, line: u64, row: &Row, reading: &mut Reading) -> Result<(), Failed> {
+        let [sensor, value] = [1, 2].map(|column| row.try_get::<_, Option<&str>>(column));
+        let (sensor, value) = (sensor?.unwrap_or_default(), value?.unwrap_or_default());
+        match self.clock {
+            Time::Text => {
+                reading.row(line, row.try_get::<_, Option<&str>>(0)?.unwrap_or_default(), sensor, value)?;
+            }
+            clock => match row.try_get::<_, Option<At>>(0)? {
+                None => reading.skip(line, "there is no time".into()),
+                Some(At(at)) => {
+                    let instant = if clock == Time::Utc { Instant::Utc(at) } else { Instant::Local(at) };
+                    reading.event(line, instant, sensor, value)?;
+                }
+            },
+        }
+        Ok(())
+    }
+}
+
+/// What to say where there is no such table.
+fn no_table(session: &Session, server: &Server, schema: &str, table: &str) -> Result<LogError, LogError> {
+    const TABLES: &str = "SELECT c.relname::text FROM pg_class c JOIN pg_namespace n ON n.oid = c.relnamespace \
+         WHERE n.nspname = $1 AND c.relkind IN ('r', 'p', 'v', 'm', 'f') ORDER BY 1";
+    let found = session.wait(session.client.query(TABLES, &[&schema]))?;
+    let names: Vec<&str> = found.iter().map(|row| row.get(0)).collect();
+    let what = format!("there is no table {table:?} in the schema {schema:?}");
+    let hint = match (nearest(table, names.iter().copied()), &names[..]) {
+        (_, []) => "there is none at all in it: name another, ?schema=NAME".to_owned(),
+        (Some(near), _) => format!("did you mean {near:?}? --mapping FILE gives a logger.json that names the table"),
+        (None, names) => format!("it has {}; a logger.json that names the table is given by --mapping FILE", listed(names)),
+    };
+    Ok(wrong(server, readable(what), &hint))
+}
+
+/// The first of some names.
+fn listed(names: &[&str]) -> String {
+    let more = if names.len() > MOST_NAMED { " and more" } else { "" };
+    names.iter().take(MOST_NAMED).copied().collect::<Vec<_>>().join(", ") + more
+}

@@ -1,0 +1,76 @@
+//! A connection that is lost as a transaction ends: nobody knows whether it was taken, and nothing is lost or doubled.
+
+mod stage;
+
+use homebody_log::{How, Policy};
+use stage::life::{Life, patient};
+use stage::proxy::Proxy;
+use stage::{Server, kills};
+
+/// Firings of a life.
+const FIRINGS: u64 = 6_000;
+
+#[test]
+fn whatever_becomes_of_a_transaction_whose_end_nobody_hears_of_rows_are_there_once() {
+    let Some(server) = Server::shared() else { return };
+    let database = server.database("ambiguous");
+    let life = |run| Life { settles: 1, ..Life::new(run, FIRINGS) };
+    let url = server.url("postgres", &database, "");
+    life(1_000_000).live(&url, Some(&url), Policy::default()).unwrap();
+    let undisturbed = ["public", "truth"].map(|schema| server.dump(&database, schema, 1_000_000));
+    let wanted = kills(20);
+    let proxy = Proxy::start(&server.socket(), wanted);
+    let through = format!("postgresql://postgres@127.0.0.1:{}/{database}?sslmode=disable", proxy.port);
+    let mut run = 0;
+    while proxy.cut().iter().sum::<usize>() < wanted {
+        run += 1;
+        life(run).live(&through, Some(&through), patient(30)).unwrap();
+        let dumps = ["public", "truth"].map(|schema| server.dump(&database, schema, run));
+        assert_eq!(dumps, undisturbed, "run {run}, cut {:?}", proxy.cut());
+    }
+    let [before, sent, unheard] = proxy.cut();
+    println!(
+        "{wanted} cuts in {run} lives: {before} before COMMIT was sent, {sent} as it was, {unheard} with its answer kept back: \
+         nothing lost, nothing doubled"
+    );
+    assert!(wanted < 20 || before > 0 && sent > 0 && unheard > 0, "each kind of cut has come");
+}
+
+#[test]
+fn a_replaced_run_whose_end_nobody_hears_of_is_replaced_once() {
+    let Some(server) = Server::shared() else { return };
+    let database = server.database("replaced");
+    let url = server.url("postgres", &database, "");
+    let once = Life { settles: usize::MAX, ..Life::new(7, 500) };
+    once.live(&url, Some(&url), Policy::default()).unwrap();
+    let before = ["public", "truth"].map(|schema| server.dump(&database, schema, 7));
+    let proxy = Proxy::start(&server.socket(), 6);
+    let through = format!("postgresql://postgres@127.0.0.1:{}/{database}?sslmode=disable", proxy.port);
+    // All rows go in one transaction, so that old and new count alike.
+    for _ in 0..12 {
+        Life { how: How::Replace, ..once }.live(&through, Some(&through), patient(30)).unwrap();
+        let after = ["public", "truth"].map(|schema| server.dump(&database, schema, 7));
+        assert_eq!(after, before);
+    }
+    assert_eq!(proxy.cut().iter().sum::<usize>(), 6);
+}
+
+/// The wrong way: it writes again what it has not heard of, and keeps how far it has come apart from the rows.
+#[test]
+fn who_writes_again_what_was_not_heard_of_doubles_rows_and_that_is_seen() {
+    let Some(server) = Server::shared() else { return };
+    let database = server.database("naive");
+    let url = server.url("postgres", &database, "");
+    Life::new(1, 500).live(&url, None, Policy::default()).unwrap();
+    let sound = server.dump(&database, "public", 1);
+    let again = |key: &str| {
+        server.psql(&database, key);
+        let lost = "INSERT INTO firing SELECT 1, seq, fired_at, sensor, value FROM firing WHERE run_id = 1 AND seq >= 450";
+        server.try_psql(&database, lost).is_ok()
+    };
+    assert!(!again("SELECT 1"), "with its key the table refuses what it has");
+    assert!(again("ALTER TABLE firing DROP CONSTRAINT firing_pkey"), "without it nothing does");
+    assert_ne!(server.dump(&database, "public", 1), sound, "the dump tells of rows that are there twice");
+    let error = Life { how: How::GoOn, ..Life::new(1, 500) }.live(&url, None, Policy::default()).unwrap_err();
+    assert!(error.to_string().contains("has no key (run_id, seq)"), "{error}");
+}
