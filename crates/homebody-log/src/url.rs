@@ -56,7 +56,7 @@ impl Url {
         let of_table = |table: &Table| table_file(&self.at, &table.name);
         match (self.file(), self.scheme) {
             (None, _) => Vec::new(),
-            (_, Scheme::Csv | Scheme::Jsonl | Scheme::Arrow) if tables.len() > 1 => {
+            (_, Scheme::Csv | Scheme::Jsonl | Scheme::Parquet | Scheme::Arrow) if tables.len() > 1 => {
                 tables.iter().map(of_table).collect()
             }
             _ => vec![self.at.clone()],
@@ -78,7 +78,7 @@ impl Url {
 }
 
 /// The file of one table of several, which have the name of `path` between them.
-pub(crate) fn table_file(path: &Path, table: &str) -> PathBuf {
+pub fn table_file(path: &Path, table: &str) -> PathBuf {
     let ending = path.extension().map_or("csv".into(), |ending| ending.to_string_lossy().into_owned());
     path.with_extension(format!("{table}.{ending}"))
 }
