@@ -134,7 +134,7 @@ fn child() {
     let Ok(url) = std::env::var(CHILD) else { return };
     install(vec![homebody_arrow::ELSEWHERE]);
     let mut logger = of_run(5, &url.parse().unwrap(), How::GoOn).unwrap();
-    for step in days(6.0).chunks(50) {
+    for step in days(4.0).chunks(50) {
         logger.store(step, step[step.len() - 1].at + 1).unwrap();
         std::thread::sleep(Duration::from_micros(300));
     }
@@ -147,7 +147,7 @@ fn whatever_kills_a_run_it_is_gone_on_with_to_the_same_bytes() {
     let kills = std::env::var("HOMEBODY_KILLS").ok().and_then(|kills| kills.parse().ok()).unwrap_or(6_u64);
     for (kind, name) in [("parquet", "set"), ("parquet", "log.parquet"), ("arrow", "log.arrow")] {
         let whole = folder.url(&format!("{kind}:whole-{name}"));
-        stage::store(of_run(5, &whole, How::New).unwrap(), &days(6.0), 5_000).unwrap();
+        stage::store(of_run(5, &whole, How::New).unwrap(), &days(4.0), 5_000).unwrap();
         let bytes = |url: &Url| match url.path().is_dir() {
             true => files(url.path()),
             false => BTreeMap::from([(String::new(), fs::read(url.path()).unwrap())]),
@@ -182,7 +182,7 @@ fn whatever_kills_a_run_it_is_gone_on_with_to_the_same_bytes() {
                     days_left += 1;
                 }
             }
-            stage::store(of_run(5, &url, How::GoOn).unwrap(), &days(6.0), 1_000).unwrap();
+            stage::store(of_run(5, &url, How::GoOn).unwrap(), &days(4.0), 1_000).unwrap();
             assert!(bytes(&url) == bytes(&whole), "{url} after kill {kill}");
             match url.path().is_dir() {
                 true => fs::remove_dir_all(url.path()).unwrap(),

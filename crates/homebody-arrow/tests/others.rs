@@ -15,15 +15,15 @@ const ASKS: &str = r#"
 import duckdb, glob, json, polars, sys
 set_, log, arrow, truth, out = sys.argv[1:]
 files = set_ + "/*/*/*.parquet"
-duck = duckdb.sql(f"select count(*), count(distinct run), count(distinct day), min(fired_at) from read_parquet('{files}', hive_partitioning = true)").fetchone()
-one_day = duckdb.sql(f"select count(*) from read_parquet('{files}', hive_partitioning = true) where run = 5 and day = '2009-03-08'").fetchone()[0]
+duck = duckdb.sql(f"select count(*), count(distinct run), count(distinct day), min(fired_at) from read_parquet('{files}', hive_partitioning = true)").fetchall()[0]
+one_day = duckdb.sql(f"select count(*) from read_parquet('{files}', hive_partitioning = true) where run = 5 and day = '2009-03-08'").fetchall()[0][0]
 lazy = polars.scan_parquet(files, hive_partitioning=True)
 by_polars = lazy.select(polars.len()).collect().item()
 polars_day = lazy.filter((polars.col("run") == 5) & (polars.col("day").cast(polars.String) == "2009-03-08")).select(polars.len()).collect().item()
 whole = polars.read_parquet(log)
 feather = polars.read_ipc(arrow, memory_map=False)
-about = duckdb.sql(f"select decode(value) from parquet_kv_metadata('{log}') where decode(key) = 'homebody'").fetchone()[0]
-empty = duckdb.sql(f"select count(*) from read_parquet('{truth}/movement/*/*/*.parquet', hive_partitioning = true)").fetchone()[0]
+about = duckdb.sql(f"select decode(value) from parquet_kv_metadata('{log}') where decode(key) = 'homebody'").fetchall()[0][0]
+empty = duckdb.sql(f"select count(*) from read_parquet('{truth}/movement/*/*/*.parquet', hive_partitioning = true)").fetchall()[0][0]
 print(json.dumps({
     "duck": [duck[0], duck[1], duck[2], str(duck[3].astimezone(__import__('datetime').timezone.utc))],
     "one_day": [one_day, polars_day],

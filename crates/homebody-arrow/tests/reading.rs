@@ -187,13 +187,13 @@ fn a_damaged_file_is_refused_by_its_name() {
             Source::recognise(&path).and_then(|source| read(&source, &LoggerFile::default()))
         };
         let name = |error: &LogError| assert!(error.to_string().contains(&format!("bad.{ending}")), "{error}");
-        for length in (8..bytes.len()).step_by(7) {
+        for length in (8..bytes.len()).step_by(29) {
             let error = looked_at(&bytes[..length]).expect_err("it is cut short");
             name(&error);
             assert!(error.to_string().contains("damaged or cut short"), "{error}");
         }
         let (mut refused, mut read) = (0, 0);
-        for at in 0..bytes.len() {
+        for at in (0..bytes.len()).step_by(5) {
             let mut changed = bytes.clone();
             changed[at] ^= 1 << (at % 8);
             match looked_at(&changed) {
@@ -204,7 +204,7 @@ fn a_damaged_file_is_refused_by_its_name() {
                 }
             }
         }
-        println!("{ending}: of {} changes {refused} are refused, {read} read", bytes.len());
+        println!("{ending}: of {} changes {refused} are refused, {read} read", refused + read);
         assert!(refused > 0 && read > 0);
     }
 }

@@ -32,7 +32,13 @@ impl Url {
 
     /// Whether it is a folder of files, or what stands for one in an object store: Parquet whose name does not end so.
     pub fn is_data_set(&self) -> bool {
-        self.scheme == Scheme::Parquet && self.at.extension().is_none_or(|ending| ending != "parquet")
+        self.scheme == Scheme::Parquet
+            && (self.is_in_store() || self.at.extension().is_none_or(|ending| ending != "parquet"))
+    }
+
+    /// Whether what stands behind the colon is a URL itself: that of an object store.
+    pub fn is_in_store(&self) -> bool {
+        self.at.to_string_lossy().contains("://")
     }
 
     /// What stands behind the colon, as a path.
@@ -65,7 +71,7 @@ impl Url {
 
     /// The same place; a file's path is taken from `base` if it is relative.
     pub fn within(&self, base: &Path) -> Url {
-        match self.file().is_some() || self.is_data_set() && !self.at.to_string_lossy().contains("://") {
+        match self.file().is_some() || self.is_data_set() && !self.is_in_store() {
             true => Url::new(self.scheme, base.join(&self.at)),
             false => self.clone(),
         }
@@ -127,6 +133,7 @@ mod tests {
         assert_eq!(set.within(Path::new("/runs")).path(), Path::new("/runs/lives"));
         let store: Url = "parquet:s3://bucket/lives".parse().unwrap();
         assert_eq!(store.within(Path::new("/runs")), store);
+        assert_eq!("parquet:s3://bucket/a.parquet".parse::<Url>().unwrap().file(), None);
         assert_eq!("parquet:a.parquet".parse::<Url>().unwrap().file(), Some(Path::new("a.parquet")));
     }
 

@@ -55,6 +55,9 @@ impl DataSet {
 
 impl Sink for DataSet {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
+        if self.folder.to_string_lossy().contains("://") {
+            return Err(no_store(&self.folder));
+        }
         let mut tables = Vec::new();
         let mut replaced = Vec::new();
         let mut lock = None;
@@ -109,6 +112,15 @@ impl Sink for DataSet {
             }
         }
         Ok(())
+    }
+}
+
+/// What becomes of the URL of an object store.
+pub(crate) fn no_store(url: &Path) -> LogError {
+    LogError::CannotHold {
+        place: format!("parquet:{}", url.display()),
+        what: "a log: this program has no object store".into(),
+        hint: "take a folder, parquet:lives, and copy it",
     }
 }
 

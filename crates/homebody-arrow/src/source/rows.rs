@@ -4,6 +4,7 @@ use super::batches::Opened;
 use super::cells::{Texts, Time, Times};
 use super::files::files;
 use crate::fault::broken;
+use crate::sink::no_store;
 use arrow_array::{Array, ArrayRef, RecordBatch};
 use arrow_schema::Schema;
 use homebody_core::problem::readable;
@@ -17,6 +18,9 @@ const LONGEST_TOLD: usize = 200;
 
 /// Reads a file, or a folder of files, row by row.
 pub(super) fn read(path: &Path, mapping: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+    if path.to_string_lossy().contains("://") {
+        return Err(no_store(path));
+    }
     let mut line = 0;
     for file in files(path)? {
         let opened = Opened::open(&file)?;

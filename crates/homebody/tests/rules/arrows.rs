@@ -71,6 +71,7 @@ const ARROWS: [(&str, &[&str]); 15] = [
         "homebody-fuzz",
         &[
             "homebody-analysis",
+            "homebody-arrow",
             "homebody-core",
             "homebody-import",
             "homebody-kit",
