@@ -69,6 +69,7 @@ each! {
     lists_of_cohorts: "cohort",
     logs: "log",
     databases: "database",
+    columns: "columns",
     sources: "source",
     truths: "truth",
     plans: "plan",

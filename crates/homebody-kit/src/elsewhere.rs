@@ -7,6 +7,8 @@ pub fn install_all() {
     let all: Vec<Elsewhere> = vec![
         #[cfg(feature = "postgresql")]
         homebody_postgres::POSTGRESQL,
+        #[cfg(feature = "parquet")]
+        homebody_arrow::ELSEWHERE,
     ];
     install(all);
 }

@@ -86,6 +86,19 @@ impl Clock {
         }
     }
 
+    /// The instant in microseconds since 1970, for a type of its own: by the clock on the wall where instants are told without
+    /// their offset, else by the world's.
+    pub fn micros(&mut self, at: Micros) -> i64 {
+        let epoch = self.start + at;
+        if self.format != TimeFormat::Local {
+            return epoch;
+        }
+        if !self.steady.contains(&epoch) {
+            self.ask_zone(epoch);
+        }
+        epoch + self.offset
+    }
+
     /// The instant for a text file.
     pub fn text(&mut self, at: Micros) -> &str {
         let epoch = self.start + at;

@@ -388,7 +388,7 @@ impl LogError {
     }
 
     /// What an error of a file means.
-    pub(crate) fn file(path: &Path, source: io::Error) -> LogError {
+    pub fn file(path: &Path, source: io::Error) -> LogError {
         let place = place_of(path);
         match source.kind() {
             io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => LogError::Full { place },
@@ -404,7 +404,7 @@ impl LogError {
     }
 
     /// What an error of reading a file means.
-    pub(crate) fn reading(path: &Path, source: io::Error) -> LogError {
+    pub fn reading(path: &Path, source: io::Error) -> LogError {
         match source.kind() {
             io::ErrorKind::PermissionDenied => LogError::Unreadable { place: place_of(path) },
             _ => LogError::file(path, source),

@@ -83,10 +83,19 @@ impl FreshFile {
     /// Begins a file under another name beside its place; `force` allows that a file with its name is replaced. A
     /// device, such as a pipe, is written to at once.
     pub fn create(path: &Path, force: bool) -> Result<FreshFile, LogError> {
+        FreshFile::create_as(path, "", force)
+    }
+
+    /// The same; until it is whole, its name begins with a dot, so that whoever reads all files of its folder passes it over.
+    pub fn create_hidden(path: &Path, force: bool) -> Result<FreshFile, LogError> {
+        FreshFile::create_as(path, ".", force)
+    }
+
+    fn create_as(path: &Path, dot: &str, force: bool) -> Result<FreshFile, LogError> {
         let place = Found::at(path, force)?;
         let begun = match place {
             Found::Device => OpenOptions::new().write(true).open(path).map(|file| (None, file)),
-            _ => begin_part(path).map(|(part, file)| (Some(part), file)),
+            _ => begin_part(path, dot).map(|(part, file)| (Some(part), file)),
         };
         let (part, file) = begun.map_err(|error| LogError::file(path, error))?;
         Ok(FreshFile { path: path.into(), place, part, out: BufWriter::with_capacity(1 << 16, file) })
@@ -119,6 +128,11 @@ impl FreshFile {
         self.part = None;
     }
 
+    /// Where its bytes are as long as it has no name; None for a device.
+    pub fn part(&self) -> Option<&Path> {
+        self.part.as_deref()
+    }
+
     /// The name that the file gets once it is whole.
     pub fn path(&self) -> &Path {
         &self.path
@@ -134,20 +148,36 @@ impl FreshFile {
         self.out.flush().map_err(|error| LogError::file(&self.path, error))
     }
 
+    /// Gives the file its name before it is whole, so that it can be read while it grows. From then on it stays.
+    pub fn name_early(&mut self) -> Result<(), LogError> {
+        self.flush()?;
+        match self.part.take() {
+            Some(part) => self.name(&part),
+            None => Ok(()),
+        }
+    }
+
     /// Makes sure of the data, then gives the file its name.
     pub fn finish(mut self) -> Result<(), LogError> {
         self.flush()?;
-        let Some(part) = self.part.take() else {
-            return Ok(());
+        if self.place != Found::Device {
+            self.out.get_ref().sync_all().map_err(|error| LogError::file(&self.path, error))?;
+        }
+        match self.part.take() {
+            Some(part) => self.name(&part),
+            None => Ok(()),
+        }
+    }
+
+    fn name(&self, part: &Path) -> Result<(), LogError> {
+        let named = match self.place {
+            Found::Replaced => replace(part, &self.path),
+            _ => name_if_free(part, &self.path),
         };
-        let named = self.out.get_ref().sync_all().and_then(|()| match self.place {
-            Found::Replaced => replace(&part, &self.path),
-            _ => name_if_free(&part, &self.path),
-        });
         match named {
             Ok(()) => sync_folder(&self.path),
             Err(error) => {
-                let _ = fs::remove_file(&part);
+                let _ = fs::remove_file(part);
                 match error.kind() {
                     io::ErrorKind::AlreadyExists => Err(LogError::Exists { place: place_of(&self.path) }),
                     _ => Err(LogError::file(&self.path, error)),
@@ -176,11 +206,11 @@ impl Drop for FreshFile {
 }
 
 /// A new file beside a path: others may be on their way to the same one.
-fn begin_part(path: &Path) -> io::Result<(PathBuf, File)> {
+fn begin_part(path: &Path, dot: &str) -> io::Result<(PathBuf, File)> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let mut number = 0;
     loop {
-        let part = path.with_file_name(format!("{name}.{}-{number}.part", std::process::id()));
+        let part = path.with_file_name(format!("{dot}{name}.{}-{number}.part", std::process::id()));
         match OpenOptions::new().write(true).create_new(true).open(&part) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => number += 1,
             begun => return begun.map(|file| (part, file)),
@@ -201,7 +231,7 @@ fn largest_part(path: &Path) -> io::Result<Option<PathBuf>> {
     for entry in fs::read_dir(folder(path))? {
         let entry = entry?;
         let name = entry.file_name().to_string_lossy().into_owned();
-        if name.strip_prefix(&begins).is_some_and(|rest| rest.ends_with(".part")) {
+        if name.trim_start_matches('.').strip_prefix(&begins).is_some_and(|rest| rest.ends_with(".part")) {
             parts.push((entry.metadata()?.len(), entry.path()));
         }
     }

@@ -121,7 +121,7 @@ pub(crate) fn unpacked(path: &Path) -> io::Result<Box<dyn Read + Send>> {
     Read::by_ref(&mut file).take(ZSTD.len() as u64).read_to_end(&mut begins)?;
     file.rewind()?;
     match &begins[..] {
-        begins if begins.starts_with(GZIP) => Ok(Box::new(MultiGzDecoder::new(BufReader::new(file)))),
+        begins if begins.starts_with(GZIP) => Ok(Box::new(Unpacked(MultiGzDecoder::new(BufReader::new(file))))),
         ZSTD => unpacked_zstd(file),
         _ => Ok(Box::new(file)),
     }
@@ -131,8 +131,23 @@ pub(crate) fn unpacked(path: &Path) -> io::Result<Box<dyn Read + Send>> {
 fn unpacked_zstd(file: File) -> io::Result<Box<dyn Read + Send>> {
     let mut decoder = zstd::Decoder::new(file)?;
     decoder.window_log_max(LARGEST_WINDOW_LOG)?;
-    Ok(Box::new(decoder))
+    Ok(Box::new(Unpacked(decoder)))
 }
+
+/// What is unpacked; where that fails, it says so in words.
+struct Unpacked<R>(R);
+
+impl<R: Read> Read for Unpacked<R> {
+    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+        self.0.read(bytes).map_err(|error| match error.raw_os_error() {
+            // The disk's own.
+            Some(_) => error,
+            None => io::Error::new(io::ErrorKind::InvalidData, DAMAGED),
+        })
+    }
+}
+
+const DAMAGED: &str = "what is packed in it is damaged or cut short\n  hint: take a copy that is whole";
 
 #[cfg(not(feature = "zstd"))]
 fn unpacked_zstd(_: File) -> io::Result<Box<dyn Read + Send>> {

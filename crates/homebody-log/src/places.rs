@@ -74,6 +74,10 @@ impl Places {
 
     /// Makes sure that no file of a folder, which may be anybody's, leads elsewhere.
     fn lead_nowhere_else(&self, folder: &Path) -> Result<(), LogError> {
+        let sets = self.log.iter().filter(|url| url.is_data_set()).map(Url::path);
+        if let Some(set) = sets.into_iter().find(|set| set.is_symlink()) {
+            return Err(LogError::LeadsOut { place: place_of(set) });
+        }
         self.files().iter().try_for_each(|path| leads_nowhere_else(folder, path))
     }
 
@@ -220,7 +224,8 @@ fn logs_in(folder: &Path, logger: &LoggerFile) -> impl Iterator<Item = Result<Ur
 
 /// Whether all is there that a whole run leaves in its folder.
 pub fn is_all_there(folder: &Path, logger: &LoggerFile) -> bool {
-    let logs = logs_in(folder, logger).filter_map(|url| Some(url.ok()?.file()?.to_owned()));
+    let is_local = |url: &Url| url.file().is_some() || url.is_data_set();
+    let logs = logs_in(folder, logger).filter_map(|url| url.ok().filter(is_local).map(|url| url.path().to_owned()));
     logs.chain([RECORDING, TRUTH, SENSORS].map(|name| folder.join(name))).all(|file| file.exists())
 }
 

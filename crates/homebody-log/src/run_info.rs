@@ -16,6 +16,8 @@ pub struct RunInfo {
     pub id: i64,
     /// Which home of several it is: the name of a member of a cohort. None for a run of its own.
     pub home: Option<String>,
+    /// Whether it was lived in a simulated home; of a log that was only read nobody can say.
+    pub is_simulated: bool,
     /// The scenario's name.
     pub scenario: String,
     /// The number that all randomness of the run comes from.
@@ -54,6 +56,7 @@ impl RunInfo {
         RunInfo {
             id: recording.run_id(),
             home: recording.home.clone(),
+            is_simulated: true,
             scenario: scenario.file.name.clone(),
             seed: recording.seed,
             version: recording.version.split('+').next().unwrap_or_default().to_owned(),
@@ -74,6 +77,7 @@ impl RunInfo {
         RunInfo {
             id: 1,
             home: None,
+            is_simulated: false,
             scenario: name.to_owned(),
             seed: 0,
             version: env!("CARGO_PKG_VERSION").into(),

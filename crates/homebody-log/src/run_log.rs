@@ -130,7 +130,8 @@ impl RunLog {
                 let record = places.recording.clone();
                 let beside = record.iter().chain(&places.sensors).cloned().collect();
                 let is_folder = places.sensors.is_some();
-                let logs = places.log.iter().filter_map(Url::file).filter(|_| is_folder).map(Path::to_owned).collect();
+                let in_folder = |url: &&Url| is_folder && (url.file().is_some() || url.is_data_set());
+                let logs = places.log.iter().filter(in_folder).map(|url| url.path().to_owned()).collect();
                 let given_up = (how == How::New || !is_folder).then_some(GivenUp { beside, logs });
                 let (logger, digest) = (Some(logger), RunDigest::default());
                 Ok(RunLog {
@@ -257,7 +258,8 @@ impl Drop for RunLog {
             remove_database(&anew.beside);
         }
         let Some(GivenUp { beside, logs }) = self.given_up.take() else { return };
-        if !logs.iter().any(|log| log.is_file()) {
+        // A folder of a data set that is not empty has days of it.
+        if !logs.iter().any(|log| log.is_file() || log.read_dir().is_ok_and(|mut inner| inner.next().is_some())) {
             beside.iter().for_each(|path| {
                 let _ = std::fs::remove_file(path);
             });

@@ -10,7 +10,7 @@ use std::collections::VecDeque;
 pub(crate) const SPANS: &str = "activity";
 
 /// Its columns.
-pub(crate) const SPAN_COLUMNS: [&str; 3] = ["start_time", "end_time", LABEL];
+pub const SPAN_COLUMNS: [&str; 3] = ["start_time", "end_time", LABEL];
 
 /// The column in which rows have the label of what goes on.
 pub(crate) const LABEL: &str = "activity";

@@ -7,7 +7,7 @@ use crate::mapping::Columns;
 use crate::places::not_of_a_run;
 use crate::run_info::RunInfo;
 use crate::sink::{self, Begin, How};
-use crate::source::{Activity, Clock, Event, Log, Source, activities_of, stream};
+use crate::source::{Activity, Clock, Event, Log, Source, activities_of, activities_of_set, stream};
 use crate::spans::{self, SPAN_COLUMNS};
 use crate::table::{Batch, Cell, Column, TextId, Texts};
 use crate::url::Url;
@@ -145,8 +145,12 @@ impl Transfer<'_> {
     /// Where the table of activities goes that has no room in the log's own file. What is there already would be taken for this
     /// log's, so it is written anew even if there are none.
     fn beside(&self, spans: &[Activity]) -> Option<Url> {
-        let path = self.to.file().filter(|_| self.to.scheme() == Scheme::Csv).map(activities_of)?;
-        (!spans.is_empty() || path.exists()).then(|| Url::new(Scheme::Csv, path))
+        let path = match self.to.scheme() {
+            Scheme::Parquet if self.to.is_data_set() => activities_of_set(self.to.path()),
+            Scheme::Csv | Scheme::Jsonl | Scheme::Parquet | Scheme::Arrow => activities_of(self.to.file()?),
+            _ => return None,
+        };
+        (!spans.is_empty() || path.exists()).then(|| self.to.at(path))
     }
 }
 

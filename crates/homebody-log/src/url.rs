@@ -32,7 +32,13 @@ impl Url {
 
     /// Whether it is a folder of files, or what stands for one in an object store: Parquet whose name does not end so.
     pub fn is_data_set(&self) -> bool {
-        self.scheme == Scheme::Parquet && self.at.extension().is_none_or(|ending| ending != "parquet")
+        self.scheme == Scheme::Parquet
+            && (self.is_in_store() || self.at.extension().is_none_or(|ending| ending != "parquet"))
+    }
+
+    /// Whether what stands behind the colon is a URL itself: that of an object store.
+    pub fn is_in_store(&self) -> bool {
+        self.at.to_string_lossy().contains("://")
     }
 
     /// What stands behind the colon, as a path.
@@ -56,7 +62,7 @@ impl Url {
         let of_table = |table: &Table| table_file(&self.at, &table.name);
         match (self.file(), self.scheme) {
             (None, _) => Vec::new(),
-            (_, Scheme::Csv | Scheme::Jsonl | Scheme::Arrow) if tables.len() > 1 => {
+            (_, Scheme::Csv | Scheme::Jsonl | Scheme::Parquet | Scheme::Arrow) if tables.len() > 1 => {
                 tables.iter().map(of_table).collect()
             }
             _ => vec![self.at.clone()],
@@ -65,7 +71,7 @@ impl Url {
 
     /// The same place; a file's path is taken from `base` if it is relative.
     pub fn within(&self, base: &Path) -> Url {
-        match self.file().is_some() || self.is_data_set() && !self.at.to_string_lossy().contains("://") {
+        match self.file().is_some() || self.is_data_set() && !self.is_in_store() {
             true => Url::new(self.scheme, base.join(&self.at)),
             false => self.clone(),
         }
@@ -78,7 +84,7 @@ impl Url {
 }
 
 /// The file of one table of several, which have the name of `path` between them.
-pub(crate) fn table_file(path: &Path, table: &str) -> PathBuf {
+pub fn table_file(path: &Path, table: &str) -> PathBuf {
     let ending = path.extension().map_or("csv".into(), |ending| ending.to_string_lossy().into_owned());
     path.with_extension(format!("{table}.{ending}"))
 }
@@ -127,6 +133,7 @@ mod tests {
         assert_eq!(set.within(Path::new("/runs")).path(), Path::new("/runs/lives"));
         let store: Url = "parquet:s3://bucket/lives".parse().unwrap();
         assert_eq!(store.within(Path::new("/runs")), store);
+        assert_eq!("parquet:s3://bucket/a.parquet".parse::<Url>().unwrap().file(), None);
         assert_eq!("parquet:a.parquet".parse::<Url>().unwrap().file(), Some(Path::new("a.parquet")));
     }
 

@@ -27,6 +27,10 @@ homebody convert mit:activities_data.csv --to csv:mit.csv
 ";
 
 const TAIL: &str = "
+A program that is built with the feature `parquet` also reads `parquet`, files and folders of files by run and day, and `arrow`, files of
+Arrow IPC: `docs/parquet.md`. Any text may be packed by gzip, and by Zstandard with that feature; it is known by how it begins, and
+unpacked as it is read. One that is cut short or damaged is refused.
+
 A log of any size is read in little memory. Databases are opened to be read only, but for one that a run of ours left in the middle of a
 transaction. Nothing of a log goes anywhere but where a command is told to write.
 
@@ -49,10 +53,33 @@ What a log tells of activities is read with it: notes that they begin and end (`
 text or table beside the rows, such as `kasterenActData.txt` beside `kasterenSenseData.txt`, `OrdonezA_ADLs.txt` beside
 `OrdonezA_Sensors.txt`, `activities.csv` beside `devices.csv`. A label holds from its row up to the first row with another.
 
-`homebody convert` writes them along. In CSV and SQLite each row has the labels of what goes on in the column `activity`, parted by `|`, and
-a table has them whole, as `start_time,end_time,activity`: in SQLite it is called `activity`, in CSV it is a file such as
+`homebody convert` writes them along. Each row has the labels of what goes on in the column `activity`, parted by `|`, and a table has
+them whole, as `start_time,end_time,activity`: in a database it is called `activity`, elsewhere it is a file beside the log, such as
 `week.activity.csv`, which pyadlml reads. In the form of CASAS a note stands at the first row from that instant on that has none yet. A run's
 own truth goes along with `--activities` alone.
+
+## Texts that are written
+
+`csv:FILE`, `casas:FILE` and `jsonl:FILE` write texts: a row a line, in JSON Lines an object with the names of the columns as keys. A name that ends
+in `.gz` is packed by gzip, one that ends in `.zst` by Zstandard, with the feature `parquet`. Written to `-`, rows go to standard output
+and nothing else does; a run ends when nobody reads them any more.
+
+| place | while the run goes on | of a killed run |
+|---|---|---|
+| `jsonl:FILE` | has its name from the first row on, so that `tail -f` follows it | what was written, perhaps with half a line at its end |
+| `jsonl:-`, `csv:-`, `casas:-` | a row is there within a tenth of a second | what was read |
+| `sqlite:FILE` | may be read while it grows | all rows up to the last second or so |
+| `csv:FILE`, `casas:FILE`, all that is packed | has its name once it is whole | nothing under its name |
+| `parquet:FOLDER` | has each day once it is over | whole days |
+| `parquet:FILE.parquet`, `arrow:FILE` | has its name once it is whole | nothing under its name |
+
+`homebody run --resume` goes on with each of them to the bytes of a run that nothing has disturbed.
+
+```sh
+homebody run scenarios/tigerplace --for 1d --quiet --out jsonl:day.jsonl
+homebody convert day.jsonl --to csv:day.csv.gz
+homebody look day.csv.gz
+```
 
 ## What is odd
 

@@ -46,10 +46,12 @@ type Figure<'a> = &'a dyn Fn(&str) -> String;
 
 fn main() {
     let zigbee = || LinkFile { preset: Network::Zigbee, ..LinkFile::default() };
-    let figures: [(&str, Figure); 6] = [
+    homebody_kit::elsewhere::install_all();
+    let figures: [(&str, Figure); 7] = [
         ("life_vs_kernel", &|name| against_kernel(name, None, 90 * DAY)),
         ("life_with_link_vs_kernel", &|name| against_kernel(name, Some(zigbee()), 90 * DAY)),
         ("life_sqlite_vs_bare", &|name| against_inserts(name, YEAR)),
+        ("parquet_vs_none", &|name| against_no_place(name, YEAR)),
         ("script_vs_life", &script_against_life),
         ("DECLINE", &decline),
         ("cohort_vs_programs", &cohort_against_programs),
@@ -171,16 +173,38 @@ fn against_inserts(name: &str, length: Micros) -> String {
     let folder = tempfile::tempdir().expect("a folder");
     let (run, bare) = (folder.path().join("run.db"), folder.path().join("bare.db"));
     let (scenario, household) = scenario("tigerplace");
-    live_into(&run, &scenario, &household, length);
+    live_into_database(&run, &scenario, &household, length);
     let rows = rows(&run);
     let mut ratios = Vec::new();
     for _ in 0..ROUNDS {
         let bare_s = insert(&bare, &rows);
-        let run_s = live_into(&run, &scenario, &household, length);
+        let run_s = live_into_database(&run, &scenario, &household, length);
         println!("{} rows of a year: bare loop {bare_s:.2} s, life {run_s:.2} s", rows.len());
         ratios.push(run_s / bare_s);
     }
     Spread::of(&ratios).line(name, 3)
+}
+
+/// A resident-year without any place for its log against the same into Parquet, one file and a data set: the share of the rate that
+/// stays. Only a build with the feature has Parquet.
+fn against_no_place(name: &str, length: Micros) -> String {
+    if !cfg!(feature = "parquet") {
+        return format!("{name}: --features parquet measures it");
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let (scenario, household) = scenario("tigerplace");
+    let url = |name: &str| format!("parquet:{}", folder.path().join(name).display()).parse().expect("a URL");
+    let (file, set): (Url, Url) = (url("log.parquet"), url("lives"));
+    let (mut of_file, mut of_set) = (Vec::new(), Vec::new());
+    for _ in 0..ROUNDS {
+        let none_s = live_into(&[], &scenario, &household, length);
+        let file_s = live_into(std::slice::from_ref(&file), &scenario, &household, length);
+        let set_s = live_into(std::slice::from_ref(&set), &scenario, &household, length);
+        println!("a year: nowhere {none_s:.2} s, a file {file_s:.2} s, a data set {set_s:.2} s");
+        of_file.push(none_s / file_s);
+        of_set.push(none_s / set_s);
+    }
+    format!("{}\n{}", Spread::of(&of_file).line(name, 3), Spread::of(&of_set).line("data_set_vs_none", 3))
 }
 
 /// Two years of decline, lived into SQLite: how many seconds.
@@ -189,7 +213,7 @@ fn decline(name: &str) -> String {
     let run = folder.path().join("run.db");
     let (scenario, household) = scenario("tigerplace-decline");
     let length = homebody_core::time::micros(scenario.file.days * 86_400.0);
-    let each_s: Vec<f64> = (0..3).map(|_| live_into(&run, &scenario, &household, length)).collect();
+    let each_s: Vec<f64> = (0..3).map(|_| live_into_database(&run, &scenario, &household, length)).collect();
     let rows = rows(&run);
     let bare_s = insert(&folder.path().join("bare.db"), &rows);
     let median = Spread::of(&each_s).median;
@@ -198,13 +222,18 @@ fn decline(name: &str) -> String {
 }
 
 /// Lives the scenario into a database; seconds.
-fn live_into(path: &Path, scenario: &Scenario, household: &Household, length: Micros) -> f64 {
+fn live_into_database(path: &Path, scenario: &Scenario, household: &Household, length: Micros) -> f64 {
     let url: Url = format!("sqlite:{}", path.display()).parse().expect("a URL");
+    live_into(&[url], scenario, household, length)
+}
+
+/// Lives the scenario into these places, as a log is always made; seconds.
+fn live_into(urls: &[Url], scenario: &Scenario, household: &Household, length: Micros) -> f64 {
     let start = Instant::now();
     let mut run = Run::new(scenario, household, scenario.file.seed, length);
     let recording = Recording::of(scenario, "bench", "scenario.json", scenario.file.seed, length);
     let info = Arc::new(RunInfo::of(scenario, &run, &recording));
-    let places = destinations(&[url], How::Replace).expect("a place that can be written");
+    let places = destinations(urls, How::Replace).expect("a place that can be written");
     let mut logger = Logger::open(places, &Default::default(), &info, How::Replace).expect("an open database");
     let mut events = Events::default();
     while run.now() < length {

@@ -2,6 +2,7 @@
 
 mod analysed;
 mod cohort;
+mod columns;
 mod database;
 mod home;
 mod life;
@@ -22,7 +23,7 @@ mod wire;
 use crate::target::Target;
 
 /// All targets.
-pub const TARGETS: [Target; 14] = [
+pub const TARGETS: [Target; 15] = [
     scenario::TARGET,
     home::TARGET,
     routine::TARGET,
@@ -32,6 +33,7 @@ pub const TARGETS: [Target; 14] = [
     cohort::TARGET,
     log::TARGET,
     database::TARGET,
+    columns::TARGET,
     source::TARGET,
     truth::TARGET,
     plan::TARGET,

@@ -38,7 +38,7 @@ impl Sink for Csv {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
         let mut files = Vec::new();
         for (table, at) in begin.tables.iter().zip(self.at.of_tables(Scheme::Csv, begin.tables)?) {
-            let mut file = Text::begin(&at, begin)?;
+            let mut file = Text::begin(&at, begin, false)?;
             let header: Vec<String> = table.columns.iter().map(|column| quoted(&column.name)).collect();
             file.line(format!("{}\n", header.join(",")).as_bytes())?;
             files.push(file);
@@ -78,7 +78,7 @@ impl Sink for Csv {
             files[row.table].line(line)?;
             rows[row.table] += 1;
         }
-        Ok(())
+        files.iter_mut().try_for_each(Text::show)
     }
 
     fn settle(&mut self) -> Result<Watermark, LogError> {

@@ -1,6 +1,8 @@
 //! A JSON object a line, its keys the names of the columns. Of several tables, each has a file of its own, as in CSV.
 //!
-//! On standard output each row is there as soon as it has been made, so that a pipe is a live feed.
+//! On standard output each row is there as soon as it has been made, so that a pipe is a live feed. A file that is not packed has
+//! its name from its first row on, so that it can be followed; of a killed run it keeps what was written, perhaps with half a line
+//! at its end.
 
 use super::text::{At, Text};
 use super::{Begin, Sink, Watermark};
@@ -46,7 +48,7 @@ impl Sink for Jsonl {
         for (table, at) in begin.tables.iter().zip(places) {
             let names = table.columns.iter().map(|column| in_json(&column.name));
             let keys = names.enumerate().map(|(index, name)| format!("{}{name}:", if index == 0 { '{' } else { ',' }));
-            tables.push(InTable { keys: keys.collect(), text: Text::begin(&at, begin)?, rows: 0 });
+            tables.push(InTable { keys: keys.collect(), text: Text::begin(&at, begin, true)?, rows: 0 });
         }
         let (texts, line, number) = (Vec::new(), Vec::new(), String::new());
         self.open = Some(Open { tables, clock: begin.clock(), texts, line, number });
@@ -63,11 +65,7 @@ impl Sink for Jsonl {
             table.text.line(&open.line)?;
             table.rows += 1;
         }
-        match self.at {
-            // Who reads it live waits for this.
-            At::Output => self.settle().map(|_| ()),
-            At::File(_) => Ok(()),
-        }
+        open.tables.iter_mut().try_for_each(|table| table.text.show())
     }
 
     fn settle(&mut self) -> Result<Watermark, LogError> {

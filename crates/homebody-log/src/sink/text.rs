@@ -9,7 +9,7 @@ use crate::packed::{Packer, Packing, unpacked};
 use crate::table::Table;
 use crate::url::Url;
 use homebody_core::scenario::scheme::Scheme;
-use std::io::{self, BufReader, Read, Write};
+use std::io::{self, BufReader, BufWriter, Read, Stdout, Write};
 use std::path::{Path, PathBuf};
 
 /// Where text goes.
@@ -50,16 +50,17 @@ impl At {
 pub(super) enum Text {
     File(Box<TextFile>),
     Packed(Box<PackedFile>),
-    Output,
+    Output(BufWriter<Stdout>),
 }
 
 impl Text {
-    pub fn begin(at: &At, begin: &Begin) -> Result<Text, LogError> {
+    /// Begins a text. One `is_followed` that has its name from its first line on, so that it can be read while it grows.
+    pub fn begin(at: &At, begin: &Begin, is_followed: bool) -> Result<Text, LogError> {
         Ok(match at {
-            At::Output => Text::Output,
+            At::Output => Text::Output(BufWriter::with_capacity(1 << 16, io::stdout())),
             At::File(path) => match Packing::of(path)? {
                 Some(packing) => Text::Packed(Box::new(PackedFile::begin(path, packing, begin)?)),
-                None => Text::File(Box::new(TextFile::begin(path, begin)?)),
+                None => Text::File(Box::new(TextFile::begin(path, begin, is_followed)?)),
             },
         })
     }
@@ -69,8 +70,16 @@ impl Text {
         match self {
             Text::File(file) => file.line(line),
             Text::Packed(file) => file.line(line),
-            // It is buffered until a line ends, and each does.
-            Text::Output => io::stdout().lock().write_all(line).map_err(no_output),
+            Text::Output(output) => output.write_all(line).map_err(no_output),
+        }
+    }
+
+    /// Shows the lines that have come to whoever reads them as they come.
+    pub fn show(&mut self) -> Result<(), LogError> {
+        match self {
+            Text::File(file) if file.is_followed => file.file.flush(),
+            Text::File(_) | Text::Packed(_) => Ok(()),
+            Text::Output(output) => output.flush().map_err(no_output),
         }
     }
 
@@ -80,7 +89,7 @@ impl Text {
             Text::File(file) => file.file.flush().map(|()| true),
             // What packs sees more of a text the longer it waits, and the bytes shall not depend on when it was asked.
             Text::Packed(_) => Ok(false),
-            Text::Output => io::stdout().lock().flush().map(|()| true).map_err(no_output),
+            Text::Output(output) => output.flush().map(|()| true).map_err(no_output),
         }
     }
 
@@ -89,7 +98,7 @@ impl Text {
         match self {
             Text::File(file) => file.finish(),
             Text::Packed(file) => file.finish(),
-            Text::Output => io::stdout().lock().flush().map_err(no_output),
+            Text::Output(mut output) => output.flush().map_err(no_output),
         }
     }
 }
@@ -154,23 +163,25 @@ pub(super) struct TextFile {
     file: FreshFile,
     /// What is there and has not been compared yet.
     left: Option<Left<std::fs::File>>,
+    /// Whether it has its name from its first line on.
+    is_followed: bool,
     /// Given back last, once the file has its name or its part is gone.
     _lock: FileLock,
 }
 
 impl TextFile {
-    fn begin(path: &Path, begin: &Begin) -> Result<TextFile, LogError> {
+    fn begin(path: &Path, begin: &Begin, is_followed: bool) -> Result<TextFile, LogError> {
         let lock = FileLock::take(path)?;
         let left = if begin.how == How::GoOn { FreshFile::reopen(path)? } else { None };
         let (file, left) = match left {
             Some((file, left)) => (file, Some(Left::new(left))),
             None => (FreshFile::create(path, begin.how == How::Replace)?, None),
         };
-        Ok(TextFile { file, left, _lock: lock })
+        Ok(TextFile { file, left, is_followed, _lock: lock })
     }
 
     fn line(&mut self, line: &[u8]) -> Result<(), LogError> {
-        let Some(left) = &mut self.left else { return self.file.write(line) };
+        let Some(left) = &mut self.left else { return self.add(line) };
         match left.has(line, self.file.path()) {
             Ok(true) => return Ok(()),
             Ok(false) => {}
@@ -184,7 +195,12 @@ impl TextFile {
         let compared = left.bytes;
         self.left = None;
         self.file.cut(compared)?;
-        self.file.write(line)
+        self.add(line)
+    }
+
+    fn add(&mut self, line: &[u8]) -> Result<(), LogError> {
+        self.file.write(line)?;
+        if self.is_followed && self.file.part().is_some() { self.file.name_early() } else { Ok(()) }
     }
 
     fn finish(mut self) -> Result<(), LogError> {

@@ -12,9 +12,12 @@ const LABELS: [&str; 3] = ["activity", "label", "activities"];
 
 /// Where a row's time, sensor and value are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Places {
+pub struct Places {
+    /// The column of the time.
     pub time: usize,
+    /// That of the sensor.
     pub sensor: usize,
+    /// That of what it said.
     pub value: usize,
     /// Where what somebody did is, if the rows tell it.
     pub label: Option<usize>,

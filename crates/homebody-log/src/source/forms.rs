@@ -6,6 +6,7 @@ use super::start::Start;
 use super::{casas, csv, each_second, frames, home_assistant, intervals, jsonl, mit, psql, sqlite, xes};
 use crate::elsewhere;
 use crate::error::{LogError, place_of};
+use crate::spans::SPANS;
 use crate::url::{Url, table_file};
 use homebody_core::problem::readable;
 use homebody_core::scenario::logger::LoggerFile;
@@ -125,13 +126,22 @@ impl Source {
         *self.form == casas::FORM
     }
 
+    /// Whether it is of columns, in files that are no text.
+    fn is_columnar(&self) -> bool {
+        [Scheme::Parquet, Scheme::Arrow].iter().any(|scheme| scheme.row().name == self.form.name)
+    }
+
     /// The file beside it that tells what somebody did, where it tells rows only: as data sets and we name it.
     pub(super) fn activities_beside(&self) -> Option<Source> {
         let name = self.path.file_name()?.to_str()?;
         let renamed = |(rows, activities): (&str, &str)| {
             name.contains(rows).then(|| self.path.with_file_name(name.replacen(rows, activities, 1)))
         };
-        let own = (*self.form == csv::FORM).then(|| activities_of(&self.path));
+        let has_own = *self.form == csv::FORM || *self.form == jsonl::FORM || self.is_columnar();
+        let own = has_own.then(|| match self.path.is_dir() {
+            true => activities_of_set(&self.path),
+            false => activities_of(&self.path),
+        });
         own.into_iter().chain(NAMED_ALIKE.into_iter().filter_map(renamed)).find_map(|path| {
             let start = Start::of(&path).ok()?;
             let (form, shows) = shown(&start)?;
@@ -144,9 +154,16 @@ impl Source {
 const NAMED_ALIKE: [(&str, &str); 4] =
     [("SenseData", "ActData"), ("Sensors", "ADLs"), ("devices", "activities"), ("device", "activity")];
 
-/// The file of what somebody did beside a log in CSV.
+/// The file of what somebody did beside a log whose form has one table a file.
 pub(crate) fn activities_of(log: &Path) -> PathBuf {
-    table_file(log, "activity")
+    table_file(log, SPANS)
+}
+
+/// The same beside a data set.
+pub(crate) fn activities_of_set(folder: &Path) -> PathBuf {
+    let mut name = folder.file_name().unwrap_or_default().to_owned();
+    name.push(format!(".{SPANS}.parquet"));
+    folder.with_file_name(name)
 }
 
 /// The form that a file shows, and what of it.
@@ -160,12 +177,22 @@ fn likely(start: &Start) -> (&'static Form, Shows) {
     (form, Shows::Rows)
 }
 
+/// Whether a path is a folder of a data set, such as `run=5` or `day=2009-03-02`.
+fn is_partition(path: &Path) -> bool {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    name.split_once('=').is_some_and(|(key, _)| !key.is_empty() && !key.starts_with('.')) && path.is_dir()
+}
+
 /// The one log in a folder; if there are none but activities, these.
 fn in_folder(folder: &Path) -> Result<Source, LogError> {
     let unreadable = |error| LogError::file(folder, error);
     let mut paths = Vec::new();
     for entry in folder.read_dir().map_err(unreadable)?.take(MOST_FILES) {
-        paths.push(entry.map_err(unreadable)?.path());
+        let entry = entry.map_err(unreadable)?;
+        if is_partition(&entry.path()) {
+            return Ok(Source::new(of_scheme(Scheme::Parquet), folder));
+        }
+        paths.push(entry.path());
     }
     paths.sort();
     let (mut rows, mut activities) = (Vec::new(), Vec::new());

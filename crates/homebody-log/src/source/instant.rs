@@ -75,7 +75,7 @@ pub(super) fn midnight(day: Date) -> Option<Micros> {
 /// A number since 1970, as a database keeps it: in seconds, milliseconds or microseconds.
 ///
 /// Which of them is told by its size, for instants from 1973 to 5138. Smaller numbers are something else.
-pub(crate) fn since_1970(number: f64) -> Option<Instant> {
+pub fn since_1970(number: f64) -> Option<Instant> {
     let micros = match number {
         ..1e8 => return None,
         ..1e11 => number * 1e6,

@@ -7,6 +7,7 @@ use super::lines::Lines;
 use super::reading::Reading;
 use super::start::Start;
 use crate::error::LogError;
+use crate::spans::SPAN_COLUMNS;
 use homebody_core::scenario::logger::LoggerFile;
 use serde_json::{Map, Value};
 use std::borrow::Cow;
@@ -22,9 +23,16 @@ pub(super) const FORM: Form = Form {
 type Object = Map<String, Value>;
 
 fn shows(start: &Start) -> Shows {
-    let first = start.lines().next().and_then(|line| serde_json::from_str::<Object>(&line).ok());
-    let is_row = |object: Object| places(&object, &LoggerFile::default()).is_some();
-    Shows::rows_if(first.is_some_and(is_row))
+    match start.lines().next().and_then(|line| serde_json::from_str::<Object>(&line).ok()) {
+        Some(first) if places(&first, &LoggerFile::default()).is_some() => Shows::Rows,
+        Some(first) if is_span(&first) => Shows::Activities,
+        _ => Shows::Nothing,
+    }
+}
+
+/// Whether an object tells what somebody did, as ours beside a log do.
+fn is_span(object: &Object) -> bool {
+    SPAN_COLUMNS.iter().all(|name| object.contains_key(*name))
 }
 
 /// Where an object has the parts of a row.
@@ -53,6 +61,7 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
         }
         match &known {
             Some((_, places)) => take(line, &object, places, reading)?,
+            None if is_span(&object) => take_span(line, &object, reading),
             None => reading.skip(line, "it has no time, sensor and value".into()),
         }
     }
@@ -77,6 +86,14 @@ fn take(line: u64, object: &Object, places: &Places, reading: &mut Reading<'_>) 
         reading.label(Some(&*label).filter(|label| !label.is_empty()));
     }
     Ok(())
+}
+
+fn take_span(line: u64, object: &Object, reading: &mut Reading<'_>) {
+    let [begin, end, activity] = SPAN_COLUMNS.map(|name| object.get(name).map_or(Cow::Borrowed(""), text));
+    match [begin, end].map(|at| reading.instants.read(&at)) {
+        [Some(begin), Some(end)] => reading.span(line, begin, end, &activity),
+        _ => reading.skip(line, "an end is no date and time".into()),
+    }
 }
 
 /// A value as the text that a sensor said; null says nothing.

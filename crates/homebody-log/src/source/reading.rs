@@ -170,7 +170,7 @@ impl<'t> Reading<'t> {
     }
 
     /// Takes the label of the last row, if it has one. It holds until a row has another.
-    pub(super) fn label(&mut self, name: Option<&str>) {
+    pub fn label(&mut self, name: Option<&str>) {
         if self.has_spans {
             return;
         }
@@ -191,8 +191,13 @@ impl<'t> Reading<'t> {
         self.keep(ended);
     }
 
+    /// What a text says of an instant.
+    pub fn instant(&mut self, text: &str) -> Option<Instant> {
+        self.instants.read(text)
+    }
+
     /// Takes an activity whose two ends are told together.
-    pub(super) fn span(&mut self, line: u64, begin: Instant, end: Instant, name: &str) {
+    pub fn span(&mut self, line: u64, begin: Instant, end: Instant, name: &str) {
         let told = match (self.on_clock(begin), self.on_clock(end)) {
             _ if name.is_empty() => Err("there is no activity"),
             _ if name.len() > LONGEST_VALUE => Err("the activity's name is too long"),

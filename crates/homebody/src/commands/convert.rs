@@ -130,7 +130,12 @@ fn told_activities(lives: &[Life]) -> Vec<Activity> {
 
 /// Makes sure that an output does not replace what the command reads.
 pub fn keep(to: &Url, sources: &[PathBuf]) -> Result<(), Failure> {
-    if sources.iter().any(|source| to.file().is_some_and(|to| same_file(source, to))) {
+    let is_in = |source: &PathBuf| match to.file() {
+        Some(file) => same_file(source, file),
+        // The run of a data set is in a folder of it.
+        None => to.is_data_set() && source.ancestors().any(|folder| same_file(folder, to.path())),
+    };
+    if sources.iter().any(is_in) {
         return Err(Failure::Io(format!("{to} cannot become itself\n  hint: name another file")));
     }
     Ok(())

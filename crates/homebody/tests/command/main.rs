@@ -12,6 +12,7 @@ mod replays;
 mod outputs;
 mod trouble;
 mod stops;
+mod streams;
 mod resumed;
 mod driven;
 mod bad_input;

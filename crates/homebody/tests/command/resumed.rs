@@ -13,7 +13,21 @@ use std::time::{Duration, Instant};
 const KILLS: u64 = 5;
 
 /// What a run leaves in its folder for one kind of log.
-const KINDS: [(&str, &str); 3] = [("sqlite", "log.db"), ("csv", "log.csv"), ("casas", "log.txt")];
+const KINDS: &[(&str, &str)] = &[
+    ("sqlite", "log.db"),
+    ("csv", "log.csv"),
+    ("casas", "log.txt"),
+    ("jsonl", "log.jsonl"),
+    ("csv", "log.csv.gz"),
+    #[cfg(feature = "parquet")]
+    ("casas", "log.txt.zst"),
+    #[cfg(feature = "parquet")]
+    ("parquet", "log.parquet"),
+    #[cfg(feature = "parquet")]
+    ("parquet", "lives"),
+    #[cfg(feature = "parquet")]
+    ("arrow", "log.arrow"),
+];
 
 const SPAN: &str = "3d";
 
@@ -73,7 +87,7 @@ pub fn kills() -> u64 {
 #[test]
 fn whatever_kills_a_run_it_is_gone_on_with_to_the_same_bytes() {
     let kills = kills();
-    for (scheme, log) in KINDS {
+    for &(scheme, log) in KINDS {
         let (folder, took) = undisturbed(scheme, log);
         let whole = left(&folder, "flat-1");
         for kill in 0..kills {
@@ -92,7 +106,7 @@ fn whatever_kills_a_run_it_is_gone_on_with_to_the_same_bytes() {
 
 #[test]
 fn a_run_that_was_stopped_is_gone_on_with() {
-    for (scheme, log) in KINDS {
+    for &(scheme, log) in KINDS {
         let (folder, _) = undisturbed(scheme, log);
         let whole = left(&folder, "flat-1");
         stopped(&folder);
@@ -128,11 +142,12 @@ fn a_run_that_has_not_come_to_its_end_is_told_as_such() {
 /// What is missing of a whole run, or of a member of a cohort, is lived again.
 #[test]
 fn what_is_missing_of_a_whole_run_is_written_again() {
-    for (scheme, log) in KINDS {
+    for &(scheme, log) in KINDS {
         let (folder, _) = undisturbed(scheme, log);
         let whole = left(&folder, "flat-1");
         for missing in [log, "truth.db", "sensors.csv"] {
-            fs::remove_file(folder.path(&format!("runs/flat-1/{missing}"))).unwrap();
+            let path = folder.path(&format!("runs/flat-1/{missing}"));
+            if path.is_dir() { fs::remove_dir_all(path) } else { fs::remove_file(path) }.unwrap();
             folder.run("run --resume runs/flat-1 --quiet").ok();
             assert_eq!(differ(&folder, "flat-1", &whole), Vec::<String>::new(), "{scheme}, {missing}");
         }
@@ -221,7 +236,7 @@ fn one_program_at_a_time_lives_a_run() {
 
 #[test]
 fn who_stops_it_again_and_earlier_loses_nothing() {
-    for (scheme, log) in KINDS {
+    for &(scheme, log) in KINDS {
         let (folder, _) = undisturbed(scheme, log);
         let whole = left(&folder, "flat-1");
         stopped(&folder);

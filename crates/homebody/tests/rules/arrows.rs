@@ -5,12 +5,13 @@ use std::fs;
 use toml::{Table, Value};
 
 /// On which of our crates each of them may depend.
-const ARROWS: [(&str, &[&str]); 15] = [
+const ARROWS: [(&str, &[&str]); 16] = [
     ("homebody-core", &[]),
     ("homebody-import", &["homebody-core"]),
     ("homebody-walk", &["homebody-core"]),
     ("homebody-log", &["homebody-core"]),
     ("homebody-postgres", &["homebody-core", "homebody-log"]),
+    ("homebody-arrow", &["homebody-core", "homebody-log"]),
     ("homebody-infer", &["homebody-core", "homebody-log", "homebody-walk"]),
     ("homebody-script", &["homebody-core", "homebody-walk"]),
     ("homebody-routine", &["homebody-core", "homebody-script", "homebody-walk"]),
@@ -32,6 +33,7 @@ const ARROWS: [(&str, &[&str]); 15] = [
         "homebody-kit",
         &[
             "homebody-analysis",
+            "homebody-arrow",
             "homebody-core",
             "homebody-infer",
             "homebody-log",
@@ -71,6 +73,7 @@ const ARROWS: [(&str, &[&str]); 15] = [
         "homebody-fuzz",
         &[
             "homebody-analysis",
+            "homebody-arrow",
             "homebody-core",
             "homebody-import",
             "homebody-kit",

@@ -1,0 +1,51 @@
+//! What errors of the libraries mean.
+
+use arrow_schema::ArrowError;
+use homebody_core::problem::readable;
+use homebody_log::LogError;
+use parquet::errors::ParquetError;
+use std::error::Error;
+use std::io;
+use std::path::Path;
+
+/// What an error in writing a file means: mostly, what the system says.
+pub(crate) fn unwritten(path: &Path, error: impl Into<Box<dyn Error + Send + Sync>>) -> LogError {
+    LogError::file(path, by_system(error.into()))
+}
+
+/// The error of the system that an error comes of, or one that says the same.
+fn by_system(error: Box<dyn Error + Send + Sync>) -> io::Error {
+    let kind = {
+        let mut cause: Option<&(dyn Error + 'static)> = Some(&*error);
+        loop {
+            match cause {
+                None => break None,
+                Some(found) => match found.downcast_ref::<io::Error>() {
+                    Some(found) => break Some((found.kind(), found.to_string())),
+                    None => cause = inner(found),
+                },
+            }
+        }
+    };
+    match kind {
+        Some((kind, said)) => io::Error::new(kind, said),
+        None => io::Error::other(error),
+    }
+}
+
+/// What is inside of an error; not all of the libraries' errors say it by themselves.
+fn inner<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e (dyn Error + 'static)> {
+    if let Some(ArrowError::IoError(_, inner)) = error.downcast_ref::<ArrowError>() {
+        return Some(inner);
+    }
+    if let Some(ParquetError::External(inner)) = error.downcast_ref::<ParquetError>() {
+        return Some(&**inner);
+    }
+    error.source()
+}
+
+/// A file that cannot be read as what it says it is.
+pub(crate) fn broken(path: &Path, what: &str, why: impl ToString) -> LogError {
+    let why = format!("it begins as {what}, but is damaged or cut short: {}", why.to_string());
+    LogError::NoLog { place: path.display().to_string(), why: readable(why) }
+}

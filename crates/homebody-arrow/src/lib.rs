@@ -1,0 +1,24 @@
+//! Parquet and Arrow IPC: files, and data sets of files by run and day, as destinations of logs and truths and as sources of logs.
+//!
+//! This crate does not know what rows mean: it turns the tables of `homebody-log` into columns, and columns into rows.
+//! Reading order: `layout.rs` says which types columns have and what a file tells of itself, `columns.rs` collects rows,
+//! `encoded.rs` makes bytes of them, and `sink/` puts these where they belong; `source/` is the way back.
+
+mod columns;
+mod encoded;
+mod fault;
+mod layout;
+mod sink;
+mod source;
+
+use homebody_core::scenario::scheme::Scheme;
+use homebody_log::Policy;
+use homebody_log::elsewhere::Elsewhere;
+
+/// These kinds of places, for a program that wants them.
+pub const ELSEWHERE: Elsewhere = Elsewhere {
+    schemes: &[Scheme::Parquet, Scheme::Arrow],
+    open: sink::open,
+    policy: Policy::default,
+    forms: &source::FORMS,
+};

@@ -1,0 +1,141 @@
+//! A data set: a folder for each run and day, `run=5/day=2009-03-02/part-0.parquet`, as programs know it from Hive. Of several tables,
+//! each has such a folder of its own.
+//!
+//! The file of a day takes its name once the day is over, so that a run that is under way can be followed day by day; killed, it
+//! leaves whole days. Gone on with, all days are written anew, and those that are there are held against them. Other runs in the folder
+//! stay as they are.
+
+use super::days::{Days, parquet_files};
+use crate::encoded::{Format, Layout};
+use homebody_core::time::Micros;
+use homebody_log::clock::Clock;
+use homebody_log::lock::FileLock;
+use homebody_log::table::{Batch, Table};
+use homebody_log::{Begin, How, LogError, Sink, Watermark};
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// A folder of files by run and day.
+pub(crate) struct DataSet {
+    folder: PathBuf,
+    open: Option<Open>,
+}
+
+struct Open {
+    tables: Vec<Days>,
+    clock: Clock,
+    texts: Vec<Arc<str>>,
+    /// Files that are replaced: they go when the first new one is whole.
+    replaced: Vec<PathBuf>,
+    how: How,
+    /// Given back last.
+    _lock: FileLock,
+}
+
+/// What no program reads that reads a data set, and what keeps a second one of ours away.
+const LOCK: &str = ".homebody";
+
+impl DataSet {
+    pub fn new(folder: PathBuf) -> DataSet {
+        DataSet { folder, open: None }
+    }
+
+    /// The folder of a table of the run.
+    fn partition(&self, table: &Table, begin: &Begin) -> Vec<PathBuf> {
+        let of_table = match begin.tables.len() {
+            1 => self.folder.clone(),
+            _ => self.folder.join(&table.name),
+        };
+        let of_run = of_table.join(format!("run={}", begin.run.id));
+        if of_table == self.folder { vec![of_table, of_run] } else { vec![self.folder.clone(), of_table, of_run] }
+    }
+}
+
+impl Sink for DataSet {
+    fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
+        if self.folder.to_string_lossy().contains("://") {
+            return Err(no_store(&self.folder));
+        }
+        let mut tables = Vec::new();
+        let mut replaced = Vec::new();
+        let mut lock = None;
+        for table in begin.tables {
+            let folders = self.partition(table, begin);
+            let partition = folders.last().cloned().unwrap_or_default();
+            for (depth, folder) in folders.iter().enumerate() {
+                // Where the user says, there may be a link; what is below is ours.
+                make(folder, depth == 0)?;
+            }
+            if lock.is_none() {
+                lock = Some(FileLock::take(&partition.join(LOCK))?);
+            }
+            let there = parquet_files(&partition)?;
+            match begin.how {
+                How::New if !there.is_empty() => {
+                    return Err(LogError::Exists { place: partition.display().to_string() });
+                }
+                How::Replace => replaced.extend(there),
+                _ => {}
+            }
+            tables.push(Days::new(partition, Layout::new(Format::Parquet, table, begin, false), table, begin));
+        }
+        let lock = lock.ok_or_else(|| LogError::Stopped { place: self.folder.display().to_string() })?;
+        let (clock, texts, how) = (begin.clock(), Vec::new(), begin.how);
+        self.open = Some(Open { tables, clock, texts, replaced, how, _lock: lock });
+        Ok(Watermark::none())
+    }
+
+    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
+        let stopped = || LogError::Stopped { place: self.folder.display().to_string() };
+        let Open { tables, clock, texts, replaced, .. } = self.open.as_mut().ok_or_else(stopped)?;
+        texts.extend(batch.texts_from(texts.len()));
+        batch.rows().try_for_each(|row| tables[row.table].push(row.cells, clock, texts, replaced))
+    }
+
+    /// What is in whole days is sure.
+    fn settle(&mut self) -> Result<Watermark, LogError> {
+        let tables = self.open.iter().flat_map(|open| &open.tables);
+        Ok(Watermark(tables.map(Days::durable).collect()))
+    }
+
+    fn finish(&mut self, _end: Micros) -> Result<(), LogError> {
+        let Some(Open { tables, mut replaced, how, _lock, .. }) = self.open.take() else { return Ok(()) };
+        for table in tables {
+            let (partition, named) = table.end(&mut replaced)?;
+            if how == How::GoOn
+                && let Some(more) = parquet_files(&partition)?.iter().find(|file| !named.contains(*file))
+            {
+                let what = "the run that was lived again does not come to it".to_owned();
+                return Err(LogError::Changed { place: more.display().to_string(), what });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What becomes of the URL of an object store.
+pub(crate) fn no_store(url: &Path) -> LogError {
+    LogError::CannotHold {
+        place: format!("parquet:{}", url.display()),
+        what: "a log: this program has no object store".into(),
+        hint: "take a folder, parquet:lives, and copy it",
+    }
+}
+
+/// Makes a folder where there is none. One that is a link is none of a data set.
+fn make(folder: &Path, may_be_link: bool) -> Result<(), LogError> {
+    let place = || folder.display().to_string();
+    match fs::symlink_metadata(folder) {
+        Ok(found) if found.is_symlink() && !may_be_link => Err(LogError::LeadsOut { place: place() }),
+        Ok(_) if folder.is_dir() => Ok(()),
+        Ok(_) => Err(LogError::destination(place(), "it is no folder, in which a data set could be")),
+        Err(error) if error.kind() == ErrorKind::NotFound => match fs::create_dir(folder) {
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => Ok(()),
+            Err(error) if error.kind() == ErrorKind::NotFound => Err(LogError::NoFolder { place: place() }),
+            made => made.map_err(|error| LogError::file(folder, error)),
+        },
+        Err(error) => Err(LogError::file(folder, error)),
+    }
+}

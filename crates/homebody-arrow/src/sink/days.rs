@@ -1,0 +1,224 @@
+//! The files of one table of a run, by day.
+//!
+//! The day of a row is that of its first instant, in the home's zone. A log's day is over as the first row of a later one comes. Of
+//! the truth, some rows are told once something is over that began the day before: there, a day stays open a day longer. A row that
+//! comes later than that begins a further file of its day. Tables without instants have one file, at the end.
+
+use super::named::name;
+use crate::encoded::{Layout, TableFile};
+use homebody_core::scenario::logger::TimeFormat;
+use homebody_core::time::DAY;
+use homebody_log::clock::Clock;
+use homebody_log::fresh::{FreshFile, remove_parts};
+use homebody_log::table::{Cell, ColumnKind, Table};
+use homebody_log::{Begin, How, LogError};
+use jiff::civil::date;
+use jiff::{Span, civil::Date};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// So many days of a table are open at most: each takes some memory (ours).
+const MOST_OPEN: usize = 4;
+
+/// A day is in no more files (ours): a log that needs more is in no order of time.
+const MOST_PARTS: u32 = 1000;
+
+/// One table's files.
+pub(super) struct Days {
+    partition: PathBuf,
+    layout: Layout,
+    /// The column whose instant says the day; None for a table without instants.
+    by: Option<usize>,
+    /// Tells the day of an instant.
+    wall: Clock,
+    /// How many days before the latest stay open.
+    stays_open: i64,
+    /// By day since 1970; one of a table without instants is 0.
+    open: BTreeMap<i64, Open>,
+    latest: Option<i64>,
+    /// The run's first day: where a table without rows has its file.
+    first_day: i64,
+    /// How many files there are of each day.
+    parts: BTreeMap<i64, u32>,
+    named: BTreeSet<PathBuf>,
+    /// How many rows have come.
+    come: u64,
+    how: How,
+}
+
+struct Open {
+    file: TableFile,
+    /// How many rows of the table came before its first.
+    rows_before: u64,
+    /// How many had come as it was last written to.
+    used: u64,
+}
+
+impl Days {
+    pub fn new(partition: PathBuf, layout: Layout, table: &Table, begin: &Begin) -> Days {
+        let mut wall = Clock::new(&begin.run.calendar, TimeFormat::Local);
+        Days {
+            partition,
+            layout,
+            by: table.columns.iter().position(|column| column.kind == ColumnKind::Instant),
+            stays_open: i64::from(begin.tables.len() > 1),
+            open: BTreeMap::new(),
+            latest: None,
+            first_day: wall.micros(0).div_euclid(DAY),
+            wall,
+            parts: BTreeMap::new(),
+            named: BTreeSet::new(),
+            come: 0,
+            how: begin.how,
+        }
+    }
+
+    /// Adds a row. `replaced` are files that go when the first new one is whole.
+    pub fn push(
+        &mut self,
+        cells: &[Cell],
+        clock: &mut Clock,
+        texts: &[Arc<str>],
+        replaced: &mut Vec<PathBuf>,
+    ) -> Result<(), LogError> {
+        let day = match self.by.and_then(|by| cells.get(by)) {
+            Some(&Cell::Instant(at)) => self.wall.micros(at).div_euclid(DAY),
+            Some(_) => self.latest.unwrap_or(self.first_day),
+            None => 0,
+        };
+        if !self.open.contains_key(&day) {
+            self.close_for(day, replaced)?;
+            self.begin(day)?;
+        }
+        self.come += 1;
+        let open = self.open.get_mut(&day).expect("begun where it was not open");
+        open.used = self.come;
+        open.file.push(cells, clock, texts)
+    }
+
+    /// Closes what is over as a day begins, and one more where too many are open.
+    fn close_for(&mut self, day: i64, replaced: &mut Vec<PathBuf>) -> Result<(), LogError> {
+        if self.latest.is_none_or(|latest| day > latest) {
+            self.latest = Some(day);
+            let over: Vec<i64> = self.open.range(..day - self.stays_open).map(|(day, _)| *day).collect();
+            over.into_iter().try_for_each(|day| self.close(day, replaced))?;
+        }
+        let longest_unused = self.open.iter().min_by_key(|(_, open)| open.used).map(|(day, _)| *day);
+        match longest_unused.filter(|_| self.open.len() >= MOST_OPEN) {
+            Some(day) => self.close(day, replaced),
+            None => Ok(()),
+        }
+    }
+
+    fn begin(&mut self, day: i64) -> Result<(), LogError> {
+        let parts = self.parts.entry(day).or_default();
+        let number = *parts;
+        *parts += 1;
+        if number >= MOST_PARTS {
+            return Err(LogError::CannotHold {
+                place: self.partition.display().to_string(),
+                what: "rows that are in no order of time".into(),
+                hint: "write them into one file: parquet:log.parquet",
+            });
+        }
+        let folder = match self.by {
+            Some(_) => self.partition.join(format!("day={}", date_of(day))),
+            None => self.partition.clone(),
+        };
+        match fs::create_dir(&folder) {
+            Err(error) if error.kind() != ErrorKind::AlreadyExists => return Err(LogError::file(&folder, error)),
+            _ if folder.is_symlink() => return Err(LogError::LeadsOut { place: folder.display().to_string() }),
+            _ => {}
+        }
+        let path = folder.join(format!("part-{number}.parquet"));
+        if self.how != How::New || number == 0 {
+            // A program that died on its way has left some.
+            remove_parts(&path)?;
+        }
+        let file = FreshFile::create_hidden(&path, self.how != How::New)?;
+        let file = TableFile::begin(file, &self.layout, self.come)?;
+        self.open.insert(day, Open { file, rows_before: self.come, used: self.come });
+        Ok(())
+    }
+
+    /// Gives the file of a day its name.
+    fn close(&mut self, day: i64, replaced: &mut Vec<PathBuf>) -> Result<(), LogError> {
+        let Some(Open { file, .. }) = self.open.remove(&day) else { return Ok(()) };
+        let path = file.path().to_owned();
+        let file = file.end()?;
+        for old in replaced.drain(..) {
+            remove(&old)?;
+        }
+        name(file, self.how)?;
+        self.named.insert(path);
+        Ok(())
+    }
+
+    /// Up to where all rows are in files that have their names.
+    pub fn durable(&self) -> u64 {
+        self.open.values().map(|open| open.rows_before).min().unwrap_or(self.come)
+    }
+
+    /// Names what is open. Returns where the files are, and all of them.
+    pub fn end(mut self, replaced: &mut Vec<PathBuf>) -> Result<(PathBuf, BTreeSet<PathBuf>), LogError> {
+        if self.come == 0 {
+            // A table without rows says of which columns it is.
+            self.begin(if self.by.is_some() { self.first_day } else { 0 })?;
+        }
+        while let Some((&day, _)) = self.open.first_key_value() {
+            self.close(day, replaced)?;
+        }
+        Ok((std::mem::take(&mut self.partition), std::mem::take(&mut self.named)))
+    }
+}
+
+impl Drop for Days {
+    fn drop(&mut self) {
+        let files: Vec<PathBuf> = self.open.values().map(|open| open.file.path().to_owned()).collect();
+        self.open.clear();
+        // What is empty now was made for what has been given up.
+        for folder in files.iter().filter_map(|file| file.parent()).filter(|_| self.by.is_some()) {
+            let _ = fs::remove_dir(folder);
+        }
+    }
+}
+
+fn date_of(day: i64) -> Date {
+    date(1970, 1, 1).saturating_add(Span::new().days(day))
+}
+
+/// Removes a file, and its folder if nothing else is in it.
+fn remove(file: &Path) -> Result<(), LogError> {
+    match fs::remove_file(file) {
+        Err(error) if error.kind() != ErrorKind::NotFound => return Err(LogError::file(file, error)),
+        _ => {}
+    }
+    if let Some(folder) = file.parent() {
+        let _ = fs::remove_dir(folder);
+    }
+    Ok(())
+}
+
+/// The files of Parquet in a folder of a run and in those of its days.
+pub(super) fn parquet_files(partition: &Path) -> Result<Vec<PathBuf>, LogError> {
+    let mut files = Vec::new();
+    let unread = |error| LogError::reading(partition, error);
+    for entry in fs::read_dir(partition).map_err(unread)? {
+        let path = entry.map_err(unread)?.path();
+        let inner = match path.is_dir() && !path.is_symlink() {
+            true => fs::read_dir(&path).map_err(unread)?.map(|entry| entry.map(|entry| entry.path())).collect(),
+            false => vec![Ok(path)],
+        };
+        for path in inner {
+            let path = path.map_err(unread)?;
+            if path.extension().is_some_and(|ending| ending == "parquet") {
+                files.push(path);
+            }
+        }
+    }
+    files.sort();
+    Ok(files)
+}

@@ -1,0 +1,22 @@
+//! Where rows go: one file for each table, or a data set of files by run and day.
+
+mod data_set;
+mod days;
+mod named;
+mod one_file;
+
+use crate::encoded::Format;
+use data_set::DataSet;
+pub(crate) use data_set::no_store;
+use homebody_core::scenario::scheme::Scheme;
+use homebody_log::{Sink, Url};
+use one_file::OneFile;
+
+/// The sink of a place. Nothing is touched before it is begun.
+pub(crate) fn open(url: &Url) -> Box<dyn Sink> {
+    match (url.scheme(), url.is_data_set()) {
+        (Scheme::Arrow, _) => Box::new(OneFile::new(url.clone(), Format::Arrow)),
+        (_, false) => Box::new(OneFile::new(url.clone(), Format::Parquet)),
+        (_, true) => Box::new(DataSet::new(url.path().into())),
+    }
+}

@@ -1,0 +1,97 @@
+//! Files that are whole take their names. Where a run is gone on with, what has the name already is held against what was lived
+//! again: the same rows, or a beginning of them.
+
+use crate::source::Batches;
+use arrow_array::RecordBatch;
+use homebody_log::fresh::FreshFile;
+use homebody_log::{How, LogError};
+use std::fs::{self, File};
+use std::io::{self, BufRead, BufReader};
+use std::path::Path;
+
+/// Gives a whole file its name.
+pub(crate) fn name(file: FreshFile, how: How) -> Result<(), LogError> {
+    let path = file.path().to_owned();
+    let written = file.part().map(Path::to_owned);
+    if let (How::GoOn, Some(written)) = (how, written)
+        && path.is_file()
+    {
+        let same = are_same(&path, &written).map_err(|error| LogError::reading(&path, error))?;
+        if same {
+            return Ok(());
+        }
+        begins_with(&path, &written)?;
+    }
+    file.finish()
+}
+
+/// Whether two files have the same bytes.
+fn are_same(one: &Path, other: &Path) -> io::Result<bool> {
+    if fs::metadata(one)?.len() != fs::metadata(other)?.len() {
+        return Ok(false);
+    }
+    let open = |path| File::open(path).map(|file| BufReader::with_capacity(1 << 16, file));
+    let (mut one, mut other) = (open(one)?, open(other)?);
+    loop {
+        let (here, there) = (one.fill_buf()?, other.fill_buf()?);
+        let length = here.len().min(there.len());
+        if here[..length] != there[..length] {
+            return Ok(false);
+        }
+        if length == 0 {
+            return Ok(here.len() == there.len());
+        }
+        one.consume(length);
+        other.consume(length);
+    }
+}
+
+/// An error where the rows of a file are not the first ones of what was written anew.
+fn begins_with(there: &Path, written: &Path) -> Result<(), LogError> {
+    let changed = |what| LogError::Changed { place: there.display().to_string(), what };
+    let (mut old, mut new) = (Rows::open(there)?, Rows::open(written)?);
+    let mut rows = 0;
+    loop {
+        let Some(here) = old.rest()? else { return Ok(()) };
+        let Some(beside) = new.rest()? else {
+            return Err(changed(format!("it has more than the {rows} rows of the run")));
+        };
+        let length = here.num_rows().min(beside.num_rows());
+        if here.schema().fields() != beside.schema().fields() {
+            return Err(changed("it has other columns".into()));
+        }
+        if here.slice(0, length) != beside.slice(0, length) {
+            return Err(changed(format!("one of its rows {rows} to {} is another", rows + length - 1)));
+        }
+        rows += length;
+        old.taken(length);
+        new.taken(length);
+    }
+}
+
+/// The rows of a file, some at a time.
+struct Rows {
+    batches: Batches,
+    now: Option<RecordBatch>,
+}
+
+impl Rows {
+    fn open(path: &Path) -> Result<Rows, LogError> {
+        Ok(Rows { batches: Batches::open(path, None)?, now: None })
+    }
+
+    /// What comes next and has not been taken yet; None at the end.
+    fn rest(&mut self) -> Result<Option<&RecordBatch>, LogError> {
+        while self.now.as_ref().is_none_or(|batch| batch.num_rows() == 0) {
+            self.now = self.batches.next().transpose()?;
+            if self.now.is_none() {
+                return Ok(None);
+            }
+        }
+        Ok(self.now.as_ref())
+    }
+
+    fn taken(&mut self, rows: usize) {
+        self.now = self.now.take().map(|batch| batch.slice(rows, batch.num_rows() - rows));
+    }
+}

@@ -1,0 +1,67 @@
+//! One file for each table, which takes its name once it is whole. A killed run leaves none; gone on with, it is written anew and held
+//! against what is there.
+
+use super::named::name;
+use crate::encoded::{Format, Layout, TableFile};
+use homebody_core::time::Micros;
+use homebody_log::clock::Clock;
+use homebody_log::fresh::{FreshFile, remove_parts};
+use homebody_log::lock::FileLock;
+use homebody_log::table::Batch;
+use homebody_log::{Begin, How, LogError, Sink, Url, Watermark};
+use std::sync::Arc;
+
+/// A file of Parquet or Arrow IPC, or one for each table.
+pub(crate) struct OneFile {
+    url: Url,
+    format: Format,
+    open: Option<Open>,
+}
+
+struct Open {
+    files: Vec<TableFile>,
+    clock: Clock,
+    texts: Vec<Arc<str>>,
+    how: How,
+    /// Given back last, once the files have their names or their parts are gone.
+    _locks: Vec<FileLock>,
+}
+
+impl OneFile {
+    pub fn new(url: Url, format: Format) -> OneFile {
+        OneFile { url, format, open: None }
+    }
+}
+
+impl Sink for OneFile {
+    fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
+        let (mut files, mut locks) = (Vec::new(), Vec::new());
+        for (table, path) in begin.tables.iter().zip(self.url.files(begin.tables)) {
+            locks.push(FileLock::take(&path)?);
+            if begin.how == How::GoOn {
+                remove_parts(&path)?;
+            }
+            let file = FreshFile::create(&path, begin.how != How::New)?;
+            files.push(TableFile::begin(file, &Layout::new(self.format, table, begin, true), 0)?);
+        }
+        self.open = Some(Open { files, clock: begin.clock(), texts: Vec::new(), how: begin.how, _locks: locks });
+        Ok(Watermark::none())
+    }
+
+    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
+        let stopped = || LogError::Stopped { place: self.url.to_string() };
+        let Open { files, clock, texts, .. } = self.open.as_mut().ok_or_else(stopped)?;
+        texts.extend(batch.texts_from(texts.len()));
+        batch.rows().try_for_each(|row| files[row.table].push(row.cells, clock, texts))
+    }
+
+    /// Nothing is sure before the end.
+    fn settle(&mut self) -> Result<Watermark, LogError> {
+        Ok(Watermark::none())
+    }
+
+    fn finish(&mut self, _end: Micros) -> Result<(), LogError> {
+        let Some(Open { files, how, _locks, .. }) = self.open.take() else { return Ok(()) };
+        files.into_iter().try_for_each(|file| name(file.end()?, how))
+    }
+}

@@ -1,0 +1,78 @@
+//! The files of a data set, in the order in which they were written.
+
+use super::batches::Opened;
+use crate::fault::broken;
+use crate::layout::ROWS_BEFORE;
+use homebody_core::problem::readable;
+use homebody_log::LogError;
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A data set has no more files, and no folder of it more (ours): two hundred years of days.
+const MOST_FILES: usize = 100_000;
+
+/// Its folders are in each other no deeper (ours).
+const DEEPEST: usize = 6;
+
+/// The files of one run; a file is its own.
+pub(super) fn files(path: &Path) -> Result<Vec<PathBuf>, LogError> {
+    if !path.is_dir() {
+        return Ok(vec![path.into()]);
+    }
+    let mut found = Vec::new();
+    collect(path, 0, &mut found)?;
+    found.sort();
+    let no_log = |why: String| LogError::NoLog { place: path.display().to_string(), why: readable(why) };
+    if found.is_empty() {
+        return Err(no_log("no file in it or in folders such as run=1/day=2009-03-02 ends in .parquet".into()));
+    }
+    // Ours say how many rows come before; with others the names say their order.
+    let mut in_order = Vec::new();
+    for file in &found {
+        let about = Opened::open(file)?.about;
+        let about = about.and_then(|text| serde_json::from_str::<Value>(&text).ok());
+        let Some(rows) = about.and_then(|about| about.get(ROWS_BEFORE)?.as_u64()) else { return Ok(found) };
+        in_order.push((rows, file.clone()));
+    }
+    in_order.sort();
+    Ok(in_order.into_iter().map(|(_, file)| file).collect())
+}
+
+fn collect(folder: &Path, depth: usize, found: &mut Vec<PathBuf>) -> Result<(), LogError> {
+    let unread = |error| LogError::reading(folder, error);
+    let mut runs = Vec::new();
+    for entry in fs::read_dir(folder).map_err(unread)?.take(MOST_FILES) {
+        let path = entry.map_err(unread)?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        // What is on its way, or somebody's own.
+        if name.starts_with(['.', '_']) {
+            continue;
+        }
+        if path.is_dir() {
+            if !name.contains('=') {
+                continue;
+            }
+            if name.starts_with("run=") {
+                runs.push(name);
+            }
+            if depth < DEEPEST {
+                collect(&path, depth + 1, found)?;
+            }
+        } else if name.ends_with(".parquet") {
+            found.push(path);
+        }
+    }
+    if found.len() > MOST_FILES {
+        return Err(broken(folder, "a data set", format!("it has more than {MOST_FILES} files")));
+    }
+    runs.sort();
+    match &runs[..] {
+        [] | [_] => Ok(()),
+        several => {
+            let place = folder.display().to_string();
+            let why = format!("it is a data set of several runs: name one of {}", several.join(", "));
+            Err(LogError::NoLog { place, why: readable(why) })
+        }
+    }
+}

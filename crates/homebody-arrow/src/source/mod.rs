@@ -1,0 +1,34 @@
+//! Reads logs back: files of Parquet and of Arrow IPC, ours and those of pandas, polars and others, and data sets of them.
+
+mod batches;
+mod cells;
+mod files;
+mod guard;
+mod ipc;
+mod rows;
+
+pub(crate) use batches::Batches;
+use homebody_log::source::{Form, Shows, Start};
+
+/// The forms of this crate.
+pub(crate) const FORMS: [Form; 2] = [
+    Form {
+        name: "parquet",
+        what: "Parquet, a file or a folder of them by run and day: columns of time, sensor and value under any of the usual names or ours",
+        shows: |start| shows(start, batches::PARQUET),
+        read: rows::read,
+    },
+    Form {
+        name: "arrow",
+        what: "a file of Arrow IPC (Feather, version 2), with columns as in Parquet",
+        shows: |start| shows(start, batches::ARROW),
+        read: rows::read,
+    },
+];
+
+fn shows(start: &Start, magic: &[u8]) -> Shows {
+    match start.begins_with(magic) {
+        true if rows::are_activities(&start.path) => Shows::Activities,
+        is_it => Shows::rows_if(is_it),
+    }
+}

@@ -1,0 +1,158 @@
+//! Rows of a log, or spans of activities, by the names of columns.
+
+use super::batches::Opened;
+use super::cells::{Texts, Time, Times};
+use super::files::files;
+use crate::fault::broken;
+use crate::sink::no_store;
+use arrow_array::{Array, ArrayRef, RecordBatch};
+use arrow_schema::Schema;
+use homebody_core::problem::readable;
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_log::LogError;
+use homebody_log::source::{Instant, Places, Reading, SPAN_COLUMNS};
+use std::path::Path;
+
+/// How many characters of unknown names are told (ours).
+const LONGEST_TOLD: usize = 200;
+
+/// Reads a file, or a folder of files, row by row.
+pub(super) fn read(path: &Path, mapping: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+    if path.to_string_lossy().contains("://") {
+        return Err(no_store(path));
+    }
+    let mut line = 0;
+    for file in files(path)? {
+        let opened = Opened::open(&file)?;
+        if let Some(columns) = spans(&opened.schema) {
+            read_spans(&file, opened, &columns, &mut line, reading)?;
+        } else {
+            read_rows(&file, opened, mapping, &mut line, reading)?;
+        }
+    }
+    Ok(())
+}
+
+/// Whether a file tells what somebody did, and nothing of sensors.
+pub(super) fn are_activities(path: &Path) -> bool {
+    Opened::open(path).is_ok_and(|opened| spans(&opened.schema).is_some())
+}
+
+fn names(schema: &Schema) -> Vec<String> {
+    schema.fields().iter().map(|field| field.name().clone()).collect()
+}
+
+/// Where begin, end and name of activities are, in a table of nothing but these.
+fn spans(schema: &Schema) -> Option<[usize; 3]> {
+    let place = |wanted: &str| schema.fields().iter().position(|field| field.name() == wanted);
+    let [begin, end, activity] = SPAN_COLUMNS.map(place);
+    let is_log = Places::by_name(&names(schema), &LoggerFile::default()).is_some();
+    Some([begin?, end?, activity?]).filter(|_| !is_log)
+}
+
+/// Reads columns, and gives each batch with them in this order.
+fn each_batch(
+    path: &Path,
+    opened: Opened,
+    columns: &[usize],
+    take: &mut dyn FnMut(usize, &[ArrayRef]) -> Result<(), LogError>,
+) -> Result<(), LogError> {
+    let mut sorted = columns.to_vec();
+    sorted.sort_unstable();
+    sorted.dedup();
+    for batch in opened.rows(Some(&sorted))? {
+        let batch: RecordBatch = batch?;
+        let column = |wanted: &usize| {
+            let place = sorted.binary_search(wanted).ok()?;
+            batch.columns().get(place).cloned()
+        };
+        let arrays: Option<Vec<ArrayRef>> = columns.iter().map(column).collect();
+        let arrays = arrays.ok_or_else(|| broken(path, "a table", "a column is missing"))?;
+        take(batch.num_rows(), &arrays)?;
+    }
+    Ok(())
+}
+
+fn read_rows(
+    path: &Path,
+    opened: Opened,
+    mapping: &LoggerFile,
+    line: &mut u64,
+    reading: &mut Reading<'_>,
+) -> Result<(), LogError> {
+    let schema = opened.schema.clone();
+    let names = names(&schema);
+    let no_log = |why: String| LogError::NoLog { place: path.display().to_string(), why: readable(why) };
+    let Some(places) = Places::by_name(&names, mapping) else {
+        let told: String = names.join(", ").chars().take(LONGEST_TOLD).collect();
+        return Err(no_log(format!("no columns of time, sensor and value are among {told}")));
+    };
+    let label = places.label.filter(|&place| Texts::may_be(schema.field(place).data_type()));
+    for place in [places.time, places.sensor, places.value] {
+        let field = schema.field(place);
+        let fits = if place == places.time { Times::may_be } else { Texts::may_be };
+        if !fits(field.data_type()) {
+            return Err(no_log(format!("the column {:?} has a type that no log has", field.name())));
+        }
+    }
+    let columns: Vec<usize> = [places.time, places.sensor, places.value].into_iter().chain(label).collect();
+    let [mut time_buffer, mut sensor_buffer, mut value_buffer] = [(); 3].map(|()| String::new());
+    each_batch(path, opened, &columns, &mut |rows, arrays| {
+        let typed = || no_log("a column has another type than the file says".into());
+        let times = Times::of(&arrays[0]).ok_or_else(typed)?;
+        let (sensors, values) = (Texts::of(&arrays[1]).ok_or_else(typed)?, Texts::of(&arrays[2]).ok_or_else(typed)?);
+        let labels = arrays.get(3).and_then(Texts::of);
+        for row in 0..rows {
+            *line += 1;
+            if arrays[0].is_null(row) {
+                reading.skip(*line, "there is no time".into());
+                continue;
+            }
+            let (sensor, value) = (sensors.get(row, &mut sensor_buffer), values.get(row, &mut value_buffer));
+            let is_row = match times.get(row, &mut time_buffer) {
+                Time::At(at) => reading.event(*line, at, sensor, value)?,
+                Time::Text(text) => reading.row(*line, text, sensor, value)?,
+                Time::OutOfRange => {
+                    reading.skip(*line, "the time is out of range".into());
+                    false
+                }
+            };
+            if let (true, Some(labels)) = (is_row, &labels) {
+                let label = labels.get(row, &mut time_buffer);
+                reading.label(Some(label).filter(|label| !label.is_empty()));
+            }
+        }
+        Ok(())
+    })
+}
+
+fn read_spans(
+    path: &Path,
+    opened: Opened,
+    columns: &[usize; 3],
+    line: &mut u64,
+    reading: &mut Reading<'_>,
+) -> Result<(), LogError> {
+    let mut buffer = String::new();
+    each_batch(path, opened, columns, &mut |rows, arrays| {
+        let typed = || broken(path, "a table of activities", "a column of it has a type that none has");
+        let (begins, ends) = (Times::of(&arrays[0]).ok_or_else(typed)?, Times::of(&arrays[1]).ok_or_else(typed)?);
+        let activities = Texts::of(&arrays[2]).ok_or_else(typed)?;
+        for row in 0..rows {
+            *line += 1;
+            let mut at = |times: &Times, array: &ArrayRef| -> Option<Instant> {
+                match times.get(row, &mut buffer) {
+                    _ if array.is_null(row) => None,
+                    Time::At(at) => Some(at),
+                    Time::Text(text) => reading.instant(text),
+                    Time::OutOfRange => None,
+                }
+            };
+            match (at(&begins, &arrays[0]), at(&ends, &arrays[1])) {
+                (Some(begin), Some(end)) => reading.span(*line, begin, end, activities.get(row, &mut buffer)),
+                _ => reading.skip(*line, "an end is no date and time".into()),
+            }
+        }
+        Ok(())
+    })
+}
