@@ -3,7 +3,7 @@
 
 use crate::address::Address;
 use crate::flight::{Flight, Link, Sent, Wish};
-use crate::greeting::greeting;
+use crate::greeting::{greeting, is_of_another};
 use crate::order::{Order, TakesOrders, answer};
 use crate::place::Place;
 use crate::speech::Message;
@@ -17,7 +17,7 @@ use std::cell::RefCell;
 use std::collections::{HashMap, VecDeque};
 use std::fs;
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
 use tokio::runtime::Builder;
 
 /// How long a broker may take to let us in (ours); a run that begins hears of it within 5 s.
@@ -44,12 +44,20 @@ pub(crate) struct Connection {
     pub run: Arc<RunInfo>,
     pub orders: Option<TakesOrders>,
     pub options: MqttOptions,
+    /// Tells this connection from that of another program that lives the same home.
+    pub instance: String,
+}
+
+/// A text that no other program has.
+pub(crate) fn instance() -> String {
+    let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+    format!("{:x}-{:x}", std::process::id(), now.as_nanos())
 }
 
 /// What the broker is to know before anything is sent.
-pub(crate) fn options(address: &Address, place: &Place) -> Result<MqttOptions, Trouble> {
+pub(crate) fn options(address: &Address, place: &Place, instance: &str) -> Result<MqttOptions, Trouble> {
     let (topic, [_, offline]) = place.status();
-    let mut options = open(address, &format!("homebody-{}", place.id))?;
+    let mut options = open(address, &format!("homebody-{}-{instance}", place.id))?;
     options.set_last_will(LastWill::new(topic, offline, QoS::AtLeastOnce, true, None));
     Ok(options)
 }
@@ -141,15 +149,23 @@ impl Connection {
     }
 
     fn greeting(&self) -> Vec<Message> {
-        greeting(&self.address, &self.place, &self.run, self.orders.is_some())
+        greeting(&self.address, &self.place, &self.run, &self.instance, self.orders.is_some())
     }
 
-    /// What is listened to: the home's own orders, and whether Home Assistant begins anew. What is kept there is none of ours.
+    /// What is listened to: the home's own orders, whether Home Assistant begins anew, and what others say in our name. What the
+    /// broker keeps there is none of it.
     fn filters(&self) -> Vec<SubscribeFilterInput> {
-        let listen = |topic: String| {
-            SubscribeFilterInput::new(topic, QoS::AtLeastOnce).retain_forward_rule(RetainForwardRule::Never)
+        let topics = [self.place.command(), self.birth(), self.place.topic("run"), self.place.status().0];
+        let listen = |topic| {
+            let filter = SubscribeFilterInput::new(topic, QoS::AtLeastOnce).no_local(true);
+            filter.retain_forward_rule(RetainForwardRule::Never)
         };
-        vec![listen(self.place.command()), listen(format!("{}/status", self.address.discovery_prefix))]
+        topics.map(listen).into()
+    }
+
+    /// Where Home Assistant says that it has begun.
+    fn birth(&self) -> String {
+        format!("{}/status", self.address.discovery_prefix)
     }
 
     /// Hears the broker until the connection is lost, or ends as it was asked to.
@@ -171,7 +187,7 @@ impl Connection {
                         self.flight.change(|state| state.acknowledge(sent));
                     }
                 }
-                Ok(Event::Incoming(Packet::Publish(publish))) => self.told(&publish),
+                Ok(Event::Incoming(Packet::Publish(publish))) => self.told(&publish)?,
                 Ok(Event::Outgoing(Outgoing::Disconnect)) | Err(ConnectionError::RequestsDone) => return Ok(()),
                 Ok(_) => {}
                 Err(error) => return Err(Trouble::of(&error)),
@@ -180,29 +196,36 @@ impl Connection {
     }
 
     /// Somebody has said something.
-    fn told(&mut self, publish: &Publish) {
+    fn told(&mut self, publish: &Publish) -> Result<(), Trouble> {
+        let (status, [online, _]) = self.place.status();
         if publish.topic == self.place.command() {
-            let answer = answer(&publish.payload, publish.retain, &self.run, self.orders.as_mut());
-            let running = match answer.obeyed {
-                Some(Order::Pause {}) => Some("OFF"),
-                Some(Order::Resume {}) => Some("ON"),
-                _ => None,
-            };
-            let result = Message {
-                topic: self.place.topic("command/result").into(),
-                payload: answer.payload.into(),
-                retain: false,
-                then: None,
-            };
-            let running = running.map(|running| Message::kept(self.place.topic("running"), running));
-            self.flight.change(|state| {
-                state.say(result);
-                running.into_iter().for_each(|running| state.say(running));
-            });
-        } else if publish.topic == format!("{}/status", self.address.discovery_prefix) && *publish.payload == *b"online" {
+            self.ordered(publish);
+        } else if publish.topic == self.birth() && *publish.payload == *b"online" {
             let greeting = self.greeting();
             self.flight.change(|state| state.greet_again(greeting));
+        } else if publish.topic == self.place.topic("run") && is_of_another(&publish.payload, &self.instance) {
+            return Err(Trouble::another());
+        } else if publish.topic == status && publish.payload != online {
+            // The last word of a program that lived this home before, and that the broker has only now found dead.
+            self.flight.change(|state| state.say(Message::kept(status, online)));
         }
+        Ok(())
+    }
+
+    fn ordered(&mut self, publish: &Publish) {
+        let answer = answer(&publish.payload, publish.retain, &self.run, self.orders.as_mut());
+        let running = match answer.obeyed {
+            Some(Order::Pause {}) => Some("OFF"),
+            Some(Order::Resume {}) => Some("ON"),
+            _ => None,
+        };
+        let topic = self.place.topic("command/result").into();
+        let result = Message { topic, payload: answer.payload.into(), retain: false, then: None };
+        let running = running.map(|running| Message::kept(self.place.topic("running"), running));
+        self.flight.change(|state| {
+            state.say(result);
+            running.into_iter().for_each(|running| state.say(running));
+        });
     }
 }
 

@@ -273,7 +273,7 @@ mod tests {
         // told last, by 3, is in that.
         let rows: Vec<&str> = again.iter().map(|(_, payload)| payload.as_str()).collect();
         assert_eq!(rows, ["2", "3", "4"]);
-        [2, 3, 4].map(|number| state.acknowledge(Sent::Row(number)));
+        (2..5).for_each(|number| state.acknowledge(Sent::Row(number)));
         assert!(state.is_empty() && state.acknowledged() == 5);
         // The next connection is told what is so, once each.
         state.begin_connection(vec![Message::kept("status", "online")]);

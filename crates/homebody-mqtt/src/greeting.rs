@@ -12,8 +12,14 @@ use serde_json::{Map, Value, json};
 pub(crate) const PROGRAM: &str = "homebody";
 
 /// What is said at each beginning.
-pub(crate) fn greeting(address: &Address, place: &Place, run: &RunInfo, takes_orders: bool) -> Vec<Message> {
-    let mut all = vec![mark(place, run)];
+pub(crate) fn greeting(
+    address: &Address,
+    place: &Place,
+    run: &RunInfo,
+    instance: &str,
+    takes_orders: bool,
+) -> Vec<Message> {
+    let mut all = vec![mark(place, run, instance)];
     all.extend(discovery::messages(address, place, run, takes_orders));
     if place.style == Style::Zigbee2Mqtt {
         all.extend(zigbee::messages(place, run));
@@ -41,7 +47,14 @@ pub(crate) fn at_rest(place: &Place) -> Vec<Message> {
     place.sensors.iter().filter(is_momentary).map(at_rest).collect()
 }
 
-fn mark(place: &Place, run: &RunInfo) -> Message {
+/// Whether a mark is of another program than the one of this instance.
+pub(crate) fn is_of_another(mark: &[u8], instance: &str) -> bool {
+    let mark: Option<Value> = serde_json::from_slice(mark).ok();
+    let theirs = mark.as_ref().filter(|mark| mark["program"] == PROGRAM).and_then(|mark| mark["instance"].as_str());
+    theirs.is_some_and(|theirs| theirs != instance)
+}
+
+fn mark(place: &Place, run: &RunInfo, instance: &str) -> Message {
     let sensors: Map<String, Value> =
         place.sensors.iter().map(|sensor| (sensor.level.clone(), sensor.name.as_str().into())).collect();
     let mark = json!({
@@ -51,6 +64,7 @@ fn mark(place: &Place, run: &RunInfo) -> Message {
         "scenario": run.scenario,
         "home": run.home,
         "run": run.id.to_string(),
+        "instance": instance,
         "sensors": sensors,
     });
     Message::kept(place.topic("run"), mark.to_string())

@@ -4,7 +4,6 @@
 //! from what was there: `--` for `-`, `-_` for `_`, and `-e9-` for the letter é, by its number.
 
 use sha2::{Digest, Sha256};
-use std::fmt::Write;
 
 /// Levels below a home that are not sensors (see `place.rs`). A sensor of such a name has its first letter by its number.
 const TAKEN: [&str; 5] = ["bridge", "command", "run", "running", "status"];
@@ -22,8 +21,7 @@ pub(crate) fn level(name: &str) -> String {
             ' ' => level.push('_'),
             '-' => level.push_str("--"),
             '_' => level.push_str("-_"),
-            // A string takes whatever is written to it.
-            letter => drop(write!(level, "-{:x}-", u32::from(letter))),
+            letter => level.push_str(&format!("-{:x}-", u32::from(letter))),
         }
     }
     if level.is_empty() {
@@ -34,7 +32,7 @@ pub(crate) fn level(name: &str) -> String {
         let digest = Sha256::digest(name.as_bytes());
         level.truncate(LONGEST_BYTES - 40);
         level.push_str("-h");
-        digest.iter().take(16).for_each(|byte| drop(write!(level, "{byte:02x}")));
+        digest.iter().take(16).for_each(|byte| level.push_str(&format!("{byte:02x}")));
     }
     level
 }

@@ -1,7 +1,7 @@
 //! The destination: rows become messages, and are durable once the broker has acknowledged them.
 
 use crate::address::Address;
-use crate::connection::{Connection, options};
+use crate::connection::{Connection, instance, options};
 use crate::flight::{Flight, Link, Wish};
 use crate::greeting::{at_rest, farewell};
 use crate::order::TakesOrders;
@@ -91,7 +91,8 @@ impl Sink for MqttSink {
         let state = StateFile::new(address.state.as_deref(), begin.run.id);
         let before = if begin.how == How::GoOn { state.rows() } else { 0 };
         let place = Arc::new(Place::of(&address, begin.run));
-        let options = options(&address, &place).map_err(|trouble| trouble.error(&place_told))?;
+        let instance = instance();
+        let options = options(&address, &place, &instance).map_err(|trouble| trouble.error(&place_told))?;
         let flight = Arc::new(Flight::default());
         flight.change(|shared| at_rest(&place).iter().for_each(|message| shared.keep_in_mind(message)));
         let connection = Connection {
@@ -101,11 +102,12 @@ impl Sink for MqttSink {
             run: Arc::new(begin.run.clone()),
             orders: self.orders.take(),
             options,
+            instance,
         };
         let thread = thread::Builder::new().spawn(move || connection.live());
         let thread = thread.map_err(|source| LogError::NoThread { place: place_told.clone(), source })?;
         let speech = Speech::new(begin.run, place.clone());
-        let mut open = Open {
+        let open = Open {
             place: place_told,
             flight,
             thread: Some(thread),

@@ -32,6 +32,15 @@ impl Trouble {
         Trouble { what: "the connection has ended".into(), hint: None, is_final: true }
     }
 
+    /// Another run of the same home.
+    pub fn another() -> Trouble {
+        Trouble::new(
+            "another program has begun to live this home below this prefix",
+            "live one run of a home at a time, or give each a prefix of its own",
+        )
+        .finally()
+    }
+
     /// A broker that does not acknowledge anything.
     pub fn silent(since: Duration) -> Trouble {
         let what = format!("the broker has acknowledged nothing for {} s", since.as_secs());
@@ -62,6 +71,9 @@ impl Trouble {
             ConnectionError::Tls(error) => {
                 Trouble::new(format!("TLS does not come about: {error}"), "?ca=FILE names the certificates to trust").finally()
             }
+            ConnectionError::MqttState(StateError::ConnectionAborted) => closed(),
+            // What came instead of an answer is told with it.
+            ConnectionError::MqttState(StateError::Deserialization(why)) if why.to_string().contains("reset by peer") => closed(),
             ConnectionError::Timeout(_) => {
                 Trouble::new("the broker does not answer", "check the host and the port, and whether a firewall is between")
             }
@@ -90,11 +102,6 @@ fn refused(code: ConnectReturnCode) -> Trouble {
 
 fn sent_away(code: DisconnectReasonCode) -> Trouble {
     match code {
-        DisconnectReasonCode::SessionTakenOver => Trouble::new(
-            "another program has connected as this home",
-            "live one run of a home at a time below a prefix, or give each a prefix of its own",
-        )
-        .finally(),
         DisconnectReasonCode::NotAuthorized => Trouble::new("the broker does not let this user write here", "look at its list of rights").finally(),
         code => Trouble::new(format!("the broker has ended the connection: {code:?}"), "the broker's own log says more"),
     }
@@ -110,7 +117,7 @@ fn of_tls(error: &rustls::Error) -> Trouble {
             CertificateError::NotValidYet | CertificateError::NotValidYetContext { .. } => {
                 certificate("the certificate of the broker is not valid yet", "look whether this machine's clock is right")
             }
-            CertificateError::UnknownIssuer => certificate(
+            CertificateError::UnknownIssuer | CertificateError::BadSignature => certificate(
                 "the certificate of the broker is of nobody that is trusted",
                 "?ca=FILE names the certificate of who has issued it",
             ),
@@ -124,15 +131,17 @@ fn of_tls(error: &rustls::Error) -> Trouble {
     }
 }
 
+fn closed() -> Trouble {
+    let hint = "the broker's own log says why; one with TLS listens on a port of its own, for mqtts://";
+    Trouble::new("the broker has closed the connection", hint)
+}
+
 fn of_io(error: &io::Error) -> Trouble {
     use io::ErrorKind::*;
     match error.kind() {
         ConnectionRefused => Trouble::new("no broker listens there", "start the broker, or correct host and port"),
         HostUnreachable | NetworkUnreachable => Trouble::new("the host cannot be reached", "check the host and the network"),
-        UnexpectedEof | ConnectionReset | ConnectionAborted | BrokenPipe => Trouble::new(
-            "the broker has closed the connection",
-            "the broker's own log says why; one with TLS listens on a port of its own, for mqtts://",
-        ),
+        UnexpectedEof | ConnectionReset | ConnectionAborted | BrokenPipe => closed(),
         _ if error.to_string().contains("lookup") => {
             Trouble::new(format!("the host is not known: {error}"), "correct the name of the host")
         }
