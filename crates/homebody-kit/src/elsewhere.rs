@@ -4,6 +4,9 @@ use homebody_log::elsewhere::{Elsewhere, install};
 
 /// Makes them known, for the whole program: to be called before all else. A second call changes nothing.
 pub fn install_all() {
-    let all: Vec<Elsewhere> = vec![];
+    let all: Vec<Elsewhere> = vec![
+        #[cfg(feature = "mqtt")]
+        homebody_mqtt::elsewhere(),
+    ];
     install(all);
 }

@@ -39,6 +39,7 @@ mod stretch;
 mod run;
 pub mod destination;
 pub mod elsewhere;
+mod broker;
 mod store;
 mod recorded;
 
@@ -56,6 +57,7 @@ pub mod walked;
 
 mod calibration;
 
+pub use broker::{Tidied, tidy_up};
 pub use calibration::{Calibration, Fitted, Rates, Sight, calibrate, lived};
 pub use cancel::Cancel;
 pub use cohort::{Cohort, CohortSetup, LivedCohort, Member, UnfinishedCohort};

@@ -1,6 +1,7 @@
 //! Living a run into destinations: logs, the truth apart from them, and the recording that lives it again.
 
 use crate::VERSION;
+use crate::broker;
 use crate::error::Error;
 use crate::run::{LiveRun, Progress};
 use homebody_core::recording::Recording;
@@ -191,7 +192,9 @@ impl LiveRun {
         let started = Instant::now();
         let version = VERSION.into();
         let recording = Recording { version, ..self.recording.clone() };
-        let mut log = RunLog::open_with(places, own, &self.scenario, &self.run, &recording, how)?;
+        let (places, brokers) = broker::apart(places, &mut self.paced)?;
+        let own = brokers.into_iter().chain(own).collect();
+        let mut log = RunLog::open_with(&places, own, &self.scenario, &self.run, &recording, how)?;
         let ended = loop {
             let lived_on = self.live_on();
             // What happened before a driver went wrong is stored, too.
@@ -214,7 +217,7 @@ impl LiveRun {
             sensors: self.sensors().map(str::to_owned).collect(),
             truth: places.truth.clone(),
             recorded: places.recording.clone(),
-            folder: folder_of(places),
+            folder: folder_of(&places),
             progress: self.progress(),
             recording,
             stored,

@@ -92,6 +92,21 @@ impl Address {
         matches!(url.scheme(), Scheme::Mqtt | Scheme::Mqtts)
     }
 
+    /// Refuses a run that goes faster than life, unless the place allows it.
+    ///
+    /// # Errors
+    ///
+    /// [`LogError::NoPlace`], which says how to go at the pace of life, and how to allow more.
+    pub fn may_go_fast(&self) -> Result<(), LogError> {
+        if self.allow_fast {
+            return Ok(());
+        }
+        Err(LogError::NoPlace(NoPlace {
+            what: format!("{} is told what happens as it happens, and this goes faster than life", self.place()),
+            hint: "a run at --speed 1 goes at the pace of life; ?allow-fast=true at the end of the place allows any".into(),
+        }))
+    }
+
     /// The broker and the prefix, as errors tell them: without a name, and so without a password.
     pub fn place(&self) -> String {
         let scheme = if self.tls { "mqtts" } else { "mqtt" };

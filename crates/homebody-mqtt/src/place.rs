@@ -1,6 +1,6 @@
 //! The topics of a home, all below `prefix/home`, and those of discovery, which name it.
 
-use crate::address::{Address, Style};
+use crate::address::{Address, Discovery, Style};
 use crate::entities::{Device, Entity, Says};
 use crate::names::{id_of_home, level};
 use homebody_log::RunInfo;
@@ -13,6 +13,8 @@ pub(crate) struct Place {
     /// The home's id in discovery.
     pub id: String,
     pub style: Style,
+    /// Whether Home Assistant is told of it: it wants a device to say also what it does not know.
+    pub is_discovered: bool,
     /// In the order of the run's sensors.
     pub sensors: Vec<Placed>,
 }
@@ -57,7 +59,7 @@ impl Place {
             }
         };
         let sensors = run.sensors.iter().map(placed).collect();
-        Place { id: id_of_home(&address.prefix, home), style: address.style, sensors, base }
+        Place { id: id_of_home(&address.prefix, home), style: address.style, is_discovered: address.discovery != Discovery::Off, sensors, base }
     }
 
     /// A topic of the home's own.

@@ -36,6 +36,8 @@ pub fn policy() -> Policy {
 /// A broker as a destination.
 pub struct MqttSink {
     url: Url,
+    /// Whether rows come no faster than life.
+    is_live: bool,
     orders: Option<TakesOrders>,
     open: Option<Open>,
 }
@@ -55,9 +57,14 @@ struct Open {
 }
 
 impl MqttSink {
-    /// Nothing is touched before it is begun.
+    /// For rows that come at any pace, which the place has to allow. Nothing is touched before it is begun.
     pub fn new(url: &Url) -> MqttSink {
-        MqttSink { url: url.clone(), orders: None, open: None }
+        MqttSink { url: url.clone(), is_live: false, orders: None, open: None }
+    }
+
+    /// For a run that goes no faster than life.
+    pub fn live(url: &Url) -> MqttSink {
+        MqttSink { is_live: true, ..MqttSink::new(url) }
     }
 
     /// The same for a run that can be told what to do.
@@ -75,6 +82,9 @@ impl MqttSink {
 impl Sink for MqttSink {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
         let address = Address::of(&self.url)?;
+        if !self.is_live {
+            address.may_go_fast()?;
+        }
         let place_told = address.place();
         if begin.tables.len() != 1 || !begin.tables[0].is_numbered {
             return Err(LogError::CannotHold {

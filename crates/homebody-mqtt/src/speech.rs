@@ -51,7 +51,7 @@ impl Speech {
             clock: Clock::new(&run.calendar, TimeFormat::LocalOffset),
             by_id: by_id.collect(),
             topics: topics.collect(),
-            last: vec![Map::new(); place.sensors.len()],
+            last: place.sensors.iter().map(|sensor| unknown(&place, sensor)).collect(),
             place,
             line: String::new(),
         }
@@ -107,6 +107,12 @@ impl Speech {
         let all = Value::Object(self.last[sensor].clone()).to_string();
         self.line.push_str(all.trim_end_matches('}'));
     }
+}
+
+/// What a device of Zigbee2MQTT says before it knows anything.
+fn unknown(place: &Place, sensor: &Placed) -> Map<String, Value> {
+    let properties = sensor.device.entities.iter().filter(|_| place.is_discovered);
+    properties.map(|entity| (entity.property.to_owned(), Value::Null)).collect()
 }
 
 /// What is so of a motion sensor that only says ON while it says nothing.

@@ -309,7 +309,7 @@ pub fn store(logger: &mut Logger, firings: &[Firing]) {
 
 /// Lives a run of so many rows into a place.
 pub fn live(url: &Url, rows: u64) {
-    let mut logger = logger(MqttSink::new(url), How::New).unwrap();
+    let mut logger = logger(MqttSink::live(url), How::New).unwrap();
     store(&mut logger, &firings(rows));
     logger.finish().unwrap();
 }

@@ -77,7 +77,7 @@ fn polarity_is_that_of_each_system() {
 #[test]
 fn what_is_kept_is_what_is_so() {
     let Some(broker) = Broker::start() else { return };
-    let mut logger = logger(MqttSink::new(&broker.url("homebody")), How::New).unwrap();
+    let mut logger = logger(MqttSink::live(&broker.url("homebody")), How::New).unwrap();
     store(&mut logger, &firings(16));
     logger.settle().unwrap();
     logger.wait_settled().unwrap();
@@ -99,7 +99,7 @@ fn what_is_kept_is_what_is_so() {
 #[test]
 fn when_home_assistant_begins_anew_it_is_told_all_again() {
     let Some(broker) = Broker::start() else { return };
-    let mut logger = logger(MqttSink::new(&broker.url("homebody")), How::New).unwrap();
+    let mut logger = logger(MqttSink::live(&broker.url("homebody")), How::New).unwrap();
     store(&mut logger, &firings(16));
     logger.settle().unwrap();
     logger.wait_settled().unwrap();
@@ -131,7 +131,7 @@ fn names_made_to_get_out_stay_inside() {
     run.sensors = names.iter().map(|name| homebody_log::SensorInfo { name: name.to_string(), id: name.to_string(), ..first.clone() }).collect();
     let run: Arc<RunInfo> = Arc::new(run);
     let listener = Listener::to(&broker, "#");
-    let to = Destination::own("mqtt", MqttSink::new(&broker.url("homebody")), homebody_mqtt::policy());
+    let to = Destination::own("mqtt", MqttSink::live(&broker.url("homebody")), homebody_mqtt::policy());
     let mut logger = Logger::open(vec![to], &LoggerFile::default(), &run, How::New).unwrap();
     let firings: Vec<_> = (0..names.len() as u32)
         .map(|sensor| homebody_core::event::Firing {

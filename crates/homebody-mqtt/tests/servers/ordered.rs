@@ -20,7 +20,7 @@ fn obedient() -> (TakesOrders, Receiver<Order>) {
 fn orders_are_obeyed_or_answered_with_why_not() {
     let Some(broker) = Broker::start() else { return };
     let (takes, orders) = obedient();
-    let sink = MqttSink::new(&broker.url("homebody")).with_orders(takes);
+    let sink = MqttSink::live(&broker.url("homebody")).with_orders(takes);
     let logger = logger(sink, How::New).unwrap();
     let listener = Listener::to(&broker, "homebody/#");
     let mut number = 0;
@@ -63,7 +63,7 @@ fn what_others_are_told_and_what_the_broker_keeps_is_no_order() {
     let order = r#"{"do":"stop"}"#;
     broker.say("homebody/the_studio/command", order, &["-r"]);
     let (takes, orders) = obedient();
-    let logger = logger(MqttSink::new(&broker.url("homebody")).with_orders(takes), How::New).unwrap();
+    let logger = logger(MqttSink::live(&broker.url("homebody")).with_orders(takes), How::New).unwrap();
     for topic in ["homebody/the_studio", "homebody/other/command", "homebody/the_studio/command/x", "homebody/command", "other/the_studio/command"] {
         broker.say(topic, order, &[]);
     }
@@ -77,7 +77,7 @@ fn what_others_are_told_and_what_the_broker_keeps_is_no_order() {
 #[test]
 fn a_run_that_takes_no_orders_says_so_and_shows_no_switch() {
     let Some(broker) = Broker::start() else { return };
-    let logger = logger(MqttSink::new(&broker.url("homebody")), How::New).unwrap();
+    let logger = logger(MqttSink::live(&broker.url("homebody")), How::New).unwrap();
     let listener = Listener::to(&broker, "#");
     broker.say("homebody/the_studio/command", r#"{"do":"pause"}"#, &[]);
     listener.wait("homebody/the_studio/command/result", "takes no orders");

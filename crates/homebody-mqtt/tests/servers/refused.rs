@@ -14,7 +14,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 fn error(url: &Url) -> String {
-    match logger(MqttSink::new(url), How::New) {
+    match logger(MqttSink::live(url), How::New) {
         Err(error) => error.to_string(),
         Ok(_) => panic!("{url} is refused"),
     }
@@ -57,7 +57,7 @@ fn a_password_is_read_from_a_file_and_a_wrong_one_is_refused_and_told_by_nobody(
         assert!(said.contains("lets this user not in") && !said.contains("hunter"), "{said}");
     }
     let written: Url = format!("mqtt://ann:hunter2@127.0.0.1:{}/homebody", broker.port).parse().unwrap();
-    let refused = logger(MqttSink::new(&written), How::New).err().unwrap();
+    let refused = logger(MqttSink::live(&written), How::New).err().unwrap();
     assert!(matches!(refused, LogError::NoPlace(_)), "exit code 2");
     assert!(!refused.to_string().contains("hunter2") && refused.to_string().contains("password-file"));
 }
@@ -120,8 +120,8 @@ fn a_broker_on_the_internet_that_asks_for_no_name_is_refused() {
 #[test]
 fn a_second_run_of_the_same_home_sends_the_first_away_for_good() {
     let Some(broker) = Broker::start() else { return };
-    let mut first = logger(MqttSink::new(&broker.url("homebody")), How::New).unwrap();
-    let second = logger(MqttSink::new(&broker.url("homebody")), How::New).unwrap();
+    let mut first = logger(MqttSink::live(&broker.url("homebody")), How::New).unwrap();
+    let second = logger(MqttSink::live(&broker.url("homebody")), How::New).unwrap();
     let failed = firings(500).chunks(1).find_map(|firing| {
         thread::sleep(Duration::from_millis(50));
         store_one(&mut first, firing).err()

@@ -5,11 +5,12 @@ use std::fs;
 use toml::{Table, Value};
 
 /// On which of our crates each of them may depend.
-const ARROWS: [(&str, &[&str]); 14] = [
+const ARROWS: [(&str, &[&str]); 15] = [
     ("homebody-core", &[]),
     ("homebody-import", &["homebody-core"]),
     ("homebody-walk", &["homebody-core"]),
     ("homebody-log", &["homebody-core"]),
+    ("homebody-mqtt", &["homebody-core", "homebody-log"]),
     ("homebody-infer", &["homebody-core", "homebody-log", "homebody-walk"]),
     ("homebody-script", &["homebody-core", "homebody-walk"]),
     ("homebody-routine", &["homebody-core", "homebody-script", "homebody-walk"]),
@@ -29,7 +30,15 @@ const ARROWS: [(&str, &[&str]); 14] = [
     ),
     (
         "homebody-kit",
-        &["homebody-analysis", "homebody-core", "homebody-infer", "homebody-log", "homebody-routine", "homebody-walk"],
+        &[
+            "homebody-analysis",
+            "homebody-core",
+            "homebody-infer",
+            "homebody-log",
+            "homebody-mqtt",
+            "homebody-routine",
+            "homebody-walk",
+        ],
     ),
     (
         "homebody-web",
