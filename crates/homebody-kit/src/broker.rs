@@ -32,9 +32,8 @@ mod built {
     }
 
     pub fn apart(places: &Places, paced: &mut Paced) -> Result<(Places, Vec<Destination>), Error> {
-        let is_broker = |url: &&Url| Address::is_of(url);
         let mut brokers = Vec::new();
-        for url in places.log.iter().filter(is_broker) {
+        for url in places.log.iter().filter(|url| Address::is_of(url)) {
             let address = Address::of(url)?;
             let is_live = !address.allow_fast;
             if is_live {
@@ -48,8 +47,9 @@ mod built {
             let sink = if is_live { MqttSink::live(url) } else { MqttSink::new(url) };
             brokers.push(Destination::own(url.to_string(), sink.with_orders(takes), policy()));
         }
-        let log = places.log.iter().filter(|url| !is_broker(url)).cloned().collect();
-        Ok((Places { log, ..places.clone() }, brokers))
+        let mut others = places.clone();
+        others.log.retain(|url| !Address::is_of(url));
+        Ok((others, brokers))
     }
 
     /// Who takes orders for a run, and where they come out as what a run can be told.

@@ -184,7 +184,7 @@ impl Connection {
                         return Err(Trouble::new(what, "let this user write there").finally());
                     }
                     if let Some(sent) = by_packet.remove(&ack.pkid) {
-                        self.flight.change(|state| state.acknowledge(sent));
+                        self.flight.acknowledge(sent);
                     }
                 }
                 Ok(Event::Incoming(Packet::Publish(publish))) => self.told(&publish)?,

@@ -106,6 +106,22 @@ impl Flight {
         changed
     }
 
+    /// The broker has acknowledged a message. Whoever waits is told when it is worth it, not each time.
+    pub fn acknowledge(&self, sent: Sent) {
+        let (is_worth_it, is_ending) = {
+            let mut state = self.lock();
+            state.acknowledge(sent);
+            let left = state.waiting.len();
+            (sent == Sent::Greeting || left == MOST_IN_FLIGHT / 2 || left == 0, state.wish != Wish::Live)
+        };
+        if is_worth_it {
+            self.changed.notify_all();
+        }
+        if is_ending {
+            self.wake.notify_one();
+        }
+    }
+
     /// Waits until it is so. Gives up when the connection is over, and when nothing is acknowledged for this long while there is none,
     /// or for ten times as long in any case.
     pub fn wait(&self, patience: Duration, is_so: impl Fn(&State) -> bool) -> Result<MutexGuard<'_, State>, Trouble> {
@@ -147,6 +163,11 @@ impl State {
     /// Whether there is room for another.
     pub fn has_room(&self) -> bool {
         self.waiting.len() < MOST_IN_FLIGHT
+    }
+
+    /// Whether there is room for many.
+    pub fn has_much_room(&self) -> bool {
+        self.waiting.len() <= MOST_IN_FLIGHT / 2
     }
 
     /// Whether all is acknowledged.

@@ -156,7 +156,7 @@ impl Sink for MqttSink {
             };
             let message = open.speech.message(seq, at, batch.text(sensor), said)?;
             if !open.flight.lock().has_room() {
-                open.wait(|shared| shared.has_room())?;
+                open.wait(|shared| shared.has_much_room())?;
             }
             open.flight.lock().take(message);
             open.next = seq as u64 + 1;

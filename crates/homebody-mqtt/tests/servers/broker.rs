@@ -52,7 +52,7 @@ impl Broker {
     pub fn begin(&mut self) {
         let config = self.folder.path().join("mosquitto.conf");
         let log = fs::File::create(self.folder.path().join("log")).unwrap();
-        let child = Command::new(program().unwrap()).arg("-c").arg(config).arg("-v").stdout(Stdio::null()).stderr(log).spawn();
+        let child = Command::new(program().unwrap()).arg("-c").arg(config).stdout(Stdio::null()).stderr(log).spawn();
         self.child = Some(child.unwrap());
         let begun = Instant::now();
         while TcpStream::connect(("127.0.0.1", self.port)).is_err() {
