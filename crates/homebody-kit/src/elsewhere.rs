@@ -9,6 +9,8 @@ pub fn install_all() {
         homebody_postgres::POSTGRESQL,
         #[cfg(feature = "parquet")]
         homebody_arrow::ELSEWHERE,
+        #[cfg(feature = "mqtt")]
+        homebody_mqtt::elsewhere(),
     ];
     install(all);
 }

@@ -40,6 +40,8 @@ mod meters;
 mod run;
 pub mod destination;
 pub mod elsewhere;
+mod broker;
+mod beside;
 mod store;
 mod recorded;
 mod live_home;
@@ -58,6 +60,7 @@ pub mod walked;
 
 mod calibration;
 
+pub use broker::{Tidied, tidy_up};
 pub use calibration::{Calibration, Fitted, Rates, Sight, calibrate, lived};
 pub use cancel::Cancel;
 pub use cohort::{Cohort, CohortSetup, LivedCohort, Member, UnfinishedCohort};

@@ -1,5 +1,6 @@
 //! A home that is lived on the world's clock, for as long as nobody stops it, in a folder by which it goes on after a stop.
 
+use crate::beside;
 use crate::cancel::Cancel;
 use crate::error::Error;
 use crate::meters::Meters;
@@ -10,7 +11,7 @@ use crate::store::Lived;
 use homebody_core::recording::LONGEST;
 use homebody_core::scenario::load::Scenario;
 use homebody_log::places::RECORDING;
-use homebody_log::{Destination, How, LogError, Places};
+use homebody_log::{How, LogError, Places, Url, WhenDown};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -22,6 +23,7 @@ pub struct LiveHome {
     run: LiveRun,
     places: Places,
     how: How,
+    folder: PathBuf,
 }
 
 impl LiveHome {
@@ -40,7 +42,7 @@ impl LiveHome {
         let unmade = |source| LogError::Unmade { place: folder.display().to_string(), source };
         fs::create_dir_all(folder).map_err(unmade)?;
         let places = Places::of_folder(folder, &run.scenario)?;
-        Ok(LiveHome { run, places, how: How::New })
+        Ok(LiveHome { run, places, how: How::New, folder: folder.into() })
     }
 
     /// Goes on with the home that is in a folder.
@@ -50,7 +52,7 @@ impl LiveHome {
     /// As [`Unfinished::open`].
     pub fn go_on(folder: &Path) -> Result<LiveHome, Error> {
         let Unfinished { run, places } = Unfinished::open(folder)?;
-        Ok(LiveHome { run, places, how: How::GoOn })
+        Ok(LiveHome { run, places, how: How::GoOn, folder: folder.into() })
     }
 
     /// The scenario that is lived.
@@ -63,20 +65,16 @@ impl LiveHome {
         self.how == How::GoOn
     }
 
-    /// The files in the folder that are written.
-    pub fn logs(&self) -> Vec<PathBuf> {
-        self.places.log.iter().filter_map(|url| url.file().map(Path::to_owned)).collect()
-    }
-
-    /// Lives it on the world's clock until it is cancelled, into its folder and into `own` destinations beside; `progress` is called
-    /// after each batch.
+    /// Lives it on the world's clock until it is cancelled, into its folder and, beside it, to servers and standard output; `progress` is
+    /// called after each batch.
     ///
     /// # Errors
     ///
     /// [`Error::Log`] if a place cannot be written, or what is there is not the beginning of this life.
     pub fn live(
         mut self,
-        own: Vec<Destination>,
+        out: &[Url],
+        when: &WhenDown,
         meters: &Meters,
         cancel: &Cancel,
         progress: impl FnMut(Progress),
@@ -84,6 +82,7 @@ impl LiveHome {
         let pace = Pace::on_wall(self.run.scenario.calendar.timestamp(0));
         self.run.keep_pace(pace, cancel);
         self.run.meters = meters.clone();
+        let own = beside::destinations(out, when, Some(&self.folder), &mut self.run.paced)?;
         self.run.store_into(&self.places, own, self.how, progress)
     }
 }

@@ -212,11 +212,33 @@ pub(crate) struct Paced {
     pace: Pace,
     cancel: Cancel,
     commands: Option<Receiver<Command>>,
+    /// What comes from afar: when nobody is left to say anything, the run goes on as it does.
+    from_afar: Vec<Receiver<Command>>,
+    /// Whether it goes no faster than life, whatever it is told.
+    keeps_to_life: bool,
 }
 
 impl Paced {
     pub fn new(pace: Pace, cancel: Cancel, commands: Option<Receiver<Command>>) -> Paced {
-        Paced { pace, cancel, commands }
+        Paced { pace, cancel, commands, from_afar: Vec::new(), keeps_to_life: false }
+    }
+
+    /// Does what is said there, too.
+    #[cfg_attr(not(feature = "mqtt"), expect(dead_code, reason = "brokers say it"))]
+    pub fn hear(&mut self, commands: Receiver<Command>) {
+        self.from_afar.push(commands);
+    }
+
+    /// Whether it goes no faster than life by now.
+    #[cfg_attr(not(feature = "mqtt"), expect(dead_code, reason = "brokers ask"))]
+    pub fn is_no_faster_than_life(&self) -> bool {
+        matches!(self.pace.speed, Speed::Times(times) if times <= 1.0)
+    }
+
+    /// From now on no command makes it faster than life: that it goes at the pace of life is what comes of a higher speed.
+    #[cfg_attr(not(feature = "mqtt"), expect(dead_code, reason = "brokers want it"))]
+    pub fn keep_to_life(&mut self) {
+        self.keeps_to_life = true;
     }
 
     /// Waits a moment, and says until when the run may go on: until `now` if it is paused. Nothing if it shall stop.
@@ -236,6 +258,11 @@ impl Paced {
     }
 
     fn heard(&mut self, wait: Duration, now: Micros) -> Option<Command> {
+        if !self.pace.is_stepping(now)
+            && let Some(command) = self.from_afar.iter().find_map(|commands| commands.try_recv().ok())
+        {
+            return Some(command);
+        }
         let Some(commands) = self.commands.as_ref().filter(|_| !self.pace.is_stepping(now)) else {
             thread::sleep(wait);
             return None;
@@ -256,7 +283,10 @@ impl Paced {
             Command::Pause => self.pace.pause(now),
             Command::Resume => self.pace.resume(now),
             Command::Step(span) => self.pace.step(now, span),
-            Command::Speed(speed) => self.pace.set_speed(now, speed),
+            Command::Speed(speed) => {
+                let is_too_fast = self.keeps_to_life && !matches!(speed, Speed::Times(times) if times <= 1.0);
+                self.pace.set_speed(now, if is_too_fast { Speed::Times(1.0) } else { speed });
+            }
             Command::Stop => {}
         }
     }
@@ -318,6 +348,25 @@ mod tests {
         assert_eq!(paced.next(60 * SECOND), Some(Micros::MAX));
         paced.cancel.cancel();
         assert_eq!(paced.next(60 * SECOND), None);
+    }
+
+    #[test]
+    fn a_run_that_keeps_to_life_is_made_no_faster_and_hears_from_afar() {
+        let (say, afar) = channel();
+        let mut paced = Paced::new(Pace::new(Speed::Times(1.0)), Cancel::new(), None);
+        assert!(paced.is_no_faster_than_life());
+        paced.hear(afar);
+        paced.keep_to_life();
+        for (said, speed) in [("speed max", 1.0), ("speed 0.5", 0.5), ("speed 2", 1.0)] {
+            say.send(said.parse().unwrap()).unwrap();
+            assert!(paced.next(0).unwrap() < SECOND);
+            assert_eq!(paced.pace.speed(), Speed::Times(speed), "{said}");
+        }
+        say.send(Command::Pause).unwrap();
+        assert_eq!(paced.next(0), Some(0));
+        drop(say);
+        assert_eq!(paced.next(0), Some(0), "whoever is afar and falls silent has not said to go on");
+        assert!(!Paced::new(Pace::default(), Cancel::new(), None).is_no_faster_than_life());
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Runs that were recorded, to be lived again.
 
 use crate::VERSION;
+use crate::beside;
 use crate::cancel::Cancel;
 use crate::error::Error;
 use crate::meters::Meters;
@@ -13,7 +14,7 @@ use homebody_core::scenario::load::Scenario;
 use homebody_log::limits::LARGEST_RECORDING_BYTES;
 use homebody_log::places::{LIST, RECORDING, SENSORS, is_all_there};
 use homebody_log::plain;
-use homebody_log::{Destination, How, Places};
+use homebody_log::{Destination, How, Places, Url, WhenDown};
 use homebody_routine::household::Household;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -149,6 +150,22 @@ impl Unfinished {
     /// [`Error::Log`] if what is there is not the beginning of this run, or cannot be written: then it stays as it was.
     pub fn go_on(self, progress: impl FnMut(Progress)) -> Result<Lived, Error> {
         self.go_on_with(Vec::new(), progress)
+    }
+
+    /// The same to servers as well, which its rows went to before; each gets those that it has not confirmed.
+    ///
+    /// # Errors
+    ///
+    /// As [`Unfinished::go_on_with`].
+    pub fn go_on_beside(
+        mut self,
+        servers: &[Url],
+        when: &WhenDown,
+        progress: impl FnMut(Progress),
+    ) -> Result<Lived, Error> {
+        let folder = self.places.recording.as_deref().and_then(Path::parent).map(Path::to_owned);
+        let own = beside::destinations(servers, when, folder.as_deref(), &mut self.run.paced)?;
+        self.go_on_with(own, progress)
     }
 
     /// The same with destinations of the caller's own beside, as [`LiveRun::store_with`] has them. They are begun with

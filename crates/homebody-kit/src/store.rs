@@ -1,6 +1,7 @@
 //! Living a run into destinations: logs, the truth apart from them, and the recording that lives it again.
 
 use crate::VERSION;
+use crate::beside;
 use crate::error::Error;
 use crate::run::{LiveRun, Progress};
 use homebody_core::recording::Recording;
@@ -177,20 +178,17 @@ impl LiveRun {
     ///
     /// As [`LiveRun::store`]; [`Error::Log`], too, if a destination that is required fails.
     pub fn store_with(
-        self,
+        mut self,
         to: &Destinations,
         own: Vec<Destination>,
         progress: impl FnMut(Progress),
     ) -> Result<Lived, Error> {
         let mut places = to.places(&self)?;
         let servers = places.log.extract_if(.., |url| url.server().is_some());
-        let servers: Vec<Destination> = servers.map(|url| Destination::of(&url).when_down(&to.when_down)).collect();
-        let servers = servers.into_iter().map(|server| match folder_of(&places) {
-            Some(folder) => server.remembered_in(&folder),
-            None => server,
-        });
+        let servers: Vec<Url> = servers.collect();
+        let servers = beside::destinations(&servers, &to.when_down, folder_of(&places).as_deref(), &mut self.paced)?;
         let how = if to.replace { How::Replace } else { How::New };
-        let lived = self.store_into(&places, servers.chain(own).collect(), how, progress);
+        let lived = self.store_into(&places, servers.into_iter().chain(own).collect(), how, progress);
         if lived.is_err() {
             // What was stored before the failure stays.
             places.give_up();
@@ -235,7 +233,7 @@ impl LiveRun {
             sensors: self.sensors().map(str::to_owned).collect(),
             truth: places.truth.clone(),
             recorded: places.recording.clone(),
-            folder: folder_of(places),
+            folder: folder_of(&places),
             progress: self.progress(),
             recording,
             stored,

@@ -22,6 +22,7 @@ pub const RUNS: &str = "runs";
 pub const LIST: &str = "cohort.json";
 
 /// Where a run is written.
+#[derive(Clone, Debug)]
 pub struct Places {
     /// Where its log goes, in as many places as wished.
     pub log: Vec<Url>,

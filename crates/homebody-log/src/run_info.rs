@@ -3,10 +3,12 @@
 use crate::sensor_info::SensorInfo;
 use crate::source::Log;
 use crate::word::one_word;
+use homebody_core::event::Value;
 use homebody_core::recording::Recording;
 use homebody_core::run::Run;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::logger::MessagesFile;
 use homebody_core::sensors::Sensor;
 
 /// What tells a run from others, and what its rows speak of.
@@ -42,13 +44,14 @@ impl RunInfo {
         let plan = &run.home().plan;
         let sensor = |sensor: &Sensor| {
             let info = sensor.info(plan);
+            let is_held = info.kind.senses_motion() && scenario.logger.messages != MessagesFile::FireOnly;
             SensorInfo {
                 id: scenario.logger.ids.get(&info.name).unwrap_or(&info.name).clone(),
                 name: info.name,
                 is_motion: info.kind.senses_motion(),
                 kind: info.kind.key.to_owned(),
                 unit: info.unit.map(|unit| unit.symbol.to_owned()),
-                values: info.values.iter().map(ToString::to_string).collect(),
+                values: info.values.iter().chain(is_held.then_some(&Value::Off)).map(ToString::to_string).collect(),
                 room: info.room,
                 at_m: [info.at.x, info.at.y],
             }

@@ -13,7 +13,8 @@ pub struct SensorInfo {
     pub kind: String,
     /// Of its readings, such as `°C`. None for one that gives no readings.
     pub unit: Option<String>,
-    /// What it says besides readings, such as `OPEN` and `CLOSE`; the logger may translate it.
+    /// What it says besides readings, such as `OPEN` and `CLOSE`; the logger may translate it. Of a motion sensor whose messages are held,
+    /// `OFF` too.
     pub values: Vec<String>,
     /// The room that it is in. None between rooms, as on a door.
     pub room: Option<String>,

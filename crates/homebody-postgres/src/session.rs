@@ -77,7 +77,9 @@ impl Session {
             tokio::time::timeout(server.connect_within, connecting).await
         });
         match connected {
-            Ok(Ok((client, connection))) => Ok(Session { server: server.clone(), runtime, client, connection, ended_by }),
+            Ok(Ok((client, connection))) => {
+                Ok(Session { server: server.clone(), runtime, client, connection, ended_by })
+            }
             Ok(Err(error)) => Err(told(server, &error, found.ignored.as_deref())),
             Err(_) => Err(silent(server, server.connect_within)),
         }
@@ -89,11 +91,7 @@ impl Session {
     }
 
     /// The same, not longer than so.
-    pub fn wait_for<T>(
-        &self,
-        longest: Duration,
-        asked: impl Future<Output = Result<T, Error>>,
-    ) -> Result<T, LogError> {
+    pub fn wait_for<T>(&self, longest: Duration, asked: impl Future<Output = Result<T, Error>>) -> Result<T, LogError> {
         let answer = self.runtime.block_on(async { tokio::time::timeout(longest, asked).await });
         match answer {
             Ok(Ok(answer)) => Ok(answer),

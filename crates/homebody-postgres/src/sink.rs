@@ -122,7 +122,8 @@ impl Sink for Postgres {
         let instants = begin.tables[0].columns.iter().find(|column| column.kind == ColumnKind::Instant);
         let goes_on_by = instants.filter(|_| goes_on).map(|column| (ident(&column.name), begin.time));
         let sealed = None;
-        let open = Open { server, session, schema, run, encoder, commits, durable, replaces, goes_on_by, sealed, waiting };
+        let open =
+            Open { server, session, schema, run, encoder, commits, durable, replaces, goes_on_by, sealed, waiting };
         let watermark = open.watermark();
         self.open = Some(open);
         Ok(watermark)
@@ -165,7 +166,9 @@ impl Sink for Postgres {
 impl Drop for Postgres {
     /// A run of which nothing was stored leaves nothing behind that would be in the way of the next.
     fn drop(&mut self) {
-        let Some(Open { session: Some(session), schema, run, commits: 0, sealed: None, .. }) = &self.open else { return };
+        let Some(Open { session: Some(session), schema, run, commits: 0, sealed: None, .. }) = &self.open else {
+            return;
+        };
         let _ = runs::forget(session, schema, run.id);
     }
 }
@@ -233,7 +236,9 @@ impl Open {
         if self.session.is_none() {
             self.session = Some(Session::open(&self.server)?);
         }
-        let Open { server, session: Some(session), schema, run, sealed: Some(sealed), .. } = self else { return Ok(()) };
+        let Open { server, session: Some(session), schema, run, sealed: Some(sealed), .. } = self else {
+            return Ok(());
+        };
         let ask = |sql: &str| session.wait(session.client.batch_execute(sql));
         ask("BEGIN")?;
         let known = runs::find(session, schema, run.id, true)?;

@@ -123,7 +123,8 @@ impl Found {
             let known: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
             let missing: Vec<String> = missing.iter().map(|name| format!("{name:?}")).collect();
             let what = format!("the table {table:?} has no column {}", missing.join(", no column "));
-            let hint = format!("it has {}; a logger.json that names its columns is given by --mapping FILE", listed(&known));
+            let hint =
+                format!("it has {}; a logger.json that names its columns is given by --mapping FILE", listed(&known));
             return Err(wrong(server, what, &hint));
         }
         let is = |wanted: &String| columns.iter().find(|(name, _)| name == wanted).map_or("", |(_, is)| is.as_str());
@@ -237,7 +238,9 @@ fn no_table(session: &Session, server: &Server, schema: &str, table: &str) -> Re
     let hint = match (nearest(table, names.iter().copied()), &names[..]) {
         (_, []) => "there is none at all in it: name another, ?schema=NAME".to_owned(),
         (Some(near), _) => format!("did you mean {near:?}? --mapping FILE gives a logger.json that names the table"),
-        (None, names) => format!("it has {}; a logger.json that names the table is given by --mapping FILE", listed(names)),
+        (None, names) => {
+            format!("it has {}; a logger.json that names the table is given by --mapping FILE", listed(names))
+        }
     };
     Ok(wrong(server, readable(what), &hint))
 }

@@ -1,6 +1,6 @@
 //! `homebody live`: a home on the world's clock.
 
-use super::lived::{Away, report_live, servers};
+use super::lived::{Away, all_are_servers, report_live};
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
@@ -8,7 +8,7 @@ use crate::signals::Signals;
 use crate::start::Start;
 use crate::watched::Watched;
 use homebody_core::time::SECOND;
-use homebody_kit::{Destination, LiveHome, Meters, Progress, Url};
+use homebody_kit::{LiveHome, Meters, Progress, Url};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use jiff::Timestamp;
 use std::path::{Path, PathBuf};
@@ -66,10 +66,9 @@ impl Arguments {
         let signals = Signals::listen()?;
         let opened = self.trust.source(&self.scenario)?.open()?;
         let folder = self.folder.clone().unwrap_or_else(|| Path::new(LIVE).join(opened.name()));
-        let (outputs, elsewhere): (Vec<Url>, Vec<Url>) = self.out.iter().cloned().partition(Url::is_output);
-        let mut own = servers(&elsewhere, &self.away)?;
-        own.extend(outputs.iter().map(Destination::of));
-        let own: Vec<Destination> = own.into_iter().map(|own| own.remembered_in(&folder)).collect();
+        let elsewhere: Vec<Url> = self.out.iter().filter(|url| !url.is_output()).cloned().collect();
+        all_are_servers(&elsewhere)?;
+        let when = self.away.when()?;
         let home = match LiveHome::is_there(&folder) {
             true => LiveHome::go_on(&folder)?,
             false => {
@@ -90,7 +89,7 @@ impl Arguments {
         }
         let (name, meters) = (opened.name().to_owned(), self.watched.begin(opened.name())?);
         let mut watch = Watch::new(self.quiet, &meters);
-        let lived = home.live(own, &meters, signals.cancel(), |progress| watch.look(progress))?;
+        let lived = home.live(&self.out, &when, &meters, signals.cancel(), |progress| watch.look(progress))?;
         watch.bar.finish_and_clear();
         if !self.quiet {
             report_live(&name, &folder, &lived);

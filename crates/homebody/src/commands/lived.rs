@@ -6,7 +6,7 @@ use crate::signals::Signals;
 use homebody_core::recording::Recording;
 use homebody_core::scenario::scheme::{NoPlace, SCHEMES, Scheme};
 use homebody_core::time::{Micros, SECOND, seconds};
-use homebody_kit::{Destination, Destinations, Difference, LiveRun, Lived, Progress, Url, VERSION, WhenDown};
+use homebody_kit::{Destinations, Difference, LiveRun, Lived, Progress, Url, VERSION, WhenDown};
 use homebody_log::sink::log_beside;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
@@ -87,16 +87,12 @@ impl Away {
     }
 }
 
-/// The destinations on servers beside a folder that is there already; files would be none of that folder's.
-pub fn servers(out: &[Url], away: &Away) -> Result<Vec<Destination>, Failure> {
-    if let Some(file) = out.iter().find(|url| url.server().is_none()) {
-        let what = format!("{file} cannot be begun in the middle of a run");
-        let hint =
-            "only servers are gone on with beside the folder; homebody convert carries its log elsewhere afterwards";
-        return Err(Failure::usage(format!("{what}\n  hint: {hint}")));
-    }
-    let when = away.when()?;
-    Ok(out.iter().map(|url| Destination::of(url).when_down(&when)).collect())
+/// Only servers are gone on with beside a folder that is there already: files would be none of that folder's.
+pub fn all_are_servers(out: &[Url]) -> Result<(), Failure> {
+    let Some(file) = out.iter().find(|url| url.server().is_none()) else { return Ok(()) };
+    let what = format!("{file} cannot be begun in the middle of a run");
+    let hint = "only servers are gone on with beside the folder; homebody convert carries its log elsewhere afterwards";
+    Err(Failure::usage(format!("{what}\n  hint: {hint}")))
 }
 
 /// Lives a run to its end, or until it is told to stop, and tells what has become of it.

@@ -21,6 +21,7 @@ mod live;
 mod lived;
 mod look;
 mod measure;
+mod mqtt;
 mod new;
 mod numbers;
 mod people_with_conditions;
@@ -93,6 +94,8 @@ pub enum Command {
     Anonymise(anonymise::Arguments),
     /// Join a log with the truth of its run, for recognisers to be trained on
     Label(label::Arguments),
+    /// Tidy a broker of MQTT up that homes were told to
+    Mqtt(mqtt::Arguments),
     /// Write the JSON Schemas of the scenario files into a folder
     Schema(schema::Arguments),
     /// List the numbers that the models are made of, and that a scenario may set
@@ -134,6 +137,7 @@ impl Command {
             Command::Convert(arguments) => arguments.run(),
             Command::Anonymise(arguments) => arguments.run(),
             Command::Label(arguments) => arguments.run(),
+            Command::Mqtt(arguments) => arguments.run(),
             Command::Schema(arguments) => arguments.run(),
             Command::Numbers(arguments) => arguments.run(),
             Command::New(arguments) => arguments.run(),

@@ -2,7 +2,7 @@
 
 use super::check::tell_remark;
 use super::cohort;
-use super::lived::{Output, go_on_in, live, report, servers, show};
+use super::lived::{Output, all_are_servers, go_on_in, live, report, show};
 use super::scenario::Trust;
 use crate::failure::Failure;
 use crate::length::{Length, length};
@@ -194,13 +194,13 @@ impl Arguments {
         }
         let run = Unfinished::open(folder).map_err(not_gone_on_with)?;
         let run = run.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
-        let servers = servers(&self.output.out, &self.output.away)?;
-        let servers = servers.into_iter().map(|server| server.remembered_in(folder)).collect();
+        all_are_servers(&self.output.out)?;
+        let when = self.output.away.when()?;
         let meters = self.watched.begin(&run.scenario().file.name)?;
         let run = run.metered(&meters);
         let name = run.scenario().file.name.clone();
         let progress = self.output.progress(run.progress().length);
-        let lived = run.go_on_with(servers, |lived| show(&progress, 0, lived));
+        let lived = run.go_on_beside(&self.output.out, &when, |lived| show(&progress, 0, lived));
         let lived = lived.or_else(|error| self.not_yet(error, folder, &progress, signals))?;
         progress.finish_and_clear();
         report(&name, &lived, &self.output)?;

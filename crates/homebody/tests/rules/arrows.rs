@@ -5,13 +5,14 @@ use std::fs;
 use toml::{Table, Value};
 
 /// On which of our crates each of them may depend.
-const ARROWS: [(&str, &[&str]); 16] = [
+const ARROWS: [(&str, &[&str]); 17] = [
     ("homebody-core", &[]),
     ("homebody-import", &["homebody-core"]),
     ("homebody-walk", &["homebody-core"]),
     ("homebody-log", &["homebody-core"]),
     ("homebody-postgres", &["homebody-core", "homebody-log"]),
     ("homebody-arrow", &["homebody-core", "homebody-log"]),
+    ("homebody-mqtt", &["homebody-core", "homebody-log"]),
     ("homebody-infer", &["homebody-core", "homebody-log", "homebody-walk"]),
     ("homebody-script", &["homebody-core", "homebody-walk"]),
     ("homebody-routine", &["homebody-core", "homebody-script", "homebody-walk"]),
@@ -37,6 +38,7 @@ const ARROWS: [(&str, &[&str]); 16] = [
             "homebody-core",
             "homebody-infer",
             "homebody-log",
+            "homebody-mqtt",
             "homebody-postgres",
             "homebody-routine",
             "homebody-walk",

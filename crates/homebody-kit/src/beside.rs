@@ -1,0 +1,27 @@
+//! Destinations beside a run's folder: servers and standard output, each with what becomes of the run while it is away.
+
+use crate::broker;
+use crate::error::Error;
+use crate::pace::Paced;
+use homebody_log::{Destination, Url, WhenDown};
+use std::path::Path;
+
+/// The destinations of these places. What they confirm is noted in the run's folder, where it has one. A run hears its brokers, and is
+/// refused where it is faster than they may be told.
+pub(crate) fn destinations(
+    urls: &[Url],
+    when: &WhenDown,
+    folder: Option<&Path>,
+    paced: &mut Paced,
+) -> Result<Vec<Destination>, Error> {
+    let mut all = Vec::new();
+    for url in urls {
+        let destination = broker::destination(url, paced)?.unwrap_or_else(|| Destination::of(url));
+        let destination = destination.when_down(when);
+        all.push(match folder {
+            Some(folder) => destination.remembered_in(folder),
+            None => destination,
+        });
+    }
+    Ok(all)
+}

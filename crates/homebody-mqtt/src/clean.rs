@@ -1,0 +1,135 @@
+//! Tidies a broker up: what it keeps of our homes below a prefix is removed, with what Home Assistant was told of them.
+
+use crate::address::Address;
+use crate::connection::open;
+use crate::greeting::PROGRAM;
+use crate::names::end_of_ids;
+use crate::trouble::Trouble;
+use homebody_log::{LogError, Url};
+use rumqttc::{AsyncClient, Event, EventLoop, Outgoing, Packet, PublishOptions, QoS};
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::time::Duration;
+use tokio::runtime::Builder;
+use tokio::time::{Instant, timeout_at};
+
+/// A broker sends what it keeps as soon as it is asked; so long without any more of it, that was all (ours).
+const QUIET: Duration = Duration::from_millis(700);
+
+/// No broker takes longer to say what it keeps, or to forget it (ours).
+const LONGEST: Duration = Duration::from_secs(60);
+
+/// What was found.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Cleaned {
+    /// The homes, by their topics.
+    pub homes: Vec<String>,
+    /// The topics of which the broker kept something.
+    pub topics: Vec<String>,
+    /// Topics below the prefix that are of no home of ours: they stay.
+    pub others: usize,
+}
+
+/// Removes what a broker keeps of our homes below the prefix of a place. With `only_look` it is told and stays.
+///
+/// # Errors
+///
+/// The broker cannot be reached, or does not let us.
+pub fn clean(url: &Url, only_look: bool) -> Result<Cleaned, LogError> {
+    let address = Address::of(url)?;
+    let client = format!("homebody-clean-{}", std::process::id());
+    let failed = |trouble: Trouble| trouble.finally().error(&address.place());
+    let mut options = open(&address, &client).map_err(failed)?;
+    options.set_unlimited_incoming_packet_size();
+    let runtime = Builder::new_current_thread().enable_all().build();
+    let runtime = runtime.map_err(|source| LogError::NoThread { place: address.place(), source })?;
+    runtime
+        .block_on(async {
+            let (client, mut events) = AsyncClient::builder(options).capacity(10).build();
+            let kept = kept(&address, &client, &mut events).await?;
+            let cleaned = ours(&address, kept);
+            if !only_look {
+                remove(&client, &mut events, &cleaned.topics).await?;
+            }
+            let _ = client.disconnect().await;
+            while !matches!(events.poll().await, Ok(Event::Outgoing(Outgoing::Disconnect)) | Err(_)) {}
+            Ok(cleaned)
+        })
+        .map_err(failed)
+}
+
+/// What the broker keeps where something of ours may be: topics, and what they say.
+async fn kept(
+    address: &Address,
+    client: &AsyncClient,
+    events: &mut EventLoop,
+) -> Result<Vec<(String, Vec<u8>)>, Trouble> {
+    let Address { prefix, discovery_prefix, .. } = address;
+    for filter in [format!("{prefix}/#"), format!("{discovery_prefix}/+/+/config")] {
+        client.subscribe(filter, QoS::AtLeastOnce).await.map_err(lost)?;
+    }
+    let (mut found, mut quiet) = (Vec::new(), None);
+    let end = Instant::now() + LONGEST;
+    let mut answered = 0;
+    while let Ok(event) = timeout_at(quiet.unwrap_or(end), events.poll()).await {
+        match event.map_err(|error| Trouble::of(&error))? {
+            Event::Incoming(Packet::SubAck(_)) => answered += 1,
+            Event::Incoming(Packet::Publish(publish)) if publish.retain => {
+                found.push((String::from_utf8_lossy(&publish.topic).into_owned(), publish.payload.to_vec()));
+            }
+            _ => {}
+        }
+        quiet = (answered == 2).then(|| Instant::now() + QUIET).map(|at| at.min(end));
+    }
+    Ok(found)
+}
+
+/// Which of them are of homes of ours: those below a topic whose `run` has our mark, and what names one in discovery.
+fn ours(address: &Address, kept: Vec<(String, Vec<u8>)>) -> Cleaned {
+    let below = format!("{}/", address.prefix);
+    let homes: BTreeSet<String> = kept
+        .iter()
+        .filter(|(_, payload)| {
+            let mark: Option<Value> = serde_json::from_slice(payload).ok();
+            mark.is_some_and(|mark| mark.get("program").and_then(Value::as_str) == Some(PROGRAM))
+        })
+        .filter_map(|(topic, _)| topic.strip_suffix("/run").filter(|home| home.starts_with(&below)).map(str::to_owned))
+        .collect();
+    let end = end_of_ids(&address.prefix);
+    let is_ours = |topic: &str| match topic
+        .strip_prefix(&address.discovery_prefix)
+        .and_then(|rest| rest.strip_suffix("/config"))
+    {
+        Some(rest) => rest.rsplit('/').next().is_some_and(|id| id.ends_with(&end)),
+        None => homes.iter().any(|home| topic.strip_prefix(home.as_str()).is_some_and(|rest| rest.starts_with('/'))),
+    };
+    let (mut topics, others): (Vec<String>, Vec<String>) =
+        kept.into_iter().map(|(topic, _)| topic).partition(|topic| is_ours(topic));
+    // The marks last: whoever is killed on the way finds the rest again.
+    topics.sort_by_key(|topic| (topic.ends_with("/run"), topic.clone()));
+    topics.dedup();
+    let others = others.iter().filter(|topic| topic.starts_with(&below)).count();
+    Cleaned { homes: homes.into_iter().collect(), topics, others }
+}
+
+/// Has the broker forget.
+async fn remove(client: &AsyncClient, events: &mut EventLoop, topics: &[String]) -> Result<(), Trouble> {
+    let end = Instant::now() + LONGEST;
+    for topic in topics {
+        client
+            .publish(topic.clone(), Vec::new(), PublishOptions::new(QoS::AtLeastOnce).retained())
+            .await
+            .map_err(lost)?;
+        loop {
+            let event = timeout_at(end, events.poll()).await.map_err(|_| Trouble::silent(LONGEST))?;
+            if let Event::Incoming(Packet::PubAck(_)) = event.map_err(|error| Trouble::of(&error))? {
+                break;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn lost(error: rumqttc::ClientError) -> Trouble {
+    Trouble::new(format!("the connection was lost: {error}"), "the broker's own log says more")
+}

@@ -1,0 +1,286 @@
+//! The connection to a broker, in a thread of its own: it sends what is on its way, hears acknowledgements, orders, and that Home
+//! Assistant has begun anew, and connects again when it is lost.
+
+use crate::address::Address;
+use crate::flight::{Flight, Link, Sent, Wish};
+use crate::greeting::{greeting, is_of_another};
+use crate::order::{Order, TakesOrders, answer};
+use crate::place::Place;
+use crate::speech::Message;
+use crate::trouble::Trouble;
+use homebody_log::RunInfo;
+use rumqttc::{
+    AsyncClient, ClientError, ConnectionError, Event, EventLoop, LastWill, MqttOptions, Outgoing, Packet, PubAckReason,
+    Publish, PublishOptions, QoS, RetainForwardRule, SubscribeFilterInput, TlsConfiguration, Transport, ValidatedTopic,
+};
+use std::cell::RefCell;
+use std::collections::{HashMap, VecDeque};
+use std::fs;
+use std::sync::Arc;
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use tokio::runtime::Builder;
+
+/// How long a broker may take to let us in (ours); a run that begins hears of it within 5 s.
+const CONNECT_WITHIN: Duration = Duration::from_secs(4);
+
+/// After how long without a word each side asks whether the other is there, as ESPHome does.
+const KEEP_ALIVE_S: u16 = 15;
+
+/// How long to wait before the first time again, and before any other (ours).
+const FIRST_WAIT: Duration = Duration::from_millis(50);
+const LONGEST_WAIT: Duration = Duration::from_secs(5);
+
+/// Nobody may send us more at once (ours).
+const LONGEST_INCOMING_BYTES: u32 = 64 * 1024;
+
+/// So many messages wait inside of the client (ours).
+const IN_CLIENT: usize = 64;
+
+/// What a connection needs.
+pub(crate) struct Connection {
+    pub flight: Arc<Flight>,
+    pub address: Address,
+    pub place: Arc<Place>,
+    pub run: Arc<RunInfo>,
+    pub orders: Option<TakesOrders>,
+    pub options: MqttOptions,
+    /// Tells this connection from that of another program that lives the same home.
+    pub instance: String,
+}
+
+/// A text that no other program has.
+pub(crate) fn instance() -> String {
+    let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+    format!("{:x}-{:x}", std::process::id(), now.as_nanos())
+}
+
+/// What the broker is to know before anything is sent.
+pub(crate) fn options(address: &Address, place: &Place, instance: &str) -> Result<MqttOptions, Trouble> {
+    let (topic, [_, offline]) = place.status();
+    let mut options = open(address, &format!("homebody-{}-{instance}", place.id))?;
+    options.set_last_will(LastWill::new(topic, offline, QoS::AtLeastOnce, true, None));
+    Ok(options)
+}
+
+/// How a broker is reached.
+pub(crate) fn open(address: &Address, client: &str) -> Result<MqttOptions, Trouble> {
+    let mut options = MqttOptions::new(client, (address.host.clone(), address.port));
+    options.set_keep_alive(KEEP_ALIVE_S).set_clean_start(true).set_connect_timeout(CONNECT_WITHIN);
+    options.set_max_packet_size(Some(LONGEST_INCOMING_BYTES));
+    let password = address.password().map_err(|error| Trouble::new(error.to_string(), "").finally())?;
+    match (&address.user, password) {
+        (Some(user), Some(password)) => drop(options.set_credentials(user.clone(), password)),
+        (Some(user), None) => drop(options.set_username(user.clone())),
+        (None, _) => {}
+    }
+    if address.tls {
+        let untrusted = |why: String| Trouble::new(why, "?ca=FILE names a file of certificates, in PEM").finally();
+        let tls = match &address.ca {
+            Some(file) => {
+                let ca = fs::read(file).map_err(|why| untrusted(format!("{}: {why}", file.display())))?;
+                TlsConfiguration::Simple { ca, alpn: None, client_auth: None }
+            }
+            None => TlsConfiguration::try_default_rustls().map_err(|why| untrusted(why.to_string()))?,
+        };
+        options.set_transport(Transport::tls_with_config(tls));
+    }
+    Ok(options)
+}
+
+impl Connection {
+    /// The thread's life: connects, and connects again, until it is to end.
+    pub fn live(mut self) {
+        let runtime = match Builder::new_current_thread().enable_all().build() {
+            Ok(runtime) => runtime,
+            Err(error) => {
+                return self.over(Some(Trouble::new(error.to_string(), "allow this user more files").finally()));
+            }
+        };
+        let mut wait = FIRST_WAIT;
+        loop {
+            match runtime.block_on(self.connect()) {
+                Ok(()) => return self.over(None),
+                Err(trouble) => {
+                    let was_up = matches!(self.flight.lock().link, Link::Up);
+                    let is_new = matches!(self.flight.lock().link, Link::New);
+                    if trouble.is_final || is_new {
+                        return self.over(Some(trouble.finally()));
+                    }
+                    wait = if was_up { FIRST_WAIT } else { (2 * wait).min(LONGEST_WAIT) };
+                    self.flight.change(|state| state.link = Link::Down(trouble));
+                }
+            }
+            // Whoever gives up does not wait for this; whoever finishes waits for the next connection.
+            runtime.block_on(async {
+                let _ = tokio::time::timeout(wait, async {
+                    while self.flight.lock().wish != Wish::GiveUp {
+                        self.flight.wake.notified().await;
+                    }
+                })
+                .await;
+            });
+            if self.flight.lock().wish == Wish::GiveUp {
+                return self.over(None);
+            }
+        }
+    }
+
+    fn over(&self, why: Option<Trouble>) {
+        self.flight.change(|state| state.link = Link::Over(why));
+    }
+
+    /// One connection, until it is lost or all is done.
+    async fn connect(&mut self) -> Result<(), Trouble> {
+        let (client, events) = AsyncClient::builder(self.options.clone()).capacity(IN_CLIENT).build();
+        let greeting = self.greeting();
+        self.flight.change(|state| state.begin_connection(greeting));
+        let sent = RefCell::new(VecDeque::new());
+        let flight = self.flight.clone();
+        let filters = self.filters();
+        let mut send = std::pin::pin!(send(client, &flight, filters, &sent));
+        let mut hear = std::pin::pin!(self.hear(events, &sent));
+        tokio::select! {
+            ended = &mut send => match ended {
+                // All is said: the last words are still to be heard.
+                Ok(Ended::Said) => hear.await,
+                Ok(Ended::GivenUp) => Ok(()),
+                Err(_) => hear.await,
+            },
+            heard = &mut hear => heard,
+        }
+    }
+
+    fn greeting(&self) -> Vec<Message> {
+        greeting(&self.address, &self.place, &self.run, &self.instance, self.orders.is_some())
+    }
+
+    /// What is listened to: the home's own orders, whether Home Assistant begins anew, and what others say in our name. What the
+    /// broker keeps there is none of it.
+    fn filters(&self) -> Vec<SubscribeFilterInput> {
+        let topics = [self.place.command(), self.birth(), self.place.topic("run"), self.place.status().0];
+        let listen = |topic| {
+            let filter = SubscribeFilterInput::new(topic, QoS::AtLeastOnce).no_local(true);
+            filter.retain_forward_rule(RetainForwardRule::Never)
+        };
+        topics.map(listen).into()
+    }
+
+    /// Where Home Assistant says that it has begun.
+    fn birth(&self) -> String {
+        format!("{}/status", self.address.discovery_prefix)
+    }
+
+    /// Hears the broker until the connection is lost, or ends as it was asked to.
+    async fn hear(&mut self, mut events: EventLoop, sent: &RefCell<VecDeque<Sent>>) -> Result<(), Trouble> {
+        let mut by_packet: HashMap<u16, Sent> = HashMap::new();
+        loop {
+            match events.poll().await {
+                Ok(Event::Outgoing(Outgoing::Publish(packet))) => {
+                    if let Some(sent) = sent.borrow_mut().pop_front() {
+                        by_packet.insert(packet, sent);
+                    }
+                }
+                Ok(Event::Incoming(Packet::PubAck(ack))) => {
+                    if !matches!(ack.reason, PubAckReason::Success | PubAckReason::NoMatchingSubscribers) {
+                        let what =
+                            format!("the broker does not take messages below {}: {:?}", self.place.base, ack.reason);
+                        return Err(Trouble::new(what, "let this user write there").finally());
+                    }
+                    if let Some(sent) = by_packet.remove(&ack.pkid) {
+                        self.flight.acknowledge(sent);
+                    }
+                }
+                Ok(Event::Incoming(Packet::Publish(publish))) => self.told(&publish)?,
+                Ok(Event::Outgoing(Outgoing::Disconnect)) | Err(ConnectionError::RequestsDone) => return Ok(()),
+                Ok(_) => {}
+                Err(error) => return Err(Trouble::of(&error)),
+            }
+        }
+    }
+
+    /// Somebody has said something.
+    fn told(&mut self, publish: &Publish) -> Result<(), Trouble> {
+        let (status, [online, _]) = self.place.status();
+        if publish.topic == self.place.command() {
+            self.ordered(publish);
+        } else if publish.topic == self.birth() && *publish.payload == *b"online" {
+            let greeting = self.greeting();
+            self.flight.change(|state| state.greet_again(greeting));
+        } else if publish.topic == self.place.topic("run") && is_of_another(&publish.payload, &self.instance) {
+            return Err(Trouble::another());
+        } else if publish.topic == status && publish.payload != online {
+            // The last word of a program that lived this home before, and that the broker has only now found dead.
+            self.flight.change(|state| state.say(Message::kept(status, online)));
+        }
+        Ok(())
+    }
+
+    fn ordered(&mut self, publish: &Publish) {
+        let answer = answer(&publish.payload, publish.retain, &self.run, self.orders.as_mut());
+        let running = match answer.obeyed {
+            Some(Order::Pause {}) => Some("OFF"),
+            Some(Order::Resume {}) => Some("ON"),
+            _ => None,
+        };
+        let topic = self.place.topic("command/result").into();
+        let result = Message { topic, payload: answer.payload.into(), retain: false, then: None };
+        let running = running.map(|running| Message::kept(self.place.topic("running"), running));
+        self.flight.change(|state| {
+            state.say(result);
+            running.into_iter().for_each(|running| state.say(running));
+        });
+    }
+}
+
+/// Why nothing more is sent.
+enum Ended {
+    /// All is acknowledged, and the broker was told that this is the end.
+    Said,
+    /// Nobody wants to say anything any more.
+    GivenUp,
+}
+
+/// Sends what is on its way, as it comes.
+async fn send(
+    client: AsyncClient,
+    flight: &Flight,
+    filters: Vec<SubscribeFilterInput>,
+    sent: &RefCell<VecDeque<Sent>>,
+) -> Result<Ended, ClientError> {
+    for filter in filters {
+        client.subscribe_many([filter]).await?;
+    }
+    let mut topics: HashMap<Arc<str>, ValidatedTopic> = HashMap::new();
+    let mut next = Vec::new();
+    loop {
+        let (wish, is_empty) = {
+            let mut state = flight.lock();
+            state.handful(&mut next);
+            (state.wish, state.is_empty())
+        };
+        match wish {
+            Wish::GiveUp => return Ok(Ended::GivenUp),
+            Wish::Finish if is_empty && next.is_empty() => {
+                client.disconnect().await?;
+                return Ok(Ended::Said);
+            }
+            _ => {}
+        }
+        if next.is_empty() {
+            flight.wake.notified().await;
+        }
+        for (which, message) in next.drain(..) {
+            let topic = match topics.get(&message.topic) {
+                Some(topic) => topic.clone(),
+                None => {
+                    let Ok(topic) = ValidatedTopic::new(&*message.topic) else { continue };
+                    topics.insert(message.topic.clone(), topic.clone());
+                    topic
+                }
+            };
+            sent.borrow_mut().push_back(which);
+            let options = PublishOptions::new(QoS::AtLeastOnce).retain(message.retain);
+            client.publish(topic, message.payload.as_bytes().to_vec(), options).await?;
+        }
+    }
+}

@@ -1,0 +1,315 @@
+//! What is on its way to the broker: rows that were taken and are not acknowledged yet, in their order.
+//!
+//! It is between two threads: the destination's, which brings rows and waits, and the connection's, which sends them. Whatever
+//! becomes of a connection, what is not acknowledged stays here and is sent again on the next one.
+
+use crate::speech::Message;
+use crate::trouble::Trouble;
+use std::collections::{HashMap, VecDeque};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+use tokio::sync::Notify;
+
+/// So many messages are taken and not acknowledged, at most (ours): whoever brings more waits.
+pub(crate) const MOST_IN_FLIGHT: usize = 1000;
+
+/// So many messages go to the connection at once (ours).
+const HANDFUL: usize = 64;
+
+/// What the two threads share.
+#[derive(Default)]
+pub(crate) struct Flight {
+    state: Mutex<State>,
+    /// The destination's thread waits for this.
+    changed: Condvar,
+    /// The connection's thread waits for this.
+    pub wake: Notify,
+}
+
+/// Which message was sent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sent {
+    /// One that waits here for its acknowledgement, by its number.
+    Row(u64),
+    /// One of a greeting.
+    Greeting,
+    /// One that nobody waits for.
+    Aside,
+}
+
+/// How it stands with the connection.
+#[derive(Clone, Debug, Default)]
+pub(crate) enum Link {
+    /// There was none yet.
+    #[default]
+    New,
+    /// It is there, and the broker has heard what the home is.
+    Up,
+    /// It was lost, for this reason, and is tried again.
+    Down(Trouble),
+    /// It has ended, by this if it was not asked to.
+    Over(Option<Trouble>),
+}
+
+/// What the destination asks of the connection.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Wish {
+    /// To go on.
+    #[default]
+    Live,
+    /// To end once all is acknowledged.
+    Finish,
+    /// To end at once, without a word.
+    GiveUp,
+}
+
+/// What is shared; see [`Flight`].
+#[derive(Default)]
+pub(crate) struct State {
+    /// Not acknowledged, with those before `first` left out; each with whether it is acknowledged out of turn.
+    waiting: VecDeque<(Message, bool)>,
+    /// The number of the first that waits: so many were acknowledged, without gaps.
+    first: u64,
+    /// The number of the next to be sent on this connection.
+    next: u64,
+    /// What goes before all rows.
+    greeting: VecDeque<Message>,
+    /// Of the greeting, how many are not acknowledged.
+    greeting_left: usize,
+    /// What goes before rows and is not waited for.
+    asides: VecDeque<Message>,
+    /// What each topic that is kept was told last, in the order of first messages.
+    told: Vec<Told>,
+    by_topic: HashMap<Arc<str>, usize>,
+    pub link: Link,
+    pub wish: Wish,
+    /// Counts acknowledgements.
+    answers: u64,
+}
+
+struct Told {
+    message: Message,
+    at: Instant,
+}
+
+impl Flight {
+    pub fn lock(&self) -> MutexGuard<'_, State> {
+        // Nothing is left half done where a panic could come from.
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Changes what is shared, and tells both threads.
+    pub fn change<T>(&self, change: impl FnOnce(&mut State) -> T) -> T {
+        let changed = change(&mut self.lock());
+        self.changed.notify_all();
+        self.wake.notify_one();
+        changed
+    }
+
+    /// The broker has acknowledged a message. Whoever waits is told when it is worth it, not each time.
+    pub fn acknowledge(&self, sent: Sent) {
+        let (is_worth_it, is_ending) = {
+            let mut state = self.lock();
+            state.acknowledge(sent);
+            let left = state.waiting.len();
+            (sent == Sent::Greeting || left == MOST_IN_FLIGHT / 2 || left == 0, state.wish != Wish::Live)
+        };
+        if is_worth_it {
+            self.changed.notify_all();
+        }
+        if is_ending {
+            self.wake.notify_one();
+        }
+    }
+
+    /// Waits until it is so. Gives up when the connection is over, and when nothing is acknowledged for this long while there is none,
+    /// or for ten times as long in any case.
+    pub fn wait(&self, patience: Duration, is_so: impl Fn(&State) -> bool) -> Result<MutexGuard<'_, State>, Trouble> {
+        let mut state = self.lock();
+        let mut since = (state.answers, Instant::now());
+        loop {
+            if is_so(&state) {
+                return Ok(state);
+            }
+            if let Link::Over(why) = &state.link {
+                return Err(why.clone().unwrap_or_else(Trouble::ended));
+            }
+            if state.answers != since.0 {
+                since = (state.answers, Instant::now());
+            }
+            match &state.link {
+                Link::Down(why) if since.1.elapsed() >= patience => return Err(why.clone()),
+                _ if since.1.elapsed() >= 10 * patience => return Err(Trouble::silent(since.1.elapsed())),
+                _ => {}
+            }
+            let (after, _) =
+                self.changed.wait_timeout(state, Duration::from_millis(50)).unwrap_or_else(PoisonError::into_inner);
+            state = after;
+        }
+    }
+}
+
+impl State {
+    /// Takes a message, to be sent until it is acknowledged.
+    pub fn take(&mut self, message: Message) {
+        self.waiting.push_back((message, false));
+    }
+
+    /// Takes a message that nobody waits for, and that goes before all rows.
+    pub fn say(&mut self, message: Message) {
+        self.asides.push_back(message);
+    }
+
+    /// Whether there is room for another.
+    pub fn has_room(&self) -> bool {
+        self.waiting.len() < MOST_IN_FLIGHT
+    }
+
+    /// Whether there is room for many.
+    pub fn has_much_room(&self) -> bool {
+        self.waiting.len() <= MOST_IN_FLIGHT / 2
+    }
+
+    /// Whether all is acknowledged.
+    pub fn is_empty(&self) -> bool {
+        self.waiting.is_empty() && self.asides.is_empty()
+    }
+
+    /// How many were acknowledged, without gaps.
+    pub fn acknowledged(&self) -> u64 {
+        self.first
+    }
+
+    /// Begins a connection: all that is not acknowledged goes again, after the greeting and what is kept.
+    pub fn begin_connection(&mut self, greeting: Vec<Message>) {
+        self.next = self.first;
+        let again: Vec<&Arc<str>> = self.waiting.iter().map(|(message, _)| &message.topic).collect();
+        let told = self.told.iter().filter(|told| !again.contains(&&told.message.topic)).filter_map(Told::now);
+        self.greeting = greeting.into_iter().chain(told).collect();
+        self.greeting_left = self.greeting.len();
+    }
+
+    /// Greets once more: somebody has begun anew and does not know the home.
+    pub fn greet_again(&mut self, greeting: Vec<Message>) {
+        let all: Vec<Message> = greeting.into_iter().chain(self.told.iter().filter_map(Told::now)).collect();
+        self.greeting_left += all.len();
+        self.greeting.extend(all);
+    }
+
+    /// The next messages to be sent.
+    pub fn handful(&mut self, into: &mut Vec<(Sent, Message)>) {
+        into.extend(self.greeting.drain(..).map(|message| (Sent::Greeting, message)));
+        into.extend(self.asides.drain(..).map(|message| (Sent::Aside, message)));
+        while into.len() < HANDFUL
+            && let Some((message, _)) = self.waiting.get((self.next - self.first) as usize)
+        {
+            into.push((Sent::Row(self.next), message.clone()));
+            self.next += 1;
+        }
+        for (_, message) in into.iter().filter(|(sent, _)| *sent != Sent::Greeting) {
+            self.keep_in_mind(message);
+        }
+    }
+
+    /// The broker has acknowledged a message.
+    pub fn acknowledge(&mut self, sent: Sent) {
+        self.answers += 1;
+        match sent {
+            Sent::Row(number) => {
+                if let Some(entry) = number.checked_sub(self.first).and_then(|at| self.waiting.get_mut(at as usize)) {
+                    entry.1 = true;
+                }
+                while self.waiting.front().is_some_and(|(_, is_acknowledged)| *is_acknowledged) {
+                    self.waiting.pop_front();
+                    self.first += 1;
+                }
+                self.next = self.next.max(self.first);
+            }
+            Sent::Greeting => {
+                self.greeting_left = self.greeting_left.saturating_sub(1);
+                if self.greeting_left == 0 {
+                    self.link = Link::Up;
+                }
+            }
+            Sent::Aside => {}
+        }
+    }
+
+    /// Keeps what a topic was told last, for who asks again.
+    pub fn keep_in_mind(&mut self, message: &Message) {
+        if !message.retain && message.then.is_none() {
+            return;
+        }
+        let told = Told { message: message.clone(), at: Instant::now() };
+        match self.by_topic.get(&message.topic) {
+            Some(&index) => self.told[index] = told,
+            None => {
+                self.by_topic.insert(message.topic.clone(), self.told.len());
+                self.told.push(told);
+            }
+        }
+    }
+}
+
+/// How long what passes by itself is not said to be over (ours): longer than a usual `off-delay`.
+const PASSES_WITHIN: Duration = Duration::from_secs(15);
+
+impl Told {
+    /// What is true of the topic by now: nothing is said of what may not be over yet.
+    fn now(&self) -> Option<Message> {
+        match &self.message.then {
+            None => Some(self.message.clone()),
+            Some(_) if self.at.elapsed() < PASSES_WITHIN => None,
+            Some(then) => Some(Message::kept(self.message.topic.clone(), then.clone())),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(number: usize) -> Message {
+        Message::kept(format!("home/{}", number % 3), number.to_string())
+    }
+
+    fn sent(state: &mut State) -> Vec<(Sent, String)> {
+        let mut all = Vec::new();
+        state.handful(&mut all);
+        all.into_iter().map(|(sent, message)| (sent, message.payload.to_string())).collect()
+    }
+
+    #[test]
+    fn what_is_not_acknowledged_goes_again_in_its_order_and_nothing_else_does() {
+        let mut state = State::default();
+        (0..5).for_each(|number| state.take(row(number)));
+        assert_eq!(sent(&mut state).len(), 5);
+        for number in [0, 1, 3] {
+            state.acknowledge(Sent::Row(number));
+        }
+        assert_eq!((state.acknowledged(), state.is_empty()), (2, false));
+        state.begin_connection(Vec::new());
+        let again = sent(&mut state);
+        // 3 was acknowledged out of turn, and goes again: with a gap before it, nothing after the gap is sure. What topic 0 was
+        // told last, by 3, is in that.
+        let rows: Vec<&str> = again.iter().map(|(_, payload)| payload.as_str()).collect();
+        assert_eq!(rows, ["2", "3", "4"]);
+        (2..5).for_each(|number| state.acknowledge(Sent::Row(number)));
+        assert!(state.is_empty() && state.acknowledged() == 5);
+        // The next connection is told what is so, once each.
+        state.begin_connection(vec![Message::kept("status", "online")]);
+        let greeting: Vec<String> = sent(&mut state).into_iter().map(|(_, payload)| payload).collect();
+        assert_eq!(greeting, ["online", "3", "4", "2"]);
+    }
+
+    #[test]
+    fn what_passes_by_itself_is_not_said_again() {
+        let mut state = State::default();
+        state.keep_in_mind(&Message::kept("motion", "OFF"));
+        state.take(Message { topic: "motion".into(), payload: "ON".into(), retain: false, then: Some("OFF".into()) });
+        assert_eq!(sent(&mut state).len(), 1);
+        state.acknowledge(Sent::Row(0));
+        state.begin_connection(Vec::new());
+        assert!(sent(&mut state).is_empty(), "it may still be on");
+    }
+}

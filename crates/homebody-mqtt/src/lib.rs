@@ -1,0 +1,40 @@
+//! MQTT as a destination of logs: a home that a monitoring system cannot tell from a real one.
+//!
+//! Each row is one message of quality of service 1. How messages look is a style: that of Home Assistant's discovery, that of
+//! Zigbee2MQTT, or plain JSON. What runs may be told by messages is in `order.rs`; what this crate does with a broker besides
+//! is to tidy up.
+//!
+//! A row counts as durable once the broker has acknowledged it. What is not acknowledged is sent again on the next connection,
+//! with the same run and number. What a broker has acknowledged and then forgets, because it dies with its memory, is lost.
+
+mod address;
+mod clean;
+mod connection;
+mod discovery;
+mod entities;
+mod flight;
+mod greeting;
+mod names;
+mod order;
+mod place;
+mod sink;
+mod speech;
+mod state_file;
+mod trouble;
+mod zigbee;
+
+pub use address::{Address, Discovery, Style};
+pub use clean::{Cleaned, clean};
+pub use order::{Order, TakesOrders};
+pub use sink::{MqttSink, policy};
+
+use homebody_core::scenario::scheme::Scheme;
+use homebody_log::Url;
+use homebody_log::elsewhere::Elsewhere;
+use homebody_log::sink::Sink;
+
+/// The kinds of places of this crate, for a program that installs them.
+pub fn elsewhere() -> Elsewhere {
+    let open = |url: &Url| -> Box<dyn Sink> { Box::new(MqttSink::new(url)) };
+    Elsewhere { schemes: &[Scheme::Mqtt, Scheme::Mqtts], open, policy, forms: &[] }
+}

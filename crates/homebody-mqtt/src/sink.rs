@@ -1,0 +1,221 @@
+//! The destination: rows become messages, and are durable once the broker has acknowledged them.
+
+use crate::address::Address;
+use crate::connection::{Connection, instance, options};
+use crate::flight::{Flight, Link, Wish};
+use crate::greeting::{at_rest, farewell};
+use crate::order::TakesOrders;
+use crate::place::Place;
+use crate::speech::Speech;
+use crate::state_file::StateFile;
+use crate::trouble::Trouble;
+use homebody_core::time::Micros;
+use homebody_log::table::{Batch, Cell, thousandths};
+use homebody_log::{Begin, How, LogError, Policy, Sink, Url, Watermark};
+use std::net::{IpAddr, ToSocketAddrs};
+use std::sync::Arc;
+use std::thread::{self, JoinHandle};
+use std::time::Duration;
+
+/// How long a broker may be away before a row that waits for it says so (ours). It is then tried again, as the policy says.
+const PATIENCE: Duration = Duration::from_secs(5);
+
+/// How long a broker may be away before the run is given up (ours).
+const AWAY_FOR: Duration = Duration::from_secs(600);
+
+/// A broker as a destination: required, and waited for ten minutes if it goes away on the way.
+pub fn policy() -> Policy {
+    Policy {
+        retry_for: AWAY_FOR,
+        retry_after: Duration::from_secs(1),
+        answers_within: AWAY_FOR + Duration::from_secs(120),
+        ..Policy::default()
+    }
+}
+
+/// A broker as a destination.
+pub struct MqttSink {
+    url: Url,
+    /// Whether rows come no faster than life.
+    is_live: bool,
+    orders: Option<TakesOrders>,
+    open: Option<Open>,
+}
+
+struct Open {
+    place: String,
+    flight: Arc<Flight>,
+    thread: Option<JoinHandle<()>>,
+    speech: Speech,
+    farewell: Arc<Place>,
+    /// Rows that were acknowledged before this connection.
+    before: u64,
+    /// The number of the next row.
+    next: u64,
+    state: StateFile,
+    number: String,
+}
+
+impl MqttSink {
+    /// For rows that come at any pace, which the place has to allow. Nothing is touched before it is begun.
+    pub fn new(url: &Url) -> MqttSink {
+        MqttSink { url: url.clone(), is_live: false, orders: None, open: None }
+    }
+
+    /// For a run that goes no faster than life.
+    pub fn live(url: &Url) -> MqttSink {
+        MqttSink { is_live: true, ..MqttSink::new(url) }
+    }
+
+    /// The same for a run that can be told what to do.
+    pub fn with_orders(self, orders: TakesOrders) -> MqttSink {
+        MqttSink { orders: Some(orders), ..self }
+    }
+
+    fn begun(&mut self) -> Result<&mut Open, LogError> {
+        // By its kind alone: the place may have a password in it.
+        let stopped = || LogError::Stopped { place: self.url.scheme().row().name.into() };
+        self.open.as_mut().ok_or_else(stopped)
+    }
+}
+
+impl Sink for MqttSink {
+    fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
+        let address = Address::of(&self.url)?;
+        if !self.is_live {
+            address.may_go_fast()?;
+        }
+        let place_told = address.place();
+        if begin.tables.len() != 1 || !begin.tables[0].is_numbered {
+            return Err(LogError::CannotHold {
+                place: place_told,
+                what: "anything but the rows of a log".into(),
+                hint: "write the truth into a database or files",
+            });
+        }
+        if address.user.is_none() && !address.public && is_public(&address) {
+            let what =
+                "this broker is on the internet and asks for no name: anybody could read the home and give it orders";
+            let hint = "name a user, or allow it by ?public=true";
+            return Err(Trouble::new(what, hint).finally().error(&place_told));
+        }
+        let state = StateFile::new(address.state.as_deref(), begin.run.id);
+        let before = if begin.how == How::GoOn { state.rows() } else { 0 };
+        let place = Arc::new(Place::of(&address, begin.run));
+        let instance = instance();
+        let options = options(&address, &place, &instance).map_err(|trouble| trouble.error(&place_told))?;
+        let flight = Arc::new(Flight::default());
+        flight.change(|shared| at_rest(&place).iter().for_each(|message| shared.keep_in_mind(message)));
+        let connection = Connection {
+            flight: flight.clone(),
+            address,
+            place: place.clone(),
+            run: Arc::new(begin.run.clone()),
+            orders: self.orders.take(),
+            options,
+            instance,
+        };
+        let thread = thread::Builder::new().spawn(move || connection.live());
+        let thread = thread.map_err(|source| LogError::NoThread { place: place_told.clone(), source })?;
+        let speech = Speech::new(begin.run, place.clone());
+        let open = Open {
+            place: place_told,
+            flight,
+            thread: Some(thread),
+            speech,
+            farewell: place,
+            before,
+            next: before,
+            state,
+            number: String::new(),
+        };
+        open.wait(|shared| matches!(shared.link, Link::Up))?;
+        self.open = Some(open);
+        Ok(Watermark(vec![before]))
+    }
+
+    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
+        let open = self.begun()?;
+        for row in batch.rows() {
+            let &[Cell::Integer(seq), Cell::Instant(at), sensor, value, ..] = row.cells else {
+                return Err(LogError::destination(&open.place, "a row is none of a log"));
+            };
+            // After an error that passes the same rows come again.
+            if (seq as u64) < open.next {
+                continue;
+            }
+            let Cell::Text(sensor) = sensor else {
+                return Err(LogError::destination(&open.place, "a row names no sensor"));
+            };
+            let said = match value {
+                Cell::Text(text) => batch.text(text),
+                Cell::Thousandths(reading) => {
+                    thousandths(reading, &mut open.number);
+                    &open.number
+                }
+                _ => "",
+            };
+            let message = open.speech.message(seq, at, batch.text(sensor), said)?;
+            if !open.flight.lock().has_room() {
+                open.wait(|shared| shared.has_much_room())?;
+            }
+            open.flight.lock().take(message);
+            open.next = seq as u64 + 1;
+            open.flight.wake.notify_one();
+        }
+        Ok(())
+    }
+
+    fn settle(&mut self) -> Result<Watermark, LogError> {
+        let Some(open) = &mut self.open else { return Ok(Watermark::none()) };
+        open.wait(|shared| shared.is_empty())?;
+        let rows = open.before + open.flight.lock().acknowledged();
+        open.state.write(rows)?;
+        Ok(Watermark(vec![rows]))
+    }
+
+    fn finish(&mut self, _end: Micros) -> Result<(), LogError> {
+        self.settle()?;
+        let Some(open) = &mut self.open else { return Ok(()) };
+        if open.flight.lock().wish != Wish::Finish {
+            let farewell = farewell(&open.farewell);
+            open.flight.change(|shared| {
+                farewell.into_iter().for_each(|message| shared.take(message));
+                shared.wish = Wish::Finish;
+            });
+        }
+        open.wait(|shared| matches!(shared.link, Link::Over(None)))?;
+        self.open = None;
+        Ok(())
+    }
+}
+
+impl Open {
+    fn wait(&self, is_so: impl Fn(&crate::flight::State) -> bool) -> Result<(), LogError> {
+        self.flight.wait(PATIENCE, is_so).map(drop).map_err(|trouble| trouble.error(&self.place))
+    }
+}
+
+impl Drop for Open {
+    /// A run that is given up ends without a word: the broker then says by itself that the home is not there any more.
+    fn drop(&mut self) {
+        self.flight.change(|shared| shared.wish = Wish::GiveUp);
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
+
+/// Whether a host is on the internet, as far as its addresses say. One that is not known is told of by who connects.
+fn is_public(address: &Address) -> bool {
+    let Ok(found) = (address.host.as_str(), address.port).to_socket_addrs() else { return false };
+    found.map(|found| found.ip()).any(|ip| match ip.to_canonical() {
+        IpAddr::V4(ip) => {
+            let shared = ip.octets()[0] == 100 && ip.octets()[1] & 0xc0 == 64;
+            !(ip.is_loopback() || ip.is_private() || ip.is_link_local() || ip.is_unspecified() || shared)
+        }
+        IpAddr::V6(ip) => {
+            !(ip.is_loopback() || ip.is_unique_local() || ip.is_unicast_link_local() || ip.is_unspecified())
+        }
+    })
+}

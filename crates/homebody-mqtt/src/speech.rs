@@ -1,0 +1,151 @@
+//! What rows are as messages.
+
+use crate::address::Style;
+use crate::entities::{Heard, Says, Word};
+use crate::place::{Place, Placed};
+use homebody_core::scenario::logger::TimeFormat;
+use homebody_core::time::Micros;
+use homebody_log::clock::Clock;
+use homebody_log::{LogError, RunInfo};
+use serde_json::{Map, Value, json};
+use std::collections::HashMap;
+use std::fmt::Write;
+use std::sync::Arc;
+
+/// A message to the broker.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Message {
+    pub topic: Arc<str>,
+    pub payload: Arc<str>,
+    /// Whether the broker keeps it for who comes later.
+    pub retain: bool,
+    /// Of what passes by itself, such as a motion sensor's ON: what is true again some seconds later.
+    pub then: Option<Arc<str>>,
+}
+
+impl Message {
+    pub fn kept(topic: impl Into<Arc<str>>, payload: impl Into<Arc<str>>) -> Message {
+        Message { topic: topic.into(), payload: payload.into(), retain: true, then: None }
+    }
+}
+
+/// Turns rows into messages.
+pub(crate) struct Speech {
+    run: String,
+    clock: Clock,
+    place: Arc<Place>,
+    /// Sensors by what the log calls them.
+    by_id: HashMap<String, usize>,
+    topics: Vec<Vec<Arc<str>>>,
+    /// Of Zigbee2MQTT: by sensor, all that it has said last, in its order.
+    last: Vec<Map<String, Value>>,
+    line: String,
+}
+
+impl Speech {
+    pub fn new(run: &RunInfo, place: Arc<Place>) -> Speech {
+        let by_id = place.sensors.iter().enumerate().map(|(index, sensor)| (sensor.in_log.clone(), index));
+        let topics =
+            place.sensors.iter().map(|sensor| sensor.topics.iter().map(|topic| topic.as_str().into()).collect());
+        Speech {
+            run: run.id.to_string(),
+            clock: Clock::new(&run.calendar, TimeFormat::LocalOffset),
+            by_id: by_id.collect(),
+            topics: topics.collect(),
+            last: place.sensors.iter().map(|sensor| unknown(&place, sensor)).collect(),
+            place,
+            line: String::new(),
+        }
+    }
+
+    /// The message of a row.
+    pub fn message(&mut self, seq: i64, at: Micros, sensor: &str, said: &str) -> Result<Message, LogError> {
+        let Some(&index) = self.by_id.get(sensor) else {
+            return Err(LogError::destination(
+                &self.place.base,
+                format!("a row is of {sensor:?}, which is no sensor of the run"),
+            ));
+        };
+        let place = self.place.clone();
+        let placed = &place.sensors[index];
+        let (entity, heard) = placed.device.hears(said);
+        self.line.clear();
+        match place.style {
+            Style::HomeAssistant => self.home_assistant(&heard, said),
+            Style::Plain => self.plain(placed, said),
+            Style::Zigbee2Mqtt => self.zigbee(index, entity, &heard),
+        }
+        // A string takes whatever is written to it.
+        let _ = write!(self.line, ",\"run\":\"{}\",\"seq\":{seq},\"sim_time\":\"{}\"}}", self.run, self.clock.text(at));
+        let momentary = placed.is_momentary(entity) && heard == Heard::Switched(true);
+        Ok(Message {
+            topic: self.topics[index][entity].clone(),
+            payload: self.line.as_str().into(),
+            retain: !momentary,
+            then: momentary.then(|| clear(place.style, placed).into()),
+        })
+    }
+
+    fn home_assistant(&mut self, heard: &Heard, said: &str) {
+        let _ = match heard {
+            Heard::Switched(on) => write!(self.line, "{{\"state\":\"{}\",\"said\":{}", on_off(*on), quoted(said)),
+            Heard::Number(number) => write!(self.line, "{{\"state\":{number},\"said\":{}", quoted(said)),
+            Heard::Word(word) => write!(self.line, "{{\"state\":{},\"said\":{}", quoted(word), quoted(said)),
+        };
+    }
+
+    /// As the log says it.
+    fn plain(&mut self, placed: &Placed, said: &str) {
+        let number = said.parse::<f64>().ok().filter(|number| number.is_finite());
+        let value = number.map_or_else(|| quoted(said), |number| number.to_string());
+        let _ = write!(self.line, "{{\"sensor\":{},\"value\":{value}", quoted(&placed.name));
+        if let (Some(unit), Some(_)) = (&placed.unit, number) {
+            let _ = write!(self.line, ",\"unit\":{}", quoted(unit));
+        }
+    }
+
+    /// A device's JSON has all that it has said last, not only what has changed.
+    fn zigbee(&mut self, sensor: usize, entity: usize, heard: &Heard) {
+        let entity = &self.place.sensors[sensor].device.entities[entity];
+        self.last[sensor].insert(entity.property.into(), zigbee_value(&entity.says, heard));
+        let all = Value::Object(self.last[sensor].clone()).to_string();
+        self.line.push_str(all.trim_end_matches('}'));
+    }
+}
+
+/// What a device of Zigbee2MQTT says before it knows anything.
+fn unknown(place: &Place, sensor: &Placed) -> Map<String, Value> {
+    let properties = sensor.device.entities.iter().filter(|_| place.is_discovered);
+    properties.map(|entity| (entity.property.to_owned(), Value::Null)).collect()
+}
+
+/// What is so of a motion sensor that only says ON while it says nothing.
+pub(crate) fn clear(style: Style, placed: &Placed) -> String {
+    match style {
+        Style::HomeAssistant => r#"{"state":"OFF"}"#.into(),
+        Style::Zigbee2Mqtt => r#"{"occupancy":false}"#.into(),
+        Style::Plain => json!({ "sensor": placed.name, "value": "OFF" }).to_string(),
+    }
+}
+
+fn on_off(on: bool) -> &'static str {
+    if on { "ON" } else { "OFF" }
+}
+
+fn zigbee_value(says: &Says, heard: &Heard) -> Value {
+    match (heard, says) {
+        (Heard::Switched(on), Says::Binary { zigbee, .. }) => match zigbee[usize::from(!on)] {
+            Word::Truth(truth) => truth.into(),
+            Word::Text(text) => text.into(),
+        },
+        (Heard::Switched(on), _) => (*on).into(),
+        (Heard::Number(number), _) if number.fract() == 0.0 && number.abs() < 1e15 => (*number as i64).into(),
+        (Heard::Number(number), _) => (*number).into(),
+        (Heard::Word(word), _) => (*word).into(),
+    }
+}
+
+/// A text in quotes, as JSON has it.
+fn quoted(text: &str) -> String {
+    Value::from(text).to_string()
+}

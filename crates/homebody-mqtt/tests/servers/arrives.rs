@@ -1,0 +1,137 @@
+//! All rows arrive, whatever becomes of the broker, and each has its run and its number.
+
+use crate::broker::{Broker, Listener, firings, live, logger, run, store, wait_for};
+use homebody_log::{How, Watermark};
+use homebody_mqtt::MqttSink;
+use std::collections::{BTreeMap, BTreeSet};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// How often the broker is killed; `HOMEBODY_KILLS` says otherwise.
+const KILLS: u64 = 3;
+
+fn kills() -> u64 {
+    std::env::var("HOMEBODY_KILLS").ok().and_then(|kills| kills.parse().ok()).unwrap_or(KILLS)
+}
+
+#[test]
+fn every_row_is_heard_once_and_in_order() {
+    let Some(broker) = Broker::start() else { return };
+    for style in ["homeassistant", "zigbee2mqtt", "plain"] {
+        let listener = Listener::to(&broker, &format!("as-{style}/#"));
+        live(&broker.url(&format!("as-{style}?style={style}")), 2000);
+        let rows = wait_for("all rows", || {
+            let rows: Vec<u64> = listener.heard().iter().filter_map(|heard| Some(heard.row()?.1)).collect();
+            (rows.len() >= 2000).then_some(rows)
+        });
+        assert_eq!(rows, (0..2000).collect::<Vec<_>>(), "{style}");
+        let runs: BTreeSet<String> = listener.heard().iter().filter_map(|heard| Some(heard.row()?.0)).collect();
+        assert_eq!(runs, BTreeSet::from([run().id.to_string()]));
+    }
+}
+
+/// The broker is one that remembers who listens. What it has acknowledged it has sent on before, as far as who listens takes it, so
+/// it is killed only while somebody listens.
+#[test]
+fn whatever_kills_the_broker_every_row_arrives() {
+    let lines = "allow_anonymous true\npersistence true\npersistence_location FOLDER/\nautosave_interval 0\n\
+                 max_inflight_messages 0\nmax_queued_messages 0\n";
+    let Some(mut broker) = Broker::with(lines) else { return };
+    let listener = Listener::of(broker.port, "homebody/#", &["-c", "-i", "listener"]);
+    wait_for("the listener", || {
+        broker.say("homebody/probe", "there", &[]);
+        (listener.count() > 0).then_some(())
+    });
+    broker.save();
+    let mut logger = logger(MqttSink::live(&broker.url("homebody")), How::New).unwrap();
+    let all = firings(10_000_000);
+    let mut steps = all.chunks(10);
+    let mut rows = 0;
+    let mut step = |logger: &mut homebody_log::Logger| {
+        let firings = steps.next().expect("enough rows for all kills");
+        store(logger, firings);
+        rows += firings.len() as u64;
+        thread::sleep(Duration::from_millis(10));
+        rows
+    };
+    for kill in 0..kills() {
+        // Once a row of now is heard, so is all that was kept for the listener while it was away. Then the kill, at any moment.
+        let (begun, since) = (step(&mut logger), Instant::now());
+        while last_heard(&listener) < Some(begun) || since.elapsed() < Duration::from_millis(100 + kill * 7919 % 400) {
+            step(&mut logger);
+            assert!(since.elapsed() < crate::broker::SOON, "rows are heard again");
+        }
+        broker.kill();
+        (0..3 + kill % 5).for_each(|_| assert!(step(&mut logger) > 0));
+        broker.begin();
+    }
+    let rows = step(&mut logger);
+    logger.finish().unwrap();
+    wait_for("the last row", || (last_heard(&listener) == Some(rows - 1)).then_some(()));
+    let heard = heard_rows(&listener);
+    let missing: Vec<u64> = (0..rows).filter(|row| !heard.contains_key(row)).collect();
+    let all: usize = listener.heard().iter().filter(|heard| heard.row().is_some()).count();
+    println!("{} kills, {rows} rows, {} missing, {} heard again", kills(), missing.len(), all - heard.len());
+    assert!(missing.is_empty(), "the first of them: {:?}", &missing[..missing.len().min(10)]);
+    assert!(heard.values().all(|said| said.len() == 1), "what is heard again is the same");
+}
+
+/// The number of the row that was heard last.
+fn last_heard(listener: &Listener) -> Option<u64> {
+    listener.heard().iter().rev().find_map(|heard| Some(heard.row()?.1))
+}
+
+/// By number: from which topic, with which text.
+fn heard_rows(listener: &Listener) -> BTreeMap<u64, BTreeSet<(String, String)>> {
+    let mut rows: BTreeMap<u64, BTreeSet<(String, String)>> = BTreeMap::new();
+    for heard in listener.heard() {
+        if let Some((_, seq)) = heard.row() {
+            rows.entry(seq).or_default().insert((heard.topic, heard.payload));
+        }
+    }
+    rows
+}
+
+#[test]
+fn a_row_is_durable_once_it_is_acknowledged_and_not_before() {
+    let Some(mut broker) = Broker::start() else { return };
+    let mut logger = logger(MqttSink::live(&broker.url("homebody")), How::New).unwrap();
+    let all = firings(400);
+    store(&mut logger, &all[..200]);
+    logger.settle().unwrap();
+    logger.wait_settled().unwrap();
+    assert_eq!(logger.durable(), Watermark(vec![200]));
+    broker.kill();
+    store(&mut logger, &all[200..]);
+    logger.settle().unwrap();
+    thread::sleep(Duration::from_millis(500));
+    assert_eq!(logger.durable(), Watermark(vec![200]), "nobody has acknowledged more");
+    broker.begin();
+    logger.wait_settled().unwrap();
+    assert_eq!(logger.durable(), Watermark(vec![400]));
+    logger.finish().unwrap();
+}
+
+#[test]
+fn a_run_that_is_gone_on_with_sends_what_was_not_acknowledged_or_all_again() {
+    let Some(broker) = Broker::start() else { return };
+    let state = broker.folder.path().join("acknowledged.json");
+    for (url, again) in
+        [(broker.url(&format!("kept?state={}", state.display())), 200..300), (broker.url("forgotten"), 0..300)]
+    {
+        live(&url, 200);
+        let listener = Listener::to(&broker, "#");
+        let mut logger = logger(MqttSink::live(&url), How::GoOn).unwrap();
+        store(&mut logger, &firings(300));
+        logger.finish().unwrap();
+        listener.wait(
+            &format!("{}/the_studio/status", url.path().to_string_lossy().split(['/', '?']).nth(1).unwrap()),
+            "offline",
+        );
+        let base = listener.heard();
+        let mut rows: Vec<u64> =
+            base.iter().filter(|heard| !heard.is_kept).filter_map(|heard| Some(heard.row()?.1)).collect();
+        rows.dedup();
+        assert_eq!(rows, again.collect::<Vec<_>>());
+    }
+}

@@ -1,0 +1,319 @@
+//! A mosquitto of a test's own, who listens to it, and a home whose log goes there.
+
+use homebody_core::event::{Band, Firing, Value};
+use homebody_core::ids::SensorId;
+use homebody_core::scenario::calendar::Calendar;
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::time::SECOND;
+use homebody_log::{Destination, How, Log, LogError, Logger, Policy, RunInfo, SensorInfo, Url};
+use homebody_mqtt::{MqttSink, policy};
+use std::fs;
+use std::io::{BufRead, BufReader};
+use std::net::{TcpListener, TcpStream};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::sync::{Arc, Mutex};
+use std::thread;
+use std::time::{Duration, Instant};
+use tempfile::TempDir;
+
+/// What a test waits for comes within this time, on however slow a machine (ours).
+pub const SOON: Duration = Duration::from_secs(60);
+
+/// A broker that ends with the test.
+pub struct Broker {
+    pub folder: TempDir,
+    pub port: u16,
+    child: Option<Child>,
+}
+
+impl Broker {
+    /// One that lets anybody in; None where there is no mosquitto, which is told.
+    pub fn start() -> Option<Broker> {
+        Broker::with("allow_anonymous true\n")
+    }
+
+    /// One with these lines in its configuration, in which `FOLDER` is its own.
+    pub fn with(lines: &str) -> Option<Broker> {
+        let folder = tempfile::tempdir().unwrap();
+        let broker = Broker { port: free_port(), folder, child: None };
+        let lines = lines.replace("FOLDER", &broker.folder.path().display().to_string());
+        let config = format!("user root\nlistener {} 127.0.0.1\n{lines}", broker.port);
+        fs::write(broker.folder.path().join("mosquitto.conf"), config).unwrap();
+        is_installed().then(|| broker.again())
+    }
+
+    /// The same one, begun again after it was killed.
+    pub fn again(mut self) -> Broker {
+        self.begin();
+        self
+    }
+
+    pub fn begin(&mut self) {
+        let config = self.folder.path().join("mosquitto.conf");
+        let log = fs::File::create(self.folder.path().join("log")).unwrap();
+        let child = Command::new(program().unwrap()).arg("-c").arg(config).stdout(Stdio::null()).stderr(log).spawn();
+        self.child = Some(child.unwrap());
+        let begun = Instant::now();
+        while TcpStream::connect(("127.0.0.1", self.port)).is_err() {
+            assert!(begun.elapsed() < SOON, "{}", fs::read_to_string(self.folder.path().join("log")).unwrap());
+            thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    pub fn kill(&mut self) {
+        if let Some(mut child) = self.child.take() {
+            child.kill().unwrap();
+            child.wait().unwrap();
+        }
+    }
+
+    /// Has it write down its sessions, so that it knows them when it is begun again.
+    pub fn save(&self) {
+        let id = self.child.as_ref().unwrap().id().to_string();
+        assert!(Command::new("kill").args(["-USR1", &id]).status().unwrap().success());
+        let database = self.folder.path().join("mosquitto.db");
+        wait_for("the broker's database", || database.exists().then_some(()));
+    }
+
+    pub fn url(&self, rest: &str) -> Url {
+        format!("mqtt://127.0.0.1:{}/{rest}", self.port).parse().unwrap()
+    }
+
+    /// All that it keeps.
+    pub fn kept(&self) -> Vec<Heard> {
+        let listener = Listener::of(self.port, "#", &["--retained-only"]);
+        // There is nothing to wait for where nothing is kept.
+        thread::sleep(Duration::from_millis(700));
+        let mut heard = listener.heard();
+        loop {
+            thread::sleep(Duration::from_millis(300));
+            let more = listener.heard();
+            if more.len() == heard.len() {
+                return heard;
+            }
+            heard = more;
+        }
+    }
+
+    /// Says something to whoever listens.
+    pub fn say(&self, topic: &str, payload: &str, more: &[&str]) {
+        let port = self.port.to_string();
+        let args = ["-h", "127.0.0.1", "-p", &port, "-q", "1", "-t", topic, "-m", payload];
+        assert!(Command::new("mosquitto_pub").args(args).args(more).status().unwrap().success());
+    }
+}
+
+impl Drop for Broker {
+    fn drop(&mut self) {
+        self.kill();
+    }
+}
+
+/// Where mosquitto is: Debian puts it where not everybody looks.
+fn program() -> Option<PathBuf> {
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let folders = std::env::split_paths(&path).chain(["/usr/sbin".into(), "/usr/local/sbin".into()]);
+    folders.map(|folder| folder.join("mosquitto")).find(|program| program.exists())
+}
+
+/// Whether there is a mosquitto. If there must be one, it is an error that there is none.
+pub fn is_installed() -> bool {
+    let clients = || Command::new("mosquitto_sub").arg("--help").stdout(Stdio::null()).status().is_ok();
+    let is_there = program().is_some() && clients();
+    if !is_there {
+        println!("skipped: mosquitto and mosquitto-clients are not installed");
+        assert!(std::env::var("HOMEBODY_SERVERS").as_deref() != Ok("required"), "mosquitto is required");
+    }
+    is_there
+}
+
+pub fn free_port() -> u16 {
+    TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port()
+}
+
+/// One message that was heard.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Heard {
+    pub topic: String,
+    pub is_kept: bool,
+    pub payload: String,
+}
+
+impl Heard {
+    pub fn json(&self) -> serde_json::Value {
+        serde_json::from_str(&self.payload).unwrap()
+    }
+
+    /// The run and the number that a row has.
+    pub fn row(&self) -> Option<(String, u64)> {
+        let json: serde_json::Value = serde_json::from_str(&self.payload).ok()?;
+        Some((json.get("run")?.as_str()?.to_owned(), json.get("seq")?.as_u64()?))
+    }
+}
+
+/// Somebody who listens, until dropped.
+pub struct Listener {
+    child: Child,
+    heard: Arc<Mutex<Vec<Heard>>>,
+}
+
+impl Listener {
+    /// Listens to all below a topic.
+    pub fn to(broker: &Broker, topic: &str) -> Listener {
+        let listener = Listener::of(broker.port, topic, &[]);
+        // It listens once it hears something.
+        let probe = topic.trim_end_matches('#').to_owned() + "probe";
+        wait_for("the listener", || {
+            broker.say(&probe, "there", &[]);
+            listener.heard().iter().any(|heard| heard.topic == probe).then_some(())
+        });
+        listener
+    }
+
+    /// Listens by mosquitto's own program, which connects again when it is sent away.
+    pub fn of(port: u16, topic: &str, more: &[&str]) -> Listener {
+        let port = port.to_string();
+        let args = ["-h", "127.0.0.1", "-p", &port, "-q", "1", "-t", topic, "-F", "%t\t%r\t%p"];
+        let mut child = Command::new("mosquitto_sub")
+            .args(args)
+            .args(more)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let (output, heard) = (child.stdout.take().unwrap(), Arc::new(Mutex::new(Vec::new())));
+        let into = heard.clone();
+        thread::spawn(move || {
+            for line in BufReader::new(output).lines().map_while(Result::ok) {
+                let mut parts = line.splitn(3, '\t').map(str::to_owned);
+                if let (Some(topic), Some(kept), Some(payload)) = (parts.next(), parts.next(), parts.next()) {
+                    into.lock().unwrap().push(Heard { topic, is_kept: kept == "1", payload });
+                }
+            }
+        });
+        Listener { child, heard }
+    }
+
+    pub fn heard(&self) -> Vec<Heard> {
+        self.heard.lock().unwrap().clone()
+    }
+
+    pub fn count(&self) -> usize {
+        self.heard.lock().unwrap().len()
+    }
+
+    /// Waits until a message of this topic says this.
+    pub fn wait(&self, topic: &str, says: &str) -> Heard {
+        wait_for(&format!("{says} on {topic}"), || {
+            self.heard().into_iter().rev().find(|heard| heard.topic == topic && heard.payload.contains(says))
+        })
+    }
+}
+
+impl Drop for Listener {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+pub fn wait_for<T>(what: &str, look: impl Fn() -> Option<T>) -> T {
+    let begun = Instant::now();
+    loop {
+        if let Some(found) = look() {
+            return found;
+        }
+        assert!(begun.elapsed() < SOON, "in vain: {what}");
+        thread::sleep(Duration::from_millis(20));
+    }
+}
+
+/// A home with a sensor of each kind, and a motion sensor that says OFF.
+pub fn run() -> RunInfo {
+    let sensor = |name: &str, kind: &str, unit: Option<&str>, values: &[&str]| SensorInfo {
+        name: name.into(),
+        id: name.into(),
+        is_motion: kind.ends_with("motion"),
+        kind: kind.into(),
+        unit: unit.map(Into::into),
+        values: values.iter().map(ToString::to_string).collect(),
+        room: Some("living room".into()),
+        at_m: [1.0, 1.0],
+    };
+    let sensors = vec![
+        sensor("hall motion", "motion", None, &["ON"]),
+        sensor("front door", "contact", None, &["OPEN", "CLOSE"]),
+        sensor("bed", "bed", None, &["IN", "OUT"]),
+        sensor("stove", "stove_temperature", Some("\u{b0}C"), &["ON", "OFF"]),
+        sensor("chair", "pressure", None, &["ON", "OFF"]),
+        sensor("lamp plug", "power", Some("W"), &["ON", "OFF"]),
+        sensor("tap", "flow", None, &["ON", "OFF"]),
+        sensor("window light", "light", Some("lx"), &[]),
+        sensor("living room temperature", "temperature", Some("\u{b0}C"), &[]),
+        sensor("landing motion", "ceiling_motion", None, &["ON", "OFF"]),
+    ];
+    let calendar = Calendar::new("2009-03-02T07:12:03.25", "America/Chicago").unwrap();
+    RunInfo {
+        id: 4_611_686_018_427_387_905,
+        things: vec!["front door".into(), "stove".into()],
+        residents: vec!["margaret".into()],
+        sensors,
+        ..RunInfo::of_log("the studio", calendar, &Log::default())
+    }
+}
+
+/// What each sensor of [`run`] says, in turn.
+const SAID: [(u32, Value); 16] = [
+    (0, Value::Fire),
+    (1, Value::Open),
+    (2, Value::In),
+    (3, Value::On),
+    (4, Value::On),
+    (5, Value::On),
+    (6, Value::On),
+    (7, Value::Reading(150_000)),
+    (8, Value::Reading(21_500)),
+    (9, Value::Fire),
+    (2, Value::Restless(3)),
+    (2, Value::Pulse(Band::High)),
+    (3, Value::Reading(180_250)),
+    (5, Value::Reading(60_000)),
+    (1, Value::Close),
+    (2, Value::Out),
+];
+
+/// Firings of all sensors, 4 s apart.
+pub fn firings(count: u64) -> Vec<Firing> {
+    let firing = |seq: u64| {
+        let (sensor, value) = SAID[(seq % SAID.len() as u64) as usize];
+        Firing { seq, at: seq as i64 * 4 * SECOND, sensor: SensorId(sensor), value }
+    };
+    (0..count).map(firing).collect()
+}
+
+/// A logger of the run, whose rows go to this sink.
+pub fn logger(sink: MqttSink, how: How) -> Result<Logger, LogError> {
+    logger_with(sink, how, policy())
+}
+
+pub fn logger_with(sink: MqttSink, how: How, policy: Policy) -> Result<Logger, LogError> {
+    let to = Destination::own("mqtt", sink, policy);
+    Logger::open(vec![to], &LoggerFile::default(), &Arc::new(run()), how)
+}
+
+/// Stores firings, all at once.
+pub fn store(logger: &mut Logger, firings: &[Firing]) {
+    logger.store(firings, firings.last().map_or(0, |last| last.at + 1)).unwrap();
+}
+
+/// Lives a run of so many rows into a place.
+pub fn live(url: &Url, rows: u64) {
+    let mut logger = logger(MqttSink::live(url), How::New).unwrap();
+    store(&mut logger, &firings(rows));
+    logger.finish().unwrap();
+}
+
+pub fn repository() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+}

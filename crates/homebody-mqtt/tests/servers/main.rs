@@ -1,0 +1,11 @@
+//! A log that goes to a real broker: mosquitto, begun and ended by each test.
+//!
+//! Where mosquitto is not installed the tests say so and pass, unless `HOMEBODY_SERVERS=required` is set.
+
+mod arrives;
+mod broker;
+mod home_assistant;
+mod looks;
+mod ordered;
+mod refused;
+mod tidied;
