@@ -8,7 +8,8 @@
 
 use super::form::{Form, Shows};
 use super::instant::Instant;
-use super::reading::{Reading, open};
+use super::lines::open;
+use super::reading::Reading;
 use super::start::Start;
 use crate::error::LogError;
 use crate::limits::{LONGEST_ROW_BYTES, LONGEST_VALUE, beginning};
