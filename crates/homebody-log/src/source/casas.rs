@@ -6,10 +6,11 @@
 
 use super::form::{Form, Shows};
 use super::instant::{Instant, Instants};
-use super::lines::{Lines, text};
+use super::lines::Lines;
 use super::reading::Reading;
 use super::start::Start;
 use crate::error::LogError;
+use crate::plain::text;
 use homebody_core::scenario::logger::LoggerFile;
 use std::ops::Range;
 use std::path::Path;
@@ -80,8 +81,8 @@ fn understand(
     };
     let value = word(value).unwrap_or_default();
     let is_row = match leading {
-        Some((at, _)) => reading.event(number, Instant::Local(at), sensor, value)?,
-        None => reading.row(number, &line[..line.len() - behind.len()], sensor, value)?,
+        Some((at, _)) => reading.event_of_bytes(number, Instant::Local(at), sensor, value)?,
+        None => reading.row_of_bytes(number, &line[..line.len() - behind.len()], sensor, value)?,
     };
     if is_row {
         match parts.get(rest) {

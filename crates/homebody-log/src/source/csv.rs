@@ -5,11 +5,11 @@
 use super::columns::Places;
 use super::form::{Form, Shows};
 use super::instant::Instants;
-use super::lines::text;
 use super::reading::Reading;
 use super::records::{Record, Records};
 use super::start::Start;
 use crate::error::{LogError, place_of};
+use crate::plain::text;
 use crate::spreadsheet::{unescaped, unescaped_bytes};
 use homebody_core::problem::readable;
 use homebody_core::scenario::logger::LoggerFile;
@@ -99,7 +99,7 @@ fn take(line: u64, record: &Record, places: &Places, reading: &mut Reading<'_>) 
     if !places.is_mapped {
         (sensor, value) = (sensor.trim_ascii(), value.trim_ascii());
     }
-    if reading.row(line, cell(places.time), unescaped_bytes(sensor), unescaped_bytes(value))?
+    if reading.row_of_bytes(line, cell(places.time), unescaped_bytes(sensor), unescaped_bytes(value))?
         && let Some(place) = places.label
     {
         let label = text(cell(place).trim_ascii());

@@ -52,7 +52,7 @@ impl Changes {
     ) -> Result<(), LogError> {
         let clock = usize::from(matches!(at, Instant::Utc(_)));
         for ((last, is_on), name) in self.0[clock].iter_mut().zip(says).zip(names) {
-            if *last != is_on && reading.event(line, at, name.as_bytes(), if is_on { ON } else { OFF }.as_bytes())? {
+            if *last != is_on && reading.event(line, at, name, if is_on { ON } else { OFF })? {
                 *last = is_on;
             }
         }

@@ -7,8 +7,7 @@
 use super::database::{connect, tables, text};
 use super::form::{Form, Shows};
 use super::instant::{Instant, since_1970};
-use super::lines::open;
-use super::reading::Reading;
+use super::reading::{Reading, open};
 use super::start::Start;
 use crate::error::{LogError, place_of};
 use homebody_core::scenario::logger::LoggerFile;
@@ -107,7 +106,7 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
             }
         };
         match instant {
-            Some(instant) => drop(reading.event(line, instant, sensor.as_bytes(), value.as_bytes())?),
+            Some(instant) => drop(reading.event(line, instant, &sensor, &value)?),
             None => reading.skip(line, "the time is out of range".into()),
         }
     }

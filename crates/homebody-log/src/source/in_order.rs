@@ -77,8 +77,7 @@ impl InOrder {
     fn first(&mut self, reading: &mut Reading<'_>) -> Result<bool, LogError> {
         let Some(Reverse((at, _, (line, sensor, is_on, is_utc)))) = self.waiting.pop() else { return Ok(false) };
         let instant = if is_utc { Instant::Utc(at) } else { Instant::Local(at) };
-        let (sensor, value) = (&self.sensors[sensor as usize], if is_on { ON } else { OFF });
-        reading.event(line, instant, sensor.as_bytes(), value.as_bytes())?;
+        reading.event(line, instant, &self.sensors[sensor as usize], if is_on { ON } else { OFF })?;
         Ok(true)
     }
 }

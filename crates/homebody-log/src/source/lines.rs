@@ -1,11 +1,12 @@
 //! The lines of a text, none of which is longer than a row may be.
 
-use crate::error::{LogError, place_of};
+use super::reading::open;
+use crate::error::LogError;
 use crate::limits::LONGEST_ROW_BYTES;
-use crate::plain;
+use crate::plain::text;
 use std::borrow::Cow;
 use std::fs::File;
-use std::io::{BufRead, BufReader, ErrorKind, Read};
+use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 
 /// How many bytes are asked for at once.
@@ -73,17 +74,4 @@ impl Lines {
     pub fn next_text(&mut self) -> Result<Option<(u64, Cow<'_, str>)>, LogError> {
         Ok(self.next()?.map(|(number, line)| (number, text(line))))
     }
-}
-
-/// A file that may hold a log.
-pub(super) fn open(path: &Path) -> Result<File, LogError> {
-    plain::open(path).map_err(|error| match error.kind() {
-        ErrorKind::NotFound => LogError::Missing { place: place_of(path) },
-        _ => LogError::file(path, error),
-    })
-}
-
-/// Bytes as text; what is none in UTF-8 is replaced. Nearly all is, which is quick to see.
-pub(super) fn text(bytes: &[u8]) -> Cow<'_, str> {
-    str::from_utf8(bytes).map_or_else(|_| String::from_utf8_lossy(bytes), Cow::Borrowed)
 }

@@ -76,11 +76,10 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
                 let value = value.or_else(|| level.map(cell)).unwrap_or_default();
                 // Either alone names no sensor.
                 let sensor = if cell(*zone).is_empty() || cell(*of).is_empty() { "" } else { &sensor };
-                reading.row(number, cell(*time).as_bytes(), sensor.as_bytes(), value.as_bytes())?;
+                reading.row(number, cell(*time), sensor, value)?;
             }
             Columns::Usual(places) => {
-                let [time, sensor, value] = [places.time, places.sensor, places.value].map(|at| cell(at).as_bytes());
-                let is_row = reading.row(number, time, sensor, value)?;
+                let is_row = reading.row(number, cell(places.time), cell(places.sensor), cell(places.value))?;
                 if let (true, Some(label)) = (is_row, places.label) {
                     reading.label(Some(cell(label)).filter(|label| !label.is_empty()));
                 }

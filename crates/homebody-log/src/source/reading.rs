@@ -2,15 +2,16 @@
 
 use super::activities::{Activity, Notes};
 use super::instant::{Instant, Instants};
-use super::lines::text;
 use super::log::{Clock, Event, Log};
 use crate::error::{LogError, place_of};
 use crate::limits::{LONGEST_ID, LONGEST_VALUE, MOST_ACTIVITIES, beginning};
+use crate::plain::{self, text};
 use crate::skipped::Skipped;
 use foldhash::HashMap;
 use homebody_core::problem::readable;
 use homebody_core::time::{DAY, Micros};
 use jiff::Timestamp;
+use std::fs::File;
 use std::path::Path;
 
 /// How many skipped lines are told one by one.
@@ -61,10 +62,15 @@ impl<'t> Reading<'t> {
     }
 
     /// Takes a row as a file writes it; whether it was understood.
+    pub fn row(&mut self, line: u64, time: &str, sensor: &str, value: &str) -> Result<bool, LogError> {
+        self.row_of_bytes(line, time.as_bytes(), sensor.as_bytes(), value.as_bytes())
+    }
+
+    /// The same from bytes that may be no text; what is none in UTF-8 is replaced.
     #[inline]
-    pub fn row(&mut self, line: u64, time: &[u8], sensor: &[u8], value: &[u8]) -> Result<bool, LogError> {
+    pub fn row_of_bytes(&mut self, line: u64, time: &[u8], sensor: &[u8], value: &[u8]) -> Result<bool, LogError> {
         match self.instants.read_bytes(time) {
-            Some(instant) => self.event(line, instant, sensor, value),
+            Some(instant) => self.event_of_bytes(line, instant, sensor, value),
             None => {
                 self.skip(line, format!("{} is no date and time", beginning(&text(time))));
                 Ok(false)
@@ -72,9 +78,19 @@ impl<'t> Reading<'t> {
         }
     }
 
-    /// Takes a row whose instant is known; whether it was understood. What a sensor is called and says is looked at as text once:
-    /// where the same bytes come again, it is known.
-    pub fn event(&mut self, line: u64, instant: Instant, sensor: &[u8], value: &[u8]) -> Result<bool, LogError> {
+    /// Takes a row whose instant is known; whether it was understood.
+    pub fn event(&mut self, line: u64, instant: Instant, sensor: &str, value: &str) -> Result<bool, LogError> {
+        self.event_of_bytes(line, instant, sensor.as_bytes(), value.as_bytes())
+    }
+
+    /// The same from bytes. What a sensor is called and says is looked at as text once: where the same bytes come again, it is known.
+    pub fn event_of_bytes(
+        &mut self,
+        line: u64,
+        instant: Instant,
+        sensor: &[u8],
+        value: &[u8],
+    ) -> Result<bool, LogError> {
         // While no row has been handed over, most of them are going to say which clock it is.
         let told = if self.first.is_some() { on_any_clock(instant) } else { self.on_clock(instant) };
         let known = self.sensors.known(&self.log.sensors, sensor).zip(self.values.known(&self.log.values, value));
@@ -277,6 +293,14 @@ fn told_by(instant: Instant) -> (Micros, Clock) {
         Instant::Local(at) => (at, Clock::Local),
         Instant::Utc(at) => (at, Clock::Utc),
     }
+}
+
+/// A file that may hold a log.
+pub(super) fn open(path: &Path) -> Result<File, LogError> {
+    plain::open(path).map_err(|error| match error.kind() {
+        std::io::ErrorKind::NotFound => LogError::Missing { place: place_of(path) },
+        _ => LogError::file(path, error),
+    })
 }
 
 /// Whether the instant can be told in every zone: some write 9999-12-31 for never.

@@ -2,7 +2,7 @@
 //! database that is gone as soon as they have been read.
 
 use super::database::{connect, tables as tables_of};
-use super::lines::open;
+use super::reading::open;
 use super::records::Records;
 use crate::error::{LogError, place_of};
 use crate::places::TRUTH;

@@ -4,8 +4,7 @@ use super::columns::Places;
 use super::database::{connect, tables, text};
 use super::form::{Form, Shows};
 use super::instant::since_1970;
-use super::lines::open;
-use super::reading::Reading;
+use super::reading::{Reading, open};
 use super::start::Start;
 use crate::error::{LogError, place_of};
 use crate::spans::{SPAN_COLUMNS, SPANS};
@@ -66,8 +65,8 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
             _ => None,
         };
         let is_row = match number {
-            None => reading.row(line, text(time).as_bytes(), sensor.as_bytes(), value.as_bytes())?,
-            Some(Some(instant)) => reading.event(line, instant, sensor.as_bytes(), value.as_bytes())?,
+            None => reading.row(line, &text(time), &sensor, &value)?,
+            Some(Some(instant)) => reading.event(line, instant, &sensor, &value)?,
             Some(None) => {
                 reading.skip(line, "the time is out of range".into());
                 false

@@ -1,6 +1,6 @@
 //! How a file begins, which says what it holds.
 
-use super::lines::open;
+use super::reading::open;
 use crate::error::LogError;
 use std::borrow::Cow;
 use std::io::Read;

@@ -8,8 +8,7 @@
 
 use super::form::{Form, Shows};
 use super::instant::Instant;
-use super::lines::open;
-use super::reading::Reading;
+use super::reading::{Reading, open};
 use super::start::Start;
 use crate::error::LogError;
 use crate::limits::{LONGEST_ROW_BYTES, LONGEST_VALUE, beginning};
