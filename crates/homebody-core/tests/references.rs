@@ -13,7 +13,7 @@ use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::schema::FileKind;
-use homebody_core::scenario::scheme::SCHEMES;
+use homebody_core::scenario::scheme::Scheme;
 use serde_json::{Value, json};
 
 /// A page: its name, what stands above the tables, and the files that it is about, each under a heading.
@@ -101,7 +101,7 @@ with `/` between folders; nothing outside it is read.
 /// The places that a log can go to.
 fn places() -> String {
     let mut text = "\n## Where to\n\n| `to` | what it is |\n|---|---|\n".to_owned();
-    text.extend(SCHEMES.iter().map(|row| format!("| `{}:{}` | {} |\n", row.name, row.at, row.what)));
+    text.extend(Scheme::of_scenarios().map(|row| format!("| `{}:{}` | {} |\n", row.name, row.at, row.what)));
     text
 }
 

@@ -38,6 +38,7 @@ mod own_driver;
 mod stretch;
 mod run;
 pub mod destination;
+pub mod elsewhere;
 mod store;
 mod recorded;
 

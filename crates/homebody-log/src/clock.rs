@@ -20,7 +20,7 @@ const LONGEST: usize = 32;
 
 /// The clock on the wall, as text.
 #[derive(Clone)]
-pub(crate) struct Clock {
+pub struct Clock {
     format: TimeFormat,
     zone: TimeZone,
     /// The run's start, in microseconds since 1970.
@@ -44,13 +44,17 @@ pub(crate) struct Clock {
 
 /// An instant in the type a database should keep it in.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Stamp<'a> {
+pub enum Stamp<'a> {
+    /// As text.
     Text(&'a str),
+    /// Seconds since 1970.
     Seconds(f64),
+    /// Milliseconds since 1970.
     Milliseconds(i64),
 }
 
 impl Clock {
+    /// A clock of a run's calendar that writes instants in this format.
     pub fn new(calendar: &Calendar, format: TimeFormat) -> Clock {
         let zone = match format {
             TimeFormat::Local | TimeFormat::LocalOffset => calendar.local(0).time_zone().clone(),

@@ -269,6 +269,19 @@ pub enum LogError {
         /// What the system says.
         source: io::Error,
     },
+    /// A kind of place is known by its name alone: this build cannot write or read it.
+    #[error(
+        "{place}: this program was built without {name}\n  hint: cargo install --path crates/homebody --features {feature} \
+         builds one that has it"
+    )]
+    NotBuiltIn {
+        /// The place.
+        place: String,
+        /// What stands before the colon.
+        name: &'static str,
+        /// The feature of the build that brings it.
+        feature: &'static str,
+    },
     /// A text names no place that a log can go to.
     #[error(transparent)]
     NoPlace(#[from] NoPlace),

@@ -157,6 +157,16 @@ impl FreshFile {
     }
 }
 
+impl Write for FreshFile {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.out.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
+    }
+}
+
 impl Drop for FreshFile {
     fn drop(&mut self) {
         if let Some(part) = &self.part {

@@ -29,13 +29,15 @@ pub mod sensor_info;
 pub mod run_info;
 pub mod policy;
 pub mod sink;
+pub mod elsewhere;
 
-mod clock;
+pub mod clock;
 pub mod word;
 mod spreadsheet;
 mod mapping;
 mod messages;
 mod writer;
+mod packed;
 
 pub mod logger;
 pub mod truth;

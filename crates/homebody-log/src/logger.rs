@@ -1,5 +1,6 @@
 //! Stores a run's firings in as many places as wished.
 
+use crate::elsewhere;
 use crate::error::LogError;
 use crate::fresh::all_can_be_written;
 use crate::mapping::{Columns, Shown};
@@ -29,7 +30,8 @@ pub struct Destination {
 impl Destination {
     /// A place of one of the known kinds, which the run cannot do without.
     pub fn of(url: &Url) -> Destination {
-        Destination { place: url.to_string(), sink: sink::open(url), policy: Policy::default() }
+        let policy = elsewhere::of(url.scheme()).map_or_else(Policy::default, |elsewhere| (elsewhere.policy)());
+        Destination { place: url.to_string(), sink: sink::open(url), policy }
     }
 
     /// A caller's own.

@@ -3,7 +3,7 @@
 use crate::error::LogError;
 use crate::fresh::{Found, FreshFile};
 use crate::mapping::Columns;
-use crate::plain;
+use crate::packed::unpacked;
 use crate::source::text;
 use crate::url::Url;
 use homebody_core::scenario::logger::LoggerFile;
@@ -33,6 +33,11 @@ pub fn preview(url: &Url, file: &LoggerFile, most: usize) -> Result<Preview, Log
         }
         Scheme::Csv => values(path, most),
         Scheme::Casas => lines(path, most),
+        Scheme::Jsonl => objects(path, most),
+        // Nobody reads a server's rows before they are asked for, and other files are no texts.
+        Scheme::Parquet | Scheme::Arrow | Scheme::Postgresql | Scheme::Mqtt | Scheme::Mqtts => {
+            Ok(Preview { table: None, columns: Vec::new(), rows: Vec::new() })
+        }
     }
 }
 
@@ -64,7 +69,7 @@ fn database(path: &Path, table: &str, most: usize) -> rusqlite::Result<Preview> 
 }
 
 fn values(path: &Path, most: usize) -> Result<Preview, LogError> {
-    let file = plain::open(path).map_err(|error| LogError::file(path, error))?;
+    let file = unpacked(path).map_err(|error| LogError::file(path, error))?;
     let mut records = csv::ReaderBuilder::new().has_headers(false).from_reader(BufReader::new(file)).into_records();
     let fields = |record: csv::StringRecord| record.iter().map(str::to_owned).collect::<Vec<_>>();
     let wrong = |error: csv::Error| LogError::file(path, error.into());
@@ -74,9 +79,22 @@ fn values(path: &Path, most: usize) -> Result<Preview, LogError> {
 }
 
 fn lines(path: &Path, most: usize) -> Result<Preview, LogError> {
-    let file = plain::open(path).map_err(|error| LogError::file(path, error))?;
+    let file = unpacked(path).map_err(|error| LogError::file(path, error))?;
     let lines = BufReader::new(file).lines().take(most);
     let fields = |line: String| line.split('\t').map(str::to_owned).collect();
     let rows = lines.map(|line| line.map(fields).map_err(|error| LogError::file(path, error)));
     Ok(Preview { table: None, columns: Vec::new(), rows: rows.collect::<Result<_, _>>()? })
+}
+
+fn objects(path: &Path, most: usize) -> Result<Preview, LogError> {
+    let file = unpacked(path).map_err(|error| LogError::file(path, error))?;
+    let (mut columns, mut rows) = (Vec::new(), Vec::new());
+    for line in BufReader::new(file).lines().take(most) {
+        let line = line.map_err(|error| LogError::file(path, error))?;
+        let Ok(object) = serde_json::from_str::<serde_json::Map<String, serde_json::Value>>(&line) else { continue };
+        columns = object.keys().cloned().collect();
+        let cell = |value: &serde_json::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+        rows.push(object.values().map(cell).collect());
+    }
+    Ok(Preview { table: None, columns, rows })
 }

@@ -1,7 +1,7 @@
-//! A place for a log, as a user writes it: `sqlite:log.db`, `csv:log.csv`, `casas:log.txt`.
+//! A place for a log, as a user writes it: `sqlite:log.db`, `csv:log.csv`, `jsonl:-`, `postgresql://ann@host/homes`.
 
 use crate::table::Table;
-use homebody_core::scenario::scheme::{NoPlace, Scheme};
+use homebody_core::scenario::scheme::{NoPlace, OUTPUT, Scheme, SchemeRow, Stands};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -26,26 +26,48 @@ impl Url {
 
     /// The file; None for places that are no files.
     pub fn file(&self) -> Option<&Path> {
-        match self.scheme {
-            Scheme::Sqlite | Scheme::Csv | Scheme::Casas => Some(&self.at),
-        }
+        let stands = self.scheme.row().stands;
+        (stands != Stands::Server && !self.is_output() && !self.is_data_set()).then_some(&*self.at)
+    }
+
+    /// Whether it is a folder of files, or what stands for one in an object store: Parquet whose name does not end so.
+    pub fn is_data_set(&self) -> bool {
+        self.scheme == Scheme::Parquet && self.at.extension().is_none_or(|ending| ending != "parquet")
+    }
+
+    /// What stands behind the colon, as a path.
+    pub fn path(&self) -> &Path {
+        &self.at
+    }
+
+    /// Whether it is standard output.
+    pub fn is_output(&self) -> bool {
+        self.scheme.row().stands == Stands::Text && self.at == Path::new(OUTPUT)
+    }
+
+    /// What a server is reached by, whole: `postgresql://ann@host/homes`. None for places that are none.
+    pub fn server(&self) -> Option<String> {
+        (self.scheme.row().stands == Stands::Server).then(|| self.to_string())
     }
 
     /// The files of what is made of these tables: of several, comma-separated values have one for each, such as
     /// `truth.room.csv`. None for places that are no files.
     pub fn files(&self, tables: &[Table]) -> Vec<PathBuf> {
         let of_table = |table: &Table| table_file(&self.at, &table.name);
-        match self.scheme {
-            Scheme::Csv if tables.len() > 1 => tables.iter().map(of_table).collect(),
-            Scheme::Sqlite | Scheme::Csv | Scheme::Casas => vec![self.at.clone()],
+        match (self.file(), self.scheme) {
+            (None, _) => Vec::new(),
+            (_, Scheme::Csv | Scheme::Jsonl | Scheme::Arrow) if tables.len() > 1 => {
+                tables.iter().map(of_table).collect()
+            }
+            _ => vec![self.at.clone()],
         }
     }
 
     /// The same place; a file's path is taken from `base` if it is relative.
     pub fn within(&self, base: &Path) -> Url {
-        match self.file() {
-            Some(file) => Url::new(self.scheme, base.join(file)),
-            None => self.clone(),
+        match self.file().is_some() || self.is_data_set() && !self.at.to_string_lossy().contains("://") {
+            true => Url::new(self.scheme, base.join(&self.at)),
+            false => self.clone(),
         }
     }
 
@@ -66,14 +88,16 @@ impl FromStr for Url {
 
     fn from_str(text: &str) -> Result<Url, NoPlace> {
         let (scheme, at) = Scheme::split(text)?;
-        // `sqlite:///data/log.db` is how many tools write `sqlite:/data/log.db`.
+        // `sqlite:///data/log.db` is how many tools write `sqlite:/data/log.db`; servers always have it.
         Ok(Url::new(scheme, at.strip_prefix("//").unwrap_or(at)))
     }
 }
 
 impl fmt::Display for Url {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{}:{}", self.scheme.row().name, self.at.display())
+        let SchemeRow { name, stands, .. } = self.scheme.row();
+        let slashes = if *stands == Stands::Server { "//" } else { "" };
+        write!(f, "{name}:{slashes}{}", self.at.display())
     }
 }
 
@@ -87,6 +111,23 @@ mod tests {
         assert_eq!("sqlite:///data/log.db".parse(), Ok(Url::new(Scheme::Sqlite, "/data/log.db")));
         assert_eq!("csv:a:b.csv".parse(), Ok(Url::new(Scheme::Csv, "a:b.csv")));
         assert_eq!("casas:x y.txt".parse::<Url>().unwrap().to_string(), "casas:x y.txt");
+    }
+
+    #[test]
+    fn servers_and_standard_output_are_no_files() {
+        let server: Url = "postgresql://ann@host/homes".parse().unwrap();
+        assert_eq!((server.file(), server.is_output()), (None, false));
+        assert_eq!(server.server().as_deref(), Some("postgresql://ann@host/homes"));
+        assert_eq!(server.within(Path::new("/runs/1")), server);
+        let output: Url = "jsonl:-".parse().unwrap();
+        assert_eq!((output.file(), output.is_output(), output.server()), (None, true, None));
+        assert_eq!(output.to_string(), "jsonl:-");
+        let set: Url = "parquet:lives".parse().unwrap();
+        assert_eq!((set.file(), set.is_data_set()), (None, true));
+        assert_eq!(set.within(Path::new("/runs")).path(), Path::new("/runs/lives"));
+        let store: Url = "parquet:s3://bucket/lives".parse().unwrap();
+        assert_eq!(store.within(Path::new("/runs")), store);
+        assert_eq!("parquet:a.parquet".parse::<Url>().unwrap().file(), Some(Path::new("a.parquet")));
     }
 
     #[test]

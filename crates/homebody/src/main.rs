@@ -40,6 +40,7 @@ const SIGNALS: &str =
 
 fn main() -> ExitCode {
     signals::outlive_full_files();
+    homebody_kit::elsewhere::install_all();
     match Arguments::parse().command.run(Arguments::command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => report(&failure),

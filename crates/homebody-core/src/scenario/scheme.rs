@@ -14,6 +14,18 @@ pub enum Scheme {
     Csv,
     /// The text that the CASAS smart homes write.
     Casas,
+    /// A JSON object a line.
+    Jsonl,
+    /// Parquet: a file, or a folder of files by run and day.
+    Parquet,
+    /// A file of Arrow IPC.
+    Arrow,
+    /// A database of PostgreSQL.
+    Postgresql,
+    /// A broker of MQTT.
+    Mqtt,
+    /// A broker of MQTT, over TLS.
+    Mqtts,
 }
 
 /// What there is to know of a kind of place.
@@ -27,18 +39,38 @@ pub struct SchemeRow {
     pub what: &'static str,
     /// What comes after the colon, in words for a hint.
     pub at: &'static str,
-    /// What a log is usually called there.
+    /// What a log is usually called there; empty for servers.
     pub usual: &'static str,
+    /// Where it is.
+    pub stands: Stands,
+    /// The feature of the build without which it is only known by name; None where every build has it.
+    pub feature: Option<&'static str>,
 }
 
+/// Where a kind of place is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stands {
+    /// In a file of text, or on standard output.
+    Text,
+    /// In a file, or a folder of files.
+    File,
+    /// Elsewhere, on a server.
+    Server,
+}
+
+/// What stands for standard output, where text may go.
+pub const OUTPUT: &str = "-";
+
 /// All kinds, in the order in which people are told of them.
-pub const SCHEMES: [SchemeRow; 3] = [
+pub const SCHEMES: [SchemeRow; 9] = [
     SchemeRow {
         scheme: Scheme::Sqlite,
         name: "sqlite",
         what: "a database file, with a table as the network has it",
         at: "FILE",
         usual: "log.db",
+        stands: Stands::File,
+        feature: None,
     },
     SchemeRow {
         scheme: Scheme::Csv,
@@ -46,6 +78,8 @@ pub const SCHEMES: [SchemeRow; 3] = [
         what: "comma-separated values with a header line",
         at: "FILE",
         usual: "log.csv",
+        stands: Stands::Text,
+        feature: None,
     },
     SchemeRow {
         scheme: Scheme::Casas,
@@ -53,6 +87,62 @@ pub const SCHEMES: [SchemeRow; 3] = [
         what: "the text of the CASAS homes: time, sensor and message, parted by tabs",
         at: "FILE",
         usual: "log.txt",
+        stands: Stands::Text,
+        feature: None,
+    },
+    SchemeRow {
+        scheme: Scheme::Jsonl,
+        name: "jsonl",
+        what: "a JSON object a line, with the names of the columns",
+        at: "FILE",
+        usual: "log.jsonl",
+        stands: Stands::Text,
+        feature: None,
+    },
+    SchemeRow {
+        scheme: Scheme::Parquet,
+        name: "parquet",
+        what: "Parquet: one file where its name ends in .parquet, else a folder of files by run and day",
+        at: "FOLDER",
+        usual: "log.parquet",
+        stands: Stands::File,
+        feature: Some("parquet"),
+    },
+    SchemeRow {
+        scheme: Scheme::Arrow,
+        name: "arrow",
+        what: "a file of Arrow IPC, which is also known as Feather",
+        at: "FILE",
+        usual: "log.arrow",
+        stands: Stands::File,
+        feature: Some("parquet"),
+    },
+    SchemeRow {
+        scheme: Scheme::Postgresql,
+        name: "postgresql",
+        what: "a database of PostgreSQL, with a table as the network has it",
+        at: "//USER@HOST/DATABASE",
+        usual: "",
+        stands: Stands::Server,
+        feature: Some("postgresql"),
+    },
+    SchemeRow {
+        scheme: Scheme::Mqtt,
+        name: "mqtt",
+        what: "a broker of MQTT, a topic for each sensor",
+        at: "//HOST/PREFIX",
+        usual: "",
+        stands: Stands::Server,
+        feature: Some("mqtt"),
+    },
+    SchemeRow {
+        scheme: Scheme::Mqtts,
+        name: "mqtts",
+        what: "the same over TLS",
+        at: "//HOST/PREFIX",
+        usual: "",
+        stands: Stands::Server,
+        feature: Some("mqtt"),
     },
 ];
 
@@ -94,20 +184,39 @@ impl Scheme {
                 None => format!("write {}", forms()),
             }));
         };
-        match at.trim().is_empty() {
-            true => Err(NoPlace {
-                what: readable(format!("{place:?} names no file")),
-                hint: format!("write {}:{}", row.name, row.at),
-            }),
-            false => Ok((row.scheme, at)),
+        let form = || format!("write {}:{}", row.name, row.at);
+        let none = |what: &str| NoPlace { what: readable(format!("{place:?} names no {what}")), hint: form() };
+        match row.stands {
+            Stands::Server if at.strip_prefix("//").is_none_or(|at| at.trim().is_empty()) => Err(none("server")),
+            Stands::Text | Stands::File if at.trim().is_empty() => Err(none("file")),
+            Stands::File if at == OUTPUT => {
+                let hint = format!("name a file, or write one of {} to standard output", texts());
+                Err(NoPlace { what: readable(format!("{place:?}: {} is no text", row.name)), hint })
+            }
+            _ => Ok((row.scheme, at)),
         }
+    }
+
+    /// The kinds that a scenario's file may name: what it brings along goes to nobody's server.
+    pub fn of_scenarios() -> impl Iterator<Item = &'static SchemeRow> {
+        SCHEMES.iter().filter(|row| row.stands != Stands::Server)
     }
 }
 
-/// `sqlite:FILE, csv:FILE or casas:FILE`.
+/// `csv:-, casas:- or jsonl:-`.
+pub fn texts() -> String {
+    let rows = SCHEMES.iter().filter(|row| row.stands == Stands::Text);
+    listed(&rows.map(|row| format!("{}:{OUTPUT}", row.name)).collect::<Vec<_>>())
+}
+
+/// `sqlite:FILE, csv:FILE` and so on, of all kinds.
 pub fn forms() -> String {
-    let forms = SCHEMES.map(|row| format!("{}:{}", row.name, row.at));
-    match &forms[..] {
+    listed(&SCHEMES.map(|row| format!("{}:{}", row.name, row.at)))
+}
+
+/// What can be said instead of one another.
+fn listed(names: &[String]) -> String {
+    match names {
         [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
         all => all.concat(),
     }
@@ -121,7 +230,8 @@ mod tests {
     fn each_scheme_has_one_row() {
         for row in &SCHEMES {
             assert_eq!(row.scheme.row(), row);
-            assert_eq!(Scheme::split(&format!("{}:{}", row.name, row.usual)), Ok((row.scheme, row.usual)));
+            let at = if row.stands == Stands::Server { row.at } else { row.usual };
+            assert_eq!(Scheme::split(&format!("{}:{at}", row.name)), Ok((row.scheme, at)));
         }
         assert!(Scheme::split(USUAL).is_ok());
     }
@@ -129,11 +239,14 @@ mod tests {
     #[test]
     fn a_wrong_place_says_what_is_known() {
         for (place, told) in [
-            ("log.db", "write sqlite:FILE, csv:FILE or casas:FILE"),
+            ("log.db", "write sqlite:FILE, csv:FILE, casas:FILE, jsonl:FILE, parquet:FOLDER"),
             ("C:\\log.db", "write sqlite:FILE"),
-            ("mysql:log", "write sqlite:FILE, csv:FILE or casas:FILE"),
+            ("redis:log", "or mqtts://HOST/PREFIX"),
             ("sqlit:log", "did you mean \"sqlite:log\"?"),
             ("csv:", "write csv:FILE"),
+            ("postgresql:log", "write postgresql://USER@HOST/DATABASE"),
+            ("mqtt://", "write mqtt://HOST/PREFIX"),
+            ("sqlite:-", "csv:-, casas:- or jsonl:-"),
         ] {
             let error = Scheme::split(place).unwrap_err().to_string();
             assert!(error.contains(told), "{error}");

@@ -3,10 +3,10 @@
 //!
 //! Always local time. A sensor's name is one word there: `bedroom motion` becomes `BedroomMotion`.
 
-use super::text::TextFile;
+use super::text::{At, Text};
 use super::{Begin, Sink, Watermark};
 use crate::clock::Clock;
-use crate::error::{LogError, place_of};
+use crate::error::LogError;
 use crate::limits::beginning;
 use crate::mapping::apart;
 use crate::spans::{CHANGE, LABEL};
@@ -14,16 +14,15 @@ use crate::table::{Batch, Cell, TextId, thousandths};
 use crate::word::one_word;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::Micros;
-use std::path::{Path, PathBuf};
 
 /// A text file of a row a line.
 pub(crate) struct Casas {
-    path: PathBuf,
+    at: At,
     open: Option<Open>,
 }
 
 struct Open {
-    file: TextFile,
+    file: Text,
     clock: Clock,
     /// Texts as single words.
     texts: Vec<String>,
@@ -37,8 +36,8 @@ struct Open {
 }
 
 impl Casas {
-    pub fn new(path: PathBuf) -> Casas {
-        Casas { path, open: None }
+    pub fn new(at: At) -> Casas {
+        Casas { at, open: None }
     }
 }
 
@@ -48,16 +47,16 @@ impl Sink for Casas {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
         let [table] = begin.tables else {
             let hint = "write it into sqlite: or csv:";
-            return Err(LogError::CannotHold { place: place_of(&self.path), what: "the truth".into(), hint });
+            return Err(LogError::CannotHold { place: self.at.place(), what: "the truth".into(), hint });
         };
         let ids: Vec<String> = begin.run.sensors.iter().map(|sensor| sensor.id.clone()).collect();
         let words = ids.iter().map(|id| one_word(id)).collect();
         apart(&ids, &words)?;
-        ids.iter().try_for_each(|id| can_be_told(&self.path, id))?;
+        ids.iter().try_for_each(|id| can_be_told(&self.at, id))?;
         let change = table.column(CHANGE);
         let columns = PARTS.into_iter().chain(table.column(LABEL)).chain(change).collect();
         self.open = Some(Open {
-            file: TextFile::begin(&self.path, begin)?,
+            file: Text::begin(&self.at, begin)?,
             clock: Clock::new(&begin.run.calendar, TimeFormat::Local),
             texts: Vec::new(),
             columns,
@@ -70,11 +69,11 @@ impl Sink for Casas {
     }
 
     fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
-        let stopped = || LogError::Stopped { place: place_of(&self.path) };
+        let stopped = || LogError::Stopped { place: self.at.place() };
         let Open { file, clock, texts, columns, change, line, number, rows } =
             self.open.as_mut().ok_or_else(stopped)?;
         for text in batch.texts_from(texts.len()) {
-            can_be_told(&self.path, &text)?;
+            can_be_told(&self.at, &text)?;
             texts.push(one_word(&text));
         }
         for row in batch.rows() {
@@ -112,8 +111,8 @@ impl Sink for Casas {
 
     fn settle(&mut self) -> Result<Watermark, LogError> {
         let Some(open) = &mut self.open else { return Ok(Watermark::none()) };
-        open.file.settle()?;
-        Ok(Watermark(vec![open.rows]))
+        let is_sure = open.file.settle()?;
+        Ok(Watermark(vec![if is_sure { open.rows } else { 0 }]))
     }
 
     fn finish(&mut self, _end: Micros) -> Result<(), LogError> {
@@ -122,10 +121,10 @@ impl Sink for Casas {
 }
 
 /// Refuses a text with characters that part lines and what is in them.
-fn can_be_told(path: &Path, text: &str) -> Result<(), LogError> {
+fn can_be_told(at: &At, text: &str) -> Result<(), LogError> {
     if !text.chars().any(char::is_control) {
         return Ok(());
     }
     let what = format!("the control characters of {}", beginning(text));
-    Err(LogError::CannotHold { place: place_of(path), what, hint: "write it into sqlite: or csv:" })
+    Err(LogError::CannotHold { place: at.place(), what, hint: "write it into sqlite: or csv:" })
 }

@@ -1,26 +1,24 @@
 //! Comma-separated values with a header line, quoted as RFC 4180 says; lines end in a line feed alone. Of several tables,
 //! each has a file of its own: `truth.csv` becomes `truth.room.csv` and so on.
 
-use super::text::TextFile;
+use super::text::{At, Text};
 use super::{Begin, Sink, Watermark};
 use crate::clock::Clock;
-use crate::error::{LogError, place_of};
+use crate::error::LogError;
 use crate::spreadsheet;
 use crate::table::{Batch, Cell, TextId, thousandths};
-use crate::url::Url;
 use ::csv::{QuoteStyle, Terminator, WriterBuilder};
 use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::Micros;
-use std::path::PathBuf;
 
 /// Text files of a row a line, one for each table.
 pub(crate) struct Csv {
-    path: PathBuf,
+    at: At,
     open: Option<Open>,
 }
 
 struct Open {
-    files: Vec<TextFile>,
+    files: Vec<Text>,
     clock: Clock,
     /// Texts with quotes where they need them.
     texts: Vec<String>,
@@ -31,16 +29,16 @@ struct Open {
 }
 
 impl Csv {
-    pub fn new(path: PathBuf) -> Csv {
-        Csv { path, open: None }
+    pub fn new(at: At) -> Csv {
+        Csv { at, open: None }
     }
 }
 
 impl Sink for Csv {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
         let mut files = Vec::new();
-        for (table, path) in begin.tables.iter().zip(Url::new(Scheme::Csv, &self.path).files(begin.tables)) {
-            let mut file = TextFile::begin(&path, begin)?;
+        for (table, at) in begin.tables.iter().zip(self.at.of_tables(Scheme::Csv, begin.tables)?) {
+            let mut file = Text::begin(&at, begin)?;
             let header: Vec<String> = table.columns.iter().map(|column| quoted(&column.name)).collect();
             file.line(format!("{}\n", header.join(",")).as_bytes())?;
             files.push(file);
@@ -53,7 +51,7 @@ impl Sink for Csv {
     }
 
     fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
-        let stopped = || LogError::Stopped { place: place_of(&self.path) };
+        let stopped = || LogError::Stopped { place: self.at.place() };
         let Open { files, clock, texts, spreadsheet_safe, line, number, rows } =
             self.open.as_mut().ok_or_else(stopped)?;
         let cell = |text: &str| quoted(&spreadsheet::cell(text, *spreadsheet_safe));
@@ -85,12 +83,15 @@ impl Sink for Csv {
 
     fn settle(&mut self) -> Result<Watermark, LogError> {
         let Some(open) = &mut self.open else { return Ok(Watermark::none()) };
-        open.files.iter_mut().try_for_each(TextFile::settle)?;
-        Ok(Watermark(open.rows.clone()))
+        let mut durable = Vec::new();
+        for (file, &rows) in open.files.iter_mut().zip(&open.rows) {
+            durable.push(if file.settle()? { rows } else { 0 });
+        }
+        Ok(Watermark(durable))
     }
 
     fn finish(&mut self, _end: Micros) -> Result<(), LogError> {
-        self.open.take().into_iter().flat_map(|open| open.files).try_for_each(TextFile::finish)
+        self.open.take().into_iter().flat_map(|open| open.files).try_for_each(Text::finish)
     }
 }
 

@@ -3,6 +3,7 @@
 mod casas;
 mod csv;
 pub(crate) mod database;
+mod jsonl;
 mod open;
 pub(crate) mod sqlite;
 mod text;
@@ -90,7 +91,7 @@ impl Watermark {
 
 impl Begin<'_> {
     /// A clock that writes instants as the run's mapping wants them.
-    pub(crate) fn clock(&self) -> Clock {
+    pub fn clock(&self) -> Clock {
         Clock::new(&self.run.calendar, self.time)
     }
 }

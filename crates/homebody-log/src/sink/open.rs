@@ -3,16 +3,23 @@
 use super::Sink;
 use super::casas::Casas;
 use super::csv::Csv;
+use super::jsonl::Jsonl;
 use super::sqlite::Sqlite;
+use super::text::At;
+use crate::elsewhere::{self, Absent};
 use crate::url::Url;
 use homebody_core::scenario::scheme::Scheme;
 
 /// The sink of a place. Nothing is touched before it is begun.
 pub fn open(url: &Url) -> Box<dyn Sink> {
-    let at = url.file().map(Into::into).unwrap_or_default();
     match url.scheme() {
-        Scheme::Sqlite => Box::new(Sqlite::new(at)),
-        Scheme::Csv => Box::new(Csv::new(at)),
-        Scheme::Casas => Box::new(Casas::new(at)),
+        Scheme::Sqlite => Box::new(Sqlite::new(url.file().map(Into::into).unwrap_or_default())),
+        Scheme::Csv => Box::new(Csv::new(At::of(url))),
+        Scheme::Casas => Box::new(Casas::new(At::of(url))),
+        Scheme::Jsonl => Box::new(Jsonl::new(At::of(url))),
+        scheme => match elsewhere::of(scheme) {
+            Some(elsewhere) => (elsewhere.open)(url),
+            None => Box::new(Absent(url.clone())),
+        },
     }
 }

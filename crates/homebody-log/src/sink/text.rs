@@ -1,79 +1,242 @@
-//! A text file of rows, a line each: new, or one that a program which died has left, to be gone on with.
+//! A text of rows, a line each: a new file, one that a program which died has left, to be gone on with, a file that is packed as it
+//! is written, or standard output.
 
 use super::{Begin, How};
 use crate::error::{LogError, place_of};
-use crate::fresh::FreshFile;
+use crate::fresh::{FreshFile, remove_parts};
 use crate::lock::FileLock;
-use std::fs::File;
-use std::io::{BufReader, Read};
-use std::path::Path;
+use crate::packed::{Packer, Packing, unpacked};
+use crate::table::Table;
+use crate::url::Url;
+use homebody_core::scenario::scheme::Scheme;
+use std::io::{self, BufReader, Read, Write};
+use std::path::{Path, PathBuf};
 
-/// Lines on their way into a file.
+/// Where text goes.
+#[derive(Clone, Debug)]
+pub(super) enum At {
+    File(PathBuf),
+    Output,
+}
+
+impl At {
+    pub fn of(url: &Url) -> At {
+        url.file().map_or(At::Output, |file| At::File(file.into()))
+    }
+
+    /// What errors call it.
+    pub fn place(&self) -> String {
+        match self {
+            At::File(path) => place_of(path),
+            At::Output => "standard output".into(),
+        }
+    }
+
+    /// Where each of these tables goes. Standard output has no room for several.
+    pub fn of_tables(&self, scheme: Scheme, tables: &[Table]) -> Result<Vec<At>, LogError> {
+        match self {
+            At::File(path) => Ok(Url::new(scheme, path).files(tables).into_iter().map(At::File).collect()),
+            At::Output if tables.len() == 1 => Ok(vec![At::Output]),
+            At::Output => Err(LogError::CannotHold {
+                place: self.place(),
+                what: "several tables".into(),
+                hint: "write them into a file: sqlite:truth.db",
+            }),
+        }
+    }
+}
+
+/// Lines on their way.
+pub(super) enum Text {
+    File(Box<TextFile>),
+    Packed(Box<PackedFile>),
+    Output,
+}
+
+impl Text {
+    pub fn begin(at: &At, begin: &Begin) -> Result<Text, LogError> {
+        Ok(match at {
+            At::Output => Text::Output,
+            At::File(path) => match Packing::of(path)? {
+                Some(packing) => Text::Packed(Box::new(PackedFile::begin(path, packing, begin)?)),
+                None => Text::File(Box::new(TextFile::begin(path, begin)?)),
+            },
+        })
+    }
+
+    /// Takes a line with its end.
+    pub fn line(&mut self, line: &[u8]) -> Result<(), LogError> {
+        match self {
+            Text::File(file) => file.line(line),
+            Text::Packed(file) => file.line(line),
+            // It is buffered until a line ends, and each does.
+            Text::Output => io::stdout().lock().write_all(line).map_err(no_output),
+        }
+    }
+
+    /// Makes sure of the lines; whether that could be done before the end.
+    pub fn settle(&mut self) -> Result<bool, LogError> {
+        match self {
+            Text::File(file) => file.file.flush().map(|()| true),
+            // What packs sees more of a text the longer it waits, and the bytes shall not depend on when it was asked.
+            Text::Packed(_) => Ok(false),
+            Text::Output => io::stdout().lock().flush().map(|()| true).map_err(no_output),
+        }
+    }
+
+    /// Gives a file its name.
+    pub fn finish(self) -> Result<(), LogError> {
+        match self {
+            Text::File(file) => file.finish(),
+            Text::Packed(file) => file.finish(),
+            Text::Output => io::stdout().lock().flush().map_err(no_output),
+        }
+    }
+}
+
+fn no_output(source: io::Error) -> LogError {
+    match source.kind() {
+        io::ErrorKind::BrokenPipe => {
+            LogError::destination("standard output", "nobody reads it any more, so the run has ended")
+        }
+        _ => LogError::File { place: "standard output".into(), source },
+    }
+}
+
+/// Lines that are there already, with which those are compared that are lived again.
+struct Left<R> {
+    text: BufReader<R>,
+    lines: u64,
+    bytes: u64,
+    found: Vec<u8>,
+}
+
+impl<R: Read> Left<R> {
+    fn new(text: R) -> Left<R> {
+        Left { text: BufReader::with_capacity(1 << 16, text), lines: 0, bytes: 0, found: Vec::new() }
+    }
+
+    /// Whether a line is there whole: false where the text ends before its end. An error where another is there.
+    fn has(&mut self, line: &[u8], path: &Path) -> Result<bool, LogError> {
+        self.found.clear();
+        let read = self.text.by_ref().take(line.len() as u64).read_to_end(&mut self.found);
+        read.map_err(|error| LogError::reading(path, error))?;
+        if !line.starts_with(&self.found) {
+            return Err(changed(path, format!("line {} is another", self.lines + 1)));
+        }
+        if self.found.len() < line.len() {
+            return Ok(false);
+        }
+        self.bytes += line.len() as u64;
+        self.lines += 1;
+        Ok(true)
+    }
+
+    /// An error where there is more.
+    fn is_all(&mut self, path: &Path) -> Result<(), LogError> {
+        let more = self.text.read(&mut [0]).map_err(|error| LogError::reading(path, error))?;
+        match more > 0 {
+            true => Err(changed(path, format!("it has more than the {} lines of the run", self.lines))),
+            false => Ok(()),
+        }
+    }
+}
+
+fn changed(path: &Path, what: String) -> LogError {
+    LogError::Changed { place: place_of(path), what }
+}
+
+/// A file of lines as they are.
 ///
 /// Going on, lines that are there already are compared with those that are lived again, until the file ends, perhaps
 /// in the middle of a line: that one is written anew.
 pub(super) struct TextFile {
     file: FreshFile,
     /// What is there and has not been compared yet.
-    left: Option<BufReader<File>>,
-    /// How many bytes have been compared, and where that many lines end.
-    compared: u64,
-    lines: u64,
-    found: Vec<u8>,
+    left: Option<Left<std::fs::File>>,
     /// Given back last, once the file has its name or its part is gone.
     _lock: FileLock,
 }
 
 impl TextFile {
-    pub fn begin(path: &Path, begin: &Begin) -> Result<TextFile, LogError> {
+    fn begin(path: &Path, begin: &Begin) -> Result<TextFile, LogError> {
         let lock = FileLock::take(path)?;
         let left = if begin.how == How::GoOn { FreshFile::reopen(path)? } else { None };
         let (file, left) = match left {
-            Some((file, left)) => (file, Some(BufReader::with_capacity(1 << 16, left))),
+            Some((file, left)) => (file, Some(Left::new(left))),
             None => (FreshFile::create(path, begin.how == How::Replace)?, None),
         };
-        Ok(TextFile { file, left, compared: 0, lines: 0, found: Vec::new(), _lock: lock })
+        Ok(TextFile { file, left, _lock: lock })
     }
 
-    /// Takes a line with its end.
-    pub fn line(&mut self, line: &[u8]) -> Result<(), LogError> {
+    fn line(&mut self, line: &[u8]) -> Result<(), LogError> {
         let Some(left) = &mut self.left else { return self.file.write(line) };
-        self.found.clear();
-        let read = left.by_ref().take(line.len() as u64).read_to_end(&mut self.found);
-        read.map_err(|error| LogError::reading(self.file.path(), error))?;
-        if !line.starts_with(&self.found) {
-            return Err(self.changed(format!("line {} is another", self.lines + 1)));
-        }
-        if self.found.len() < line.len() {
-            // The file ends here, or in the middle of the line.
-            self.left = None;
-            self.file.cut(self.compared)?;
-            return self.file.write(line);
-        }
-        self.compared += line.len() as u64;
-        self.lines += 1;
-        Ok(())
-    }
-
-    pub fn settle(&mut self) -> Result<(), LogError> {
-        self.file.flush()
-    }
-
-    /// Gives the file its name.
-    pub fn finish(mut self) -> Result<(), LogError> {
-        if let Some(left) = &mut self.left {
-            let mut next = [0];
-            let more = left.read(&mut next).map_err(|error| LogError::reading(self.file.path(), error))?;
-            if more > 0 {
-                return Err(self.changed(format!("it has more than the {} lines of the run", self.lines)));
+        match left.has(line, self.file.path()) {
+            Ok(true) => return Ok(()),
+            Ok(false) => {}
+            Err(error) => {
+                // What is there is somebody's: it is left as it is.
+                self.file.keep();
+                return Err(error);
             }
+        }
+        // The file ends here, or in the middle of the line.
+        let compared = left.bytes;
+        self.left = None;
+        self.file.cut(compared)?;
+        self.file.write(line)
+    }
+
+    fn finish(mut self) -> Result<(), LogError> {
+        if let Some(left) = &mut self.left
+            && let Err(error) = left.is_all(self.file.path())
+        {
+            self.file.keep();
+            return Err(error);
         }
         self.file.finish()
     }
+}
 
-    fn changed(&mut self, what: String) -> LogError {
-        // What is there is somebody's: it is left as it is.
-        self.file.keep();
-        LogError::Changed { place: place_of(self.file.path()), what }
+/// A file that is packed on its way.
+///
+/// Nothing can be added to a packed file whose end is missing. So going on, all of it is written anew; one that is whole is
+/// compared, and replaced in the end.
+pub(super) struct PackedFile {
+    path: PathBuf,
+    packer: Packer,
+    left: Option<Left<Box<dyn Read + Send>>>,
+    _lock: FileLock,
+}
+
+impl PackedFile {
+    fn begin(path: &Path, packing: Packing, begin: &Begin) -> Result<PackedFile, LogError> {
+        let lock = FileLock::take(path)?;
+        let mut left = None;
+        if begin.how == How::GoOn {
+            remove_parts(path)?;
+            if path.is_file() {
+                let text = unpacked(path).map_err(|error| LogError::reading(path, error))?;
+                left = Some(Left::new(text));
+            }
+        }
+        let packer = packing.pack(FreshFile::create(path, begin.how != How::New)?)?;
+        Ok(PackedFile { path: path.into(), packer, left, _lock: lock })
+    }
+
+    fn line(&mut self, line: &[u8]) -> Result<(), LogError> {
+        if let Some(left) = &mut self.left
+            && !left.has(line, &self.path)?
+        {
+            self.left = None;
+        }
+        self.packer.write_all(line).map_err(|error| LogError::file(&self.path, error))
+    }
+
+    fn finish(mut self) -> Result<(), LogError> {
+        if let Some(left) = &mut self.left {
+            left.is_all(&self.path)?;
+        }
+        self.packer.finish().map_err(|error| LogError::file(&self.path, error))?.finish()
     }
 }

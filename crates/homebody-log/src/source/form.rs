@@ -14,14 +14,14 @@ pub struct Form {
     /// What it is, in words.
     pub what: &'static str,
     /// What the beginning of a file shows of it.
-    pub(super) shows: fn(&Start) -> Shows,
-    /// Reads a file of this form row by row.
-    pub(super) read: fn(&Path, &LoggerFile, &mut Reading<'_>) -> Result<(), LogError>,
+    pub shows: fn(&Start) -> Shows,
+    /// Reads a log of this form row by row, from its file or from what a server is reached by.
+    pub read: fn(&Path, &LoggerFile, &mut Reading<'_>) -> Result<(), LogError>,
 }
 
 /// What the beginning of a file shows of a form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Shows {
+pub enum Shows {
     /// It is of another form.
     Nothing,
     /// It tells what somebody did, and nothing of sensors.

@@ -1,21 +1,25 @@
 //! All forms of logs that are read, and where a log is: in which form, in which file.
 
 use super::form::{Form, Shows};
+use super::reading::Reading;
 use super::start::Start;
-use super::{casas, csv, each_second, frames, home_assistant, intervals, mit, psql, sqlite, xes};
+use super::{casas, csv, each_second, frames, home_assistant, intervals, jsonl, mit, psql, sqlite, xes};
+use crate::elsewhere;
 use crate::error::{LogError, place_of};
 use crate::url::{Url, table_file};
 use homebody_core::problem::readable;
+use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::nearest::nearest;
-use homebody_core::scenario::scheme::{NoPlace, Scheme};
+use homebody_core::scenario::scheme::{NoPlace, SCHEMES, Scheme, Stands};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-/// All forms. A file is of the first whose signs it shows.
-pub const FORMS: [Form; 11] = [
+/// All forms that every build has. A file is of the first whose signs it shows.
+pub const FORMS: [Form; 12] = [
     home_assistant::FORM,
     sqlite::FORM,
+    jsonl::FORM,
     xes::FORM,
     psql::FORM,
     mit::FORM,
@@ -26,6 +30,38 @@ pub const FORMS: [Form; 11] = [
     csv::FORM,
     casas::FORM,
 ];
+
+/// The forms that this build has, with those of crates of their own.
+pub fn forms() -> impl Iterator<Item = &'static Form> + Clone {
+    const OWN: &[Form] = &FORMS;
+    OWN.iter().chain(elsewhere::installed().iter().flat_map(|elsewhere| elsewhere.forms))
+}
+
+/// The form of a kind of place. Where this build cannot read it, reading it is an error that says so.
+fn of_scheme(scheme: Scheme) -> &'static Form {
+    let row = scheme.row();
+    let absent = ABSENT.iter().find(|form| form.name == row.name);
+    forms().find(|form| form.name == row.name).or(absent).unwrap_or(&UNREAD)
+}
+
+/// Kinds of places that a build may not be able to read.
+const ABSENT: &[Form] = &[absent::<4>(), absent::<5>(), absent::<6>()];
+
+/// Kinds of places from which nothing is read.
+const UNREAD: Form = Form {
+    name: "mqtt",
+    what: "a broker, which keeps no log",
+    shows: |_| Shows::Nothing,
+    read: |path, _, _| Err(LogError::NoLog { place: place_of(path), why: "a broker keeps no log".into() }),
+};
+
+/// The form of a row of the table of kinds.
+const fn absent<const ROW: usize>() -> Form {
+    fn read<const ROW: usize>(path: &Path, _: &LoggerFile, _: &mut Reading) -> Result<(), LogError> {
+        Err(elsewhere::not_built_in(&Url::new(SCHEMES[ROW].scheme, path)))
+    }
+    Form { name: SCHEMES[ROW].name, what: SCHEMES[ROW].what, shows: |_| Shows::Nothing, read: read::<ROW> }
+}
 
 /// No more files of a folder are looked at (ours): a data set has a few.
 const MOST_FILES: usize = 200;
@@ -65,13 +101,21 @@ impl Source {
         self.form
     }
 
-    /// In which file it is.
+    /// Whether it is on a server.
+    pub fn is_server(&self) -> bool {
+        SCHEMES.iter().any(|row| row.stands == Stands::Server && row.name == self.form.name)
+    }
+
+    /// In which file it is; of a server, what it is reached by.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
     /// The files that it is in.
     pub fn files(&self) -> Vec<PathBuf> {
+        if self.is_server() {
+            return Vec::new();
+        }
         let beside = self.activities_beside().map(|beside| beside.path);
         std::iter::once(self.path.clone()).chain(beside).collect()
     }
@@ -107,7 +151,7 @@ pub(crate) fn activities_of(log: &Path) -> PathBuf {
 
 /// The form that a file shows, and what of it.
 fn shown(start: &Start) -> Option<(&'static Form, Shows)> {
-    FORMS.iter().map(|form| (form, (form.shows)(start))).find(|(_, shows)| *shows != Shows::Nothing)
+    forms().map(|form| (form, (form.shows)(start))).find(|(_, shows)| *shows != Shows::Nothing)
 }
 
 /// The form that a text without any sign is most likely of: cells make a table.
@@ -147,12 +191,8 @@ fn in_folder(folder: &Path) -> Result<Source, LogError> {
 
 impl From<&Url> for Source {
     fn from(url: &Url) -> Source {
-        let form = match url.scheme() {
-            Scheme::Sqlite => &sqlite::FORM,
-            Scheme::Csv => &csv::FORM,
-            Scheme::Casas => &casas::FORM,
-        };
-        Source::new(form, url.file().unwrap_or(Path::new("")))
+        let at = url.server().map_or_else(|| url.path().into(), PathBuf::from);
+        Source::new(of_scheme(url.scheme()), at)
     }
 }
 
@@ -170,8 +210,12 @@ impl FromStr for Source {
         // One letter before a colon is a drive, not a form.
         let (name, path) = text.split_once(':').filter(|(name, _)| name.len() > 1).unwrap_or((text, ""));
         let what = readable(format!("{text:?} names no log"));
-        let Some(form) = FORMS.iter().find(|form| form.name == name) else {
-            let names = FORMS.iter().map(|form| form.name);
+        if let Some(row) = SCHEMES.iter().find(|row| row.name == name && row.stands == Stands::Server) {
+            Scheme::split(text)?;
+            return Ok(Source::new(of_scheme(row.scheme), text));
+        }
+        let Some(form) = forms().chain(ABSENT).find(|form| form.name == name) else {
+            let names = forms().map(|form| form.name);
             let hint = match nearest(name, names.clone()) {
                 Some(near) => readable(format!("did you mean \"{near}:{path}\"?")),
                 None => format!(
@@ -190,6 +234,9 @@ impl FromStr for Source {
 
 impl fmt::Display for Source {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{}:{}", self.form.name, self.path.display())
+        match self.is_server() {
+            true => write!(f, "{}", self.path.display()),
+            false => write!(f, "{}:{}", self.form.name, self.path.display()),
+        }
     }
 }

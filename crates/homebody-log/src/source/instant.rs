@@ -5,8 +5,10 @@ use jiff::civil::{Date, date};
 
 /// Microseconds since 1970, by a clock on some wall or by the world's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Instant {
+pub enum Instant {
+    /// By the clock on the wall of the home.
     Local(Micros),
+    /// By the world's.
     Utc(Micros),
 }
 

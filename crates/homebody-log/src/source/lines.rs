@@ -5,7 +5,6 @@ use crate::error::LogError;
 use crate::limits::LONGEST_ROW_BYTES;
 use crate::plain::text;
 use std::borrow::Cow;
-use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 
@@ -18,7 +17,7 @@ const MARK: &[u8] = b"\xef\xbb\xbf";
 /// A text on its way, line by line.
 pub(super) struct Lines {
     path: PathBuf,
-    file: BufReader<File>,
+    file: BufReader<Box<dyn Read + Send>>,
     number: u64,
     /// How much of the buffer the last line is.
     used: usize,

@@ -21,6 +21,7 @@ mod home_assistant;
 mod in_order;
 mod instant;
 mod intervals;
+mod jsonl;
 mod lines;
 mod lives;
 mod log;
@@ -43,19 +44,21 @@ use crate::word::one_word;
 pub use activities::Activity;
 pub(crate) use causes::{Cause, Causes};
 pub(crate) use database::text;
-pub use form::Form;
+pub use form::{Form, Shows};
 pub(crate) use forms::activities_of;
-pub use forms::{FORMS, Source};
+pub use forms::{FORMS, Source, forms};
 use homebody_core::scenario::logger::LoggerFile;
+pub use instant::Instant;
 pub(crate) use lives::lives_of;
 pub use lives::{Life, activities, lives};
 pub use log::{Clock, Event, Log};
 pub use movements::{Movement, MovementKind, Movements};
-use reading::Reading;
+pub use reading::Reading;
 pub(crate) use recorded_truth::{LABEL_TABLES, RecordedTruth};
 pub use recorded_truth::{truth_at, truth_beside};
 pub use run_clock::RunClock;
 pub use sensors::SensorMap;
+pub use start::Start;
 
 /// Reads a log into memory; `file` tells the names of a database's table and columns, or of a CSV file's columns, where they
 /// are neither ours nor to be guessed.

@@ -5,13 +5,14 @@ use super::instant::{Instant, Instants};
 use super::log::{Clock, Event, Log};
 use crate::error::{LogError, place_of};
 use crate::limits::{LONGEST_ID, LONGEST_VALUE, MOST_ACTIVITIES, beginning};
-use crate::plain::{self, text};
+use crate::packed::unpacked;
+use crate::plain::text;
 use crate::skipped::Skipped;
 use foldhash::HashMap;
 use homebody_core::problem::readable;
 use homebody_core::time::{DAY, Micros};
 use jiff::Timestamp;
-use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 
 /// How many skipped lines are told one by one.
@@ -21,20 +22,20 @@ const MOST_TOLD: usize = 100;
 const PART: usize = 8192;
 
 /// A log that is being read, row by row.
-pub(super) struct Reading<'t> {
+pub struct Reading<'t> {
     /// With the rows that have not been handed over yet.
-    pub log: Log,
+    pub(super) log: Log,
     take: &'t mut dyn FnMut(&Log) -> Result<(), LogError>,
     sensors: Numbers,
     values: Numbers,
-    pub instants: Instants,
+    pub(super) instants: Instants,
     notes: Notes,
     /// The clock of what has come, once something has.
     clock: Option<Clock>,
     /// Lines and clocks of the rows that have come, until the first are handed over.
     first: Option<Vec<(u64, Clock)>>,
     /// Whether activities are told whole elsewhere, so that labels on rows only say it again.
-    pub has_spans: bool,
+    pub(super) has_spans: bool,
     /// The instant of the last row.
     last: Micros,
     /// The file beside the log that is being read, if that is not the log itself.
@@ -44,7 +45,7 @@ pub(super) struct Reading<'t> {
 }
 
 impl<'t> Reading<'t> {
-    pub fn new(take: &'t mut dyn FnMut(&Log) -> Result<(), LogError>) -> Reading<'t> {
+    pub(super) fn new(take: &'t mut dyn FnMut(&Log) -> Result<(), LogError>) -> Reading<'t> {
         Reading {
             log: Log::default(),
             take,
@@ -61,14 +62,24 @@ impl<'t> Reading<'t> {
         }
     }
 
-    /// Takes a row as a file writes it; whether it was understood.
+    /// Takes a row as a file writes it; whether it was understood. Lines are counted from 1.
+    ///
+    /// # Errors
+    ///
+    /// Those of who takes the rows.
     pub fn row(&mut self, line: u64, time: &str, sensor: &str, value: &str) -> Result<bool, LogError> {
         self.row_of_bytes(line, time.as_bytes(), sensor.as_bytes(), value.as_bytes())
     }
 
     /// The same from bytes that may be no text; what is none in UTF-8 is replaced.
     #[inline]
-    pub fn row_of_bytes(&mut self, line: u64, time: &[u8], sensor: &[u8], value: &[u8]) -> Result<bool, LogError> {
+    pub(crate) fn row_of_bytes(
+        &mut self,
+        line: u64,
+        time: &[u8],
+        sensor: &[u8],
+        value: &[u8],
+    ) -> Result<bool, LogError> {
         match self.instants.read_bytes(time) {
             Some(instant) => self.event_of_bytes(line, instant, sensor, value),
             None => {
@@ -79,12 +90,16 @@ impl<'t> Reading<'t> {
     }
 
     /// Takes a row whose instant is known; whether it was understood.
+    ///
+    /// # Errors
+    ///
+    /// Those of who takes the rows.
     pub fn event(&mut self, line: u64, instant: Instant, sensor: &str, value: &str) -> Result<bool, LogError> {
         self.event_of_bytes(line, instant, sensor.as_bytes(), value.as_bytes())
     }
 
     /// The same from bytes. What a sensor is called and says is looked at as text once: where the same bytes come again, it is known.
-    pub fn event_of_bytes(
+    pub(crate) fn event_of_bytes(
         &mut self,
         line: u64,
         instant: Instant,
@@ -146,7 +161,7 @@ impl<'t> Reading<'t> {
     }
 
     /// Hands over the rows that have come since the last time.
-    pub fn hand_over(&mut self) -> Result<(), LogError> {
+    pub(super) fn hand_over(&mut self) -> Result<(), LogError> {
         if let Some(first) = self.first.take() {
             self.settle_clock(&first);
         }
@@ -175,7 +190,7 @@ impl<'t> Reading<'t> {
     }
 
     /// Takes a note, at the last row, that an activity begins or ends.
-    pub fn note(&mut self, name: &str, begins: bool) {
+    pub(super) fn note(&mut self, name: &str, begins: bool) {
         if self.log.rows > 0 {
             if name.len() > LONGEST_VALUE {
                 self.beyond += 1;
@@ -187,7 +202,7 @@ impl<'t> Reading<'t> {
     }
 
     /// Takes the label of the last row, if it has one. It holds until a row has another.
-    pub fn label(&mut self, name: Option<&str>) {
+    pub(super) fn label(&mut self, name: Option<&str>) {
         if self.has_spans {
             return;
         }
@@ -195,7 +210,7 @@ impl<'t> Reading<'t> {
     }
 
     /// The same at an instant that no row may have.
-    pub fn label_of(&mut self, instant: Instant, name: Option<&str>) {
+    pub(super) fn label_of(&mut self, instant: Instant, name: Option<&str>) {
         if let Ok(at) = self.on_clock(instant) {
             self.label_at(name, at);
         }
@@ -209,7 +224,7 @@ impl<'t> Reading<'t> {
     }
 
     /// Takes an activity whose two ends are told together.
-    pub fn span(&mut self, line: u64, begin: Instant, end: Instant, name: &str) {
+    pub(super) fn span(&mut self, line: u64, begin: Instant, end: Instant, name: &str) {
         let told = match (self.on_clock(begin), self.on_clock(end)) {
             _ if name.is_empty() => Err("there is no activity"),
             _ if name.len() > LONGEST_VALUE => Err("the activity's name is too long"),
@@ -233,6 +248,7 @@ impl<'t> Reading<'t> {
         }
     }
 
+    /// Tells that a line, or a row by its number, is not understood, and why.
     pub fn skip(&mut self, line: u64, why: String) {
         self.log.skipped += 1;
         if self.log.problems.len() < MOST_TOLD {
@@ -242,12 +258,12 @@ impl<'t> Reading<'t> {
     }
 
     /// From now on a file beside the log is read.
-    pub fn go_beside(&mut self, file: &Path) {
+    pub(super) fn go_beside(&mut self, file: &Path) {
         self.beside = Some(readable(place_of(file)));
     }
 
     /// Ends the reading: the log without the rows that have been handed over.
-    pub fn end(mut self) -> Result<Log, LogError> {
+    pub(super) fn end(mut self) -> Result<Log, LogError> {
         self.hand_over()?;
         let last = self.notes.end(self.last);
         self.keep(last);
@@ -295,9 +311,9 @@ fn told_by(instant: Instant) -> (Micros, Clock) {
     }
 }
 
-/// A file that may hold a log.
-pub(super) fn open(path: &Path) -> Result<File, LogError> {
-    plain::open(path).map_err(|error| match error.kind() {
+/// What is in a file that may hold a log, unpacked if it is packed.
+pub(super) fn open(path: &Path) -> Result<Box<dyn Read + Send>, LogError> {
+    unpacked(path).map_err(|error| match error.kind() {
         std::io::ErrorKind::NotFound => LogError::Missing { place: place_of(path) },
         _ => LogError::file(path, error),
     })

@@ -50,6 +50,7 @@ impl RecordedTruth {
                 (if missing.is_empty() { gathered(&files)? } else { temporary(path)? }, missing)
             }
             Scheme::Casas => return Err(no_truth("the form of CASAS cannot hold one".into())),
+            _ => return Err(no_truth("a truth is read from sqlite: and csv: only".into())),
         };
         if missing.is_empty() {
             Ok(RecordedTruth { place: path.into(), connection })

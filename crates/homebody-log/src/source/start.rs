@@ -10,12 +10,18 @@ use std::path::{Path, PathBuf};
 const LOOKED_AT_BYTES: u64 = 4096;
 
 /// The first bytes of a file.
-pub(super) struct Start {
+pub struct Start {
+    /// Which file it is.
     pub path: PathBuf,
     bytes: Vec<u8>,
 }
 
 impl Start {
+    /// Of a file; of one that is packed, of what is in it.
+    ///
+    /// # Errors
+    ///
+    /// [`LogError::Missing`] and what else the system says.
     pub fn of(path: &Path) -> Result<Start, LogError> {
         let mut bytes = Vec::new();
         let read = open(path)?.take(LOOKED_AT_BYTES).read_to_end(&mut bytes);
@@ -23,31 +29,36 @@ impl Start {
         Ok(Start { path: path.into(), bytes })
     }
 
-    pub fn is_sqlite(&self) -> bool {
-        self.bytes.starts_with(b"SQLite format 3\0")
+    /// Whether it begins with these bytes.
+    pub fn begins_with(&self, bytes: &[u8]) -> bool {
+        self.bytes.starts_with(bytes)
+    }
+
+    pub(super) fn is_sqlite(&self) -> bool {
+        self.begins_with(b"SQLite format 3\0")
     }
 
     /// The lines that are not blank, without a byte order mark and blanks at their ends; the last may be cut.
-    pub fn lines(&self) -> impl Iterator<Item = Cow<'_, str>> {
+    pub(super) fn lines(&self) -> impl Iterator<Item = Cow<'_, str>> {
         let bytes = self.bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&self.bytes);
         let lines = bytes.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii).filter(|line| !line.is_empty());
         lines.map(String::from_utf8_lossy)
     }
 
     /// The cells of the first lines, without quotes.
-    pub fn cells(&self) -> impl Iterator<Item = Vec<String>> {
+    pub(super) fn cells(&self) -> impl Iterator<Item = Vec<String>> {
         let delimiter = char::from(self.delimiter());
         let cell = |cell: &str| cell.trim().trim_matches('"').trim().to_owned();
         self.lines().map(move |line| line.split(delimiter).map(cell).collect())
     }
 
     /// What parts the cells, if there are several: a semicolon where spreadsheets write decimals with a comma.
-    pub fn delimiter(&self) -> u8 {
+    pub(super) fn delimiter(&self) -> u8 {
         if self.count(b';') > self.count(b',') { b';' } else { b',' }
     }
 
     /// How many delimiters the first line has.
-    pub fn delimiters(&self) -> usize {
+    pub(super) fn delimiters(&self) -> usize {
         self.count(self.delimiter())
     }
 

@@ -9,7 +9,7 @@ use homebody_core::recording::Recording;
 use homebody_core::run::Run;
 use homebody_core::scenario::inside::outside_folder;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::scenario::scheme::{self, NoPlace, SCHEMES};
+use homebody_core::scenario::scheme::{self, NoPlace, Scheme};
 use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_kit::Cancel;
 use homebody_log::logger::destinations;
@@ -31,7 +31,7 @@ const LONGEST_STRETCH: Micros = 600 * SECOND;
 impl Desk {
     /// The first rows of a draft's log, written where nobody else looks and read back, for as long as somebody waits for them.
     pub fn rows(&self, draft: Draft, cancel: &Cancel) -> RowsView {
-        let kinds = SCHEMES.map(|row| (format!("{}:", row.name), row.what.to_owned())).to_vec();
+        let kinds = Scheme::of_scenarios().map(|row| (format!("{}:", row.name), row.what.to_owned())).collect();
         let (problems, places, cut) = match self.lives(&self.with(draft), &[]) {
             Err(wrong) => (problems(&wrong), Vec::new(), None),
             Ok((scenario, household)) => {

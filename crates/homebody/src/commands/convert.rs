@@ -7,7 +7,7 @@ use homebody_analysis::look::Looker;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::scheme::{SCHEMES, SchemeRow};
 use homebody_log::fresh::same_file;
-use homebody_log::source::{FORMS, Form};
+use homebody_log::source::{Form, forms};
 use homebody_log::truth::tables;
 use homebody_log::{Activity, How, Life, RunClock, Transfer, Url, convert, lives};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 
 /// What the forms of a log are, for a help.
 pub fn forms_of_logs() -> String {
-    let form = |row: SchemeRow| format!("  {:<12} {}\n", format!("{}:{}", row.name, row.at), row.what);
+    let form = |row: SchemeRow| format!("  {:<32} {}\n", format!("{}:{}", row.name, row.at), row.what);
     let forms = SCHEMES.map(form).concat();
     format!("Forms:\n{forms}\nA log that is named by its path alone is known by how it begins.")
 }
@@ -23,7 +23,7 @@ pub fn forms_of_logs() -> String {
 /// What the forms are in which logs are read, for a help.
 fn forms_of_sources() -> String {
     let form = |form: &Form| format!("  {:<15} {}\n", format!("{}:", form.name), form.what);
-    FORMS.iter().map(form).collect()
+    forms().map(form).collect()
 }
 
 /// The columns of a log that is written anew.
@@ -56,7 +56,7 @@ Rows that are not understood are left out, and told. No file of a run's folder i
 pub struct Arguments {
     #[command(flatten)]
     log: Mapped,
-    /// Where to: sqlite:FILE, csv:FILE or casas:FILE
+    /// Where to: sqlite:FILE, csv:FILE, jsonl:- and so on, as listed below
     #[arg(long, value_name = "URL")]
     to: Url,
     /// Take the activities from the truth beside the log, which else stays apart from it

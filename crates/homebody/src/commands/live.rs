@@ -16,7 +16,7 @@ use std::time::Duration;
 /// Where a run goes, and how much it says.
 #[derive(clap::Args)]
 pub struct Output {
-    /// Write the log here: sqlite:FILE, csv:FILE or casas:FILE; may be given several times
+    /// Write the log here: sqlite:FILE, csv:FILE, jsonl:- and so on (homebody convert --help lists all); may be given several times
     #[arg(long, value_name = "URL")]
     pub out: Vec<Url>,
     /// Write the ground truth into this SQLite file, or to csv:FILE, with a file for each table
@@ -54,6 +54,10 @@ pub fn live(run: LiveRun, record: Option<PathBuf>, output: &Output, signals: &Si
         replace: *force,
         ..Destinations::default()
     };
+    if output.json && out.iter().any(Url::is_output) {
+        let hint = "leave --json out: the summary goes to standard error then";
+        return Err(Failure::Usage(format!("rows and the summary cannot both go to standard output\n  hint: {hint}")));
+    }
     let name = run.scenario().file.name.clone();
     let progress = output.progress(run.progress().length);
     let lived = run.store(&to, |lived| show(&progress, 0, lived));
@@ -97,7 +101,12 @@ pub fn report(name: &str, lived: &Lived, output: &Output) -> Result<(), Failure>
             "folder": path(&lived.folder),
         }))?;
     } else if !output.quiet {
-        print_text(&summary(name, lived))?;
+        let summary = summary(name, lived);
+        // Rows on standard output stay alone there.
+        match output.out.iter().any(Url::is_output) {
+            true => tell(summary.trim_end()),
+            false => print_text(&summary)?,
+        }
     }
     if !output.quiet {
         stored

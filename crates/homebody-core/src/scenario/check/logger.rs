@@ -4,7 +4,7 @@ use super::{Report, Surroundings, folded};
 use crate::problem::Problem;
 use crate::scenario::inside::{outside_folder, taken_in_run};
 use crate::scenario::logger::{LoggerFile, LumpFile, MessagesFile};
-use crate::scenario::scheme::{NoPlace, Scheme};
+use crate::scenario::scheme::{NoPlace, OUTPUT, Scheme, Stands};
 use crate::scenario::source::{Source, pointer_part};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -40,14 +40,17 @@ fn check_targets(report: &mut Report, targets: &[String]) {
     let mut paths: Vec<&str> = Vec::new();
     for (index, target) in targets.iter().enumerate() {
         let pointer = format!("/to/{index}");
-        let (_, path) = match Scheme::split(target) {
+        let (scheme, path) = match Scheme::split(target) {
             Ok(parts) => parts,
             Err(NoPlace { what, hint }) => {
                 report.hinted(&pointer, what, hint);
                 continue;
             }
         };
-        if let Some(what) = outside_folder(path, "the run's folder") {
+        if scheme.row().stands == Stands::Server || path == OUTPUT {
+            let what = format!("{target:?} is no file of a run's folder");
+            report.hinted(&pointer, what, format!("say it to the command: homebody run --out {target}"));
+        } else if let Some(what) = outside_folder(path, "the run's folder") {
             report.hinted(&pointer, what, INSIDE);
         } else if let Some(what) = taken_in_run(path, &paths) {
             report.hinted(&pointer, what, ANOTHER);

@@ -1,0 +1,141 @@
+//! Texts that are packed by gzip or Zstandard: known by their endings where they are written, by how they begin where they are read.
+
+use crate::error::{LogError, place_of};
+use crate::fresh::FreshFile;
+use crate::plain;
+use flate2::Compression;
+use flate2::read::MultiGzDecoder;
+use flate2::write::GzEncoder;
+use std::fs::File;
+use std::io::{self, BufReader, BufWriter, Read, Seek, Write};
+use std::path::Path;
+
+/// How a text is packed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Packing {
+    /// Gzip (RFC 1952): `.gz`.
+    Gzip,
+    /// Zstandard (RFC 8878): `.zst`.
+    Zstd,
+}
+
+/// How files begin that are packed.
+const GZIP: &[u8] = b"\x1f\x8b";
+const ZSTD: &[u8] = b"\x28\xb5\x2f\xfd";
+
+/// How hard it is tried (ours): level 6 of gzip and 3 of Zstandard are what their own programs take.
+const GZIP_LEVEL: u32 = 6;
+#[cfg(feature = "zstd")]
+const ZSTD_LEVEL: i32 = 3;
+
+/// Lines are packed so many bytes at a time, whatever the batches: so the same lines give the same bytes.
+const AT_ONCE_BYTES: usize = 1 << 16;
+
+/// What a packed text may take while it is unpacked, as a power of two (ours): 8 MB, the most that the format's own document
+/// asks a reader for.
+#[cfg(feature = "zstd")]
+const LARGEST_WINDOW_LOG: u32 = 23;
+
+impl Packing {
+    /// How a file of this name is packed; an error where this build cannot.
+    pub fn of(path: &Path) -> Result<Option<Packing>, LogError> {
+        match path.extension().and_then(|ending| ending.to_str()) {
+            Some("gz") => Ok(Some(Packing::Gzip)),
+            Some("zst") if cfg!(feature = "zstd") => Ok(Some(Packing::Zstd)),
+            Some("zst") => Err(LogError::NotBuiltIn { place: place_of(path), name: ".zst", feature: "parquet" }),
+            _ => Ok(None),
+        }
+    }
+
+    /// Packs what is written into a file.
+    pub fn pack(self, file: FreshFile) -> Result<Packer, LogError> {
+        let inner = match self {
+            // No name and no time of its own: the same text gives the same bytes.
+            Packing::Gzip => Inner::Gzip(GzEncoder::new(file, Compression::new(GZIP_LEVEL))),
+            #[cfg(feature = "zstd")]
+            Packing::Zstd => {
+                let path = file.path().to_owned();
+                let begun = zstd::Encoder::new(file, ZSTD_LEVEL).map_err(|error| LogError::file(&path, error))?;
+                Inner::Zstd(begun)
+            }
+            #[cfg(not(feature = "zstd"))]
+            Packing::Zstd => unreachable!("no name is taken for it"),
+        };
+        Ok(Packer(BufWriter::with_capacity(AT_ONCE_BYTES, inner)))
+    }
+}
+
+/// What packs.
+pub(crate) struct Packer(BufWriter<Inner>);
+
+enum Inner {
+    Gzip(GzEncoder<FreshFile>),
+    #[cfg(feature = "zstd")]
+    Zstd(zstd::Encoder<'static, FreshFile>),
+}
+
+impl Write for Inner {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self {
+            Inner::Gzip(inner) => inner.write(bytes),
+            #[cfg(feature = "zstd")]
+            Inner::Zstd(inner) => inner.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        // What is packed ends where the text ends.
+        Ok(())
+    }
+}
+
+impl Write for Packer {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush()
+    }
+}
+
+impl Packer {
+    /// Packs the rest; the file has no name yet.
+    pub fn finish(self) -> io::Result<FreshFile> {
+        match self.0.into_inner().map_err(io::IntoInnerError::into_error)? {
+            Inner::Gzip(inner) => inner.finish(),
+            #[cfg(feature = "zstd")]
+            Inner::Zstd(inner) => inner.finish(),
+        }
+    }
+}
+
+/// What is in a plain file, unpacked if it is packed. It is unpacked as it is read, so that it may unpack to any size.
+///
+/// # Errors
+///
+/// Those of [`plain::open`]; [`io::ErrorKind::Unsupported`] for a packing that this build does not have.
+pub(crate) fn unpacked(path: &Path) -> io::Result<Box<dyn Read + Send>> {
+    let mut file = plain::open(path)?;
+    let mut begins = Vec::new();
+    Read::by_ref(&mut file).take(ZSTD.len() as u64).read_to_end(&mut begins)?;
+    file.rewind()?;
+    match &begins[..] {
+        begins if begins.starts_with(GZIP) => Ok(Box::new(MultiGzDecoder::new(BufReader::new(file)))),
+        ZSTD => unpacked_zstd(file),
+        _ => Ok(Box::new(file)),
+    }
+}
+
+#[cfg(feature = "zstd")]
+fn unpacked_zstd(file: File) -> io::Result<Box<dyn Read + Send>> {
+    let mut decoder = zstd::Decoder::new(file)?;
+    decoder.window_log_max(LARGEST_WINDOW_LOG)?;
+    Ok(Box::new(decoder))
+}
+
+#[cfg(not(feature = "zstd"))]
+fn unpacked_zstd(_: File) -> io::Result<Box<dyn Read + Send>> {
+    let what = "it is packed by Zstandard, which this program was built without\n  hint: unpack it first: unzstd FILE";
+    Err(io::Error::new(io::ErrorKind::Unsupported, what))
+}
