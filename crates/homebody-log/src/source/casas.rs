@@ -141,7 +141,7 @@ fn part(bytes: &[u8], words: &mut Vec<Range<usize>>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::source::Log;
+    use crate::source::{Clock, Log};
 
     fn read(text: &str) -> Log {
         let mut events = Vec::new();
@@ -209,6 +209,36 @@ mod tests {
         let minute = 60 * 1_000_000;
         let told: Vec<_> = log.activities.iter().map(|of| (of.name.as_str(), of.end - of.begin)).collect();
         assert_eq!(told, [("Cook", 20 * minute), ("Eat", 10 * minute), ("Eat", 1)]);
+    }
+
+    #[test]
+    fn an_instant_that_other_words_follow_at_once_is_read_word_by_word() {
+        for (line, told) in [
+            ("2009-03-02 07:12:03 -06:00 ON", Some((Clock::Local, "-06:00"))),
+            ("2009-03-02 07:12:03-06:00 M001 ON", Some((Clock::Utc, "M001"))),
+            ("2009-03-02T07:12:03Z\tM001 ON", Some((Clock::Utc, "M001"))),
+            (" 02-Mar-2009\t07:12  M001 ON", Some((Clock::Local, "M001"))),
+            ("2009-03-0207:12:03 M001 ON", Some((Clock::Local, "M001"))),
+            ("2009-03-02 07:12:03x M001 ON", None),
+            ("2009-03-02 07:12: M001 ON", None),
+            ("2009-03-02 07:12:0é M001 ON", None),
+        ] {
+            let log = read(line);
+            let read = log.sensors.first().map(|sensor| (log.clock, sensor.as_str()));
+            assert_eq!((read, log.skipped), (told, u64::from(told.is_none())), "{line}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_text_is_replaced_and_is_one_sensor_however_often_it_comes() {
+        let mut take = |_: &Log| Ok(());
+        let mut reading = Reading::new(&mut take);
+        let mut parts = Vec::new();
+        for (number, sensor) in [&b"M\xff"[..], b"M\xff", "M\u{fffd}".as_bytes(), b"M\xfe", b"M1"].iter().enumerate() {
+            let line = [b"2009-03-02 07:12:03 ", *sensor, b" ON"].concat();
+            understand(number as u64 + 1, &line, &mut parts, &mut reading).unwrap();
+        }
+        assert_eq!(reading.end().unwrap().sensors, ["M\u{fffd}", "M1"]);
     }
 
     #[test]

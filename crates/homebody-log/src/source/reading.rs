@@ -252,8 +252,7 @@ impl<'t> Reading<'t> {
     pub fn skip(&mut self, line: u64, why: String) {
         self.log.skipped += 1;
         if self.log.problems.len() < MOST_TOLD {
-            let why = self.beside.as_ref().map_or(why.clone(), |file| format!("in {file}: {why}"));
-            self.log.problems.push(Skipped { line, why });
+            self.log.problems.push(Skipped { line, beside: self.beside.clone(), why });
         }
     }
 
