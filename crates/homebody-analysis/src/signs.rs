@@ -4,7 +4,8 @@
 //! look like. Motion begins and ends (`ON`, `OFF`, `true`, `FIRE`), contacts open and close, and all else that is no
 //! number is something that somebody used. Where values alone mislead, names decide: those of CASAS's lights are `L`
 //! and a number, and a mattress that says `ON` has not moved. A bed, a chair or a stove may be where a motion sensor looks, as in
-//! names of CASAS such as `BedroomABed`: it is one if it is `ON` for seconds. The words are ours.
+//! names of CASAS such as `BedroomABed`: it is one if it is `ON` for seconds. So are a fridge, a cabinet and a door, whose contacts
+//! say `ON` in homes such as van Kasteren's. The words are ours.
 
 use homebody_core::names::words;
 use homebody_core::time::{Micros, SECOND};
@@ -129,6 +130,8 @@ impl Tally {
             () if contact > motion => Kind::Contact,
             () if is_named(name, &THINGS) => Kind::Used,
             () if is_named(name, &PLACES) && !self.is_brief() => Kind::Used,
+            () if is_named(name, &["magnetic"]) => Kind::Contact,
+            () if is_named(name, &["door", "window"]) && self.spans > 0 && !self.is_brief() => Kind::Contact,
             () => Kind::Motion,
         }
     }
@@ -170,11 +173,33 @@ pub fn spans(log: &Log) -> Vec<Vec<(Micros, Micros)>> {
 }
 
 /// Things that are used, though they say `ON`.
-const THINGS: [&str; 11] =
-    ["light", "lamp", "switch", "pressure", "mattress", "mat", "item", "power", "water", "flow", "tv"];
+const THINGS: [&str; 22] = [
+    "light",
+    "lamp",
+    "switch",
+    "pressure",
+    "mattress",
+    "mat",
+    "item",
+    "power",
+    "water",
+    "flow",
+    "tv",
+    "flush",
+    "faucet",
+    "burner",
+    "electric",
+    "dishwasher",
+    "washingmachine",
+    "microwave",
+    "toaster",
+    "freezer",
+    "cupboard",
+    "drawer",
+];
 
 /// Things that are used, or else places that a motion sensor looks at.
-const PLACES: [&str; 3] = ["bed", "chair", "stove"];
+const PLACES: [&str; 6] = ["bed", "chair", "stove", "fridge", "refrigerator", "cabinet"];
 
 /// Whether a name is that of one of these things, or of one of CASAS's lights and items: L012, I05.
 fn is_named(name: &str, things: &[&str]) -> bool {
@@ -218,6 +243,30 @@ mod tests {
         assert_eq!(kinds(&log(&rows)), [Kind::Motion, Kind::Used]);
         // An instant tells nothing of how long it lasts.
         assert_eq!(kinds(&log(&[(0, "chair", "ON"), (1, "kitchen", "ON")])), [Kind::Used, Kind::Motion]);
+    }
+
+    #[test]
+    fn of_a_home_of_contacts_that_say_on_nothing_sees_movement() {
+        let names = [
+            ("Hall-Bedroom door", 600, Kind::Contact),
+            ("Maindoor Magnetic Entrance", 9, Kind::Contact),
+            ("Cups cupboard", 9, Kind::Used),
+            ("ToiletFlush", 3, Kind::Used),
+            ("Fridge", 40, Kind::Used),
+            // Where a motion sensor looks at a door or a fridge, it is ON for seconds.
+            ("BedroomADoor", 4, Kind::Motion),
+            ("KitchenARefrigerator", 4, Kind::Motion),
+            ("Basin PIR Bathroom", 600, Kind::Motion),
+        ];
+        let rows: Vec<(i64, &str, &str)> = (0..10)
+            .flat_map(|time| {
+                names.map(|(name, length, _)| [(1000 * time, name, "ON"), (1000 * time + length, name, "OFF")])
+            })
+            .flatten()
+            .collect();
+        assert_eq!(kinds(&log(&rows)), names.map(|(_, _, kind)| kind));
+        // Without an end nobody knows for how long: it is what its values say.
+        assert_eq!(kinds(&log(&[(0, "front door", "FIRE")])), [Kind::Motion]);
     }
 
     #[test]

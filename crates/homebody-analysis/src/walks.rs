@@ -62,7 +62,7 @@ pub fn walks(log: &Log) -> Walks {
     let looks: Vec<Says> = log.values.iter().map(|value| says(value)).collect();
     let speaks = |sensor: usize, says: Says| match kinds[sensor] {
         Kind::Motion | Kind::Used => says == Says::Begins,
-        Kind::Contact => matches!(says, Says::Opens | Says::Closes),
+        Kind::Contact => says != Says::Else,
         Kind::Reading => false,
     };
     let events = log.events.iter().map(|event| (event.at, event.sensor as usize, looks[event.value as usize]));

@@ -455,7 +455,7 @@ pub(crate) fn place_of(path: &Path) -> String {
 
 /// The lines that are not understood, each by its place, as far as they are listed.
 fn told(place: &str, problems: &[Skipped], skipped: u64) -> String {
-    let mut lines: Vec<String> = problems.iter().map(|line| format!("{place}:{}: {}", line.line, line.why)).collect();
+    let mut lines: Vec<String> = problems.iter().map(|line| format!("{}: {}", line.place(place), line.why)).collect();
     let rest = skipped.saturating_sub(lines.len() as u64);
     if rest > 0 {
         lines.push(format!("{place}: {rest} more lines are not understood"));

@@ -2,6 +2,7 @@
 //!
 //! A pipe or a device keeps a reader waiting for ever, or never ends; a link may lead to what its author was never to see.
 
+use std::borrow::Cow;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
 use std::path::{Component, Path, PathBuf};
@@ -49,6 +50,11 @@ pub fn read_text(path: &Path, largest: u64) -> io::Result<String> {
         io::Error::new(ErrorKind::InvalidData, format!("line {line} is not text in UTF-8"))
     })?;
     Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
+}
+
+/// Bytes as text; what is none in UTF-8 is replaced. Nearly all is, which is quick to see.
+pub(crate) fn text(bytes: &[u8]) -> Cow<'_, str> {
+    str::from_utf8(bytes).map_or_else(|_| String::from_utf8_lossy(bytes), Cow::Borrowed)
 }
 
 /// Where a path leads below a folder, be something there yet or not; `None` where it leads out, by its own words or along a link.

@@ -7,6 +7,16 @@ use serde::Serialize;
 pub struct Skipped {
     /// Counted from 1; in a database, the row.
     pub line: u64,
+    /// The file beside the log that it is in, if it is not in the log itself.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub beside: Option<String>,
     /// What could not be understood, as a part of a sentence.
     pub why: String,
+}
+
+impl Skipped {
+    /// File and line, of a log that is called so.
+    pub fn place(&self, log: &str) -> String {
+        format!("{}:{}", self.beside.as_deref().unwrap_or(log), self.line)
+    }
 }

@@ -28,6 +28,14 @@ pub(crate) fn unescaped(cell: &str) -> &str {
     if is_escaped(cell) { &cell[1..] } else { cell }
 }
 
+/// What a cell says that may be no text.
+pub(crate) fn unescaped_bytes(cell: &[u8]) -> &[u8] {
+    match cell {
+        [b'\'', text @ ..] if is_escaped(&String::from_utf8_lossy(cell)) => text,
+        _ => cell,
+    }
+}
+
 fn is_escaped(cell: &str) -> bool {
     cell.starts_with('\'') && is_formula(cell.trim_start_matches('\''))
 }

@@ -91,8 +91,8 @@ fn intervals_of_uci_are_named_by_all_their_words() {
     let log = from_text(&folder, "intervals", "A_Sensors.txt", sensors);
     assert_eq!(told(&log), [(0.0, "Bed Pressure Bedroom", "ON"), (10.0, "Bed Pressure Bedroom", "OFF")]);
     assert_eq!(done(&log), [("Spare_Time/TV", 0.0, 9.0)]);
-    assert_eq!(log.problems[0].line, 4);
-    assert!(log.problems[0].why.contains("A_ADLs.txt"), "{:?}", log.problems);
+    let place = log.problems[0].place("A_Sensors.txt");
+    assert!(place.ends_with("A_ADLs.txt:4"), "{place}");
 }
 
 #[test]

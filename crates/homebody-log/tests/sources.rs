@@ -427,6 +427,35 @@ fn an_open_quote_costs_no_other_row() {
 }
 
 #[test]
+fn what_is_no_text_is_told_as_what_it_is() {
+    let folder = Folder::new("no-text");
+    let whole = folder.url("sqlite:whole.db");
+    let rows = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 9999)
+                INSERT INTO firing SELECT '2009-03-02 07:12:03', 'M' || i, 'ON' FROM n";
+    let database = Connection::open(whole.file().unwrap()).unwrap();
+    database.execute_batch(&format!("CREATE TABLE firing (time, sensor, value); {rows}")).unwrap();
+    drop(database);
+    let database = fs::read(whole.file().unwrap()).unwrap();
+    let utf16: Vec<u8> = "time,sensor,value\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    for (bytes, said) in [
+        (&b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR,1,2\n"[..], "it is neither a text nor a database"),
+        (&[b"\xff\xfe", &utf16[..]].concat(), "it is a text in UTF-16: save it in UTF-8"),
+        (b"PK\x03\x04\x14\0\n", "it is an archive, or a spreadsheet's own form"),
+        (&database[..database.len() / 2], "as a database it is damaged or cut short"),
+        (&database[..50], "as a database it is damaged or cut short"),
+    ] {
+        let path = folder.path().join("log");
+        fs::write(&path, bytes).unwrap();
+        let read = Source::recognise(&path).and_then(|source| read(source, &LoggerFile::default()));
+        let Err(LogError::NoLog { why, .. }) = read else { panic!("{said}: {read:?}") };
+        assert!(why.contains(said), "{why}");
+    }
+    // What is text is told by its line.
+    let why = from_text(&folder, "casas:log.txt", "nonsense\n").unwrap_err().to_string();
+    assert!(why.contains("line 1: there are no date"), "{why}");
+}
+
+#[test]
 fn of_a_database_only_tables_are_read_and_no_long_cells() {
     let folder = Folder::new("views");
     let endless = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n)

@@ -43,7 +43,8 @@ pub fn look_map(look: &Look) -> String {
     let drawn = drawn(look);
     let bottom = TOP + LINE + ROW * drawn.len() as f64;
     if look.days.is_empty() {
-        svg.text("The days are too many to draw.", Point::new(LEFT, TOP), &AXIS);
+        let why = if look.rows == 0 { "There is no row." } else { "The days are too many to draw." };
+        svg.text(why, Point::new(LEFT, TOP), &AXIS);
     } else {
         map(&mut svg, look, &drawn, bottom);
     }

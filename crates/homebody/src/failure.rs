@@ -55,6 +55,9 @@ impl From<LogError> for Failure {
             | LogError::SameFile { .. }
             | LogError::NoMapping { .. }
             | LogError::SensorMap { .. }
+            | LogError::NoLog { .. }
+            | LogError::NoTables { .. }
+            | LogError::TooLong { .. }
             | LogError::NoPlace(_)
             | LogError::NotBuiltIn { .. }
             | LogError::Zone(_) => Failure::Usage(error.to_string()),

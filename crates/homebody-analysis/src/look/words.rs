@@ -39,8 +39,11 @@ impl fmt::Display for Look {
         listed(f, "silences of 12 h or more", self.silences_in_all, &self.silences, |silence| {
             format!("{} to {}: {:.1} h", silence.from, silence.to, silence.hours)
         })?;
-        listed(f, "lines that were not understood", self.refused_in_all, &self.why_refused, |refused| {
-            format!("line {}: {}", refused.line, refused.why)
+        listed(f, "lines that were not understood", self.refused_in_all, &self.why_refused, |refused| match &refused
+            .beside
+        {
+            Some(file) => format!("{file}:{}: {}", refused.line, refused.why),
+            None => format!("line {}: {}", refused.line, refused.why),
         })?;
         self.remarks.iter().try_for_each(|remark| writeln!(f, "{remark}"))?;
         self.sensors(f)?;

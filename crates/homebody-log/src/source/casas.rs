@@ -5,11 +5,12 @@
 //! a label on each row.
 
 use super::form::{Form, Shows};
-use super::instant::Instants;
+use super::instant::{Instant, Instants};
 use super::lines::Lines;
 use super::reading::Reading;
 use super::start::Start;
 use crate::error::LogError;
+use crate::plain::text;
 use homebody_core::scenario::logger::LoggerFile;
 use std::ops::Range;
 use std::path::Path;
@@ -23,15 +24,15 @@ pub(super) const FORM: Form = Form {
 };
 
 /// Before the kind of a sensor there is always its value.
-const KIND: &str = "Control4-";
+const KIND: &[u8] = b"Control4-";
 
 /// How many of a file's first lines may be something else (ours).
 const LOOKED_AT_LINES: usize = 5;
 
 fn shows(start: &Start) -> Shows {
-    let mut instants = Instants::default();
+    let (mut words, mut instants) = (Vec::new(), Instants::default());
     let mut is_row = |line: &str| {
-        let words = words(line);
+        part(line.as_bytes(), &mut words);
         words.len() > 3 && instants.read(&line[words[0].start..words[1].end]).is_some()
             || words.len() > 2 && instants.read(&line[words[0].clone()]).is_some()
     };
@@ -41,8 +42,8 @@ fn shows(start: &Start) -> Shows {
 fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
     let mut lines = Lines::open(path)?;
     let mut parts = Vec::new();
-    while let Some((number, line)) = lines.next_text()? {
-        understand(number, &line, &mut parts, reading)?;
+    while let Some((number, line)) = lines.next()? {
+        understand(number, line, &mut parts, reading)?;
     }
     Ok(())
 }
@@ -50,37 +51,65 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
 /// Takes a line; `parts` is where its words are put.
 fn understand(
     number: u64,
-    line: &str,
+    line: &[u8],
     parts: &mut Vec<Range<usize>>,
     reading: &mut Reading<'_>,
 ) -> Result<(), LogError> {
-    part(line, parts);
-    let word = |index: usize| parts.get(index).map(|word| &line[word.clone()]);
-    let Some(date) = word(0) else { return Ok(()) };
-    // `2009-03-02T07:12:03` is one word, `2009-03-02 07:12:03` two.
-    let first = if date.contains(':') { 1 } else { 2 };
-    let Some(sensor) = word(first) else {
+    let line = line.trim_ascii();
+    // Where a line begins with an instant and a blank, its words begin behind it: nothing looks for those of the instant.
+    let leading = reading.instants.leading(line).filter(|(_, rest)| rest.first().is_some_and(u8::is_ascii_whitespace));
+    let behind = match leading {
+        Some((_, rest)) => rest,
+        None => match behind_words_of_time(line) {
+            Some(rest) => rest,
+            None => return Ok(()),
+        },
+    };
+    part(behind, parts);
+    let word = |index: usize| parts.get(index).map(|word| &behind[word.clone()]);
+    let Some(sensor) = word(0) else {
         reading.skip(number, "there are no date, time, sensor and value".into());
         return Ok(());
     };
-    let time = &line[parts[0].start..parts[first - 1].end];
     let last = parts.len();
-    let kind = (first + 2..last).find(|&index| line[parts[index].start..].starts_with(KIND));
+    let kind = (2..last).find(|&index| word(index).is_some_and(|word| word.starts_with(KIND)));
     // Where the value is, and what is behind all that tells of the sensor.
     let (value, rest) = match kind {
         Some(kind) => (kind - 1, kind + 1),
-        _ if last > first + 2 && word(first + 1) == Some(sensor) => (first + 2, first + 3),
-        _ => (first + 1, first + 2),
+        _ if last > 2 && word(1) == Some(sensor) => (2, 3),
+        _ => (1, 2),
     };
-    if reading.row(number, time, sensor, word(value).unwrap_or_default())? {
-        let noted = parts.get(rest).map(|word| &line[word.start..parts[last - 1].end]);
-        match noted.map(parted_note) {
-            Some((name, Some(begins))) => reading.note(name, begins),
-            Some((label, None)) => reading.label(Some(label)),
+    let value = word(value).unwrap_or_default();
+    let is_row = match leading {
+        Some((at, _)) => reading.event_of_bytes(number, Instant::Local(at), sensor, value)?,
+        None => reading.row_of_bytes(number, &line[..line.len() - behind.len()], sensor, value)?,
+    };
+    if is_row {
+        match parts.get(rest) {
+            Some(noted) => match parted_note(&text(&behind[noted.start..])) {
+                (name, Some(begins)) => reading.note(name, begins),
+                (label, None) => reading.label(Some(label)),
+            },
             None => reading.label(None),
         }
     }
     Ok(())
+}
+
+/// What is behind the words that stand where the time should; None where there is no word.
+fn behind_words_of_time(line: &[u8]) -> Option<&[u8]> {
+    let (date, rest) = first_word(line);
+    // `2009-03-02T07:12:03` is one word, `2009-03-02 07:12:03` two.
+    match date {
+        [] => None,
+        date if date.contains(&b':') => Some(rest),
+        _ => Some(first_word(rest).1),
+    }
+}
+
+fn first_word(text: &[u8]) -> (&[u8], &[u8]) {
+    let text = text.trim_ascii_start();
+    text.split_at(text.iter().position(u8::is_ascii_whitespace).unwrap_or(text.len()))
 }
 
 /// What a note names, and whether it says that it begins or ends; a label says neither.
@@ -98,26 +127,10 @@ fn parted_note(note: &str) -> (&str, Option<bool>) {
     (note, None)
 }
 
-fn words(line: &str) -> Vec<Range<usize>> {
-    let mut words = Vec::new();
-    part(line, &mut words);
-    words
-}
-
 /// Where the words of a line are.
-fn part(line: &str, words: &mut Vec<Range<usize>>) {
+fn part(bytes: &[u8], words: &mut Vec<Range<usize>>) {
     words.clear();
-    let bytes = line.as_bytes();
     let mut at = 0;
-    // Most lines begin with a date and a time of usual lengths, which need no search.
-    if let [_, _, _, _, b'-', _, _, b'-', _, _, b' ' | b'\t', time @ ..] = bytes
-        && let Some(length) = time.iter().position(u8::is_ascii_whitespace)
-        && length > 0
-        && !bytes[..10].iter().any(u8::is_ascii_whitespace)
-    {
-        words.extend([0..10, 11..11 + length]);
-        at = 11 + length;
-    }
     while let Some(begin) = bytes[at..].iter().position(|byte| !byte.is_ascii_whitespace()).map(|more| at + more) {
         let end = bytes[begin..].iter().position(u8::is_ascii_whitespace).map_or(bytes.len(), |length| begin + length);
         words.push(begin..end);
@@ -128,7 +141,7 @@ fn part(line: &str, words: &mut Vec<Range<usize>>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::source::Log;
+    use crate::source::{Clock, Log};
 
     fn read(text: &str) -> Log {
         let mut events = Vec::new();
@@ -139,7 +152,7 @@ mod tests {
         let mut reading = Reading::new(&mut take);
         let mut parts = Vec::new();
         for (index, line) in text.lines().enumerate() {
-            understand(index as u64 + 1, line, &mut parts, &mut reading).unwrap();
+            understand(index as u64 + 1, line.as_bytes(), &mut parts, &mut reading).unwrap();
         }
         let log = reading.end().unwrap();
         Log { events, ..log }
@@ -196,6 +209,36 @@ mod tests {
         let minute = 60 * 1_000_000;
         let told: Vec<_> = log.activities.iter().map(|of| (of.name.as_str(), of.end - of.begin)).collect();
         assert_eq!(told, [("Cook", 20 * minute), ("Eat", 10 * minute), ("Eat", 1)]);
+    }
+
+    #[test]
+    fn an_instant_that_other_words_follow_at_once_is_read_word_by_word() {
+        for (line, told) in [
+            ("2009-03-02 07:12:03 -06:00 ON", Some((Clock::Local, "-06:00"))),
+            ("2009-03-02 07:12:03-06:00 M001 ON", Some((Clock::Utc, "M001"))),
+            ("2009-03-02T07:12:03Z\tM001 ON", Some((Clock::Utc, "M001"))),
+            (" 02-Mar-2009\t07:12  M001 ON", Some((Clock::Local, "M001"))),
+            ("2009-03-0207:12:03 M001 ON", Some((Clock::Local, "M001"))),
+            ("2009-03-02 07:12:03x M001 ON", None),
+            ("2009-03-02 07:12: M001 ON", None),
+            ("2009-03-02 07:12:0é M001 ON", None),
+        ] {
+            let log = read(line);
+            let read = log.sensors.first().map(|sensor| (log.clock, sensor.as_str()));
+            assert_eq!((read, log.skipped), (told, u64::from(told.is_none())), "{line}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_text_is_replaced_and_is_one_sensor_however_often_it_comes() {
+        let mut take = |_: &Log| Ok(());
+        let mut reading = Reading::new(&mut take);
+        let mut parts = Vec::new();
+        for (number, sensor) in [&b"M\xff"[..], b"M\xff", "M\u{fffd}".as_bytes(), b"M\xfe", b"M1"].iter().enumerate() {
+            let line = [b"2009-03-02 07:12:03 ", *sensor, b" ON"].concat();
+            understand(number as u64 + 1, &line, &mut parts, &mut reading).unwrap();
+        }
+        assert_eq!(reading.end().unwrap().sensors, ["M\u{fffd}", "M1"]);
     }
 
     #[test]

@@ -5,12 +5,12 @@
 use super::columns::Places;
 use super::form::{Form, Shows};
 use super::instant::Instants;
-use super::lines::text;
 use super::reading::Reading;
 use super::records::{Record, Records};
 use super::start::Start;
 use crate::error::{LogError, place_of};
-use crate::spreadsheet::unescaped;
+use crate::plain::text;
+use crate::spreadsheet::{unescaped, unescaped_bytes};
 use homebody_core::problem::readable;
 use homebody_core::scenario::logger::LoggerFile;
 use std::path::Path;
@@ -49,7 +49,7 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
     let mut time = None;
     loop {
         let mut is_row = |alone: &Record| {
-            time.and_then(|time| alone.get(time)).is_some_and(|time| instants.read(&text(time)).is_some())
+            time.and_then(|time| alone.get(time)).is_some_and(|time| instants.read_bytes(time).is_some())
         };
         let Some((line, record)) = records.next(&mut is_row)? else { break };
         if record.len() == 1 && record.get(0).is_none_or(|cell| cell.trim_ascii().is_empty()) {
@@ -94,16 +94,15 @@ fn learn(known: &Header, record: &Record, file: &LoggerFile, reading: &mut Readi
 }
 
 fn take(line: u64, record: &Record, places: &Places, reading: &mut Reading<'_>) -> Result<(), LogError> {
-    let field = |place: usize| text(record.get(place).unwrap_or_default().trim_ascii());
-    let cell = |place: usize| match record.get(place) {
-        Some(whole) if places.is_mapped => text(whole),
-        _ => field(place),
-    };
-    let (time, sensor, value) = (field(places.time), cell(places.sensor), cell(places.value));
-    if reading.row(line, &time, unescaped(&sensor), unescaped(&value))?
+    let cell = |place: usize| record.get(place).unwrap_or_default();
+    let (mut sensor, mut value) = (cell(places.sensor), cell(places.value));
+    if !places.is_mapped {
+        (sensor, value) = (sensor.trim_ascii(), value.trim_ascii());
+    }
+    if reading.row_of_bytes(line, cell(places.time), unescaped_bytes(sensor), unescaped_bytes(value))?
         && let Some(place) = places.label
     {
-        let label = field(place);
+        let label = text(cell(place).trim_ascii());
         let label = Some(unescaped(&label)).filter(|label| !label.is_empty());
         // By its place alone a number is no label.
         reading.label(label.filter(|label| place != places.value + 1 || label.parse::<f64>().is_err()));

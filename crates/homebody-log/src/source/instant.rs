@@ -12,10 +12,10 @@ pub enum Instant {
     Utc(Micros),
 }
 
-/// Reads instants; a day read once is known for the lines that follow.
+/// Reads instants; a day as `2009-03-02` that has been read is known for the lines that follow.
 #[derive(Default)]
 pub(crate) struct Instants {
-    day: Vec<u8>,
+    day: [u8; 10],
     midnight: Micros,
 }
 
@@ -23,16 +23,14 @@ impl Instants {
     /// A date and time with a fraction of any length or none, with a zone or none; or a number since 1970. The date is
     /// `2009-03-02` or `02-Mar-2009`.
     pub fn read(&mut self, text: &str) -> Option<Instant> {
-        let bytes = text.as_bytes().trim_ascii();
-        let length = if bytes.get(2) == Some(&b'-') { 11 } else { 10 };
-        let Some((day, rest)) = bytes.split_at_checked(length).filter(|(day, _)| [day[2], day[4]].contains(&b'-'))
-        else {
-            return number(text.trim());
+        self.read_bytes(text.as_bytes())
+    }
+
+    /// The same from bytes that may be no text: then they are no instant.
+    pub fn read_bytes(&mut self, bytes: &[u8]) -> Option<Instant> {
+        let Some((at, rest)) = self.leading(bytes.trim_ascii_start()) else {
+            return number(str::from_utf8(bytes).ok()?.trim());
         };
-        let rest = rest.strip_prefix(b"T").unwrap_or_else(|| rest.trim_ascii_start());
-        let midnight = self.midnight(day)?;
-        let (time, rest) = time_of_day(rest)?;
-        let at = midnight + time;
         match rest.trim_ascii() {
             b"" => Some(Instant::Local(at)),
             b"Z" | b"z" => Some(Instant::Utc(at)),
@@ -40,13 +38,29 @@ impl Instants {
         }
     }
 
-    fn midnight(&mut self, day: &[u8]) -> Option<Micros> {
-        if day != self.day {
-            self.midnight = midnight(civil(day)?)?;
-            self.day.clear();
-            self.day.extend_from_slice(day);
+    /// The date and time that bytes begin with, in microseconds since 1970 by the clock that they are told by, and what follows:
+    /// a zone or whatever it may be.
+    #[inline]
+    pub fn leading<'b>(&mut self, bytes: &'b [u8]) -> Option<(Micros, &'b [u8])> {
+        let (midnight, rest) = self.midnight(bytes)?;
+        let rest = rest.strip_prefix(b"T").unwrap_or_else(|| rest.trim_ascii_start());
+        let (time, rest) = time_of_day(rest)?;
+        Some((midnight + time, rest))
+    }
+
+    /// The beginning of the day that bytes begin with, and what follows.
+    #[inline]
+    fn midnight<'b>(&mut self, bytes: &'b [u8]) -> Option<(Micros, &'b [u8])> {
+        if let [_, _, b'-', ..] = bytes {
+            let (day, rest) = bytes.split_at_checked(11)?;
+            return Some((midnight(civil(day)?)?, rest));
         }
-        Some(self.midnight)
+        let (day, rest) = bytes.split_first_chunk().filter(|(day, _)| day[4] == b'-')?;
+        if *day != self.day {
+            self.midnight = midnight(civil(day)?)?;
+            self.day = *day;
+        }
+        Some((self.midnight, rest))
     }
 }
 
@@ -94,27 +108,36 @@ fn number(text: &str) -> Option<Instant> {
     }
     match text.split_once('.') {
         Some((seconds, decimals)) if (9..=11).contains(&seconds.len()) => {
-            Some(Instant::Utc(seconds.parse::<i64>().ok()? * SECOND + fraction(decimals.as_bytes())?))
+            let (micros, rest) = fraction(decimals.as_bytes());
+            rest.is_empty().then_some(Instant::Utc(seconds.parse::<i64>().ok()? * SECOND + micros))
         }
         _ => since_1970(text.parse().ok()?),
     }
 }
 
 /// `07:12`, `07:12:03`, `07:12:03.25`; what follows is given back.
+#[inline]
 fn time_of_day(text: &[u8]) -> Option<(Micros, &[u8])> {
-    let (hours, rest) = two_digits(text, 24)?;
-    let (minutes, rest) = two_digits(rest.strip_prefix(b":")?, 60)?;
-    let (seconds, rest) = match rest.strip_prefix(b":") {
-        Some(rest) => two_digits(rest, 60)?,
-        None => (0, rest),
+    let (digits, rest) = match *text {
+        [h, hh, b':', m, mm, b':', s, ss, ref rest @ ..] => ([h, hh, m, mm, s, ss], rest),
+        [h, hh, b':', m, mm, ref rest @ ..] => ([h, hh, m, mm, b'0', b'0'], rest),
+        _ => return None,
     };
+    // Without a branch for each digit: nearly always all of them are fine.
+    let [h, hh, m, mm, s, ss] = digits.map(|digit| Micros::from(digit.wrapping_sub(b'0')));
+    let (hours, minutes, seconds) = (h * 10 + hh, m * 10 + mm, s * 10 + ss);
+    let are_digits = (h <= 9) & (hh <= 9) & (m <= 9) & (mm <= 9) & (s <= 9) & (ss <= 9);
+    if !(are_digits & (hours < 24) & (minutes < 60) & (seconds < 60)) {
+        return None;
+    }
     let whole = ((hours * 60 + minutes) * 60 + seconds) * SECOND;
-    let Some(rest) = rest.strip_prefix(b".").or_else(|| rest.strip_prefix(b",")) else {
-        return Some((whole, rest));
-    };
-    let length = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
-    let (decimals, rest) = rest.split_at(length);
-    Some((whole + fraction(decimals)?, rest))
+    match rest {
+        [b'.' | b',', decimals @ ..] => {
+            let (micros, rest) = fraction(decimals);
+            Some((whole + micros, rest))
+        }
+        rest => Some((whole, rest)),
+    }
 }
 
 fn two_digits(text: &[u8], below: Micros) -> Option<(Micros, &[u8])> {
@@ -123,14 +146,19 @@ fn two_digits(text: &[u8], below: Micros) -> Option<(Micros, &[u8])> {
     (number < below).then_some((number, rest))
 }
 
-/// The digits after a point as microseconds; further ones are cut off.
-fn fraction(decimals: &[u8]) -> Option<Micros> {
-    let (mut number, mut unit) = (0, SECOND);
-    for digit in decimals {
-        unit /= 10;
-        number += Micros::from(digit.is_ascii_digit().then_some(digit - b'0')?) * unit;
+/// The digits that follow a point, as microseconds, and what follows them; further digits are cut off.
+#[inline]
+fn fraction(text: &[u8]) -> (Micros, &[u8]) {
+    /// What a number of so many digits is to be multiplied with.
+    const UNITS: [Micros; 7] = [SECOND, 100_000, 10_000, 1000, 100, 10, 1];
+    let (mut number, mut length) = (0, 0);
+    while let Some(digit) = text.get(length).filter(|byte| byte.is_ascii_digit()) {
+        if length < 6 {
+            number = number * 10 + Micros::from(digit - b'0');
+        }
+        length += 1;
     }
-    Some(number)
+    (number * UNITS[length.min(6)], &text[length..])
 }
 
 /// `-06:00`, `-0600` or `-06`.

@@ -3,6 +3,7 @@
 use super::reading::open;
 use crate::error::LogError;
 use crate::limits::LONGEST_ROW_BYTES;
+use crate::plain::text;
 use std::borrow::Cow;
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
@@ -72,9 +73,4 @@ impl Lines {
     pub fn next_text(&mut self) -> Result<Option<(u64, Cow<'_, str>)>, LogError> {
         Ok(self.next()?.map(|(number, line)| (number, text(line))))
     }
-}
-
-/// Bytes as text; what is none in UTF-8 is replaced. Nearly all is, which is quick to see.
-pub(super) fn text(bytes: &[u8]) -> Cow<'_, str> {
-    str::from_utf8(bytes).map_or_else(|_| String::from_utf8_lossy(bytes), Cow::Borrowed)
 }

@@ -6,6 +6,7 @@ use super::log::{Clock, Event, Log};
 use crate::error::{LogError, place_of};
 use crate::limits::{LONGEST_ID, LONGEST_VALUE, MOST_ACTIVITIES, beginning};
 use crate::packed::unpacked;
+use crate::plain::text;
 use crate::skipped::Skipped;
 use foldhash::HashMap;
 use homebody_core::problem::readable;
@@ -67,10 +68,22 @@ impl<'t> Reading<'t> {
     ///
     /// Those of who takes the rows.
     pub fn row(&mut self, line: u64, time: &str, sensor: &str, value: &str) -> Result<bool, LogError> {
-        match self.instants.read(time) {
-            Some(instant) => self.event(line, instant, sensor, value),
+        self.row_of_bytes(line, time.as_bytes(), sensor.as_bytes(), value.as_bytes())
+    }
+
+    /// The same from bytes that may be no text; what is none in UTF-8 is replaced.
+    #[inline]
+    pub(crate) fn row_of_bytes(
+        &mut self,
+        line: u64,
+        time: &[u8],
+        sensor: &[u8],
+        value: &[u8],
+    ) -> Result<bool, LogError> {
+        match self.instants.read_bytes(time) {
+            Some(instant) => self.event_of_bytes(line, instant, sensor, value),
             None => {
-                self.skip(line, format!("{} is no date and time", beginning(time)));
+                self.skip(line, format!("{} is no date and time", beginning(&text(time))));
                 Ok(false)
             }
         }
@@ -82,15 +95,27 @@ impl<'t> Reading<'t> {
     ///
     /// Those of who takes the rows.
     pub fn event(&mut self, line: u64, instant: Instant, sensor: &str, value: &str) -> Result<bool, LogError> {
+        self.event_of_bytes(line, instant, sensor.as_bytes(), value.as_bytes())
+    }
+
+    /// The same from bytes. What a sensor is called and says is looked at as text once: where the same bytes come again, it is known.
+    pub(crate) fn event_of_bytes(
+        &mut self,
+        line: u64,
+        instant: Instant,
+        sensor: &[u8],
+        value: &[u8],
+    ) -> Result<bool, LogError> {
         // While no row has been handed over, most of them are going to say which clock it is.
         let told = if self.first.is_some() { on_any_clock(instant) } else { self.on_clock(instant) };
-        let told = told.map_err(str::to_owned).and_then(|at| {
-            named(sensor, "sensor", LONGEST_ID)?;
-            named(value, "value", LONGEST_VALUE)?;
-            Ok(at)
-        });
-        let at = match told {
-            Ok(at) => at,
+        let known = self.sensors.known(&self.log.sensors, sensor).zip(self.values.known(&self.log.values, value));
+        let told = match (told, known) {
+            (Ok(at), Some(known)) => Ok((at, known)),
+            (Ok(at), None) => self.learn(sensor, value).map(|known| (at, known)),
+            (Err(fault), _) => Err(fault.to_owned()),
+        };
+        let (at, (sensor, value)) = match told {
+            Ok(told) => told,
             Err(fault) => {
                 self.skip(line, fault);
                 return Ok(false);
@@ -102,8 +127,6 @@ impl<'t> Reading<'t> {
         if self.clock.is_none() {
             self.keep_clock(instant);
         }
-        let sensor = self.sensors.of(&mut self.log.sensors, sensor);
-        let value = self.values.of(&mut self.log.values, value);
         if self.log.events.len() == PART {
             self.hand_over()?;
         }
@@ -111,6 +134,15 @@ impl<'t> Reading<'t> {
         self.log.rows += 1;
         self.last = at;
         Ok(true)
+    }
+
+    /// The numbers of a sensor and of what it says, at least one of which is new; or why there is none.
+    #[cold]
+    fn learn(&mut self, sensor: &[u8], value: &[u8]) -> Result<(u32, u32), String> {
+        let (sensor, value) = (text(sensor), text(value));
+        named(&sensor, "sensor", LONGEST_ID)?;
+        named(&value, "value", LONGEST_VALUE)?;
+        Ok((self.sensors.of(&mut self.log.sensors, &sensor), self.values.of(&mut self.log.values, &value)))
     }
 
     /// An instant on the clock of the log, or why it is on none.
@@ -225,8 +257,7 @@ impl<'t> Reading<'t> {
     pub fn skip(&mut self, line: u64, why: String) {
         self.log.skipped += 1;
         if self.log.problems.len() < MOST_TOLD {
-            let why = self.beside.as_ref().map_or(why.clone(), |file| format!("in {file}: {why}"));
-            self.log.problems.push(Skipped { line, why });
+            self.log.problems.push(Skipped { line, beside: self.beside.clone(), why });
         }
     }
 
@@ -258,7 +289,6 @@ impl<'t> Reading<'t> {
 const OTHER_CLOCK: &str = "some instants have a zone and some have none";
 
 /// Makes sure that a row has a part, and not too much of it.
-#[inline]
 fn named(text: &str, what: &str, most: usize) -> Result<(), String> {
     match text {
         "" => Err(format!("there is no {what}")),
@@ -299,31 +329,39 @@ fn is_on_any_clock(at: Micros) -> bool {
 }
 
 /// The numbers of texts that have come.
-#[derive(Default)]
 struct Numbers {
-    known: HashMap<String, u32>,
-    /// The last two that were asked for: sensors say the same in turns, and again and again.
-    last: [u32; 2],
+    known: HashMap<Box<[u8]>, u32>,
+    /// Those that were asked for last, at places that a look at a text's ends tells: sensors say the same again and again.
+    last: [u32; PLACES],
+}
+
+/// So many numbers are at hand (ours): a home has fewer sensors, most of whose names end in ways of their own.
+const PLACES: usize = 64;
+
+impl Default for Numbers {
+    fn default() -> Numbers {
+        Numbers { known: HashMap::default(), last: [0; PLACES] }
+    }
 }
 
 impl Numbers {
+    /// The number of a text that has come before.
+    #[inline]
+    fn known(&mut self, all: &[String], bytes: &[u8]) -> Option<u32> {
+        let (first, last, before) = (bytes.first()?, bytes.last()?, bytes[bytes.len().saturating_sub(2)]);
+        let place = bytes.len() + usize::from(*first) + 3 * usize::from(before) + 7 * usize::from(*last);
+        let at_hand = &mut self.last[place % PLACES];
+        if all.get(*at_hand as usize).is_none_or(|known| known.as_bytes() != bytes) {
+            *at_hand = *self.known.get(bytes)?;
+        }
+        Some(*at_hand)
+    }
+
     /// The number of a text, a new one if it is new.
     fn of(&mut self, all: &mut Vec<String>, text: &str) -> u32 {
-        for number in self.last {
-            if all.get(number as usize).is_some_and(|known| known == text) {
-                return number;
-            }
-        }
-        let number = match self.known.get(text) {
-            Some(&number) => number,
-            None => {
-                let number = all.len() as u32;
-                self.known.insert(text.into(), number);
-                all.push(text.into());
-                number
-            }
-        };
-        self.last = [number, self.last[0]];
-        number
+        *self.known.entry(text.as_bytes().into()).or_insert_with(|| {
+            all.push(text.into());
+            all.len() as u32 - 1
+        })
     }
 }

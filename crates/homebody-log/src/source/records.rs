@@ -46,7 +46,24 @@ impl Record {
         self.cells.iter().map(text).collect()
     }
 
-    /// Parts a line without quotes, or one whose quotes mean nothing.
+    /// Parts a line in which there is no quote; whether that is so.
+    fn part_unquoted(&mut self, line: &[u8], delimiter: u8) -> bool {
+        self.text.clear();
+        self.cells.clear();
+        let mut begin = 0;
+        for at in memchr::memchr2_iter(delimiter, b'"', line) {
+            if line[at] == b'"' {
+                return false;
+            }
+            self.cells.push(begin..at);
+            begin = at + 1;
+        }
+        self.cells.push(begin..line.len());
+        self.text.extend_from_slice(line);
+        true
+    }
+
+    /// Parts a line whose quotes mean nothing.
     fn part_plainly(&mut self, line: &[u8], delimiter: u8) {
         self.text.clear();
         self.cells.clear();
@@ -103,12 +120,9 @@ impl Records {
         self.record.is_broken = false;
         let number = if self.ahead.is_empty() {
             let Some((number, line)) = self.lines.next_whole()? else { return Ok(None) };
-            let plain = trimmed(line);
-            if memchr::memchr(b'"', plain).is_some() {
+            if !self.record.part_unquoted(trimmed(line), self.delimiter) {
                 let line = line.to_vec();
                 self.quoted(line, is_row)?;
-            } else {
-                self.record.part_plainly(plain, self.delimiter);
             }
             number
         } else {

@@ -6,6 +6,7 @@ use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{tell, write_file};
 use homebody_analysis::look::{Look, Looker};
 use homebody_analysis::signs::{Kind, Says, is_number, says};
+use homebody_core::problem::counted;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_log::places::can_be_written;
 use homebody_log::{Anonymising, How, Log, Transfer, Url, anonymise};
@@ -77,7 +78,8 @@ impl Arguments {
             write_file(path, key_of(&names, &log.sensors).as_bytes(), self.force)?;
             tell(format_args!("{} tells which sensor is which: keep it to yourself", path.display()));
         }
-        tell(format_args!("{}: {} rows of {} sensors", self.out, done.rows, names.len()));
+        let (rows, sensors) = (counted(done.rows as usize, "row", "rows"), counted(names.len(), "sensor", "sensors"));
+        tell(format_args!("{}: {rows} of {sensors}", self.out));
         if done.left_out > 0 {
             tell(format_args!("  {} rows of other text are left out", done.left_out));
         }

@@ -4,6 +4,7 @@ use super::read_log::{Mapped, tell_remarks};
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
 use homebody_analysis::look::Looker;
+use homebody_core::problem::counted;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::scheme::{SCHEMES, SchemeRow};
 use homebody_log::fresh::same_file;
@@ -86,7 +87,7 @@ impl Arguments {
         let look = looker.look(&named.name, named.place.form().name, &log, &|_| None, None);
         tell_remarks(text, &log);
         for skipped in &log.problems {
-            tell(format_args!("{text}:{}: left out: {}", skipped.line, skipped.why));
+            tell(format_args!("{}: left out: {}", skipped.place(text), skipped.why));
         }
         let unsaid = log.skipped.saturating_sub(log.problems.len() as u64);
         if unsaid > 0 {
@@ -99,15 +100,20 @@ impl Arguments {
         let rows = convert(&transfer, &log, |rows| progress.set_position(rows));
         progress.finish_and_clear();
         let rows = rows?;
-        tell(format_args!("{}: {rows} rows of {} sensors", self.to, log.sensors.len()));
-        for (count, what) in [
-            (log.activities.len() as u64, "activities"),
-            (look.repeated, "messages that say again what was on"),
-            (look.missing, "messages that something ends that had not begun"),
-            (look.set_back, "times the clock was set back"),
+        let sensors = counted(log.sensors.len(), "sensor", "sensors");
+        tell(format_args!("{}: {} of {sensors}", self.to, counted(rows as usize, "row", "rows")));
+        for (count, one, many) in [
+            (log.activities.len(), "activity", "activities"),
+            (look.repeated as usize, "message that says again what was on", "messages that say again what was on"),
+            (
+                look.missing as usize,
+                "message that something ends that had not begun",
+                "messages that something ends that had not begun",
+            ),
+            (look.set_back as usize, "time the clock was set back", "times the clock was set back"),
         ] {
             if count > 0 {
-                tell(format_args!("  {count} {what}"));
+                tell(format_args!("  {}", counted(count, one, many)));
             }
         }
         Ok(())

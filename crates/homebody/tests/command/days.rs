@@ -141,7 +141,7 @@ fn a_day_or_a_log_that_is_not_there_is_refused() {
         ("day runs/flat-1 monday", 2, "write a date such as 2009-03-02, or first or last"),
         ("day runs/flat-1", 2, "required arguments were not provided"),
         ("day nowhere first", 1, "nowhere does not exist"),
-        ("day nonsense.txt first", 1, "cannot be read as a log"),
+        ("day nonsense.txt first", 2, "cannot be read as a log"),
         ("day empty.txt first", 2, "it has no rows"),
         ("day runs/flat-1 first --time-zone Mars/Olympus", 2, "Mars/Olympus"),
         ("density nowhere", 1, "nowhere does not exist"),
