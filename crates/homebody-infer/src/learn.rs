@@ -50,6 +50,8 @@ pub struct Senses {
     pub(crate) timing: Vec<Timing>,
     /// By channel and state: messages a second while the sensor can say so.
     pub(crate) rates: Vec<Vec<f32>>,
+    /// By channel: the states in which it was heard, and by how much more often than what comes of nothing.
+    heard_of: Vec<Vec<(u32, f32)>>,
     pub(crate) flow: Flow,
     counted: Counted,
     /// Whether it is somebody who comes now and then, and is out as a log begins.
@@ -144,7 +146,8 @@ impl Senses {
         smear(&mut rates, &counts.turns, &states);
         let counted = Counted { time_s: counts.time_s, turns: counts.turns };
         let flow = counted.flow(&states, &rates, OUT_S);
-        Ok(Senses { states, timing, rates, flow, counted, visits: false })
+        let heard_of = rates.iter().map(|rates| heard_of(rates)).collect();
+        Ok(Senses { states, timing, rates, heard_of, flow, counted, visits: false })
     }
 
     /// The same for a body that is seldom at home: somebody who visits.
@@ -154,19 +157,25 @@ impl Senses {
     }
 
     /// Nobody, who is beside a body that is alone.
-    pub(crate) fn nobody(&self) -> Senses {
+    pub fn nobody(&self) -> Senses {
         // Whether what feels somebody is over depends on the other alone.
         let is_over = |channel: usize| channel % KINDS == Said::Off as usize && self.timing[channel / KINDS].feels;
         let of = |channel: usize| if is_over(channel) { f32::MAX } else { 0.0 };
         let rates = (0..self.rates.len()).map(|channel| vec![of(channel)]).collect();
         let counted = Counted { time_s: Vec::new(), turns: Vec::new() };
         let (states, timing) = (States::nobody(), self.timing.clone());
-        Senses { states, timing, rates, flow: Flow::nobody(), counted, visits: false }
+        let heard_of = vec![Vec::new(); self.rates.len()];
+        Senses { states, timing, rates, heard_of, flow: Flow::nobody(), counted, visits: false }
     }
 
     /// How often a sensor says something, in messages a second while it can: by state.
     pub(crate) fn rate(&self, sensor: usize, said: Said) -> &[f32] {
         &self.rates[channel(sensor, said)]
+    }
+
+    /// In which states a sensor says something, and by how much more often a second than of nothing.
+    pub(crate) fn heard_of(&self, sensor: usize, said: Said) -> &[(u32, f32)] {
+        &self.heard_of[channel(sensor, said)]
     }
 
     /// The chances of the states before anything was said.
@@ -188,6 +197,13 @@ impl Senses {
     pub fn states(&self) -> &States {
         &self.states
     }
+}
+
+/// In which states something is said, by how often it is in each. What comes of nothing is the same in all others.
+fn heard_of(rates: &[f32]) -> Vec<(u32, f32)> {
+    let of_nothing = OF_NOTHING as f32;
+    let more = (0..).zip(rates).map(|(state, rate)| (state, rate - of_nothing));
+    more.filter(|(_, more)| *more > of_nothing).collect()
 }
 
 /// Gives each patch of floor a part of the rates of those that are walked to from it: bodies differ in pace and in how they
